@@ -1,0 +1,15 @@
+# Language level, warnings and code generation that every target of the project shares.
+add_library(burnish_options INTERFACE)
+target_compile_features(burnish_options INTERFACE cxx_std_20)
+target_include_directories(burnish_options INTERFACE "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}")
+target_compile_options(burnish_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+if(BURNISH_WERROR)
+  target_compile_options(burnish_options INTERFACE -Werror)
+endif()
+# Part of the ABI of Eigen's aligned types: the same flag for every target, never for one file alone.
+if(BURNISH_NATIVE)
+  target_compile_options(burnish_options INTERFACE -march=native)
+endif()
+# ISO mode would forbid fused multiply-adds, and the element kernels live on them.
+target_compile_options(burnish_options INTERFACE -ffp-contract=fast -fno-math-errno)
+set(CMAKE_CXX_EXTENSIONS OFF)

@@ -1,0 +1,16 @@
+#include "engine/core/schedule.h"
+
+#include <algorithm>
+
+namespace burnish {
+
+double Schedule::operator()(double t) const {
+  if (times.empty()) return 0.0;
+  if (t <= times.front()) return values.front();
+  if (t >= times.back()) return values.back();
+  const auto k = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
+  const double s = (t - times[k - 1]) / (times[k] - times[k - 1]);
+  return (1.0 - s) * values[k - 1] + s * values[k];
+}
+
+}  // namespace burnish

@@ -1,0 +1,32 @@
+#pragma once
+#include <Eigen/Dense>
+#include <vector>
+
+#include "engine/nurbs/patch.h"
+
+namespace burnish {
+
+/// Matrix T (functions of `fine` x functions of `coarse`) such that coefficients c of the coarse spline space
+/// and T c of the fine one describe the same function. `fine` may have a higher degree, more knots, or both.
+/// Throws `Error` if the coarse space is not contained in the fine one.
+Eigen::MatrixXd refinementMatrix(const KnotVector& coarse, const KnotVector& fine);
+
+/// The knot vector with knots added (values inside its domain; a value may be repeated).
+KnotVector withKnots(const KnotVector& knots, const std::vector<double>& added);
+
+/// The knot vector of degree p + `times`, continuity at every breakpoint unchanged.
+KnotVector elevated(const KnotVector& knots, int times);
+
+/// The same geometry on finer B-spline bases, one knot vector per direction. Throws `Error` if a direction is
+/// not a B-spline or its space is not contained in the new one.
+template <int P, int S>
+Patch<P, S> refined(const Patch<P, S>& patch, const std::vector<KnotVector>& target);
+
+/// The patch on C^0 Lagrange bases of the given degree whose nodes lie on the geometry; weights are 1, so
+/// curved geometry is interpolated, not exact. `breakpoints`: one list per direction, in the patch's own
+/// parameters.
+template <int P, int S>
+Patch<P, S> lagrangeInterpolant(const Patch<P, S>& patch, int degree,
+                                const std::vector<std::vector<double>>& breakpoints);
+
+}  // namespace burnish
