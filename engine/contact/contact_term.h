@@ -1,0 +1,86 @@
+#pragma once
+#include <Eigen/Dense>
+#include <vector>
+
+#include "engine/contact/tool.h"
+#include "engine/solid/face_quadrature.h"
+#include "engine/solver/term.h"
+
+namespace burnish {
+
+enum class Enforcement {
+  AugmentedLagrangian,  ///< mortar, (31)-(43): displacements and multipliers in one Newton iteration
+  MortarPenalty,        ///< mortar, (4)
+  PointwisePenalty      ///< "knot-to-surface": penalty at every quadrature point
+};
+
+/// Contact quantities at the last evaluated state; `functions` are those of the face's trace.
+struct ContactState {
+  Eigen::VectorXd averageGap;  ///< g_A (34), functions
+  Eigen::VectorXd lambdaHat;   ///< augmented multiplier λ̂_A <= 0 where active, 0 elsewhere, functions
+  std::vector<bool> active;    ///< functions; empty for point-wise penalty
+  Eigen::VectorXd gap;         ///< point-wise gap, quadrature points
+  Eigen::VectorXd pressure;    ///< nominal contact pressure >= 0 in compression, quadrature points
+  Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  ///< force of the body on the tool
+  double energy = 0.0;
+
+  int numActive() const;
+  double largestPenetration() const;  ///< >= 0, over quadrature points
+};
+
+/// Frictionless contact of one face of the body with a rigid tool.
+template <int Dim>
+class ContactTerm final : public Term {
+ public:
+  struct Options {
+    Enforcement enforcement = Enforcement::AugmentedLagrangian;
+    double parameter = 0.0;      ///< ε, stress per length
+    int pointsPerDirection = 0;  ///< per span; 2p when 0
+  };
+
+  /// `firstMultiplier`: number of the first of the face's multipliers among the unknowns (augmented
+  /// Lagrangian only). Throws `Error` if a weight A_A (32) is not positive (Lagrange bases above degree 7).
+  /// The tool must outlive the term.
+  ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, Options options,
+              int firstMultiplier);
+
+  /// Multipliers that this pair adds to the unknowns.
+  int numMultipliers() const;
+
+  CouplingGroups couplings() const override;
+  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+
+  const ContactState& state() const { return state_; }
+  const FaceQuadrature<Dim>& face() const { return face_; }
+  const Options& options() const { return options_; }
+
+  /// A_A = ∫ R_A dΓ (32).
+  const Eigen::VectorXd& weights() const { return A_; }
+
+  /// Averaged gaps g_A between the undeformed face and a tool at time t.
+  Eigen::VectorXd referenceGaps(const Tool& tool, double t) const;
+
+  /// Current positions of the quadrature points, Dim x points.
+  Eigen::MatrixXd positions(const Eigen::VectorXd& x) const;
+
+ private:
+  struct Mortar;
+
+  Mortar integrate(const Tool& tool, double t, const Eigen::VectorXd& x) const;
+  void evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
+  void evaluatePointwise(Assembly& out, const Mortar& mortar);
+  void addGeometricTangent(Assembly& out, const Mortar& mortar);
+  std::vector<int> displacementUnknowns(const std::vector<int>& functions) const;
+
+  FaceQuadrature<Dim> face_;
+  const Tool& tool_;
+  Options options_;
+  int firstMultiplier_;
+  Eigen::VectorXd A_;
+  std::vector<std::vector<int>> supports_;  ///< per function: functions that share a span with it, sorted
+  std::vector<std::vector<std::vector<int>>>
+      slots_;  ///< [span][a][b]: place of function b in the support of function a
+  ContactState state_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,77 @@
+#include "engine/fields/body_fields.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace burnish {
+namespace {
+
+/// Names of the stress components in the order of a record, and their places in `kVoigt` order.
+template <int Dim>
+std::pair<std::vector<std::string>, std::vector<int>> stressComponents() {
+  if constexpr (Dim == 2)
+    return {{"xx", "yy", "xy", "zz"}, {0, 1, 3, 2}};
+  else
+    return {{"xx", "yy", "zz", "xy", "yz", "zx"}, {0, 1, 2, 3, 4, 5}};
+}
+
+template <int Dim>
+double vonMises(const Eigen::Vector<double, kVoigt<Dim>>& sigma) {
+  const Eigen::Vector3d normal = sigma.template head<3>();
+  const Eigen::Vector3d deviator = normal.array() - normal.mean();
+  return std::sqrt(1.5 *
+                   (deviator.squaredNorm() + 2.0 * sigma.template tail<kVoigt<Dim> - 3>().squaredNorm()));
+}
+
+}  // namespace
+
+template <int Dim>
+std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<Dim>& bulk,
+                                                    const std::string& stressUnit) {
+  const auto& tau = bulk.kirchhoffStress();
+  const auto points = static_cast<Eigen::Index>(tau.size());
+  const auto [names, places] = stressComponents<Dim>();
+  FieldRecord stress{names, stressUnit, Eigen::MatrixXd(static_cast<Eigen::Index>(names.size()), points)};
+  FieldRecord mises{{}, stressUnit, Eigen::MatrixXd(1, points)};
+  FieldRecord pressure{{}, stressUnit, Eigen::MatrixXd(1, points)};
+  for (Eigen::Index q = 0; q < points; ++q) {
+    const auto point = static_cast<std::size_t>(q);
+    const Eigen::Vector<double, kVoigt<Dim>> sigma = tau[point] / bulk.jacobians()[point];
+    stress.values.col(q) = sigma(places);
+    mises.values(0, q) = vonMises<Dim>(sigma);
+    pressure.values(0, q) = -sigma.template head<3>().mean();
+  }
+  std::map<std::string, FieldRecord> fields{{"stress", stress}, {"von_mises", mises}, {"pressure", pressure}};
+  if (std::holds_alternative<J2Plasticity>(bulk.material()))
+    fields["plastic_strain"] = {{}, "", plasticStrain(bulk).transpose()};
+  return fields;
+}
+
+template <int Dim>
+std::map<std::string, FieldRecord> projected(const Projection<Dim>& projection,
+                                             std::map<std::string, FieldRecord> fields) {
+  for (auto& [name, field] : fields)
+    field.values = projection.project(field.values.transpose()).transpose().eval();
+  return fields;
+}
+
+template <int Dim>
+Eigen::VectorXd plasticStrain(const BulkTerm<Dim>& bulk) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(bulk.history().size()));
+  for (Eigen::Index q = 0; q < values.size(); ++q)
+    values(q) = bulk.history()[static_cast<std::size_t>(q)].e_p;
+  return values;
+}
+
+template std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<2>&, const std::string&);
+template std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<3>&, const std::string&);
+template std::map<std::string, FieldRecord> projected(const Projection<2>&,
+                                                      std::map<std::string, FieldRecord>);
+template std::map<std::string, FieldRecord> projected(const Projection<3>&,
+                                                      std::map<std::string, FieldRecord>);
+template Eigen::VectorXd plasticStrain(const BulkTerm<2>&);
+template Eigen::VectorXd plasticStrain(const BulkTerm<3>&);
+
+}  // namespace burnish

@@ -1,0 +1,28 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "engine/fields/projection.h"
+#include "engine/results/result.h"
+#include "engine/solid/bulk_term.h"
+
+namespace burnish {
+
+/// Fields of the accepted state at the quadrature points, points x components:
+///   stress      Cauchy σ = τ/J, components xx yy xy zz (2D) or xx yy zz xy yz zx
+///   von_mises   from σ
+///   pressure    −⅓ tr σ, all three normal components
+///   plastic_strain  equivalent, elastoplastic laws only
+template <int Dim>
+std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<Dim>& bulk, const std::string& stressUnit);
+
+/// The same fields projected: coefficients, components x nodes.
+template <int Dim>
+std::map<std::string, FieldRecord> projected(const Projection<Dim>& projection,
+                                             std::map<std::string, FieldRecord> fields);
+
+/// Equivalent plastic strain of the accepted state, one value per quadrature point.
+template <int Dim>
+Eigen::VectorXd plasticStrain(const BulkTerm<Dim>& bulk);
+
+}  // namespace burnish

@@ -1,0 +1,28 @@
+#pragma once
+#include <Eigen/Dense>
+#include <memory>
+
+#include "engine/solid/span_quadrature.h"
+
+namespace burnish {
+
+/// L2 projection of quadrature-point fields onto the body's own basis:
+/// find q with ∫ R_A (Σ R_B q_B − q) dV = 0 over the reference body. The mass matrix is factorised once.
+template <int Dim>
+class Projection {
+ public:
+  /// The quadrature must outlive the projection.
+  explicit Projection(const SpanQuadrature<Dim>& quadrature);
+  ~Projection();
+  Projection(Projection&&) noexcept;
+
+  /// values: points x components; returns nodes x components.
+  Eigen::MatrixXd project(const Eigen::MatrixXd& values) const;
+
+ private:
+  struct Factor;
+  const SpanQuadrature<Dim>& quadrature_;
+  std::unique_ptr<Factor> factor_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,90 @@
+#include "engine/solver/stepping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burnish {
+namespace {
+
+/// Steps that start from the old state after an extrapolated start has failed.
+constexpr int kPauseAfterFailedExtrapolation = 3;
+
+}  // namespace
+
+Stepping::Stepping(Newton& newton, std::vector<Term*> terms, std::function<Eigen::VectorXd(double)> target,
+                   SteppingOptions options, SteppingState start)
+    : newton_(newton),
+      terms_(std::move(terms)),
+      target_(std::move(target)),
+      options_(options),
+      state_(std::move(start)) {}
+
+NewtonReport Stepping::attempt(double time, bool extrapolate, Eigen::VectorXd& x) {
+  const Eigen::VectorXd target = target_(time);
+  x = state_.x;
+  if (extrapolate) {
+    x += (time - state_.time) / state_.lastSize * state_.lastIncrement;
+    for (int i = 0; i < newton_.system().numUnknowns(); ++i)
+      if (newton_.system().isPrescribed(i)) x(i) = target(i);
+  }
+  return newton_.solve(time, target, x);
+}
+
+bool Stepping::advance(double time, double nominal, const std::function<void(const StepReport&)>& accepted) {
+  int attempted = 0, cuts = 0;
+  while (state_.time < time) {
+    const double remaining = time - state_.time;
+    double size = std::ldexp(nominal, -state_.level);
+    // A remainder that differs from the step by rounding only is the step.
+    const bool lands = size > remaining * (1.0 - 1e-9);
+    const double next = lands ? time : state_.time + size;
+    size = next - state_.time;
+
+    Eigen::VectorXd x;
+    NewtonReport report;
+    const bool extrapolate = state_.lastIncrement.size() > 0 && state_.stepsToExtrapolation == 0;
+    if (extrapolate) {
+      report = attempt(next, true, x);
+      attempted += report.iterations;
+      if (report.outcome != NewtonOutcome::Converged)
+        state_.stepsToExtrapolation = kPauseAfterFailedExtrapolation;
+    } else {
+      state_.stepsToExtrapolation = std::max(0, state_.stepsToExtrapolation - 1);
+    }
+    if (!extrapolate || report.outcome != NewtonOutcome::Converged) {
+      report = attempt(next, false, x);
+      attempted += report.iterations;
+    }
+
+    if (report.outcome != NewtonOutcome::Converged) {
+      lastFailure_ = report;
+      if (state_.level == options_.maxCuts) return false;
+      ++state_.level;
+      ++state_.cuts;
+      ++cuts;
+      state_.easySteps = 0;
+      continue;
+    }
+
+    for (Term* term : terms_) term->accept();
+    state_.lastIncrement = x - state_.x;
+    state_.lastSize = size;
+    state_.x = std::move(x);
+    state_.time = next;
+    ++state_.steps;
+    state_.iterations += attempted;
+    state_.smallestStep = state_.steps == 1 ? size : std::min(state_.smallestStep, size);
+    state_.easySteps = report.iterations <= options_.easyIterations ? state_.easySteps + 1 : 0;
+    if (state_.level > 0 && state_.easySteps >= 2) {
+      --state_.level;
+      state_.easySteps = 0;
+    }
+    accepted({state_.steps, state_.time, size, std::move(report), attempted, cuts});
+    attempted = 0;
+    cuts = 0;
+  }
+  return true;
+}
+
+}  // namespace burnish

@@ -1,0 +1,70 @@
+#pragma once
+#include <Eigen/Dense>
+#include <functional>
+#include <vector>
+
+#include "engine/solver/newton.h"
+
+namespace burnish {
+
+struct SteppingOptions {
+  int maxCuts = 12;        ///< the smallest step is the nominal one / 2^maxCuts
+  int easyIterations = 8;  ///< a step that needs no more counts as easy; after two of them the step doubles
+};
+
+/// One accepted step.
+struct StepReport {
+  int step = 0;       ///< number, from 1
+  double time = 0.0;  ///< at its end
+  double size = 0.0;
+  NewtonReport newton;  ///< of the accepted attempt
+  int iterations = 0;   ///< corrections of all attempts, failed ones included
+  int cuts = 0;         ///< cut-backs on the way to this step
+};
+
+/// Everything that the next step depends on beside the histories of the terms.
+struct SteppingState {
+  double time = 0.0;
+  Eigen::VectorXd x;              ///< unknowns at `time`
+  Eigen::VectorXd lastIncrement;  ///< of the last step; empty: nothing to extrapolate from
+  double lastSize = 0.0;
+  int level = 0;                 ///< current step: nominal / 2^level
+  int easySteps = 0;             ///< in a row
+  int stepsToExtrapolation = 0;  ///< steps that still start from the old state after extrapolation failed
+  int steps = 0;
+  int cuts = 0;
+  long iterations = 0;
+  double smallestStep = 0.0;
+};
+
+/// Walks through time in steps that adapt: cut back when Newton fails, grown again after easy steps.
+class Stepping {
+ public:
+  /// `target(t)`: values of the prescribed unknowns at time t (other entries are ignored).
+  Stepping(Newton& newton, std::vector<Term*> terms, std::function<Eigen::VectorXd(double)> target,
+           SteppingOptions options, SteppingState start);
+
+  /// Steps to exactly `time` with steps of at most `nominal`; `accepted` is called after every step. Returns
+  /// false when the smallest step failed; the last accepted state is then the current one.
+  bool advance(double time, double nominal, const std::function<void(const StepReport&)>& accepted);
+
+  /// To be called at a corner of a schedule, where the last increment says nothing about the next one.
+  void forgetIncrement() { state_.lastIncrement.resize(0); }
+
+  const SteppingState& state() const { return state_; }
+
+  /// The last failed attempt, for messages.
+  const NewtonReport& lastFailure() const { return lastFailure_; }
+
+ private:
+  NewtonReport attempt(double time, bool extrapolate, Eigen::VectorXd& x);
+
+  Newton& newton_;
+  std::vector<Term*> terms_;
+  std::function<Eigen::VectorXd(double)> target_;
+  SteppingOptions options_;
+  SteppingState state_;
+  NewtonReport lastFailure_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,35 @@
+#pragma once
+#include <Eigen/Dense>
+#include <vector>
+
+#include "engine/solver/sparse_system.h"
+
+namespace burnish {
+
+/// Where a term puts what it computes: its own force vector over all unknowns and, when asked for, the shared
+/// tangent.
+struct Assembly {
+  Eigen::VectorXd& force;          ///< zero on entry; unknowns
+  SparseSystem* system = nullptr;  ///< null: no tangent is wanted
+  std::size_t term = 0;            ///< the term's number in the system
+};
+
+/// Anything that adds to the balance of forces and constraints: a body, a contact pair, a traction.
+/// Newton and the step control know nothing else.
+class Term {
+ public:
+  virtual ~Term() = default;
+
+  /// Groups of unknowns that the tangent couples; fixed for the life of the term.
+  virtual CouplingGroups couplings() const = 0;
+
+  /// Adds the residual (and tangent) at the unknowns x and the time t, starting from the last accepted
+  /// history. Returns false if the state is not admissible (J <= 0, a failed return map): the step control
+  /// mends that.
+  [[nodiscard]] virtual bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) = 0;
+
+  /// Makes the history of the last evaluation the accepted one.
+  virtual void accept() {}
+};
+
+}  // namespace burnish
