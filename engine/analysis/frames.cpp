@@ -1,0 +1,110 @@
+#include "engine/analysis/frames.h"
+
+#include <string>
+
+#include "engine/core/version.h"
+#include "engine/fields/body_fields.h"
+
+namespace burnish {
+namespace {
+
+template <int Dim>
+QuadratureRecord quadratureRecord(const Model<Dim>& model, const Eigen::MatrixXd& currentNodes,
+                                  const std::map<std::string, FieldRecord>& fields) {
+  QuadratureRecord record;
+  record.positions.resize(Dim, model.quadrature().numPoints());
+  for (const auto& span : model.quadrature().spans())
+    record.positions.middleCols(span.firstPoint, span.R.cols()) =
+        currentNodes(Eigen::all, span.nodes) * span.R;
+  record.fields = fields;
+  const auto& J = model.bulk().jacobians();
+  record.fields["J"] = {
+      {}, "", Eigen::Map<const Eigen::RowVectorXd>(J.data(), static_cast<Eigen::Index>(J.size()))};
+  return record;
+}
+
+template <int Dim>
+ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pair, const Eigen::VectorXd& x) {
+  const ContactState& state = pair.term->state();
+  ContactRecord record;
+  record.tool = model.tools()[pair.tool]->name;
+  record.face = pair.faceName;
+  record.patch = pair.patch;
+  record.nodes = pair.term->face().nodes();
+  record.pressure = -state.lambdaHat;
+  record.averageGap = state.averageGap;
+  record.active.assign(record.nodes.size(), 0);
+  for (std::size_t a = 0; a < state.active.size(); ++a) record.active[a] = state.active[a] ? 1 : 0;
+  record.quadraturePoints = pair.term->positions(x);
+  record.quadraturePressure = state.pressure;
+  record.quadratureGap = state.gap;
+  return record;
+}
+
+}  // namespace
+
+template <int Dim>
+ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
+  ModelRecord record;
+  record.program = std::string("burnish ") + kVersion;
+  record.title = scene.title;
+  record.sceneYaml = scene.resolvedYaml;
+  record.dim = Dim;
+  record.lengthUnit = scene.units.length;
+  record.stressUnit = scene.units.stress;
+  record.numNodes = model.body().numNodes;
+  record.subdivision = scene.output.subdivision;
+  for (std::size_t p = 0; p < model.body().patches.size(); ++p) {
+    const auto& patch = model.body().patches[p];
+    PatchRecord stored;
+    for (int d = 0; d < Dim; ++d) {
+      const auto& basis = patch.basis().direction(d);
+      stored.directions.push_back({basis.family(), basis.degree(), basis.knots()});
+    }
+    stored.points = patch.points();
+    stored.weights = patch.weights();
+    stored.nodes = model.body().nodes[p];
+    record.patches.push_back(std::move(stored));
+  }
+  for (const auto& tool : model.tools()) record.tools.push_back({tool->name, tool->shape});
+  return record;
+}
+
+template <int Dim>
+FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection,
+                      int index, int step, double t, const Eigen::VectorXd& x) {
+  FrameRecord frame;
+  frame.index = index;
+  frame.step = step;
+  frame.time = t;
+  frame.displacement = Eigen::Map<const Eigen::MatrixXd>(x.data(), Dim, model.body().numNodes);
+  const auto raw = quadratureFields(model.bulk(), scene.units.stress);
+  frame.fields = projected(projection, raw);
+
+  const auto tools = static_cast<Eigen::Index>(model.tools().size());
+  frame.toolDisplacement.resize(Dim, tools);
+  for (Eigen::Index k = 0; k < tools; ++k)
+    frame.toolDisplacement.col(k) =
+        model.tools()[static_cast<std::size_t>(k)]->displacement(t).template head<Dim>();
+  for (const auto& pair : model.contacts()) frame.contact.push_back(contactRecord(model, pair, x));
+
+  Eigen::MatrixXd current = frame.displacement;
+  for (std::size_t p = 0; p < model.body().patches.size(); ++p) {
+    // A node that patches share has the same reference position in all of them.
+    const auto& nodes = model.body().nodes[p];
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      current.col(nodes[a]) = frame.displacement.col(nodes[a]) +
+                              model.body().patches[p].points().col(static_cast<Eigen::Index>(a));
+  }
+  frame.quadrature = quadratureRecord(model, current, raw);
+  return frame;
+}
+
+template ModelRecord makeModelRecord(const Scene&, const Model<2>&);
+template ModelRecord makeModelRecord(const Scene&, const Model<3>&);
+template FrameRecord makeFrame(const Scene&, const Model<2>&, const Projection<2>&, int, int, double,
+                               const Eigen::VectorXd&);
+template FrameRecord makeFrame(const Scene&, const Model<3>&, const Projection<3>&, int, int, double,
+                               const Eigen::VectorXd&);
+
+}  // namespace burnish

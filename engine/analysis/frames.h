@@ -1,0 +1,17 @@
+#pragma once
+#include "engine/analysis/model.h"
+#include "engine/fields/projection.h"
+#include "engine/results/result.h"
+
+namespace burnish {
+
+/// The immutable part of a result.
+template <int Dim>
+ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model);
+
+/// The accepted state that the terms have just been evaluated at, as an output instant.
+template <int Dim>
+FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection,
+                      int index, int step, double t, const Eigen::VectorXd& x);
+
+}  // namespace burnish

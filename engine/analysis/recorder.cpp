@@ -1,0 +1,135 @@
+#include "engine/analysis/recorder.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <variant>
+
+#include "engine/core/stopwatch.h"
+#include "engine/fields/body_fields.h"
+
+namespace burnish {
+namespace {
+
+constexpr double kDoubtfulSpanShare = 0.1;
+constexpr double kDoubtfulRadiusShare = 0.01;
+constexpr double kDoubtfulJ = 0.05;
+
+}  // namespace
+
+template <int Dim>
+Recorder<Dim>::Recorder(const Model<Dim>& model, const Projection<Dim>& projection)
+    : model_(model),
+      projection_(projection),
+      extremes_(model.body()),
+      doubts_{{"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
+              {"smallest J below 0.05"}} {}
+
+template <int Dim>
+std::vector<std::string> Recorder<Dim>::columns() const {
+  constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+  std::vector<std::string> columns{"step", "time"};
+  for (const auto& tool : model_.tools())
+    for (const char* quantity : {".u", ".f"})
+      for (std::size_t d = 0; d < Dim; ++d) columns.push_back(tool->name + quantity + axes[d]);
+  for (const char* name :
+       {"strain_energy", "contact_energy", "external_work", "plastic_work", "max_plastic_strain",
+        "max_plastic_strain_projected", "min_plastic_strain_projected", "active_control_points",
+        "max_penetration", "min_detJ", "newton_iterations"})
+    columns.emplace_back(name);
+  return columns;
+}
+
+template <int Dim>
+double Recorder<Dim>::workIncrement(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& force) const {
+  if (x_.size() == 0) return 0.0;
+  double work = 0.0;
+  const Eigen::VectorXd increment = x - x_;
+  for (Eigen::Index i = 0; i < model_.numDisplacements(); ++i)
+    if (model_.prescribed()[static_cast<std::size_t>(i)]) work += 0.5 * (force_(i) + force(i)) * increment(i);
+  for (const auto& traction : model_.tractions())
+    work +=
+        0.5 *
+        (traction->load(current_.time) + traction->load(t)).dot(increment.head(model_.numDisplacements()));
+  return work;
+}
+
+template <int Dim>
+void Recorder<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& force) {
+  StateQuantities next;
+  next.time = t;
+  next.externalWork = current_.externalWork + workIncrement(t, x, force);
+  for (const auto& tool : model_.tools()) next.toolDisplacements.push_back(tool->displacement(t));
+  next.toolForces.assign(model_.tools().size(), Eigen::Vector3d::Zero());
+  for (const auto& pair : model_.contacts()) {
+    const ContactState& contact = pair.term->state();
+    next.toolForces[pair.tool] += contact.reaction;
+    next.contactEnergy += contact.energy;
+    next.activeControlPoints += contact.numActive();
+    next.maxPenetration = std::max(next.maxPenetration, contact.largestPenetration());
+  }
+  if (x_.size() > 0)
+    for (std::size_t k = 0; k < next.toolForces.size(); ++k)
+      next.externalWork -= 0.5 * (current_.toolForces[k] + next.toolForces[k])
+                                     .dot(next.toolDisplacements[k] - current_.toolDisplacements[k]);
+
+  const BulkTerm<Dim>& bulk = model_.bulk();
+  next.strainEnergy = bulk.summary().strainEnergy;
+  next.plasticWork = bulk.plasticWork();
+  next.maxPlasticStrain = bulk.summary().maxPlasticStrain;
+  next.minJ = bulk.summary().minJ;
+  if (std::holds_alternative<J2Plasticity>(bulk.material())) {
+    const Stopwatch stopwatch(projectionSeconds_);
+    next.projectedPlasticStrain = extremes_(projection_.project(plasticStrain(bulk)).col(0));
+  }
+
+  current_ = std::move(next);
+  x_ = x;
+  force_ = force;
+  watch();
+}
+
+template <int Dim>
+void Recorder<Dim>::watch() {
+  smallestJ_ = std::min(smallestJ_, current_.minJ);
+  largestPenetration_ = std::max(largestPenetration_, current_.maxPenetration);
+
+  bool penetrates = false;
+  for (const auto& pair : model_.contacts()) {
+    const double radius = curvatureRadius(model_.tools()[pair.tool]->shape);
+    for (const auto& span : pair.term->face().spans()) {
+      const double penetration =
+          -pair.term->state().gap.segment(span.firstPoint, span.weights.size()).minCoeff();
+      penetrates |= penetration > kDoubtfulSpanShare * FaceQuadrature<Dim>::sizeOf(span) ||
+                    penetration > kDoubtfulRadiusShare * radius;
+    }
+  }
+  const auto note = [&](Doubt& doubt, bool holds) {
+    if (!holds) return;
+    if (doubt.steps == 0) doubt.firstTime = current_.time;
+    ++doubt.steps;
+  };
+  note(doubts_[0], penetrates);
+  note(doubts_[1], current_.minJ < kDoubtfulJ);
+}
+
+template <int Dim>
+std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
+  std::vector<double> row{static_cast<double>(step), current_.time};
+  for (std::size_t k = 0; k < current_.toolForces.size(); ++k) {
+    for (int d = 0; d < Dim; ++d) row.push_back(current_.toolDisplacements[k](d));
+    for (int d = 0; d < Dim; ++d) row.push_back(current_.toolForces[k](d));
+  }
+  for (const double value :
+       {current_.strainEnergy, current_.contactEnergy, current_.externalWork, current_.plasticWork,
+        current_.maxPlasticStrain, current_.projectedPlasticStrain.max, current_.projectedPlasticStrain.min,
+        static_cast<double>(current_.activeControlPoints), current_.maxPenetration, current_.minJ,
+        static_cast<double>(newtonIterations)})
+    row.push_back(value);
+  return row;
+}
+
+template class Recorder<2>;
+template class Recorder<3>;
+
+}  // namespace burnish

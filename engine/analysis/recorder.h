@@ -1,0 +1,76 @@
+#pragma once
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "engine/analysis/model.h"
+#include "engine/fields/projection.h"
+#include "engine/fields/span_extremes.h"
+
+namespace burnish {
+
+/// A condition that makes results doubtful, and for how long it held.
+struct Doubt {
+  std::string what;
+  double firstTime = 0.0;
+  int steps = 0;  ///< 0: never
+};
+
+/// Quantities of one accepted state, in the units of the scene.
+struct StateQuantities {
+  double time = 0.0;
+  std::vector<Eigen::Vector3d> toolDisplacements;  ///< per tool
+  std::vector<Eigen::Vector3d> toolForces;         ///< force of the body on each tool
+  double strainEnergy = 0.0;
+  double contactEnergy = 0.0;
+  double externalWork = 0.0;  ///< trapezoidal sum over the steps: tools, tractions, moved supports
+  double plasticWork = 0.0;
+  double maxPlasticStrain = 0.0;  ///< over quadrature points
+  Extremes projectedPlasticStrain;
+  int activeControlPoints = 0;
+  double maxPenetration = 0.0;
+  double minJ = 1.0;
+};
+
+/// Follows a run: sums the external work, watches extremes and doubts, and makes history rows.
+template <int Dim>
+class Recorder {
+ public:
+  /// The model and the projection must outlive the recorder.
+  Recorder(const Model<Dim>& model, const Projection<Dim>& projection);
+
+  /// Columns of the history, as documented in docs/results.md.
+  std::vector<std::string> columns() const;
+
+  /// Takes in the accepted state that the terms have just been evaluated at. `force`: sum of all terms'
+  /// forces there.
+  void update(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& force);
+
+  const StateQuantities& current() const { return current_; }
+  std::vector<double> row(int step, int newtonIterations) const;
+
+  /// Smallest J and largest penetration of all states so far.
+  double smallestJ() const { return smallestJ_; }
+  double largestPenetration() const { return largestPenetration_; }
+
+  const std::vector<Doubt>& doubts() const { return doubts_; }
+
+  /// Seconds spent in projections.
+  double projectionSeconds() const { return projectionSeconds_; }
+
+ private:
+  double workIncrement(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& force) const;
+  void watch();
+
+  const Model<Dim>& model_;
+  const Projection<Dim>& projection_;
+  SpanExtremes<Dim> extremes_;
+  StateQuantities current_;
+  Eigen::VectorXd x_, force_;  ///< of the last state; empty before the first
+  double smallestJ_ = 1.0;
+  double largestPenetration_ = 0.0;
+  std::vector<Doubt> doubts_;
+  double projectionSeconds_ = 0.0;
+};
+
+}  // namespace burnish

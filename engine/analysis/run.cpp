@@ -1,0 +1,204 @@
+#include "engine/analysis/run.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "engine/analysis/frames.h"
+#include "engine/analysis/model.h"
+#include "engine/analysis/time_grid.h"
+#include "engine/core/stopwatch.h"
+#include "engine/results/history.h"
+#include "engine/results/result_writer.h"
+#include "engine/solver/stepping.h"
+
+namespace burnish {
+namespace {
+
+/// One run of a scene of given dimension.
+template <int Dim>
+class Run {
+ public:
+  Run(const Scene& scene, const std::filesystem::path& directory, RunObserver& observer)
+      : scene_(scene),
+        observer_(observer),
+        model_(scene),
+        terms_(model_.terms()),
+        newton_(terms_, model_.prescribed(), model_.residualScales(), model_.matrixKind(),
+                newtonOptions(scene)),
+        stepping_(
+            newton_, terms_, [this](double t) { return model_.target(t); }, {.maxCuts = scene.solver.maxCuts},
+            startState()),
+        projection_(model_.quadrature()),
+        recorder_(model_, projection_),
+        record_(makeModelRecord(scene, model_)),
+        writer_(directory, record_),
+        history_(directory / "history.csv", recorder_.columns()) {}
+
+  RunSummary execute() {
+    {
+      const Stopwatch stopwatch(summary_.timings.total);
+      observer_.onStart(record_);
+      summary_.completed = approach() && walk();
+      if (!summary_.completed) keepLastState();
+    }
+    fillSummary();
+    return std::move(summary_);
+  }
+
+ private:
+  static NewtonOptions newtonOptions(const Scene& scene) {
+    return {.tolerance = scene.solver.tolerance, .maxIterations = scene.solver.maxIterations};
+  }
+
+  SteppingState startState() const {
+    SteppingState start;
+    start.time = model_.startTime();
+    start.x = Eigen::VectorXd::Zero(model_.numUnknowns());
+    return start;
+  }
+
+  /// Evaluates the terms at the current state without a step.
+  Eigen::VectorXd evaluateHere() {
+    const auto& state = stepping_.state();
+    Eigen::VectorXd total = Eigen::VectorXd::Zero(model_.numUnknowns());
+    for (Term* term : terms_) {
+      Assembly out{total};
+      static_cast<void>(term->evaluate(state.time, state.x, out));  // an accepted state is admissible
+    }
+    return total;
+  }
+
+  Eigen::VectorXd totalForce() const {
+    Eigen::VectorXd total = Eigen::VectorXd::Zero(model_.numUnknowns());
+    for (std::size_t k = 0; k < terms_.size(); ++k) total += newton_.force(k);
+    return total;
+  }
+
+  /// Brings lifted tools down and records the state at t = 0.
+  bool approach() {
+    recorder_.update(stepping_.state().time, stepping_.state().x, evaluateHere());
+    for (Term* term : terms_) term->accept();
+    bool arrived = true;
+    if (model_.startTime() < 0.0) {
+      arrived = stepping_.advance(0.0, -0.25 * model_.startTime(), [this](const StepReport& step) {
+        recorder_.update(step.time, stepping_.state().x, totalForce());
+        note(step);
+      });
+      stepping_.forgetIncrement();
+    }
+    history_.append(recorder_.row(0, 0));
+    if (arrived) writeFrame();
+    return arrived;
+  }
+
+  bool walk() {
+    const auto grid = timeGrid(scene_, model_.corners());
+    const int stepsBefore = stepping_.state().steps;
+    for (const Landing& landing : grid) {
+      const bool arrived = stepping_.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
+        recorder_.update(step.time, stepping_.state().x, totalForce());
+        note(step);
+        step_ = step.step - stepsBefore;
+        history_.append(recorder_.row(step_, step.iterations));
+        observer_.onStep({step_, step.time, grid.back().time, step.size, step.iterations,
+                          stepping_.state().cuts, step.newton.residual});
+      });
+      if (!arrived) return false;
+      if (landing.frame) writeFrame();
+      if (landing.corner) stepping_.forgetIncrement();
+    }
+    return true;
+  }
+
+  /// Statistics of an accepted step.
+  void note(const StepReport& step) {
+    summary_.worstResidual = std::max(summary_.worstResidual, step.newton.residual);
+    summary_.worstConstraint = std::max(summary_.worstConstraint, step.newton.constraint);
+    summary_.maxIterations = std::max(summary_.maxIterations, step.newton.iterations);
+  }
+
+  void writeFrame() {
+    const Stopwatch stopwatch(summary_.timings.output);
+    const auto& state = stepping_.state();
+    const FrameRecord frame =
+        makeFrame(scene_, model_, projection_, summary_.frames, step_, state.time, state.x);
+    writer_.append(frame);
+    ++summary_.frames;
+    lastFrameTime_ = state.time;
+    observer_.onFrame(record_, frame);
+  }
+
+  /// After a failed step: the last accepted state becomes the last frame.
+  void keepLastState() {
+    const auto& state = stepping_.state();
+    const NewtonReport& failure = stepping_.lastFailure();
+    summary_.stoppedBecause =
+        fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
+                    state.time, state.smallestStep, describe(failure.outcome), failure.residual);
+    if (summary_.frames > 0 && lastFrameTime_ == state.time) return;
+    static_cast<void>(evaluateHere());
+    writeFrame();
+  }
+
+  void fillSummary() {
+    const auto& state = stepping_.state();
+    const auto& timings = newton_.timings();
+    summary_.unknowns = static_cast<int>(newton_.system().freeUnknowns().size());
+    summary_.steps = step_;
+    summary_.cuts = state.cuts;
+    summary_.smallestStep = state.smallestStep;
+    summary_.iterations = state.iterations;
+    summary_.meanIterations = static_cast<double>(state.iterations) / std::max(1, state.steps);
+    summary_.tolerance = scene_.solver.tolerance;
+    summary_.constraintTolerance = newtonOptions(scene_).constraintTolerance;
+    if (!model_.contacts().empty())
+      summary_.contactParameter = model_.contacts().front().term->options().parameter;
+    summary_.end = recorder_.current();
+    summary_.smallestJ = recorder_.smallestJ();
+    summary_.largestPenetration = recorder_.largestPenetration();
+    for (const Doubt& doubt : recorder_.doubts())
+      if (doubt.steps > 0) summary_.doubts.push_back(doubt);
+    for (std::size_t k = 0; k < timings.terms.size(); ++k) {
+      const bool isContact = k >= 1 && k <= model_.contacts().size();
+      (isContact ? summary_.timings.contact : summary_.timings.assembly) += timings.terms[k];
+    }
+    summary_.timings.factorisation = timings.factorisation;
+    summary_.timings.solve = timings.solve;
+    summary_.timings.projection = recorder_.projectionSeconds();
+    if (state.steps > 0) summary_.factorNonZeros = newton_.linearSolver().factorNonZeros();
+  }
+
+  const Scene& scene_;
+  RunObserver& observer_;
+  Model<Dim> model_;
+  std::vector<Term*> terms_;
+  Newton newton_;
+  Stepping stepping_;
+  Projection<Dim> projection_;
+  Recorder<Dim> recorder_;
+  ModelRecord record_;
+  ResultWriter writer_;
+  HistoryWriter history_;
+  RunSummary summary_;
+  int step_ = 0;
+  double lastFrameTime_ = 0.0;
+};
+
+}  // namespace
+
+RunSummary runScene(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
+                    RunObserver& observer) {
+  pinBlasToOneThread();
+  const auto threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  if (scene.dim() == 2) return Run<2>(scene, directory, observer).execute();
+  return Run<3>(scene, directory, observer).execute();
+}
+
+}  // namespace burnish

@@ -1,0 +1,51 @@
+#include "engine/analysis/time_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+std::vector<double> outputTimes(const Scene& scene, double end) {
+  std::vector<double> times = scene.output.times;
+  for (const auto& picture : scene.pictures)
+    times.insert(times.end(), picture.times.begin(), picture.times.end());
+  if (scene.output.every)
+    for (long k = 1; static_cast<double>(k) * *scene.output.every < end * (1.0 + 1e-12); ++k)
+      times.push_back(static_cast<double>(k) * *scene.output.every);
+  return times;
+}
+
+}  // namespace
+
+std::vector<Landing> timeGrid(const Scene& scene, const std::vector<double>& corners) {
+  std::vector<Landing> grid;
+  double begin = 0.0;
+  for (const auto& phase : scene.steps) {
+    const double step = (phase.until - begin) / phase.count;
+    for (int k = 1; k <= phase.count; ++k)
+      grid.push_back({k == phase.count ? phase.until : begin + k * step, step, false, false});
+    begin = phase.until;
+  }
+
+  const auto insert = [&](double time, auto&& mark) {
+    const double end = grid.back().time;
+    const auto at = std::lower_bound(grid.begin(), grid.end(), time, [](const Landing& landing, double t) {
+      return landing.time < t - 1e-9 * landing.nominalStep;
+    });
+    if (time <= 0.0 || at == grid.end()) return;
+    if (std::abs(at->time - time) <= 1e-9 * at->nominalStep) {
+      if (time < end) at->time = time;
+      mark(*at);
+    } else {
+      mark(*grid.insert(at, {time, at->nominalStep, false, false}));
+    }
+  };
+  for (const double time : outputTimes(scene, grid.back().time))
+    insert(time, [](Landing& l) { l.frame = true; });
+  for (const double time : corners) insert(time, [](Landing& l) { l.corner = true; });
+  grid.back().frame = true;
+  return grid;
+}
+
+}  // namespace burnish

@@ -1,0 +1,116 @@
+#include "engine/analysis/tool_start.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace burnish {
+namespace {
+
+template <int P>
+struct Sample {
+  Eigen::Vector<double, P> xi;
+  double gap = std::numeric_limits<double>::infinity();
+};
+
+/// Best of a grid of samples in the parameter box [low, high].
+template <int P, class Gap>
+Sample<P> bestSample(const Eigen::Vector<double, P>& low, const Eigen::Vector<double, P>& high, int intervals,
+                     const Gap& gap) {
+  Sample<P> best;
+  const int samples = P == 1 ? intervals + 1 : (intervals + 1) * (intervals + 1);
+  for (int k = 0; k < samples; ++k) {
+    Eigen::Vector<double, P> s;
+    for (int d = 0, rest = k; d < P; ++d, rest /= intervals + 1)
+      s(d) = static_cast<double>(rest % (intervals + 1)) / intervals;
+    const Eigen::Vector<double, P> xi = low + s.cwiseProduct(high - low);
+    const double g = gap(xi);
+    if (g < best.gap) best = {xi, g};
+  }
+  return best;
+}
+
+}  // namespace
+
+template <int Dim>
+double smallestGap(const Body<Dim>& body, int patch, FaceId face, const Tool& tool) {
+  constexpr int P = Dim - 1;
+  constexpr int kIntervals = Dim == 2 ? 16 : 6;
+  constexpr int kZooms = 8;
+  using Parameter = Eigen::Vector<double, P>;
+  const auto trace = tracePatch(body.patches[static_cast<std::size_t>(patch)], face);
+  const auto gap = [&](const Parameter& xi) {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    x.template head<Dim>() = trace.position(xi);
+    return tool.query(0.0, x).gap;
+  };
+
+  struct Box {
+    Parameter low, high;
+    Sample<P> best;
+    double
+        spacing;  // of the samples in space: the gap between two of them is smaller by this much at the most
+  };
+  std::vector<Box> boxes;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int e = 0; e < trace.basis().numSpans(); ++e) {
+    const auto index = trace.basis().spanIndex(e);
+    Box box;
+    for (int d = 0; d < P; ++d) {
+      box.low(d) = trace.basis().direction(d).spanBegin(index[static_cast<std::size_t>(d)]);
+      box.high(d) = trace.basis().direction(d).spanEnd(index[static_cast<std::size_t>(d)]);
+    }
+    box.best = bestSample(box.low, box.high, kIntervals, gap);
+    box.spacing = 2.0 * (trace.position(box.high) - trace.position(box.low)).norm() / kIntervals;
+    smallest = std::min(smallest, box.best.gap);
+    boxes.push_back(box);
+  }
+
+  const double coarse = smallest;
+  for (Box& box : boxes) {
+    if (box.best.gap - box.spacing > coarse) continue;
+    for (int zoom = 0; zoom < kZooms; ++zoom) {
+      const Parameter step = (box.high - box.low) / kIntervals;
+      const Parameter low = (box.best.xi - step).cwiseMax(box.low),
+                      high = (box.best.xi + step).cwiseMin(box.high);
+      box.low = low;
+      box.high = high;
+      box.best = bestSample(low, high, kIntervals, gap);
+    }
+    smallest = std::min(smallest, box.best.gap);
+  }
+  return smallest;
+}
+
+template <int Dim>
+Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool) {
+  double worst = 0.0;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  for (const auto* pair : pairs) {
+    const Eigen::VectorXd gaps = pair->referenceGaps(tool, 0.0);
+    Eigen::Index A = 0;
+    if (gaps.minCoeff(&A) >= worst) continue;
+    worst = gaps(A);
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    x.template head<Dim>() = pair->face().points().col(A);
+    direction = -tool.query(0.0, x).normal;
+  }
+  if (worst >= 0.0) return Eigen::Vector3d::Zero();
+
+  constexpr double kMargin = 1.05;
+  Tool lifted = tool;
+  lifted.approachTime = 1.0;
+  for (double height = -kMargin * worst;; height *= kMargin) {
+    lifted.lift = height * direction;
+    const bool separated = std::all_of(pairs.begin(), pairs.end(), [&](const auto* pair) {
+      return pair->referenceGaps(lifted, -lifted.approachTime).minCoeff() > 0.0;
+    });
+    if (separated) return lifted.lift;
+  }
+}
+
+template double smallestGap(const Body<2>&, int, FaceId, const Tool&);
+template double smallestGap(const Body<3>&, int, FaceId, const Tool&);
+template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<2>*>&, const Tool&);
+template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<3>*>&, const Tool&);
+
+}  // namespace burnish
