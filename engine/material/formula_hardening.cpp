@@ -1,0 +1,41 @@
+#include "engine/material/formula_hardening.h"
+
+#include <muParser.h>
+
+#include <cmath>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+std::shared_ptr<const PiecewiseChebyshev> interpolateFormula(const std::string& formula) {
+  const std::string place = "hardening formula \"" + formula + "\": ";
+  double ep = 0.0;
+  double initial = 0.0;
+  mu::Parser parser;
+  try {
+    parser.DefineVar("ep", &ep);
+    parser.SetExpr(formula);
+    initial = parser.Eval();
+  } catch (const mu::Parser::exception_type& problem) {
+    throw Error(place + problem.GetMsg() + " Write the yield stress as a function of ep.");
+  }
+  if (!(initial > 0.0) || !std::isfinite(initial))
+    throw Error(place + "the yield stress at ep = 0 is " + std::to_string(initial) + ", it must be positive");
+  const auto evaluate = [&](double e) {
+    ep = e;
+    return parser.Eval();
+  };
+  try {
+    return std::make_shared<const PiecewiseChebyshev>(evaluate);
+  } catch (const Error& problem) {
+    throw Error(place + problem.what());
+  }
+}
+
+}  // namespace
+
+FormulaHardening::FormulaHardening(const std::string& formula) : curve_(interpolateFormula(formula)) {}
+
+}  // namespace burnish

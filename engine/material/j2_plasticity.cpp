@@ -1,0 +1,152 @@
+#include "engine/material/j2_plasticity.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "engine/material/principal_axes.h"
+#include "engine/material/symmetric_tensor.h"
+#include "engine/material/volume_change.h"
+
+namespace burnish {
+namespace {
+
+/// Relative distance to the yield surface within which a trial state is elastic: states that a converged step
+/// has put on the surface stay elastic when they are evaluated again.
+constexpr double kYieldTolerance = 1e-11;
+
+/// Relative distance of squared stretches below which the shear moduli take their limit.
+constexpr double kEqualStretches = 1e-6;
+
+/// Volumetric part of an elastic law.
+struct Volumetric {
+  double pressure;   ///< mean Kirchhoff stress J U'
+  double stiffness;  ///< its derivative with respect to ln J
+  double energy;
+
+  Volumetric(ElasticLaw law, double kappa, double JMinusOne) {
+    const double logJ = std::log1p(JMinusOne);
+    const double halfJ2 = JMinusOne * (1.0 + 0.5 * JMinusOne);  // ½(J² − 1)
+    const bool hencky = law == ElasticLaw::Hencky;
+    pressure = kappa * (hencky ? logJ : halfJ2);
+    stiffness = kappa * (hencky ? 1.0 : 1.0 + 2.0 * halfJ2);
+    energy = 0.5 * kappa * (hencky ? logJ * logJ : halfJ2 - logJ);
+  }
+};
+
+/// The neo-Hookean law in closed form, at the isochoric left Cauchy-Green tensor b̄. False, and nothing is
+/// set, when ‖dev τ‖ exceeds the radius of the yield surface.
+template <int Dim>
+bool setNeoHookeanWithin(double radius, double mu, const Volumetric& volumetric,
+                         const SymmetricTensor<Dim>& bBar, MaterialResponse<Dim>& out) {
+  const SymmetricTensor<Dim> one = identityComponents<Dim>();
+  const double trace = bBar.template head<3>().sum();
+  const double meanModulus = mu * trace / 3.0;
+  const SymmetricTensor<Dim> s = mu * bBar - meanModulus * one;
+  if (squaredNorm<Dim>(s) > radius * radius) return false;
+  out.tau = s + volumetric.pressure * one;
+  out.c = isotropicTangent<Dim>(volumetric.stiffness - 2.0 / 3.0 * meanModulus,
+                                2.0 * (meanModulus - volumetric.pressure));
+  out.c -= 2.0 / 3.0 * (s * one.transpose() + one * s.transpose());
+  out.strainEnergy = volumetric.energy + 0.5 * mu * (trace - 3.0);
+  return true;
+}
+
+/// c_ABAB of two directions with the squared trial stretches a and b. The secant of the limit differs from
+/// the tangent ¼(D_AA + D_BB − D_AB − D_BA) of the same branch by terms of second order in a − b.
+double shearModulus(double a, double b, double tauA, double tauB, double equalModulus) {
+  const double difference = a - b;
+  const double secant = std::abs(difference) < kEqualStretches * std::max(a, b)
+                            ? 0.5 * equalModulus
+                            : 0.5 * (tauA - tauB) * (a + b) / difference;
+  return secant - 0.5 * (tauA + tauB);
+}
+
+/// Stress, tangent and energy from principal values.
+template <int Dim>
+void setPrincipal(const PrincipalAxes<Dim>& axes, const Volumetric& volumetric, const PrincipalState& state,
+                  MaterialResponse<Dim>& out) {
+  const Eigen::Vector3d tau = (state.s + volumetric.pressure).matrix();
+  Eigen::Matrix3d normal = state.D;
+  normal.array() += volumetric.stiffness;
+  normal.diagonal() -= 2.0 * tau;
+  Eigen::Matrix<double, PrincipalAxes<Dim>::kPairs, 1> shear;
+  for (int pair = 0; pair < PrincipalAxes<Dim>::kPairs; ++pair) {
+    const int A = axes.first(pair);
+    const int B = axes.second(pair);
+    shear[pair] = shearModulus(axes.values[A], axes.values[B], tau[A], tau[B],
+                               0.5 * (state.modulus[A] + state.modulus[B]));
+  }
+  out.tau = axes.tensor(tau);
+  out.c = axes.tangent(normal, shear);
+  out.strainEnergy = volumetric.energy + state.energy;
+}
+
+/// Cp^{-1} = F^{-1} b_e F^{-T}, exactly symmetric.
+Eigen::Matrix3d plasticMetric(const Eigen::Matrix3d& F, const Eigen::Matrix3d& b_e) {
+  const Eigen::Matrix3d F_inv = F.inverse();
+  const Eigen::Matrix3d Cp_inv = F_inv * b_e * F_inv.transpose();
+  return 0.5 * (Cp_inv + Cp_inv.transpose());
+}
+
+double hardeningWork(const Hardening& hardening, double from, double to) {
+  return std::visit([=](const auto& law) { return law.work(to) - law.work(from); }, hardening);
+}
+
+template <int Dim>
+bool isFinite(const MaterialResponse<Dim>& out) {
+  return std::isfinite(out.tau.sum() + out.strainEnergy);
+}
+
+}  // namespace
+
+J2Plasticity::J2Plasticity(double E, double nu, ElasticLaw elasticLaw, Hardening hardening)
+    : moduli_(E, nu), elasticLaw_(elasticLaw), hardening_(std::move(hardening)) {}
+
+template <int Dim>
+bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const MaterialState& old, MaterialState& next,
+                            MaterialResponse<Dim>& out) const {
+  const VolumeChange volume(F - Eigen::Matrix3d::Identity());
+  const double J = volume.J();
+  if (!(J > 0.0)) return false;
+  const Volumetric volumetric(elasticLaw_, moduli_.kappa, volume.minusOne());
+  const double radius = kRootTwoThirds * hardeningAt(hardening_, old.e_p).sigma_y * (1.0 + kYieldTolerance);
+  next = old;
+  out.plasticWork = 0.0;
+
+  // Elastic predictor
+  const Eigen::Matrix3d b = F * old.Cp_inv * F.transpose();
+  if (elasticLaw_ == ElasticLaw::NeoHookean) {
+    const SymmetricTensor<Dim> bBar = components<Dim>(b) / std::cbrt(J * J);
+    if (setNeoHookeanWithin<Dim>(radius, moduli_.mu, volumetric, bBar, out)) return isFinite(out);
+  }
+  const PrincipalAxes<Dim> axes(b);
+  if (!(axes.values.minCoeff() > 0.0)) return false;
+  const Eigen::Array3d strain = 0.5 * axes.values.array().log();
+  const double mean = strain.sum() / 3.0;
+  const Eigen::Array3d e_tr = strain - mean;
+  const DeviatoricLaw law{elasticLaw_, moduli_.mu};
+  if (elasticLaw_ == ElasticLaw::Hencky && 2.0 * moduli_.mu * e_tr.matrix().norm() <= radius) {
+    setPrincipal(axes, volumetric, elasticState(law, e_tr, old.e_p), out);
+    return isFinite(out);
+  }
+
+  // Return to the yield surface
+  const std::optional<PrincipalState> state = returnMap(law, hardening_, e_tr, old.e_p);
+  if (!state) return false;
+  setPrincipal(axes, volumetric, *state, out);
+  const Eigen::Vector3d elasticStretches = (2.0 * (state->e + mean)).exp().matrix();
+  next.Cp_inv = plasticMetric(F, fullTensor<Dim>(axes.tensor(elasticStretches)));
+  next.e_p = state->e_p;
+  out.plasticWork = hardeningWork(hardening_, old.e_p, next.e_p);
+  return isFinite(out);
+}
+
+template bool J2Plasticity::evaluate<2>(const Eigen::Matrix3d&, const MaterialState&, MaterialState&,
+                                        MaterialResponse<2>&) const;
+template bool J2Plasticity::evaluate<3>(const Eigen::Matrix3d&, const MaterialState&, MaterialState&,
+                                        MaterialResponse<3>&) const;
+
+}  // namespace burnish
