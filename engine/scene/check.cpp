@@ -1,0 +1,14 @@
+#include "engine/scene/check.h"
+
+#include "engine/scene/check_context.h"
+
+namespace burnish {
+
+void checkScene(const Scene& scene, const YamlNode& root, Diagnostics& errors) {
+  const CheckContext context{scene, root, errors};
+  checkBody(context);
+  checkBoundary(context);
+  checkRun(context);
+}
+
+}  // namespace burnish

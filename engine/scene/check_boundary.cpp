@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "engine/scene/check_context.h"
+#include "engine/scene/nearest.h"
+
+namespace burnish {
+namespace {
+
+void checkFace(const CheckContext& c, const std::string& path, const std::string& face) {
+  if (c.clean(path) && c.dimensionIsKnown() && c.scene.dim() == 2 && (face == "back" || face == "front"))
+    c.report(path,
+             fmt::format(
+                 "found {}, a face of three-dimensional bodies; allowed here: left | right | bottom | top.",
+                 face));
+}
+
+void checkLength(const CheckContext& c, const std::string& path, std::size_t values, std::size_t times) {
+  if (c.clean(path) && values != times)
+    c.report(path, fmt::format("found {} values for {} times; allowed: one value for each of the times.",
+                               values, times));
+}
+
+void checkMotion(const CheckContext& c, const std::string& path, const MotionSpec& motion) {
+  if (!motion.x && !motion.y && !motion.z && c.clean(path))
+    c.report(path, "found no displacement; allowed: one or more of x, y and z.");
+  for (const auto& [key, component] :
+       {std::pair{"x", &motion.x}, std::pair{"y", &motion.y}, std::pair{"z", &motion.z}})
+    if (*component && c.clean(path + ".times"))
+      checkLength(c, fmt::format("{}.{}", path, key), (*component)->size(), motion.times.size());
+  if (motion.z && c.dimensionIsKnown() && c.scene.dim() == 2)
+    c.report(path + ".z", "found a component of three-dimensional scenes; allowed here: x and y.");
+}
+
+void checkFixed(const CheckContext& c, const std::string& path, const std::vector<std::string>& fix) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < fix.size(); ++i) {
+    const std::string entry = fmt::format("{}[{}]", path, i);
+    if (!c.clean(entry)) continue;
+    if (!seen.insert(fix[i]).second)
+      c.report(entry, fmt::format("found {} a second time; allowed: each component once.", fix[i]));
+    else if (fix[i] == "z" && c.dimensionIsKnown() && c.scene.dim() == 2)
+      c.report(entry, "found z, a component of three-dimensional scenes; allowed here: x and y.");
+  }
+}
+
+void checkSupport(const CheckContext& c, const std::string& path, const SupportSpec& support) {
+  checkFace(c, path + ".face", support.face);
+  checkFixed(c, path + ".fix", support.fix);
+  if (support.move) checkMotion(c, path + ".move", *support.move);
+  std::vector<std::string> given;
+  if (!support.fix.empty()) given.emplace_back("fix");
+  if (support.move) given.emplace_back("move");
+  if (support.symmetry) given.emplace_back("symmetry");
+  if (given.size() != 1 && c.clean(path))
+    c.report(path,
+             fmt::format("found {}; allowed: exactly one of fix: [x, y], move: {{times: ..., y: ...}} and "
+                         "symmetry: true.",
+                         given.empty() ? "none of fix, move and symmetry"
+                                       : fmt::format("{}", fmt::join(given, " and "))));
+}
+
+void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& load) {
+  checkFace(c, path + ".face", load.face);
+  if (load.schedule && c.clean(path + ".schedule"))
+    checkLength(c, path + ".schedule.values", load.schedule->values.size(), load.schedule->times.size());
+}
+
+bool isZero(const std::vector<double>& vector) {
+  return std::all_of(vector.begin(), vector.end(), [](double v) { return v == 0.0; });
+}
+
+void checkAxis(const CheckContext& c, const std::string& path, const std::vector<double>& axis) {
+  if (!c.clean(path)) return;
+  if (isZero(axis))
+    c.report(path, fmt::format("found [{}]; allowed: a direction.", fmt::join(axis, ", ")));
+  else if (c.dimensionIsKnown() && c.scene.dim() == 2 && (axis[0] != 0.0 || axis[1] != 0.0))
+    c.report(path, fmt::format("found [{}]; allowed in two dimensions: [0, 0, 1].", fmt::join(axis, ", ")));
+}
+
+void checkTool(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
+  if (const auto* plane = std::get_if<PlaneToolSpec>(&tool.shape))
+    if (c.clean(path + ".normal") && c.clean(path + ".shape") && isZero(plane->normal))
+      c.report(path + ".normal",
+               "found a vector without length; allowed: a direction from the tool towards the body.");
+  if (const auto* cylinder = std::get_if<CylinderToolSpec>(&tool.shape))
+    checkAxis(c, path + ".axis", cylinder->axis);
+  if (std::holds_alternative<SphereToolSpec>(tool.shape) && c.dimensionIsKnown() && c.scene.dim() == 2)
+    c.report(path + ".shape",
+             "found sphere, which needs a three-dimensional body; allowed here: plane | cylinder.");
+  if (tool.motion) checkMotion(c, path + ".motion", *tool.motion);
+}
+
+/// Names of all tools that could be read; a name given twice is reported.
+std::vector<std::string> checkToolNames(const CheckContext& c) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < c.scene.tools.size(); ++i) {
+    const std::string& name = c.scene.tools[i].name;
+    const std::string path = fmt::format("tools[{}].name", i);
+    if (!c.clean(path)) continue;
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      c.report(
+          path,
+          fmt::format("found {}, the name of another tool; allowed: a name of its own for each tool.", name));
+    names.push_back(name);
+  }
+  return names;
+}
+
+void checkContact(const CheckContext& c, const std::vector<std::string>& toolNames) {
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (std::size_t i = 0; i < c.scene.contact.size(); ++i) {
+    const ContactSpec& pair = c.scene.contact[i];
+    const std::string path = fmt::format("contact[{}]", i);
+    checkFace(c, path + ".face", pair.face);
+    if (!c.clean(path)) continue;
+    const bool known = std::find(toolNames.begin(), toolNames.end(), pair.tool) != toolNames.end();
+    const bool allNamesAreRead = c.clean("tools") || toolNames.size() == c.scene.tools.size();
+    if (!known && allNamesAreRead)
+      c.report(path + ".tool", fmt::format("found {}, but no tool has this name; allowed: {}.{}", pair.tool,
+                                           toolNames.empty() ? "a tool listed under tools, which is empty"
+                                                             : fmt::format("{}", fmt::join(toolNames, " | ")),
+                                           didYouMean(pair.tool, toolNames)));
+    if (!pairs.emplace(pair.tool, pair.face).second)
+      c.report(path,
+               fmt::format("found the pair of tool {} and face {} a second time; allowed: each pair once.",
+                           pair.tool, pair.face));
+  }
+}
+
+}  // namespace
+
+void checkBoundary(const CheckContext& c) {
+  for (std::size_t i = 0; i < c.scene.supports.size(); ++i)
+    checkSupport(c, fmt::format("supports[{}]", i), c.scene.supports[i]);
+  for (std::size_t i = 0; i < c.scene.loads.size(); ++i)
+    checkLoad(c, fmt::format("loads[{}]", i), c.scene.loads[i]);
+  for (std::size_t i = 0; i < c.scene.tools.size(); ++i)
+    checkTool(c, fmt::format("tools[{}]", i), c.scene.tools[i]);
+  checkContact(c, checkToolNames(c));
+}
+
+}  // namespace burnish

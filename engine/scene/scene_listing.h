@@ -1,0 +1,9 @@
+#pragma once
+#include <string>
+
+namespace burnish {
+
+/// Every key of a scene with its type, range, unit, default and meaning, as a nested Markdown list.
+std::string describeScene();
+
+}  // namespace burnish

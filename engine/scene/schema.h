@@ -1,0 +1,52 @@
+#pragma once
+#include "engine/scene/scene.h"
+#include "engine/scene/schema_boundary.h"
+#include "engine/scene/schema_geometry.h"
+#include "engine/scene/schema_material.h"
+#include "engine/scene/schema_run.h"
+
+/// The one declaration of every option of a scene. Each struct of scene.h has a `describe(visitor, struct)`
+/// that hands its fields to a visitor, in the order in which they are written:
+///
+///     visitor.field(key, value, rule, sentence)                  a leaf, a struct, a list or an optional of
+///     these visitor.alternatives(key, variant, alternatives, sentence)  the key chooses the alternative,
+///     whose fields follow
+///                                                                 in the same mapping
+///
+/// The default is what the field of a fresh struct holds. Reading, writing and listing a scene are visitors.
+namespace burnish {
+
+template <>
+struct EnumNames<BasisChoice> {
+  static constexpr std::array values{std::pair{"nurbs", BasisChoice::Nurbs},
+                                     std::pair{"lagrange", BasisChoice::Lagrange}};
+};
+
+template <class Visitor>
+void describe(Visitor& v, UnitsSpec& s) {
+  v.field("length", s.length, {}, "Label of the unit of length in pictures and files; nothing is converted.");
+  v.field("stress", s.stress, {}, "Label of the unit of stress.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Scene& s) {
+  v.field("title", s.title, {}, "What the scene is about, shown in pictures and summaries.");
+  v.field("units", s.units, {}, "Labels of the consistent units that the numbers of the scene are in.");
+  v.field("basis", s.basis, {},
+          "Basis functions of the body: NURBS, or Lagrange elements that are continuous only.");
+  v.field("degree", s.degree, {.atLeast = 1, .atMost = 10}, "Polynomial degree in every direction.");
+  v.field("geometry", s.geometry, {.required = true},
+          "Shape and mesh of the body; its dimension is the scene's.");
+  v.field("material", s.material, {.required = true},
+          "Material of the body; two dimensions mean plane strain.");
+  v.field("supports", s.supports, {}, "Where the body is held or moved, face by face.");
+  v.field("loads", s.loads, {}, "Tractions on faces of the body.");
+  v.field("tools", s.tools, {}, "Rigid tools with their motion.");
+  v.field("contact", s.contact, {}, "Which tool may touch which face, without friction.");
+  v.field("steps", s.steps, {.required = true, .minEntries = 1}, "Phases of the run, from time 0 on.");
+  v.field("solver", s.solver, {}, "Newton's method and the control of the step size.");
+  v.field("output", s.output, {}, "When and how finely results are written.");
+  v.field("pictures", s.pictures, {}, "Contour pictures drawn when the run ends.");
+}
+
+}  // namespace burnish

@@ -1,0 +1,107 @@
+#pragma once
+#include "engine/scene/leaf.h"
+#include "engine/scene/scene.h"
+
+namespace burnish {
+
+template <>
+struct EnumNames<ContactMethod> {
+  static constexpr std::array values{std::pair{"augmented-lagrangian", ContactMethod::AugmentedLagrangian},
+                                     std::pair{"penalty", ContactMethod::Penalty},
+                                     std::pair{"pointwise-penalty", ContactMethod::PointwisePenalty}};
+};
+
+template <class Visitor>
+void describeFace(Visitor& v, std::string& face) {
+  v.field("face", face, {.required = true, .choices = {"left", "right", "bottom", "top", "back", "front"}},
+          "Face of the body: left and right end the first direction, bottom and top the second, back and "
+          "front the "
+          "third.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Schedule& s) {
+  v.field("times", s.times, {.required = true, .increasing = true, .minEntries = 1, .unit = "time"},
+          "Points in time; the values are linear in between and constant outside.");
+  v.field("values", s.values, {.required = true, .minEntries = 1}, "One value for each of the times.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, MotionSpec& s) {
+  v.field("times", s.times, {.required = true, .increasing = true, .minEntries = 1, .unit = "time"},
+          "Points in time; the displacements are linear in between and constant outside.");
+  v.field("x", s.x, {.unit = "length"}, "Displacement in x at each of the times.");
+  v.field("y", s.y, {.unit = "length"}, "Displacement in y at each of the times.");
+  v.field("z", s.z, {.unit = "length"}, "Displacement in z at each of the times (3D).");
+}
+
+template <class Visitor>
+void describe(Visitor& v, SupportSpec& s) {
+  describeFace(v, s.face);
+  v.field("fix", s.fix, {.minEntries = 1, .choices = {"x", "y", "z"}},
+          "Displacement components that are held.");
+  v.field("move", s.move, {}, "Displacement components that follow a schedule; those left out are free.");
+  v.field(
+      "symmetry", s.symmetry, {},
+      "Plane of symmetry: holds the component normal to the face, which is flat and aligned with an axis.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, LoadSpec& s) {
+  describeFace(v, s.face);
+  v.field("traction", s.traction, {.required = true, .perDimension = true, .unit = "stress"},
+          "Force per area of the undeformed face, constant in direction.");
+  v.field("schedule", s.schedule, {}, "Factor of the traction over time; 1 when left out.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, PlaneToolSpec& s) {
+  v.field("origin", s.origin, {.required = true, .perDimension = true, .unit = "length"},
+          "A point of the plane.");
+  v.field("normal", s.normal, {.required = true, .perDimension = true},
+          "Direction from the tool towards the body, of any length.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, CylinderToolSpec& s) {
+  v.field("center", s.center, {.required = true, .perDimension = true, .unit = "length"},
+          "A point of the axis.");
+  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
+  v.field("axis", s.axis, {.minEntries = 3, .maxEntries = 3},
+          "Direction of the axis; always z in two dimensions.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, SphereToolSpec& s) {
+  v.field("center", s.center, {.required = true, .perDimension = true, .unit = "length"}, "Centre.");
+  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ToolSpec& s) {
+  v.field("name", s.name, {.required = true, .identifier = true},
+          "Name in contact pairs, file names and columns of the history; different for every tool.");
+  v.alternatives("shape", s.shape,
+                 {{{"plane", "The half space behind a plane."},
+                   {"cylinder", "A cylinder of infinite length; a disc in two dimensions."},
+                   {"sphere", "A sphere (3D)."}}},
+                 "Shape of the tool, at its position before the motion.");
+  v.field("motion", s.motion, {},
+          "Displacement over time; at rest when left out, and so is a component left out.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ContactSpec& s) {
+  v.field("tool", s.tool, {.required = true}, "Name of a tool.");
+  describeFace(v, s.face);
+  v.field("method", s.method, {},
+          "Mortar augmented Lagrangian (no penetration on average), mortar penalty, or penalty at every "
+          "quadrature "
+          "point.");
+  v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
+          "Penalty or augmentation parameter; from the stiffness and size of the body when left out.");
+  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
+          "Quadrature points per knot span and direction; twice the degree when left out.");
+}
+
+}  // namespace burnish

@@ -1,0 +1,62 @@
+#pragma once
+#include "engine/scene/leaf.h"
+#include "engine/scene/scene.h"
+
+namespace burnish {
+
+template <class Visitor>
+void describe(Visitor& v, RectangleSpec& s) {
+  v.field("origin", s.origin, {.perDimension = true, .unit = "length"}, "Lower left corner.");
+  v.field("size", s.size, {.required = true, .above = 0, .perDimension = true, .unit = "length"},
+          "Width and height.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, AnnulusSpec& s) {
+  v.field("center", s.center, {.perDimension = true, .unit = "length"}, "Centre of the ring.");
+  v.field("inner_radius", s.innerRadius, {.required = true, .above = 0, .unit = "length"},
+          "Radius of the face `left`.");
+  v.field("outer_radius", s.outerRadius, {.required = true, .above = 0, .unit = "length"},
+          "Radius of the face `right`; greater than the inner radius.");
+  v.field("start_angle", s.startAngle, {.atLeast = -360, .atMost = 360, .unit = "degrees"},
+          "Angle of the face `bottom` from the x axis, counterclockwise.");
+  v.field("opening_angle", s.openingAngle, {.above = 0, .below = 180, .unit = "degrees"},
+          "Angle from the face `bottom` to the face `top`, counterclockwise.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, BoxSpec& s) {
+  v.field("origin", s.origin, {.perDimension = true, .unit = "length"},
+          "Corner with the smallest coordinates.");
+  v.field("size", s.size, {.required = true, .above = 0, .perDimension = true, .unit = "length"},
+          "Edge lengths in x, y and z.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ControlNetSpec& s) {
+  v.field("degrees", s.degrees,
+          {.required = true, .atLeast = 1, .atMost = 10, .minEntries = 2, .maxEntries = 3},
+          "Degree in each of the two or three parametric directions.");
+  v.field("knots", s.knots, {.required = true, .minEntries = 2, .maxEntries = 3},
+          "An open knot vector for each direction.");
+  v.field("points", s.points, {.required = true, .minEntries = 4, .unit = "length"},
+          "Coordinates of the control points, the first direction fastest.");
+  v.field("weights", s.weights, {.above = 0}, "One weight per control point; all 1 when left out.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, GeometrySpec& s) {
+  v.alternatives(
+      "shape", s.shape,
+      {{{"rectangle", "A rectangle along the axes."},
+        {"annulus", "Part of a ring: radius first, then angle."},
+        {"box", "A box along the axes."},
+        {"control-net", "Control points, weights and knots as given; needs no functions or spans."}}},
+      "Kind of body.");
+  v.field("functions", s.functions, {.atLeast = 2, .atMost = 10000, .perDimension = true},
+          "Number of basis functions in each direction; give either this or spans.");
+  v.field("spans", s.spans, {.atLeast = 1, .atMost = 10000, .perDimension = true},
+          "Number of equal knot spans (elements) in each direction.");
+}
+
+}  // namespace burnish

@@ -1,0 +1,55 @@
+#pragma once
+#include "engine/scene/leaf.h"
+#include "engine/scene/scene.h"
+
+namespace burnish {
+
+template <class Visitor>
+void describe(Visitor& v, PhaseSpec& s) {
+  v.field("until", s.until, {.required = true, .above = 0, .unit = "time"},
+          "Time at which the phase ends; it begins where the one before ended, the first one at 0.");
+  v.field("count", s.count, {.required = true, .atLeast = 1, .atMost = 1'000'000},
+          "Number of equal nominal steps of the phase; difficult ones are cut.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, SolverSpec& s) {
+  v.field("tolerance", s.tolerance, {.atLeast = 1e-14, .atMost = 1e-3},
+          "Relative residual of a converged step.");
+  v.field("max_iterations", s.maxIterations, {.atLeast = 2, .atMost = 1000},
+          "Newton iterations after which a step is cut.");
+  v.field("max_cuts", s.maxCuts, {.atLeast = 0, .atMost = 30},
+          "The smallest step is the nominal one halved so many times.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, OutputSpec& s) {
+  v.field("times", s.times, {.atLeast = 0, .increasing = true, .unit = "time"},
+          "Times at which a frame is written, beside the start and the end.");
+  v.field("every", s.every, {.above = 0, .unit = "time"}, "A frame every so much time.");
+  v.field("subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
+          "Cells per knot span and direction in VTU files and pictures.");
+  v.field("vtu", s.vtu, {}, "Write VTU files, one per frame, and a PVD collection.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, PictureSpec& s) {
+  v.field("field", s.field,
+          {.required = true,
+           .choices = {"displacement", "displacement.x", "displacement.y", "displacement.z", "plastic_strain",
+                       "von_mises", "stress.xx", "stress.yy", "stress.zz", "stress.xy", "stress.yz",
+                       "stress.xz", "pressure"}},
+          "What is drawn; displacement alone is its magnitude.");
+  v.field("name", s.name, {.identifier = true},
+          "Beginning of the file name; the field's name when left out.");
+  v.field("times", s.times, {.atLeast = 0, .increasing = true, .unit = "time"},
+          "One picture for each; the end of the run when left out.");
+  v.field("range", s.range, {.increasing = true},
+          "Smallest and greatest value of the colours; automatic when left out.");
+  v.field("size", s.size, {.atLeast = 16, .atMost = 16384}, "Width and height in pixels.");
+  v.field("bands", s.bands, {.atLeast = 0, .atMost = 256}, "Number of colour bands; 0 for smooth colours.");
+  v.field("knots", s.knots, {}, "Draw the knot lines.");
+  v.field("undeformed", s.undeformed, {}, "Draw the outline of the undeformed body.");
+}
+
+}  // namespace burnish

@@ -1,0 +1,64 @@
+#include "engine/scene/writer.h"
+
+#include "engine/scene/leaf_writer.h"
+#include "engine/scene/schema.h"
+
+namespace burnish {
+namespace {
+
+/// Visitor that writes a struct as a mapping.
+class MappingWriter {
+ public:
+  explicit MappingWriter(YAML::Emitter& out) : out_(out) {}
+
+  template <class T>
+  void field(const char* key, T& value, const Rule& rule, const char* /*sentence*/) {
+    if constexpr (Optional<T>) {
+      if (value) field(key, *value, rule, "");
+    } else {
+      if constexpr (List<T>)
+        if (value.empty()) return;
+      out_ << YAML::Key << key << YAML::Value;
+      write(value, rule);
+    }
+  }
+
+  template <class... A>
+  void alternatives(const char* key, std::variant<A...>& value,
+                    const std::array<Alternative, sizeof...(A)>& alternatives, const char* /*sentence*/) {
+    out_ << YAML::Key << key << YAML::Value << alternatives[value.index()].name;
+    std::visit([this](auto& alternative) { describe(*this, alternative); }, value);
+  }
+
+ private:
+  template <class T>
+  void write(T& value, const Rule& rule) {
+    if constexpr (Leaf<T>) {
+      writeLeaf(out_, value, rule);
+    } else if constexpr (List<T>) {
+      out_ << YAML::BeginSeq;
+      for (auto& item : value) write(item, {});
+      out_ << YAML::EndSeq;
+    } else {
+      out_ << YAML::BeginMap;
+      describe(*this, value);
+      out_ << YAML::EndMap;
+    }
+  }
+
+  YAML::Emitter& out_;
+};
+
+}  // namespace
+
+std::string writeScene(const Scene& scene) {
+  Scene copy = scene;  // visitors take structs that they could fill
+  YAML::Emitter out;
+  out << YAML::BeginMap;
+  MappingWriter writer(out);
+  describe(writer, copy);
+  out << YAML::EndMap;
+  return std::string(out.c_str()) + "\n";
+}
+
+}  // namespace burnish

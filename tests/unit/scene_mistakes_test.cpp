@@ -1,0 +1,295 @@
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "tests/unit/scene_samples.h"
+
+namespace burnish {
+namespace {
+
+using namespace samples;
+
+/// "test.yaml:LINE:COLUMN" of a position in a text.
+std::string placeIn(const std::string& text, std::size_t position) {
+  std::size_t line = 1, lineBegin = 0;
+  for (std::size_t i = 0; i < position; ++i)
+    if (text[i] == '\n') {
+      ++line;
+      lineBegin = i + 1;
+    }
+  return "test.yaml:" + std::to_string(line) + ":" + std::to_string(position - lineBegin + 1);
+}
+
+/// A mistake made in a good scene: `from` becomes `to`, and the error stands at `at`, within `to` if it is
+/// there.
+struct Mistake {
+  const char* name;
+  const std::string* scene;
+  std::string from, to, at;
+  std::string key;
+  std::string message;  ///< what was found and what is allowed; the beginning of it is enough
+};
+
+const std::string functions = "functions: [49, 25]";
+
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+  *out << mistake.name;
+}
+
+class SceneMistake : public testing::TestWithParam<Mistake> {};
+
+std::string nameOf(const testing::TestParamInfo<Mistake>& test) {
+  return test.param.name;
+}
+
+TEST_P(SceneMistake, isReportedWithPlaceKeyAndRemedy) {
+  const Mistake& m = GetParam();
+  const std::string yaml = replaced(*m.scene, m.from, m.to);
+  const bool within = m.to.find(m.at) != std::string::npos;
+  const std::string place = placeIn(yaml, within ? m.scene->find(m.from) + m.to.find(m.at) : yaml.find(m.at));
+  const std::string expected = place + ": " + m.key + ": " + m.message;
+  const std::string message = errorOf(yaml);
+  EXPECT_EQ(message.substr(0, expected.size()), expected) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << "only one thing is wrong:\n" << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, SceneMistake,
+    testing::Values(Mistake{"unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
+                            "found an unknown key; allowed: title, units, basis, degree, geometry, material, "
+                            "supports, loads, tools, "
+                            "contact, steps, solver, output, pictures. Did you mean \"degree\"?"},
+                    Mistake{"unknownInside", &block, "nu: 0.3", "nu: 0.3, poisson: 1", "poisson",
+                            "material.poisson", "found an unknown key; allowed: law, E, nu, volumetric."},
+                    Mistake{"ofAnotherAlternative", &block, "origin: [0, 2]", "origin: [0, 2], radius: 1",
+                            "radius", "tools[1].radius",
+                            "found an unknown key; allowed: name, shape, origin, normal, motion."},
+                    Mistake{"duplicate", &block, "nu: 0.3", "nu: 0.3, E: 2", "E: 2", "material.E",
+                            "the key is already given in line 4"},
+                    Mistake{"missing", &block, "radius: 0.5, ", "", "{name: cylinder", "tools[0].radius",
+                            "missing; required: a number above 0."},
+                    Mistake{"missingTop", &block,
+                            "steps:\n  - {until: 1, count: 20}\n  - {until: 2, count: 200}\n", "",
+                            "basis: nurbs", "steps", "missing; required: a list of 1 or more mappings."},
+                    Mistake{"missingChoice", &block, "law: neo-hookean, ", "", "{E: 1.0", "material.law",
+                            "missing; required: neo-hookean | j2."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, SceneMistake,
+    testing::Values(Mistake{"textForNumber", &block, "E: 1.0", "E: soft", "soft", "material.E",
+                            "found soft; allowed: a number above 0."},
+                    Mistake{"quotedNumber", &block, "E: 1.0", "E: \"1.0\"", "\"1.0", "material.E",
+                            "found the text \"1.0\"; allowed: a number above 0."},
+                    Mistake{"numberWithUnit", &block, "radius: 0.5", "radius: 5 mm", "5 mm",
+                            "tools[0].radius", "found 5 mm; allowed: a number above 0."},
+                    Mistake{"nothing", &block, "E: 1.0", "E: ", ", nu", "material.E",
+                            "found nothing; allowed: a number above 0."},
+                    Mistake{"fraction", &block, "degree: 2", "degree: 2.5", "2.5", "degree",
+                            "found 2.5; allowed: a whole number from 1 to 10."},
+                    Mistake{"hugeInteger", &block, "count: 20}", "count: 99999999999}", "9", "steps[0].count",
+                            "found 99999999999; allowed: a whole number from 1 to 1000000."},
+                    Mistake{"infinite", &block, "E: 1.0", "E: .inf", ".inf", "material.E",
+                            "found .inf; allowed: a number above 0 that is finite"},
+                    Mistake{"notANumber", &block, "traction: [1, 0]", "traction: [1, .nan]", ".nan",
+                            "loads[0].traction[1]", "found .nan; allowed: a number that is finite"},
+                    Mistake{"overflow", &block, "E: 1.0", "E: 1e400", "1e400", "material.E",
+                            "found 1e400; allowed: a number above 0 that"},
+                    Mistake{"truth", &block, "{face: bottom, fix: [x, y]}",
+                            "{face: bottom, fix: [x, y], symmetry: yes}", "yes", "supports[0].symmetry",
+                            "found yes; allowed: true or false."},
+                    Mistake{"choice", &block, "basis: nurbs", "basis: lagrang", "lagrang", "basis",
+                            "found lagrang; allowed: nurbs | lagrange. Did you mean \"lagrange\"?"},
+                    Mistake{"law", &block, "law: neo-hookean", "law: neohookean", "neohookean",
+                            "material.law",
+                            "found neohookean; allowed: neo-hookean | j2. Did you mean \"neo-hookean\"?"},
+                    Mistake{"method", &block, "method: augmented-lagrangian", "method: magic", "magic",
+                            "contact[0].method",
+                            "found magic; allowed: augmented-lagrangian | penalty | pointwise-penalty."},
+                    Mistake{"listForNumber", &block, "E: 1.0", "E: [1.0]", "[1.0]", "material.E",
+                            "found a list of 1 entry; allowed: a number above 0."},
+                    Mistake{"numberForList", &block, "size: [3.0, 1.0]", "size: 3.0", "3.0", "geometry.size",
+                            "found 3.0; allowed: a list of numbers above 0, one per dimension."},
+                    Mistake{"mappingForList", &block, "supports:\n  - {face", "supports:\n  {face", "{",
+                            "supports", "found a mapping; allowed: a list of mappings."},
+                    Mistake{"textForMapping", &block, "output: {every: 0.1, subdivision: 4}", "output: often",
+                            "often", "output", "found often; allowed: a mapping."},
+                    Mistake{"pairLength", &block, "{field: von_mises,", "{field: von_mises, size: [800],",
+                            "[800]", "pictures[0].size",
+                            "found a list of 1 entry; allowed: a list of 2 whole numbers from 16 to 16384."},
+                    Mistake{"toolName", &block, "name: plate", "name: \"a,b\"", "\"a,b", "tools[1].name",
+                            "found the text \"a,b\"; allowed: a name of letters, digits, - and _."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Body, SceneMistake,
+    testing::Values(
+        Mistake{"incompressible", &block, "nu: 0.3", "nu: 0.5", "0.5", "material.nu",
+                "found 0.5; allowed: a number above -1 and below 0.5."},
+        Mistake{"negativeE", &block, "E: 1.0", "E: -1e-3", "-1e-3", "material.E",
+                "found -1e-3; allowed: a number above 0."},
+        Mistake{"degree", &block, "degree: 2", "degree: 11", "11", "degree",
+                "found 11; allowed: a whole number from 1 to 10."},
+        Mistake{"flat", &block, "size: [3.0, 1.0]", "size: [3.0, 0]", "0]", "geometry.size[1]",
+                "found 0; allowed: a number above 0."},
+        Mistake{"dimension", &block, "size: [3.0, 1.0]", "size: [3, 1, 1]", "[", "geometry.size",
+                "found a list of 3; allowed: a list of 2, one entry per dimension of the body."},
+        Mistake{"fewFunctions", &block, "[49, 25]", "[49, 2]", "2]", "geometry.functions[1]",
+                "found 2; allowed: at least 3, the degree plus one."},
+        Mistake{"noFunctions", &block, ", functions: [49, 25]", "", "{shape", "geometry",
+                "found neither functions nor spans; allowed: exactly one of the two"},
+        Mistake{"functionsAndSpans", &block, functions, functions + ", spans: [4, 4]", "[4, 4]",
+                "geometry.spans", "found spans beside functions; allowed: one of the two."},
+        Mistake{
+            "lagrangeFunctions", &block,
+            "basis: nurbs\ndegree: 2\ngeometry: {shape: rectangle, size: [3.0, 1.0], functions: [49, 25]",
+            "basis: lagrange\ndegree: 3\ngeometry: {shape: rectangle, size: [3.0, 1.0], functions: [49, 24]",
+            "24]", "geometry.functions[1]",
+            "found 24; allowed for Lagrange elements of degree 3: a multiple of 3 plus one, such as 22 or "
+            "25."},
+        Mistake{
+            "lagrangeMortar", &block,
+            "basis: nurbs\ndegree: 2\ngeometry: {shape: rectangle, size: [3.0, 1.0], functions: [49, 25]",
+            "basis: lagrange\ndegree: 8\ngeometry: {shape: rectangle, size: [3.0, 1.0], functions: [49, 25]",
+            "8", "degree", "found 8; allowed for mortar contact with Lagrange elements: at most 7"},
+        Mistake{"ring", &block, "shape: rectangle, size: [3.0, 1.0]",
+                "shape: annulus, inner_radius: 2, outer_radius: 1", "1", "geometry.outer_radius",
+                "found 1; allowed: a number above the inner radius 2."},
+        Mistake{"halfRing", &block, "shape: rectangle, size: [3.0, 1.0]",
+                "shape: annulus, inner_radius: 1, outer_radius: 2, opening_angle: 180", "180",
+                "geometry.opening_angle", "found 180; allowed: a number above 0 and below 180."},
+        Mistake{"linearArc", &block, "degree: 2\ngeometry: {shape: rectangle, size: [3.0, 1.0]",
+                "degree: 1\ngeometry: {shape: annulus, inner_radius: 1, outer_radius: 2", "1", "degree",
+                "found 1; allowed for an annulus in NURBS: at least 2"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    ControlNet, SceneMistake,
+    testing::Values(
+        Mistake{"weight", &net, "[1, 1, 0.7", "[1, -1, 0.7", "-1", "geometry.weights[1]",
+                "found -1; allowed: a number above 0."},
+        Mistake{"weightCount", &net, "[1, 1, 0.7", "[1, 0.7", "[", "geometry.weights",
+                "found 5 weights for 6 points; allowed: one per control point."},
+        Mistake{"decreasingKnots", &net, "[0, 0, 0, 1, 1, 1]", "[0, 0, 0, 1, 0.5, 1]", "[",
+                "geometry.knots[1]",
+                "knot vector: knot 5 = 0.5 is smaller than the one before it (1); knots must not decrease."},
+        Mistake{"closedKnots", &net, "[0, 0, 0, 1, 1, 1]", "[0, 0, 0.5, 1, 1, 1]", "[", "geometry.knots[1]",
+                "knot vector: the end knots stand 2 and 3 times; an open knot vector of degree 2 repeats "
+                "each of them 3 times."},
+        Mistake{"knotVectors", &net, "[[0, 0, 1, 1], ", "[[0, 0, 1, 1], [0, 0, 1, 1], ", "[[",
+                "geometry.knots", "found 3 knot vectors for 2 degrees; allowed: one per direction."},
+        Mistake{"points", &net, "[0, 1], [0, 2]]", "[0, 1]]", "[[1, 0]", "geometry.points",
+                "found 5 points; allowed: 6, as many as the knots make basis functions."},
+        Mistake{"coordinates", &net, "[0, 1], [0, 2]]", "[0, 1], [0, 2, 0]]", "[0, 2, 0]",
+                "geometry.points[5]", "found 3 coordinates; allowed: 2, one per direction of the body."},
+        Mistake{"functions", &net, "degrees: [1, 2]", "degrees: [1, 2]\n  functions: [2, 3]", "[2, 3]",
+                "geometry.functions", "a control net is taken as it is given; allowed: leave the key out"},
+        Mistake{"degree", &net, "geometry:", "degree: 3\ngeometry:", "3", "degree",
+                "found 3, but the control net has the degrees 1, 2; allowed: leave the key out."},
+        Mistake{"lagrange", &net, "geometry:", "basis: lagrange\ngeometry:", "lagrange", "basis",
+                "found lagrange, but the geometry is a control net with knots, which is a NURBS body; "
+                "allowed: nurbs."},
+        Mistake{"directions", &net, "degrees: [1, 2]", "degrees: [1, 2, 2, 2]", "[", "geometry.degrees",
+                "found a list of 4 entries; allowed: a list of 2 to 3 whole numbers from 1 to 10."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Hardening, SceneMistake,
+    testing::Values(
+        Mistake{"yieldStress", &net, hardening, "hardening: {law: linear, sigma0: 0, modulus: 1}", "0, mod",
+                "material.hardening.sigma0", "found 0; allowed: a number above 0."},
+        Mistake{"missing", &net, ", " + hardening, "", "{law: j2", "material.hardening",
+                "missing; required: a mapping."},
+        Mistake{"tableStart", &net, "ep: [0, 0.1]", "ep: [0.01, 0.1]", "0.01", "material.hardening.ep[0]",
+                "found 0.01; allowed: 0, the table begins without plastic strain."},
+        Mistake{"tableOrder", &net, "ep: [0, 0.1]", "ep: [0, 0]", "0]", "material.hardening.ep[1]",
+                "found 0 after 0; allowed: numbers that increase"},
+        Mistake{"tableLength", &net, "stress: [80, 120]", "stress: [80]", "[80]", "material.hardening.stress",
+                "found 1 stresses for 2 plastic strains; allowed: one for each."},
+        Mistake{"formula", &net, hardening, "hardening: {law: formula, formula: 80 + q}", "80 + q",
+                "material.hardening.formula", "found \"80 + q\", which cannot be understood"},
+        Mistake{"formulaSign", &net, hardening, "hardening: {law: formula, formula: ep - 1}", "ep - 1",
+                "material.hardening.formula",
+                "found a yield stress of -1 at ep = 0; allowed: a formula that is positive there."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Boundary, SceneMistake,
+    testing::Values(
+        Mistake{"face", &block, "face: bottom", "face: botom", "botom", "supports[0].face",
+                "found botom; allowed: left | right | bottom | top | back | front. Did you mean \"bottom\"?"},
+        Mistake{
+            "face3d", &block, "face: top", "face: front", "front", "contact[0].face",
+            "found front, a face of three-dimensional bodies; allowed here: left | right | bottom | top."},
+        Mistake{"component3d", &block, "fix: [x, y]", "fix: [x, z]", "z", "supports[0].fix[1]",
+                "found z, a component of three-dimensional scenes; allowed here: x and y."},
+        Mistake{"componentTwice", &block, "fix: [x, y]", "fix: [x, x]", "x]", "supports[0].fix[1]",
+                "found x a second time; allowed: each component once."},
+        Mistake{"noSupport", &block, "{face: bottom, fix: [x, y]}", "{face: bottom}", "{", "supports[0]",
+                "found none of fix, move and symmetry; allowed: exactly one of"},
+        Mistake{"severalSupports", &block, "{face: bottom, fix: [x, y]}",
+                "{face: bottom, fix: [x, y], symmetry: true}", "{", "supports[0]",
+                "found fix and symmetry; allowed: exactly one of"},
+        Mistake{"emptyMove", &block, "fix: [x, y]", "move: {times: [0, 1]}", "{times", "supports[0].move",
+                "found no displacement; allowed: one or more of x, y and z."},
+        Mistake{"timesNotIncreasing", &block, "times: [0, 1, 2]", "times: [0, 2, 1]", "1]",
+                "tools[0].motion.times[2]", "found 1 after 2; allowed: numbers that increase"},
+        Mistake{"motionLength", &block, "x: [0, 0, 2]", "x: [0, 2]", "[", "tools[0].motion.x",
+                "found 2 values for 3 times; allowed: one value for each of the times."},
+        Mistake{"motion3d", &block, "x: [0, 0, 2]", "z: [0, 0, 2]", "[", "tools[0].motion.z",
+                "found a component of three-dimensional scenes; allowed here: x and y."},
+        Mistake{"scheduleLength", &block, "values: [0, 1]", "values: [0, 1, 2]", "[",
+                "loads[0].schedule.values",
+                "found 3 values for 2 times; allowed: one value for each of the times."},
+        Mistake{"traction", &block, "traction: [1, 0]", "traction: [1]", "[", "loads[0].traction",
+                "found a list of 1; allowed: a list of 2, one entry per dimension of the body."},
+        Mistake{"radius", &block, "radius: 0.5", "radius: 0", "0", "tools[0].radius",
+                "found 0; allowed: a number above 0."},
+        Mistake{"center", &block, "center: [0.5, 1.5]", "center: [0.5, 1.5, 0]", "[", "tools[0].center",
+                "found a list of 3; allowed: a list of 2"},
+        Mistake{"normal", &block, "normal: [0, -1]", "normal: [0, 0]", "[", "tools[1].normal",
+                "found a vector without length"},
+        Mistake{"axis", &block, "radius: 0.5", "radius: 0.5, axis: [1, 0, 0]", "[", "tools[0].axis",
+                "found [1, 0, 0]; allowed in two dimensions: [0, 0, 1]."},
+        Mistake{"sphere", &block, "shape: cylinder", "shape: sphere", "sphere", "tools[0].shape",
+                "found sphere, which needs a three-dimensional body; allowed here: plane | cylinder."},
+        Mistake{"sameToolName", &block, "name: plate", "name: cylinder", "cylinder", "tools[1].name",
+                "found cylinder, the name of another tool; allowed: a name of its own for each tool."},
+        Mistake{"unknownTool", &block, "tool: cylinder", "tool: cylindre", "cylindre", "contact[0].tool",
+                "found cylindre, but no tool has this name; allowed: cylinder | plate. Did you mean "
+                "\"cylinder\"?"},
+        Mistake{"samePair", &block, "steps:", "  - {tool: cylinder, face: top}\nsteps:", "{", "contact[1]",
+                "found the pair of tool cylinder and face top a second time; allowed: each pair once."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Run, SceneMistake,
+    testing::Values(
+        Mistake{"steps", &block, "until: 2", "until: 1", "1", "steps[1].until",
+                "found 1 after 1; allowed: a time after the end of the phase before."},
+        Mistake{"noSteps", &block, "steps:\n  - {until: 1, count: 20}\n  - {until: 2, count: 200}\n",
+                "steps: []\n", "[]", "steps",
+                "found a list of 0 entries; allowed: a list of 1 or more mappings."},
+        Mistake{"lateOutput", &block, "every: 0.1", "times: [1, 3]", "3", "output.times[1]",
+                "found 3; allowed: a time up to the end of the run at 2."},
+        Mistake{"manyFrames", &block, "every: 0.1", "every: 1e-9", "1e-9", "output.every",
+                "found 1e-09, which makes more than 100000 frames; allowed: at least"},
+        Mistake{"latePicture", &block, "times: [1, 1.5, 2]", "times: [1, 1.5, 2.5]", "2.5",
+                "pictures[0].times[2]", "found 2.5; allowed: a time up to the end of the run at 2."},
+        Mistake{"field", &block, "field: von_mises", "field: vonmises", "vonmises", "pictures[0].field",
+                "found vonmises; allowed: displacement | displacement.x"},
+        Mistake{"stressComponent", &block, "field: von_mises", "field: stress.yz", "stress.yz",
+                "pictures[0].field", "found stress.yz, a component of three-dimensional scenes"},
+        Mistake{"plasticStrain", &block, "field: von_mises", "field: plastic_strain", "plastic_strain",
+                "pictures[0].field",
+                "found plastic_strain, but the material is elastic; allowed here: another field"},
+        Mistake{"range", &block, "{field: von_mises,", "{field: von_mises, range: [1, 1],", "1]",
+                "pictures[0].range[1]", "found 1 after 1; allowed: numbers that increase"},
+        Mistake{"pictureName", &block, "pictures:", "pictures:\n  - {field: von_mises}",
+                "{field: von_mises, times", "pictures[1]",
+                "found the file name von_mises a second time; allowed: a name of its own for each entry"}),
+    nameOf);
+
+}  // namespace
+}  // namespace burnish
