@@ -1,0 +1,16 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+namespace burnish {
+
+/// Writes a file that exists under its name only when it is complete, whatever happens meanwhile: the bytes
+/// go to `partialName(path)`, are synced, and the file is renamed. Throws `Error`; then no partial file stays
+/// behind and an earlier file of that name is untouched.
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// The temporary name of a file that is being written.
+std::filesystem::path partialName(const std::filesystem::path& path);
+
+}  // namespace burnish

@@ -1,0 +1,163 @@
+#include "engine/results/check_records.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+constexpr int kHighestDegree = 30;
+
+template <class... Arguments>
+void require(bool holds, const std::string& place, fmt::format_string<Arguments...> what,
+             Arguments&&... arguments) {
+  if (!holds)
+    throw Error(fmt::format("{}: {}", place, fmt::format(what, std::forward<Arguments>(arguments)...)));
+}
+
+std::size_t count(Eigen::Index n) {
+  return static_cast<std::size_t>(n);
+}
+
+bool nodesInRange(const std::vector<int>& nodes, int numNodes) {
+  return std::all_of(nodes.begin(), nodes.end(), [=](int node) { return node >= 0 && node < numNodes; });
+}
+
+/// Number of basis functions of a direction; its knots are checked by the basis itself.
+std::size_t numFunctions(const DirectionRecord& direction, const std::string& place) {
+  require(direction.degree >= 1 && direction.degree <= kHighestDegree, place,
+          "degree {} is not between 1 and {}", direction.degree, kHighestDegree);
+  try {
+    const UnivariateBasis basis =
+        direction.family == BasisFamily::BSpline
+            ? UnivariateBasis::bspline(KnotVector(direction.degree, direction.knots))
+            : UnivariateBasis::lagrange(direction.degree, direction.knots);
+    return static_cast<std::size_t>(basis.numFunctions());
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", place, error.what()));
+  }
+}
+
+void checkPatch(const PatchRecord& patch, const ModelRecord& model, const std::string& place) {
+  require(patch.directions.size() == static_cast<std::size_t>(model.dim), place,
+          "{} parametric directions in {} dimensions", patch.directions.size(), model.dim);
+  std::size_t functions = 1;
+  for (std::size_t d = 0; d < patch.directions.size(); ++d)
+    functions *= numFunctions(patch.directions[d], fmt::format("{}, direction {}", place, d));
+  require(patch.points.rows() == model.dim, place, "control points with {} coordinates in {} dimensions",
+          patch.points.rows(), model.dim);
+  require(count(patch.points.cols()) == functions && count(patch.weights.size()) == functions &&
+              patch.nodes.size() == functions,
+          place, "{} basis functions, but {} control points, {} weights and {} nodes", functions,
+          patch.points.cols(), patch.weights.size(), patch.nodes.size());
+  require(patch.points.allFinite(), place, "a control point is not finite");
+  require(patch.weights.allFinite() && (patch.weights.array() > 0.0).all(), place,
+          "a weight is not positive");
+  require(nodesInRange(patch.nodes, model.numNodes), place, "a node is not between 0 and {}",
+          model.numNodes - 1);
+}
+
+bool isDirection(const Eigen::Vector3d& n) {
+  return std::abs(n.norm() - 1.0) < 1e-9;
+}
+bool isRadius(double radius) {
+  return std::isfinite(radius) && radius > 0.0;
+}
+
+bool isSound(const Plane& plane) {
+  return plane.origin.allFinite() && isDirection(plane.normal);
+}
+bool isSound(const Cylinder& cylinder) {
+  return cylinder.center.allFinite() && isDirection(cylinder.axis) && isRadius(cylinder.radius);
+}
+bool isSound(const Sphere& sphere) {
+  return sphere.center.allFinite() && isRadius(sphere.radius);
+}
+
+/// Names become the names of links in the file.
+bool isFieldName(const std::string& name) {
+  return !name.empty() && name != "." && name.find('/') == std::string::npos &&
+         name.find('\0') == std::string::npos;
+}
+
+/// `columns`: what the field must have one value of (nodes or points), `what` its name.
+void checkFields(const std::map<std::string, FieldRecord>& fields, Eigen::Index columns, const char* what,
+                 const std::string& place) {
+  for (const auto& [name, field] : fields) {
+    require(isFieldName(name), place, "\"{}\" cannot be the name of a field", name);
+    require(field.values.cols() == columns, place, "field {} has {} values for {} {}", name,
+            field.values.cols(), columns, what);
+    const std::size_t components = std::max<std::size_t>(field.components.size(), 1);
+    require(count(field.values.rows()) == components, place, "field {} has {} rows for {} component{}", name,
+            field.values.rows(), components, components == 1 ? "" : "s");
+  }
+}
+
+/// An empty list of points may have any number of coordinates.
+bool arePoints(const Eigen::MatrixXd& points, int dim) {
+  return (points.rows() == dim || points.cols() == 0) && points.allFinite();
+}
+
+void checkContact(const ContactRecord& contact, const ModelRecord& model, const std::string& place) {
+  const bool known = std::any_of(model.tools.begin(), model.tools.end(),
+                                 [&](const ToolRecord& tool) { return tool.name == contact.tool; });
+  require(known, place, "the tool \"{}\" is none of the model's", contact.tool);
+  require(contact.patch >= 0 && static_cast<std::size_t>(contact.patch) < model.patches.size(), place,
+          "patch {} of {}", contact.patch, model.patches.size());
+  require(nodesInRange(contact.nodes, model.numNodes), place, "a node is not between 0 and {}",
+          model.numNodes - 1);
+  const std::size_t nodes = contact.nodes.size();
+  require(count(contact.pressure.size()) == nodes && count(contact.averageGap.size()) == nodes &&
+              contact.active.size() == nodes,
+          place, "{} nodes, but {} pressures, {} average gaps and {} states", nodes, contact.pressure.size(),
+          contact.averageGap.size(), contact.active.size());
+  require(nodesInRange(contact.active, 2), place, "a contact state is neither 0 nor 1");
+  const Eigen::Index points = contact.quadraturePoints.cols();
+  require(arePoints(contact.quadraturePoints, model.dim), place,
+          "its quadrature points are not points in {} dimensions", model.dim);
+  require(contact.quadraturePressure.size() == points && contact.quadratureGap.size() == points, place,
+          "{} quadrature points, but {} pressures and {} gaps", points, contact.quadraturePressure.size(),
+          contact.quadratureGap.size());
+}
+
+}  // namespace
+
+void checkModel(const ModelRecord& model, const std::string& place) {
+  require(model.dim == 2 || model.dim == 3, place, "{} dimensions instead of 2 or 3", model.dim);
+  require(model.numNodes >= 1, place, "{} nodes", model.numNodes);
+  require(model.subdivision >= 1, place, "a subdivision of {} instead of at least 1", model.subdivision);
+  require(!model.patches.empty(), place, "a model without patches");
+  for (std::size_t i = 0; i < model.patches.size(); ++i)
+    checkPatch(model.patches[i], model, fmt::format("{}, patch {}", place, i));
+  for (const ToolRecord& tool : model.tools)
+    require(std::visit([](const auto& shape) { return isSound(shape); }, tool.shape), place,
+            "the shape of the tool \"{}\" has a radius that is not positive, a direction that is not of "
+            "length 1, or a "
+            "coordinate that is not finite",
+            tool.name);
+}
+
+void checkFrame(const FrameRecord& frame, const ModelRecord& model, const std::string& place) {
+  require(frame.index >= 0 && frame.step >= 0 && std::isfinite(frame.time), place,
+          "frame {}, step {}, time {}", frame.index, frame.step, frame.time);
+  require(frame.displacement.rows() == model.dim && frame.displacement.cols() == model.numNodes, place,
+          "displacements of {} components at {} nodes; the model has {} dimensions and {} nodes",
+          frame.displacement.rows(), frame.displacement.cols(), model.dim, model.numNodes);
+  require(frame.displacement.allFinite(), place, "a displacement is not finite");
+  require(count(frame.toolDisplacement.cols()) == model.tools.size() &&
+              arePoints(frame.toolDisplacement, model.dim),
+          place, "{} displacements of tools with {} components for {} tools in {} dimensions",
+          frame.toolDisplacement.cols(), frame.toolDisplacement.rows(), model.tools.size(), model.dim);
+  checkFields(frame.fields, model.numNodes, "nodes", place);
+  for (std::size_t i = 0; i < frame.contact.size(); ++i)
+    checkContact(frame.contact[i], model, fmt::format("{}, contact {}", place, i));
+  require(arePoints(frame.quadrature.positions, model.dim), place,
+          "its quadrature points are not points in {} dimensions", model.dim);
+  checkFields(frame.quadrature.fields, frame.quadrature.positions.cols(), "quadrature points", place);
+}
+
+}  // namespace burnish

@@ -1,0 +1,117 @@
+#include "engine/results/history.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+void checkColumns(const std::vector<std::string>& columns, const std::filesystem::path& path) {
+  if (columns.empty()) throw Error(fmt::format("{}: a history needs at least one column", path.string()));
+  for (auto name = columns.begin(); name != columns.end(); ++name) {
+    if (name->empty() || name->find_first_of(",\"\r\n") != std::string::npos)
+      throw Error(
+          fmt::format("{}: \"{}\" cannot be the name of a column; leave out commas, quotes and line breaks",
+                      path.string(), *name));
+    if (std::find(columns.begin(), name, *name) != name)
+      throw Error(fmt::format("{}: the column \"{}\" stands twice", path.string(), *name));
+  }
+}
+
+void writeLine(OutputFile& file, std::string line) {
+  line += '\n';
+  file.write(std::as_bytes(std::span(line)));
+}
+
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::string readAll(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream contents;
+  if (!file || std::filesystem::is_directory(path))
+    throw Error(fmt::format("{}: there is no such file, or it cannot be read", path.string()));
+  if (file.peek() != std::ifstream::traits_type::eof()) contents << file.rdbuf();
+  return contents.str();
+}
+
+}  // namespace
+
+HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string> columns)
+    : columns_((checkColumns(columns, path), std::move(columns))), file_(std::move(path)) {
+  writeLine(file_, fmt::format("{}", fmt::join(columns_, ",")));
+}
+
+void HistoryWriter::append(const std::vector<double>& row) {
+  if (row.size() != columns_.size())
+    throw std::invalid_argument(
+        fmt::format("a row of {} values for {} columns", row.size(), columns_.size()));
+  std::string line;
+  for (const double value : row) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    if (!line.empty()) line += ',';
+    line.append(text.data(), end);
+  }
+  writeLine(file_, std::move(line));
+}
+
+const std::vector<double>& HistoryTable::column(const std::string& name) const {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end())
+    throw Error(fmt::format("{}: there is no column \"{}\"; its columns are {}", path.string(), name,
+                            fmt::join(columns, ", ")));
+  return values[static_cast<std::size_t>(found - columns.begin())];
+}
+
+HistoryTable readHistory(const std::filesystem::path& path) {
+  const std::string contents = readAll(path);
+  std::string_view rest = contents;
+  HistoryTable table{.path = path, .columns = {}, .values = {}};
+  for (int line = 1; rest.find('\n') != std::string_view::npos; ++line) {
+    const std::size_t end = rest.find('\n');
+    std::string_view text = rest.substr(0, end);
+    rest.remove_prefix(end + 1);
+    if (text.ends_with('\r')) text.remove_suffix(1);
+    const std::vector<std::string_view> cells = split(text);
+    if (line == 1) {
+      table.columns.assign(cells.begin(), cells.end());
+      checkColumns(table.columns, path);
+      table.values.resize(table.columns.size());
+      continue;
+    }
+    if (cells.size() != table.columns.size())
+      throw Error(fmt::format("{}:{}: {} values instead of {}", path.string(), line, cells.size(),
+                              table.columns.size()));
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      double value = 0.0;
+      const auto [stop, error] = std::from_chars(cells[c].data(), cells[c].data() + cells[c].size(), value);
+      if (error != std::errc() || stop != cells[c].data() + cells[c].size())
+        throw Error(fmt::format("{}:{}: \"{}\" in the column {} is not a number", path.string(), line,
+                                cells[c], table.columns[c]));
+      table.values[c].push_back(value);
+    }
+  }
+  if (table.columns.empty())
+    throw Error(fmt::format("{} is empty where a header was expected", path.string()));
+  return table;
+}
+
+}  // namespace burnish

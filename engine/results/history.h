@@ -1,0 +1,42 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/results/output_file.h"
+
+namespace burnish {
+
+/// Writes a table of numbers as CSV with a header, every number in the shortest form that reads back exactly.
+class HistoryWriter {
+ public:
+  /// Creates or empties the file. Throws `Error` if that fails or a column's name is empty, repeated, or has
+  /// a comma, quote or line break in it.
+  HistoryWriter(std::filesystem::path path, std::vector<std::string> columns);
+
+  /// Hands a row of one value per column to the system as a whole, so that readers and a killed run see whole
+  /// rows. Throws `Error` if the file cannot be written.
+  void append(const std::vector<double>& row);
+
+ private:
+  std::vector<std::string> columns_;
+  OutputFile file_;
+};
+
+/// A history by columns, all of the same length.
+struct HistoryTable {
+  std::filesystem::path path;
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> values;  ///< one list per column
+
+  std::size_t numRows() const { return values.empty() ? 0 : values.front().size(); }
+
+  /// Throws `Error` naming the columns that exist.
+  const std::vector<double>& column(const std::string& name) const;
+};
+
+/// Reads a history, also while it is being written: a last row without its line break is left out. Throws
+/// `Error` with file, line and column for anything that is not a number and for rows of another length.
+HistoryTable readHistory(const std::filesystem::path& path);
+
+}  // namespace burnish

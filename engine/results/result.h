@@ -1,0 +1,84 @@
+#pragma once
+#include <Eigen/Dense>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/contact/rigid_shape.h"
+#include "engine/nurbs/univariate_basis.h"
+
+/// What a result holds, as plain values: the one place where engine and post-processor meet.
+namespace burnish {
+
+struct DirectionRecord {
+  BasisFamily family = BasisFamily::BSpline;
+  int degree = 1;
+  std::vector<double> knots;  ///< knot vector (B-spline) or breakpoints (Lagrange)
+};
+
+struct PatchRecord {
+  std::vector<DirectionRecord> directions;
+  Eigen::MatrixXd points;   ///< dim x functions, first direction fastest
+  Eigen::VectorXd weights;  ///< functions
+  std::vector<int> nodes;   ///< global node of each function; patches that share a face share nodes
+};
+
+struct ToolRecord {
+  std::string name;
+  RigidShape shape;  ///< at its reference position
+};
+
+/// A field of control-point coefficients: field(ξ) = Σ R_A(ξ) q_A.
+struct FieldRecord {
+  std::vector<std::string> components;  ///< {"xx","yy","xy","zz"}; empty for a scalar
+  std::string unit;                     ///< label, may be empty
+  Eigen::MatrixXd values;               ///< components x nodes
+};
+
+/// Contact quantities of one pair along the contact face, at the face's control points and at its quadrature
+/// points.
+struct ContactRecord {
+  std::string tool;
+  std::string face;
+  int patch = 0;
+  std::vector<int> nodes;              ///< global nodes of the face's control points
+  Eigen::VectorXd pressure;            ///< -λ̂_A (>= 0 in compression), per control point, nominal
+  Eigen::VectorXd averageGap;          ///< g_A per control point
+  std::vector<int> active;             ///< 0 or 1 per control point
+  Eigen::MatrixXd quadraturePoints;    ///< dim x points: current positions
+  Eigen::VectorXd quadraturePressure;  ///< contact pressure (nominal) at these points
+  Eigen::VectorXd quadratureGap;       ///< point-wise gap at these points
+};
+
+/// Raw values at the quadrature points of the volume.
+struct QuadratureRecord {
+  Eigen::MatrixXd positions;                  ///< dim x points, current configuration
+  std::map<std::string, FieldRecord> fields;  ///< `values` components x points
+};
+
+/// The immutable part of a result, written once.
+struct ModelRecord {
+  std::string program;  ///< "burnish 0.1.0"
+  std::string title;
+  std::string sceneYaml;  ///< resolved scene, every default filled in
+  int dim = 2;
+  std::string lengthUnit, stressUnit;
+  int numNodes = 0;
+  std::vector<PatchRecord> patches;
+  std::vector<ToolRecord> tools;
+  int subdivision = 4;
+};
+
+/// One output instant.
+struct FrameRecord {
+  int index = 0;
+  int step = 0;
+  double time = 0.0;
+  Eigen::MatrixXd displacement;               ///< dim x nodes
+  std::map<std::string, FieldRecord> fields;  ///< plastic_strain, von_mises, stress, pressure
+  Eigen::MatrixXd toolDisplacement;           ///< dim x tools
+  std::vector<ContactRecord> contact;
+  QuadratureRecord quadrature;
+};
+
+}  // namespace burnish

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+
+/// Names of the files of a result: `NAME.h5` with the model and `NAME/frame_000000.h5`, … beside it, one per
+/// frame.
+namespace burnish {
+
+/// DIR/result.h5, the model file of a run's directory.
+std::filesystem::path modelFile(const std::filesystem::path& directory);
+
+/// The directory of the frames that belong to a model file.
+std::filesystem::path framesDirectory(const std::filesystem::path& modelFile);
+
+std::filesystem::path frameFile(const std::filesystem::path& modelFile, int index);
+
+/// Number of frame files that exist without a gap from frame 0 on.
+int countFrames(const std::filesystem::path& modelFile);
+
+/// Deletes a result and what a killed run left half written: the model file first, then the frames from the
+/// last to the first, so that no moment shows a model with frames of another run. Throws `Error`, with
+/// nothing deleted, if a file of one of these names was not written by this program.
+void removeResult(const std::filesystem::path& modelFile);
+
+}  // namespace burnish

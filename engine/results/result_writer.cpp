@@ -1,0 +1,75 @@
+#include "engine/results/result_writer.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/results/atomic_file.h"
+#include "engine/results/check_records.h"
+#include "engine/results/frame_io.h"
+#include "engine/results/result_files.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path& created(const fs::path& directory) {
+  std::error_code status;
+  fs::create_directories(directory, status);
+  if (status)
+    throw Error(fmt::format("cannot create the directory {}: {}", directory.string(), status.message()));
+  return directory;
+}
+
+StoredModel checked(ModelRecord model, const fs::path& file) {
+  checkModel(model, file.string());
+  return {.id = modelId(model), .record = std::move(model)};
+}
+
+}  // namespace
+
+ResultWriter::DirectoryLock::DirectoryLock(const fs::path& directory)
+    : descriptor_(::open(created(directory).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0)
+    throw Error(fmt::format("cannot open the directory {}: {}", directory.string(),
+                            std::generic_category().message(errno)));
+  // File systems without locks answer otherwise; they have to do without this protection.
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(descriptor_);
+    throw Error(
+        fmt::format("another run is writing its result to {}; wait for its end or choose another directory",
+                    directory.string()));
+  }
+}
+
+ResultWriter::DirectoryLock::~DirectoryLock() {
+  ::close(descriptor_);
+}
+
+ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model)
+    : lock_(directory), modelFile_(modelFile(directory)), model_(checked(std::move(model), modelFile_)) {
+  removeResult(modelFile_);
+  writeFileAtomically(modelFile_, modelImage(model_));
+  created(framesDirectory(modelFile_));
+}
+
+ResultWriter::~ResultWriter() = default;
+
+void ResultWriter::append(const FrameRecord& frame) {
+  const fs::path file = frameFile(modelFile_, numFrames_);
+  if (frame.index != numFrames_)
+    throw Error(fmt::format("{}: a frame of index {} was to be appended to {} frames", file.string(),
+                            frame.index, numFrames_));
+  checkFrame(frame, model_.record, file.string());
+  writeFileAtomically(file, frameImage(frame, model_.id));
+  ++numFrames_;
+}
+
+}  // namespace burnish

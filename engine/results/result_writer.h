@@ -1,0 +1,47 @@
+#pragma once
+#include <filesystem>
+
+#include "engine/results/model_io.h"
+#include "engine/results/result.h"
+
+namespace burnish {
+
+/// Writes a result, one file per frame, each under its final name only when it is complete and on the disk:
+/// at every moment, and after the process was killed at any moment, `ResultReader` finds all frames appended
+/// so far.
+class ResultWriter {
+ public:
+  /// Creates the directory if needed, deletes an earlier result in it (and nothing else) and writes the
+  /// model. Throws `Error` if that is impossible, if the directory holds a foreign file in the place of a
+  /// result, if another process is writing a result there, or if the model contradicts itself.
+  ResultWriter(const std::filesystem::path& directory, ModelRecord model);
+  ~ResultWriter();
+  ResultWriter(const ResultWriter&) = delete;
+  ResultWriter& operator=(const ResultWriter&) = delete;
+
+  /// The frame's index must be the number of frames appended before. Throws `Error` if it is not, if the
+  /// frame does not fit the model, or if the disk refuses; the frames before stay readable.
+  void append(const FrameRecord& frame);
+
+  int numFrames() const { return numFrames_; }
+
+ private:
+  /// Keeps a second process from writing to the directory; given back by the system when the process ends.
+  class DirectoryLock {
+   public:
+    explicit DirectoryLock(const std::filesystem::path& directory);
+    ~DirectoryLock();
+    DirectoryLock(const DirectoryLock&) = delete;
+    DirectoryLock& operator=(const DirectoryLock&) = delete;
+
+   private:
+    int descriptor_;
+  };
+
+  DirectoryLock lock_;
+  std::filesystem::path modelFile_;
+  StoredModel model_;
+  int numFrames_ = 0;
+};
+
+}  // namespace burnish
