@@ -1,0 +1,27 @@
+#pragma once
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+/// The subcommands of `burnish`. Each adds itself, its options and their help to the command line; parsing
+/// one sets `action`, which does the work, throws `Error` for what the user can mend, and returns the exit
+/// code.
+namespace burnish {
+
+enum class ExitCode {
+  Fine = 0,
+  Internal = 1,  ///< a fault of the program
+  BadInput = 2,  ///< a scene, result, file or option that cannot be used
+  Stopped = 3,   ///< the run could not be brought to its end
+};
+
+using Action = std::function<ExitCode()>;
+
+void addRunCommand(CLI::App& app, Action& action);
+void addRenderCommand(CLI::App& app, Action& action);
+void addExportCommand(CLI::App& app, Action& action);
+void addInfoCommand(CLI::App& app, Action& action);
+
+}  // namespace burnish

@@ -1,0 +1,88 @@
+#include "cli/info_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+#include "engine/results/history.h"
+
+namespace burnish {
+namespace {
+
+std::string line(const std::string& label, const std::string& text) {
+  return fmt::format("{:<12}{}\n", label, text);
+}
+
+std::string patchText(const PatchRecord& patch) {
+  std::vector<int> degrees;
+  std::vector<std::size_t> spans;
+  for (const DirectionRecord& direction : patch.directions) {
+    degrees.push_back(direction.degree);
+    const bool spline = direction.family == BasisFamily::BSpline;
+    spans.push_back(spline
+                        ? static_cast<std::size_t>(KnotVector(direction.degree, direction.knots).numSpans())
+                        : direction.knots.size() - 1);
+  }
+  return fmt::format("{} of degree {}, {} spans, {} functions",
+                     patch.directions.front().family == BasisFamily::BSpline ? "NURBS" : "Lagrange",
+                     fmt::join(degrees, " x "), fmt::join(spans, " x "), patch.nodes.size());
+}
+
+std::string shapeText(const RigidShape& shape) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape))
+    return fmt::format("cylinder of radius {}", cylinder->radius);
+  if (const auto* sphere = std::get_if<Sphere>(&shape))
+    return fmt::format("sphere of radius {}", sphere->radius);
+  return "plane";
+}
+
+std::string fieldText(const std::string& name, const FieldRecord& field) {
+  std::string text = name;
+  if (!field.components.empty()) text += fmt::format(" ({})", fmt::join(field.components, " "));
+  if (!field.unit.empty()) text += fmt::format(" [{}]", field.unit);
+  return text;
+}
+
+std::string framesText(const ResultReader& result) {
+  const std::vector<double> times = result.times();
+  if (times.empty()) return line("frames", "none yet");
+  std::string text =
+      line("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
+  const FrameRecord last = result.frame(result.numFrames() - 1);
+  for (const auto& [name, field] : last.fields) text += line("field", fieldText(name, field));
+  for (const ContactRecord& contact : last.contact)
+    text += line("contact", fmt::format("{} on {}, {} control points", contact.tool, contact.face,
+                                        contact.nodes.size()));
+  return text;
+}
+
+std::string historyText(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return "";
+  const HistoryTable history = readHistory(file);
+  return line("history", fmt::format("{} rows: {}", history.numRows(), fmt::join(history.columns, ", ")));
+}
+
+}  // namespace
+
+std::string resultText(const ResultReader& result) {
+  const ModelRecord& model = result.model();
+  std::string text = line("result", result.file().string());
+  text += line("title", model.title);
+  text += line("written by", model.program);
+  text += line("model", fmt::format("{} dimensions, {} nodes", model.dim, model.numNodes));
+  for (const PatchRecord& patch : model.patches) text += line("patch", patchText(patch));
+  for (const ToolRecord& tool : model.tools)
+    text += line("tool", fmt::format("{}: {}", tool.name, shapeText(tool.shape)));
+  text += framesText(result);
+  text += historyText(result.file().parent_path() / "history.csv");
+  return text;
+}
+
+std::string sceneText(const Scene& scene) {
+  return scene.resolvedYaml.ends_with('\n') ? scene.resolvedYaml : scene.resolvedYaml + "\n";
+}
+
+}  // namespace burnish

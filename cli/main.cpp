@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "cli/command.h"
+#include "cli/usage_error.h"
+#include "engine/core/error.h"
+#include "engine/core/version.h"
+
+namespace {
+
+using namespace burnish;
+
+ExitCode execute(int argc, char** argv) {
+  CLI::App app("Elastoplastic contact of NURBS bodies with rigid tools: compute, draw, export.", "burnish");
+  app.set_version_flag("--version", fmt::format("burnish {}", kVersion));
+  app.require_subcommand(1);
+  Action action;
+  addRunCommand(app, action);
+  addRenderCommand(app, action);
+  addExportCommand(app, action);
+  addInfoCommand(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    app.exit(request);  // prints the help or the version
+    return ExitCode::Fine;
+  } catch (const CLI::ParseError& error) {
+    throw Error(usageMessage(app, error));
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(execute(argc, argv));
+  } catch (const burnish::Error& error) {
+    fmt::print(stderr, "burnish: {}\n", error.what());
+    return static_cast<int>(ExitCode::BadInput);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "burnish: the memory of this machine does not suffice\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "burnish: internal error: {}; this is a fault of the program, please report it\n",
+               error.what());
+  }
+  return static_cast<int>(ExitCode::Internal);
+}

@@ -1,0 +1,42 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "cli/progress.h"
+#include "engine/analysis/run.h"
+#include "engine/scene/scene.h"
+#include "postproc/export/vtu_series_writer.h"
+
+namespace burnish {
+
+/// What a run leaves beside its results while it goes on: progress, VTU files, and the pictures of the scene.
+class RunOutputs : public RunObserver {
+ public:
+  /// The scene must outlive the object.
+  RunOutputs(const Scene& scene, std::filesystem::path directory, bool showProgress);
+
+  void onStart(const ModelRecord& model) override;
+  void onStep(const RunProgress& progress) override;
+  void onFrame(const ModelRecord& model, const FrameRecord& frame) override;
+
+  /// Draws the pictures of the end of the run from its last frame.
+  void finish();
+
+  /// Pictures drawn so far.
+  const std::vector<std::filesystem::path>& pictures() const { return pictures_; }
+
+ private:
+  std::filesystem::path pictureFile(const PictureSpec& picture, std::optional<double> time) const;
+  void draw(const PictureSpec& picture, const std::filesystem::path& file, const FrameRecord& frame);
+
+  const Scene& scene_;
+  std::filesystem::path directory_;
+  std::optional<Progress> progress_;
+  std::optional<VtuSeriesWriter> vtu_;
+  ModelRecord model_;
+  std::optional<FrameRecord> lastFrame_;
+  std::vector<std::filesystem::path> pictures_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,48 @@
+#include "cli/usage_error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "engine/scene/nearest.h"
+
+namespace burnish {
+namespace {
+
+std::vector<std::string> subcommandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(subcommand->get_name());
+  return names;
+}
+
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+}  // namespace
+
+std::string usageMessage(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  const std::string help =
+      fmt::format("\"burnish {}--help\" explains", parsed.empty() ? "" : command.get_name() + " ");
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (unknown.empty() && parsed.empty())
+    return fmt::format("a command is needed: {}; {}", fmt::join(subcommandNames(app), ", "), help);
+  if (unknown.empty()) return fmt::format("{}; {}", error.what(), help);
+
+  const std::string word = unknown.front().substr(0, unknown.front().find('='));
+  if (word.starts_with('-'))
+    return fmt::format("there is no option {}.{} {}", word, didYouMean(word, optionNames(command)), help);
+  if (parsed.empty())
+    return fmt::format("there is no command {}.{} {}", word, didYouMean(word, subcommandNames(app)), help);
+  return fmt::format("burnish {} does not expect \"{}\"; {}", command.get_name(), word, help);
+}
+
+}  // namespace burnish

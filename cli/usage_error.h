@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
+namespace burnish {
+
+/// One sentence on a command line that could not be understood, with the nearest valid option or subcommand
+/// and where to find help.
+std::string usageMessage(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace burnish

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "engine/results/history.h"
+#include "engine/results/result_reader.h"
+
+/// The program as the user meets it: exit codes, messages, and what is left behind. BURNISH_COMMAND is its
+/// path.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A block under a disc that goes down and up again.
+constexpr const char* kScene = R"(
+title: Small press
+geometry: {shape: rectangle, size: [2.0, 1.0], functions: [8, 5]}
+material: {law: neo-hookean, E: 1.0, nu: 0.3}
+supports: [{face: bottom, fix: [x, y]}]
+tools:
+  - {name: disc, shape: cylinder, center: [1.0, 1.5], radius: 0.5, motion: {times: [0, 1, 2], y: [0, -0.05, 0]}}
+contact: [{tool: disc, face: top}]
+steps: [{until: 2, count: 8}]
+output: {every: 0.5, vtu: false}
+)";
+
+struct Outcome {
+  int code = 0;
+  std::string out, err;
+};
+
+class Command : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    dir = fs::temp_directory_path() /
+          (std::string("burnish_command_") + test->name() + std::to_string(::getpid()));
+    fs::remove_all(dir);
+    fs::create_directories(dir);
+    write("scene.yaml", kScene);
+  }
+  void TearDown() override { fs::remove_all(dir); }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(dir / name) << text; }
+
+  std::string read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(dir / name).rdbuf();
+    return text.str();
+  }
+
+  Outcome burnish(const std::string& arguments) const {
+    const std::string line =
+        "cd " + dir.string() + " && " BURNISH_COMMAND " " + arguments + " > stdout.txt 2> stderr.txt";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout.txt"), read("stderr.txt")};
+  }
+
+  /// Exit code 2, one message that contains `part`, and no output directory.
+  void expectRefused(const std::string& arguments, const std::string& part) const {
+    const Outcome outcome = burnish(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("burnish: ")) << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_FALSE(fs::exists(dir / "out")) << arguments;
+  }
+
+  fs::path dir;
+};
+
+TEST_F(Command, RunsASceneAndTellsWhatIsInIt) {
+  const Outcome run = burnish("run scene.yaml -o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("step 1  t 0.25 of 2"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("completed in"), std::string::npos) << run.out;
+  EXPECT_EQ(ResultReader(dir / "out").times(), (std::vector<double>{0.0, 0.5, 1.0, 1.5, 2.0}));
+  const HistoryTable history = readHistory(dir / "out/history.csv");
+  EXPECT_EQ(history.numRows(), 9u);
+  EXPECT_EQ(history.column("disc.uy")[4], -0.05);
+
+  const Outcome info = burnish("info out/result.h5");
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_NE(info.out.find("disc: cylinder of radius 0.5"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("5, t = 0 to 2"), std::string::npos) << info.out;
+}
+
+TEST_F(Command, DescribesASceneSoThatItCanBeRunAgain) {
+  const Outcome info = burnish("info scene.yaml");
+  ASSERT_EQ(info.code, 0) << info.err;
+  write("again.yaml", info.out);
+  EXPECT_EQ(burnish("run --quiet scene.yaml -o a").code, 0);
+  EXPECT_EQ(burnish("run --quiet again.yaml -o b").code, 0);
+  EXPECT_EQ(read("a/history.csv"), read("b/history.csv"));
+}
+
+TEST_F(Command, QuietPrintsNothingWhenAllIsWell) {
+  const Outcome run = burnish("run --quiet scene.yaml --set tools[0].motion.y=[0,-0.002,0]");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.out + run.err, "");
+  EXPECT_TRUE(fs::exists(dir / "out/scene/result.h5"));
+}
+
+TEST_F(Command, ARunThatStopsExitsWith3AndKeepsItsResults) {
+  const Outcome run = burnish(
+      "run scene.yaml -o out --set tools[0].motion.y=[0,-0.9,0] --set solver.max_iterations=2 --set "
+      "solver.max_cuts=0");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_NE(run.err.find("the run did not reach its end"), std::string::npos) << run.err;
+  EXPECT_GE(ResultReader(dir / "out").numFrames(), 1);
+}
+
+TEST_F(Command, BadInputIsOneMessageAndLeavesNothingBehind) {
+  write("broken.yaml", "title: [");
+  write("file", "");
+  expectRefused("run missing.yaml -o out", "missing.yaml");
+  expectRefused("run broken.yaml -o out", "broken.yaml:1:");
+  expectRefused("run scene.yaml -o out --set degrees=2", "Did you mean \"degree\"?");
+  expectRefused("run scene.yaml -o out --set material.nu=0.5", "material.nu");
+  expectRefused("run scene.yaml -o out --set tools[0].center[1]=1.4", "disc");
+  expectRefused("run scene.yaml -o file/out", "file/out");
+  expectRefused("run scene.yaml -o out --thread 2", "Did you mean \"--threads\"?");
+  expectRefused("render nowhere -o a.png", "nowhere");
+  expectRefused("info file.h5", "file.h5");
+}
+
+TEST_F(Command, ControlNetsWithImpossibleKnotsOrWeightsAreRefused) {
+  const std::string net =
+      "geometry: {shape: control-net, degrees: [1, 1], knots: [[0, 0, 1, 1], [0, 0, 1, 1]], "
+      "points: [[0, 0], [2, 0], [0, 1], [2, 1]], weights: [1, 1, 1, 1]}";
+  const std::string text = kScene;
+  const std::size_t begin = text.find("geometry"), end = text.find('\n', begin);
+  write("net.yaml", text.substr(0, begin) + net + "\ndegree: 1" + text.substr(end));
+  EXPECT_EQ(burnish("run --quiet net.yaml -o a").code, 0) << read("stderr.txt");
+  expectRefused("run net.yaml -o out --set geometry.weights[2]=-1", "weight");
+  expectRefused("run net.yaml -o out --set geometry.knots[0]=[0,0,1,0.5]", "knot");
+}
+
+TEST_F(Command, VersionAndHelpAreFine) {
+  EXPECT_TRUE(burnish("--version").out.starts_with("burnish "));
+  EXPECT_EQ(burnish("--help").code, 0);
+  EXPECT_EQ(burnish("render --help").code, 0);
+}
+
+}  // namespace
+}  // namespace burnish
