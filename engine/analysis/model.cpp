@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::array<const char*, 3> kComponents{"x", "y", "z"};
 
+/// Gaps smaller than this share of a length count as touching.
+constexpr double kTouching = 1e-9;
+
 /// Schedules of a motion's components; empty ones for components that are left out.
 std::array<Schedule, 3> schedules(const MotionSpec& motion) {
   std::array<Schedule, 3> result;
@@ -153,7 +156,7 @@ void Model<Dim>::addContacts(const Scene& scene) {
     const FaceId face = faceFromName<Dim>(spec.face);
     const double overlap = -smallestGap(body_, 0, face, *tools_[tool]);
     const double radius = curvatureRadius(tools_[tool]->shape);
-    if (overlap > 1e-9 * std::min(radius, body_.size()))
+    if (overlap > kTouching * std::min(radius, body_.size()))
       throw Error(fmt::format(
           "tools: '{}' overlaps face '{}' by {:.3g} at the start; move it away by at least that much "
           "(touching is fine)",
@@ -181,7 +184,7 @@ void Model<Dim>::liftTools(const Scene& scene) {
       if (pair.tool == k && pair.term->options().enforcement != Enforcement::PointwisePenalty)
         pairs.push_back(pair.term.get());
     if (pairs.empty()) continue;
-    tools_[k]->lift = liftToSeparate<Dim>(pairs, *tools_[k]);
+    tools_[k]->lift = liftToSeparate<Dim>(pairs, *tools_[k], kTouching * body_.size());
     if (tools_[k]->lift.isZero(0.0)) continue;
     tools_[k]->approachTime = approachTime;
     startTime_ = -approachTime;

@@ -82,8 +82,8 @@ double smallestGap(const Body<Dim>& body, int patch, FaceId face, const Tool& to
 }
 
 template <int Dim>
-Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool) {
-  double worst = 0.0;
+Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool, double touching) {
+  double worst = -touching;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   for (const auto* pair : pairs) {
     const Eigen::VectorXd gaps = pair->referenceGaps(tool, 0.0);
@@ -94,7 +94,7 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
     x.template head<Dim>() = pair->face().points().col(A);
     direction = -tool.query(0.0, x).normal;
   }
-  if (worst >= 0.0) return Eigen::Vector3d::Zero();
+  if (direction.isZero(0.0)) return direction;
 
   constexpr double kMargin = 1.05;
   Tool lifted = tool;
@@ -110,7 +110,7 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
 
 template double smallestGap(const Body<2>&, int, FaceId, const Tool&);
 template double smallestGap(const Body<3>&, int, FaceId, const Tool&);
-template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<2>*>&, const Tool&);
-template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<3>*>&, const Tool&);
+template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<2>*>&, const Tool&, double);
+template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<3>*>&, const Tool&, double);
 
 }  // namespace burnish

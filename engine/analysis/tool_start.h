@@ -14,8 +14,10 @@ double smallestGap(const Body<Dim>& body, int patch, FaceId face, const Tool& to
 
 /// How far a tool has to be lifted at the start so that no averaged gap of the undeformed face is negative.
 /// Functions of a Lagrange basis have negative lobes: their averaged gap can be negative although nothing
-/// touches, and the first step would start with a jump. Zero when no lift is needed.
+/// touches, and the first step would start with a jump. Zero when no gap is below `-touching`, a length that
+/// rounding explains.
 template <int Dim>
-Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool);
+Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
+                               double touching);
 
 }  // namespace burnish

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "engine/core/error.h"
+#include "engine/fields/projection.h"
+#include "engine/fields/span_extremes.h"
+#include "engine/nurbs/refinement.h"
+#include "engine/nurbs/shapes.h"
+#include "engine/solid/bulk_term.h"
+#include "engine/solid/traction_term.h"
+#include "tests/unit/term_check.h"
+
+namespace burnish {
+namespace {
+
+Eigen::VectorXd randomState(Eigen::Index size, double amplitude, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
+  return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(generator); });
+}
+
+Body<2> ring(int degree) {
+  return makeBody(refined(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.5),
+                          {KnotVector::uniform(degree, 2), KnotVector::uniform(degree, 3)}));
+}
+
+Body<3> shell() {
+  return makeBody(refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.5, {0.0, 1.0}, {0.0, 1.0}),
+                          {KnotVector::uniform(1, 1), KnotVector::uniform(2, 1), KnotVector::uniform(2, 2)}));
+}
+
+Material elastic() { return NeoHookean(1.0, 0.3); }
+Material plastic() { return J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0}); }
+
+TEST(SpanQuadrature, MeasuresExactVolumes) {
+  EXPECT_NEAR(SpanQuadrature<2>(ring(2), 8).volume(), 0.5 * 1.5 * 3.0, 1e-12);
+  EXPECT_NEAR(SpanQuadrature<3>(shell(), 8).volume(), (1.5 * 1.5 * 1.5 - 1.0) / 3.0 * 1.0 * std::sin(1.0), 1e-10);
+}
+
+TEST(SpanQuadrature, RefusesAFoldedMap) {
+  auto patch = rectangle({0.0, 0.0}, {1.0, 1.0});
+  Eigen::MatrixXd points = patch.points();
+  points.col(3) = Eigen::Vector2d(-0.5, -0.5);
+  EXPECT_THROW(SpanQuadrature<2>(makeBody(Patch<2>(patch.basis(), points, patch.weights()))), Error);
+}
+
+TEST(BulkTerm, TangentAgreesWithCentralDifferences) {
+  const Body<2> plane = ring(2);
+  const SpanQuadrature<2> planeQuadrature(plane);
+  BulkTerm<2> rubber(planeQuadrature, elastic());
+  EXPECT_LT(test::tangentError(rubber, 0.0, randomState(2 * plane.numNodes, 0.03, 1), 1e-6), 1e-7);
+
+  const Body<3> solid = shell();
+  const SpanQuadrature<3> solidQuadrature(solid);
+  BulkTerm<3> rubber3(solidQuadrature, elastic());
+  EXPECT_LT(test::tangentError(rubber3, 0.0, randomState(3 * solid.numNodes, 0.03, 2), 1e-6), 1e-7);
+}
+
+TEST(BulkTerm, PlasticTangentAgreesWithCentralDifferences) {
+  const Body<2> plane = ring(2);
+  const SpanQuadrature<2> quadrature(plane);
+  BulkTerm<2> metal(quadrature, plastic());
+  // A stretch far beyond yield everywhere, so that no point switches between elastic and plastic.
+  Eigen::VectorXd x = randomState(2 * plane.numNodes, 0.01, 3);
+  for (int a = 0; a < plane.numNodes; ++a) x(2 * a) += 0.08 * plane.patches[0].points()(0, a);
+  ASSERT_TRUE(test::forceOf(metal, 0.0, x).allFinite());
+  metal.accept();
+  EXPECT_GT(metal.summary().maxPlasticStrain, 0.05);
+  x *= 1.3;
+  EXPECT_LT(test::tangentError(metal, 0.0, x, 1e-6), 1e-6);
+
+  const Body<3> solid = shell();
+  const SpanQuadrature<3> solidQuadrature(solid);
+  BulkTerm<3> metal3(solidQuadrature, plastic());
+  Eigen::VectorXd y = randomState(3 * solid.numNodes, 0.004, 4);
+  for (int a = 0; a < solid.numNodes; ++a) y(3 * a) += 0.08 * solid.patches[0].points()(0, a);
+  EXPECT_LT(test::tangentError(metal3, 0.0, y, 1e-6), 1e-6);
+}
+
+TEST(BulkTerm, ForceIsTheDerivativeOfTheStoredEnergy) {
+  const Body<2> body = ring(3);
+  const SpanQuadrature<2> quadrature(body);
+  BulkTerm<2> term(quadrature, elastic());
+  const Eigen::VectorXd x = randomState(2 * body.numNodes, 0.03, 5), direction = randomState(x.size(), 1.0, 6);
+  const auto energy = [&](double s) {
+    static_cast<void>(test::forceOf(term, 0.0, x + s * direction));
+    return term.summary().strainEnergy;
+  };
+  const double h = 1e-5;
+  EXPECT_NEAR((energy(h) - energy(-h)) / (2.0 * h), test::forceOf(term, 0.0, x).dot(direction), 1e-8);
+}
+
+TEST(BulkTerm, RigidMotionCostsNothing) {
+  const Body<2> body = ring(2);
+  const SpanQuadrature<2> quadrature(body);
+  BulkTerm<2> term(quadrature, elastic());
+  const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(2.0).toRotationMatrix();
+  Eigen::VectorXd x(2 * body.numNodes);
+  for (int a = 0; a < body.numNodes; ++a) {
+    const Eigen::Vector2d X = body.patches[0].points().col(a);
+    x.segment<2>(2 * a) = rotation * X + Eigen::Vector2d(3.0, -1.0) - X;
+  }
+  EXPECT_LT(test::forceOf(term, 0.0, x).norm(), 1e-13);
+}
+
+TEST(BulkTerm, RefusesAStateThatIsInsideOut) {
+  const Body<2> body = makeBody(rectangle({0.0, 0.0}, {1.0, 1.0}));
+  const SpanQuadrature<2> quadrature(body);
+  BulkTerm<2> term(quadrature, elastic());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(8);
+  x(4 + 1) = x(6 + 1) = -1.5;
+  bool admissible = true;
+  static_cast<void>(test::forceOf(term, 0.0, x, &admissible));
+  EXPECT_FALSE(admissible);
+}
+
+TEST(TractionTerm, SumsToTractionTimesLength) {
+  const Body<2> body = ring(2);
+  TractionTerm<2> term(body, 0, faceFromName<2>("right"), {3.0, -2.0}, {{0.0, 2.0}, {0.0, 1.0}});
+  const Eigen::VectorXd load = term.load(1.0);
+  double fx = 0.0, fy = 0.0;
+  for (int a = 0; a < body.numNodes; ++a) {
+    fx += load(2 * a);
+    fy += load(2 * a + 1);
+  }
+  const double arc = 2.0 * 1.5;
+  EXPECT_NEAR(fx, 0.5 * 3.0 * arc, 1e-5) << "three Gauss points integrate a rational arc length this well";
+  EXPECT_NEAR(fy, -0.5 * 2.0 * arc, 1e-5);
+}
+
+TEST(Projection, ReproducesFieldsOfTheSpaceAndOrthogonalisesTheRest) {
+  const Body<2> body = ring(2);
+  const SpanQuadrature<2> quadrature(body);
+  const Projection<2> projection(quadrature);
+  const Eigen::VectorXd coefficients = randomState(body.numNodes, 1.0, 8);
+  Eigen::MatrixXd values(quadrature.numPoints(), 2);
+  for (const auto& span : quadrature.spans())
+    for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
+      values(span.firstPoint + q, 0) = span.R.col(q).dot(coefficients(span.nodes));
+      values(span.firstPoint + q, 1) = std::sin(static_cast<double>(span.firstPoint + q));
+    }
+  const Eigen::MatrixXd projected = projection.project(values);
+  EXPECT_LT((projected.col(0) - coefficients).norm(), 1e-12);
+
+  Eigen::VectorXd rest = Eigen::VectorXd::Zero(body.numNodes);
+  for (const auto& span : quadrature.spans())
+    for (Eigen::Index q = 0; q < span.weights.size(); ++q)
+      rest(span.nodes) += span.weights(q) * span.R.col(q) *
+                          (span.R.col(q).dot(projected.col(1)(span.nodes)) - values(span.firstPoint + q, 1));
+  EXPECT_LT(rest.norm(), 1e-13);
+}
+
+TEST(SpanExtremes, FindsTheExtremesOfARationalField) {
+  const Body<2> body = ring(2);
+  // The coordinate field x of the ring: cos(1.5) … 2.
+  const Extremes extremes = SpanExtremes<2>(body)(body.patches[0].points().row(0).transpose());
+  EXPECT_NEAR(extremes.max, 2.0, 1e-13);
+  EXPECT_NEAR(extremes.min, std::cos(1.5), 1e-13);
+}
+
+}  // namespace
+}  // namespace burnish

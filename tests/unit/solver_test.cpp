@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/solver/linear_solver.h"
+#include "engine/solver/newton.h"
+#include "engine/solver/stepping.h"
+
+namespace burnish {
+namespace {
+
+/// A chain of springs between neighbouring unknowns with force k (d + d^3), refusing any elongation above a limit.
+class Chain final : public Term {
+ public:
+  Chain(int size, double limit) : size_(size), limit_(limit) {}
+
+  CouplingGroups couplings() const override {
+    CouplingGroups groups;
+    for (int i = 0; i + 1 < size_; ++i) groups.push_back({i, i + 1});
+    return groups;
+  }
+
+  bool evaluate(double, const Eigen::VectorXd& x, Assembly& out) override {
+    for (int i = 0; i + 1 < size_; ++i) {
+      const double d = x(i + 1) - x(i);
+      if (std::abs(d) > limit_) return false;
+      const double force = d + d * d * d, stiffness = 1.0 + 3.0 * d * d;
+      out.force(i) -= force;
+      out.force(i + 1) += force;
+      if (out.system == nullptr) continue;
+      Eigen::Matrix2d K;
+      K << stiffness, -stiffness, -stiffness, stiffness;
+      out.system->add(out.term, static_cast<std::size_t>(i), K);
+    }
+    return true;
+  }
+
+  void accept() override { ++accepted_; }
+  int accepted() const { return accepted_; }
+
+ private:
+  int size_;
+  double limit_;
+  int accepted_ = 0;
+};
+
+std::vector<bool> endsHeld(int size) {
+  std::vector<bool> held(static_cast<std::size_t>(size), false);
+  held.front() = held.back() = true;
+  return held;
+}
+
+ResidualScales scalesFor(int size) { return {size, 1e-9, Eigen::VectorXd()}; }
+
+TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {
+  Chain chain(6, 10.0);
+  Newton newton({&chain}, endsHeld(6), scalesFor(6), MatrixKind::LikelyDefinite, {});
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(6), target = Eigen::VectorXd::Zero(6);
+  x(2) = 0.3;
+  target(5) = 2.5;
+  const NewtonReport report = newton.solve(0.0, target, x);
+  ASSERT_EQ(report.outcome, NewtonOutcome::Converged);
+  EXPECT_EQ(x(0), 0.0);
+  EXPECT_EQ(x(5), 2.5);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(x(i), 0.5 * i, 1e-9);
+  for (std::size_t k = 2; k + 1 < report.history.size(); ++k)
+    EXPECT_LT(report.history[k + 1], 50.0 * report.history[k] * report.history[k] + 1e-14);
+}
+
+TEST(Newton, ShortensACorrectionThatWouldBeInadmissible) {
+  Chain chain(3, 0.6);
+  Newton newton({&chain}, {true, false, true}, scalesFor(3), MatrixKind::LikelyDefinite, {});
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(3), target = Eigen::VectorXd::Zero(3);
+  x(1) = 0.55;
+  target(2) = 1.15;
+  const NewtonReport report = newton.solve(0.0, target, x);
+  EXPECT_EQ(report.outcome, NewtonOutcome::Converged);
+  EXPECT_NEAR(x(1), 0.575, 1e-9);
+}
+
+TEST(Newton, SaysWhenNothingIsAdmissible) {
+  Chain chain(3, 0.1);
+  Newton newton({&chain}, {true, false, true}, scalesFor(3), MatrixKind::LikelyDefinite, {});
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(3), target = Eigen::VectorXd::Zero(3);
+  target(2) = 1.0;
+  EXPECT_NE(newton.solve(0.0, target, x).outcome, NewtonOutcome::Converged);
+}
+
+TEST(Stepping, LandsExactlyAndCutsBackWhenAStepFails) {
+  Chain chain(3, 0.6);
+  Newton newton({&chain}, {true, false, true}, scalesFor(3), MatrixKind::LikelyDefinite,
+                {.maxIterations = 25, .maxBacktracks = 0});
+  SteppingState start;
+  start.x = Eigen::VectorXd::Zero(3);
+  Stepping stepping(newton, {&chain},
+                    [](double t) {
+                      Eigen::VectorXd target = Eigen::VectorXd::Zero(3);
+                      target(2) = t;
+                      return target;
+                    },
+                    {.maxCuts = 6}, start);
+  // One step of 1 stretches the right spring by 1 before the middle follows: inadmissible, so it has to be cut.
+  std::vector<double> times;
+  ASSERT_TRUE(stepping.advance(1.0, 1.0, [&](const StepReport& step) { times.push_back(step.time); }));
+  EXPECT_EQ(times.back(), 1.0);
+  EXPECT_EQ(stepping.state().time, 1.0);
+  EXPECT_EQ(chain.accepted(), static_cast<int>(times.size()));
+  EXPECT_NEAR(stepping.state().x(1), 0.5, 1e-9);
+
+  // Beyond 1.2 no state is admissible: the last good state stays.
+  EXPECT_FALSE(stepping.advance(1.5, 0.1, [&](const StepReport&) {}));
+  EXPECT_LE(stepping.state().time, 1.2);
+  EXPECT_GT(stepping.state().time, 1.19);
+  EXPECT_NEAR(stepping.state().x(1), 0.5 * stepping.state().time, 1e-9);
+}
+
+TEST(LinearSolver, CholmodHandsAnIndefiniteMatrixToUmfpack) {
+  Eigen::SparseMatrix<double> A(2, 2);
+  A.insert(0, 0) = 1.0;
+  A.insert(0, 1) = 2.0;
+  A.insert(1, 0) = 2.0;
+  A.insert(1, 1) = 1.0;
+  A.makeCompressed();
+  const auto solver = makeLinearSolver(MatrixKind::LikelyDefinite);
+  ASSERT_TRUE(solver->factorise(A));
+  EXPECT_LT((A * solver->solve(Eigen::Vector2d(3.0, 3.0)) - Eigen::Vector2d(3.0, 3.0)).norm(), 1e-14);
+  A.coeffRef(1, 1) = 5.0;
+  ASSERT_TRUE(solver->factorise(A));
+  EXPECT_LT((solver->solve(Eigen::Vector2d(3.0, 7.0)) - Eigen::Vector2d(1.0, 1.0)).norm(), 1e-14);
+}
+
+TEST(LinearSolver, ReportsSingularAndNonFiniteMatrices) {
+  for (const auto kind : {MatrixKind::SaddlePoint, MatrixKind::LikelyDefinite}) {
+    Eigen::SparseMatrix<double> A(2, 2);
+    A.insert(0, 0) = 1.0;
+    A.insert(0, 1) = 1.0;
+    A.insert(1, 0) = 1.0;
+    A.insert(1, 1) = 1.0;
+    A.makeCompressed();
+    EXPECT_FALSE(makeLinearSolver(kind)->factorise(A));
+    A.coeffRef(1, 1) = std::nan("");
+    EXPECT_FALSE(makeLinearSolver(kind)->factorise(A));
+  }
+}
+
+TEST(Colouring, NoClassHoldsTwoGroupsWithACommonUnknown) {
+  CouplingGroups groups;
+  for (int i = 0; i < 40; ++i) groups.push_back({i, i + 1, i + 2});
+  const auto colours = colourGroups(groups, 42);
+  EXPECT_EQ(colours.size(), 3u);
+  for (const auto& colour : colours)
+    for (std::size_t k = 1; k < colour.size(); ++k) EXPECT_GE(colour[k] - colour[k - 1], 3);
+}
+
+}  // namespace
+}  // namespace burnish
