@@ -31,14 +31,28 @@ void evaluateAt(benchmark::State& state, const Law& law, double amplitude) {
   state.counters["plastic_share"] = static_cast<double>(plastic) / static_cast<double>(state.iterations());
 }
 
-J2Plasticity alloy(ElasticLaw law) { return {70000.0, 0.3, law, VoceHardening{79.66, 171.26, 17.8}}; }
+J2Plasticity alloy(ElasticLaw law) {
+  return {70000.0, 0.3, law, VoceHardening{79.66, 171.26, 17.8}};
+}
 
-void neoHookean2D(benchmark::State& s) { evaluateAt<2>(s, NeoHookean(1.0, 0.3), 0.2); }
-void neoHookean3D(benchmark::State& s) { evaluateAt<3>(s, NeoHookean(1.0, 0.3), 0.2); }
-void j2Elastic2D(benchmark::State& s) { evaluateAt<2>(s, alloy(ElasticLaw::NeoHookean), 1e-4); }
-void j2Plastic2D(benchmark::State& s) { evaluateAt<2>(s, alloy(ElasticLaw::NeoHookean), 0.05); }
-void j2Plastic3D(benchmark::State& s) { evaluateAt<3>(s, alloy(ElasticLaw::NeoHookean), 0.05); }
-void henckyPlastic2D(benchmark::State& s) { evaluateAt<2>(s, alloy(ElasticLaw::Hencky), 0.05); }
+void neoHookean2D(benchmark::State& s) {
+  evaluateAt<2>(s, NeoHookean(1.0, 0.3), 0.2);
+}
+void neoHookean3D(benchmark::State& s) {
+  evaluateAt<3>(s, NeoHookean(1.0, 0.3), 0.2);
+}
+void j2Elastic2D(benchmark::State& s) {
+  evaluateAt<2>(s, alloy(ElasticLaw::NeoHookean), 1e-4);
+}
+void j2Plastic2D(benchmark::State& s) {
+  evaluateAt<2>(s, alloy(ElasticLaw::NeoHookean), 0.05);
+}
+void j2Plastic3D(benchmark::State& s) {
+  evaluateAt<3>(s, alloy(ElasticLaw::NeoHookean), 0.05);
+}
+void henckyPlastic2D(benchmark::State& s) {
+  evaluateAt<2>(s, alloy(ElasticLaw::Hencky), 0.05);
+}
 
 BENCHMARK(neoHookean2D);
 BENCHMARK(neoHookean3D);

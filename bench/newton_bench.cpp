@@ -1,6 +1,6 @@
-// One step of the elastoplastic ironing problem (49 x 25 functions) in mid-press, solved again and again on one core.
-// Times are per Newton iteration: milliseconds in all, and by part; beside them what no other load on the machine
-// changes: iterations, unknowns and non-zeros of the factors.
+// One step of the elastoplastic ironing problem (49 x 25 functions) in mid-press, solved again and again on
+// one core. Times are per Newton iteration: milliseconds in all, and by part; beside them what no other load
+// on the machine changes: iterations, unknowns and non-zeros of the factors.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -23,7 +23,8 @@ void newtonIteration(benchmark::State& state, const std::string& basis, int degr
   SteppingState start;
   start.time = model.startTime();
   start.x = Eigen::VectorXd::Zero(model.numUnknowns());
-  Stepping stepping(newton, terms, [&](double t) { return model.target(t); }, {}, start);
+  Stepping stepping(
+      newton, terms, [&](double t) { return model.target(t); }, {}, start);
   if (!stepping.advance(0.5, 0.05, [](const StepReport&) {})) state.SkipWithError("the press failed");
 
   const NewtonTimings before = newton.timings();
@@ -49,8 +50,12 @@ void newtonIteration(benchmark::State& state, const std::string& basis, int degr
   state.counters["factor_nonzeros"] = static_cast<double>(newton.linearSolver().factorNonZeros());
 }
 
-void nurbs(benchmark::State& s) { newtonIteration(s, "nurbs", static_cast<int>(s.range(0))); }
-void lagrange(benchmark::State& s) { newtonIteration(s, "lagrange", static_cast<int>(s.range(0))); }
+void nurbs(benchmark::State& s) {
+  newtonIteration(s, "nurbs", static_cast<int>(s.range(0)));
+}
+void lagrange(benchmark::State& s) {
+  newtonIteration(s, "lagrange", static_cast<int>(s.range(0)));
+}
 
 BENCHMARK(nurbs)->DenseRange(2, 4)->Unit(benchmark::kMillisecond);
 BENCHMARK(lagrange)->DenseRange(2, 4)->Unit(benchmark::kMillisecond);

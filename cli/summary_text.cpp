@@ -39,6 +39,9 @@ std::string summaryText(const RunSummary& s) {
                                          s.meanIterations, s.maxIterations));
   text += line("unknowns", std::to_string(s.unknowns));
   text += line("worst residual", fmt::format("{:.2e}, tolerance {:.0e}", s.worstResidual, s.tolerance));
+  if (s.stepsAtRoundOff > 0)
+    text += line("rounding", fmt::format("{} steps ended above the tolerance, where rounding allows no less",
+                                         s.stepsAtRoundOff));
   if (s.contactParameter > 0.0)
     text += line("contact", fmt::format("parameter {:.4g}, worst averaged gap {:.2e}, tolerance {:.0e}",
                                         s.contactParameter, s.worstConstraint, s.constraintTolerance));

@@ -243,6 +243,8 @@ ResidualScales Model<Dim>::residualScales() const {
   ResidualScales scales;
   scales.numForces = numDisplacements();
   scales.forceFloor = 1e-9 * youngsModulus(bulk_->material()) * std::pow(L, Dim - 1);
+  scales.spanSize =
+      std::pow(quadrature_->volume() / static_cast<double>(quadrature_->spans().size()), 1.0 / Dim);
   scales.constraints.resize(numUnknowns_ - numDisplacements());
   Eigen::Index next = 0;
   for (const auto& pair : contacts_) {

@@ -119,6 +119,7 @@ class Run {
   void note(const StepReport& step) {
     summary_.worstResidual = std::max(summary_.worstResidual, step.newton.residual);
     summary_.worstConstraint = std::max(summary_.worstConstraint, step.newton.constraint);
+    summary_.stepsAtRoundOff += step.newton.atRoundOff ? 1 : 0;
     summary_.maxIterations = std::max(summary_.maxIterations, step.newton.iterations);
   }
 
@@ -139,7 +140,7 @@ class Run {
     const NewtonReport& failure = stepping_.lastFailure();
     summary_.stoppedBecause =
         fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
-                    state.time, state.smallestStep, describe(failure.outcome), failure.residual);
+                    state.time, stepping_.lastFailedStep(), describe(failure.outcome), failure.residual);
     if (summary_.frames > 0 && lastFrameTime_ == state.time) return;
     static_cast<void>(evaluateHere());
     writeFrame();

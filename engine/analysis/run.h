@@ -51,6 +51,7 @@ struct RunSummary {
   double constraintTolerance = 0.0;
   double worstResidual = 0.0;     ///< relative, of all accepted steps
   double worstConstraint = 0.0;   ///< averaged gap over the body's size, of all accepted steps
+  int stepsAtRoundOff = 0;        ///< steps that ended above the tolerance because rounding allows no less
   double contactParameter = 0.0;  ///< ε of the first contact pair, 0 without contact
   StateQuantities end;            ///< the last state
   double smallestJ = 1.0;

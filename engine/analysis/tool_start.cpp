@@ -82,7 +82,8 @@ double smallestGap(const Body<Dim>& body, int patch, FaceId face, const Tool& to
 }
 
 template <int Dim>
-Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool, double touching) {
+Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
+                               double touching) {
   double worst = -touching;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   for (const auto* pair : pairs) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/core/stopwatch.h"
@@ -25,6 +26,8 @@ std::string describe(NewtonOutcome outcome) {
       return "no admissible state was found (J <= 0 or a failed return map)";
     case NewtonOutcome::Singular:
       return "the tangent matrix is singular";
+    case NewtonOutcome::Diverged:
+      return "the iteration diverged";
     case NewtonOutcome::TooManyIterations:
       return "the residual did not fall below the tolerance";
     case NewtonOutcome::NotFinite:
@@ -55,91 +58,115 @@ bool Newton::evaluate(double t, const Eigen::VectorXd& x) {
   return true;
 }
 
-void Newton::measure(const Eigen::VectorXd& x, bool prescribedReached, NewtonReport& report) {
+Newton::Residual Newton::measure() const {
   const auto nForces = scales_.numForces;
-  double reference = scales_.forceFloor;
-  Eigen::VectorXd residual = Eigen::VectorXd::Zero(system_.numUnknowns());
+  Residual measured;
+  measured.reference = scales_.forceFloor;
+  Eigen::VectorXd total = Eigen::VectorXd::Zero(system_.numUnknowns());
   for (const auto& force : forces_) {
-    reference = std::max(reference, force.head(nForces).norm());
-    residual += force;
+    measured.reference = std::max(measured.reference, force.head(nForces).norm());
+    total += force;
   }
   double sum = 0.0;
-  double constraint = 0.0;
   for (const int i : system_.freeUnknowns()) {
     if (i < nForces)
-      sum += residual(i) * residual(i);
+      sum += total(i) * total(i);
     else
-      constraint = std::max(constraint, std::abs(residual(i)) / scales_.constraints(i - nForces));
+      measured.constraint =
+          std::max(measured.constraint, std::abs(total(i)) / scales_.constraints(i - nForces));
   }
-  report.residual = std::sqrt(sum) / reference;
-  report.constraint = constraint;
-  report.history.push_back(report.residual);
-  report.outcome = !std::isfinite(report.residual + report.constraint) ? NewtonOutcome::NotFinite
-                   : prescribedReached && isConverged(report)          ? NewtonOutcome::Converged
-                                                                       : NewtonOutcome::TooManyIterations;
-  static_cast<void>(x);
+  measured.force = std::sqrt(sum) / measured.reference;
+  return measured;
 }
 
-bool Newton::isConverged(const NewtonReport& report) const {
-  return report.iterations > 0 && report.residual < options_.tolerance &&
-         report.constraint < options_.constraintTolerance;
+double Newton::roundOff(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd magnitude = x.cwiseAbs();
+  magnitude.head(scales_.numForces).array() += scales_.spanSize;
+  const Eigen::VectorXd bound = system_.tangent().cwiseAbs() * magnitude;
+  double sum = 0.0;
+  for (const int i : system_.freeUnknowns())
+    if (i < scales_.numForces) sum += bound(i) * bound(i);
+  return 4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(sum);
 }
 
-NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x) {
+NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const {
+  report.residual = residual.force;
+  report.constraint = residual.constraint;
+  report.history.push_back(residual.force);
+  if (!std::isfinite(residual.force + residual.constraint)) return NewtonOutcome::NotFinite;
+  if (report.iterations > 0 && residual.constraint < options_.constraintTolerance) {
+    if (residual.force < options_.tolerance) return NewtonOutcome::Converged;
+    report.atRoundOff = residual.force * residual.reference < roundOff(x);
+    if (report.atRoundOff) return NewtonOutcome::Converged;
+  }
+  const auto count = static_cast<std::ptrdiff_t>(options_.divergedIterations);
+  const auto& history = report.history;
+  if (std::ssize(history) > count && std::all_of(history.end() - count, history.end(),
+                                                 [&](double r) { return r > options_.divergedResidual; }))
+    return NewtonOutcome::Diverged;
+  return NewtonOutcome::TooManyIterations;
+}
+
+bool Newton::findCorrection(bool isFirst, FirstTangent first, Eigen::VectorXd& correction) {
+  if (isFirst && first == FirstTangent::Remembered && remembersTangent()) system_.setTangent(remembered_);
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(correction.size());
+  for (const auto& force : forces_) rhs -= force;
+  if (!correction.isZero(0.0)) rhs -= system_.tangent() * correction;
+  {
+    const Stopwatch watch(timings_.factorisation);
+    if (!linear_->factorise(system_.freeTangent())) return false;
+  }
+  const Stopwatch watch(timings_.solve);
+  correction += system_.expandFromFree(linear_->solve(system_.restrictToFree(rhs)));
+  return correction.allFinite();
+}
+
+bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::VectorXd& target,
+                  Eigen::VectorXd& x, NewtonReport& report) {
+  const Eigen::VectorXd start = x;
+  const double before = report.history.back();
+  double s = 1.0;
+  for (int halvings = 0;; ++halvings, s *= 0.5) {
+    x = start + s * correction;
+    if (s == 1.0)
+      for (int i = 0; i < system_.numUnknowns(); ++i)
+        if (system_.isPrescribed(i)) x(i) = target(i);  // exactly, not up to a rounded sum
+    if (evaluate(t, x)) {
+      const bool mayGrow =
+          report.iterations <= options_.freeIterations || halvings >= options_.maxShortenings;
+      const double now = mayGrow ? 0.0 : measure().force;
+      if (mayGrow || now < options_.harmlessResidual || now < before) return true;
+    } else if (halvings >= options_.maxBacktracks) {
+      return false;
+    }
+    ++report.backtracks;
+  }
+}
+
+NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x, FirstTangent first) {
   NewtonReport report;
-  const auto prescribedIncrement = [&] {
-    Eigen::VectorXd increment = target - x;
-    increment(system_.freeUnknowns()).setZero();
-    return increment;
-  };
-
   if (!evaluate(t, x)) {
     report.outcome = NewtonOutcome::Inadmissible;
     return report;
   }
   for (;;) {
-    Eigen::VectorXd correction = prescribedIncrement();
-    const bool reached = correction.isZero(0.0);
-    measure(x, reached, report);
+    report.outcome = judge(measure(), x, report);
+    Eigen::VectorXd correction = target - x;  // of the prescribed unknowns; the others follow
+    correction(system_.freeUnknowns()).setZero();
+    if (report.outcome == NewtonOutcome::Converged && !correction.isZero(0.0))
+      report.outcome = NewtonOutcome::TooManyIterations;
     if (report.outcome != NewtonOutcome::TooManyIterations || report.iterations == options_.maxIterations)
       return report;
 
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(x.size());
-    for (const auto& force : forces_) rhs -= force;
-    if (!reached) rhs -= system_.tangent() * correction;
-    {
-      const Stopwatch watch(timings_.factorisation);
-      if (!linear_->factorise(system_.freeTangent())) {
-        report.outcome = NewtonOutcome::Singular;
-        return report;
-      }
-    }
-    {
-      const Stopwatch watch(timings_.solve);
-      correction += system_.expandFromFree(linear_->solve(system_.restrictToFree(rhs)));
-    }
-    ++report.iterations;
-    ++timings_.iterations;
-    if (!correction.allFinite()) {
+    if (!findCorrection(report.iterations == 0, first, correction)) {
       report.outcome = NewtonOutcome::Singular;
       return report;
     }
-
-    // A correction that turns a point of the body inside out is shortened before it is taken.
-    const Eigen::VectorXd start = x;
-    double s = 1.0;
-    for (int halvings = 0;; ++halvings, s *= 0.5) {
-      x = start + s * correction;
-      if (s == 1.0 && !reached) {
-        for (int i = 0; i < system_.numUnknowns(); ++i)
-          if (system_.isPrescribed(i)) x(i) = target(i);  // exactly, not up to a rounded sum
-      }
-      if (evaluate(t, x)) break;
-      ++report.backtracks;
-      if (halvings == options_.maxBacktracks) {
-        report.outcome = NewtonOutcome::Inadmissible;
-        return report;
-      }
+    ++report.iterations;
+    ++timings_.iterations;
+    if (!take(t, correction, target, x, report)) {
+      report.outcome = NewtonOutcome::Inadmissible;
+      return report;
     }
   }
 }

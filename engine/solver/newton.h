@@ -15,18 +15,32 @@ struct NewtonOptions {
   double tolerance = 1e-9;             ///< of the residual forces, relative to the largest force of a term
   double constraintTolerance = 1e-12;  ///< of the averaged gap, relative to the body's size
   int maxIterations = 25;
-  int maxBacktracks = 12;  ///< halvings of a correction that leads to an inadmissible state
+
+  /// Halvings of a correction that leads to an inadmissible state (J <= 0, a failed return map).
+  int maxBacktracks = 12;
+
+  /// Line search by need: after `freeIterations` corrections, in which plastic flow and the contact set find
+  /// themselves, a correction that makes the residual grow is halved up to `maxShortenings` times, unless the
+  /// residual stays below `harmlessResidual`.
+  int freeIterations = 2;
+  int maxShortenings = 3;
+  double harmlessResidual = 0.02;
+
+  /// An attempt is given up after so many iterations in a row that are out of all balance.
+  int divergedIterations = 3;
+  double divergedResidual = 0.9;
 };
 
 /// How residuals are measured. Unknowns 0 … numForces-1 are displacement components whose residuals are
 /// forces; the others are multipliers whose residuals are constraints, each with a scale of its own (A_A L).
 struct ResidualScales {
   int numForces = 0;
-  double forceFloor = 0.0;      ///< smallest force that counts as a reference: 1e-9 E L (E L² in 3D)
+  double forceFloor = 0.0;  ///< smallest force that counts as a reference: 1e-9 E L (E L² in 3D)
+  double spanSize = 0.0;    ///< lengths below its rounding error are not resolved by the deformation gradient
   Eigen::VectorXd constraints;  ///< one per multiplier
 };
 
-enum class NewtonOutcome { Converged, Inadmissible, Singular, TooManyIterations, NotFinite };
+enum class NewtonOutcome { Converged, Inadmissible, Singular, Diverged, TooManyIterations, NotFinite };
 
 /// One sentence fragment for messages: "the residual did not fall below the tolerance", …
 std::string describe(NewtonOutcome outcome);
@@ -35,9 +49,9 @@ struct NewtonReport {
   NewtonOutcome outcome = NewtonOutcome::TooManyIterations;
   int iterations = 0;  ///< corrections taken
   int backtracks = 0;
-  double residual = std::numeric_limits<double>::infinity();  ///< last relative force residual
-  double roundOff = 0.0;  ///< relative residual that round-off alone explains
+  double residual = std::numeric_limits<double>::infinity();    ///< last relative force residual
   double constraint = std::numeric_limits<double>::infinity();  ///< last constraint residual over L
+  bool atRoundOff = false;      ///< converged to what rounding allows, above the relative tolerance
   std::vector<double> history;  ///< relative force residual before each correction and at the end
 };
 
@@ -47,6 +61,12 @@ struct NewtonTimings {
   double factorisation = 0.0;
   double solve = 0.0;
   long iterations = 0;
+};
+
+/// Which tangent the first correction uses.
+enum class FirstTangent {
+  Current,     ///< of the start itself; after a plastic step it is elastic and overshoots
+  Remembered,  ///< of the last remembered state: knows which points flow
 };
 
 /// Newton's method with the consistent tangent for a sum of terms. Knows residuals and tangents, no physics.
@@ -59,7 +79,12 @@ class Newton {
   /// Solves at time t from the start x. Prescribed unknowns go to the values they have in `target` (their
   /// other entries are ignored) along with the first correction, so that an admissible start stays
   /// admissible. x holds the last iterate on return, whatever the outcome; the terms hold its trial history.
-  NewtonReport solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x);
+  NewtonReport solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x,
+                     FirstTangent first = FirstTangent::Current);
+
+  /// Keeps the tangent of the last evaluated state for later first corrections.
+  void rememberTangent() { remembered_ = system_.tangent().coeffs(); }
+  bool remembersTangent() const { return remembered_.size() > 0; }
 
   /// Force vectors of the terms at the last evaluated state.
   const Eigen::VectorXd& force(std::size_t term) const { return forces_[term]; }
@@ -69,9 +94,27 @@ class Newton {
   const NewtonTimings& timings() const { return timings_; }
 
  private:
+  struct Residual {
+    double force = 0.0;      ///< relative
+    double reference = 0.0;  ///< force that it is relative to
+    double constraint = 0.0;
+  };
+
   bool evaluate(double t, const Eigen::VectorXd& x);
-  void measure(const Eigen::VectorXd& x, bool prescribedReached, NewtonReport& report);
-  bool isConverged(const NewtonReport& report) const;
+  Residual measure() const;
+
+  /// Residual force that rounding in its own evaluation explains: 4 ε ‖|K| (|x| + h)‖, h the size of a span.
+  /// F = I + ∇u is rounded like a number of order one however small the displacements are.
+  double roundOff(const Eigen::VectorXd& x) const;
+
+  NewtonOutcome judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const;
+
+  /// `correction` holds the increments of the prescribed unknowns on entry; false if the tangent is singular.
+  bool findCorrection(bool isFirst, FirstTangent first, Eigen::VectorXd& correction);
+
+  /// Moves x along the correction, shortened as needed; false if no admissible state was found.
+  bool take(double t, const Eigen::VectorXd& correction, const Eigen::VectorXd& target, Eigen::VectorXd& x,
+            NewtonReport& report);
 
   std::vector<Term*> terms_;
   ResidualScales scales_;
@@ -79,6 +122,7 @@ class Newton {
   SparseSystem system_;
   std::unique_ptr<LinearSolver> linear_;
   std::vector<Eigen::VectorXd> forces_;
+  Eigen::ArrayXd remembered_;  ///< entries of a tangent; empty before the first
   NewtonTimings timings_;
 };
 

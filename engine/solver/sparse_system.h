@@ -30,6 +30,9 @@ class SparseSystem {
   /// Tangent over all unknowns.
   const Eigen::SparseMatrix<double>& tangent() const { return tangent_; }
 
+  /// Replaces all entries of the tangent by those of another one on the same pattern.
+  void setTangent(const Eigen::ArrayXd& entries) { tangent_.coeffs() = entries; }
+
   /// Tangent over the free unknowns, in the order of `freeUnknowns()`.
   const Eigen::SparseMatrix<double>& freeTangent();
 

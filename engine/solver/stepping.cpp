@@ -20,15 +20,25 @@ Stepping::Stepping(Newton& newton, std::vector<Term*> terms, std::function<Eigen
       options_(options),
       state_(std::move(start)) {}
 
-NewtonReport Stepping::attempt(double time, bool extrapolate, Eigen::VectorXd& x) {
+NewtonReport Stepping::attempt(double time, Start start, Eigen::VectorXd& x) {
   const Eigen::VectorXd target = target_(time);
   x = state_.x;
-  if (extrapolate) {
+  if (start == Start::Extrapolated) {
     x += (time - state_.time) / state_.lastSize * state_.lastIncrement;
     for (int i = 0; i < newton_.system().numUnknowns(); ++i)
       if (newton_.system().isPrescribed(i)) x(i) = target(i);
   }
-  return newton_.solve(time, target, x);
+  return newton_.solve(time, target, x,
+                       start == Start::RememberedTangent ? FirstTangent::Remembered : FirstTangent::Current);
+}
+
+std::vector<Stepping::Start> Stepping::starts() const {
+  std::vector<Start> starts;
+  if (state_.lastIncrement.size() > 0 && state_.stepsToExtrapolation == 0)
+    starts.push_back(Start::Extrapolated);
+  if (newton_.remembersTangent()) starts.push_back(Start::RememberedTangent);
+  starts.push_back(Start::Old);
+  return starts;
 }
 
 bool Stepping::advance(double time, double nominal, const std::function<void(const StepReport&)>& accepted) {
@@ -43,22 +53,18 @@ bool Stepping::advance(double time, double nominal, const std::function<void(con
 
     Eigen::VectorXd x;
     NewtonReport report;
-    const bool extrapolate = state_.lastIncrement.size() > 0 && state_.stepsToExtrapolation == 0;
-    if (extrapolate) {
-      report = attempt(next, true, x);
+    for (const Start start : starts()) {
+      report = attempt(next, start, x);
       attempted += report.iterations;
-      if (report.outcome != NewtonOutcome::Converged)
+      if (start == Start::Extrapolated && report.outcome != NewtonOutcome::Converged)
         state_.stepsToExtrapolation = kPauseAfterFailedExtrapolation;
-    } else {
-      state_.stepsToExtrapolation = std::max(0, state_.stepsToExtrapolation - 1);
+      if (report.outcome == NewtonOutcome::Converged) break;
     }
-    if (!extrapolate || report.outcome != NewtonOutcome::Converged) {
-      report = attempt(next, false, x);
-      attempted += report.iterations;
-    }
+    state_.stepsToExtrapolation = std::max(0, state_.stepsToExtrapolation - 1);
 
     if (report.outcome != NewtonOutcome::Converged) {
       lastFailure_ = report;
+      lastFailedStep_ = size;
       if (state_.level == options_.maxCuts) return false;
       ++state_.level;
       ++state_.cuts;
@@ -67,6 +73,7 @@ bool Stepping::advance(double time, double nominal, const std::function<void(con
       continue;
     }
 
+    newton_.rememberTangent();
     for (Term* term : terms_) term->accept();
     state_.lastIncrement = x - state_.x;
     state_.lastSize = size;

@@ -53,11 +53,18 @@ class Stepping {
 
   const SteppingState& state() const { return state_; }
 
-  /// The last failed attempt, for messages.
+  /// The last failed attempt and its step, for messages.
   const NewtonReport& lastFailure() const { return lastFailure_; }
+  double lastFailedStep() const { return lastFailedStep_; }
 
  private:
-  NewtonReport attempt(double time, bool extrapolate, Eigen::VectorXd& x);
+  /// How an attempt at a step begins.
+  enum class Start { Extrapolated, RememberedTangent, Old };
+
+  /// Ways to begin the next step, the most promising first.
+  std::vector<Start> starts() const;
+
+  NewtonReport attempt(double time, Start start, Eigen::VectorXd& x);
 
   Newton& newton_;
   std::vector<Term*> terms_;
@@ -65,6 +72,7 @@ class Stepping {
   SteppingOptions options_;
   SteppingState state_;
   NewtonReport lastFailure_;
+  double lastFailedStep_ = 0.0;
 };
 
 }  // namespace burnish

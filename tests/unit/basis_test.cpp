@@ -100,7 +100,8 @@ TEST(GaussLegendre, IsExactUpToDegreeTwoNMinusOne) {
   for (int n = 1; n <= 12; ++n) {
     const QuadratureRule rule = gaussLegendre(n);
     for (int k = 0; k <= 2 * n - 1; ++k)
-      EXPECT_NEAR(rule.weights.dot(rule.points.array().pow(k).matrix()), 1.0 / (k + 1), 1e-14) << n << " " << k;
+      EXPECT_NEAR(rule.weights.dot(rule.points.array().pow(k).matrix()), 1.0 / (k + 1), 1e-14)
+          << n << " " << k;
   }
 }
 

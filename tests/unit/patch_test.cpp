@@ -40,8 +40,8 @@ TEST(Shapes, AnnulusLiesOnItsCircles) {
     const Eigen::Vector2d v = ring.position(xi) - Eigen::Vector2d(0.3, -0.2);
     EXPECT_NEAR(v.norm(), 1.0 + 1.5 * xi(0), 1e-14 * 4);
   }
-  EXPECT_NEAR((ring.position({0.0, 1.0}) - Eigen::Vector2d(0.3 + std::cos(2.1), -0.2 + std::sin(2.1))).norm(), 0.0,
-              1e-14);
+  EXPECT_NEAR((ring.position({0.0, 1.0}) - Eigen::Vector2d(0.3 + std::cos(2.1), -0.2 + std::sin(2.1))).norm(),
+              0.0, 1e-14);
 }
 
 TEST(Shapes, CylinderAndSphereSegmentsAreExact) {
@@ -97,7 +97,8 @@ TEST(Refinement, RefusesSpacesThatDoNotContainTheCoarseOne) {
 }
 
 TEST(Patch, UniformRectangleHasItsControlPointsAtTheGrevilleAbscissae) {
-  const auto slab = refined(rectangle({0.0, 0.0}, {3.0, 1.0}), {KnotVector::uniform(3, 46), KnotVector::uniform(3, 22)});
+  const auto slab =
+      refined(rectangle({0.0, 0.0}, {3.0, 1.0}), {KnotVector::uniform(3, 46), KnotVector::uniform(3, 22)});
   ASSERT_EQ(slab.basis().numFunctions(), 49 * 25);
   const auto& x = slab.basis().direction(0);
   for (int i = 0; i < 49; ++i) {
@@ -107,7 +108,8 @@ TEST(Patch, UniformRectangleHasItsControlPointsAtTheGrevilleAbscissae) {
 }
 
 TEST(Patch, RationalDerivativesAgreeWithDifferences) {
-  const auto ring = refined(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 2.0), {KnotVector::uniform(2, 3), KnotVector::uniform(3, 4)});
+  const auto ring = refined(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 2.0),
+                            {KnotVector::uniform(2, 3), KnotVector::uniform(3, 4)});
   const double h = 1e-6;
   std::mt19937 generator(4);
   for (int k = 0; k < 20; ++k) {
@@ -121,17 +123,26 @@ TEST(Patch, RationalDerivativesAgreeWithDifferences) {
 }
 
 TEST(Patch, TraceIsThePatchOnItsFace) {
-  const auto ring = refined(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 2.0), {KnotVector::uniform(2, 3), KnotVector::uniform(3, 4)});
+  const auto ring = refined(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 2.0),
+                            {KnotVector::uniform(2, 3), KnotVector::uniform(3, 4)});
   for (const double s : {0.0, 0.31, 0.9, 1.0}) {
     const Eigen::Vector<double, 1> t(s);
-    EXPECT_LT((tracePatch(ring, faceFromName<2>("left")).position(t) - ring.position({0.0, s})).norm(), 1e-14);
-    EXPECT_LT((tracePatch(ring, faceFromName<2>("right")).position(t) - ring.position({1.0, s})).norm(), 1e-14);
-    EXPECT_LT((tracePatch(ring, faceFromName<2>("bottom")).position(t) - ring.position({s, 0.0})).norm(), 1e-14);
+    EXPECT_LT((tracePatch(ring, faceFromName<2>("left")).position(t) - ring.position({0.0, s})).norm(),
+              1e-14);
+    EXPECT_LT((tracePatch(ring, faceFromName<2>("right")).position(t) - ring.position({1.0, s})).norm(),
+              1e-14);
+    EXPECT_LT((tracePatch(ring, faceFromName<2>("bottom")).position(t) - ring.position({s, 0.0})).norm(),
+              1e-14);
     EXPECT_LT((tracePatch(ring, faceFromName<2>("top")).position(t) - ring.position({s, 1.0})).norm(), 1e-14);
   }
-  const auto cube = refined(box({0, 0, 0}, {1, 2, 3}), {KnotVector::uniform(1, 2), KnotVector::uniform(2, 3), KnotVector::uniform(3, 2)});
-  EXPECT_LT((tracePatch(cube, faceFromName<3>("front")).position({0.2, 0.7}) - Eigen::Vector3d(0.2, 1.4, 3.0)).norm(), 1e-14);
-  EXPECT_LT((tracePatch(cube, faceFromName<3>("left")).position({0.2, 0.7}) - Eigen::Vector3d(0.0, 0.4, 2.1)).norm(), 1e-14);
+  const auto cube = refined(box({0, 0, 0}, {1, 2, 3}), {KnotVector::uniform(1, 2), KnotVector::uniform(2, 3),
+                                                        KnotVector::uniform(3, 2)});
+  EXPECT_LT((tracePatch(cube, faceFromName<3>("front")).position({0.2, 0.7}) - Eigen::Vector3d(0.2, 1.4, 3.0))
+                .norm(),
+            1e-14);
+  EXPECT_LT((tracePatch(cube, faceFromName<3>("left")).position({0.2, 0.7}) - Eigen::Vector3d(0.0, 0.4, 2.1))
+                .norm(),
+            1e-14);
   EXPECT_THROW(faceFromName<2>("front"), Error);
 }
 
@@ -139,7 +150,8 @@ TEST(Patch, LagrangeInterpolantPassesThroughTheGeometryAtItsNodes) {
   const auto ring = annulus({0.0, 0.0}, 1.0, 2.0, 0.0, kPi / 2);
   double previous = 0.0;
   for (const int spans : {2, 4, 8}) {
-    const auto interpolant = lagrangeInterpolant(ring, 2, {{0.0, 1.0}, KnotVector::uniform(1, spans).breakpoints()});
+    const auto interpolant =
+        lagrangeInterpolant(ring, 2, {{0.0, 1.0}, KnotVector::uniform(1, spans).breakpoints()});
     for (int a = 0; a < interpolant.basis().numFunctions(); ++a) {
       const double radius = interpolant.points().col(a).norm();
       EXPECT_LT(std::min({std::abs(radius - 1.0), std::abs(radius - 1.5), std::abs(radius - 2.0)}), 1e-14);

@@ -31,12 +31,17 @@ Body<3> shell() {
                           {KnotVector::uniform(1, 1), KnotVector::uniform(2, 1), KnotVector::uniform(2, 2)}));
 }
 
-Material elastic() { return NeoHookean(1.0, 0.3); }
-Material plastic() { return J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0}); }
+Material elastic() {
+  return NeoHookean(1.0, 0.3);
+}
+Material plastic() {
+  return J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0});
+}
 
 TEST(SpanQuadrature, MeasuresExactVolumes) {
   EXPECT_NEAR(SpanQuadrature<2>(ring(2), 8).volume(), 0.5 * 1.5 * 3.0, 1e-12);
-  EXPECT_NEAR(SpanQuadrature<3>(shell(), 8).volume(), (1.5 * 1.5 * 1.5 - 1.0) / 3.0 * 1.0 * std::sin(1.0), 1e-10);
+  EXPECT_NEAR(SpanQuadrature<3>(shell(), 8).volume(), (1.5 * 1.5 * 1.5 - 1.0) / 3.0 * 1.0 * std::sin(1.0),
+              1e-10);
 }
 
 TEST(SpanQuadrature, RefusesAFoldedMap) {
@@ -83,7 +88,8 @@ TEST(BulkTerm, ForceIsTheDerivativeOfTheStoredEnergy) {
   const Body<2> body = ring(3);
   const SpanQuadrature<2> quadrature(body);
   BulkTerm<2> term(quadrature, elastic());
-  const Eigen::VectorXd x = randomState(2 * body.numNodes, 0.03, 5), direction = randomState(x.size(), 1.0, 6);
+  const Eigen::VectorXd x = randomState(2 * body.numNodes, 0.03, 5),
+                        direction = randomState(x.size(), 1.0, 6);
   const auto energy = [&](double s) {
     static_cast<void>(test::forceOf(term, 0.0, x + s * direction));
     return term.summary().strainEnergy;

@@ -9,7 +9,8 @@
 namespace burnish {
 namespace {
 
-/// A chain of springs between neighbouring unknowns with force k (d + d^3), refusing any elongation above a limit.
+/// A chain of springs between neighbouring unknowns with force k (d + d^3), refusing any elongation above a
+/// limit.
 class Chain final : public Term {
  public:
   Chain(int size, double limit) : size_(size), limit_(limit) {}
@@ -50,7 +51,9 @@ std::vector<bool> endsHeld(int size) {
   return held;
 }
 
-ResidualScales scalesFor(int size) { return {size, 1e-9, Eigen::VectorXd()}; }
+ResidualScales scalesFor(int size) {
+  return {size, 1e-9, 0.0, Eigen::VectorXd()};
+}
 
 TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {
   Chain chain(6, 10.0);
@@ -92,14 +95,16 @@ TEST(Stepping, LandsExactlyAndCutsBackWhenAStepFails) {
                 {.maxIterations = 25, .maxBacktracks = 0});
   SteppingState start;
   start.x = Eigen::VectorXd::Zero(3);
-  Stepping stepping(newton, {&chain},
-                    [](double t) {
-                      Eigen::VectorXd target = Eigen::VectorXd::Zero(3);
-                      target(2) = t;
-                      return target;
-                    },
-                    {.maxCuts = 6}, start);
-  // One step of 1 stretches the right spring by 1 before the middle follows: inadmissible, so it has to be cut.
+  Stepping stepping(
+      newton, {&chain},
+      [](double t) {
+        Eigen::VectorXd target = Eigen::VectorXd::Zero(3);
+        target(2) = t;
+        return target;
+      },
+      {.maxCuts = 6}, start);
+  // One step of 1 stretches the right spring by 1 before the middle follows: inadmissible, so it has to be
+  // cut.
   std::vector<double> times;
   ASSERT_TRUE(stepping.advance(1.0, 1.0, [&](const StepReport& step) { times.push_back(step.time); }));
   EXPECT_EQ(times.back(), 1.0);

@@ -1,5 +1,5 @@
-// The contact patch test: a flat rigid plate pressed on a block whose sides and bottom stand on rollers gives a uniform
-// state, so the contact traction is the same everywhere, whatever the basis.
+// The contact patch test: a flat rigid plate pressed on a block whose sides and bottom stand on rollers gives
+// a uniform state, so the contact traction is the same everywhere, whatever the basis.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -61,7 +61,8 @@ TEST(ContactPatchTest, PenaltyMethodsAreUniformTooAndPenetrateByPressureOverPara
     EXPECT_LT((contact.quadraturePressure.array() - pressure).abs().maxCoeff(), 1e-9 * pressure) << method;
     EXPECT_NEAR(-contact.quadratureGap.mean(), pressure / outcome.summary.contactParameter, 1e-9) << method;
     const auto& end = outcome.summary.end;
-    EXPECT_NEAR(end.contactEnergy, 0.5 * pressure * 2.0 * end.maxPenetration, 1e-9 * end.contactEnergy) << method;
+    EXPECT_NEAR(end.contactEnergy, 0.5 * pressure * 2.0 * end.maxPenetration, 1e-9 * end.contactEnergy)
+        << method;
   }
 }
 

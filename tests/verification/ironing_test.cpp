@@ -1,5 +1,5 @@
-// The ironing problem: what an exact answer must have, whatever the mesh. The elastic slide is the paper's own, 49 x 25
-// functions; the rest runs on a coarser mesh.
+// The ironing problem: what an exact answer must have, whatever the mesh. The elastic slide is the paper's
+// own, 49 x 25 functions; the rest runs on a coarser mesh.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -59,16 +59,19 @@ TEST_P(ElasticIroning, IsMirrorSymmetricAndConservesEnergyWithoutACutBack) {
 INSTANTIATE_TEST_SUITE_P(Bases, ElasticIroning, testing::Values("nurbs", "lagrange"));
 
 TEST(Ironing, DoesNotDependOnTheAugmentedLagrangianParameter) {
-  const Overrides shortSlide{"steps[1].until=1.3", "steps[1].count=12", "tools[0].motion={times: [0, 1, 1.3], x: [0, 0, 0.6], y: [0, -0.075, -0.075]}"};
+  const Overrides shortSlide{"steps[1].until=1.3", "steps[1].count=12",
+                             "tools[0].motion={times: [0, 1, 1.3], x: [0, 0, 0.6], y: [0, -0.075, -0.075]}"};
   Overrides soft = shortSlide, stiff = shortSlide;
   soft.push_back("contact[0].parameter=0.1");
   stiff.push_back("contact[0].parameter=10");
-  const auto a = test::run(coarseScene("elastic", soft), "soft"), b = test::run(coarseScene("elastic", stiff), "stiff");
+  const auto a = test::run(coarseScene("elastic", soft), "soft"),
+             b = test::run(coarseScene("elastic", stiff), "stiff");
   ASSERT_EQ(a.history.numRows(), b.history.numRows());
   for (const char* column : {"cylinder.fx", "cylinder.fy", "strain_energy", "external_work"}) {
     const double scale = largest(a.history.column(column));
     for (std::size_t k = 0; k < a.history.numRows(); ++k)
-      EXPECT_NEAR(a.history.column(column)[k], b.history.column(column)[k], 1e-8 * scale) << column << " row " << k;
+      EXPECT_NEAR(a.history.column(column)[k], b.history.column(column)[k], 1e-8 * scale)
+          << column << " row " << k;
   }
   EXPECT_LT((a.lastFrame.displacement - b.lastFrame.displacement).cwiseAbs().maxCoeff(), 1e-8);
 }
@@ -79,7 +82,8 @@ TEST(Ironing, NurbsAndLagrangeOfDegreeOneAreTheSame) {
     Overrides nurbs = press, lagrange = press;
     nurbs.push_back("basis=nurbs");
     lagrange.push_back("basis=lagrange");
-    const auto a = test::run(coarseScene(scene, nurbs), "p1n"), b = test::run(coarseScene(scene, lagrange), "p1l");
+    const auto a = test::run(coarseScene(scene, nurbs), "p1n"),
+               b = test::run(coarseScene(scene, lagrange), "p1l");
     ASSERT_EQ(a.history.numRows(), b.history.numRows());
     for (std::size_t c = 0; c < a.history.columns.size(); ++c) {
       const double scale = std::max(1e-300, largest(a.history.values[c]));
@@ -98,21 +102,23 @@ void press(const Scene& scene, const Check& check) {
   SteppingState start;
   start.time = model.startTime();
   start.x = Eigen::VectorXd::Zero(model.numUnknowns());
-  Stepping stepping(newton, terms, [&](double t) { return model.target(t); }, {}, start);
+  Stepping stepping(
+      newton, terms, [&](double t) { return model.target(t); }, {}, start);
   ASSERT_TRUE(stepping.advance(1.0, 0.1, [&](const StepReport& step) { check(model, newton, step); }));
 }
 
 TEST(Ironing, TheToolsReactionIsTheReactionOfTheBottom) {
   for (const auto& [scene, tolerance] : {std::pair{"elastic", 1e-9}, std::pair{"plastic", 1e-7}})
-    press(coarseScene(scene, {}), [&, tol = tolerance](Model<2>& model, const Newton& newton, const StepReport&) {
-      Eigen::Vector2d bottom = Eigen::Vector2d::Zero();
-      for (int i = 0; i < model.numDisplacements(); ++i)
-        if (model.prescribed()[static_cast<std::size_t>(i)]) bottom(i % 2) += newton.force(0)(i);
-      const Eigen::Vector2d tool = model.contacts().front().term->state().reaction.head<2>();
-      // The body hangs between the two: what its bottom is held with, the tool presses against.
-      EXPECT_LT((bottom - tool).norm(), tol * tool.norm());
-      EXPECT_GT(tool(1), 0.0);
-    });
+    press(coarseScene(scene, {}),
+          [&, tol = tolerance](Model<2>& model, const Newton& newton, const StepReport&) {
+            Eigen::Vector2d bottom = Eigen::Vector2d::Zero();
+            for (int i = 0; i < model.numDisplacements(); ++i)
+              if (model.prescribed()[static_cast<std::size_t>(i)]) bottom(i % 2) += newton.force(0)(i);
+            const Eigen::Vector2d tool = model.contacts().front().term->state().reaction.head<2>();
+            // The body hangs between the two: what its bottom is held with, the tool presses against.
+            EXPECT_LT((bottom - tool).norm(), tol * tool.norm());
+            EXPECT_GT(tool(1), 0.0);
+          });
 }
 
 TEST(Ironing, NewtonEndsQuadratically) {
@@ -138,10 +144,11 @@ TEST(Ironing, NewtonEndsQuadratically) {
 }
 
 TEST(Ironing, ElastoplasticWorkIsStoredOrDissipated) {
-  const auto outcome = test::run(
-      coarseScene("plastic", {"steps[1].until=1.3", "steps[1].count=30",
+  const auto outcome =
+      test::run(coarseScene("plastic",
+                            {"steps[1].until=1.3", "steps[1].count=30",
                              "tools[0].motion={times: [0, 1, 1.3], x: [0, 0, 0.6], y: [0, -0.075, -0.075]}"}),
-      "plastic");
+                "plastic");
   ASSERT_TRUE(outcome.summary.completed);
   const auto& end = outcome.summary.end;
   EXPECT_NEAR(end.externalWork, end.strainEnergy + end.plasticWork, 0.01 * end.externalWork);
@@ -151,7 +158,8 @@ TEST(Ironing, ElastoplasticWorkIsStoredOrDissipated) {
 
 TEST(Ironing, HasTheSameBitsWithAnyNumberOfThreads) {
   const auto scene = coarseScene("plastic", {"steps=[{until: 0.4, count: 4}]"});
-  const auto one = test::run(scene, "threads1", 1), two = test::run(scene, "threads2", 2), four = test::run(scene, "threads4", 4);
+  const auto one = test::run(scene, "threads1", 1), two = test::run(scene, "threads2", 2),
+             four = test::run(scene, "threads4", 4);
   EXPECT_EQ(one.history.values, two.history.values);
   EXPECT_EQ(one.history.values, four.history.values);
   EXPECT_EQ(one.lastFrame.displacement, two.lastFrame.displacement);

@@ -1,7 +1,7 @@
-// The patch test: an affine displacement prescribed on the whole boundary of a distorted patch must be found exactly
-// inside, with a uniform stress, for every basis and degree. With polynomial bases p+1 Gauss points integrate it
-// exactly; rational integrands are not polynomials, so there the error is that of the quadrature and falls
-// exponentially with the number of points.
+// The patch test: an affine displacement prescribed on the whole boundary of a distorted patch must be found
+// exactly inside, with a uniform stress, for every basis and degree. With polynomial bases p+1 Gauss points
+// integrate it exactly; rational integrands are not polynomials, so there the error is that of the quadrature
+// and falls exponentially with the number of points.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -34,7 +34,8 @@ struct PatchError {
 };
 
 template <int Dim>
-PatchError solvePatch(const Body<Dim>& body, const Material& material, double strain, int pointsPerDirection = 0) {
+PatchError solvePatch(const Body<Dim>& body, const Material& material, double strain,
+                      int pointsPerDirection = 0) {
   const SpanQuadrature<Dim> quadrature(body, pointsPerDirection);
   BulkTerm<Dim> bulk(quadrature, material);
   const int size = Dim * body.numNodes;
@@ -50,7 +51,7 @@ PatchError solvePatch(const Body<Dim>& body, const Material& material, double st
   Eigen::VectorXd exact(size);
   for (int a = 0; a < body.numNodes; ++a) exact.segment<Dim>(Dim * a) = H * patch.points().col(a);
 
-  Newton newton({&bulk}, prescribed, {size, 1e-12, Eigen::VectorXd()}, MatrixKind::LikelyDefinite,
+  Newton newton({&bulk}, prescribed, {size, 1e-12, 0.0, Eigen::VectorXd()}, MatrixKind::LikelyDefinite,
                 {.tolerance = 1e-12});
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
   EXPECT_EQ(newton.solve(0.0, exact, x).outcome, NewtonOutcome::Converged);
@@ -97,9 +98,9 @@ TEST(PatchTest, DistortedRationalPatchesAreExactUpToQuadrature) {
 
 TEST(PatchTest, DistortedLagrangePatchesAreExactWithTheUsualQuadrature) {
   for (int degree = 1; degree <= 4; ++degree) {
-    const auto ring =
-        lagrangeInterpolant(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.5), degree,
-                            {KnotVector::uniform(1, 3).breakpoints(), KnotVector::uniform(1, 4).breakpoints()});
+    const auto ring = lagrangeInterpolant(
+        annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.5), degree,
+        {KnotVector::uniform(1, 3).breakpoints(), KnotVector::uniform(1, 4).breakpoints()});
     const Body<2> body = distorted(ring, 0.01, false);
     expectExact(solvePatch(body, kRubber, 0.1));
     expectExact(solvePatch(body, kMetal, 0.01));
@@ -107,8 +108,9 @@ TEST(PatchTest, DistortedLagrangePatchesAreExactWithTheUsualQuadrature) {
 }
 
 TEST(PatchTest, DistortedPatchesInThreeDimensions) {
-  const auto shell = refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.6, {0.0, 1.0}, {-0.3, 0.8}),
-                             {KnotVector::uniform(2, 2), KnotVector::uniform(2, 2), KnotVector::uniform(2, 2)});
+  const auto shell =
+      refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.6, {0.0, 1.0}, {-0.3, 0.8}),
+              {KnotVector::uniform(2, 2), KnotVector::uniform(2, 2), KnotVector::uniform(2, 2)});
   // Trilinear-times-quadratic maps: the integrand has degree 3p-1 in each direction.
   expectExact(solvePatch(distorted(shell, 0.02, false), kRubber, 0.05, 4));
   expectExact(solvePatch(distorted(shell, 0.02, false), kMetal, 0.01, 4));

@@ -16,7 +16,8 @@ namespace burnish::test {
 class ScratchDirectory {
  public:
   explicit ScratchDirectory(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / ("burnish_" + name + "_" + std::to_string(::getpid()))) {
+      : path_(std::filesystem::temp_directory_path() /
+              ("burnish_" + name + "_" + std::to_string(::getpid()))) {
     std::filesystem::remove_all(path_);
   }
   ~ScratchDirectory() {
