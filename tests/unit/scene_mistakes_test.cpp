@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                             "often", "output", "found often; allowed: a mapping."},
                     Mistake{"pairLength", &block, "{field: von_mises,", "{field: von_mises, size: [800],",
                             "[800]", "pictures[0].size",
-                            "found a list of 1 entry; allowed: a list of 2 whole numbers from 16 to 16384."},
+                            "found a list of 1 entry; allowed: a list of 2 whole numbers from 200 to 8000."},
                     Mistake{"toolName", &block, "name: plate", "name: \"a,b\"", "\"a,b", "tools[1].name",
                             "found the text \"a,b\"; allowed: a name of letters, digits, - and _."}),
     nameOf);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <variant>
 #include <vector>
@@ -287,6 +289,13 @@ TEST(SceneListing, namesEveryKeyWithTypeDefaultAndSentence) {
            "  - `tolerance`: a number from 1e-14 to 0.001, default 1e-09. ",
        })
     EXPECT_NE(listing.find(line), std::string::npos) << line;
+}
+
+TEST(SceneListing, isWhatTheDocumentationShows) {
+  std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/scene.md");
+  const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  EXPECT_NE(page.find(describeScene()), std::string::npos)
+      << "docs/scene.md is out of date: replace its list by the output of burnish info --keys";
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ TEST(TimeGrid, LandsOnStepsOutputsPicturesAndCorners) {
   Scene scene;
   scene.steps = {{1.0, 4}, {2.0, 2}};
   scene.output.every = 0.3;
-  scene.pictures.push_back({.field = "pressure", .times = {1.25}});
+  scene.pictures.resize(1);
+  scene.pictures[0].times = {1.25};
   const auto grid = timeGrid(scene, {0.0, 0.6, 1.0, 5.0});
 
   std::vector<double> times, frames, corners;

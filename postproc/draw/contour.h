@@ -1,0 +1,32 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "engine/results/result.h"
+#include "postproc/draw/view.h"
+
+namespace burnish {
+
+/// What a contour picture shows. The names are those of the scene's `pictures`.
+struct ContourOptions {
+  std::string field;  ///< `plastic_strain`, `stress.xx`, …; a vector alone: magnitude
+  std::optional<std::array<double, 2>> range;  ///< ends of the colour scale; smallest and largest value shown
+  std::array<int, 2> size{1600, 900};          ///< pixels
+  int bands = 0;                               ///< number of colour bands, 0: smooth
+  std::string colormap = "viridis";            ///< one of `colormapNames()`
+  bool knots = false;                          ///< draw the lines between knot spans
+  bool undeformed = true;                      ///< draw the outline of the undeformed body
+  std::optional<std::string> title;            ///< instead of the model's
+  std::optional<int> subdivision;              ///< cells per knot span and direction, instead of the model's
+};
+
+/// Draws a field on the deformed body, the tools, a colour scale and a caption into a PNG file, which appears
+/// under its name only when it is complete. Returns how positions became pixels. Throws `Error` for an
+/// unknown field, option values out of range, a field that is not finite, a missing font and a file that
+/// cannot be written.
+View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                 const std::filesystem::path& png);
+
+}  // namespace burnish

@@ -1,0 +1,107 @@
+#include "postproc/draw/contour_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+using Direction = Overlay::Direction;
+
+constexpr Color kInk{30, 30, 30};
+constexpr double kSmallestText = 10.0;  // pixels
+
+// Measures as parts of the text size.
+constexpr double kMargin = 1.2;
+constexpr double kTitleSize = 1.15;
+constexpr double kLine = 1.5;
+constexpr double kBelowCaption = 1.0;
+constexpr double kBarGap = 1.6;
+constexpr double kShortestBar = 12.0;
+constexpr double kPadding = 0.15;  // keeps lines on the border of the content whole
+
+struct Placement {
+  double scale = 0.0;  ///< pixels per length
+  double barDepth = 0.0;
+  PixelRect room;  ///< for content and bar together
+};
+
+double fit(const Eigen::Vector2d& extent, double width, double height) {
+  return std::max(1e-12, std::min(width / extent.x(), height / extent.y()));
+}
+
+/// The content as large as possible with the bar at its right (Up) or below (Right).
+Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const ScalarBar& bar,
+                Direction direction, double size) {
+  const double padding = 2.0 * kPadding * size;
+  Placement p;
+  p.room = room;
+  p.barDepth = bar.depth(direction, direction == Direction::Up ? room.height : room.width);
+  const double taken = p.barDepth + kBarGap * size + padding;
+  p.scale = direction == Direction::Up ? fit(extent, room.width - taken, room.height - padding)
+                                       : fit(extent, room.width - padding, room.height - taken);
+  return p;
+}
+
+/// Content and bar as one group in the middle of the room.
+void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& extent, double size) {
+  const double width = std::ceil(p.scale * extent.x() + 2.0 * kPadding * size);
+  const double height = std::ceil(p.scale * extent.y() + 2.0 * kPadding * size);
+  const bool up = layout.barDirection == Direction::Up;
+  const double gap = kBarGap * size;
+  const double group = (up ? width : height) + gap + p.barDepth;
+  const Eigen::Vector2d middle = p.room.center();
+  if (up) {
+    const double left = std::floor(middle.x() - group / 2);
+    const double length = std::clamp(height, std::min(kShortestBar * size, p.room.height), p.room.height);
+    layout.view.area = {left, std::floor(middle.y() - height / 2), width, height};
+    layout.bar = {left + width + gap, middle.y() - length / 2, p.barDepth, length};
+  } else {
+    const double bottom = std::floor(middle.y() - group / 2);
+    const double length = std::clamp(width, std::min(3 * kShortestBar * size, p.room.width), p.room.width);
+    layout.view.area = {std::floor(middle.x() - width / 2), std::ceil(bottom + p.barDepth + gap), width,
+                        height};
+    layout.bar = {middle.x() - length / 2, bottom, length, p.barDepth};
+  }
+}
+
+}  // namespace
+
+double textSizeFor(const std::array<int, 2>& pictureSize) {
+  return std::max(kSmallestText, std::round(std::min(0.027 * pictureSize[1], 0.018 * pictureSize[0])));
+}
+
+ContourLayout layOutContour(const std::array<int, 2>& pictureSize, const Eigen::AlignedBox2d& content,
+                            const Eigen::Matrix<double, 2, 3>& axes, const std::string& title,
+                            const ScalarBar& bar) {
+  const double width = pictureSize[0], height = pictureSize[1];
+  const double size = textSizeFor(pictureSize);
+  const double margin = std::round(kMargin * size);
+  ContourLayout layout;
+
+  layout.timeStyle = {size, kInk};
+  double baseline = height - margin;
+  if (!title.empty()) {
+    layout.title =
+        fitText({{title}}, {std::round(kTitleSize * size), kInk}, width - 2 * margin, kSmallestText);
+    baseline -= capitalHeight(layout.title.style.size);
+    layout.titleAt = {margin, baseline};
+    baseline -= kLine * size;
+  } else {
+    baseline -= capitalHeight(size);
+  }
+  layout.timeAt = {margin, baseline};
+
+  const PixelRect room{margin, margin, width - 2 * margin, baseline - kBelowCaption * size - margin};
+  const Eigen::Vector2d extent = content.sizes().cwiseMax(1e-9 * content.sizes().maxCoeff());
+  const Placement up = place(room, extent, bar, Direction::Up, size);
+  const Placement across = place(room, extent, bar, Direction::Right, size);
+  layout.barDirection = up.scale >= across.scale ? Direction::Up : Direction::Right;
+  layout.view.axes = axes;
+  layout.view.center = content.center();
+  layout.view.pixelsPerLength = std::max(up.scale, across.scale);
+  arrange(layout, up.scale >= across.scale ? up : across, extent, size);
+  return layout;
+}
+
+}  // namespace burnish

@@ -1,0 +1,29 @@
+#pragma once
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "engine/results/result.h"
+#include "postproc/draw/rich_text.h"
+#include "postproc/mesh/tessellation.h"
+
+namespace burnish {
+
+/// Names of everything that can be drawn of a frame: `displacement`, `displacement.x`, …, then the frame's
+/// fields; a vector alone stands for its magnitude, a tensor only has components.
+std::vector<std::string> fieldNames(const FrameRecord& frame);
+
+/// A scalar that is to be drawn.
+struct FieldChoice {
+  RichText title;                ///< readable name with symbol, without unit
+  std::string unit;              ///< may be empty
+  Eigen::MatrixXd coefficients;  ///< one row, or the components of a vector whose magnitude is meant
+
+  /// Values at the points of a tessellation.
+  Eigen::VectorXd values(const Tessellation& tessellation) const;
+};
+
+/// The field of a name of `fieldNames`. Throws `Error` that lists them and tells the nearest.
+FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name);
+
+}  // namespace burnish

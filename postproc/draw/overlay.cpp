@@ -1,0 +1,175 @@
+#include "postproc/draw/overlay.h"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkStdString.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "postproc/offscreen/offscreen_canvas.h"
+
+namespace burnish {
+namespace {
+
+// Proportions of DejaVu Sans, as parts of the font size.
+constexpr double kDescent = 0.236;
+constexpr double kCapitals = 0.729;
+constexpr double kScriptSize = 0.7;
+constexpr double kSubDrop = 0.16;
+constexpr double kSuperRise = 0.36;
+
+TextStyle runStyle(TextStyle style, Script script) {
+  if (script != Script::Normal) style.size *= kScriptSize;
+  return style;
+}
+
+/// Fonts have whole sizes; text is measured and drawn with the same.
+int fontSize(const TextStyle& style, double scale) {
+  return std::max(1, static_cast<int>(std::lround(style.size * scale)));
+}
+
+void apply(const TextStyle& style, int size, vtkTextProperty& property) {
+  property.SetFontFamily(VTK_FONT_FILE);
+  property.SetFontFile(fontFile(style.weight).c_str());
+  property.SetFontSize(size);
+  property.SetColor(style.color[0] / 255.0, style.color[1] / 255.0, style.color[2] / 255.0);
+}
+
+/// Distance from the start of a text to the start of what follows it, blanks at its ends included.
+double advance(const std::string& text, const TextStyle& style) {
+  // As large as it is drawn: letters are set at whole pixels, so their distances are not proportional to the
+  // size.
+  constexpr int scale = OffscreenCanvas::kSupersampling;
+  const auto boxWidth = [&](const std::string& measured) {
+    vtkNew<vtkTextProperty> property;
+    apply(style, fontSize(style, scale), *property);
+    std::array<int, 4> box{};
+    vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(measured), box.data(), 72);
+    return box[1] - box[0] + 1;
+  };
+  return static_cast<double>(boxWidth("|" + text + "|") - boxWidth("||")) / scale;
+}
+
+/// Removes the last character (not byte) of a text.
+void dropLast(RichText& text) {
+  std::string& last = text.back().text;
+  while (!last.empty() && (static_cast<unsigned char>(last.back()) & 0xC0) == 0x80) last.pop_back();
+  if (!last.empty()) last.pop_back();
+  if (last.empty()) text.pop_back();
+}
+
+}  // namespace
+
+double textWidth(const RichText& text, const TextStyle& style) {
+  double width = 0.0;
+  for (const TextRun& run : text) width += advance(run.text, runStyle(style, run.script));
+  return width;
+}
+
+FittedText fitText(RichText text, TextStyle style, double width, double smallest) {
+  const double full = textWidth(text, style);
+  if (full > width)
+    style.size = std::max(std::min(smallest, style.size), std::floor(style.size * width / full));
+  if (textWidth(text, style) <= width) return {std::move(text), style};
+  const TextRun dots{"…"};
+  do dropLast(text);
+  while (!text.empty() && textWidth(text, style) + textWidth({dots}, style) > width);
+  text.push_back(dots);
+  return {std::move(text), style};
+}
+
+double capitalHeight(double size) {
+  return kCapitals * size;
+}
+
+void Overlay::addText(const RichText& text, const Eigen::Vector2d& at, const TextStyle& style, Anchor anchor,
+                      Direction direction) {
+  const Eigen::Vector2d along =
+      direction == Direction::Right ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
+  const Eigen::Vector2d upwards(-along.y(), along.x());
+  const double share = anchor == Anchor::Start ? 0.0 : anchor == Anchor::Middle ? 0.5 : 1.0;
+  Eigen::Vector2d pen = at - share * textWidth(text, style) * along;
+  for (const TextRun& run : text) {
+    const TextStyle own = runStyle(style, run.script);
+    const double lift = run.script == Script::Normal ? 0.0
+                        : run.script == Script::Sub  ? -kSubDrop
+                                                     : kSuperRise;
+    addRun(run.text, pen + lift * style.size * upwards, own, direction);
+    pen += advance(run.text, own) * along;
+  }
+}
+
+void Overlay::addRun(const std::string& text, const Eigen::Vector2d& baseline, const TextStyle& style,
+                     Direction direction) {
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  apply(style, fontSize(style, scale_), *actor->GetTextProperty());
+  actor->GetTextProperty()->SetJustificationToLeft();
+  actor->GetTextProperty()->SetVerticalJustificationToBottom();
+  const double descent = kDescent * style.size;
+  const bool up = direction == Direction::Up;
+  if (up) actor->GetTextProperty()->SetOrientation(90.0);
+  actor->SetPosition(std::round(scale_ * (baseline.x() + (up ? descent : 0.0))),
+                     std::round(scale_ * (baseline.y() - (up ? 0.0 : descent))));
+  renderer_.AddActor2D(actor);
+}
+
+void Overlay::addSegments(const std::vector<Eigen::Vector2d>& points, double width, const Color& color) {
+  vtkNew<vtkPoints> positions;
+  vtkNew<vtkCellArray> lines;
+  for (const Eigen::Vector2d& p : points) positions->InsertNextPoint(scale_ * p.x(), scale_ * p.y(), 0.0);
+  for (vtkIdType k = 0; k + 1 < positions->GetNumberOfPoints(); k += 2) lines->InsertNextCell({k, k + 1});
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(positions);
+  data->SetLines(lines);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor2D> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(scale_ * width));
+  actor->GetProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+  renderer_.AddActor2D(actor);
+}
+
+void Overlay::addStripes(const PixelRect& rect, const std::vector<Color>& colors, Direction direction) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> cellColors;
+  cellColors->SetNumberOfComponents(3);
+  const auto count = static_cast<vtkIdType>(colors.size());
+  for (vtkIdType k = 0; k <= count; ++k) {
+    const double part = static_cast<double>(k) / static_cast<double>(count);
+    const bool right = direction == Direction::Right;
+    const double x = scale_ * (rect.x + (right ? part * rect.width : 0.0));
+    const double y = scale_ * (rect.y + (right ? 0.0 : part * rect.height));
+    points->InsertNextPoint(x, y, 0.0);
+    points->InsertNextPoint(right ? x : scale_ * rect.right(), right ? scale_ * rect.top() : y, 0.0);
+  }
+  for (vtkIdType k = 0; k < count; ++k) {
+    cells->InsertNextCell({2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2});
+    cellColors->InsertNextTypedTuple(colors[static_cast<std::size_t>(k)].data());
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetCellData()->SetScalars(cellColors);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(data);
+  mapper->SetScalarModeToUseCellData();
+  vtkNew<vtkActor2D> actor;
+  actor->SetMapper(mapper);
+  renderer_.AddActor2D(actor);
+}
+
+}  // namespace burnish

@@ -1,0 +1,21 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include "postproc/draw/color_scale.h"
+
+class vtkActor;
+class vtkPolyData;
+
+/// Actors of the part of a picture that shows space.
+namespace burnish {
+
+/// A surface in one colour; `shaded` where its shape must be seen; opacity: 1 hides what is behind.
+vtkSmartPointer<vtkActor> plainActor(vtkPolyData& surface, const Color& color, bool shaded, double opacity);
+
+/// A surface whose colours are looked up pixel by pixel from its point scalars.
+vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& scale, bool shaded);
+
+/// Lines. width: in pixels of the window.
+vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);
+
+}  // namespace burnish

@@ -1,0 +1,21 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+/// Marks of a scale at round values (1, 2, 2.5 or 5 times a power of ten apart).
+struct Ticks {
+  std::vector<double> values;       ///< increasing, within the range
+  std::vector<std::string> labels;  ///< one per value, divided by 10^exponent
+  int exponent = 0;                 ///< 0 unless the labels would be long without it
+};
+
+/// At most `most` (>= 2) marks for an increasing range.
+Ticks makeTicks(const std::array<double, 2>& range, int most);
+
+/// A number with `digits` significant digits as one sets it: −0.0123, 1.5×10⁻⁷.
+std::string numberText(double value, int digits);
+
+}  // namespace burnish

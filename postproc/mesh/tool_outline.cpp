@@ -1,0 +1,129 @@
+#include <vtkPolyData.h>
+#include <vtkSphereSource.h>
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "postproc/mesh/outlines.h"
+#include "postproc/mesh/poly_builder.h"
+
+namespace burnish {
+namespace {
+
+constexpr int kCircleSegments = 360;
+
+/// Points of a circle, not closed: 3 x kCircleSegments. The axes are orthonormal.
+Eigen::MatrixXd circlePoints(const Eigen::Vector3d& center, double radius, const Eigen::Vector3d& axis1,
+                             const Eigen::Vector3d& axis2) {
+  Eigen::MatrixXd points(3, kCircleSegments);
+  for (int i = 0; i < kCircleSegments; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kCircleSegments;
+    points.col(i) = center + radius * (std::cos(angle) * axis1 + std::sin(angle) * axis2);
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkPolyData> closedCircle(const Eigen::Vector3d& center, double radius) {
+  PolyBuilder builder;
+  std::vector<vtkIdType> points =
+      builder.addPoints(circlePoints(center, radius, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()));
+  points.push_back(points.front());
+  builder.addLine(points);
+  return builder.finish();
+}
+
+/// Half the length that is drawn of an infinite tool: enough to reach past the box on both sides.
+double reach(const Eigen::AlignedBox3d& box) {
+  return 0.6 * box.diagonal().norm();
+}
+
+/// The point of the displaced plane that is nearest to the middle of the box.
+Eigen::Vector3d nearestPoint(const Plane& plane, const Eigen::Vector3d& displacement,
+                             const Eigen::AlignedBox3d& box) {
+  const GapQuery query = plane.query(box.center() - displacement);
+  return box.center() - query.gap * query.normal;
+}
+
+struct PlanarOutline {
+  Eigen::Vector3d displacement;
+  Eigen::AlignedBox3d box;
+
+  vtkSmartPointer<vtkPolyData> operator()(const Plane& plane) const {
+    const Eigen::Vector3d foot = nearestPoint(plane, displacement, box);
+    const Eigen::Vector3d a =
+        reach(box) * Eigen::Vector3d(plane.normal.y(), -plane.normal.x(), 0.0).normalized();
+    Eigen::Matrix<double, 3, 2> ends;
+    ends << foot - a, foot + a;
+    PolyBuilder builder;
+    builder.addLine(builder.addPoints(ends));
+    return builder.finish();
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const Cylinder& cylinder) const {
+    return closedCircle(cylinder.center + displacement, cylinder.radius);
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const Sphere& sphere) const {
+    return closedCircle(sphere.center + displacement, sphere.radius);
+  }
+};
+
+struct SpatialOutline {
+  Eigen::Vector3d displacement;
+  Eigen::AlignedBox3d box;
+
+  vtkSmartPointer<vtkPolyData> operator()(const Plane& plane) const {
+    const Eigen::Vector3d foot = nearestPoint(plane, displacement, box);
+    const Eigen::Vector3d a = reach(box) * plane.normal.unitOrthogonal();
+    const Eigen::Vector3d b = plane.normal.normalized().cross(a);
+    Eigen::Matrix<double, 3, 4> corners;
+    corners << foot - a - b, foot + a - b, foot + a + b, foot - a + b;
+    PolyBuilder builder;
+    builder.addPolygon(builder.addPoints(corners));
+    return builder.finish();
+  }
+
+  vtkSmartPointer<vtkPolyData> operator()(const Cylinder& cylinder) const {
+    const Eigen::Vector3d axis = cylinder.axis.normalized();
+    const Eigen::Vector3d a = axis.unitOrthogonal();
+    const Eigen::Vector3d b = axis.cross(a);
+    const Eigen::Vector3d center = cylinder.center + displacement;
+    const Eigen::Vector3d middle = center + axis.dot(box.center() - center) * axis;
+    PolyBuilder builder;
+    const auto lower = builder.addPoints(circlePoints(middle - reach(box) * axis, cylinder.radius, a, b));
+    const auto upper = builder.addPoints(circlePoints(middle + reach(box) * axis, cylinder.radius, a, b));
+    for (std::size_t i = 0; i < lower.size(); ++i) {
+      const std::size_t next = (i + 1) % lower.size();
+      builder.addPolygon({lower[i], lower[next], upper[next], upper[i]});
+    }
+    return builder.finish();
+  }
+
+  vtkSmartPointer<vtkPolyData> operator()(const Sphere& sphere) const {
+    const Eigen::Vector3d center = sphere.center + displacement;
+    const auto source = vtkSmartPointer<vtkSphereSource>::New();
+    source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    source->SetCenter(center.x(), center.y(), center.z());
+    source->SetRadius(sphere.radius);
+    source->SetThetaResolution(96);
+    source->SetPhiResolution(48);
+    source->Update();
+    const auto surface = vtkSmartPointer<vtkPolyData>::New();
+    surface->SetPoints(source->GetOutput()->GetPoints());
+    surface->SetPolys(source->GetOutput()->GetPolys());
+    return surface;
+  }
+};
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, const Eigen::VectorXd& displacement,
+                                         const Eigen::AlignedBox3d& box) {
+  const bool planar = displacement.size() == 2;
+  Eigen::Vector3d u = Eigen::Vector3d::Zero();
+  u.head(displacement.size()) = displacement;
+  return planar ? std::visit(PlanarOutline{u, box}, tool.shape)
+                : std::visit(SpatialOutline{u, box}, tool.shape);
+}
+
+}  // namespace burnish

@@ -1,0 +1,30 @@
+#include "postproc/mesh/vtk_arrays.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkPoints.h>
+
+namespace burnish {
+
+vtkSmartPointer<vtkPoints> makePoints(const Eigen::MatrixXd& positions) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(positions.cols());
+  for (Eigen::Index i = 0; i < positions.cols(); ++i)
+    points->SetPoint(i, positions(0, i), positions(1, i), positions.rows() > 2 ? positions(2, i) : 0.0);
+  return points;
+}
+
+vtkSmartPointer<vtkDoubleArray> makeArray(const std::string& name, const Eigen::MatrixXd& values,
+                                          const std::vector<std::string>& componentNames) {
+  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(static_cast<int>(values.rows()));
+  array->SetNumberOfTuples(values.cols());
+  for (std::size_t c = 0; c < componentNames.size(); ++c)
+    array->SetComponentName(static_cast<vtkIdType>(c), componentNames[c].c_str());
+  // Both store the components of a tuple next to each other.
+  Eigen::Map<Eigen::MatrixXd>(array->GetPointer(0), values.rows(), values.cols()) = values;
+  return array;
+}
+
+}  // namespace burnish

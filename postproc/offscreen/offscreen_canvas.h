@@ -1,0 +1,39 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <memory>
+
+class vtkImageData;
+class vtkRenderWindow;
+
+namespace burnish {
+
+/// A render window in memory: needs no display, no graphics card and no environment variable.
+class OffscreenCanvas {
+ public:
+  static constexpr int kSupersampling = 2;
+
+  /// Renders `supersampling` times larger than width x height (pixels) and averages: antialiasing without
+  /// multisamples. Throws `Error` if no GL context of this size can be had.
+  OffscreenCanvas(int width, int height, int supersampling = kSupersampling);
+  ~OffscreenCanvas();
+  OffscreenCanvas(const OffscreenCanvas&) = delete;
+  OffscreenCanvas& operator=(const OffscreenCanvas&) = delete;
+
+  /// The window to add renderers to. Its size is the supersampled one, its DPI 72: a font size is a height in
+  /// its own pixels.
+  vtkRenderWindow& window();
+
+  int supersampling() const { return supersampling_; }
+
+  /// Renders and returns the picture, width x height RGB bytes, lowest row first.
+  vtkSmartPointer<vtkImageData> capture();
+
+ private:
+  class Context;
+  int supersampling_;
+  std::unique_ptr<Context> context_;
+  vtkSmartPointer<vtkRenderWindow> window_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,277 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "engine/core/error.h"
+#include "engine/results/result_writer.h"
+#include "postproc/draw/contour.h"
+#include "tests/image/picture.h"
+#include "tests/image/sample_records.h"
+
+/// Contour pictures against pictures that were looked at (images/baseline) and, since a baseline may be wrong
+/// too, against colours that follow from the fields. A run with BURNISH_WRITE_BASELINES=1 in the environment
+/// writes the baselines anew; look at them before they are committed.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using samples::Sample;
+
+constexpr double kAllowedShare = 0.001;  // of pixels that differ visibly: 120 of 400 x 300
+constexpr double kBlank = 0.02;          // share of drawn pixels below which a picture is taken as blank
+constexpr int kColorTolerance = 6;       // of 255: interpolation between two colours of a fine scale
+
+std::string bytesOf(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+class ContourImage : public testing::Test {
+ protected:
+  void SetUp() override {
+    dir = fs::temp_directory_path() / ("burnish_image_" + std::to_string(::getpid()));
+    fs::create_directories(dir);
+  }
+  void TearDown() override { fs::remove_all(dir); }
+
+  static ContourOptions small(const std::string& field) {
+    ContourOptions options;
+    options.field = field;
+    options.size = {400, 300};
+    return options;
+  }
+
+  Picture drawn(const Sample& sample, const ContourOptions& options) {
+    view = drawContour(sample.model, sample.frame, options, dir / "drawn.png");
+    return readPicture(dir / "drawn.png");
+  }
+
+  /// Draws, then compares with images/baseline/NAME.png.
+  Picture expectBaseline(const Sample& sample, const ContourOptions& options, const std::string& name) {
+    Picture picture = drawn(sample, options);
+    EXPECT_GT(drawnShare(picture), kBlank) << "blank picture";
+    const fs::path baseline = fs::path(BURNISH_SOURCE_DIR) / "images" / "baseline" / (name + ".png");
+    if (std::getenv("BURNISH_WRITE_BASELINES")) {
+      fs::copy_file(dir / "drawn.png", baseline, fs::copy_options::overwrite_existing);
+      ADD_FAILURE() << baseline << " was written anew; look at it, then run again without the variable";
+    } else if (!fs::exists(baseline)) {
+      ADD_FAILURE() << baseline << " is missing";
+    } else {
+      EXPECT_LT(differentShare(picture, readPicture(baseline)), kAllowedShare) << baseline;
+    }
+    return picture;
+  }
+
+  void expectColor(const Picture& picture, const Eigen::VectorXd& position, const Color& expected) const {
+    const Color found = picture.at(view.pixel(position));
+    EXPECT_LE(difference(found, expected), kColorTolerance)
+        << "at " << position.transpose() << ": found " << testing::PrintToString(found) << ", expected "
+        << testing::PrintToString(expected);
+  }
+
+  fs::path dir;
+  View view;
+};
+
+Eigen::Vector2d deformedSlab(double s, double t) {
+  return {3.0 * s, t - 0.6 * s * (1.0 - s) * t};
+}
+
+TEST_F(ContourImage, SlabUnderADiscHasTheColoursOfItsField) {
+  const Picture picture = expectBaseline(samples::slab(), small("plastic_strain"), "slab");
+  const ColorScale scale("viridis", {0.0, 1.0}, 0);
+  for (const double s : {0.07, 0.21, 0.36, 0.5, 0.83})
+    for (const double t : {0.11, 0.52, 0.93})
+      expectColor(picture, deformedSlab(s, t), scale.color(4.0 * s * (1.0 - s) * t * t));
+  expectColor(picture, Eigen::Vector2d(1.5, 1.35), {222, 222, 222});  // the middle of the disc
+  expectColor(picture, Eigen::Vector2d(0.4, 1.35), {255, 255, 255});
+}
+
+TEST_F(ContourImage, BandsOfARingAreCrispCircles) {
+  ContourOptions options = small("von_mises");
+  options.bands = 5;
+  options.knots = true;
+  expectBaseline(samples::ring(), options, "ring_bands");
+
+  options.knots = false;
+  options.size = {800, 600};
+  const Picture picture = drawn(samples::ring(), options);
+  const ColorScale scale("viridis", {0.0, 100.0}, 5);
+  const double pixel = 1.0 / view.pixelsPerLength;
+  for (const double angle : {0.2, 0.7, 1.3}) {
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    for (int band = 1; band < 5; ++band) {
+      const double edge = 1.0 + 0.2 * band;
+      expectColor(picture, (edge - 1.5 * pixel) * direction,
+                  scale.colors()[static_cast<std::size_t>(band - 1)]);
+      expectColor(picture, (edge + 1.5 * pixel) * direction, scale.colors()[static_cast<std::size_t>(band)]);
+    }
+  }
+}
+
+TEST_F(ContourImage, ShearedSquareOfLagrangeElementsUnderAPlate) {
+  ContourOptions options = small("pressure");
+  options.colormap = "coolwarm";
+  options.range = {-1e-5, 1e-5};
+  const Picture picture = expectBaseline(samples::square(), options, "square_plate");
+  const ColorScale scale("coolwarm", *options.range, 0);
+  for (const double x : {0.15, 0.6, 0.9})
+    for (const double y : {0.1, 0.45, 0.85})
+      expectColor(picture, Eigen::Vector2d(x + 0.2 * y, y), scale.color(1e-5 * (x * x * x - y)));
+}
+
+TEST_F(ContourImage, ComponentOfATensorIsDrawnByName) {
+  const Picture picture = drawn(samples::square(), small("stress.xx"));
+  const ColorScale scale("viridis", {-1e5, 0.0}, 0);
+  expectColor(picture, Eigen::Vector2d(0.3 + 0.2 * 0.4, 0.4), scale.color(-0.3e5));
+}
+
+TEST_F(ContourImage, VectorAloneIsItsMagnitude) {
+  const Picture picture = drawn(samples::square(), small("displacement"));
+  const ColorScale scale("viridis", {0.0, 0.2}, 0);
+  expectColor(picture, Eigen::Vector2d(0.3 + 0.2 * 0.4, 0.4), scale.color(0.08));
+}
+
+TEST_F(ContourImage, FieldThatIsZeroEverywhere) {
+  Sample sample = samples::slab();
+  sample.frame.fields["plastic_strain"].values.setZero();
+  const Picture picture = expectBaseline(sample, small("plastic_strain"), "zero");
+  expectColor(picture, deformedSlab(0.3, 0.5), ColorScale("viridis", {0.0, 1.0}, 0).color(0.0));
+}
+
+TEST_F(ContourImage, CubeUnderABall) {
+  expectBaseline(samples::cube(), small("pressure"), "cube_ball");
+}
+
+TEST_F(ContourImage, ValuesOutsideAGivenRangeHaveTheColoursOfItsEnds) {
+  ContourOptions options = small("plastic_strain");
+  options.range = {0.3, 0.6};
+  const Picture picture = drawn(samples::slab(), options);
+  const ColorScale scale("viridis", *options.range, 0);
+  expectColor(picture, deformedSlab(0.5, 0.2), scale.colors().front());
+  expectColor(picture, deformedSlab(0.5, 0.93), scale.colors().back());
+}
+
+TEST_F(ContourImage, ComparisonNoticesAFieldShiftedByTwoPercent) {
+  for (const int bands : {0, 8}) {
+    ContourOptions options = small("plastic_strain");
+    options.range = {0.0, 1.0};
+    options.bands = bands;
+    Sample sample = samples::slab();
+    const Picture right = drawn(sample, options);
+    sample.frame.fields["plastic_strain"].values.array() += 0.02;
+    EXPECT_GT(differentShare(right, drawn(sample, options)), kAllowedShare) << bands << " bands";
+  }
+}
+
+TEST_F(ContourImage, ComparisonNoticesWhatIsMissing) {
+  const Sample sample = samples::slab();
+  const ContourOptions options = small("plastic_strain");
+  const Picture right = drawn(sample, options);
+
+  Sample withoutTool = sample;
+  withoutTool.model.tools.clear();
+  EXPECT_GT(differentShare(right, drawn(withoutTool, options)), kAllowedShare);
+  ContourOptions withoutOutline = options;
+  withoutOutline.undeformed = false;
+  EXPECT_GT(differentShare(right, drawn(sample, withoutOutline)), kAllowedShare);
+  ContourOptions withoutTitle = options;
+  withoutTitle.title = "";
+  EXPECT_GT(differentShare(right, drawn(sample, withoutTitle)), kAllowedShare);
+}
+
+TEST_F(ContourImage, EveryPictureFromTinyToLargeKeepsItsTextsInside) {
+  for (const std::array<int, 2> size : {std::array{200, 150}, std::array{400, 300}, std::array{2000, 300},
+                                        std::array{300, 2000}, std::array{1600, 900}}) {
+    ContourOptions options = small("plastic_strain");
+    options.size = size;
+    options.title = "A title that is much too long for one line of a small picture and has to end somewhere";
+    const Picture picture = drawn(samples::slab(), options);
+    ASSERT_EQ(picture.width, size[0]);
+    ASSERT_EQ(picture.height, size[1]);
+    const Color paper{255, 255, 255};
+    for (int i = 0; i < size[0]; ++i)
+      for (const int j : {0, 1, size[1] - 2, size[1] - 1}) ASSERT_EQ(picture.at({i + 0.5, j + 0.5}), paper);
+    for (int j = 0; j < size[1]; ++j)
+      for (const int i : {0, 1, size[0] - 2, size[0] - 1}) ASSERT_EQ(picture.at({i + 0.5, j + 0.5}), paper);
+  }
+}
+
+TEST_F(ContourImage, SameBytesEveryTime) {
+  const Sample sample = samples::slab();
+  drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "first.png");
+  drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "second.png");
+  EXPECT_GT(fs::file_size(dir / "first.png"), 1000U);
+  EXPECT_EQ(bytesOf(dir / "first.png"), bytesOf(dir / "second.png"));
+}
+
+TEST_F(ContourImage, CommandDrawsTheSameInAnEmptyEnvironment) {
+  const Sample sample = samples::slab();
+  ResultWriter(dir / "result", sample.model).append(sample.frame);
+  const std::string child = (dir / "child.png").string();
+  const std::string line = "env -i " BURNISH_COMMAND " render " + (dir / "result").string() +
+                           " --field plastic_strain --size 400,300 -o " + child;
+  ASSERT_EQ(std::system(line.c_str()), 0) << line;
+  drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "own.png");
+  EXPECT_EQ(bytesOf(child), bytesOf(dir / "own.png"));
+}
+
+class ContourMistakes : public ContourImage {
+ protected:
+  void expectRefused(const Sample& sample, const ContourOptions& options,
+                     const std::vector<std::string>& parts) {
+    try {
+      drawContour(sample.model, sample.frame, options, file);
+      ADD_FAILURE() << "no error that says \"" << parts.front() << "\"";
+    } catch (const Error& error) {
+      for (const std::string& part : parts) EXPECT_THAT(error.what(), testing::HasSubstr(part));
+    }
+    EXPECT_FALSE(fs::exists(file));
+  }
+  fs::path file = fs::temp_directory_path() / ("burnish_refused_" + std::to_string(::getpid()) + ".png");
+};
+
+TEST_F(ContourMistakes, UnknownFieldListsTheKnownOnesAndTheNearest) {
+  expectRefused(samples::square(), small("presure"),
+                {"presure", "displacement, displacement.x, displacement.y, pressure, stress.xx",
+                 "Did you mean \"pressure\"?"});
+  expectRefused(samples::square(), small("stress"), {"stress.xx, stress.yy, stress.xy, stress.zz"});
+}
+
+TEST_F(ContourMistakes, OptionsOutOfRange) {
+  ContourOptions options = small("plastic_strain");
+  options.size = {100, 300};
+  expectRefused(samples::slab(), options, {"size: found 100 x 300"});
+  options = small("plastic_strain");
+  options.range = {1.0, 1.0};
+  expectRefused(samples::slab(), options, {"range: found 1, 1"});
+  options = small("plastic_strain");
+  options.bands = 257;
+  expectRefused(samples::slab(), options, {"bands: found 257"});
+  options = small("plastic_strain");
+  options.colormap = "virdis";
+  expectRefused(samples::slab(), options, {"colormap: found \"virdis\"", "Did you mean \"viridis\"?"});
+}
+
+TEST_F(ContourMistakes, FieldThatIsNotFinite) {
+  Sample sample = samples::slab();
+  sample.frame.fields["plastic_strain"].values(0, 5) = std::numeric_limits<double>::quiet_NaN();
+  expectRefused(sample, small("plastic_strain"), {"plastic_strain", "not finite"});
+}
+
+TEST_F(ContourMistakes, PlaceThatCannotBeWritten) {
+  file = dir / "absent" / "picture.png";
+  expectRefused(samples::slab(), small("plastic_strain"), {file.string()});
+}
+
+}  // namespace
+}  // namespace burnish

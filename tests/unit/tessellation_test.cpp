@@ -1,0 +1,266 @@
+#include "postproc/mesh/tessellation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include "engine/core/error.h"
+#include "postproc/mesh/outlines.h"
+#include "postproc/mesh/patch_geometry.h"
+#include "tests/unit/model_samples.h"
+
+namespace burnish {
+namespace {
+
+using namespace samples;
+
+/// Parameters of the points of a one-patch surface, 2 x points, in the order of the tessellation.
+Eigen::MatrixXd parametersOf(const Patch<2>& patch, int subdivision) {
+  const auto xi = subdividedSpans(patch.basis().direction(0), subdivision);
+  const auto eta = subdividedSpans(patch.basis().direction(1), subdivision);
+  Eigen::MatrixXd parameters(2, static_cast<Eigen::Index>(xi.size() * eta.size()));
+  Eigen::Index i = 0;
+  for (const double b : eta)
+    for (const double a : xi) parameters.col(i++) << a, b;
+  return parameters;
+}
+
+/// Σ R_A q_A at a parameter point, straight from the patch.
+Eigen::VectorXd fieldAt(const Patch<2>& patch, const Eigen::MatrixXd& coefficients,
+                        const Eigen::Vector2d& xi) {
+  const int span = patch.findSpan(xi);
+  const auto functions = patch.basis().spanFunctions(span);
+  return coefficients(Eigen::all, functions) * patch.shape(span, xi).R;
+}
+
+/// Area of the quadrilaterals, positive if they go round counterclockwise.
+double area(const Tessellation& mesh) {
+  double sum = 0.0;
+  for (const auto& cell : mesh.cells().colwise()) {
+    const Eigen::Vector2d d1 = mesh.referencePoints().col(cell(2)) - mesh.referencePoints().col(cell(0));
+    const Eigen::Vector2d d2 = mesh.referencePoints().col(cell(3)) - mesh.referencePoints().col(cell(1));
+    const double a = 0.5 * (d1.x() * d2.y() - d1.y() * d2.x());
+    EXPECT_GT(a, 0.0);
+    sum += a;
+  }
+  return sum;
+}
+
+Eigen::Vector3d pointOf(vtkPolyData& data, vtkIdType i) {
+  return Eigen::Map<const Eigen::Vector3d>(data.GetPoint(i));
+}
+
+TEST(Tessellation, PointsOfARingLieOnItsExactRadii) {
+  const Patch<2> ring = quarterRing();
+  const Tessellation mesh(modelOf(ring), 5);
+  ASSERT_EQ(mesh.numPoints(), 16 * 21);
+  ASSERT_EQ(mesh.numCells(), 15 * 20);
+  const Eigen::MatrixXd parameters = parametersOf(ring, 5);
+  for (int i = 0; i < mesh.numPoints(); ++i) {
+    const double radius = kInnerRadius + (kOuterRadius - kInnerRadius) * parameters(0, i);
+    EXPECT_NEAR(mesh.referencePoints().col(i).norm(), radius, 1e-13);
+  }
+}
+
+TEST(Tessellation, AreaConvergesWithOrderTwo) {
+  const double exact = std::numbers::pi / 4.0 * (kOuterRadius * kOuterRadius - kInnerRadius * kInnerRadius);
+  const ModelRecord model = modelOf(quarterRing());
+  const double coarse = exact - area(Tessellation(model, 2));
+  const double fine = exact - area(Tessellation(model, 4));
+  EXPECT_GT(fine, 0.0);
+  EXPECT_NEAR(coarse / fine, 4.0, 0.05);
+}
+
+TEST(Tessellation, FieldsEqualTheirRationalSums) {
+  for (const Patch<2>& patch : {quarterRing(), lagrangeRing()}) {
+    const ModelRecord model = modelOf(patch);
+    const Eigen::MatrixXd q = randomCoefficients(4, model.numNodes, 7);
+    const Eigen::MatrixXd values = Tessellation(model, 3).evaluate(q);
+    const Eigen::MatrixXd parameters = parametersOf(patch, 3);
+    ASSERT_EQ(values.rows(), 4);
+    ASSERT_EQ(values.cols(), parameters.cols());
+    for (Eigen::Index i = 0; i < values.cols(); ++i)
+      EXPECT_LT((values.col(i) - fieldAt(patch, q, parameters.col(i))).norm(), 1e-14);
+  }
+}
+
+TEST(Tessellation, CornersOfHexahedraFollowVtk) {
+  const Patch<3> block =
+      refined(box({0.0, 0.0, 0.0}, {2.0, 3.0, 1.0}),
+              {KnotVector::uniform(1, 2), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)});
+  const Tessellation mesh(modelOf(block), 2);
+  ASSERT_EQ(mesh.numCells(), 4 * 6 * 2);
+  ASSERT_EQ(mesh.numPoints(), 5 * 7 * 3);
+  Eigen::Matrix<double, 3, 8> corners;
+  corners << 0, 1, 1, 0, 0, 1, 1, 0,  //
+      0, 0, 1, 1, 0, 0, 1, 1,         //
+      0, 0, 0, 0, 1, 1, 1, 1;
+  for (const auto& cell : mesh.cells().colwise())
+    for (int c = 0; c < 8; ++c) {
+      const Eigen::Vector3d edge = mesh.referencePoints().col(cell(c)) - mesh.referencePoints().col(cell(0));
+      EXPECT_LT((edge - 0.5 * corners.col(c)).norm(), 1e-14);
+    }
+}
+
+TEST(Tessellation, PatchesThatShareNodesShareValues) {
+  const auto square = [](double x) {
+    return refined(rectangle({x, 0.0}, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 2)});
+  };
+  ModelRecord model = modelOf(square(0.0));
+  PatchRecord right = recordOf(square(1.0));
+  for (std::size_t a = 0; a < right.nodes.size(); ++a)
+    right.nodes[a] = a % 3 == 0 ? static_cast<int>(a) + 2 : model.numNodes++;
+  model.patches.push_back(right);
+
+  const Tessellation mesh(model, 3);
+  EXPECT_THAT(mesh.patchOfCell(), testing::Contains(0).Times(18));
+  EXPECT_THAT(mesh.patchOfCell(), testing::Contains(1).Times(18));
+  const Eigen::MatrixXd values = mesh.evaluate(randomCoefficients(1, model.numNodes, 1));
+  int shared = 0;
+  for (int i = 0; i < 28; ++i)
+    for (int j = 28; j < mesh.numPoints(); ++j)
+      if ((mesh.referencePoints().col(i) - mesh.referencePoints().col(j)).norm() < 1e-12) {
+        ++shared;
+        EXPECT_NEAR(values(i), values(j), 1e-14);
+      }
+  EXPECT_EQ(shared, 7);
+}
+
+TEST(Tessellation, RefusesWhatDoesNotFit) {
+  const ModelRecord model = modelOf(quarterRing());
+  EXPECT_THROW(Tessellation(model, 0), Error);
+  EXPECT_THROW(Tessellation(model, 2).evaluate(Eigen::MatrixXd::Zero(1, model.numNodes - 1)), Error);
+  ModelRecord foreignNode = model;
+  foreignNode.patches[0].nodes[3] = model.numNodes;
+  EXPECT_THROW(Tessellation(foreignNode, 2), Error);
+}
+
+TEST(Grid, HoldsTheFieldsInDoublePrecision) {
+  const ModelRecord model = modelOf(quarterRing());
+  const Tessellation mesh(model, 2);
+  const FrameRecord frame = frameOf(model, 0, 0.0);
+  const auto grid = makeGrid(mesh, frame, true);
+  ASSERT_EQ(grid->GetPointData()->GetNumberOfArrays(), 5);
+  ASSERT_EQ(grid->GetNumberOfCells(), mesh.numCells());
+  EXPECT_NE(grid->GetCellData()->GetArray("patch"), nullptr);
+  for (const auto& [name, field] : frame.fields) {
+    vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
+    ASSERT_NE(array, nullptr);
+    EXPECT_EQ(array->GetDataType(), VTK_DOUBLE);
+    const Eigen::MatrixXd values = mesh.evaluate(field.values);
+    for (Eigen::Index i = 0; i < values.cols(); ++i)
+      for (Eigen::Index c = 0; c < values.rows(); ++c)
+        ASSERT_EQ(array->GetComponent(i, static_cast<int>(c)), values(c, i));
+  }
+  EXPECT_STREQ(grid->GetPointData()->GetArray("stress")->GetComponentName(2), "xy");
+  EXPECT_STREQ(grid->GetPointData()->GetArray("displacement")->GetComponentName(1), "Y");
+}
+
+TEST(Grid, DisplacementLeadsFromReferenceToCurrentPositions) {
+  const ModelRecord model = modelOf(lagrangeRing());
+  const Tessellation mesh(model, 2);
+  const FrameRecord frame = frameOf(model, 0, 0.0);
+  const auto reference = makeGrid(mesh, frame, false);
+  const auto current = makeGrid(mesh, frame, true);
+  EXPECT_EQ(current->GetPoints()->GetDataType(), VTK_DOUBLE);
+  vtkDataArray* u = current->GetPointData()->GetArray("displacement");
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < current->GetNumberOfPoints(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_EQ(reference->GetPoint(i)[c] + u->GetComponent(i, c), current->GetPoint(i)[c]);
+      largest = std::max(largest, std::abs(u->GetComponent(i, c)));
+    }
+  EXPECT_GT(largest, 0.01);
+}
+
+TEST(Outlines, OfARingAreFourLinesOnItsEdges) {
+  const auto outline = bodyOutline(modelOf(quarterRing()), {}, 4);
+  ASSERT_EQ(outline->GetNumberOfLines(), 4);
+  EXPECT_EQ(outline->GetPoints()->GetDataType(), VTK_DOUBLE);
+  for (vtkIdType i = 0; i < outline->GetNumberOfPoints(); ++i) {
+    const Eigen::Vector3d x = pointOf(*outline, i);
+    const double off = std::min({std::abs(x.norm() - kInnerRadius), std::abs(x.norm() - kOuterRadius),
+                                 std::abs(x.x()), std::abs(x.y())});
+    EXPECT_LT(off, 1e-13);
+  }
+}
+
+TEST(Outlines, KnotLinesAreTheInteriorOnes) {
+  const auto lines = knotLines(modelOf(quarterRing()), {}, 4);
+  EXPECT_EQ(lines->GetNumberOfLines(), 2 + 3);
+  EXPECT_EQ(lines->GetNumberOfPoints(), 2 * 17 + 3 * 13);
+}
+
+TEST(Outlines, FollowTheDisplacement) {
+  const Patch<2> ring = lagrangeRing();
+  const ModelRecord model = modelOf(ring);
+  const Eigen::Vector2d shift(0.3, -0.2);
+  const auto still = knotLines(model, {}, 3);
+  const auto moved = knotLines(model, shift.replicate(1, model.numNodes), 3);
+  for (vtkIdType i = 0; i < still->GetNumberOfPoints(); ++i)
+    EXPECT_LT((pointOf(*moved, i) - pointOf(*still, i) - Eigen::Vector3d(0.3, -0.2, 0.0)).norm(), 1e-14);
+}
+
+TEST(Outlines, OfABlockLieOnItsSurface) {
+  const Patch<3> block =
+      refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}),
+              {KnotVector::uniform(1, 2), KnotVector::uniform(1, 3), KnotVector::uniform(1, 1)});
+  EXPECT_EQ(bodyOutline(modelOf(block), {}, 1)->GetNumberOfLines(), 12);
+  const auto lines = knotLines(modelOf(block), {}, 1);
+  EXPECT_EQ(lines->GetNumberOfLines(), 4 + 2 + 6);
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i) {
+    const Eigen::Array3d x = pointOf(*lines, i);
+    EXPECT_EQ((x * (1.0 - x)).minCoeff(), 0.0);
+  }
+}
+
+const Eigen::AlignedBox3d kBox(Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(4.0, 2.0, 0.0));
+
+TEST(ToolOutline, OfACylinderIsAClosedCircle) {
+  const ToolRecord tool{"roller", Cylinder{{1.0, 2.0, 0.0}, Eigen::Vector3d::UnitZ(), 0.7}};
+  const auto circle = toolOutline(tool, Eigen::Vector2d(0.5, -0.25), kBox);
+  ASSERT_EQ(circle->GetNumberOfLines(), 1);
+  EXPECT_GE(circle->GetNumberOfPoints(), 256);
+  for (vtkIdType i = 0; i < circle->GetNumberOfPoints(); ++i)
+    EXPECT_NEAR((pointOf(*circle, i) - Eigen::Vector3d(1.5, 1.75, 0.0)).norm(), 0.7, 1e-14);
+  vtkNew<vtkIdList> ids;
+  circle->GetCellPoints(0, ids);
+  EXPECT_EQ(ids->GetNumberOfIds(), circle->GetNumberOfPoints() + 1);
+  EXPECT_EQ(ids->GetId(0), ids->GetId(ids->GetNumberOfIds() - 1));
+}
+
+TEST(ToolOutline, OfAPlanePassesTheWholeBox) {
+  const ToolRecord tool{"table", Plane{{100.0, -1.0, 0.0}, {0.0, 2.0, 0.0}}};
+  const auto segment = toolOutline(tool, Eigen::Vector2d(0.0, 0.25), kBox);
+  ASSERT_EQ(segment->GetNumberOfPoints(), 2);
+  const Eigen::Vector3d a = pointOf(*segment, 0), b = pointOf(*segment, 1);
+  EXPECT_NEAR(a.y(), -0.75, 1e-14);
+  EXPECT_NEAR(b.y(), -0.75, 1e-14);
+  EXPECT_LT(std::min(a.x(), b.x()), 0.0);
+  EXPECT_GT(std::max(a.x(), b.x()), 4.0);
+}
+
+TEST(ToolOutline, InSpaceLiesOnTheTool) {
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(4.0, 2.0, 3.0));
+  const Eigen::Vector3d shift(0.1, 0.2, 0.3);
+  const std::vector<RigidShape> shapes{Plane{{0.0, -1.0, 0.0}, {1.0, 2.0, 0.5}},
+                                       Cylinder{{1.0, 3.0, 0.0}, {1.0, 0.0, 2.0}, 0.8},
+                                       Sphere{{1.0, 3.0, 1.0}, 0.6}};
+  for (const RigidShape& shape : shapes) {
+    const auto surface = toolOutline({"tool", shape}, shift, box);
+    EXPECT_GT(surface->GetNumberOfPolys(), 0);
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+      EXPECT_NEAR(queryGap(shape, pointOf(*surface, i) - shift).gap, 0.0, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace burnish
