@@ -9,13 +9,16 @@
 #include "cli/info_text.h"
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
+#include "engine/scene/scene_listing.h"
 
 namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
 
-ExitCode info(const fs::path& path) {
+ExitCode info(const fs::path& path, bool listKeys) {
+  if (listKeys) fmt::print("{}", describeScene());
+  if (path.empty()) return ExitCode::Fine;
   std::error_code status;
   if (!fs::exists(path, status))
     throw Error(fmt::format("{}: there is no such file or directory", path.string()));
@@ -29,9 +32,11 @@ ExitCode info(const fs::path& path) {
 void addInfoCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("info", "Tell what is in a result or a scene");
   const auto path = std::make_shared<fs::path>();
-  command->add_option("RESULT|SCENE", *path, "Directory of a run, result file (.h5), or scene file")
-      ->required();
-  command->callback([&action, path] { action = [path] { return info(*path); }; });
+  const auto listKeys = std::make_shared<bool>(false);
+  command->add_option("RESULT|SCENE", *path, "Directory of a run, result file (.h5), or scene file");
+  command->add_flag("--keys", *listKeys, "List every key of a scene with its type, default and meaning");
+  command->require_option(1, 2);
+  command->callback([&action, path, listKeys] { action = [path, listKeys] { return info(*path, *listKeys); }; });
 }
 
 }  // namespace burnish

@@ -11,14 +11,14 @@
 ///   work(e)      H(e) = ∫_0^e σ_y.
 namespace burnish {
 
-/// A stress that grows from 0 to q: q (1 − exp(−β e)), β > 0.
+/// A stress that grows from 0 to q: q (1 − exp(−β e)), β >= 0.
 struct SaturatingTerm {
   double q;
   double beta;
 
   double sigma_y(double e) const { return q * (1.0 - std::exp(-beta * e)); }
   double slope(double e) const { return q * beta * std::exp(-beta * e); }
-  double work(double e) const { return q * (e + std::expm1(-beta * e) / beta); }
+  double work(double e) const { return beta == 0.0 ? 0.0 : q * (e + std::expm1(-beta * e) / beta); }
 };
 
 /// σ_y = σ_0 + (σ_∞ − σ_0)(1 − exp(−β e)), eq. (44).

@@ -36,7 +36,7 @@ void checkOutput(const CheckContext& c) {
 /// Fields that this body and material have not.
 void checkField(const CheckContext& c, const std::string& path, const std::string& field) {
   if (!c.clean(path)) return;
-  const bool threeD = field == "displacement.z" || field == "stress.yz" || field == "stress.xz";
+  const bool threeD = field == "displacement.z" || field == "stress.yz" || field == "stress.zx";
   if (threeD && c.dimensionIsKnown() && c.scene.dim() == 2)
     c.report(path,
              fmt::format(

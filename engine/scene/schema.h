@@ -46,7 +46,7 @@ void describe(Visitor& v, Scene& s) {
   v.field("steps", s.steps, {.required = true, .minEntries = 1}, "Phases of the run, from time 0 on.");
   v.field("solver", s.solver, {}, "Newton's method and the control of the step size.");
   v.field("output", s.output, {}, "When and how finely results are written.");
-  v.field("pictures", s.pictures, {}, "Contour pictures drawn when the run ends.");
+  v.field("pictures", s.pictures, {}, "Contour pictures, drawn as the run passes their times.");
 }
 
 }  // namespace burnish

@@ -99,7 +99,8 @@ void describe(Visitor& v, ContactSpec& s) {
           "quadrature "
           "point.");
   v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
-          "Penalty or augmentation parameter; from the stiffness and size of the body when left out.");
+          "Penalty or augmentation parameter; when left out E/L (augmented Lagrangian) or 100 E/L "
+          "(penalties), L the body's largest extent.");
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Quadrature points per knot span and direction; twice the degree when left out.");
 }

@@ -38,7 +38,7 @@ void describe(Visitor& v, PictureSpec& s) {
           {.required = true,
            .choices = {"displacement", "displacement.x", "displacement.y", "displacement.z", "plastic_strain",
                        "von_mises", "stress.xx", "stress.yy", "stress.zz", "stress.xy", "stress.yz",
-                       "stress.xz", "pressure"}},
+                       "stress.zx", "pressure"}},
           "What is drawn; displacement alone is its magnitude.");
   v.field("name", s.name, {.identifier = true},
           "Beginning of the file name; the field's name when left out.");
@@ -46,7 +46,7 @@ void describe(Visitor& v, PictureSpec& s) {
           "One picture for each; the end of the run when left out.");
   v.field("range", s.range, {.increasing = true},
           "Smallest and greatest value of the colours; automatic when left out.");
-  v.field("size", s.size, {.atLeast = 16, .atMost = 16384}, "Width and height in pixels.");
+  v.field("size", s.size, {.atLeast = 200, .atMost = 8000}, "Width and height in pixels.");
   v.field("bands", s.bands, {.atLeast = 0, .atMost = 256}, "Number of colour bands; 0 for smooth colours.");
   v.field("knots", s.knots, {}, "Draw the knot lines.");
   v.field("undeformed", s.undeformed, {}, "Draw the outline of the undeformed body.");

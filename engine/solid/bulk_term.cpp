@@ -20,19 +20,23 @@ constexpr int voigt(int i, int j) {
   return place[static_cast<std::size_t>(i + j)];
 }
 
+/// Pairs (i, k) of directions with i <= k: the other blocks of the tangent are their transposes.
+template <int Dim>
+constexpr int kPairs = Dim*(Dim + 1) / 2;
+
 }  // namespace
 
 /// Buffers of one thread; sized at first use, so that the span loop does not allocate.
 template <int Dim>
 struct BulkTerm<Dim>::Workspace {
-  Eigen::Matrix<double, Dim, Eigen::Dynamic> u;      // Dim x n
-  Eigen::Matrix<double, Dim, Eigen::Dynamic> H;      // Dim x Dim·Q: displacement gradients
-  Eigen::MatrixXd g;                                 // n x Dim·Q: spatial gradients
-  Eigen::MatrixXd tau;                               // Dim·Q x Dim: weighted Kirchhoff stresses
-  std::array<Eigen::MatrixXd, Dim*(Dim + 1) / 2> h;  // n x Dim·Q each: gradients times the weighted moduli
-  Eigen::MatrixXd block;                             // n x n
-  Eigen::MatrixXd K;                                 // Dim·n x Dim·n
-  Eigen::MatrixXd f;                                 // n x Dim
+  Eigen::Matrix<double, Dim, Eigen::Dynamic> u;  // Dim x n
+  Eigen::Matrix<double, Dim, Eigen::Dynamic> H;  // Dim x Dim·Q: displacement gradients
+  Eigen::MatrixXd g;                             // n x Dim·Q: spatial gradients
+  Eigen::MatrixXd tau;                           // Dim·Q x Dim: weighted Kirchhoff stresses
+  Eigen::MatrixXd h;  // kPairs·n x Dim·Q: gradients times the weighted moduli, one block per pair (i, k)
+  Eigen::MatrixXd blocks;  // kPairs·n x n
+  Eigen::MatrixXd K;       // Dim·n x Dim·n
+  Eigen::MatrixXd f;       // n x Dim
 };
 
 template <int Dim>
@@ -68,7 +72,7 @@ bool BulkTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen
   work.H.noalias() = work.u * span.G;
   work.g.resize(n, Dim * Q);
   work.tau.resize(Dim * Q, Dim);
-  for (auto& h : work.h) h.resize(n, Dim * Q);
+  work.h.resize(kPairs<Dim> * n, Dim * Q);
 
   BulkSummary summary;
   MaterialResponse<Dim> response;
@@ -95,7 +99,7 @@ bool BulkTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) work.tau(Dim * q + j, i) = w * response.tau(voigt<Dim>(i, j));
     if (!wantTangent) continue;
-    std::size_t pair = 0;
+    Eigen::Index pair = 0;
     for (int i = 0; i < Dim; ++i)
       for (int k = i; k < Dim; ++k, ++pair) {
         Eigen::Matrix<double, Dim, Dim> moduli;  // (j, l): c_ijkl + δ_ik τ_jl
@@ -103,7 +107,7 @@ bool BulkTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen
           for (int l = 0; l < Dim; ++l)
             moduli(j, l) = w * (response.c(voigt<Dim>(i, j), voigt<Dim>(k, l)) +
                                 (i == k ? response.tau(voigt<Dim>(j, l)) : 0.0));
-        work.h[pair].template middleCols<Dim>(Dim * q).noalias() = g * moduli;
+        work.h.template block<Eigen::Dynamic, Dim>(pair * n, Dim * q, n, Dim).noalias() = g * moduli;
       }
   }
   spanSummaries_[number] = summary;
@@ -114,14 +118,14 @@ bool BulkTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen
   if (!wantTangent) return true;
 
   work.K.resize(Dim * n, Dim * n);
-  std::size_t pair = 0;
+  work.blocks.noalias() = work.h * work.g.transpose();
+  Eigen::Index pair = 0;
   for (int i = 0; i < Dim; ++i)
     for (int k = i; k < Dim; ++k, ++pair) {
-      work.block.noalias() = work.h[pair] * work.g.transpose();  // (a, b): block (i, k) of functions a and b
-      work.K(Eigen::seqN(i, n, Eigen::fix<Dim>), Eigen::seqN(k, n, Eigen::fix<Dim>)) = work.block;
+      const auto block = work.blocks.middleRows(pair * n, n);  // (a, b): entry (i, k) of functions a and b
+      work.K(Eigen::seqN(i, n, Eigen::fix<Dim>), Eigen::seqN(k, n, Eigen::fix<Dim>)) = block;
       if (i != k)
-        work.K(Eigen::seqN(k, n, Eigen::fix<Dim>), Eigen::seqN(i, n, Eigen::fix<Dim>)) =
-            work.block.transpose();
+        work.K(Eigen::seqN(k, n, Eigen::fix<Dim>), Eigen::seqN(i, n, Eigen::fix<Dim>)) = block.transpose();
     }
   out.system->add(out.term, number, work.K);
   return true;
