@@ -20,18 +20,23 @@ class OffscreenCanvas {
   OffscreenCanvas(const OffscreenCanvas&) = delete;
   OffscreenCanvas& operator=(const OffscreenCanvas&) = delete;
 
-  /// The window to add renderers to. Its size is the supersampled one, its DPI 72: a font size is a height in
-  /// its own pixels.
+  /// The window to add renderers to. Its size is the supersampled one (or one of its strips), its DPI 72: a
+  /// font size is a height in its own pixels.
   vtkRenderWindow& window();
 
   int supersampling() const { return supersampling_; }
 
-  /// Renders and returns the picture, width x height RGB bytes, lowest row first.
+  /// Renders and returns the picture, width x height RGB bytes, lowest row first. Once per canvas: the
+  /// cameras, which must be parallel, and the positions of flat actors are left at the last strip.
   vtkSmartPointer<vtkImageData> capture();
 
  private:
   class Context;
+
+  vtkSmartPointer<vtkImageData> captureStrip();
+
   int supersampling_;
+  int strips_;  ///< the picture is drawn in horizontal strips, which saves memory
   std::unique_ptr<Context> context_;
   vtkSmartPointer<vtkRenderWindow> window_;
 };
