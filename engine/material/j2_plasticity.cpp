@@ -84,13 +84,6 @@ void setPrincipal(const PrincipalAxes<Dim>& axes, const Volumetric& volumetric, 
   out.strainEnergy = volumetric.energy + state.energy;
 }
 
-/// Cp^{-1} = F^{-1} b_e F^{-T}, exactly symmetric.
-Eigen::Matrix3d plasticMetric(const Eigen::Matrix3d& F, const Eigen::Matrix3d& b_e) {
-  const Eigen::Matrix3d F_inv = F.inverse();
-  const Eigen::Matrix3d Cp_inv = F_inv * b_e * F_inv.transpose();
-  return 0.5 * (Cp_inv + Cp_inv.transpose());
-}
-
 double hardeningWork(const Hardening& hardening, double from, double to) {
   return std::visit([=](const auto& law) { return law.work(to) - law.work(from); }, hardening);
 }
@@ -117,7 +110,8 @@ bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const MaterialState& old, 
   out.plasticWork = 0.0;
 
   // Elastic predictor
-  const Eigen::Matrix3d b = F * old.Cp_inv * F.transpose();
+  const Eigen::Matrix3d f = F * old.F_inv;
+  const Eigen::Matrix3d b = f * old.b_e * f.transpose();
   if (elasticLaw_ == ElasticLaw::NeoHookean) {
     const SymmetricTensor<Dim> bBar = components<Dim>(b) / std::cbrt(J * J);
     if (setNeoHookeanWithin<Dim>(radius, moduli_.mu, volumetric, bBar, out)) return isFinite(out);
@@ -138,7 +132,8 @@ bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const MaterialState& old, 
   if (!state) return false;
   setPrincipal(axes, volumetric, *state, out);
   const Eigen::Vector3d elasticStretches = (2.0 * (state->e + mean)).exp().matrix();
-  next.Cp_inv = plasticMetric(F, fullTensor<Dim>(axes.tensor(elasticStretches)));
+  next.F_inv = F.inverse();
+  next.b_e = fullTensor<Dim>(axes.tensor(elasticStretches));
   next.e_p = state->e_p;
   out.plasticWork = hardeningWork(hardening_, old.e_p, next.e_p);
   return isFinite(out);

@@ -50,7 +50,7 @@ MaterialState flowedState(const J2Plasticity& law) {
 /// A deformation gradient whose trial tensor F Cp^{-1} F^T has the principal stretches a, b, c.
 template <int Dim>
 Eigen::Matrix3d withTrialStretches(const MaterialState& old, double a, double b, double c) {
-  return test::stretched<Dim>(a, b, c) * squareRoot(old.Cp_inv).inverse();
+  return test::stretched<Dim>(a, b, c) * squareRoot(old.Cp_inv()).inverse();
 }
 
 template <class P>
@@ -151,12 +151,12 @@ TYPED_TEST(J2Test, RotatesWithTheBody) {
   const Eigen::Matrix3d Q = test::rotation<Dim>(2.3);
   for (const double amount : {1e-4, 0.3}) {
     const MaterialState old = flowedState<Dim>(this->law_);
-    const Eigen::Matrix3d F = test::skewed<Dim>(amount) * squareRoot(old.Cp_inv).inverse();
+    const Eigen::Matrix3d F = test::skewed<Dim>(amount) * squareRoot(old.Cp_inv()).inverse();
     const auto still = evaluate<Dim>(this->law_, F, old);
     const auto turned = evaluate<Dim>(this->law_, Q * F, old);
     const Eigen::Matrix3d expected = Q * fullTensor<Dim>(still.response.tau) * Q.transpose();
     EXPECT_LT((fullTensor<Dim>(turned.response.tau) - expected).norm(), 1e-14 * kE);
-    EXPECT_LT((turned.state.Cp_inv - still.state.Cp_inv).norm(), 1e-12);
+    EXPECT_LT((turned.state.Cp_inv() - still.state.Cp_inv()).norm(), 1e-12);
     EXPECT_NEAR(turned.state.e_p, still.state.e_p, 1e-13);
   }
 }
@@ -182,10 +182,10 @@ TYPED_TEST(J2Test, FlowIsIsochoricOverManySteps) {
     const Eigen::Matrix3d F =
         test::rotation<Dim>(t) * test::skewed<Dim>(0.3 * std::sin(3.0 * t)) * test::rotation<Dim>(0.7 * t);
     state = evaluate<Dim>(this->law_, F, state).state;
-    EXPECT_EQ(state.Cp_inv, state.Cp_inv.transpose());
+    EXPECT_EQ(state.b_e, state.b_e.transpose());
   }
   EXPECT_GT(state.e_p, 2.0);
-  EXPECT_NEAR(state.Cp_inv.determinant(), 1.0, 1e-12);
+  EXPECT_NEAR(state.Cp_inv().determinant(), 1.0, 1e-12);
 }
 
 /// A path with constant volume and axes: σ_y(e_p) = q(ln λ − e_p) with q(ε) = 3με (Hencky) or μ (e^{2ε} −
@@ -258,7 +258,7 @@ TYPED_TEST(J2Test, UnloadsElastically) {
   const Eigen::Matrix3d F = test::stretched<Dim>(1.1995, 0.8504, 1.0);
   const auto unloaded = evaluate<Dim>(this->law_, F, loaded);
   EXPECT_EQ(unloaded.state.e_p, loaded.e_p);
-  EXPECT_EQ(unloaded.state.Cp_inv, loaded.Cp_inv);
+  EXPECT_EQ(unloaded.state.Cp_inv(), loaded.Cp_inv());
   EXPECT_EQ(unloaded.response.plasticWork, 0.0);
   EXPECT_LT(vonMises(unloaded.response), 0.9 * kVoce.sigma_y(loaded.e_p));
   const J2Plasticity strong = makeLaw(TestFixture::kElastic, LinearHardening{1e9, 0.0});
@@ -272,7 +272,7 @@ TYPED_TEST(J2Test, StaysElasticWhenAFinishedStepIsEvaluatedAgain) {
   const auto step = evaluate<Dim>(this->law_, F);
   const auto again = evaluate<Dim>(this->law_, F, step.state);
   EXPECT_EQ(again.state.e_p, step.state.e_p);
-  EXPECT_EQ(again.state.Cp_inv, step.state.Cp_inv);
+  EXPECT_EQ(again.state.Cp_inv(), step.state.Cp_inv());
   EXPECT_LT((again.response.tau - step.response.tau).norm(), 1e-11 * step.response.tau.norm());
   EXPECT_NEAR(again.response.strainEnergy, step.response.strainEnergy, 1e-11 * step.response.strainEnergy);
 }
@@ -291,7 +291,7 @@ TYPED_TEST(J2Test, ConvergesWithFirstOrder) {
     return state;
   };
   const MaterialState exact = finalState(4096);
-  const auto error = [&](int steps) { return (finalState(steps).Cp_inv - exact.Cp_inv).norm(); };
+  const auto error = [&](int steps) { return (finalState(steps).Cp_inv() - exact.Cp_inv()).norm(); };
   const double coarse = error(32);
   const double middle = error(64);
   const double fine = error(128);
@@ -365,7 +365,7 @@ TEST(J2Plasticity, InPlaneStrainIsTheSpatialLaw) {
       EXPECT_LT((plane.response.c - space.response.c.topLeftCorner<4, 4>()).norm(), 1e-10 * kE);
       EXPECT_LT(space.response.tau.tail<2>().norm(), 1e-14 * kE);
       EXPECT_NEAR(plane.state.e_p, space.state.e_p, 1e-14);
-      EXPECT_LT((plane.state.Cp_inv - space.state.Cp_inv).norm(), 1e-14);
+      EXPECT_LT((plane.state.Cp_inv() - space.state.Cp_inv()).norm(), 1e-14);
       EXPECT_NEAR(plane.response.strainEnergy, space.response.strainEnergy, 1e-12 * kE);
       planeState = plane.state;
       spaceState = space.state;
