@@ -13,7 +13,6 @@ namespace burnish {
 namespace {
 
 void newtonIteration(benchmark::State& state, const std::string& basis, int degree) {
-  pinBlasToOneThread();
   const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
   const Scene scene = readScene(std::string(BURNISH_SOURCE_DIR) + "/scenes/paper/plastic.yaml",
                                 {"basis=" + basis, fmt::format("degree={}", degree)});

@@ -11,6 +11,7 @@
 #include "engine/analysis/frames.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/time_grid.h"
+#include "engine/core/blas.h"
 #include "engine/core/stopwatch.h"
 #include "engine/results/history.h"
 #include "engine/results/result_writer.h"

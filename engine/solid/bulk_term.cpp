@@ -9,6 +9,8 @@
 #include <utility>
 #include <variant>
 
+#include "engine/core/blas.h"
+
 namespace burnish {
 namespace {
 
@@ -42,6 +44,7 @@ struct BulkTerm<Dim>::Workspace {
 template <int Dim>
 BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material)
     : quadrature_(quadrature), material_(std::move(material)) {
+  pinBlasToOneThread();
   for (const auto& span : quadrature_.spans()) {
     std::vector<int> group;
     for (const int node : span.nodes)
@@ -118,7 +121,7 @@ bool BulkTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen
   if (!wantTangent) return true;
 
   work.K.resize(Dim * n, Dim * n);
-  work.blocks.noalias() = work.h * work.g.transpose();
+  multiplyTransposed(work.h, work.g, work.blocks);
   Eigen::Index pair = 0;
   for (int i = 0; i < Dim; ++i)
     for (int k = i; k < Dim; ++k, ++pair) {

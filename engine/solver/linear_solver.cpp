@@ -1,7 +1,5 @@
 #include "engine/solver/linear_solver.h"
 
-#include <cblas.h>
-
 #include <Eigen/CholmodSupport>
 #include <Eigen/UmfPackSupport>
 
@@ -70,10 +68,6 @@ class Cholmod final : public LinearSolver {
 std::unique_ptr<LinearSolver> makeLinearSolver(MatrixKind kind) {
   if (kind == MatrixKind::SaddlePoint) return std::make_unique<Umfpack>();
   return std::make_unique<Cholmod>();
-}
-
-void pinBlasToOneThread() {
-  openblas_set_num_threads(1);
 }
 
 }  // namespace burnish

@@ -26,7 +26,4 @@ enum class MatrixKind {
 
 std::unique_ptr<LinearSolver> makeLinearSolver(MatrixKind kind);
 
-/// Holds BLAS to one thread: its sums would otherwise depend on the number of threads.
-void pinBlasToOneThread();
-
 }  // namespace burnish
