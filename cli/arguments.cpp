@@ -13,8 +13,8 @@
 namespace burnish {
 namespace {
 
-constexpr int kSmallestPicture = 16;
-constexpr int kLargestPicture = 16384;
+constexpr int kSmallestPicture = 200;
+constexpr int kLargestPicture = 8000;
 
 /// The whole text as a number, or nothing.
 template <class Number>

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "engine/core/error.h"
 #include "engine/results/result_reader.h"
 #include "postproc/export/vtu_series_writer.h"
 
@@ -19,6 +20,10 @@ struct ExportArguments {
 ExitCode exportResult(const ExportArguments& arguments) {
   const ResultReader reader(arguments.result);
   const auto directory = arguments.directory.empty() ? reader.file().parent_path() : arguments.directory;
+  if (reader.numFrames() == 0)
+    throw Error(
+        fmt::format("{}: the result has no frames to export; is the folder 'result' beside it missing?",
+                    reader.file().string()));
   VtuSeriesWriter writer(directory, reader.model());
   for (int i = 0; i < reader.numFrames(); ++i) writer.write(reader.frame(i));
   fmt::print("{} frames in {}\n", reader.numFrames(), (directory / "frames.pvd").string());

@@ -36,7 +36,8 @@ void addInfoCommand(CLI::App& app, Action& action) {
   command->add_option("RESULT|SCENE", *path, "Directory of a run, result file (.h5), or scene file");
   command->add_flag("--keys", *listKeys, "List every key of a scene with its type, default and meaning");
   command->require_option(1, 2);
-  command->callback([&action, path, listKeys] { action = [path, listKeys] { return info(*path, *listKeys); }; });
+  command->callback(
+      [&action, path, listKeys] { action = [path, listKeys] { return info(*path, *listKeys); }; });
 }
 
 }  // namespace burnish

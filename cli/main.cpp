@@ -41,7 +41,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "burnish: {}\n", error.what());
     return static_cast<int>(ExitCode::BadInput);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "burnish: the memory of this machine does not suffice\n");
+    fmt::print(stderr,
+               "burnish: the memory of this machine does not suffice; take fewer basis functions or a lower "
+               "degree\n");
+    return static_cast<int>(ExitCode::BadInput);
   } catch (const std::exception& error) {
     fmt::print(stderr, "burnish: internal error: {}; this is a fault of the program, please report it\n",
                error.what());

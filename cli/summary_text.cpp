@@ -54,8 +54,8 @@ std::string summaryText(const RunSummary& s) {
         line("plastic strain", fmt::format("at most {:.5g} at quadrature points; projected {:.5g} to {:.5g}",
                                            end.maxPlasticStrain, end.projectedPlasticStrain.min,
                                            end.projectedPlasticStrain.max));
-  text += line("smallest J", fmt::format("{:.5g}", s.smallestJ));
-  text += line("largest penetration", fmt::format("{:.3g}", s.largestPenetration));
+  text += line("smallest J", fmt::format("{:.5g} at quadrature points", s.smallestJ));
+  text += line("largest penetration", fmt::format("{:.3g} at quadrature points", s.largestPenetration));
   return text;
 }
 

@@ -154,13 +154,7 @@ void Model<Dim>::addContacts(const Scene& scene) {
         std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t->name == spec.tool; }) -
         tools_.begin());
     const FaceId face = faceFromName<Dim>(spec.face);
-    const double overlap = -smallestGap(body_, 0, face, *tools_[tool]);
-    const double radius = curvatureRadius(tools_[tool]->shape);
-    if (overlap > kTouching * std::min(radius, body_.size()))
-      throw Error(fmt::format(
-          "tools: '{}' overlaps face '{}' by {:.3g} at the start; move it away by at least that much "
-          "(touching is fine)",
-          spec.tool, spec.face, overlap));
+    requireReachable(*tools_[tool], face, spec);
     const Enforcement enforcement = enforcementOf(spec.method);
     typename ContactTerm<Dim>::Options options{
         enforcement,
@@ -175,6 +169,32 @@ void Model<Dim>::addContacts(const Scene& scene) {
 }
 
 template <int Dim>
+void Model<Dim>::requireReachable(const Tool& tool, FaceId face, const ContactSpec& spec) const {
+  const std::string place = fmt::format("contact[{}]", contacts_.size());
+  const NearestPoint nearest = nearestPoint(body_, 0, face, tool);
+  if (-nearest.gap > kTouching * std::min(curvatureRadius(tool.shape), body_.size()))
+    throw Error(
+        fmt::format("{}: tool '{}' overlaps face '{}' by {:.3g} at the start; move it away by at least "
+                    "that much (touching is fine)",
+                    place, spec.tool, spec.face, -nearest.gap));
+  if (nearest.facing > 0.5)
+    throw Error(
+        fmt::format("{}: tool '{}' is behind face '{}' at the start, inside the body or on its other "
+                    "side; put it in front of the face",
+                    place, spec.tool, spec.face));
+  const auto functions = faceFunctions(body_.patches.front().basis(), face);
+  const bool held = std::all_of(functions.begin(), functions.end(), [&](int a) {
+    const auto first = prescribed_.begin() + Dim * body_.nodes.front()[static_cast<std::size_t>(a)];
+    return std::all_of(first, first + Dim, [](bool flag) { return flag; });
+  });
+  if (held)
+    throw Error(
+        fmt::format("{}: face '{}' is held in all its components, so tool '{}' cannot move it; name a "
+                    "face that is free",
+                    place, spec.face, spec.tool));
+}
+
+template <int Dim>
 void Model<Dim>::liftTools(const Scene& scene) {
   constexpr int kApproachSteps = 4;
   const double approachTime = kApproachSteps * scene.steps.front().until / scene.steps.front().count;
@@ -184,7 +204,7 @@ void Model<Dim>::liftTools(const Scene& scene) {
       if (pair.tool == k && pair.term->options().enforcement != Enforcement::PointwisePenalty)
         pairs.push_back(pair.term.get());
     if (pairs.empty()) continue;
-    tools_[k]->lift = liftToSeparate<Dim>(pairs, *tools_[k], kTouching * body_.size());
+    tools_[k]->lift = liftToSeparate<Dim>(pairs, *tools_[k], body_.size());
     if (tools_[k]->lift.isZero(0.0)) continue;
     tools_[k]->approachTime = approachTime;
     startTime_ = -approachTime;

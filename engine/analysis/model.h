@@ -72,6 +72,7 @@ class Model {
   void addSupport(const SupportSpec& spec);
   void addTools(const Scene& scene);
   void addContacts(const Scene& scene);
+  void requireReachable(const Tool& tool, FaceId face, const ContactSpec& spec) const;
   void liftTools(const Scene& scene);
   void requireSupported() const;
 

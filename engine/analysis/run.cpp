@@ -12,6 +12,7 @@
 #include "engine/analysis/model.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/core/blas.h"
+#include "engine/core/error.h"
 #include "engine/core/stopwatch.h"
 #include "engine/results/history.h"
 #include "engine/results/result_writer.h"
@@ -24,10 +25,10 @@ namespace {
 template <int Dim>
 class Run {
  public:
-  Run(const Scene& scene, const std::filesystem::path& directory, RunObserver& observer)
+  Run(const Scene& scene, Model<Dim>& model, const std::filesystem::path& directory, RunObserver& observer)
       : scene_(scene),
         observer_(observer),
-        model_(scene),
+        model_(model),
         terms_(model_.terms()),
         newton_(terms_, model_.prescribed(), model_.residualScales(), model_.matrixKind(),
                 newtonOptions(scene)),
@@ -121,7 +122,7 @@ class Run {
     summary_.worstResidual = std::max(summary_.worstResidual, step.newton.residual);
     summary_.worstConstraint = std::max(summary_.worstConstraint, step.newton.constraint);
     summary_.stepsAtRoundOff += step.newton.atRoundOff ? 1 : 0;
-    summary_.maxIterations = std::max(summary_.maxIterations, step.newton.iterations);
+    summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
   }
 
   void writeFrame() {
@@ -177,7 +178,7 @@ class Run {
 
   const Scene& scene_;
   RunObserver& observer_;
-  Model<Dim> model_;
+  Model<Dim>& model_;
   std::vector<Term*> terms_;
   Newton newton_;
   Stepping stepping_;
@@ -191,6 +192,22 @@ class Run {
   double lastFrameTime_ = 0.0;
 };
 
+/// The model of a scene; what is wrong with it is said with the scene's file.
+template <int Dim>
+std::unique_ptr<Model<Dim>> makeModel(const Scene& scene) {
+  try {
+    return std::make_unique<Model<Dim>>(scene);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", scene.source, error.what()));
+  }
+}
+
+template <int Dim>
+RunSummary runInDimension(const Scene& scene, const std::filesystem::path& directory, RunObserver& observer) {
+  const auto model = makeModel<Dim>(scene);
+  return Run<Dim>(scene, *model, directory, observer).execute();
+}
+
 }  // namespace
 
 RunSummary runScene(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
@@ -199,8 +216,8 @@ RunSummary runScene(const Scene& scene, const std::filesystem::path& directory, 
   const auto threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
-  if (scene.dim() == 2) return Run<2>(scene, directory, observer).execute();
-  return Run<3>(scene, directory, observer).execute();
+  if (scene.dim() == 2) return runInDimension<2>(scene, directory, observer);
+  return runInDimension<3>(scene, directory, observer);
 }
 
 }  // namespace burnish

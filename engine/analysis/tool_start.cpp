@@ -1,7 +1,11 @@
 #include "engine/analysis/tool_start.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
+
+#include "engine/core/error.h"
 
 namespace burnish {
 namespace {
@@ -29,29 +33,47 @@ Sample<P> bestSample(const Eigen::Vector<double, P>& low, const Eigen::Vector<do
   return best;
 }
 
+/// Unit normal of a face of a patch, away from the body: ±J^{-T} e_d with the map's derivative J.
+template <int Dim>
+Eigen::Vector<double, Dim> outwardNormal(const Patch<Dim>& patch, FaceId face,
+                                         const Eigen::Vector<double, Dim - 1>& onFace) {
+  const int across = face / 2;
+  const auto& breakpoints = patch.basis().direction(across).breakpoints();
+  Eigen::Vector<double, Dim> xi;
+  for (int d = 0, k = 0; d < Dim; ++d) {
+    if (d == across)
+      xi(d) = face % 2 == 0 ? breakpoints.front() : breakpoints.back();
+    else
+      xi(d) = onFace(k++);
+  }
+  const Eigen::Matrix<double, Dim, Dim> inverse = patch.jacobian(xi).inverse();
+  const double sign = face % 2 == 0 ? -1.0 : 1.0;
+  return sign * inverse.row(across).transpose().normalized();
+}
+
 }  // namespace
 
 template <int Dim>
-double smallestGap(const Body<Dim>& body, int patch, FaceId face, const Tool& tool) {
+NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const Tool& tool) {
   constexpr int P = Dim - 1;
   constexpr int kIntervals = Dim == 2 ? 16 : 6;
   constexpr int kZooms = 8;
   using Parameter = Eigen::Vector<double, P>;
   const auto trace = tracePatch(body.patches[static_cast<std::size_t>(patch)], face);
-  const auto gap = [&](const Parameter& xi) {
+  const auto query = [&](const Parameter& xi) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.template head<Dim>() = trace.position(xi);
-    return tool.query(0.0, x).gap;
+    return tool.query(0.0, x);
   };
+  const auto gap = [&](const Parameter& xi) { return query(xi).gap; };
 
   struct Box {
     Parameter low, high;
     Sample<P> best;
-    double
-        spacing;  // of the samples in space: the gap between two of them is smaller by this much at the most
+    double spacing;  // of the samples in space; between two of them the gap falls by no more
   };
   std::vector<Box> boxes;
-  double smallest = std::numeric_limits<double>::infinity();
+  Sample<P> nearest;
   for (int e = 0; e < trace.basis().numSpans(); ++e) {
     const auto index = trace.basis().spanIndex(e);
     Box box;
@@ -61,11 +83,11 @@ double smallestGap(const Body<Dim>& body, int patch, FaceId face, const Tool& to
     }
     box.best = bestSample(box.low, box.high, kIntervals, gap);
     box.spacing = 2.0 * (trace.position(box.high) - trace.position(box.low)).norm() / kIntervals;
-    smallest = std::min(smallest, box.best.gap);
+    if (box.best.gap < nearest.gap) nearest = box.best;
     boxes.push_back(box);
   }
 
-  const double coarse = smallest;
+  const double coarse = nearest.gap;
   for (Box& box : boxes) {
     if (box.best.gap - box.spacing > coarse) continue;
     for (int zoom = 0; zoom < kZooms; ++zoom) {
@@ -76,15 +98,17 @@ double smallestGap(const Body<Dim>& body, int patch, FaceId face, const Tool& to
       box.high = high;
       box.best = bestSample(low, high, kIntervals, gap);
     }
-    smallest = std::min(smallest, box.best.gap);
+    if (box.best.gap < nearest.gap) nearest = box.best;
   }
-  return smallest;
+  const auto outward = outwardNormal(body.patches[static_cast<std::size_t>(patch)], face, nearest.xi);
+  return {nearest.gap, outward.dot(query(nearest.xi).normal.template head<Dim>())};
 }
 
 template <int Dim>
 Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
-                               double touching) {
-  double worst = -touching;
+                               double bodySize) {
+  constexpr double kTouching = 1e-9;
+  double worst = -kTouching * bodySize;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   for (const auto* pair : pairs) {
     const Eigen::VectorXd gaps = pair->referenceGaps(tool, 0.0);
@@ -100,17 +124,21 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
   constexpr double kMargin = 1.05;
   Tool lifted = tool;
   lifted.approachTime = 1.0;
-  for (double height = -kMargin * worst;; height *= kMargin) {
+  for (double height = -kMargin * worst; height < bodySize; height *= kMargin) {
     lifted.lift = height * direction;
     const bool separated = std::all_of(pairs.begin(), pairs.end(), [&](const auto* pair) {
       return pair->referenceGaps(lifted, -lifted.approachTime).minCoeff() > 0.0;
     });
     if (separated) return lifted.lift;
   }
+  throw Error(
+      fmt::format("tools: '{}' cannot be lifted off the face that it touches, averaged gaps stay negative; "
+                  "start it farther away",
+                  tool.name));
 }
 
-template double smallestGap(const Body<2>&, int, FaceId, const Tool&);
-template double smallestGap(const Body<3>&, int, FaceId, const Tool&);
+template NearestPoint nearestPoint(const Body<2>&, int, FaceId, const Tool&);
+template NearestPoint nearestPoint(const Body<3>&, int, FaceId, const Tool&);
 template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<2>*>&, const Tool&, double);
 template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<3>*>&, const Tool&, double);
 

@@ -7,17 +7,22 @@
 
 namespace burnish {
 
-/// Smallest point-wise gap between the undeformed face and the tool at t = 0, found by sampling and zooming
-/// in.
+/// Where an undeformed face comes nearest to a tool.
+struct NearestPoint {
+  double gap = 0.0;     ///< smallest point-wise gap
+  double facing = 0.0;  ///< outward normal of the face times the tool's normal: -1 where they face each other
+};
+
+/// Nearest point of the undeformed face and the tool at t = 0, found by sampling and zooming in.
 template <int Dim>
-double smallestGap(const Body<Dim>& body, int patch, FaceId face, const Tool& tool);
+NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const Tool& tool);
 
 /// How far a tool has to be lifted at the start so that no averaged gap of the undeformed face is negative.
 /// Functions of a Lagrange basis have negative lobes: their averaged gap can be negative although nothing
-/// touches, and the first step would start with a jump. Zero when no gap is below `-touching`, a length that
-/// rounding explains.
+/// touches, and the first step would start with a jump. Zero when no gap is negative by more than rounding
+/// explains. Throws `Error` if no lift up to the body's size separates them.
 template <int Dim>
 Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
-                               double touching);
+                               double bodySize);
 
 }  // namespace burnish

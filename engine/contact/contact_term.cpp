@@ -28,6 +28,10 @@ struct ContactTerm<Dim>::Mortar {
 
 namespace {
 
+/// A point that is deeper inside a round tool than this share of its radius is about to leave it on the far
+/// side, where the nearest surface would pull it on: such a state is not admissible.
+constexpr double kDeepestShare = 0.5;
+
 template <int Dim>
 int contactPoints(const Body<Dim>& body, int patch, int wanted) {
   if (wanted > 0) return wanted;
@@ -151,8 +155,16 @@ Eigen::VectorXd ContactTerm<Dim>::referenceGaps(const Tool& tool, double t) cons
 }
 
 template <int Dim>
+bool ContactTerm<Dim>::passesThrough(const Mortar& mortar) const {
+  const double deepest = -kDeepestShare * curvatureRadius(tool_.shape);
+  return std::any_of(mortar.points.begin(), mortar.points.end(),
+                     [&](const GapQuery& query) { return query.gap < deepest; });
+}
+
+template <int Dim>
 bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   const Mortar mortar = integrate(tool_, t, x);
+  if (passesThrough(mortar)) return false;
   state_ = {};
   state_.averageGap = mortar.G.cwiseQuotient(A_);
   state_.gap.resize(face_.numPoints());

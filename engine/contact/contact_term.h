@@ -67,6 +67,7 @@ class ContactTerm final : public Term {
   struct Mortar;
 
   Mortar integrate(const Tool& tool, double t, const Eigen::VectorXd& x) const;
+  bool passesThrough(const Mortar& mortar) const;
   void evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
   void evaluatePointwise(Assembly& out, const Mortar& mortar);
   void addGeometricTangent(Assembly& out, const Mortar& mortar);

@@ -28,6 +28,22 @@ void checkFunctions(const CheckContext& c, std::size_t direction) {
   }
 }
 
+/// Beyond this number of basis functions a direct solver does not fit any machine; the indices of its matrix
+/// would overflow a little later.
+constexpr double kMostFunctions = 500'000;
+
+void checkMeshSize(const CheckContext& c) {
+  const GeometrySpec& geometry = c.scene.geometry;
+  const bool bySpans = geometry.functions.empty();
+  double total = 1.0;
+  for (const int n : bySpans ? geometry.spans : geometry.functions)
+    total *= !bySpans ? n : c.scene.basis == BasisChoice::Nurbs ? n + c.scene.degree : n * c.scene.degree + 1;
+  if (total > kMostFunctions)
+    c.report(
+        bySpans ? "geometry.spans" : "geometry.functions",
+        fmt::format("found {:.3g} basis functions in all; allowed: at most {:.0f}.", total, kMostFunctions));
+}
+
 void checkNamedShape(const CheckContext& c) {
   const GeometrySpec& geometry = c.scene.geometry;
   if (c.clean("geometry.functions") && c.clean("geometry.spans")) {
@@ -39,6 +55,8 @@ void checkNamedShape(const CheckContext& c) {
   }
   if (c.clean("geometry.functions") && c.clean("degree") && c.clean("basis"))
     for (std::size_t d = 0; d < geometry.functions.size(); ++d) checkFunctions(c, d);
+  if (c.clean("geometry.functions") && c.clean("geometry.spans") && c.clean("degree") && c.clean("basis"))
+    checkMeshSize(c);
 }
 
 void checkAnnulus(const CheckContext& c, const AnnulusSpec& ring) {

@@ -23,7 +23,8 @@ std::string describe(NewtonOutcome outcome) {
     case NewtonOutcome::Converged:
       return "converged";
     case NewtonOutcome::Inadmissible:
-      return "no admissible state was found (J <= 0 or a failed return map)";
+      return "no admissible state was found (J <= 0, a failed return map, or a tool that passes through the "
+             "surface)";
     case NewtonOutcome::Singular:
       return "the tangent matrix is singular";
     case NewtonOutcome::Diverged:

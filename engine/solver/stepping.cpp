@@ -7,7 +7,8 @@
 namespace burnish {
 namespace {
 
-/// Steps that start from the old state after an extrapolated start has failed.
+/// Attempts, counted with the failed one, that do not start extrapolated after an extrapolated start has
+/// failed.
 constexpr int kPauseAfterFailedExtrapolation = 3;
 
 }  // namespace
@@ -65,7 +66,10 @@ bool Stepping::advance(double time, double nominal, const std::function<void(con
     if (report.outcome != NewtonOutcome::Converged) {
       lastFailure_ = report;
       lastFailedStep_ = size;
-      if (state_.level == options_.maxCuts) return false;
+      if (state_.level == options_.maxCuts) {
+        state_.iterations += attempted;
+        return false;
+      }
       ++state_.level;
       ++state_.cuts;
       ++cuts;
