@@ -24,8 +24,8 @@ class Term {
   virtual CouplingGroups couplings() const = 0;
 
   /// Adds the residual (and tangent) at the unknowns x and the time t, starting from the last accepted
-  /// history. Returns false if the state is not admissible (J <= 0, a failed return map): the step control
-  /// mends that.
+  /// history. Returns false if the state is not admissible (J <= 0, a failed return map, a tool that comes
+  /// through): the step control mends that.
   [[nodiscard]] virtual bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) = 0;
 
   /// Makes the history of the last evaluation the accepted one.

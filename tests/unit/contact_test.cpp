@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "engine/contact/contact_term.h"
@@ -54,6 +55,44 @@ INSTANTIATE_TEST_SUITE_P(All, ContactTangent,
                                          Case{Enforcement::MortarPenalty, BasisFamily::BSpline, 2},
                                          Case{Enforcement::MortarPenalty, BasisFamily::Lagrange, 4},
                                          Case{Enforcement::PointwisePenalty, BasisFamily::BSpline, 2}));
+
+TEST(ContactTangentOfOtherTools, AgreesWithCentralDifferences) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool plate{"plate", Plane{{0.0, 0.48, 0.0}, {0.1, -1.0, 0.0}}, {}};
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), plate, {Enforcement::AugmentedLagrangian, 10.0, 0},
+                      2 * body.numNodes);
+  EXPECT_LT(
+      test::tangentError(term, 0.0, randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 8), 1e-6),
+      1e-6);
+  EXPECT_GT(term.state().reaction(1), 0.0);
+}
+
+TEST(ContactTangentInThreeDimensions, AgreesWithCentralDifferences) {
+  const Body<3> body =
+      makeBody(refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}),
+                       {KnotVector::uniform(2, 3), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)}));
+  const std::array<Tool, 2> tools{Tool{"ball", Sphere{{0.45, 0.55, 0.5 + 0.7}, 0.8}, {}},
+                                  Tool{"roller", Cylinder{{0.5, 0.5, 0.5 + 0.24}, {1.0, 0.2, 0.0}, 0.3}, {}}};
+  for (const Tool& tool : tools)
+    for (const auto enforcement : {Enforcement::AugmentedLagrangian, Enforcement::PointwisePenalty}) {
+      ContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, {enforcement, 10.0, 0}, 3 * body.numNodes);
+      const Eigen::VectorXd x = randomState(3 * body.numNodes + term.numMultipliers(), 2e-3, 9);
+      EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6) << tool.name;
+      EXPECT_GT(term.state().reaction(2), 0.0) << tool.name;
+    }
+}
+
+TEST(ContactTerm, AStateThatLetsTheToolThroughIsNotAdmissible) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  Tool tool = disc();
+  std::get<Cylinder>(tool.shape).center(1) = 0.5 + 0.1;
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::AugmentedLagrangian, 10.0, 0},
+                      2 * body.numNodes);
+  bool admissible = true;
+  static_cast<void>(test::forceOf(term, 0.0, Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers()),
+                                  &admissible));
+  EXPECT_FALSE(admissible) << "0.2 deep in a disc of radius 0.3";
+}
 
 }  // namespace
 }  // namespace burnish
