@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
@@ -21,7 +22,9 @@ struct RenderArguments {
   std::string field;
   std::string range;
   std::string size;
+  std::string colormap;
   int bands = 0;
+  int subdivision = 0;
   bool knots = false;
 };
 
@@ -38,11 +41,20 @@ ExitCode render(const RenderArguments& arguments) {
   ContourOptions options;
   if (!arguments.range.empty()) options.range = rangeFromText(arguments.range);
   if (!arguments.size.empty()) options.size = sizeFromText(arguments.size);
+  if (!arguments.colormap.empty()) options.colormap = arguments.colormap;
+  if (arguments.subdivision > 0) options.subdivision = arguments.subdivision;
   options.bands = arguments.bands;
   options.knots = arguments.knots;
   const ResultReader reader(arguments.result);
   const FrameRecord frame = reader.frame(frameIndex(arguments.frame, reader.times()));
   options.field = arguments.field.empty() ? defaultField(frame) : arguments.field;
+  if (const auto directory = arguments.picture.parent_path(); !directory.empty()) {
+    std::error_code status;
+    std::filesystem::create_directories(directory, status);
+    if (status)
+      throw Error(
+          fmt::format("-o: cannot create the directory {}: {}", directory.string(), status.message()));
+  }
   drawContour(reader.model(), frame, options, arguments.picture);
   return ExitCode::Fine;
 }
@@ -64,6 +76,12 @@ void addRenderCommand(CLI::App& app, Action& action) {
       ->type_name("LO,HI");
   command->add_option("--size", arguments->size, "Size of the picture in pixels [1600,900]")
       ->type_name("W,H");
+  command->add_option("--colormap", arguments->colormap, "viridis, rainbow, coolwarm or grey [viridis]")
+      ->type_name("NAME");
+  command
+      ->add_option("--subdivision", arguments->subdivision,
+                   "Cells per knot span and direction: more for smoother lines [that of the scene]")
+      ->check(CLI::Range(1, 64));
   command->add_option("--bands", arguments->bands, "Number of colour bands, 0 for smooth colours [0]")
       ->check(CLI::Range(0, 256));
   command->add_flag("--knots", arguments->knots, "Draw the knot lines");

@@ -118,8 +118,7 @@ void Model<Dim>::addSupport(const SupportSpec& spec) {
         const auto same = std::find_if(motions_.begin(), motions_.end(),
                                        [&](const auto& m) { return m.unknown == unknown; });
         const Schedule before = same == motions_.end() ? Schedule{} : same->motion;
-        const Schedule& now = motion[static_cast<std::size_t>(d)];
-        if (before.times != now.times || before.values != now.values)
+        if (!sameValues(before, motion[static_cast<std::size_t>(d)]))
           throw Error(
               fmt::format("supports: face '{}' meets another support at a corner where component {} is "
                           "prescribed differently by the two; give both the same motion",

@@ -13,4 +13,11 @@ double Schedule::operator()(double t) const {
   return (1.0 - s) * values[k - 1] + s * values[k];
 }
 
+bool sameValues(const Schedule& a, const Schedule& b) {
+  // Piecewise linear functions are equal when they are equal at the corners of both.
+  const auto agree = [&](double t) { return a(t) == b(t); };
+  return std::all_of(a.times.begin(), a.times.end(), agree) &&
+         std::all_of(b.times.begin(), b.times.end(), agree);
+}
+
 }  // namespace burnish

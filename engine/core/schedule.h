@@ -12,4 +12,7 @@ struct Schedule {
   double operator()(double t) const;
 };
 
+/// Whether two schedules have the same value at every time.
+bool sameValues(const Schedule& a, const Schedule& b);
+
 }  // namespace burnish

@@ -70,6 +70,17 @@ TEST(Tools, ThatStartInsideOrCannotMoveTheirFaceAreRefused) {
   expect(refusalOf(discOverBlock("center: [1, 1.5]", "[{face: bottom, fix: [y]}]", 1)), "free to move");
 }
 
+TEST(Supports, ThatMeetAtACornerMustMoveItAlike) {
+  const std::string tool = "center: [1, 1.5]";
+  const auto supports = [](const char* leftMotion) {
+    return fmt::format("[{{face: bottom, fix: [x, y]}}, {{face: left, move: {{times: [0, 1], x: {}}}}}]",
+                       leftMotion);
+  };
+  EXPECT_NE(refusalOf(discOverBlock(tool, supports("[0, 0.1]"), 1)).find("prescribed differently"),
+            std::string::npos);
+  EXPECT_TRUE(test::run(discOverBlock(tool, supports("[0, 0]"), 1), "corner").summary.completed);
+}
+
 TEST(ThreeDimensions, ABallPressedIntoABlockIsInBalance) {
   const Scene scene = parseScene(R"(
 geometry: {shape: box, size: [1, 1, 0.5], spans: [5, 5, 2]}
