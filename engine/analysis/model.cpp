@@ -17,9 +17,6 @@ namespace {
 
 constexpr std::array<const char*, 3> kComponents{"x", "y", "z"};
 
-/// Gaps smaller than this share of a length count as touching.
-constexpr double kTouching = 1e-9;
-
 /// Schedules of a motion's components; empty ones for components that are left out.
 std::array<Schedule, 3> schedules(const MotionSpec& motion) {
   std::array<Schedule, 3> result;
@@ -254,6 +251,14 @@ Eigen::VectorXd Model<Dim>::target(double t) const {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(numUnknowns_);
   for (const auto& prescribed : motions_) values(prescribed.unknown) = prescribed.motion(std::max(t, 0.0));
   return values;
+}
+
+template <int Dim>
+SteppingState Model<Dim>::startState() const {
+  SteppingState start;
+  start.time = startTime_;
+  start.x = Eigen::VectorXd::Zero(numUnknowns_);
+  return start;
 }
 
 template <int Dim>

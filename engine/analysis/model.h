@@ -11,6 +11,7 @@
 #include "engine/solid/span_quadrature.h"
 #include "engine/solid/traction_term.h"
 #include "engine/solver/newton.h"
+#include "engine/solver/stepping.h"
 
 namespace burnish {
 
@@ -62,6 +63,9 @@ class Model {
 
   /// Before t = 0 lifted tools come down: the time at which the run starts, 0 when none is lifted.
   double startTime() const { return startTime_; }
+
+  /// The undeformed body at the start time.
+  SteppingState startState() const;
 
  private:
   struct PrescribedMotion {

@@ -34,7 +34,7 @@ class Run {
                 newtonOptions(scene)),
         stepping_(
             newton_, terms_, [this](double t) { return model_.target(t); }, {.maxCuts = scene.solver.maxCuts},
-            startState()),
+            model_.startState()),
         projection_(model_.quadrature()),
         recorder_(model_, projection_),
         record_(makeModelRecord(scene, model_)),
@@ -55,13 +55,6 @@ class Run {
  private:
   static NewtonOptions newtonOptions(const Scene& scene) {
     return {.tolerance = scene.solver.tolerance, .maxIterations = scene.solver.maxIterations};
-  }
-
-  SteppingState startState() const {
-    SteppingState start;
-    start.time = model_.startTime();
-    start.x = Eigen::VectorXd::Zero(model_.numUnknowns());
-    return start;
   }
 
   /// Evaluates the terms at the current state without a step.

@@ -107,7 +107,6 @@ NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const T
 template <int Dim>
 Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
                                double bodySize) {
-  constexpr double kTouching = 1e-9;
   double worst = -kTouching * bodySize;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   for (const auto* pair : pairs) {

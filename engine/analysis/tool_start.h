@@ -7,6 +7,9 @@
 
 namespace burnish {
 
+/// Gaps smaller than this share of a length count as touching.
+inline constexpr double kTouching = 1e-9;
+
 /// Where an undeformed face comes nearest to a tool.
 struct NearestPoint {
   double gap = 0.0;     ///< smallest point-wise gap

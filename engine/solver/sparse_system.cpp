@@ -1,8 +1,6 @@
 #include "engine/solver/sparse_system.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cstdint>
 #include <utility>
 
 namespace burnish {

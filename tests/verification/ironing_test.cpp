@@ -103,11 +103,8 @@ void press(const Scene& scene, const Check& check) {
   Model<2> model(scene);
   const auto terms = model.terms();
   Newton newton(terms, model.prescribed(), model.residualScales(), model.matrixKind(), {});
-  SteppingState start;
-  start.time = model.startTime();
-  start.x = Eigen::VectorXd::Zero(model.numUnknowns());
   Stepping stepping(
-      newton, terms, [&](double t) { return model.target(t); }, {}, start);
+      newton, terms, [&](double t) { return model.target(t); }, {}, model.startState());
   ASSERT_TRUE(stepping.advance(1.0, 0.1, [&](const StepReport& step) { check(model, newton, step); }));
 }
 
