@@ -14,7 +14,7 @@ using namespace burnish;
 
 ExitCode execute(int argc, char** argv) {
   CLI::App app("Elastoplastic contact of NURBS bodies with rigid tools: compute, draw, export.", "burnish");
-  app.set_version_flag("--version", fmt::format("burnish {}", kVersion));
+  app.set_version_flag("--version", programName());
   app.require_subcommand(1);
   Action action;
   addRunCommand(app, action);

@@ -46,7 +46,7 @@ ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pai
 template <int Dim>
 ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
   ModelRecord record;
-  record.program = std::string("burnish ") + kVersion;
+  record.program = programName();
   record.title = scene.title;
   record.sceneYaml = scene.resolvedYaml;
   record.dim = Dim;

@@ -16,10 +16,43 @@
 #include "engine/core/stopwatch.h"
 #include "engine/results/history.h"
 #include "engine/results/result_writer.h"
+#include "engine/results/summary_file.h"
 #include "engine/solver/stepping.h"
 
 namespace burnish {
 namespace {
+
+/// The summary under the names of docs/results.md.
+SummaryRecord makeSummaryRecord(const RunSummary& s) {
+  return {.program = s.program,
+          .completed = s.completed,
+          .stoppedBecause = s.stoppedBecause,
+          .numbers = {{"end_time", s.end.time},
+                      {"functions", s.functions},
+                      {"unknowns", s.unknowns},
+                      {"steps", s.steps},
+                      {"cut_backs", s.cuts},
+                      {"smallest_step", s.smallestStep},
+                      {"iterations", static_cast<double>(s.iterations)},
+                      {"mean_iterations", s.meanIterations},
+                      {"max_iterations", s.maxIterations},
+                      {"tolerance", s.tolerance},
+                      {"constraint_tolerance", s.constraintTolerance},
+                      {"worst_residual", s.worstResidual},
+                      {"worst_constraint", s.worstConstraint},
+                      {"steps_at_round_off", s.stepsAtRoundOff},
+                      {"contact_parameter", s.contactParameter},
+                      {"smallest_J", s.smallestJ},
+                      {"largest_penetration", s.largestPenetration},
+                      {"factor_non_zeros", static_cast<double>(s.factorNonZeros)},
+                      {"seconds", s.timings.total},
+                      {"assembly_seconds", s.timings.assembly},
+                      {"contact_seconds", s.timings.contact},
+                      {"factorisation_seconds", s.timings.factorisation},
+                      {"solve_seconds", s.timings.solve},
+                      {"projection_seconds", s.timings.projection},
+                      {"output_seconds", s.timings.output}}};
+}
 
 /// One run of a scene of given dimension.
 template <int Dim>
@@ -38,8 +71,10 @@ class Run {
         projection_(model_.quadrature()),
         recorder_(model_, projection_),
         record_(makeModelRecord(scene, model_)),
-        writer_(directory, record_),
-        history_(directory / "history.csv", recorder_.columns()) {}
+        directory_(prepared(directory)),
+        writer_(directory_, record_),
+        history_(directory_ / "history.csv", recorder_.columns()),
+        convergence_(directory_ / "convergence.csv", {"step", "time", "iteration", "residual"}) {}
 
   RunSummary execute() {
     {
@@ -49,12 +84,19 @@ class Run {
       if (!summary_.completed) keepLastState();
     }
     fillSummary();
+    writeSummary(directory_, makeSummaryRecord(summary_));
     return std::move(summary_);
   }
 
  private:
   static NewtonOptions newtonOptions(const Scene& scene) {
     return {.tolerance = scene.solver.tolerance, .maxIterations = scene.solver.maxIterations};
+  }
+
+  /// The directory without the summary of an earlier run.
+  static const std::filesystem::path& prepared(const std::filesystem::path& directory) {
+    removeSummary(directory);
+    return directory;
   }
 
   /// Evaluates the terms at the current state without a step.
@@ -100,6 +142,9 @@ class Run {
         note(step);
         step_ = step.step - stepsBefore;
         history_.append(recorder_.row(step_, step.iterations));
+        for (std::size_t k = 0; k < step.newton.history.size(); ++k)
+          convergence_.append(
+              {static_cast<double>(step_), step.time, static_cast<double>(k), step.newton.history[k]});
         observer_.onStep({step_, step.time, grid.back().time, step.size, step.iterations,
                           stepping_.state().cuts, step.newton.residual});
       });
@@ -144,6 +189,8 @@ class Run {
   void fillSummary() {
     const auto& state = stepping_.state();
     const auto& timings = newton_.timings();
+    summary_.program = record_.program;
+    summary_.functions = record_.numNodes;
     summary_.unknowns = static_cast<int>(newton_.system().freeUnknowns().size());
     summary_.steps = step_;
     summary_.cuts = state.cuts;
@@ -178,8 +225,9 @@ class Run {
   Projection<Dim> projection_;
   Recorder<Dim> recorder_;
   ModelRecord record_;
+  std::filesystem::path directory_;
   ResultWriter writer_;
-  HistoryWriter history_;
+  HistoryWriter history_, convergence_;
   RunSummary summary_;
   int step_ = 0;
   double lastFrameTime_ = 0.0;

@@ -40,6 +40,8 @@ struct RunTimings {
 struct RunSummary {
   bool completed = false;
   std::string stoppedBecause;  ///< empty when completed
+  std::string program;         ///< see `programName()`
+  int functions = 0;           ///< basis functions of the body
   int unknowns = 0;
   int steps = 0;
   int cuts = 0;
@@ -71,9 +73,10 @@ class RunObserver {
   virtual void onFrame(const ModelRecord&, const FrameRecord&) {}
 };
 
-/// Computes a scene and writes its result set and `history.csv` into a directory. A run that cannot reach its
-/// end keeps everything computed so far and says why in the summary. Throws `Error` before anything is
-/// written if the scene cannot be computed, or when the directory cannot be written.
+/// Computes a scene and writes its result set, `history.csv`, `convergence.csv` and, at its end,
+/// `summary.yaml` into a directory. A run that cannot reach its end keeps everything computed so far and says
+/// why in the summary. Throws `Error` before anything is written if the scene cannot be computed, or when the
+/// directory cannot be written.
 RunSummary runScene(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
                     RunObserver& observer);
 

@@ -16,6 +16,7 @@
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
 #include "engine/results/result_writer.h"
+#include "engine/results/summary_file.h"
 
 /// HDF5 1.10 forgets memory of its own when it meets damaged metadata; the leak sanitizer is not to report
 /// that.
@@ -248,6 +249,23 @@ TEST_F(Results, ModelWithoutToolsFieldsAndTitlesReadsBack) {
   ResultWriter(dir, model).append(frame);
   EXPECT_TRUE(same(ResultReader(dir).model(), model));
   EXPECT_TRUE(same(ResultReader(dir).frame(0), frame));
+}
+
+TEST_F(Results, SummaryReadsBackExactlyAndIsRefusedWhenDamaged) {
+  const SummaryRecord written{.program = "burnish 0 (engine 0)",
+                              .completed = false,
+                              .stoppedBecause = "at t = 0.1: the iteration diverged",
+                              .numbers = {{"seconds", 1.0 / 3.0}, {"steps", 12}, {"worst_residual", 1e-12}}};
+  writeSummary(dir, written);
+  const SummaryRecord read = readSummary(dir);
+  EXPECT_EQ(read.program, written.program);
+  EXPECT_EQ(read.completed, written.completed);
+  EXPECT_EQ(read.stoppedBecause, written.stoppedBecause);
+  EXPECT_EQ(read.numbers, written.numbers);
+  std::ofstream(dir / "summary.yaml") << "program: [";
+  expectError([&] { readSummary(dir); }, "summary.yaml");
+  removeSummary(dir);
+  expectError([&] { readSummary(dir); }, "summary.yaml");
 }
 
 TEST_F(Results, EqualRecordsGiveEqualBytes) {

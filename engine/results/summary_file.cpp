@@ -1,0 +1,62 @@
+#include "engine/results/summary_file.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <span>
+#include <system_error>
+
+#include "engine/core/error.h"
+#include "engine/results/atomic_file.h"
+
+namespace burnish {
+namespace {
+
+std::filesystem::path summaryFile(const std::filesystem::path& directory) {
+  return directory / "summary.yaml";
+}
+
+}  // namespace
+
+void writeSummary(const std::filesystem::path& directory, const SummaryRecord& summary) {
+  YAML::Emitter yaml;
+  yaml << YAML::BeginMap;
+  yaml << YAML::Key << "program" << YAML::Value << summary.program;
+  yaml << YAML::Key << "completed" << YAML::Value << summary.completed;
+  if (!summary.completed) yaml << YAML::Key << "stopped_because" << YAML::Value << summary.stoppedBecause;
+  for (const auto& [name, value] : summary.numbers)
+    yaml << YAML::Key << name << YAML::Value << fmt::format("{}", value);  // shortest that reads back exactly
+  yaml << YAML::EndMap << YAML::Newline;
+  writeFileAtomically(summaryFile(directory), std::as_bytes(std::span(yaml.c_str(), yaml.size())));
+}
+
+SummaryRecord readSummary(const std::filesystem::path& directory) {
+  const auto file = summaryFile(directory);
+  try {
+    SummaryRecord summary;
+    for (const auto& entry : YAML::LoadFile(file.string())) {
+      const auto name = entry.first.as<std::string>();
+      if (name == "program")
+        summary.program = entry.second.as<std::string>();
+      else if (name == "completed")
+        summary.completed = entry.second.as<bool>();
+      else if (name == "stopped_because")
+        summary.stoppedBecause = entry.second.as<std::string>();
+      else
+        summary.numbers[name] = entry.second.as<double>();
+    }
+    if (summary.program.empty()) throw Error(fmt::format("{}: is not the summary of a run", file.string()));
+    return summary;
+  } catch (const YAML::Exception& error) {
+    throw Error(fmt::format("{}: cannot be read as the summary of a run: {}", file.string(), error.what()));
+  }
+}
+
+void removeSummary(const std::filesystem::path& directory) {
+  std::error_code status;
+  std::filesystem::remove(summaryFile(directory), status);
+  if (status)
+    throw Error(fmt::format("cannot remove {}: {}", summaryFile(directory).string(), status.message()));
+}
+
+}  // namespace burnish
