@@ -18,7 +18,7 @@ void newtonIteration(benchmark::State& state, const std::string& basis, int degr
                                 {"basis=" + basis, fmt::format("degree={}", degree)});
   Model<2> model(scene);
   const auto terms = model.terms();
-  Newton newton(terms, model.prescribed(), model.residualScales(), model.matrixKind(), {});
+  Newton newton(terms, model.prescribed(), model.residualScales(), {});
   Stepping stepping(
       newton, terms, [&](double t) { return model.target(t); }, {}, model.startState());
   if (!stepping.advance(0.5, 0.05, [](const StepReport&) {})) state.SkipWithError("the press failed");

@@ -279,11 +279,6 @@ ResidualScales Model<Dim>::residualScales() const {
   return scales;
 }
 
-template <int Dim>
-MatrixKind Model<Dim>::matrixKind() const {
-  return numUnknowns_ > numDisplacements() ? MatrixKind::SaddlePoint : MatrixKind::LikelyDefinite;
-}
-
 template class Model<2>;
 template class Model<3>;
 

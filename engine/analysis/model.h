@@ -56,7 +56,6 @@ class Model {
   Eigen::VectorXd target(double t) const;
 
   ResidualScales residualScales() const;
-  MatrixKind matrixKind() const;
 
   /// Times at which a schedule has a corner.
   const std::vector<double>& corners() const { return corners_; }

@@ -45,6 +45,7 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
                       {"smallest_J", s.smallestJ},
                       {"largest_penetration", s.largestPenetration},
                       {"factor_non_zeros", static_cast<double>(s.factorNonZeros)},
+                      {"lu_factorisations", static_cast<double>(s.luFactorisations)},
                       {"seconds", s.timings.total},
                       {"assembly_seconds", s.timings.assembly},
                       {"contact_seconds", s.timings.contact},
@@ -63,8 +64,7 @@ class Run {
         observer_(observer),
         model_(model),
         terms_(model_.terms()),
-        newton_(terms_, model_.prescribed(), model_.residualScales(), model_.matrixKind(),
-                newtonOptions(scene)),
+        newton_(terms_, model_.prescribed(), model_.residualScales(), newtonOptions(scene)),
         stepping_(
             newton_, terms_, [this](double t) { return model_.target(t); }, {.maxCuts = scene.solver.maxCuts},
             model_.startState()),
@@ -214,6 +214,7 @@ class Run {
     summary_.timings.solve = timings.solve;
     summary_.timings.projection = recorder_.projectionSeconds();
     if (state.steps > 0) summary_.factorNonZeros = newton_.linearSolver().factorNonZeros();
+    summary_.luFactorisations = newton_.linearSolver().numGeneral();
   }
 
   const Scene& scene_;
@@ -253,7 +254,7 @@ RunSummary runInDimension(const Scene& scene, const std::filesystem::path& direc
 
 RunSummary runScene(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
                     RunObserver& observer) {
-  pinBlasToOneThread();
+  pinLibrariesToOneThread();
   const auto threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));

@@ -62,6 +62,7 @@ struct RunSummary {
   int frames = 0;
   RunTimings timings;
   long factorNonZeros = 0;
+  long luFactorisations = 0;  ///< of tangents that were not definite, see LinearSolver
 };
 
 /// Is told what happens during a run.

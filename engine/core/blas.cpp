@@ -1,13 +1,46 @@
 #include "engine/core/blas.h"
 
 #include <cblas.h>
+#include <omp.h>
+#include <unistd.h>
 
 #include <cassert>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
 
 namespace burnish {
+namespace {
 
-void pinBlasToOneThread() {
+/// Kernels for the instruction sets of this processor, or null if the slowest ones are right.
+const char* fastestKernels() {
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
+  return nullptr;
+}
+
+}  // namespace
+
+void useFastestBlasKernels(char** argv) {
+  constexpr const char* choice = "OPENBLAS_CORETYPE";
+  const std::string chosen = openblas_get_corename();
+  if (chosen != "Prescott" && chosen != "Core2" && chosen != "Nehalem") return;
+  const char* kernels = fastestKernels();
+  if (kernels == nullptr || std::getenv(choice) != nullptr) return;
+  ::setenv(choice, kernels, 0);
+  std::error_code unknown;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  if (!unknown)
+    ::execv(program.c_str(), argv);  // comes back only if it fails, and then all goes on as it was
+}
+
+void pinLibrariesToOneThread() {
   openblas_set_num_threads(1);
+  omp_set_max_active_levels(0);  // CHOLMOD asks for threads of its own, whatever their default number is
 }
 
 void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C) {

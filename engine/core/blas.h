@@ -3,8 +3,15 @@
 
 namespace burnish {
 
-/// Holds BLAS to one thread: its sums would otherwise depend on the number of threads.
-void pinBlasToOneThread();
+/// To be called first in main(). OpenBLAS chooses its kernels by the model of the processor when it is loaded
+/// and takes the slowest ones for a model that is newer than itself, four times slower than need be. Then the
+/// program is started again with the kernels that the processor's instruction sets allow, unless
+/// OPENBLAS_CORETYPE is set.
+void useFastestBlasKernels(char** argv);
+
+/// Holds BLAS, and OpenMP in the libraries that the calling thread uses, to one thread: sums would otherwise
+/// depend on the number of threads, and starting threads costs more than the small matrices here give back.
+void pinLibrariesToOneThread();
 
 /// C = A Bᵀ by BLAS, which is faster than the compiler's code from about 30 x 10 on. C is resized.
 void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C);

@@ -44,7 +44,7 @@ struct BulkTerm<Dim>::Workspace {
 template <int Dim>
 BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material)
     : quadrature_(quadrature), material_(std::move(material)) {
-  pinBlasToOneThread();
+  pinLibrariesToOneThread();
   for (const auto& span : quadrature_.spans()) {
     std::vector<int> group;
     for (const int node : span.nodes)

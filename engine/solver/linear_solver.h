@@ -5,25 +5,41 @@
 
 namespace burnish {
 
-/// A sparse direct solver for matrices of one pattern.
+/// A sparse direct solver for symmetric matrices of one pattern,
+///
+///     A = [ K   B ]
+///         [ Bᵀ  C ],
+///
+/// whose leading block K is usually positive definite and whose border, the multipliers, is coupled with
+/// itself by nothing but the diagonal C. K is factorised by CHOLMOD and the border by a dense Cholesky
+/// factorisation of its Schur complement; UMFPACK takes the whole matrix where one of them is not definite,
+/// and where the border is so wide that this is cheaper.
 class LinearSolver {
  public:
-  virtual ~LinearSolver() = default;
+  /// `leading`: number of rows of K.
+  explicit LinearSolver(Eigen::Index leading);
+  ~LinearSolver();
+  LinearSolver(const LinearSolver&) = delete;
+  LinearSolver& operator=(const LinearSolver&) = delete;
 
   /// Returns false if the matrix is singular to working precision or not finite.
-  [[nodiscard]] virtual bool factorise(const Eigen::SparseMatrix<double>& A) = 0;
-  virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) = 0;
+  [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A);
+  Eigen::VectorXd solve(const Eigen::VectorXd& b);
 
-  /// Non-zeros of the factors: the cost of a solve that no other load on the machine changes.
-  virtual Eigen::Index factorNonZeros() = 0;
+  /// Non-zeros of the last factors: the cost of a solve that no other load on the machine changes.
+  Eigen::Index factorNonZeros();
+
+  /// Factorisations that UMFPACK did.
+  long numGeneral() const;
+
+ private:
+  class Definite;
+  class General;
+
+  std::unique_ptr<Definite> definite_;
+  std::unique_ptr<General> general_;
+  bool isDefinite_ = false;
+  long numGeneral_ = 0;
 };
-
-/// What is known of the matrix before it is assembled.
-enum class MatrixKind {
-  SaddlePoint,     ///< indefinite: UMFPACK
-  LikelyDefinite,  ///< symmetric, usually positive definite: CHOLMOD, with UMFPACK taking over when it is not
-};
-
-std::unique_ptr<LinearSolver> makeLinearSolver(MatrixKind kind);
 
 }  // namespace burnish

@@ -16,6 +16,12 @@ std::vector<CouplingGroups> couplingsOf(const std::vector<Term*>& terms) {
   return groups;
 }
 
+/// Free unknowns with numbers below a limit.
+std::ptrdiff_t numFreeBelow(const SparseSystem& system, int limit) {
+  const auto& unknowns = system.freeUnknowns();
+  return std::lower_bound(unknowns.begin(), unknowns.end(), limit) - unknowns.begin();
+}
+
 }  // namespace
 
 std::string describe(NewtonOutcome outcome) {
@@ -37,13 +43,13 @@ std::string describe(NewtonOutcome outcome) {
   return {};
 }
 
-Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales, MatrixKind kind,
+Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales,
                NewtonOptions options)
     : terms_(std::move(terms)),
       scales_(std::move(scales)),
       options_(options),
       system_(std::move(prescribed), couplingsOf(terms_)),
-      linear_(makeLinearSolver(kind)),
+      linear_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);
 }
@@ -115,10 +121,10 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, Eigen::VectorXd& c
   if (!correction.isZero(0.0)) rhs -= system_.tangent() * correction;
   {
     const Stopwatch watch(timings_.factorisation);
-    if (!linear_->factorise(system_.freeTangent())) return false;
+    if (!linear_.factorise(system_.freeTangent())) return false;
   }
   const Stopwatch watch(timings_.solve);
-  correction += system_.expandFromFree(linear_->solve(system_.restrictToFree(rhs)));
+  correction += system_.expandFromFree(linear_.solve(system_.restrictToFree(rhs)));
   return correction.allFinite();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -73,7 +72,7 @@ enum class FirstTangent {
 class Newton {
  public:
   /// `prescribed`: one flag per unknown. The terms must outlive the object.
-  Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales, MatrixKind kind,
+  Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales,
          NewtonOptions options);
 
   /// Solves at time t from the start x. Prescribed unknowns go to the values they have in `target` (their
@@ -90,7 +89,7 @@ class Newton {
   const Eigen::VectorXd& force(std::size_t term) const { return forces_[term]; }
 
   const SparseSystem& system() const { return system_; }
-  LinearSolver& linearSolver() { return *linear_; }
+  LinearSolver& linearSolver() { return linear_; }
   const NewtonTimings& timings() const { return timings_; }
 
  private:
@@ -120,7 +119,7 @@ class Newton {
   ResidualScales scales_;
   NewtonOptions options_;
   SparseSystem system_;
-  std::unique_ptr<LinearSolver> linear_;
+  LinearSolver linear_;
   std::vector<Eigen::VectorXd> forces_;
   Eigen::ArrayXd remembered_;  ///< entries of a tangent; empty before the first
   NewtonTimings timings_;

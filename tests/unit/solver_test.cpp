@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "engine/solver/linear_solver.h"
 #include "engine/solver/newton.h"
@@ -57,7 +58,7 @@ ResidualScales scalesFor(int size) {
 
 TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {
   Chain chain(6, 10.0);
-  Newton newton({&chain}, endsHeld(6), scalesFor(6), MatrixKind::LikelyDefinite, {});
+  Newton newton({&chain}, endsHeld(6), scalesFor(6), {});
   Eigen::VectorXd x = Eigen::VectorXd::Zero(6), target = Eigen::VectorXd::Zero(6);
   x(2) = 0.3;
   target(5) = 2.5;
@@ -72,7 +73,7 @@ TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {
 
 TEST(Newton, ShortensACorrectionThatWouldBeInadmissible) {
   Chain chain(3, 0.6);
-  Newton newton({&chain}, {true, false, true}, scalesFor(3), MatrixKind::LikelyDefinite, {});
+  Newton newton({&chain}, {true, false, true}, scalesFor(3), {});
   Eigen::VectorXd x = Eigen::VectorXd::Zero(3), target = Eigen::VectorXd::Zero(3);
   x(1) = 0.55;
   target(2) = 1.15;
@@ -83,7 +84,7 @@ TEST(Newton, ShortensACorrectionThatWouldBeInadmissible) {
 
 TEST(Newton, SaysWhenNothingIsAdmissible) {
   Chain chain(3, 0.1);
-  Newton newton({&chain}, {true, false, true}, scalesFor(3), MatrixKind::LikelyDefinite, {});
+  Newton newton({&chain}, {true, false, true}, scalesFor(3), {});
   Eigen::VectorXd x = Eigen::VectorXd::Zero(3), target = Eigen::VectorXd::Zero(3);
   target(2) = 1.0;
   EXPECT_NE(newton.solve(0.0, target, x).outcome, NewtonOutcome::Converged);
@@ -91,8 +92,7 @@ TEST(Newton, SaysWhenNothingIsAdmissible) {
 
 TEST(Stepping, LandsExactlyAndCutsBackWhenAStepFails) {
   Chain chain(3, 0.6);
-  Newton newton({&chain}, {true, false, true}, scalesFor(3), MatrixKind::LikelyDefinite,
-                {.maxIterations = 25, .maxBacktracks = 0});
+  Newton newton({&chain}, {true, false, true}, scalesFor(3), {.maxIterations = 25, .maxBacktracks = 0});
   SteppingState start;
   start.x = Eigen::VectorXd::Zero(3);
   Stepping stepping(
@@ -126,25 +126,69 @@ TEST(LinearSolver, CholmodHandsAnIndefiniteMatrixToUmfpack) {
   A.insert(1, 0) = 2.0;
   A.insert(1, 1) = 1.0;
   A.makeCompressed();
-  const auto solver = makeLinearSolver(MatrixKind::LikelyDefinite);
-  ASSERT_TRUE(solver->factorise(A));
-  EXPECT_LT((A * solver->solve(Eigen::Vector2d(3.0, 3.0)) - Eigen::Vector2d(3.0, 3.0)).norm(), 1e-14);
+  LinearSolver solver(2);
+  ASSERT_TRUE(solver.factorise(A));
+  EXPECT_EQ(solver.numGeneral(), 1);
+  EXPECT_LT((A * solver.solve(Eigen::Vector2d(3.0, 3.0)) - Eigen::Vector2d(3.0, 3.0)).norm(), 1e-14);
   A.coeffRef(1, 1) = 5.0;
-  ASSERT_TRUE(solver->factorise(A));
-  EXPECT_LT((solver->solve(Eigen::Vector2d(3.0, 7.0)) - Eigen::Vector2d(1.0, 1.0)).norm(), 1e-14);
+  ASSERT_TRUE(solver.factorise(A));
+  EXPECT_EQ(solver.numGeneral(), 1);
+  EXPECT_LT((solver.solve(Eigen::Vector2d(3.0, 7.0)) - Eigen::Vector2d(1.0, 1.0)).norm(), 1e-14);
+}
+
+/// [K B; Bᵀ C] with K positive definite; of three border unknowns the second is not coupled.
+Eigen::SparseMatrix<double> borderedMatrix(int n) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  Eigen::SparseMatrix<double> A(n + 3, n + 3);
+  const auto insert = [&](int i, int j, double value) {
+    A.coeffRef(i, j) = value;
+    A.coeffRef(j, i) = value;
+  };
+  for (int i = 0; i < n; ++i) {
+    insert(i, i, 4.0 + number(random));
+    if (i + 1 < n) insert(i, i + 1, number(random));
+    if (i + 7 < n) insert(i, i + 7, number(random));
+    insert(i, n, i % 5 == 0 ? number(random) : 0.0);
+    insert(i, n + 1, 0.0);
+    insert(i, n + 2, i % 3 == 0 ? number(random) : 0.0);
+  }
+  insert(n, n, 0.0);
+  insert(n + 1, n + 1, -0.3);
+  insert(n + 2, n + 2, -0.1);
+  A.makeCompressed();
+  return A;
+}
+
+TEST(LinearSolver, BorderOfMultipliersGivesTheSolutionOfTheWholeMatrix) {
+  const int n = 200;
+  const auto A = borderedMatrix(n);
+  const Eigen::VectorXd exact = Eigen::VectorXd::LinSpaced(n + 3, -1.0, 2.0);
+  LinearSolver solver(n);
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    ASSERT_TRUE(solver.factorise(A));
+    EXPECT_LT((solver.solve(A * exact) - exact).norm(), 1e-12 * exact.norm());
+  }
+  EXPECT_EQ(solver.numGeneral(), 0);
+}
+
+TEST(LinearSolver, MultiplierThatDoesNothingIsSingular) {
+  auto A = borderedMatrix(50);
+  A.coeffRef(51, 51) = 0.0;
+  EXPECT_FALSE(LinearSolver(50).factorise(A));
 }
 
 TEST(LinearSolver, ReportsSingularAndNonFiniteMatrices) {
-  for (const auto kind : {MatrixKind::SaddlePoint, MatrixKind::LikelyDefinite}) {
+  for (const Eigen::Index leading : {1, 2}) {
     Eigen::SparseMatrix<double> A(2, 2);
     A.insert(0, 0) = 1.0;
     A.insert(0, 1) = 1.0;
     A.insert(1, 0) = 1.0;
     A.insert(1, 1) = 1.0;
     A.makeCompressed();
-    EXPECT_FALSE(makeLinearSolver(kind)->factorise(A));
+    EXPECT_FALSE(LinearSolver(leading).factorise(A));
     A.coeffRef(1, 1) = std::nan("");
-    EXPECT_FALSE(makeLinearSolver(kind)->factorise(A));
+    EXPECT_FALSE(LinearSolver(leading).factorise(A));
   }
 }
 

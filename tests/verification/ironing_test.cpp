@@ -102,7 +102,7 @@ template <class Check>
 void press(const Scene& scene, const Check& check) {
   Model<2> model(scene);
   const auto terms = model.terms();
-  Newton newton(terms, model.prescribed(), model.residualScales(), model.matrixKind(), {});
+  Newton newton(terms, model.prescribed(), model.residualScales(), {});
   Stepping stepping(
       newton, terms, [&](double t) { return model.target(t); }, {}, model.startState());
   ASSERT_TRUE(stepping.advance(1.0, 0.1, [&](const StepReport& step) { check(model, newton, step); }));

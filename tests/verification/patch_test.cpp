@@ -51,8 +51,7 @@ PatchError solvePatch(const Body<Dim>& body, const Material& material, double st
   Eigen::VectorXd exact(size);
   for (int a = 0; a < body.numNodes; ++a) exact.segment<Dim>(Dim * a) = H * patch.points().col(a);
 
-  Newton newton({&bulk}, prescribed, {size, 1e-12, 0.0, Eigen::VectorXd()}, MatrixKind::LikelyDefinite,
-                {.tolerance = 1e-12});
+  Newton newton({&bulk}, prescribed, {size, 1e-12, 0.0, Eigen::VectorXd()}, {.tolerance = 1e-12});
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
   EXPECT_EQ(newton.solve(0.0, exact, x).outcome, NewtonOutcome::Converged);
   double spread = 0.0;
