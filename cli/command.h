@@ -12,16 +12,21 @@ namespace burnish {
 
 enum class ExitCode {
   Fine = 0,
-  Internal = 1,  ///< a fault of the program
-  BadInput = 2,  ///< a scene, result, file or option that cannot be used
-  Stopped = 3,   ///< the run could not be brought to its end
+  Internal = 1,       ///< a fault of the program
+  BadInput = 2,       ///< a scene, study, result, file or option that cannot be used
+  Stopped = 3,        ///< the run could not be brought to its end
+  Incomplete = 4,     ///< runs or figures of a study failed
+  Interrupted = 130,  ///< by SIGINT
+  Terminated = 143,   ///< by SIGTERM
 };
 
 using Action = std::function<ExitCode()>;
 
 void addRunCommand(CLI::App& app, Action& action);
 void addRenderCommand(CLI::App& app, Action& action);
+void addPlotCommand(CLI::App& app, Action& action);
 void addExportCommand(CLI::App& app, Action& action);
 void addInfoCommand(CLI::App& app, Action& action);
+void addFiguresCommand(CLI::App& app, Action& action);
 
 }  // namespace burnish

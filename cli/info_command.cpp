@@ -10,14 +10,22 @@
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
 #include "engine/scene/scene_listing.h"
+#include "postproc/study/study_listing.h"
 
 namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
 
-ExitCode info(const fs::path& path, bool listKeys) {
-  if (listKeys) fmt::print("{}", describeScene());
+struct InfoArguments {
+  fs::path path;
+  bool keys = false, studyKeys = false;
+};
+
+ExitCode info(const InfoArguments& arguments) {
+  if (arguments.keys) fmt::print("{}", describeScene());
+  if (arguments.studyKeys) fmt::print("{}", describeStudy());
+  const fs::path& path = arguments.path;
   if (path.empty()) return ExitCode::Fine;
   std::error_code status;
   if (!fs::exists(path, status))
@@ -31,13 +39,14 @@ ExitCode info(const fs::path& path, bool listKeys) {
 
 void addInfoCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("info", "Tell what is in a result or a scene");
-  const auto path = std::make_shared<fs::path>();
-  const auto listKeys = std::make_shared<bool>(false);
-  command->add_option("RESULT|SCENE", *path, "Directory of a run, result file (.h5), or scene file");
-  command->add_flag("--keys", *listKeys, "List every key of a scene with its type, default and meaning");
-  command->require_option(1, 2);
-  command->callback(
-      [&action, path, listKeys] { action = [path, listKeys] { return info(*path, *listKeys); }; });
+  const auto arguments = std::make_shared<InfoArguments>();
+  command->add_option("RESULT|SCENE", arguments->path,
+                      "Directory of a run, result file (.h5), or scene file");
+  command->add_flag("--keys", arguments->keys,
+                    "List every key of a scene with its type, default and meaning");
+  command->add_flag("--study-keys", arguments->studyKeys, "List every key of a study");
+  command->require_option(1, 3);
+  command->callback([&action, arguments] { action = [arguments] { return info(*arguments); }; });
 }
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/usage_error.h"
+#include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/version.h"
 
@@ -19,8 +20,10 @@ ExitCode execute(int argc, char** argv) {
   Action action;
   addRunCommand(app, action);
   addRenderCommand(app, action);
+  addPlotCommand(app, action);
   addExportCommand(app, action);
   addInfoCommand(app, action);
+  addFiguresCommand(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
@@ -35,6 +38,7 @@ ExitCode execute(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  burnish::useFastestBlasKernels(argv);
   try {
     return static_cast<int>(execute(argc, argv));
   } catch (const burnish::Error& error) {

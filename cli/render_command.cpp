@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -21,6 +22,7 @@ struct RenderArguments {
   std::string frame = "last";
   std::string field;
   std::string range;
+  std::optional<double> clip;
   std::string size;
   std::string colormap;
   int bands = 0;
@@ -40,6 +42,11 @@ ExitCode render(const RenderArguments& arguments) {
                             arguments.picture.string()));
   ContourOptions options;
   if (!arguments.range.empty()) options.range = rangeFromText(arguments.range);
+  if (arguments.clip && !arguments.range.empty())
+    throw Error("--clip and --range both say where the colours end; give one of them");
+  if (arguments.clip && !(*arguments.clip > 50.0 && *arguments.clip <= 100.0))
+    throw Error(fmt::format("--clip: found {}; expected a percentile above 50, up to 100", *arguments.clip));
+  options.clip = arguments.clip;
   if (!arguments.size.empty()) options.size = sizeFromText(arguments.size);
   if (!arguments.colormap.empty()) options.colormap = arguments.colormap;
   if (arguments.subdivision > 0) options.subdivision = arguments.subdivision;
@@ -74,6 +81,12 @@ void addRenderCommand(CLI::App& app, Action& action) {
       ->type_name("NAME");
   command->add_option("--range", arguments->range, "Values at the ends of the colour scale [of the frame]")
       ->type_name("LO,HI");
+  command
+      ->add_option(
+          "--clip", arguments->clip,
+          "End the colours at this percentile and at 100 minus it, by undeformed area (2D) or volume "
+          "(3D), so that a spike leaves colours for the rest; the picture says so [no]")
+      ->type_name("P");
   command->add_option("--size", arguments->size, "Size of the picture in pixels [1600,900]")
       ->type_name("W,H");
   command->add_option("--colormap", arguments->colormap, "viridis, rainbow, coolwarm or grey [viridis]")

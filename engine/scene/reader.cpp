@@ -3,51 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
-#include "engine/core/error.h"
 #include "engine/scene/check.h"
 #include "engine/scene/mapping_reader.h"
 #include "engine/scene/overrides.h"
 #include "engine/scene/schema.h"
 #include "engine/scene/writer.h"
+#include "engine/scene/yaml_document.h"
 
 namespace burnish {
 namespace {
 
-std::string readText(const std::filesystem::path& file) {
-  constexpr std::size_t largest = 64 * 1024 * 1024;
-  const std::string name = file.string();
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    throw Error(fmt::format("{}: this is a directory; a scene is a YAML file", name));
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error(fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
-  std::string text;
-  std::vector<char> block(64 * 1024);
-  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > largest)
-      throw Error(fmt::format("{}: larger than 64 MB; a scene is a small YAML file", name));
-  }
-  return text;
-}
+const DocumentKind kSceneKind{.name = "scene", .keys = "geometry, material and steps"};
 
-/// The scene's tree with all overrides applied; everything that is wrong so far is thrown.
+/// The scene's tree with all overrides applied; what is wrong so far is in `errors`.
 YamlNode readTree(const std::string& yaml, const std::vector<std::string>& overrides, Diagnostics& errors) {
-  auto root = parseYaml(yaml, 0, errors);
-  if (root && root->kind == YamlNode::Kind::Null)
-    errors.add(root->place, "", "the file is empty; a scene has at least geometry, material and steps");
-  else if (root && root->kind != YamlNode::Kind::Mapping)
-    errors.add(root->place, "",
-               fmt::format("found {}; a scene is a mapping of keys such as geometry, material and steps",
-                           root->describe()));
-  if (!root || root->kind != YamlNode::Kind::Mapping) errors.throwIfAny();
+  YamlNode root = parseDocument(yaml, kSceneKind, errors);
   for (std::size_t i = 0; i < overrides.size(); ++i)
-    applyOverride(*root, overrides[i], static_cast<int>(i) + 1, errors);
-  return *std::move(root);
+    applyOverride(root, overrides[i], static_cast<int>(i) + 1, errors);
+  return root;
 }
 
 void checkDimensions(const std::vector<DimensionedList>& lists, int dim, Diagnostics& errors) {
@@ -83,7 +57,7 @@ Scene parseScene(const std::string& yaml, const std::string& name,
 }
 
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return parseScene(readText(file), file.string(), overrides);
+  return parseScene(readDocument(file, kSceneKind), file.string(), overrides);
 }
 
 }  // namespace burnish

@@ -1,8 +1,18 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "engine/scene/leaf.h"
 #include "engine/scene/scene.h"
 
 namespace burnish {
+
+/// Fields and components that contour pictures show.
+inline std::vector<std::string> drawableFields() {
+  return {"displacement", "displacement.x", "displacement.y", "displacement.z", "plastic_strain",
+          "von_mises",    "stress.xx",      "stress.yy",      "stress.zz",      "stress.xy",
+          "stress.yz",    "stress.zx",      "pressure"};
+}
 
 template <class Visitor>
 void describe(Visitor& v, PhaseSpec& s) {
@@ -34,11 +44,7 @@ void describe(Visitor& v, OutputSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, PictureSpec& s) {
-  v.field("field", s.field,
-          {.required = true,
-           .choices = {"displacement", "displacement.x", "displacement.y", "displacement.z", "plastic_strain",
-                       "von_mises", "stress.xx", "stress.yy", "stress.zz", "stress.xy", "stress.yz",
-                       "stress.zx", "pressure"}},
+  v.field("field", s.field, {.required = true, .choices = drawableFields()},
           "What is drawn; displacement alone is its magnitude.");
   v.field("name", s.name, {.identifier = true},
           "Beginning of the file name; the field's name when left out.");

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkDoubleArray.h>
 #include <vtkGeometryFilter.h>
 #include <vtkImageData.h>
@@ -17,8 +16,10 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "postproc/draw/color_range.h"
 #include "postproc/draw/contour_layout.h"
 #include "postproc/draw/field_choice.h"
+#include "postproc/draw/flat_shapes.h"
 #include "postproc/draw/overlay.h"
 #include "postproc/draw/png_file.h"
 #include "postproc/draw/scalar_bar.h"
@@ -33,6 +34,7 @@ namespace burnish {
 namespace {
 
 constexpr int kSmallestWidth = 200, kSmallestHeight = 150, kLargestSide = 8000;
+constexpr double kSmallestText = 6.0, kLargestText = 200.0;
 
 constexpr Color kOutlineColor{25, 25, 25};
 constexpr Color kUndeformedColor{150, 150, 150};
@@ -46,18 +48,16 @@ constexpr double kToolReach = 0.4, kToolCut = 0.2;
 /// Order in which things lie over each other in a 2D picture.
 enum Layer { kToolFill, kBody, kKnots, kUndeformed, kBodyOutline, kToolLines };
 
-void checkSize(const std::array<int, 2>& size) {
-  if (size[0] < kSmallestWidth || size[1] < kSmallestHeight || std::max(size[0], size[1]) > kLargestSide)
-    throw Error(fmt::format("size: found {} x {} pixels; expected {} x {} to {} x {}", size[0], size[1],
+void checkOptions(const ContourOptions& options) {
+  const auto [width, height] = options.size;
+  if (width < kSmallestWidth || height < kSmallestHeight || std::max(width, height) > kLargestSide)
+    throw Error(fmt::format("size: found {} x {} pixels; expected {} x {} to {} x {}", width, height,
                             kSmallestWidth, kSmallestHeight, kLargestSide, kLargestSide));
-}
-
-/// Ends of the colour scale that fit the values; a field that is constant gets a scale around it.
-std::array<double, 2> automaticRange(double smallest, double largest) {
-  const double magnitude = std::max(std::abs(smallest), std::abs(largest));
-  if (magnitude == 0.0) return {0.0, 1.0};
-  if (largest - smallest > 1e-9 * magnitude) return {smallest, largest};
-  return {smallest - 0.1 * magnitude, largest + 0.1 * magnitude};
+  if (options.textSize && !(*options.textSize >= kSmallestText && *options.textSize <= kLargestText))
+    throw Error(fmt::format("text size: found {}; expected {} to {} pixels", *options.textSize, kSmallestText,
+                            kLargestText));
+  if (options.range && options.clip)
+    throw Error("range and clip both say where the colours end; give one of them");
 }
 
 /// Right and up of the picture: the plane itself, or from the front, the right and above.
@@ -87,6 +87,7 @@ class ContourPicture {
       : model_(model),
         frame_(frame),
         options_(options),
+        textSize_(options.textSize.value_or(textSizeFor(options.size))),
         subdivision_(options.subdivision.value_or(model.subdivision)),
         tessellation_(model, subdivision_),
         field_(chooseField(model, frame, options.field)),
@@ -99,13 +100,16 @@ class ContourPicture {
   }
 
   View draw(const std::filesystem::path& png) {
-    const ColorScale scale(options_.colormap,
-                           options_.range.value_or(automaticRange(values_.minCoeff(), values_.maxCoeff())),
-                           options_.bands);
-    const ScalarBar bar(scale, {field_.title, field_.unit, values_.minCoeff(), values_.maxCoeff()},
-                        textSizeFor(options_.size));
-    const ContourLayout layout =
-        layOutContour(options_.size, content(), axes_, options_.title.value_or(model_.title), bar);
+    const std::array<double, 2> whole{values_.minCoeff(), values_.maxCoeff()};
+    const std::array<double, 2> shown =
+        options_.range.value_or(valueRange(tessellation_, values_, options_.clip));
+    const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), options_.bands);
+    const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1]}, textSize_);
+    const bool clipped = options_.clip && shown != whole;
+    const ContourCaption caption{options_.title.value_or(model_.title),
+                                 options_.time ? fmt::format("t = {:.6g}", frame_.time) : "",
+                                 clipped ? clipNote(*options_.clip, model_.dim) : ""};
+    const ContourLayout layout = layOutContour(options_.size, textSize_, content(), axes_, caption, bar);
 
     OffscreenCanvas canvas(options_.size[0], options_.size[1]);
     vtkNew<vtkRenderer> paper, space;
@@ -160,13 +164,18 @@ class ContourPicture {
   void drawTexts(vtkRenderer& renderer, int scale, const ContourLayout& layout, const ScalarBar& bar) const {
     Overlay overlay(renderer, scale);
     if (!layout.title.text.empty()) overlay.addText(layout.title.text, layout.titleAt, layout.title.style);
-    overlay.addText({{fmt::format("t = {:.6g}", frame_.time)}}, layout.timeAt, layout.timeStyle);
-    bar.draw(overlay, layout.bar, layout.barDirection);
+    if (!layout.time.text.empty()) overlay.addText(layout.time.text, layout.timeAt, layout.time.style);
+    if (!layout.note.text.empty())
+      overlay.addText(
+          layout.note.text, layout.noteAt, layout.note.style,
+          layout.barDirection == Overlay::Direction::Up ? Overlay::Anchor::End : Overlay::Anchor::Middle);
+    FlatShapes shapes(renderer, scale);
+    bar.draw(overlay, shapes, layout.bar, layout.barDirection);
   }
 
   void drawSpace(vtkRenderer& renderer, int scale, const View& view, const ColorScale& colors) const {
     const bool shaded = model_.dim == 3;
-    const double line = scale * std::max(0.8, textSizeFor(options_.size) / 16.0);
+    const double line = scale * std::max(0.8, textSize_ / 16.0);
     const double depth = body_->GetLength() / (shaded ? 1000.0 : 100.0);
     const Eigen::Vector3d eye = view.towardsEye();
     const auto add = [&](vtkSmartPointer<vtkActor> actor, Layer layer) {
@@ -182,12 +191,12 @@ class ContourPicture {
     add(lineActor(*outline_, kOutlineColor, line, 1.0), kBodyOutline);
     for (std::size_t k = 0; k < model_.tools.size(); ++k) {
       const ToolDrawing tool = drawTool(model_.tools[k], toolShift(k), model_.dim, visibleBox(view),
-                                        textSizeFor(options_.size) * 0.6 / view.pixelsPerLength);
+                                        textSize_ * 0.6 / view.pixelsPerLength);
       if (tool.surface)
         add(plainActor(*tool.surface, kToolColor, shaded, tool.hidesBody ? 0.4 : 1.0), kToolFill);
       if (tool.lines) add(lineActor(*tool.lines, kOutlineColor, 1.2 * line, 1.0), kToolLines);
     }
-    aim(renderer, view);
+    aim(renderer, view, options_.size, 10.0 * body_->GetLength());
   }
 
   /// A box that covers all that is seen.
@@ -205,23 +214,10 @@ class ContourPicture {
     return {low, high};
   }
 
-  void aim(vtkRenderer& renderer, const View& view) const {
-    renderer.SetViewport(view.area.x / options_.size[0], view.area.y / options_.size[1],
-                         view.area.right() / options_.size[0], view.area.top() / options_.size[1]);
-    const Eigen::Vector3d focus = view.axes.transpose() * view.center;
-    const Eigen::Vector3d eye = focus + 10.0 * body_->GetLength() * view.towardsEye();
-    vtkCamera& camera = *renderer.GetActiveCamera();
-    camera.ParallelProjectionOn();
-    camera.SetFocalPoint(focus.x(), focus.y(), focus.z());
-    camera.SetPosition(eye.x(), eye.y(), eye.z());
-    camera.SetViewUp(view.axes(1, 0), view.axes(1, 1), view.axes(1, 2));
-    camera.SetParallelScale(view.area.height / (2.0 * view.pixelsPerLength));
-    renderer.ResetCameraClippingRange();
-  }
-
   const ModelRecord& model_;
   const FrameRecord& frame_;
   const ContourOptions& options_;
+  double textSize_;
   int subdivision_;
   Tessellation tessellation_;
   FieldChoice field_;
@@ -234,7 +230,7 @@ class ContourPicture {
 
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                  const std::filesystem::path& png) {
-  checkSize(options.size);
+  checkOptions(options);
   return ContourPicture(model, frame, options).draw(png);
 }
 

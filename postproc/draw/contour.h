@@ -13,13 +13,18 @@ namespace burnish {
 struct ContourOptions {
   std::string field;  ///< `plastic_strain`, `stress.xx`, …; a vector alone: magnitude
   std::optional<std::array<double, 2>> range;  ///< ends of the colour scale; smallest and largest value shown
-  std::array<int, 2> size{1600, 900};          ///< pixels
-  int bands = 0;                               ///< number of colour bands, 0: smooth
-  std::string colormap = "viridis";            ///< one of `colormapNames()`
-  bool knots = false;                          ///< draw the lines between knot spans
-  bool undeformed = true;                      ///< draw the outline of the undeformed body
-  std::optional<std::string> title;            ///< instead of the model's
-  std::optional<int> subdivision;              ///< cells per knot span and direction, instead of the model's
+  /// Instead of a range: the colours end at this percentile p, (50, 100], and at the (100-p)th; see
+  /// `fieldRange`.
+  std::optional<double> clip;
+  std::array<int, 2> size{1600, 900};  ///< pixels
+  int bands = 0;                       ///< number of colour bands, 0: smooth
+  std::string colormap = "viridis";    ///< one of `colormapNames()`
+  bool knots = false;                  ///< draw the lines between knot spans
+  bool undeformed = true;              ///< draw the outline of the undeformed body
+  std::optional<std::string> title;    ///< instead of the model's; empty: none
+  bool time = true;                    ///< write the time of the frame
+  std::optional<double> textSize;      ///< in pixels, [6, 200]; follows from the picture's size when left out
+  std::optional<int> subdivision;      ///< cells per knot span and direction, instead of the model's
 };
 
 /// Draws a field on the deformed body, the tools, a colour scale and a caption into a PNG file, which appears

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace burnish {
 namespace {
@@ -9,15 +11,19 @@ namespace {
 using Direction = Overlay::Direction;
 
 constexpr Color kInk{30, 30, 30};
-constexpr double kSmallestText = 10.0;  // pixels
+constexpr Color kSoftInk{95, 95, 95};
+constexpr double kSmallestText = 10.0, kSmallestNote = 6.0;  // pixels
 
 // Measures as parts of the text size.
 constexpr double kMargin = 1.2;
+constexpr double kBareMargin = 0.4;  // without a caption, for pictures in a sheet
 constexpr double kTitleSize = 1.15;
 constexpr double kLine = 1.5;
 constexpr double kBelowCaption = 1.0;
 constexpr double kBarGap = 1.6;
 constexpr double kShortestBar = 12.0;
+constexpr double kNoteSize = 0.85;
+constexpr double kNoteGap = 0.9;
 constexpr double kPadding = 0.15;  // keeps lines on the border of the content whole
 
 struct Placement {
@@ -65,34 +71,53 @@ void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& e
   }
 }
 
+/// Below content and bar: under the right end of an upright bar, under the middle of one across.
+void placeNote(ContourLayout& layout, double size, double margin) {
+  if (layout.note.text.empty()) return;
+  const double baseline =
+      std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.style.size);
+  const double length = textWidth(layout.note.text, layout.note.style);
+  layout.noteAt = layout.barDirection == Direction::Up
+                      ? Eigen::Vector2d(std::max(layout.bar.right(), margin + length), baseline)
+                      : Eigen::Vector2d(layout.bar.center().x(), baseline);
+}
+
 }  // namespace
 
 double textSizeFor(const std::array<int, 2>& pictureSize) {
   return std::max(kSmallestText, std::round(std::min(0.027 * pictureSize[1], 0.018 * pictureSize[0])));
 }
 
-ContourLayout layOutContour(const std::array<int, 2>& pictureSize, const Eigen::AlignedBox2d& content,
-                            const Eigen::Matrix<double, 2, 3>& axes, const std::string& title,
-                            const ScalarBar& bar) {
-  const double width = pictureSize[0], height = pictureSize[1];
-  const double size = textSizeFor(pictureSize);
-  const double margin = std::round(kMargin * size);
+ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSize,
+                            const Eigen::AlignedBox2d& content, const Eigen::Matrix<double, 2, 3>& axes,
+                            const ContourCaption& caption, const ScalarBar& bar) {
+  const double width = pictureSize[0], height = pictureSize[1], size = textSize;
+  const bool bare = caption.title.empty() && caption.time.empty();
+  const double margin = std::round((bare ? kBareMargin : kMargin) * size);
   ContourLayout layout;
 
-  layout.timeStyle = {size, kInk};
-  double baseline = height - margin;
-  if (!title.empty()) {
-    layout.title =
-        fitText({{title}}, {std::round(kTitleSize * size), kInk}, width - 2 * margin, kSmallestText);
-    baseline -= capitalHeight(layout.title.style.size);
-    layout.titleAt = {margin, baseline};
-    baseline -= kLine * size;
-  } else {
-    baseline -= capitalHeight(size);
-  }
-  layout.timeAt = {margin, baseline};
+  double top = height - margin;
+  const auto addLine = [&](const std::string& text, double textHeight, double gap) {
+    const FittedText line =
+        fitText({{text}}, {textHeight, kInk}, width - 2 * margin, std::min(textHeight, kSmallestText));
+    const Eigen::Vector2d at(margin, top - capitalHeight(line.style.size));
+    top = at.y() - gap * size;
+    return std::pair(line, at);
+  };
+  if (!caption.title.empty())
+    std::tie(layout.title, layout.titleAt) =
+        addLine(caption.title, std::round(kTitleSize * size),
+                caption.time.empty() ? kBelowCaption : kLine - capitalHeight(1.0));
+  if (!caption.time.empty())
+    std::tie(layout.time, layout.timeAt) = addLine(caption.time, size, kBelowCaption);
 
-  const PixelRect room{margin, margin, width - 2 * margin, baseline - kBelowCaption * size - margin};
+  double bottom = margin;
+  if (!caption.note.empty()) {
+    layout.note = fitText({{caption.note}}, {kNoteSize * size, kSoftInk}, width - 2 * margin, kSmallestNote);
+    bottom += kNoteGap * size + capitalHeight(layout.note.style.size);
+  }
+
+  const PixelRect room{margin, bottom, width - 2 * margin, top - bottom};
   const Eigen::Vector2d extent = content.sizes().cwiseMax(1e-9 * content.sizes().maxCoeff());
   const Placement up = place(room, extent, bar, Direction::Up, size);
   const Placement across = place(room, extent, bar, Direction::Right, size);
@@ -101,6 +126,7 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, const Eigen::
   layout.view.center = content.center();
   layout.view.pixelsPerLength = std::max(up.scale, across.scale);
   arrange(layout, up.scale >= across.scale ? up : across, extent, size);
+  placeNote(layout, size, margin);
   return layout;
 }
 

@@ -16,16 +16,23 @@ double textSizeFor(const std::array<int, 2>& pictureSize);
 /// below, where it leaves more room for the body.
 struct ContourLayout {
   FittedText title;  ///< empty text: none
+  FittedText time;   ///< empty text: none
+  FittedText note;   ///< empty text: none
   Eigen::Vector2d titleAt, timeAt;
-  TextStyle timeStyle;
+  Eigen::Vector2d noteAt;  ///< end (bar upright) or middle (bar across) of its baseline
   PixelRect bar;
   Overlay::Direction barDirection;
   View view;
 };
 
-/// content: the projected box that must be seen. axes: see `View`.
-ContourLayout layOutContour(const std::array<int, 2>& pictureSize, const Eigen::AlignedBox2d& content,
-                            const Eigen::Matrix<double, 2, 3>& axes, const std::string& title,
-                            const ScalarBar& bar);
+/// What stands above the body, and small below it and its colour scale; each may be empty.
+struct ContourCaption {
+  std::string title, time, note;
+};
+
+/// textSize: of ordinary text, in pixels. content: the projected box that must be seen. axes: see `View`.
+ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSize,
+                            const Eigen::AlignedBox2d& content, const Eigen::Matrix<double, 2, 3>& axes,
+                            const ContourCaption& caption, const ScalarBar& bar);
 
 }  // namespace burnish

@@ -10,7 +10,7 @@ namespace burnish {
 namespace {
 
 using Anchor = Overlay::Anchor;
-using Direction = Overlay::Direction;
+using Direction = ScalarBar::Direction;
 
 constexpr Color kInk{30, 30, 30};
 constexpr Color kSoftInk{95, 95, 95};
@@ -25,9 +25,13 @@ constexpr double kTitleGap = 0.75;
 constexpr double kTitleDepth = 1.05;  // ascent and index of a line
 constexpr double kEndGap = 0.85;
 constexpr double kSmallestTitle = 0.6;
+constexpr double kArrow = 1.2;
+constexpr double kEndLine = 1.2;  // from line to line at an end
 
 constexpr int kMostTicks = 11;
 constexpr int kEndDigits = 4;
+constexpr double kRoundOff = 1e-9;  // of the range
+constexpr double kVisible = 1e-3;   // of the range
 
 /// What stands in brackets behind the title: power of ten and unit.
 RichText unitText(int exponent, const std::string& unit) {
@@ -55,65 +59,103 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize)
   const RichText unit = unitText(exponent, texts.unit);
   title_.insert(title_.end(), unit.begin(), unit.end());
   const double power = std::pow(10.0, exponent);
-  smallest_ = {{"min " + numberText(texts.smallest / power, kEndDigits)}};
-  largest_ = {{"max " + numberText(texts.largest / power, kEndDigits)}};
+  const double extent = scale_.range()[1] - scale_.range()[0], slack = kRoundOff * extent;
+  // No digits that cannot be seen.
+  const double spread = texts.largest - texts.smallest,
+               seen = spread > 0.0 ? std::min(spread, extent) : extent;
+  const double smallestStep = std::pow(10.0, std::floor(std::log10(kVisible * seen)));
+  const auto text = [&](const char* before, double value) {
+    return RichText{
+        {before + numberText(std::round(value / smallestStep) * smallestStep / power, kEndDigits)}};
+  };
+  low_ = {text("min ", texts.smallest), text("≤ ", scale_.range()[0]),
+          texts.smallest < scale_.range()[0] - slack};
+  high_ = {text("max ", texts.largest), text("≥ ", scale_.range()[1]),
+           texts.largest > scale_.range()[1] + slack};
 }
 
 double ScalarBar::depth(Direction direction, double length) const {
-  if (direction == Direction::Right)
-    return size_ * (kBarDepth + kTick + kGap + kTitleGap + kTitleDepth) + capitalHeight(labelStyle_.size);
-  const double column = size_ * (kBarDepth + kTick + kGap + kTitleGap + kTitleDepth) +
-                        longestLabel(ticksUp(barLengthUp(length)));
-  return std::max({column, textWidth(smallest_, endStyle_), textWidth(largest_, endStyle_)});
+  const double besideLabels = size_ * (kBarDepth + kTick + kGap + kTitleGap + kTitleDepth);
+  if (direction == Direction::Right) return besideLabels + capitalHeight(labelStyle_.size);
+  return std::max({besideLabels + longestLabel(ticksUp(barLengthUp(length))),
+                   textWidth(low_.extreme, endStyle_), textWidth(high_.extreme, endStyle_)});
 }
 
-void ScalarBar::draw(Overlay& overlay, const PixelRect& space, Direction direction) const {
+void ScalarBar::draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& space,
+                     Direction direction) const {
   if (direction == Direction::Up)
-    drawUp(overlay, space);
+    drawUp(overlay, shapes, space);
   else
-    drawAcross(overlay, space);
+    drawAcross(overlay, shapes, space);
 }
 
-void ScalarBar::drawUp(Overlay& overlay, const PixelRect& space) const {
-  const double length = barLengthUp(space.height);
-  const PixelRect bar = rounded({space.x, space.y + (space.height - length) / 2, kBarDepth * size_, length});
+void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
+  const double endText = size_ * kEndGap + capitalHeight(endStyle_.size);
+  const PixelRect bar = rounded({space.x, space.y + endText + (low_.passed ? kArrow * size_ : 0.0),
+                                 kBarDepth * size_, barLengthUp(space.height)});
   const Ticks ticks = ticksUp(bar.height);
-  drawFrameAndTicks(overlay, bar, Direction::Up, ticks);
-  const double labelStart = bar.right() + size_ * (kTick + kGap);
+  drawFrameAndTicks(overlay, shapes, bar, Direction::Up, ticks);
+  const double labelStart = bar.right() + size_ * (kTick + kGap),
+               labelHeight = capitalHeight(labelStyle_.size);
   for (std::size_t k = 0; k < ticks.values.size(); ++k)
-    overlay.addText(
-        {{ticks.labels[k]}},
-        {labelStart, bar.y + along(ticks.values[k]) * bar.height - capitalHeight(labelStyle_.size) / 2},
-        labelStyle_);
+    overlay.addText({{ticks.labels[k]}},
+                    {labelStart, bar.y + along(ticks.values[k]) * bar.height - labelHeight / 2}, labelStyle_);
+  const double arrow = kArrow * size_;
+  if (high_.passed)
+    overlay.addText(high_.limit, {labelStart, bar.top() + arrow - labelHeight / 2}, labelStyle_);
+  if (low_.passed) overlay.addText(low_.limit, {labelStart, bar.y - arrow - labelHeight / 2}, labelStyle_);
+
   const FittedText title = fitText(title_, titleStyle_, space.height, kSmallestTitle * size_);
   const double baseline =
       labelStart + longestLabel(ticks) + size_ * kTitleGap + capitalHeight(title.style.size);
-  overlay.addText(title.text, {baseline, bar.center().y()}, title.style, Anchor::Middle, Direction::Up);
-  overlay.addText(largest_, {bar.x, bar.top() + size_ * kEndGap}, endStyle_);
-  overlay.addText(smallest_, {bar.x, bar.y - size_ * kEndGap - capitalHeight(endStyle_.size)}, endStyle_);
+  const double middle = bar.center().y() + (high_.passed ? arrow / 2 : 0.0) - (low_.passed ? arrow / 2 : 0.0);
+  overlay.addText(title.text, {baseline, middle}, title.style, Anchor::Middle, Direction::Up);
+  const double endGap = size_ * kEndGap;
+  overlay.addText(high_.extreme, {bar.x, bar.top() + (high_.passed ? arrow : 0.0) + endGap}, endStyle_);
+  overlay.addText(low_.extreme,
+                  {bar.x, bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_.size)},
+                  endStyle_);
 }
 
-void ScalarBar::drawAcross(Overlay& overlay, const PixelRect& space) const {
-  const double left = textWidth(smallest_, endStyle_) + size_ * kEndGap;
-  const double right = textWidth(largest_, endStyle_) + size_ * kEndGap;
+void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
+  const double left = endAcross(false), right = endAcross(true);
   const PixelRect bar = rounded(
       {space.x + left, space.top() - kBarDepth * size_, space.width - left - right, kBarDepth * size_});
   const Ticks ticks = ticksAcross(bar.width);
-  drawFrameAndTicks(overlay, bar, Direction::Right, ticks);
+  drawFrameAndTicks(overlay, shapes, bar, Direction::Right, ticks);
   const double labelBase = bar.y - size_ * (kTick + kGap) - capitalHeight(labelStyle_.size);
   for (std::size_t k = 0; k < ticks.values.size(); ++k)
     overlay.addText({{ticks.labels[k]}}, {bar.x + along(ticks.values[k]) * bar.width, labelBase}, labelStyle_,
                     Anchor::Middle);
   const FittedText title = fitText(title_, titleStyle_, space.width, kSmallestTitle * size_);
-  const double titleBase = labelBase - size_ * kTitleGap - capitalHeight(title.style.size);
-  overlay.addText(title.text, {space.center().x(), titleBase}, title.style, Anchor::Middle);
-  const double endBase = bar.center().y() - capitalHeight(endStyle_.size) / 2;
-  overlay.addText(smallest_, {space.x, endBase}, endStyle_);
-  overlay.addText(largest_, {space.right(), endBase}, endStyle_, Anchor::End);
+  const double baseline = labelBase - size_ * kTitleGap - capitalHeight(title.style.size);
+  overlay.addText(title.text, {space.center().x(), baseline}, title.style, Anchor::Middle);
+  drawEndAcross(overlay, bar, false, space.x);
+  drawEndAcross(overlay, bar, true, space.right());
 }
 
-void ScalarBar::drawFrameAndTicks(Overlay& overlay, const PixelRect& bar, Direction direction,
-                                  const Ticks& ticks) const {
+/// edge: where the text ends, away from the bar.
+void ScalarBar::drawEndAcross(Overlay& overlay, const PixelRect& bar, bool high, double edge) const {
+  const End& end = high ? high_ : low_;
+  const Anchor anchor = high ? Anchor::End : Anchor::Start;
+  const double base = bar.center().y() - capitalHeight(endStyle_.size) / 2;
+  if (end.passed) overlay.addText(end.limit, {edge, base}, endStyle_, anchor);
+  overlay.addText(end.extreme, {edge, base - (end.passed ? kEndLine * size_ : 0.0)}, endStyle_, anchor);
+}
+
+void ScalarBar::drawArrow(FlatShapes& shapes, const PixelRect& bar, Direction direction, bool high) const {
+  const Eigen::Vector2d along = direction == Direction::Up ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(1, 0);
+  const Eigen::Vector2d across(along.y(), along.x());
+  const Eigen::Vector2d end = high ? Eigen::Vector2d(bar.right(), bar.top()) : Eigen::Vector2d(bar.x, bar.y);
+  const double inwards = high ? -1.0 : 1.0;
+  const Eigen::Vector2d other = end + inwards * kBarDepth * size_ * across;
+  const Eigen::Vector2d tip = (end + other) / 2 - inwards * kArrow * size_ * along;
+  shapes.addConvexPolygon({end, other, tip}, high ? scale_.colors().back() : scale_.colors().front());
+  shapes.addPolyline({end, tip, other}, lineWidth(), kInk);
+}
+
+void ScalarBar::drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const PixelRect& bar,
+                                  Direction direction, const Ticks& ticks) const {
   overlay.addStripes(bar, scale_.colors(), direction);
   // On the middles of pixels, where thin lines are crisp.
   const Eigen::Vector2d low(bar.x - 0.5, bar.y - 0.5), high(bar.right() + 0.5, bar.top() + 0.5);
@@ -127,7 +169,9 @@ void ScalarBar::drawFrameAndTicks(Overlay& overlay, const PixelRect& bar, Direct
     lines.push_back(foot);
     lines.push_back(foot + size_ * kTick * (up ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, -1)));
   }
-  overlay.addSegments(lines, std::max(1.0, size_ / 20.0), kInk);
+  if (low_.passed) drawArrow(shapes, bar, direction, false);
+  if (high_.passed) drawArrow(shapes, bar, direction, true);
+  overlay.addSegments(lines, lineWidth(), kInk);
 }
 
 Ticks ScalarBar::ticksUp(double barLength) const {
@@ -146,14 +190,29 @@ Ticks ScalarBar::ticksAcross(double barLength) const {
 }
 
 double ScalarBar::barLengthUp(double length) const {
-  return length - 2.0 * (size_ * kEndGap + capitalHeight(endStyle_.size));
+  const int arrows = (low_.passed ? 1 : 0) + (high_.passed ? 1 : 0);
+  return length - 2.0 * (size_ * kEndGap + capitalHeight(endStyle_.size)) - arrows * kArrow * size_;
+}
+
+/// Room that an end takes beside a bar across.
+double ScalarBar::endAcross(bool high) const {
+  const End& end = high ? high_ : low_;
+  const double extreme = textWidth(end.extreme, endStyle_);
+  if (!end.passed) return extreme + size_ * kEndGap;
+  return std::max(extreme, textWidth(end.limit, endStyle_)) + size_ * (kEndGap + kArrow);
 }
 
 double ScalarBar::longestLabel(const Ticks& ticks) const {
   double longest = 0.0;
   for (const std::string& label : ticks.labels)
     longest = std::max(longest, textWidth({{label}}, labelStyle_));
+  for (const End& end : {low_, high_})
+    if (end.passed) longest = std::max(longest, textWidth(end.limit, labelStyle_));
   return longest;
+}
+
+double ScalarBar::lineWidth() const {
+  return std::max(1.0, size_ / 20.0);
 }
 
 double ScalarBar::along(double value) const {

@@ -1,11 +1,13 @@
 #include "postproc/draw/space_actors.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderer.h>
 
 namespace burnish {
 namespace {
@@ -58,6 +60,20 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, doub
   paint(*actor, color, opacity);
   actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   return actor;
+}
+
+void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance) {
+  renderer.SetViewport(view.area.x / pictureSize[0], view.area.y / pictureSize[1],
+                       view.area.right() / pictureSize[0], view.area.top() / pictureSize[1]);
+  const Eigen::Vector3d focus = view.axes.transpose() * view.center;
+  const Eigen::Vector3d eye = focus + distance * view.towardsEye();
+  vtkCamera& camera = *renderer.GetActiveCamera();
+  camera.ParallelProjectionOn();
+  camera.SetFocalPoint(focus.x(), focus.y(), focus.z());
+  camera.SetPosition(eye.x(), eye.y(), eye.z());
+  camera.SetViewUp(view.axes(1, 0), view.axes(1, 1), view.axes(1, 2));
+  camera.SetParallelScale(view.area.height / (2.0 * view.pixelsPerLength));
+  renderer.ResetCameraClippingRange();
 }
 
 }  // namespace burnish

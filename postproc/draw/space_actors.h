@@ -1,10 +1,14 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
+#include <array>
+
 #include "postproc/draw/color_scale.h"
+#include "postproc/draw/view.h"
 
 class vtkActor;
 class vtkPolyData;
+class vtkRenderer;
 
 /// Actors of the part of a picture that shows space.
 namespace burnish {
@@ -17,5 +21,9 @@ vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& s
 
 /// Lines. width: in pixels of the window.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);
+
+/// Lets a renderer show a view in its part of a picture of this size (pixels), when all actors have been
+/// added. distance: of the eye, large enough to have everything in front of it.
+void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance);
 
 }  // namespace burnish

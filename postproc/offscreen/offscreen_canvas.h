@@ -1,14 +1,18 @@
 #pragma once
+#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <memory>
 
 class vtkImageData;
 class vtkRenderWindow;
+class vtkUnsignedCharArray;
 
 namespace burnish {
 
-/// A render window in memory: needs no display, no graphics card and no environment variable.
+/// A render window in memory: needs no display, no graphics card and no environment variable. The window and
+/// its GL context outlive a canvas and serve the next one of the same thread, which saves making a context
+/// and compiling shaders; a canvas stays in the thread that made it.
 class OffscreenCanvas {
  public:
   static constexpr int kSupersampling = 2;
@@ -31,14 +35,16 @@ class OffscreenCanvas {
   vtkSmartPointer<vtkImageData> capture();
 
  private:
-  class Context;
+  class Surface;
 
-  vtkSmartPointer<vtkImageData> captureStrip();
+  /// Renders and writes the averaged pixels to `rows`.
+  void captureStrip(unsigned char* rows);
 
   int supersampling_;
-  int strips_;  ///< the picture is drawn in horizontal strips, which saves memory
-  std::unique_ptr<Context> context_;
-  vtkSmartPointer<vtkRenderWindow> window_;
+  int strips_;                           ///< the picture is drawn in horizontal strips, which saves memory
+  int overlap_;                          ///< rows drawn beyond each edge of a strip
+  std::unique_ptr<Surface> surface_;     ///< GL context and window
+  vtkNew<vtkUnsignedCharArray> pixels_;  ///< of a strip
 };
 
 }  // namespace burnish

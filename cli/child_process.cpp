@@ -1,0 +1,85 @@
+#include "cli/child_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+volatile std::sig_atomic_t lastSignal = 0;
+volatile std::sig_atomic_t signalCount = 0;
+
+void note(int signal) {
+  lastSignal = signal;
+  signalCount = signalCount + 1;
+}
+
+}  // namespace
+
+pid_t startSelf(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+  std::vector<char*> argv{const_cast<char*>("burnish")};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  pid_t process = 0;
+  const int status = posix_spawn(&process, "/proc/self/exe", &files, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (status != 0)
+    throw Error(
+        fmt::format("cannot start a process that prints to {}: {}", log.string(), std::strerror(status)));
+  return process;
+}
+
+std::optional<int> endOf(pid_t process) {
+  int status = 0;
+  if (::waitpid(process, &status, WNOHANG) == process) return status;
+  return std::nullopt;
+}
+
+struct SignalGuard::Saved {
+  int signal;
+  struct sigaction action;
+};
+
+SignalGuard::SignalGuard() {
+  lastSignal = 0;
+  signalCount = 0;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Saved saved{signal, {}};
+    ::sigaction(signal, nullptr, &saved.action);
+    if (saved.action.sa_handler == SIG_IGN) continue;  // as nohup and shells want it
+    struct sigaction action = {};
+    action.sa_handler = note;
+    ::sigaction(signal, &action, nullptr);
+    saved_.push_back(saved);
+  }
+}
+
+SignalGuard::~SignalGuard() {
+  for (const Saved& saved : saved_) ::sigaction(saved.signal, &saved.action, nullptr);
+}
+
+int SignalGuard::signal() const {
+  return lastSignal;
+}
+
+int SignalGuard::count() const {
+  return signalCount;
+}
+
+}  // namespace burnish

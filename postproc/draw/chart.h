@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+/// How a curve looks. Each of the three runs through a small set of looks, again and again, so that curves
+/// stay apart in grey print: `color` (7), `dash` (0 solid, 1 dashed, 2 dotted, 3 dash-dot), `marker` (6; -1:
+/// none).
+struct CurveStyle {
+  int color = 0;
+  int dash = 0;
+  int marker = -1;
+};
+
+struct ChartCurve {
+  std::string label;                ///< of the legend; empty: not in the legend
+  std::vector<double> x, y;         ///< of the same length; a point that is not finite interrupts the curve
+  std::optional<CurveStyle> style;  ///< by the number of the curve when left out, with markers where useful
+};
+
+struct ChartAxis {
+  std::string title;  ///< with the unit, as in "tool force in N/mm"; Unicode: Greek letters, ₁, ⁻³, ε̄
+  bool logarithmic = false;
+  std::optional<std::array<double, 2>> range;  ///< round values around the data when left out
+};
+
+/// A chart of curves y(x).
+struct Chart {
+  std::string title;  ///< may be empty
+  ChartAxis x, y;
+  std::vector<ChartCurve> curves;
+  std::array<int, 2> size{1200, 900};  ///< pixels (PNG) or points (SVG, PDF)
+};
+
+/// Draws a chart, with a legend where it covers no curve, in the plot or below it, into a file that ends in
+/// .png, .svg or .pdf, which appears under its name only when it is complete. Throws `Error` for a chart
+/// without a finite point, curves whose x and y differ in length, values that a logarithmic axis cannot show,
+/// empty ranges, sizes out of range or too small for the texts, other endings, and a file that cannot be
+/// written.
+void drawChart(const Chart& chart, const std::filesystem::path& file);
+
+/// The same data as CSV: for every curve two columns, "LABEL x" and "LABEL y"; short curves end in empty
+/// cells. Throws `Error` if the file cannot be written.
+void writeChartData(const Chart& chart, const std::filesystem::path& csv);
+
+}  // namespace burnish

@@ -1,0 +1,199 @@
+#include "postproc/draw/chart_curves.h"
+
+#include <vtkBox.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace burnish {
+namespace {
+
+/// The palette of Okabe and Ito without its yellow, which is too pale on paper. Brightness in grey, in parts
+/// of 255: 87, 162, 0, 119, 158, 106, 151.
+constexpr std::array<Color, 7> kPalette{
+    {{0, 114, 178}, {230, 159, 0}, {0, 0, 0}, {213, 94, 0}, {86, 180, 233}, {0, 158, 115}, {204, 121, 167}}};
+
+/// A marker: corners of a regular polygon, direction of the first one in degrees, and size that makes all
+/// look alike.
+struct MarkerShape {
+  int corners;
+  double firstCorner;
+  double size;
+};
+constexpr std::array<MarkerShape, 6> kMarkers{
+    {{40, 0, 1.0}, {4, 45, 1.25}, {3, 90, 1.4}, {4, 90, 1.3}, {3, 270, 1.4}, {40, 0, 1.0}}};
+
+constexpr std::size_t kFewPoints = 20;  ///< every one gets a marker
+constexpr int kSparseMarkers = 9;
+constexpr double kSmallestStep = 0.25;  ///< pixels; points that lie closer together are drawn as one
+
+template <class Container>
+const auto& cyclic(const Container& container, int index) {
+  return container[static_cast<std::size_t>(index) % std::size(container)];
+}
+
+/// Runs of finite points in pixels.
+std::vector<Polyline> finiteRuns(const ChartCurve& curve,
+                                 const std::function<Eigen::Vector2d(double, double)>& pixel) {
+  std::vector<Polyline> runs(1);
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    if (std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]))
+      runs.back().push_back(pixel(curve.x[k], curve.y[k]));
+    else if (!runs.back().empty())
+      runs.emplace_back();
+  }
+  if (runs.back().empty()) runs.pop_back();
+  return runs;
+}
+
+Polyline withoutTinySteps(const Polyline& line) {
+  Polyline kept{line.front()};
+  for (const Eigen::Vector2d& point : line)
+    if ((point - kept.back()).norm() >= kSmallestStep) kept.push_back(point);
+  return kept;
+}
+
+bool contains(const PixelRect& rect, const Eigen::Vector2d& p) {
+  constexpr double slack = 1e-6;
+  return p.x() >= rect.x - slack && p.x() <= rect.right() + slack && p.y() >= rect.y - slack &&
+         p.y() <= rect.top() + slack;
+}
+
+/// Appends the parts of a line that lie in the plot.
+void appendClipped(const Polyline& line, const PixelRect& plot, std::vector<Polyline>& pieces) {
+  if (line.size() == 1 && contains(plot, line.front())) pieces.push_back(line);
+  bool open = false;
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const auto part = clipSegment(line[k - 1], line[k], plot);
+    if (!part) {
+      open = false;
+      continue;
+    }
+    if (!open) pieces.push_back({(*part)[0]});
+    pieces.back().push_back((*part)[1]);
+    open = (*part)[1] == line[k];
+  }
+}
+
+/// Some points, at equal distances along the line; `phase` in [0, 1) moves them by a part of that distance.
+Polyline spread(const Polyline& points, double phase) {
+  std::vector<double> along(points.size());
+  for (std::size_t k = 1; k < points.size(); ++k)
+    along[k] = along[k - 1] + (points[k] - points[k - 1]).norm();
+  Polyline chosen;
+  for (int m = 0; m < kSparseMarkers; ++m) {
+    const double target = along.back() * (m + phase) / kSparseMarkers;
+    const auto next = std::lower_bound(along.begin(), along.end(), target);
+    chosen.push_back(points[static_cast<std::size_t>(next - along.begin())]);
+  }
+  return chosen;
+}
+
+PlottedCurve plotCurve(const ChartCurve& curve, const CurveStyle& style, const PixelRect& plot,
+                       const std::function<Eigen::Vector2d(double, double)>& pixel, double phase) {
+  PlottedCurve plotted;
+  plotted.style = style;
+  Polyline visible;
+  for (const Polyline& run : finiteRuns(curve, pixel)) {
+    appendClipped(withoutTinySteps(run), plot, plotted.pieces);
+    std::copy_if(run.begin(), run.end(), std::back_inserter(visible),
+                 [&](const Eigen::Vector2d& point) { return contains(plot, point); });
+  }
+  if (style.marker >= 0 && !visible.empty())
+    plotted.markers = visible.size() <= kFewPoints ? visible : spread(visible, phase);
+  return plotted;
+}
+
+}  // namespace
+
+Color curveColor(const CurveStyle& style) {
+  return cyclic(kPalette, style.color);
+}
+
+const std::vector<double>& dashPattern(const CurveStyle& style) {
+  static const std::array<std::vector<double>, 4> patterns{
+      {{}, {5.0, 3.0}, {1.5, 1.8}, {6.0, 2.2, 1.5, 2.2}}};
+  return cyclic(patterns, style.dash);
+}
+
+Polyline markerOutline(const CurveStyle& style, double halfWidth) {
+  const MarkerShape& shape = cyclic(kMarkers, style.marker);
+  Polyline outline;
+  for (int k = 0; k < shape.corners; ++k) {
+    const double angle = (shape.firstCorner / 180.0 + 2.0 * k / shape.corners) * std::numbers::pi;
+    outline.push_back(halfWidth * shape.size * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return outline;
+}
+
+bool markerIsFilled(const CurveStyle& style) {
+  return style.marker % 2 == 0;
+}
+
+CurveStyle defaultStyle(std::size_t number, std::size_t numCurves, std::size_t numPoints) {
+  const int index = static_cast<int>(number);
+  const bool marked = numCurves > 1 || numPoints <= kFewPoints;
+  return {index, index, marked ? index : -1};
+}
+
+std::vector<PlottedCurve> plotCurves(const Chart& chart, const PixelRect& plot,
+                                     const std::function<Eigen::Vector2d(double x, double y)>& pixel) {
+  std::vector<PlottedCurve> plotted;
+  const std::size_t count = chart.curves.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const ChartCurve& curve = chart.curves[k];
+    const CurveStyle style = curve.style.value_or(defaultStyle(k, count, curve.x.size()));
+    const double phase = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+    plotted.push_back(plotCurve(curve, style, plot, pixel, phase));
+  }
+  return plotted;
+}
+
+std::optional<std::array<Eigen::Vector2d, 2>> clipSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                                                          const PixelRect& rect) {
+  const std::array<double, 6> box{rect.x, rect.right(), rect.y, rect.top(), -1.0, 1.0};
+  const std::array<double, 3> from{a.x(), a.y(), 0.0}, to{b.x(), b.y(), 0.0};
+  double first = 0.0, last = 1.0;
+  int firstPlane = -1, lastPlane = -1;
+  if (!vtkBox::IntersectWithLine(box.data(), from.data(), to.data(), first, last, nullptr, nullptr,
+                                 firstPlane, lastPlane))
+    return std::nullopt;
+  const auto at = [&](double t) { return t >= 1.0 ? b : Eigen::Vector2d(a + t * (b - a)); };
+  return std::array{at(first), at(last)};
+}
+
+std::vector<Polyline> dashes(const Polyline& line, const std::vector<double>& pattern, double start) {
+  if (pattern.empty() || line.size() < 2) return {line};
+  const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0);
+  std::size_t part = 0;
+  double left = std::fmod(start, period);
+  for (; left >= pattern[part]; part = (part + 1) % pattern.size()) left -= pattern[part];
+  left = pattern[part] - left;  // of the current dash or gap
+
+  std::vector<Polyline> result;
+  const auto begin = [&](const Eigen::Vector2d& p) {
+    if (part % 2 == 0) result.push_back({p});
+  };
+  begin(line.front());
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Eigen::Vector2d step = line[k] - line[k - 1];
+    const double length = step.norm();
+    double done = 0.0;
+    while (length - done > left) {
+      done += left;
+      const Eigen::Vector2d p = line[k - 1] + done / length * step;
+      if (part % 2 == 0) result.back().push_back(p);
+      part = (part + 1) % pattern.size();
+      left = pattern[part];
+      begin(p);
+    }
+    left -= length - done;
+    if (part % 2 == 0) result.back().push_back(line[k]);
+  }
+  return result;
+}
+
+}  // namespace burnish

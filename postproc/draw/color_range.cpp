@@ -1,0 +1,104 @@
+#include "postproc/draw/color_range.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "postproc/draw/field_choice.h"
+
+namespace burnish {
+namespace {
+
+/// Area or volume of a cell: exact for a plane quadrilateral; of a hexahedron its Jacobian in the middle.
+template <int Dim>
+double cellSize(const Eigen::MatrixXd& points, const Eigen::VectorXi& corners) {
+  Eigen::Matrix<double, Dim, Dim> jacobian = Eigen::Matrix<double, Dim, Dim>::Zero();
+  for (int corner = 0; corner < (1 << Dim); ++corner) {
+    // VTK goes round the quadrilateral, then round the one above it.
+    const std::array<int, 3> upper{(corner ^ (corner >> 1)) & 1, (corner >> 1) & 1, corner >> 2};
+    for (int d = 0; d < Dim; ++d)
+      jacobian.col(d) += (upper[static_cast<std::size_t>(d)] ? 1.0 : -1.0) * points.col(corners(corner));
+  }
+  return std::abs((jacobian / (1 << (Dim - 1))).determinant());
+}
+
+/// The part of the undeformed body that belongs to each point: equal shares of its cells.
+Eigen::VectorXd pointSizes(const Tessellation& tessellation) {
+  Eigen::VectorXd sizes = Eigen::VectorXd::Zero(tessellation.numPoints());
+  const auto sizeOf = tessellation.dim() == 2 ? cellSize<2> : cellSize<3>;
+  for (const auto& corners : tessellation.cells().colwise()) {
+    const double share =
+        sizeOf(tessellation.referencePoints(), corners) / static_cast<double>(corners.size());
+    for (const int point : corners) sizes(point) += share;
+  }
+  return sizes;
+}
+
+/// The smallest value that is not exceeded in at least this part of the whole.
+double quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& sizes, const std::vector<int>& byValue,
+                double part) {
+  const double wanted = part * sizes.sum() * (1.0 - 1e-12);
+  double size = 0.0;
+  for (const int point : byValue) {
+    size += sizes(point);
+    if (size >= wanted) return values(point);
+  }
+  return values(byValue.back());
+}
+
+/// 1st, 2nd, 99th, 2.5th.
+std::string ordinal(double number) {
+  const std::string digits = fmt::format("{:.6g}", number);
+  const double rest = std::fmod(number, 10.0);
+  const bool teen = number > 10.0 && number < 20.0;
+  if (rest == 1.0 && !teen) return digits + "st";
+  if (rest == 2.0 && !teen) return digits + "nd";
+  if (rest == 3.0 && !teen) return digits + "rd";
+  return digits + "th";
+}
+
+}  // namespace
+
+std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
+                                 int subdivision, std::optional<double> clip) {
+  const Tessellation tessellation(model, subdivision);
+  const Eigen::VectorXd values = chooseField(model, frame, field).values(tessellation);
+  if (!values.allFinite())
+    throw Error(fmt::format("field {} of frame {} holds values that are not finite; it has no range", field,
+                            frame.index));
+  return valueRange(tessellation, values, clip);
+}
+
+std::array<double, 2> valueRange(const Tessellation& tessellation, const Eigen::VectorXd& values,
+                                 std::optional<double> clip) {
+  if (clip && !(*clip > 50.0 && *clip <= 100.0))
+    throw Error(fmt::format(
+        "clip: found {}; expected a percentile above 50, at which the colours end, up to 100", *clip));
+  const std::array<double, 2> whole{values.minCoeff(), values.maxCoeff()};
+  if (!clip || *clip == 100.0) return whole;
+  std::vector<int> byValue(static_cast<std::size_t>(values.size()));
+  std::iota(byValue.begin(), byValue.end(), 0);
+  std::stable_sort(byValue.begin(), byValue.end(), [&](int a, int b) { return values(a) < values(b); });
+  const Eigen::VectorXd sizes = pointSizes(tessellation);
+  const std::array<double, 2> clipped{quantile(values, sizes, byValue, 1.0 - *clip / 100.0),
+                                      quantile(values, sizes, byValue, *clip / 100.0)};
+  return clipped[0] < clipped[1] ? clipped : whole;
+}
+
+std::array<double, 2> widened(const std::array<double, 2>& range) {
+  const double magnitude = std::max(std::abs(range[0]), std::abs(range[1]));
+  if (magnitude == 0.0) return {0.0, 1.0};
+  if (range[1] - range[0] > 1e-9 * magnitude) return range;
+  return {range[0] - 0.1 * magnitude, range[1] + 0.1 * magnitude};
+}
+
+std::string clipNote(double clip, int dim) {
+  return fmt::format("colours end at the {} and {} percentiles of the {}", ordinal(100.0 - clip),
+                     ordinal(clip), dim == 2 ? "area" : "volume");
+}
+
+}  // namespace burnish

@@ -1,0 +1,30 @@
+#pragma once
+#include <Eigen/Dense>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "engine/results/result.h"
+#include "postproc/mesh/tessellation.h"
+
+namespace burnish {
+
+/// Smallest and largest value that a picture of the field shows; with `clip` (a percentile p in (50, 100])
+/// the (100-p)th and the p-th percentile, each part of the body weighted by its undeformed area (2D) or
+/// volume (3D). Where those two are the same, as in a field that is constant but for a spot, the smallest and
+/// the largest value again. subdivision: cells per knot span and direction. Throws `Error` for an unknown
+/// field, a field that is not finite and a percentile out of range.
+std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
+                                 int subdivision, std::optional<double> clip = {});
+
+/// The same for values (one per point) on a tessellation.
+std::array<double, 2> valueRange(const Tessellation& tessellation, const Eigen::VectorXd& values,
+                                 std::optional<double> clip);
+
+/// A range that a colour scale can have: a field that is constant gets a scale around it.
+std::array<double, 2> widened(const std::array<double, 2>& range);
+
+/// What a picture says of clipped colours: "colours end at the 1st and 99th percentiles of the area".
+std::string clipNote(double clip, int dim);
+
+}  // namespace burnish

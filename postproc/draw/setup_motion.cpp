@@ -1,0 +1,38 @@
+#include "postproc/draw/setup_motion.h"
+
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+Eigen::Vector2d displacement(const MotionSpec& motion, double t) {
+  const auto value = [&](const std::optional<std::vector<double>>& component) {
+    return component ? Schedule{motion.times, *component}(t) : 0.0;
+  };
+  return {value(motion.x), value(motion.y)};
+}
+
+bool sameDirection(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.normalized().dot(b.normalized()) > 1.0 - 1e-9;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> motionPhases(const MotionSpec& motion, double end) {
+  std::vector<double> times{0.0};
+  for (const double t : motion.times)
+    if (t > 0.0 && t < end) times.push_back(t);
+  times.push_back(end);
+  std::vector<Eigen::Vector2d> phases;
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const Eigen::Vector2d phase = displacement(motion, times[k]) - displacement(motion, times[k - 1]);
+    if (phase.norm() == 0.0) continue;
+    if (!phases.empty() && sameDirection(phases.back(), phase))
+      phases.back() += phase;
+    else
+      phases.push_back(phase);
+  }
+  return phases;
+}
+
+}  // namespace burnish

@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+namespace burnish {
+
+/// Makes a video (MP4: H.264 where ffmpeg has it, else MPEG-4) from pictures of one size, each shown for
+/// 1/framesPerSecond seconds; sides of odd length get one more row or column of white pixels. The file
+/// appears under its name only when it is complete. Returns false, and writes nothing, where the program
+/// ffmpeg is not in PATH. Throws `Error` for no or missing pictures, a rate outside (0, 240], and with its
+/// last words if ffmpeg fails.
+bool writeVideo(const std::vector<std::filesystem::path>& frames, double framesPerSecond,
+                const std::filesystem::path& mp4);
+
+}  // namespace burnish

@@ -1,0 +1,215 @@
+#include "postproc/study/document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/version.h"
+#include "postproc/study/claims.h"
+#include "postproc/study/markdown.h"
+#include "postproc/study/measures.h"
+#include "postproc/study/run_data.h"
+#include "postproc/study/text_file.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string paragraph(const std::string& text) {
+  return text.empty() ? text : text + (text.ends_with('\n') ? "\n" : "\n\n");
+}
+
+std::string verdictLine(const JudgedClaim& claim) {
+  return fmt::format("- **{}**: {} ({})\n", verdictText(claim.verdict), claim.text, claim.numbers);
+}
+
+/// The numbers of the summaries that the table of runs shows.
+struct SummaryColumn {
+  const char* entry;
+  const char* title;
+};
+constexpr std::array kSummaryColumns{SummaryColumn{"steps", "steps"},
+                                     SummaryColumn{"cut_backs", "cut-backs"},
+                                     SummaryColumn{"smallest_step", "smallest step"},
+                                     SummaryColumn{"mean_iterations", "iterations per step"},
+                                     SummaryColumn{"max_iterations", "most iterations"},
+                                     SummaryColumn{"seconds", "seconds"},
+                                     SummaryColumn{"worst_residual", "largest residual"},
+                                     SummaryColumn{"smallest_J", "smallest J"},
+                                     SummaryColumn{"largest_penetration", "largest penetration"}};
+
+/// Puts a document together, part by part.
+class Document {
+ public:
+  Document(const Study& study, const fs::path& studyDirectory, const DocumentOptions& options)
+      : study_(study), directory_(studyDirectory), options_(options) {
+    for (const StudyRun& run : study.runs)
+      data_.push_back(hasEnded(run, directory_) ? std::optional<RunData>(RunData(run, directory_))
+                                                : std::nullopt);
+    for (const StatementSpec& statement : study.spec.statements)
+      judged_.push_back(judgeClaims(study, statement, directory_));
+  }
+
+  std::string text() const {
+    const StudySpec& spec = study_.spec;
+    std::string text = fmt::format(
+        "# {}\n\n{}", spec.title.empty() ? study_.file.stem().string() : spec.title, paragraph(spec.text));
+    text += fmt::format("Made by {} from {}. This file is generated; changes to it are lost.\n\n",
+                        programName(), study_.file.filename().string());
+    text += claims() + runs();
+    for (std::size_t k = 0; k < spec.statements.size(); ++k) text += section(spec.statements[k], judged_[k]);
+    while (text.ends_with("\n\n")) text.pop_back();
+    return text;
+  }
+
+ private:
+  /// All claims in one list, each with a link to its section.
+  std::string claims() const {
+    std::array<int, 3> counts{};
+    std::string lines;
+    for (std::size_t k = 0; k < judged_.size(); ++k)
+      for (const JudgedClaim& claim : judged_[k]) {
+        ++counts[static_cast<std::size_t>(claim.verdict)];
+        const StatementSpec& statement = study_.spec.statements[k];
+        lines += fmt::format("- **{}**: {} ([{}](#{}))\n", verdictText(claim.verdict), claim.text,
+                             statement.title, statement.name);
+      }
+    if (lines.empty()) return {};
+    std::string title;
+    for (const Verdict verdict : {Verdict::Holds, Verdict::DoesNotHold, Verdict::CannotBeTold})
+      title += fmt::format("{}{} {}", title.empty() ? "" : ", ", counts[static_cast<std::size_t>(verdict)],
+                           countedText(verdict, counts[static_cast<std::size_t>(verdict)]));
+    return fmt::format("## Claims\n\nOf the claims, {}.\n\n{}\n", title, lines);
+  }
+
+  static std::string countedText(Verdict verdict, int count) {
+    if (count == 1 || verdict == Verdict::CannotBeTold) return verdictText(verdict);
+    return verdict == Verdict::Holds ? "hold" : "do not hold";
+  }
+
+  /// How the runs went.
+  std::string runs() const {
+    Footnotes notes;
+    std::vector<MarkdownColumn> columns{{"run", {}, false}, {"came to its end", {}, false}};
+    for (std::size_t k = 0; k < data_.size(); ++k) {
+      columns[0].cells.push_back(study_.runs[k].label);
+      columns[1].cells.push_back(endText(data_[k], notes));
+    }
+    for (const SummaryColumn& column : kSummaryColumns)
+      columns.push_back({column.title, columnTexts(numbers(column.entry))});
+    return fmt::format("## Runs\n\n{}\n{}{}", markdownTable(columns), paragraph(notes.text()), settings());
+  }
+
+  static std::string endText(const std::optional<RunData>& data, Footnotes& notes) {
+    if (!data) return "no results";
+    const auto stopped = data->stoppedAt();
+    return stopped ? stoppedText(*stopped) + notes.mark(data->summary().stoppedBecause) : "yes";
+  }
+
+  std::vector<std::optional<double>> numbers(const std::string& entry) const {
+    std::vector<std::optional<double>> values;
+    for (const auto& data : data_)
+      values.push_back(data ? std::optional<double>(data->number(entry)) : std::nullopt);
+    return values;
+  }
+
+  std::string settings() const {
+    return fmt::format("Relative tolerance of the force residual: {}. Contact parameter: {}.\n\n",
+                       valueOrRange("tolerance"), valueOrRange("contact_parameter"));
+  }
+
+  /// The value that all runs share, or the smallest and the largest one.
+  std::string valueOrRange(const std::string& entry) const {
+    std::vector<double> known;
+    for (const auto& value : numbers(entry))
+      if (value) known.push_back(*value);
+    if (known.empty()) return "—";
+    const auto [low, high] = std::minmax_element(known.begin(), known.end());
+    const std::string from = plainNumber(*low), to = plainNumber(*high);
+    return from == to ? from : fmt::format("{} to {}", from, to);
+  }
+
+  std::string section(const StatementSpec& statement, const std::vector<JudgedClaim>& claims) const {
+    std::string text = fmt::format("<a id=\"{}\"></a>\n\n## {}\n\n{}", statement.name, statement.title,
+                                   paragraph(statement.text));
+    if (!statement.runs.empty() && !statement.measures.empty()) text += table(statement) + "\n";
+    for (const JudgedClaim& claim : claims) text += verdictLine(claim);
+    if (!claims.empty()) text += "\n";
+    for (const std::string& name : statement.figures) text += figure(name) + "\n";
+    return text;
+  }
+
+  std::string table(const StatementSpec& statement) const {
+    const auto runs = study_.matching(statement.runs);
+    std::vector<MarkdownColumn> columns{{"run", {}, false}};
+    for (const StudyRun* run : runs) columns[0].cells.push_back(run->label);
+    Footnotes notes;
+    for (const MeasureSpec& measure : statement.measures) {
+      std::vector<std::optional<double>> values;
+      std::vector<std::string> marks;
+      for (const StudyRun* run : runs) {
+        const Measured measured = evaluateMeasure(study_, *run, measure, directory_);
+        values.push_back(measured.value);
+        marks.push_back(notes.mark(measured.note));
+      }
+      std::vector<std::string> cells = columnTexts(values);
+      for (std::size_t k = 0; k < cells.size(); ++k) cells[k] += marks[k];
+      columns.push_back({measure.title, std::move(cells)});
+    }
+    const std::string below = notes.text();
+    return markdownTable(columns) + (below.empty() ? "" : "\n" + below);
+  }
+
+  std::string figure(const std::string& name) const {
+    const auto& figures = study_.spec.figures;
+    const auto found = std::find_if(figures.begin(), figures.end(),
+                                    [&](const FigureSpec& figure) { return figure.name == name; });
+    if (found == figures.end())
+      throw Error(fmt::format("{}: there is no figure \"{}\"", study_.file.string(), name));
+    const fs::path picture = directory_ / "figures" / (name + ".png");
+    if (!fs::exists(picture)) return fmt::format("(The figure {} has not been drawn.)\n", name);
+    return markdownPicture(shown(picture), found->caption + clipText(found->what));
+  }
+
+  /// Contour pictures with a common scale do not say themselves that their colours are clipped.
+  static std::string clipText(const decltype(FigureSpec::what)& what) {
+    std::optional<double> clip;
+    if (const auto* sheet = std::get_if<ContourSheetSpec>(&what)) clip = sheet->clip;
+    if (const auto* animation = std::get_if<AnimationSpec>(&what)) clip = animation->clip;
+    if (!clip) return {};
+    return fmt::format(" (Colours end at the percentiles {} and {} of the values.)",
+                       plainNumber(100.0 - *clip), plainNumber(*clip));
+  }
+
+  /// Where the document finds a picture, relative to its own directory.
+  fs::path shown(const fs::path& picture) const {
+    fs::path place = picture;
+    if (!options_.gallery.empty()) {
+      place = options_.gallery / picture.filename();
+      writeText(readText(picture), place);
+    }
+    return fs::absolute(place).lexically_normal().lexically_relative(
+        fs::absolute(options_.file).lexically_normal().parent_path());
+  }
+
+  const Study& study_;
+  const fs::path& directory_;
+  const DocumentOptions& options_;
+  std::vector<std::optional<RunData>> data_;      ///< of each run of the study
+  std::vector<std::vector<JudgedClaim>> judged_;  ///< of each statement
+};
+
+}  // namespace
+
+void writeDocument(const Study& study, const fs::path& studyDirectory, const DocumentOptions& options) {
+  writeText(Document(study, studyDirectory, options).text(), options.file);
+}
+
+}  // namespace burnish

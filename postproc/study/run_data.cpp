@@ -1,0 +1,63 @@
+#include "postproc/study/run_data.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/scene/nearest.h"
+
+namespace burnish {
+namespace {
+
+SummaryRecord summaryOf(const StudyRun& run, const std::filesystem::path& studyDirectory) {
+  if (!hasEnded(run, studyDirectory))
+    throw Error(fmt::format("run {}: there are no results in {}", run.name,
+                            runDirectory(studyDirectory, run).string()));
+  return readSummary(runDirectory(studyDirectory, run));
+}
+
+}  // namespace
+
+RunData::RunData(const StudyRun& run, const std::filesystem::path& studyDirectory)
+    : run_(run), directory_(runDirectory(studyDirectory, run)), summary_(summaryOf(run, studyDirectory)) {}
+
+std::optional<double> RunData::stoppedAt() const {
+  if (summary_.completed) return {};
+  return number("end_time");
+}
+
+double RunData::number(const std::string& entry) const {
+  const auto found = summary_.numbers.find(entry);
+  if (found != summary_.numbers.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [name, value] : summary_.numbers) names.push_back(name);
+  throw Error(fmt::format("run {}: its summary has no \"{}\"; it has {}.{}", run_.name, entry,
+                          fmt::join(names, ", "), didYouMean(entry, names)));
+}
+
+bool hasEnded(const StudyRun& run, const std::filesystem::path& studyDirectory) {
+  return std::filesystem::exists(runDirectory(studyDirectory, run) / "summary.yaml");
+}
+
+std::string stoppedText(double time) {
+  return fmt::format("stopped at t = {:.4g}", time);
+}
+
+FrameAt frameAt(const RunData& data, const ResultReader& result, double time) {
+  const std::vector<double> times = result.times();
+  const double tolerance = 1e-9 * std::max(1.0, std::abs(time));
+  const auto found =
+      std::find_if(times.begin(), times.end(), [&](double t) { return std::abs(t - time) <= tolerance; });
+  if (found != times.end()) return {result.frame(static_cast<int>(found - times.begin()))};
+  const auto stopped = data.stoppedAt();
+  if (stopped && *stopped < time && !times.empty())
+    return {result.frame(static_cast<int>(times.size()) - 1), true};
+  throw Error(fmt::format("run {}: there is no frame at t = {:.6g}; its frames are at t = {:.6g}",
+                          data.run().name, time, fmt::join(times, ", ")));
+}
+
+}  // namespace burnish

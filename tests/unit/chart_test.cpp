@@ -1,0 +1,309 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "engine/core/error.h"
+#include "postproc/draw/chart.h"
+#include "postproc/draw/chart_layout.h"
+#include "postproc/draw/chart_scale.h"
+#include "postproc/study/expression.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+void expectError(const std::function<void()>& action, const std::vector<std::string>& parts) {
+  try {
+    action();
+    ADD_FAILURE() << "no error; expected: " << parts.front();
+  } catch (const Error& error) {
+    for (const std::string& part : parts) EXPECT_THAT(error.what(), HasSubstr(part));
+  }
+}
+
+Chart chartOf(std::vector<double> x, std::vector<double> y) {
+  Chart chart;
+  chart.x.title = "x";
+  chart.y.title = "y";
+  chart.curves = {{"curve", std::move(x), std::move(y), {}}};
+  return chart;
+}
+
+ChartScale scaleOf(const ChartAxis& axis, const std::array<double, 2>& data) {
+  return makeChartScale(axis, data, false, [](const ChartScale&) { return true; });
+}
+
+TEST(ChartScale, ReachesToRoundValuesAroundTheData) {
+  const ChartScale scale = scaleOf({}, {0.013, 1.93});
+  EXPECT_EQ(scale.range, (std::array{0.0, 2.0}));
+  EXPECT_THAT(scale.labels, ElementsAre("0.0", "0.5", "1.0", "1.5", "2.0"));
+  EXPECT_EQ(scale.factor, "");
+  EXPECT_DOUBLE_EQ(scale.share(0.5), 0.25);
+}
+
+TEST(ChartScale, TakesAPowerOfTenOutOfSmallAndLargeValues) {
+  const ChartScale small = scaleOf({}, {0.0017, 0.00184});
+  EXPECT_EQ(small.factor, "×10⁻³");
+  EXPECT_THAT(small.labels, ElementsAre("1.700", "1.725", "1.750", "1.775", "1.800", "1.825", "1.850"));
+  EXPECT_NEAR(small.ticks[1], 0.001725, 1e-15);
+  EXPECT_EQ(scaleOf({}, {0.0, 2.9e7}).factor, "×10⁶");
+}
+
+TEST(ChartScale, LabelsDifferHoweverLittleTheDataVary) {
+  for (const double magnitude : {0.0, 1e-12, 1.0, 1e6})
+    for (const double variation : {0.0, 1e-12, 1e-9, 1e-7, 1e-5, 0.1}) {
+      const ChartScale scale = scaleOf({}, {magnitude, magnitude * (1.0 + variation)});
+      const std::set<std::string> different(scale.labels.begin(), scale.labels.end());
+      EXPECT_EQ(different.size(), scale.labels.size()) << magnitude << " " << variation;
+      EXPECT_GE(scale.labels.size(), 3U) << magnitude << " " << variation;
+      EXPECT_GE(scale.share(magnitude), -1e-6);  // within the range up to round-off
+      EXPECT_LE(scale.share(magnitude * (1.0 + variation)), 1.0 + 1e-6);
+    }
+}
+
+TEST(ChartScale, LogarithmicScaleHasDecadesOrRoundValues) {
+  const ChartAxis axis{.title = "", .logarithmic = true, .range = {}};
+  const ChartScale decades = scaleOf(axis, {3e-5, 0.04});
+  EXPECT_DOUBLE_EQ(decades.range[0], 2e-5);
+  EXPECT_DOUBLE_EQ(decades.range[1], 5e-2);
+  EXPECT_THAT(decades.labels, ElementsAre("10⁻⁴", "10⁻³", "10⁻²"));
+  EXPECT_NEAR(decades.share(1e-3), std::log10(50.0) / std::log10(2500.0), 1e-12);
+  const ChartScale narrow = scaleOf(axis, {0.0625, 0.25});
+  EXPECT_THAT(narrow.labels, ElementsAre("0.05", "0.1", "0.2", "0.5"));
+  const ChartScale small = scaleOf(axis, {3e-4, 4e-3});
+  EXPECT_THAT(small.labels, ElementsAre("0.2", "0.5", "1", "2", "5"));
+  EXPECT_EQ(small.factor, "×10⁻³");
+}
+
+TEST(ChartScale, KeepsAGivenRange) {
+  const ChartScale scale = scaleOf({.title = "", .logarithmic = false, .range = {{-0.3, 0.7}}}, {0.0, 5.0});
+  EXPECT_EQ(scale.range, (std::array{-0.3, 0.7}));
+  EXPECT_THAT(scale.labels, ElementsAre("−0.2", "0.0", "0.2", "0.4", "0.6"));
+}
+
+TEST(ChartScale, LeavesOutLabelsThatDoNotFit) {
+  const auto scale =
+      makeChartScale({}, {0.0, 1.0}, false, [](const ChartScale& s) { return s.labels.size() <= 3; });
+  EXPECT_THAT(scale.labels, ElementsAre("0.0", "0.5", "1.0"));
+}
+
+/// Whether a point of a curve or of a segment between two points lies in the box; by samples, to be
+/// independent of the code under test.
+bool covered(const PixelRect& box, const PlottedCurve& curve) {
+  const auto inside = [&](const Eigen::Vector2d& p) {
+    return p.x() > box.x && p.x() < box.right() && p.y() > box.y && p.y() < box.top();
+  };
+  for (const Polyline& piece : curve.pieces)
+    for (std::size_t k = 1; k < piece.size(); ++k)
+      for (int i = 0; i <= 200; ++i)
+        if (inside(piece[k - 1] + i / 200.0 * (piece[k] - piece[k - 1]))) return true;
+  return std::any_of(curve.markers.begin(), curve.markers.end(), inside);
+}
+
+TEST(ChartLegend, CoversNoCurve) {
+  // A stroke across each corner in turn; the last chart has all of them.
+  const std::vector<std::vector<double>> xs{{0.7, 1}, {0, 0.3}, {0.7, 1}, {0, 0.3}};
+  const std::vector<std::vector<double>> ys{{1, 0.7}, {0.7, 1}, {0, 0.3}, {0.3, 0}};
+  Chart chart = chartOf({0, 1}, {0.5, 0.5});
+  chart.x.range = chart.y.range = {{0.0, 1.0}};
+  for (std::size_t k = 0; k < xs.size(); ++k) {
+    chart.curves.push_back({"", xs[k], ys[k], {}});
+    const ChartLayout layout = layOutChart(chart);
+    EXPECT_TRUE(layout.legendInside);
+    for (const PlottedCurve& curve : layout.curves) EXPECT_FALSE(covered(layout.legendBox, curve)) << k;
+  }
+}
+
+TEST(ChartLegend, StandsBelowThePlotIfNoPlaceInItIsFree) {
+  Chart chart;
+  chart.x.title = "x";
+  for (int c = 0; c < 4; ++c) {
+    ChartCurve curve{.label = "a curve", .x = {}, .y = {}, .style = {}};
+    for (int k = 0; k <= 200; ++k) {
+      curve.x.push_back(k / 200.0);
+      curve.y.push_back(k % 2 == 0 ? 1.0 : -1.0);
+    }
+    chart.curves.push_back(curve);
+  }
+  const ChartLayout layout = layOutChart(chart);
+  EXPECT_FALSE(layout.legendInside);
+  EXPECT_LT(layout.legendBox.top(), layout.xTitleAt.y());
+  EXPECT_GE(layout.legendBox.y, 0.0);
+}
+
+TEST(ChartLayout, TicksNeverOverlap) {
+  for (const std::array<int, 2> size : {std::array{200, 150}, std::array{400, 300}, std::array{300, 1200},
+                                        std::array{1200, 900}, std::array{4000, 500}})
+    for (const double high : {1.0, 1.0001, 123456.0, 2e-7, 9e12}) {
+      Chart chart = chartOf({high == 1.0001 ? 1.0 : 0.0, high}, {high == 1.0001 ? 1.0 : 0.0, high});
+      chart.curves[0].label.clear();
+      chart.size = size;
+      const ChartLayout layout = layOutChart(chart);
+      const double text = layout.textSize;
+      for (std::size_t k = 1; k < layout.x.ticks.size(); ++k) {
+        const auto widthOf = [&](std::size_t i) { return textWidth({{layout.x.labels[i]}}, {.size = text}); };
+        const double between =
+            layout.pixel(layout.x.ticks[k], high).x() - layout.pixel(layout.x.ticks[k - 1], high).x();
+        EXPECT_GT(between, (widthOf(k) + widthOf(k - 1)) / 2) << size[0] << " " << high;
+      }
+      for (std::size_t k = 1; k < layout.y.ticks.size(); ++k)
+        EXPECT_GT(layout.pixel(high, layout.y.ticks[k]).y() - layout.pixel(high, layout.y.ticks[k - 1]).y(),
+                  text);
+    }
+}
+
+TEST(ChartCurves, PointsThatAreNotFiniteInterruptACurve) {
+  const ChartLayout layout = layOutChart(chartOf({0, 1, 2, 3, 4, 5}, {0, 1, kNone, 3, kNone, 5}));
+  const auto& pieces = layout.curves[0].pieces;
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[0].size(), 2U);
+  EXPECT_EQ(pieces[1].size(), 1U);
+  EXPECT_LT((pieces[1][0] - layout.pixel(3, 3)).norm(), 1e-9);
+}
+
+TEST(ChartCurves, EndAtTheFrameOfAGivenRange) {
+  Chart chart = chartOf({0, 4}, {0, 4});
+  chart.x.range = {{1.0, 2.0}};
+  chart.y.range = {{0.0, 4.0}};
+  const ChartLayout layout = layOutChart(chart);
+  ASSERT_EQ(layout.curves[0].pieces.size(), 1U);
+  EXPECT_LT((layout.curves[0].pieces[0].front() - layout.pixel(1, 1)).norm(), 1e-6);
+  EXPECT_LT((layout.curves[0].pieces[0].back() - layout.pixel(2, 2)).norm(), 1e-6);
+  EXPECT_TRUE(layout.curves[0].markers.empty());
+}
+
+TEST(ChartCurves, ManyPointsGetFewMarkersThatDoNotHideEachOther) {
+  Chart chart;
+  for (int c = 0; c < 6; ++c) {
+    ChartCurve curve{.label = "c", .x = {}, .y = {}, .style = {}};
+    for (int k = 0; k < 5000; ++k) {
+      curve.x.push_back(k / 5000.0);
+      curve.y.push_back(std::sin(k / 5000.0));
+    }
+    chart.curves.push_back(curve);
+  }
+  const ChartLayout layout = layOutChart(chart);
+  Polyline all;
+  for (const PlottedCurve& curve : layout.curves) {
+    EXPECT_GE(curve.markers.size(), 8U);
+    EXPECT_LE(curve.markers.size(), 12U);
+    all.insert(all.end(), curve.markers.begin(), curve.markers.end());
+  }
+  for (std::size_t a = 0; a < all.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) EXPECT_GT((all[a] - all[b]).norm(), 0.48 * layout.textSize);
+}
+
+TEST(ChartCurves, DashesFollowThePattern) {
+  const auto parts = dashes({{0, 0}, {4, 0}, {4, 6}}, {3, 2}, 1.0);
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_THAT(parts[0], ElementsAre(Eigen::Vector2d(0, 0), Eigen::Vector2d(2, 0)));
+  EXPECT_THAT(parts[1], ElementsAre(Eigen::Vector2d(4, 0), Eigen::Vector2d(4, 3)));
+  EXPECT_THAT(parts[2], ElementsAre(Eigen::Vector2d(4, 5), Eigen::Vector2d(4, 6)));
+}
+
+TEST(ChartCurves, ColoursDifferInGreyPrint) {
+  const auto grey = [](int color) {
+    const Color c = curveColor({.color = color});
+    return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2];
+  };
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < a; ++b) EXPECT_GT(std::abs(grey(a) - grey(b)), 60.0) << a << " " << b;
+}
+
+class ChartFiles : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(dir); }
+  void TearDown() override { fs::remove_all(dir); }
+
+  void expectRefused(const Chart& chart, const std::vector<std::string>& parts) const {
+    expectError([&] { drawChart(chart, dir / "chart.png"); }, parts);
+    EXPECT_TRUE(fs::is_empty(dir));
+  }
+
+  std::string contents(const fs::path& file) const {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+  fs::path dir = fs::temp_directory_path() / ("burnish_chart_" + std::to_string(::getpid()));
+};
+
+TEST_F(ChartFiles, DataAreWrittenExactly) {
+  Chart chart = chartOf({0.1, 1e-300}, {1.0 / 3.0, -2.0});
+  chart.curves.push_back({"a \"b\", c", {7}, {8}, {}});
+  chart.curves.push_back({"", {9}, {kNone}, {}});
+  writeChartData(chart, dir / "data.csv");
+  EXPECT_EQ(contents(dir / "data.csv"),
+            "curve x,curve y,\"a \"\"b\"\", c x\",\"a \"\"b\"\", c y\",curve 3 x,curve 3 y\n"
+            "0.1,0.3333333333333333,7,8,9,nan\n"
+            "1e-300,-2,,,,\n");
+}
+
+TEST_F(ChartFiles, MistakesAreRefusedWithTheCurve) {
+  expectRefused(Chart{}, {"no point to draw"});
+  expectRefused(chartOf({kNone, 1}, {0, kNone}), {"no point to draw"});
+  expectRefused(chartOf({0, 1}, {0}), {"\"curve\" has 2 values of x and 1 of y"});
+  Chart chart = chartOf({1, 2}, {1, 0});
+  chart.y.logarithmic = true;
+  expectRefused(chart, {"point 2 of \"curve\" has y = 0", "positive"});
+  chart = chartOf({1, 2}, {1, 0});
+  chart.x.range = {{2.0, 2.0}};
+  expectRefused(chart, {"range 2, 2 of the x axis"});
+  chart = chartOf({1, 2}, {1, 2});
+  chart.size = {100, 900};
+  expectRefused(chart, {"size of 100 x 900", "200 x 150 to 8000 x 8000"});
+  chart.size = {200, 150};
+  for (int k = 0; k < 30; ++k) chart.curves.push_back({"one more", {0, 1, 0, 1}, {0, 1, 1, 0}, {}});
+  expectRefused(chart, {"no room for the curves in 200 x 150"});
+}
+
+TEST_F(ChartFiles, OtherEndingsAndPlacesAreRefused) {
+  const Chart chart = chartOf({1, 2}, {1, 2});
+  expectError([&] { drawChart(chart, dir / "chart.jpg"); }, {"chart.jpg", ".png, .svg or .pdf"});
+  for (const char* name : {"absent/chart.png", "absent/chart.svg", "absent/chart.pdf"})
+    expectError([&] { drawChart(chart, dir / name); }, {(dir / name).string()});
+  EXPECT_TRUE(fs::is_empty(dir));
+}
+
+HistoryTable history() {
+  return {.path = "history.csv",
+          .columns = {"time", "tool.fy", "odd name", "step"},
+          .values = {{0.0, 0.5, 1.0}, {10.0, -20.0, 30.0}, {1.0, 2.0, 3.0}, {0.0, 1.0, 2.0}}};
+}
+
+TEST(Expression, IsAColumnOrAFormulaInColumns) {
+  EXPECT_THAT(evaluate(history(), "tool.fy"), ElementsAre(10.0, -20.0, 30.0));
+  EXPECT_THAT(evaluate(history(), "odd name"), ElementsAre(1.0, 2.0, 3.0));
+  EXPECT_THAT(evaluate(history(), "2.5*abs(tool.fy)-time"), ElementsAre(25.0, 49.5, 74.0));
+  EXPECT_THAT(evaluate(history(), "time >= 0.5 && tool.fy > 0"), ElementsAre(0.0, 0.0, 1.0));
+  EXPECT_THAT(evaluate(history(), "time != 0.5"), ElementsAre(1.0, 0.0, 1.0));
+  EXPECT_THAT(evaluate(history(), "7"), ElementsAre(7.0, 7.0, 7.0));
+  EXPECT_FALSE(std::isfinite(evaluate(history(), "1/time")[0]));
+}
+
+TEST(Expression, MistakesNameThePlaceAndTheColumns) {
+  expectError([] { evaluate(history(), "2*tool.fz"); },
+              {"history.csv: formula \"2*tool.fz\", character 3: there is no column \"tool.fz\"",
+               "Did you mean \"tool.fy\"?", "The columns are time, tool.fy, odd name, step"});
+  expectError([] { evaluate(history(), "time = 0.5"); }, {"character 6", "write == to compare"});
+  expectError([] { evaluate(history(), "(time"); }, {"formula \"(time\"", "character 6"});
+  expectError([] { evaluate(history(), "time, step"); }, {"character 5", "one value is expected"});
+  expectError([] { evaluate(history(), ""); }, {"formula \"\""});
+}
+
+}  // namespace
+}  // namespace burnish
