@@ -78,4 +78,13 @@ std::array<int, 2> sizeFromText(const std::string& text) {
                           kLargestPicture));
 }
 
+void makeDirectoryOf(const std::filesystem::path& file) {
+  const auto directory = file.parent_path();
+  if (directory.empty()) return;
+  std::error_code status;
+  std::filesystem::create_directories(directory, status);
+  if (status)
+    throw Error(fmt::format("-o: cannot create the directory {}: {}", directory.string(), status.message()));
+}
+
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,8 @@ std::array<double, 2> rangeFromText(const std::string& text);
 
 /// `W,H` in pixels.
 std::array<int, 2> sizeFromText(const std::string& text);
+
+/// Creates the directory that a file given with -o goes to.
+void makeDirectoryOf(const std::filesystem::path& file);
 
 }  // namespace burnish

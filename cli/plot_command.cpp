@@ -78,6 +78,7 @@ ExitCode plot(const PlotArguments& arguments) {
              .range = {}};
   if (!arguments.size.empty()) chart.size = sizeFromText(arguments.size);
   for (std::size_t k = 0; k < count; ++k) chart.curves.push_back(curveOf(arguments, k));
+  makeDirectoryOf(arguments.picture);
   drawChart(chart, arguments.picture);
   if (!arguments.csv.empty()) writeChartData(chart, arguments.csv);
   return ExitCode::Fine;

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
@@ -55,13 +54,7 @@ ExitCode render(const RenderArguments& arguments) {
   const ResultReader reader(arguments.result);
   const FrameRecord frame = reader.frame(frameIndex(arguments.frame, reader.times()));
   options.field = arguments.field.empty() ? defaultField(frame) : arguments.field;
-  if (const auto directory = arguments.picture.parent_path(); !directory.empty()) {
-    std::error_code status;
-    std::filesystem::create_directories(directory, status);
-    if (status)
-      throw Error(
-          fmt::format("-o: cannot create the directory {}: {}", directory.string(), status.message()));
-  }
+  makeDirectoryOf(arguments.picture);
   drawContour(reader.model(), frame, options, arguments.picture);
   return ExitCode::Fine;
 }

@@ -31,14 +31,6 @@ double roundDown(double value, std::initializer_list<double> factors) {
   return 1.0 / roundUp(1.0 / value, factors);
 }
 
-std::string powerOfTen(int exponent) {
-  static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "10⁻" : "10";
-  for (const char digit : std::to_string(std::abs(exponent)))
-    text += digits[static_cast<std::size_t>(digit - '0')];
-  return text;
-}
-
 /// A range of some width around data that may be constant.
 Range withWidth(const Range& data, bool padded) {
   const double magnitude = std::max(std::abs(data[0]), std::abs(data[1]));
@@ -68,7 +60,7 @@ double takeFactor(ChartScale& scale) {
   const double magnitude = std::max(std::abs(scale.range[0]), std::abs(scale.range[1]));
   const bool plain = magnitude >= smallest && magnitude < largest;
   const int exponent = plain ? 0 : 3 * static_cast<int>(std::floor(std::log10(magnitude) / 3.0 + kSlack));
-  scale.factor = plain ? "" : "×" + powerOfTen(exponent);
+  scale.factor = plain ? "" : "×10" + superscript(exponent);
   return std::pow(10.0, exponent);
 }
 
@@ -109,7 +101,7 @@ void labelDecades(ChartScale& scale, int first, int last, const Fit& fit) {
     for (int e = first; e <= last; ++e) {
       if (e % every != 0) continue;
       scale.ticks.push_back(std::pow(10.0, e));
-      scale.labels.push_back(powerOfTen(e));
+      scale.labels.push_back("10" + superscript(e));
     }
     if (fit(scale)) return;
   }

@@ -46,14 +46,6 @@ std::string withoutTrailingZeros(std::string text) {
   return text;
 }
 
-std::string superscript(int number) {
-  static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = number < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(number)))
-    text += digits[static_cast<std::size_t>(digit - '0')];
-  return text;
-}
-
 /// Decimals that the multiples of a step need.
 int decimalsOf(double step) {
   int decimals = std::max(0, -decimalExponent(step));
@@ -77,6 +69,14 @@ Ticks makeTicks(const std::array<double, 2>& range, int most) {
     ticks.labels.push_back(withMinusSign(fmt::format("{:.{}f}", value / unit, decimals)));
   }
   return ticks;
+}
+
+std::string superscript(int number) {
+  static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = number < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(number)))
+    text += digits[static_cast<std::size_t>(digit - '0')];
+  return text;
 }
 
 std::string numberText(double value, int digits) {

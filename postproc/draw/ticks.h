@@ -15,6 +15,9 @@ struct Ticks {
 /// At most `most` (>= 2) marks for an increasing range.
 Ticks makeTicks(const std::array<double, 2>& range, int most);
 
+/// A whole number in small raised digits: ⁻¹².
+std::string superscript(int number);
+
 /// A number with `digits` significant digits as one sets it: −0.0123, 1.5×10⁻⁷.
 std::string numberText(double value, int digits);
 

@@ -181,7 +181,8 @@ class Document {
   /// Contour pictures with a common scale do not say themselves that their colours are clipped.
   static std::string clipText(const decltype(FigureSpec::what)& what) {
     std::optional<double> clip;
-    if (const auto* sheet = std::get_if<ContourSheetSpec>(&what)) clip = sheet->clip;
+    if (const auto* sheet = std::get_if<ContourSheetSpec>(&what); sheet && sheet->scale != SheetScale::Panel)
+      clip = sheet->clip;
     if (const auto* animation = std::get_if<AnimationSpec>(&what)) clip = animation->clip;
     if (!clip) return {};
     return fmt::format(" (Colours end at the percentiles {} and {} of the values.)",

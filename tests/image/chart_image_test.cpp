@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kAllowedShare = 0.001;
 constexpr Color kFrame{60, 60, 60};
 constexpr int kColorTolerance = 8;
 
@@ -34,15 +33,8 @@ class ChartImage : public testing::Test {
   }
 
   void expectBaseline(const Chart& chart, const std::string& name) const {
-    const Picture picture = drawn(chart);
-    const fs::path baseline = fs::path(BURNISH_SOURCE_DIR) / "images" / "baseline" / (name + ".png");
-    if (std::getenv("BURNISH_WRITE_BASELINES")) {
-      fs::copy_file(dir / "drawn.png", baseline, fs::copy_options::overwrite_existing);
-      ADD_FAILURE() << baseline << " was written anew; look at it, then run again without the variable";
-    } else {
-      ASSERT_TRUE(fs::exists(baseline)) << baseline << " is missing";
-      EXPECT_LT(differentShare(picture, readPicture(baseline)), kAllowedShare) << baseline;
-    }
+    drawChart(chart, dir / "drawn.png");
+    burnish::expectBaseline(dir / "drawn.png", name);
   }
 
   std::string bytes(const std::string& name) const {

@@ -1,5 +1,6 @@
 #include "tests/image/picture.h"
 
+#include <gtest/gtest.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
@@ -52,6 +53,19 @@ double differentShare(const Picture& a, const Picture& b) {
 double drawnShare(const Picture& picture) {
   const auto same = std::count(picture.pixels.begin(), picture.pixels.end(), picture.pixels.front());
   return 1.0 - static_cast<double>(same) / static_cast<double>(picture.pixels.size());
+}
+
+void expectBaseline(const std::filesystem::path& drawn, const std::string& name) {
+  const auto baseline = std::filesystem::path(BURNISH_SOURCE_DIR) / "images" / "baseline" / (name + ".png");
+  if (std::getenv("BURNISH_WRITE_BASELINES") != nullptr) {
+    std::filesystem::copy_file(drawn, baseline, std::filesystem::copy_options::overwrite_existing);
+    ADD_FAILURE() << baseline << " was written anew; look at it, then run again without the variable";
+    return;
+  }
+  ASSERT_TRUE(std::filesystem::exists(baseline)) << baseline << " is missing";
+  const Picture picture = readPicture(drawn);
+  EXPECT_GT(drawnShare(picture), 0.01) << drawn << " is blank";
+  EXPECT_LT(differentShare(picture, readPicture(baseline)), kAllowedShare) << baseline;
 }
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "postproc/draw/color_scale.h"
@@ -26,5 +27,12 @@ double differentShare(const Picture& a, const Picture& b);
 
 /// Share of pixels that differ from the one in the corner; 0 for a blank picture.
 double drawnShare(const Picture& picture);
+
+/// Pictures with a smaller share of different pixels count as equal: 120 pixels of 400 x 300.
+inline constexpr double kAllowedShare = 0.001;
+
+/// Compares a picture with images/baseline/NAME.png; with BURNISH_WRITE_BASELINES in the environment writes
+/// that file instead, and fails all the same, because a person is to look at it.
+void expectBaseline(const std::filesystem::path& drawn, const std::string& name);
 
 }  // namespace burnish

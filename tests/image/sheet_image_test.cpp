@@ -26,7 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 using samples::Sample;
 
-constexpr double kAllowedShare = 0.001;
 constexpr Color kPaper{255, 255, 255};
 
 constexpr const char* kIroning = R"(
@@ -112,18 +111,6 @@ class SheetImage : public testing::Test {
   fs::path contour(const Sample& sample, const ContourOptions& options, const std::string& name) const {
     drawContour(sample.model, sample.frame, options, dir / name);
     return dir / name;
-  }
-
-  static void expectBaseline(const fs::path& drawn, const std::string& name) {
-    const fs::path baseline = fs::path(BURNISH_SOURCE_DIR) / "images" / "baseline" / (name + ".png");
-    if (std::getenv("BURNISH_WRITE_BASELINES")) {
-      fs::copy_file(drawn, baseline, fs::copy_options::overwrite_existing);
-      ADD_FAILURE() << baseline << " was written anew; look at it, then run again without the variable";
-    } else if (!fs::exists(baseline)) {
-      ADD_FAILURE() << baseline << " is missing";
-    } else {
-      EXPECT_LT(differentShare(readPicture(drawn), readPicture(baseline)), kAllowedShare) << baseline;
-    }
   }
 
   fs::path dir;

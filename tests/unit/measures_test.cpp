@@ -264,7 +264,6 @@ TEST(Claims, ShowTheNumbersThatDecide) {
 
   ClaimSpec& claim = statement.claims.front();
   claim.text = "they differ";
-  claim.text = "NURBS only";
   claim.vary = {};
   claim.runs = {"nurbs-fine", "nurbs-middle"};
   const auto verdictOf = [&] { return judgeClaims(study, statement, directory.path()).front().verdict; };
