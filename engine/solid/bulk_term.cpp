@@ -31,14 +31,13 @@ constexpr int kPairs = Dim*(Dim + 1) / 2;
 /// Buffers of one thread; sized at first use, so that the span loop does not allocate.
 template <int Dim>
 struct BulkTerm<Dim>::Workspace {
-  Eigen::Matrix<double, Dim, Eigen::Dynamic> u;  // Dim x n
-  Eigen::Matrix<double, Dim, Eigen::Dynamic> H;  // Dim x Dim·Q: displacement gradients
+  Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
   Eigen::MatrixXd g;                             // n x Dim·Q: spatial gradients
-  Eigen::MatrixXd tau;                           // Dim·Q x Dim: weighted Kirchhoff stresses
-  Eigen::MatrixXd h;  // kPairs·n x Dim·Q: gradients times the weighted moduli, one block per pair (i, k)
-  Eigen::MatrixXd blocks;  // kPairs·n x n
-  Eigen::MatrixXd K;       // Dim·n x Dim·n
-  Eigen::MatrixXd f;       // n x Dim
+  /// kPairs·n + Dim rows x Dim·Q: gradients times the weighted moduli, one block per pair (i, k), then the
+  /// weighted Kirchhoff stresses. Times gᵀ: blocks of the tangent and the forces.
+  Eigen::MatrixXd h;
+  Eigen::MatrixXd blocks;  // kPairs·n + Dim x n
+  Eigen::MatrixXd K;       // Dim·n x Dim·n, component by component
 };
 
 template <int Dim>
@@ -47,8 +46,8 @@ BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material
   pinLibrariesToOneThread();
   for (const auto& span : quadrature_.spans()) {
     std::vector<int> group;
-    for (const int node : span.nodes)
-      for (int d = 0; d < Dim; ++d) group.push_back(Dim * node + d);
+    for (int d = 0; d < Dim; ++d)
+      for (const int node : span.nodes) group.push_back(Dim * node + d);
     groups_.push_back(std::move(group));
   }
   colours_ = colourGroups(groups_, Dim * quadrature_.numNodes());
@@ -69,21 +68,23 @@ bool BulkTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen
   const Eigen::Index Q = span.weights.size();
   const bool wantTangent = out.system != nullptr;
 
-  work.u.resize(Dim, n);
+  const Eigen::Index stressRow = wantTangent ? kPairs<Dim> * n : 0;
+
+  work.u.resize(n, Dim);
   for (Eigen::Index a = 0; a < n; ++a)
-    work.u.col(a) = x.segment<Dim>(Dim * span.nodes[static_cast<std::size_t>(a)]);
-  work.H.noalias() = work.u * span.G;
+    work.u.row(a) = x.segment<Dim>(Dim * span.nodes[static_cast<std::size_t>(a)]);
   work.g.resize(n, Dim * Q);
-  work.tau.resize(Dim * Q, Dim);
-  work.h.resize(kPairs<Dim> * n, Dim * Q);
+  work.h.resize(stressRow + Dim, Dim * Q);
 
   BulkSummary summary;
   MaterialResponse<Dim> response;
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
   for (Eigen::Index q = 0; q < Q; ++q) {
-    F.template topLeftCorner<Dim, Dim>() =
-        Eigen::Matrix<double, Dim, Dim>::Identity() + work.H.template middleCols<Dim>(Dim * q);
-    const Eigen::Matrix<double, Dim, Dim> planar = F.template topLeftCorner<Dim, Dim>();
+    const auto G = span.G.template middleCols<Dim>(Dim * q);
+    Eigen::Matrix<double, Dim, Dim> planar = Eigen::Matrix<double, Dim, Dim>::Identity();
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) planar(i, j) += work.u.col(i).dot(G.col(j));
+    F.template topLeftCorner<Dim, Dim>() = planar;
     const double J = planar.determinant();
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
     if (!(J > 0.0) || !law.template evaluate<Dim>(F, accepted_[point], trial_[point], response)) return false;
@@ -96,11 +97,10 @@ bool BulkTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen
     summary.maxPlasticStrain = std::max(summary.maxPlasticStrain, trial_[point].e_p);
     summary.minJ = std::min(summary.minJ, J);
 
-    const auto g = work.g.template middleCols<Dim>(Dim * q);
-    work.g.template middleCols<Dim>(Dim * q).noalias() =
-        span.G.template middleCols<Dim>(Dim * q) * planar.inverse();
+    auto g = work.g.template middleCols<Dim>(Dim * q);
+    g.noalias() = G * planar.inverse();
     for (int i = 0; i < Dim; ++i)
-      for (int j = 0; j < Dim; ++j) work.tau(Dim * q + j, i) = w * response.tau(voigt<Dim>(i, j));
+      for (int j = 0; j < Dim; ++j) work.h(stressRow + i, Dim * q + j) = w * response.tau(voigt<Dim>(i, j));
     if (!wantTangent) continue;
     Eigen::Index pair = 0;
     for (int i = 0; i < Dim; ++i)
@@ -115,20 +115,19 @@ bool BulkTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen
   }
   spanSummaries_[number] = summary;
 
-  work.f.noalias() = work.g * work.tau;
+  multiplyTransposed(work.h, work.g, work.blocks);
   for (Eigen::Index a = 0; a < n; ++a)
-    out.force.segment<Dim>(Dim * span.nodes[static_cast<std::size_t>(a)]) += work.f.row(a).transpose();
+    out.force.segment<Dim>(Dim * span.nodes[static_cast<std::size_t>(a)]) +=
+        work.blocks.col(a).template segment<Dim>(stressRow);
   if (!wantTangent) return true;
 
   work.K.resize(Dim * n, Dim * n);
-  multiplyTransposed(work.h, work.g, work.blocks);
   Eigen::Index pair = 0;
   for (int i = 0; i < Dim; ++i)
     for (int k = i; k < Dim; ++k, ++pair) {
       const auto block = work.blocks.middleRows(pair * n, n);  // (a, b): entry (i, k) of functions a and b
-      work.K(Eigen::seqN(i, n, Eigen::fix<Dim>), Eigen::seqN(k, n, Eigen::fix<Dim>)) = block;
-      if (i != k)
-        work.K(Eigen::seqN(k, n, Eigen::fix<Dim>), Eigen::seqN(i, n, Eigen::fix<Dim>)) = block.transpose();
+      work.K.block(i * n, k * n, n, n) = block;
+      if (i != k) work.K.block(k * n, i * n, n, n) = block.transpose();
     }
   out.system->add(out.term, number, work.K);
   return true;

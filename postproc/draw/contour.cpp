@@ -109,7 +109,8 @@ class ContourPicture {
     const ContourCaption caption{options_.title.value_or(model_.title),
                                  options_.time ? fmt::format("t = {:.6g}", frame_.time) : "",
                                  clipped ? clipNote(*options_.clip, model_.dim) : ""};
-    const ContourLayout layout = layOutContour(options_.size, textSize_, content(), axes_, caption, bar);
+    const ContourLayout layout =
+        layOutContour(options_.size, textSize_, options_.window ? *options_.window : content(), axes_, caption, bar);
 
     OffscreenCanvas canvas(options_.size[0], options_.size[1]);
     vtkNew<vtkRenderer> paper, space;
@@ -122,23 +123,6 @@ class ContourPicture {
     drawSpace(*space, canvas.supersampling(), layout.view, scale);
     writePng(*canvas.capture(), png);
     return layout.view;
-  }
-
- private:
-  void makeBody() {
-    const auto grid = makeGrid(tessellation_, frame_, true);
-    const auto scalars = makeArray("drawn", values_.transpose(), {});
-    grid->GetPointData()->SetScalars(scalars);
-    vtkNew<vtkGeometryFilter> surface;
-    surface->SetInputData(grid);
-    surface->Update();
-    body_ = surface->GetOutput();
-    outline_ = bodyOutline(model_, frame_.displacement, subdivision_);
-    if (options_.undeformed) undeformed_ = bodyOutline(model_, {}, subdivision_);
-  }
-
-  Eigen::VectorXd toolShift(std::size_t tool) const {
-    return frame_.toolDisplacement.col(static_cast<Eigen::Index>(tool));
   }
 
   /// The projected box that is to be seen.
@@ -159,6 +143,23 @@ class ContourPicture {
       if (seen.intersects(tool)) box.extend(seen.intersection(tool));
     }
     return box;
+  }
+
+ private:
+  void makeBody() {
+    const auto grid = makeGrid(tessellation_, frame_, true);
+    const auto scalars = makeArray("drawn", values_.transpose(), {});
+    grid->GetPointData()->SetScalars(scalars);
+    vtkNew<vtkGeometryFilter> surface;
+    surface->SetInputData(grid);
+    surface->Update();
+    body_ = surface->GetOutput();
+    outline_ = bodyOutline(model_, frame_.displacement, subdivision_);
+    if (options_.undeformed) undeformed_ = bodyOutline(model_, {}, subdivision_);
+  }
+
+  Eigen::VectorXd toolShift(std::size_t tool) const {
+    return frame_.toolDisplacement.col(static_cast<Eigen::Index>(tool));
   }
 
   void drawTexts(vtkRenderer& renderer, int scale, const ContourLayout& layout, const ScalarBar& bar) const {
@@ -232,6 +233,11 @@ View drawContour(const ModelRecord& model, const FrameRecord& frame, const Conto
                  const std::filesystem::path& png) {
   checkOptions(options);
   return ContourPicture(model, frame, options).draw(png);
+}
+
+Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,
+                              const ContourOptions& options) {
+  return ContourPicture(model, frame, options).content();
 }
 
 }  // namespace burnish

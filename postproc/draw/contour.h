@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -24,7 +25,8 @@ struct ContourOptions {
   std::optional<std::string> title;    ///< instead of the model's; empty: none
   bool time = true;                    ///< write the time of the frame
   std::optional<double> textSize;      ///< in pixels, [6, 200]; follows from the picture's size when left out
-  std::optional<int> subdivision;      ///< cells per knot span and direction, instead of the model's
+  std::optional<Eigen::AlignedBox2d> window;  ///< of the view's plane, that must be seen; see `contentOf`
+  std::optional<int> subdivision;             ///< cells per knot span and direction, instead of the model's
 };
 
 /// Draws a field on the deformed body, the tools, a colour scale and a caption into a PNG file, which appears
@@ -33,5 +35,10 @@ struct ContourOptions {
 /// cannot be written.
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                  const std::filesystem::path& png);
+
+/// The part of the view's plane that a picture without a `window` shows: body, outline and tools. The union
+/// over frames is a window in which they can be compared.
+Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,
+                              const ContourOptions& options);
 
 }  // namespace burnish

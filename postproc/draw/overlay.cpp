@@ -6,7 +6,6 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkStdString.h>
 #include <vtkTextActor.h>
@@ -17,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "postproc/draw/flat_shapes.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
@@ -126,20 +126,7 @@ void Overlay::addRun(const std::string& text, const Eigen::Vector2d& baseline, c
 }
 
 void Overlay::addSegments(const std::vector<Eigen::Vector2d>& points, double width, const Color& color) {
-  vtkNew<vtkPoints> positions;
-  vtkNew<vtkCellArray> lines;
-  for (const Eigen::Vector2d& p : points) positions->InsertNextPoint(scale_ * p.x(), scale_ * p.y(), 0.0);
-  for (vtkIdType k = 0; k + 1 < positions->GetNumberOfPoints(); k += 2) lines->InsertNextCell({k, k + 1});
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(positions);
-  data->SetLines(lines);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor2D> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(scale_ * width));
-  actor->GetProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
-  renderer_.AddActor2D(actor);
+  FlatShapes(renderer_, scale_).addSegments(points, width, color);
 }
 
 void Overlay::addStripes(const PixelRect& rect, const std::vector<Color>& colors, Direction direction) {

@@ -77,8 +77,18 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize)
 double ScalarBar::depth(Direction direction, double length) const {
   const double besideLabels = size_ * (kBarDepth + kTick + kGap + kTitleGap + kTitleDepth);
   if (direction == Direction::Right) return besideLabels + capitalHeight(labelStyle_.size);
-  return std::max({besideLabels + longestLabel(ticksUp(barLengthUp(length))),
-                   textWidth(low_.extreme, endStyle_), textWidth(high_.extreme, endStyle_)});
+  const double withLabels = besideLabels + longestLabel(ticksUp(barLengthUp(length)));
+  if (!reachesEnds(fitText(title_, titleStyle_, length, kSmallestTitle * size_), length))
+    return std::max(withLabels, longestEnd());
+  return std::max(withLabels, longestEnd() + size_ * (kTitleGap + kTitleDepth));
+}
+
+double ScalarBar::longestEnd() const {
+  return std::max(textWidth(low_.extreme, endStyle_), textWidth(high_.extreme, endStyle_));
+}
+
+bool ScalarBar::reachesEnds(const FittedText& title, double length) const {
+  return textWidth(title.text, title.style) > barLengthUp(length);
 }
 
 void ScalarBar::draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& space,
@@ -106,8 +116,9 @@ void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& sp
   if (low_.passed) overlay.addText(low_.limit, {labelStart, bar.y - arrow - labelHeight / 2}, labelStyle_);
 
   const FittedText title = fitText(title_, titleStyle_, space.height, kSmallestTitle * size_);
-  const double baseline =
-      labelStart + longestLabel(ticks) + size_ * kTitleGap + capitalHeight(title.style.size);
+  double labelEnd = labelStart + longestLabel(ticks);
+  if (reachesEnds(title, space.height)) labelEnd = std::max(labelEnd, space.x + longestEnd());
+  const double baseline = labelEnd + size_ * kTitleGap + capitalHeight(title.style.size);
   const double middle = bar.center().y() + (high_.passed ? arrow / 2 : 0.0) - (low_.passed ? arrow / 2 : 0.0);
   overlay.addText(title.text, {baseline, middle}, title.style, Anchor::Middle, Direction::Up);
   const double endGap = size_ * kEndGap;

@@ -40,6 +40,10 @@ class ScalarBar {
   Ticks ticksUp(double barLength) const;
   Ticks ticksAcross(double barLength) const;
   double barLengthUp(double length) const;
+  double longestEnd() const;
+
+  /// Whether a title along the upright bar stands beside the texts at its ends.
+  bool reachesEnds(const FittedText& title, double length) const;
   double endAcross(bool high) const;
   double longestLabel(const Ticks& ticks) const;
   double lineWidth() const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,6 +29,12 @@ std::string paragraph(const std::string& text) {
 
 std::string verdictLine(const JudgedClaim& claim) {
   return fmt::format("- **{}**: {} ({})\n", verdictText(claim.verdict), claim.text, claim.numbers);
+}
+
+bool haveDifferentLabels(const std::vector<const StudyRun*>& runs) {
+  std::set<std::string> labels;
+  for (const StudyRun* run : runs) labels.insert(run->label);
+  return labels.size() == runs.size();
 }
 
 /// The numbers of the summaries that the table of runs shows.
@@ -70,23 +77,35 @@ class Document {
   }
 
  private:
-  /// All claims in one list, each with a link to its section.
+  /// How many claims hold, and those that do not.
   std::string claims() const {
-    std::array<int, 3> counts{};
-    std::string lines;
-    for (std::size_t k = 0; k < judged_.size(); ++k)
+    std::string others;
+    std::array<int, 3> total{};
+    std::vector<MarkdownColumn> columns{
+        {"statement", {}, false}, {"hold", {}}, {"do not hold", {}}, {"cannot be told", {}}};
+    for (std::size_t k = 0; k < judged_.size(); ++k) {
+      if (judged_[k].empty()) continue;
+      const StatementSpec& statement = study_.spec.statements[k];
+      const std::string link = fmt::format("[{}](#{})", statement.title, statement.name);
+      std::array<int, 3> counts{};
       for (const JudgedClaim& claim : judged_[k]) {
         ++counts[static_cast<std::size_t>(claim.verdict)];
-        const StatementSpec& statement = study_.spec.statements[k];
-        lines += fmt::format("- **{}**: {} ([{}](#{}))\n", verdictText(claim.verdict), claim.text,
-                             statement.title, statement.name);
+        if (claim.verdict != Verdict::Holds)
+          others += fmt::format("- **{}**: {} ({})\n", verdictText(claim.verdict), claim.text, link);
       }
-    if (lines.empty()) return {};
+      columns[0].cells.push_back(link);
+      for (std::size_t v = 0; v < counts.size(); ++v) {
+        columns[v + 1].cells.push_back(std::to_string(counts[v]));
+        total[v] += counts[v];
+      }
+    }
+    if (columns[0].cells.empty()) return {};
     std::string title;
     for (const Verdict verdict : {Verdict::Holds, Verdict::DoesNotHold, Verdict::CannotBeTold})
-      title += fmt::format("{}{} {}", title.empty() ? "" : ", ", counts[static_cast<std::size_t>(verdict)],
-                           countedText(verdict, counts[static_cast<std::size_t>(verdict)]));
-    return fmt::format("## Claims\n\nOf the claims, {}.\n\n{}\n", title, lines);
+      title += fmt::format("{}{} {}", title.empty() ? "" : ", ", total[static_cast<std::size_t>(verdict)],
+                           countedText(verdict, total[static_cast<std::size_t>(verdict)]));
+    return fmt::format("## Claims\n\nOf the claims, {}.\n\n{}\n{}", title, markdownTable(columns),
+                       others.empty() ? "" : others + "\n");
   }
 
   static std::string countedText(Verdict verdict, int count) {
@@ -99,7 +118,7 @@ class Document {
     Footnotes notes;
     std::vector<MarkdownColumn> columns{{"run", {}, false}, {"came to its end", {}, false}};
     for (std::size_t k = 0; k < data_.size(); ++k) {
-      columns[0].cells.push_back(study_.runs[k].label);
+      columns[0].cells.push_back(study_.runs[k].name);
       columns[1].cells.push_back(endText(data_[k], notes));
     }
     for (const SummaryColumn& column : kSummaryColumns)
@@ -149,7 +168,8 @@ class Document {
   std::string table(const StatementSpec& statement) const {
     const auto runs = study_.matching(statement.runs);
     std::vector<MarkdownColumn> columns{{"run", {}, false}};
-    for (const StudyRun* run : runs) columns[0].cells.push_back(run->label);
+    const bool labelsDiffer = haveDifferentLabels(runs);
+    for (const StudyRun* run : runs) columns[0].cells.push_back(labelsDiffer ? run->label : run->name);
     Footnotes notes;
     for (const MeasureSpec& measure : statement.measures) {
       std::vector<std::optional<double>> values;

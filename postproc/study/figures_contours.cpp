@@ -121,16 +121,21 @@ class ContourSheet {
   std::vector<ResultReader> results_;
 };
 
-/// Pictures of all frames of a run with one colour range, and the video of them.
+/// Pictures of all frames of a run with one colour range and one window.
 Files drawFrames(const FigureTask& task, const AnimationSpec& spec, const StudyRun& run) {
   const ResultReader result = RunData(run, task.studyDirectory).result();
   const ModelRecord& model = result.model();
-  Range range = kNothing;
-  for (int k = 0; k < result.numFrames(); ++k)
-    range = joined(range, fieldRange(model, result.frame(k), spec.field, model.subdivision, spec.clip));
   ContourOptions options;
   options.field = spec.field;
+  Range range = kNothing;
+  Eigen::AlignedBox2d window;
+  for (int k = 0; k < result.numFrames(); ++k) {
+    const FrameRecord frame = result.frame(k);
+    range = joined(range, fieldRange(model, frame, spec.field, model.subdivision, spec.clip));
+    window.extend(contentOf(model, frame, options));
+  }
   options.range = widened(range);
+  options.window = window;
   options.size = spec.size;
   options.textSize = sheetTextSize(spec.size[0], 6.0);
   options.title = run.label;

@@ -103,10 +103,11 @@ double commonLimit(const std::vector<RefinementCurve>& curves) {
                   valuesText(curves)));
 }
 
-std::optional<double> lastOrder(const RefinementCurve& curve, double limit) {
-  const std::size_t n = curve.runs.size();
-  if (n < 2) return {};
-  return observedOrder(curve.runs[n - 2].mesh, curve.runs[n - 1].mesh, limit);
+/// The slope of the least-squares line through all meshes.
+std::optional<double> orderOf(const RefinementCurve& curve, double limit) {
+  std::vector<MeshValue> meshes;
+  for (const RefinedRun& run : curve.runs) meshes.push_back(run.mesh);
+  return meanOrder(meshes, limit);
 }
 
 /// Part of the limit, or the difference itself where the limit is zero.
@@ -118,7 +119,7 @@ double errorOf(const RefinedRun& run, double limit) {
 ChartCurve chartCurve(const FigureTask& task, const RefinementChartSpec& spec, const RefinementCurve& curve,
                       double limit) {
   ChartCurve drawn;
-  const auto order = lastOrder(curve, limit);
+  const auto order = orderOf(curve, limit);
   const std::string label = curve.label.empty() ? spec.measure.title : curve.label;
   drawn.label = order ? fmt::format("{} (order {:.1f})", label, *order) : label;
   drawn.style = styleOf(task.study, *curve.runs.front().run, spec.looks);
@@ -153,6 +154,7 @@ Files drawKind(const FigureTask& task, const RefinementChartSpec& spec) {
   const std::vector<RefinementCurve> curves = refinementCurves(task, spec);
   const double limit = commonLimit(curves);
   Chart chart;
+  chart.size = {1200, 1200};  // room for the legend, which has the orders in it
   chart.x = {"number of basis functions", true, {}};
   chart.y = {spec.yTitle.empty() ? "relative error of " + spec.measure.title : spec.yTitle, true, {}};
   for (const RefinementCurve& curve : curves) chart.curves.push_back(chartCurve(task, spec, curve, limit));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -33,14 +32,6 @@ std::string withMinus(std::string text) {
 std::size_t lengthOf(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-std::string superscript(int number) {
-  constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text;
-  for (const char c : fmt::format("{}", number))
-    text += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
-  return text;
 }
 
 std::string scientific(double value) {
@@ -75,7 +66,8 @@ std::string ruleOf(const MarkdownColumn& column, std::size_t width) {
 }  // namespace
 
 std::vector<std::string> columnTexts(const std::vector<std::optional<double>>& values) {
-  constexpr double kLargestWhole = 1e7, kLargestFixed = 1e5, kSmallestFixed = 1e-3, kWidestFixed = 1e3;
+  constexpr double kLargestWhole = 1e7, kLargestFixed = 1e5, kSmallestFixed = 1e-3, kSmallestPlain = 1e-4,
+                   kWidestFixed = 30.0;
   double largest = 0.0, smallest = HUGE_VAL;
   bool whole = true;
   for (const auto& value : values) {
@@ -86,6 +78,7 @@ std::vector<std::string> columnTexts(const std::vector<std::optional<double>>& v
   }
   const bool fixed =
       largest < kLargestFixed && largest >= kSmallestFixed && largest <= kWidestFixed * smallest;
+  const bool plain = largest < kLargestFixed && smallest >= kSmallestPlain;
   const int decimals = fixed ? decimalsFor(values, largest) : 0;
   std::vector<std::string> texts;
   for (const auto& value : values) {
@@ -93,8 +86,10 @@ std::vector<std::string> columnTexts(const std::vector<std::optional<double>>& v
       texts.emplace_back("—");
     else if (whole && largest < kLargestWhole)
       texts.push_back(withMinus(fmt::format("{:.0f}", *value)));
+    else if (fixed)
+      texts.push_back(withMinus(fmt::format("{:.{}f}", *value, decimals)));
     else
-      texts.push_back(fixed ? withMinus(fmt::format("{:.{}f}", *value, decimals)) : scientific(*value));
+      texts.push_back(plain ? plainNumber(*value) : scientific(*value));
   }
   return texts;
 }

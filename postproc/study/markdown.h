@@ -6,9 +6,9 @@
 
 namespace burnish {
 
-/// A column of numbers as texts, all in one style that shows up to four significant digits of the largest:
-/// whole numbers, fixed decimals, or powers of ten where the values are very large, very small or very
-/// different. "—" where there is none.
+/// A column of numbers as texts, all in one style: whole numbers; decimals that show four significant digits
+/// of the largest; four significant digits of each where they are very different; powers of ten where some
+/// are very large or very small. "—" where there is none.
 std::vector<std::string> columnTexts(const std::vector<std::optional<double>>& values);
 
 /// A number on its own, with up to four significant digits.

@@ -38,4 +38,20 @@ std::optional<double> observedOrder(const MeshValue& coarse, const MeshValue& fi
   return std::log(coarseError / fineError) / std::log(coarse.size / fine.size);
 }
 
+std::optional<double> meanOrder(const std::vector<MeshValue>& meshes, double limit) {
+  double n = 0.0, sumX = 0.0, sumY = 0.0, sumXX = 0.0, sumXY = 0.0;
+  for (const MeshValue& mesh : meshes) {
+    const double error = std::abs(mesh.value - limit);
+    if (error == 0.0) continue;
+    const double x = std::log(mesh.size), y = std::log(error);
+    n += 1.0;
+    sumX += x;
+    sumY += y;
+    sumXX += x * x;
+    sumXY += x * y;
+  }
+  if (n < 2.0) return {};
+  return (n * sumXY - sumX * sumY) / (n * sumXX - sumX * sumX);
+}
+
 }  // namespace burnish

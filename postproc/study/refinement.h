@@ -19,4 +19,8 @@ std::optional<double> extrapolatedLimit(const std::array<MeshValue, 3>& meshes);
 /// Order of the errors |value - limit| between two meshes; nothing if one of them is zero.
 std::optional<double> observedOrder(const MeshValue& coarse, const MeshValue& fine, double limit);
 
+/// Slope of the least-squares line through the logarithms of the errors and of the sizes; nothing for fewer
+/// than two errors above zero.
+std::optional<double> meanOrder(const std::vector<MeshValue>& meshes, double limit);
+
 }  // namespace burnish

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 #include "engine/core/error.h"
@@ -32,12 +33,13 @@ bool isMatch(std::string_view pattern, std::string_view name) {
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-[[noreturn]] void rejectPattern(const std::string& pattern, const std::vector<std::string>& names) {
-  constexpr std::size_t shown = 12;
-  const std::vector<std::string> first(names.begin(),
-                                       names.begin() + static_cast<long>(std::min(shown, names.size())));
+[[noreturn]] void rejectPattern(const std::string& pattern, const std::vector<StudyRun>& runs) {
+  constexpr std::size_t kShown = 12;
+  std::vector<std::string> names;
+  for (const StudyRun& run : runs) names.push_back(run.name);
+  const std::span first(names.begin(), std::min(kShown, names.size()));
   throw Error(fmt::format("found {}, which names no run; the runs are {}{}.{}", pattern,
-                          fmt::join(first, ", "), names.size() > shown ? ", ..." : "",
+                          fmt::join(first, ", "), names.size() > kShown ? ", ..." : "",
                           didYouMean(pattern, names)));
 }
 
@@ -53,20 +55,16 @@ bool isMatch(std::string_view pattern, std::string_view name) {
 }  // namespace
 
 std::vector<const StudyRun*> Study::matching(const std::vector<std::string>& patterns) const {
-  std::vector<bool> wanted(runs.size(), false);
-  std::vector<std::string> names;
-  for (const StudyRun& run : runs) names.push_back(run.name);
+  std::vector<const StudyRun*> matches;
   for (const std::string& pattern : patterns) {
     bool found = false;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      if (!isMatch(pattern, names[i])) continue;
-      wanted[i] = found = true;
+    for (const StudyRun& run : runs) {
+      if (!isMatch(pattern, run.name)) continue;
+      found = true;
+      if (std::find(matches.begin(), matches.end(), &run) == matches.end()) matches.push_back(&run);
     }
-    if (!found) rejectPattern(pattern, names);
+    if (!found) rejectPattern(pattern, runs);
   }
-  std::vector<const StudyRun*> matches;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (wanted[i]) matches.push_back(&runs[i]);
   return matches;
 }
 

@@ -204,7 +204,8 @@ struct Study {
   std::filesystem::path file;
   std::vector<StudyRun> runs;  ///< in the order of the file
 
-  /// Runs that a pattern names, in the order of the study. Throws `Error` if there is none.
+  /// Runs that the patterns name, each once: those of the first pattern in the order of the study, those of
+  /// the next, … Throws `Error` for a pattern that names none.
   std::vector<const StudyRun*> matching(const std::vector<std::string>& patterns) const;
 };
 

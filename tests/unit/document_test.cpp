@@ -19,7 +19,7 @@ using testing::HasSubstr;
 TEST(ColumnTexts, HaveOneStyle) {
   EXPECT_THAT(columnTexts({1.0, 250.0, std::nullopt}), ElementsAre("1", "250", "—"));
   EXPECT_THAT(columnTexts({0.5, 12.345}), ElementsAre("0.50", "12.35"));
-  EXPECT_THAT(columnTexts({-0.012345, 0.9}), ElementsAre("−0.0123", "0.9000"));
+  EXPECT_THAT(columnTexts({-0.012345, 0.9}), ElementsAre("−0.01235", "0.9"));
   EXPECT_THAT(columnTexts({0.1, 2.25}), ElementsAre("0.10", "2.25"));
   EXPECT_THAT(columnTexts({1.5e-7, 0.2, 0.0}), ElementsAre("1.50×10⁻⁷", "2.00×10⁻¹", "0"));
   EXPECT_THAT(columnTexts({123456.5, 2.5e5}), ElementsAre("1.23×10⁵", "2.50×10⁵"));

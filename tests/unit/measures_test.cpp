@@ -181,6 +181,7 @@ TEST(Refinement, FindsTheLimitOfAnyOrder) {
     const std::array meshes{mesh(0.3), mesh(0.16), mesh(0.1)};  // no common ratio of the sizes
     EXPECT_THAT(extrapolatedLimit(meshes), Optional(DoubleNear(5.0, 1e-9)));
     EXPECT_THAT(observedOrder(meshes[1], meshes[2], 5.0), Optional(DoubleNear(order, 1e-6)));
+    EXPECT_THAT(meanOrder({meshes[0], meshes[1], meshes[2]}, 5.0), Optional(DoubleNear(order, 1e-6)));
   }
 }
 
