@@ -103,13 +103,14 @@ constexpr int kPixelsAtOnce = 1'500'000;
 /// middle leaves the window, though half of their width may still be inside.
 constexpr int kOverlap = 16;
 
-/// Number of equal strips that a picture is drawn in: the smallest divisor of its height that keeps a strip
-/// small.
 int stripsFor(int width, int height, int supersampling) {
   const double pixels = static_cast<double>(width) * height * supersampling * supersampling;
-  for (int strips = 1; strips < height; ++strips)
-    if (height % strips == 0 && pixels <= static_cast<double>(strips) * kPixelsAtOnce) return strips;
-  return height;
+  return std::clamp(static_cast<int>(std::ceil(pixels / kPixelsAtOnce)), 1, height);
+}
+
+/// Rows of a strip; the last strip may have fewer.
+int rowsFor(int height, int strips) {
+  return (height + strips - 1) / strips;
 }
 
 /// One renderer of a picture that is drawn in horizontal strips.
@@ -220,11 +221,12 @@ class OffscreenCanvas::Surface {
 
 OffscreenCanvas::OffscreenCanvas(int width, int height, int supersampling)
     : supersampling_(supersampling),
+      height_(height),
       strips_(stripsFor(width, height, supersampling)),
       overlap_(strips_ == 1 ? 0 : kOverlap),
       surface_(Surface::idle() ? std::move(Surface::idle()) : std::make_unique<Surface>()) {
   surface_->makeCurrent();
-  window().SetSize(width * supersampling, height / strips_ * supersampling + 2 * overlap_);
+  window().SetSize(width * supersampling, rowsFor(height, strips_) * supersampling + 2 * overlap_);
 }
 
 OffscreenCanvas::~OffscreenCanvas() {
@@ -236,12 +238,13 @@ vtkRenderWindow& OffscreenCanvas::window() {
   return surface_->window();
 }
 
-void OffscreenCanvas::captureStrip(unsigned char* rows) {
+void OffscreenCanvas::captureStrip(int count, unsigned char* rows) {
   window().Render();
   const int* size = window().GetSize();
   // With alpha, as it lies in the framebuffer: quicker than leaving it out.
-  window().GetRGBACharPixelData(0, overlap_, size[0] - 1, size[1] - overlap_ - 1, 0, pixels_);
-  average(pixels_->GetPointer(0), size[0], size[1] - 2 * overlap_, supersampling_, rows);
+  const int drawn = count * supersampling_;
+  window().GetRGBACharPixelData(0, overlap_, size[0] - 1, overlap_ + drawn - 1, 0, pixels_);
+  average(pixels_->GetPointer(0), size[0], drawn, supersampling_, rows);
 }
 
 vtkSmartPointer<vtkImageData> OffscreenCanvas::capture() {
@@ -252,15 +255,17 @@ vtkSmartPointer<vtkImageData> OffscreenCanvas::capture() {
   vtkCollectionSimpleIterator next;
   renderers->InitTraversal(next);
   while (vtkRenderer* renderer = renderers->GetNextRenderer(next))
-    views.emplace_back(*renderer, strips_ * stripHeight);
+    views.emplace_back(*renderer, height_ * supersampling_);
 
   const auto picture = vtkSmartPointer<vtkImageData>::New();
   const int rowsPerStrip = stripHeight / supersampling_;
-  picture->SetDimensions(window().GetSize()[0] / supersampling_, strips_ * rowsPerStrip, 1);
+  picture->SetDimensions(window().GetSize()[0] / supersampling_, height_, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int strip = 0; strip < strips_; ++strip) {
-    for (const StripView& view : views) view.show(strip * stripHeight - overlap_, stripHeight + 2 * overlap_);
-    captureStrip(static_cast<unsigned char*>(picture->GetScalarPointer(0, strip * rowsPerStrip, 0)));
+  for (int row = 0; row < height_; row += rowsPerStrip) {
+    for (const StripView& view : views)
+      view.show(row * supersampling_ - overlap_, stripHeight + 2 * overlap_);
+    captureStrip(std::min(rowsPerStrip, height_ - row),
+                 static_cast<unsigned char*>(picture->GetScalarPointer(0, row, 0)));
   }
   return picture;
 }

@@ -37,10 +37,11 @@ class OffscreenCanvas {
  private:
   class Surface;
 
-  /// Renders and writes the averaged pixels to `rows`.
-  void captureStrip(unsigned char* rows);
+  /// Renders a strip and writes the averages of its lowest `count` rows to `rows`.
+  void captureStrip(int count, unsigned char* rows);
 
   int supersampling_;
+  int height_;                           ///< of the picture
   int strips_;                           ///< the picture is drawn in horizontal strips, which saves memory
   int overlap_;                          ///< rows drawn beyond each edge of a strip
   std::unique_ptr<Surface> surface_;     ///< GL context and window
