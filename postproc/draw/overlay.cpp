@@ -15,6 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
 
 #include "postproc/draw/flat_shapes.h"
 #include "postproc/offscreen/offscreen_canvas.h"
@@ -46,19 +49,28 @@ void apply(const TextStyle& style, int size, vtkTextProperty& property) {
   property.SetColor(style.color[0] / 255.0, style.color[1] / 255.0, style.color[2] / 255.0);
 }
 
+/// Width in pixels of the drawing; laying out a picture asks for the same texts again and again, and
+/// measuring loads every glyph.
+int boxWidth(const std::string& text, int fontSize, const TextStyle& style) {
+  thread_local std::map<std::tuple<std::string, int, FontWeight>, int> known;
+  const auto [entry, isNew] = known.try_emplace({text, fontSize, style.weight}, 0);
+  if (isNew) {
+    vtkNew<vtkTextProperty> property;
+    apply(style, fontSize, *property);
+    std::array<int, 4> box{};
+    vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(text), box.data(), 72);
+    entry->second = box[1] - box[0] + 1;
+  }
+  return entry->second;
+}
+
 /// Distance from the start of a text to the start of what follows it, blanks at its ends included.
 double advance(const std::string& text, const TextStyle& style) {
   // As large as it is drawn: letters are set at whole pixels, so their distances are not proportional to the
   // size.
   constexpr int scale = OffscreenCanvas::kSupersampling;
-  const auto boxWidth = [&](const std::string& measured) {
-    vtkNew<vtkTextProperty> property;
-    apply(style, fontSize(style, scale), *property);
-    std::array<int, 4> box{};
-    vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(measured), box.data(), 72);
-    return box[1] - box[0] + 1;
-  };
-  return static_cast<double>(boxWidth("|" + text + "|") - boxWidth("||")) / scale;
+  const int size = fontSize(style, scale);
+  return static_cast<double>(boxWidth("|" + text + "|", size, style) - boxWidth("||", size, style)) / scale;
 }
 
 /// Removes the last character (not byte) of a text.
