@@ -13,6 +13,7 @@ namespace burnish {
 enum class ExitCode {
   Fine = 0,
   Internal = 1,       ///< a fault of the program
+  Different = 1,      ///< compare: pictures differ from their baselines, as diff and cmp have it
   BadInput = 2,       ///< a scene, study, result, file or option that cannot be used
   Stopped = 3,        ///< the run could not be brought to its end
   Incomplete = 4,     ///< runs or figures of a study failed
@@ -27,6 +28,7 @@ void addRenderCommand(CLI::App& app, Action& action);
 void addPlotCommand(CLI::App& app, Action& action);
 void addExportCommand(CLI::App& app, Action& action);
 void addInfoCommand(CLI::App& app, Action& action);
+void addCompareCommand(CLI::App& app, Action& action);
 void addFiguresCommand(CLI::App& app, Action& action);
 
 }  // namespace burnish

@@ -23,6 +23,7 @@ ExitCode execute(int argc, char** argv) {
   addPlotCommand(app, action);
   addExportCommand(app, action);
   addInfoCommand(app, action);
+  addCompareCommand(app, action);
   addFiguresCommand(app, action);
   try {
     app.parse(argc, argv);

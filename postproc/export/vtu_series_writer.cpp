@@ -1,15 +1,11 @@
 #include "postproc/export/vtu_series_writer.h"
 
 #include <fmt/format.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <cctype>
-#include <iterator>
 #include <regex>
 #include <span>
 #include <system_error>
@@ -18,6 +14,8 @@
 #include "engine/core/error.h"
 #include "engine/results/atomic_file.h"
 #include "engine/results/check_records.h"
+#include "postproc/export/vtk_file.h"
+#include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
 
 namespace burnish {
@@ -25,20 +23,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Every file that some choice of parts writes, also when it was not finished.
+const std::regex kOurFiles(R"((body|points|net|(tool|contact)_[\w-]+)_\d{6,}\.vt[up](\.partial)?)");
+
 /// What all file systems and URLs accept of a name.
 std::string fileStem(const std::string& name) {
   std::string stem = std::regex_replace(name, std::regex("[^A-Za-z0-9_-]"), "_");
   return stem.empty() ? "tool" : stem;
 }
 
-/// One stem per data set, no two alike even where a file system ignores case.
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// One stem per tool, no two alike even where a file system ignores case.
 std::vector<std::string> fileStems(const std::vector<ToolRecord>& tools) {
-  const auto lower = [](std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-  };
-  std::vector<std::string> stems{"body"};
+  std::vector<std::string> stems;
   for (const ToolRecord& tool : tools) {
     const std::string wanted = fileStem(tool.name);
     std::string stem = wanted;
@@ -50,35 +52,30 @@ std::vector<std::string> fileStems(const std::vector<ToolRecord>& tools) {
   return stems;
 }
 
-/// The same points and cells as a data set that can go into a VTU file.
-vtkSmartPointer<vtkUnstructuredGrid> asGrid(vtkPolyData& outline) {
-  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(outline.GetPoints());
-  vtkNew<vtkIdList> points;
-  for (vtkIdType cell = 0; cell < outline.GetNumberOfCells(); ++cell) {
-    outline.GetCellPoints(cell, points);
-    grid->InsertNextCell(outline.GetCellType(cell), points);
-  }
-  return grid;
+/// The box of the control points, which holds the body.
+Eigen::AlignedBox3d boxOf(const ModelRecord& model, const Eigen::MatrixXd& displacement) {
+  Eigen::AlignedBox3d box;
+  for (const PatchRecord& patch : model.patches)
+    for (Eigen::Index a = 0; a < patch.points.cols(); ++a) {
+      Eigen::Vector3d x = Eigen::Vector3d::Zero();
+      x.head(model.dim) = patch.points.col(a) + displacement.col(patch.nodes[static_cast<std::size_t>(a)]);
+      box.extend(x);
+    }
+  return box;
 }
 
-void writeGrid(vtkUnstructuredGrid& grid, const fs::path& file) {
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(&grid);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOn();
-  writer->SetCompressorTypeToZLib();
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0)
-    throw Error(fmt::format("cannot write {}: VTK failed to encode it", file.string()));
-  const std::string text = writer->GetOutputString();
-  writeFileAtomically(file, std::as_bytes(std::span(text)));
+bool hasContact(const FrameRecord& frame, const ToolRecord& tool) {
+  return std::any_of(frame.contact.begin(), frame.contact.end(),
+                     [&](const ContactRecord& contact) { return contact.tool == tool.name; });
 }
 
-Eigen::AlignedBox3d boundingBox(vtkUnstructuredGrid& grid) {
-  const double* b = grid.GetBounds();
-  return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
-}
+struct BodyGrid {
+  const FrameRecord& frame;
+  const std::string& lengthUnit;
+
+  auto operator()(const Tessellation& cells) const { return makeGrid(cells, frame, true, lengthUnit); }
+  auto operator()(const CurvedCells& cells) const { return makeGrid(cells, frame, lengthUnit); }
+};
 
 void removeFile(const fs::path& file) {
   std::error_code error;
@@ -88,11 +85,11 @@ void removeFile(const fs::path& file) {
 
 }  // namespace
 
-VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model)
+VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, VtuOptions options)
     : runDir_(std::move(runDir)),
       model_(std::move(model)),
-      stems_(fileStems(model_.tools)),
-      tessellation_(model_, model_.subdivision) {
+      cells_(makeCells(model_, options.cells)),
+      parts_(makeParts(model_, options.parts)) {
   std::error_code error;
   fs::create_directories(runDir_ / "frames", error);
   if (error)
@@ -101,48 +98,97 @@ VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model)
   removeEarlierSeries();
 }
 
-void VtuSeriesWriter::write(const FrameRecord& frame) {
-  checkFrame(frame, model_, fmt::format("frame {} for {}", frame.index, (runDir_ / "frames").string()));
-  const auto body = makeGrid(tessellation_, frame, true);
-  writeGrid(*body, file(0, frame.index));
-  for (std::size_t i = 0; i < model_.tools.size(); ++i) {
-    const Eigen::VectorXd u = frame.toolDisplacement.col(static_cast<Eigen::Index>(i));
-    writeGrid(*asGrid(*toolOutline(model_.tools[i], u, boundingBox(*body))), file(i + 1, frame.index));
-  }
-  const std::map<int, double> dropped(times_.upper_bound(frame.index), times_.end());
-  times_.erase(times_.lower_bound(frame.index), times_.end());
-  times_[frame.index] = frame.time;
-  writeCollection();
-  for (const auto& [index, time] : dropped)
-    for (std::size_t part = 0; part < stems_.size(); ++part) removeFile(file(part, index));
+VtuSeriesWriter::BodyCells VtuSeriesWriter::makeCells(const ModelRecord& model, CellKind kind) {
+  if (kind == CellKind::Lagrange) return CurvedCells(model, CurvedFamily::Lagrange);
+  if (kind == CellKind::Bezier) return CurvedCells(model, CurvedFamily::Bezier);
+  return Tessellation(model, model.subdivision);
 }
 
-fs::path VtuSeriesWriter::file(std::size_t part, int frame) const {
-  return runDir_ / "frames" / fmt::format("{}_{:06}.vtu", stems_[part], frame);
+std::vector<VtuSeriesWriter::Part> VtuSeriesWriter::makeParts(const ModelRecord& model,
+                                                              const std::set<ExportPart>& kinds) {
+  const std::vector<std::string> stems = fileStems(model.tools);
+  std::vector<Part> parts;
+  const auto addPerTool = [&](ExportPart kind, const char* prefix) {
+    for (std::size_t tool = 0; tool < stems.size(); ++tool)
+      parts.push_back({kind, prefix + stems[tool], tool});
+  };
+  for (const ExportPart kind : kinds) {
+    if (kind == ExportPart::Body) parts.push_back({kind, "body", 0});
+    if (kind == ExportPart::Tools) addPerTool(kind, "tool_");
+    if (kind == ExportPart::Contact) addPerTool(kind, "contact_");
+    if (kind == ExportPart::Points) parts.push_back({kind, "points", 0});
+    if (kind == ExportPart::Net) parts.push_back({kind, "net", 0});
+  }
+  return parts;
+}
+
+void VtuSeriesWriter::write(const FrameRecord& frame) {
+  checkFrame(frame, model_, fmt::format("frame {} for {}", frame.index, (runDir_ / "frames").string()));
+  Instant instant{frame.time, {}};
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].kind == ExportPart::Contact && !hasContact(frame, model_.tools[parts_[i].tool])) continue;
+    writePart(parts_[i], frame);
+    instant.parts.push_back(i);
+  }
+  const auto from = instants_.lower_bound(frame.index);
+  const std::map<int, Instant> dropped(instants_.upper_bound(frame.index), instants_.end());
+  instants_.erase(from, instants_.end());
+  instants_.emplace(frame.index, std::move(instant));
+  writeCollection();
+  removeFrames(dropped);
+}
+
+void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) const {
+  const fs::path path = file(part, frame.index);
+  switch (part.kind) {
+    case ExportPart::Body:
+      return writeVtkFile(*std::visit(BodyGrid{frame, model_.lengthUnit}, cells_), frame.time, path);
+    case ExportPart::Tools: {
+      const Eigen::VectorXd u = frame.toolDisplacement.col(static_cast<Eigen::Index>(part.tool));
+      const Eigen::AlignedBox3d box = boxOf(model_, frame.displacement);
+      return writeVtkFile(*toolOutline(model_.tools[part.tool], u, box), frame.time, path);
+    }
+    case ExportPart::Contact:
+      return writeVtkFile(*contactSurface(model_, frame, part.tool), frame.time, path);
+    case ExportPart::Points:
+      return writeVtkFile(*quadraturePoints(frame), frame.time, path);
+    case ExportPart::Net:
+      return writeVtkFile(*controlNet(model_, frame), frame.time, path);
+  }
+}
+
+fs::path VtuSeriesWriter::file(const Part& part, int frame) const {
+  const char* extension = part.kind == ExportPart::Body ? "vtu" : "vtp";
+  return runDir_ / "frames" / fmt::format("{}_{:06}.{}", part.name, frame, extension);
 }
 
 void VtuSeriesWriter::removeEarlierSeries() const {
   // The collection goes first, so that it never names a file that is gone.
   removeFile(runDir_ / "frames.pvd");
-  const std::regex ours(fmt::format(R"(({})_\d{{6,}}\.vtu(\.partial)?)", fmt::join(stems_, "|")));
   std::error_code error;
   std::vector<fs::path> stale;
   for (fs::directory_iterator entry(runDir_ / "frames", error), end; !error && entry != end;
        entry.increment(error))
-    if (std::regex_match(entry->path().filename().string(), ours)) stale.push_back(entry->path());
+    if (std::regex_match(entry->path().filename().string(), kOurFiles)) stale.push_back(entry->path());
   if (error)
     throw Error(
         fmt::format("cannot read the directory {}: {}", (runDir_ / "frames").string(), error.message()));
   for (const fs::path& path : stale) removeFile(path);
 }
 
+void VtuSeriesWriter::removeFrames(const std::map<int, Instant>& frames) const {
+  for (const auto& [index, instant] : frames)
+    for (const std::size_t part : instant.parts) removeFile(file(parts_[part], index));
+}
+
 void VtuSeriesWriter::writeCollection() const {
   std::string xml =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-  for (const auto& [index, time] : times_)
-    for (std::size_t part = 0; part < stems_.size(); ++part)
-      xml += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", time, part,
-                         stems_[part], file(part, index).lexically_relative(runDir_).generic_string());
+  for (const auto& [index, instant] : instants_)
+    for (const std::size_t part : instant.parts)
+      xml += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", instant.time,
+                         part, parts_[part].name,
+                         file(parts_[part], index).lexically_relative(runDir_).generic_string());
   xml += "  </Collection>\n</VTKFile>\n";
   writeFileAtomically(runDir_ / "frames.pvd", std::as_bytes(std::span(xml)));
 }

@@ -1,37 +1,78 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/results/result.h"
+#include "postproc/mesh/curved_cells.h"
 #include "postproc/mesh/tessellation.h"
 
 namespace burnish {
 
-/// Writes a run as VTU files with a PVD collection that can be opened while the run goes on:
-/// `frames.pvd`, `frames/body_000000.vtu`, … (current positions) and `frames/TOOL_000000.vtu`, … per tool.
-/// Every file appears under its name only when it is complete.
+enum class CellKind {
+  Linear,    ///< straight cells, the model's `subdivision` per knot span and direction
+  Lagrange,  ///< one cell per knot span through values at equal steps
+  Bezier     ///< one cell per knot span, geometry and fields exactly as computed
+};
+
+enum class ExportPart {
+  Body,     ///< `body_000000.vtu`
+  Tools,    ///< `tool_NAME_000000.vtp` for every tool
+  Contact,  ///< `contact_NAME_000000.vtp` for every tool that something may touch
+  Points,   ///< `points_000000.vtp`: values at the quadrature points, not projected
+  Net       ///< `net_000000.vtp`: the control net
+};
+
+struct VtuOptions {
+  CellKind cells = CellKind::Linear;
+  std::set<ExportPart> parts{ExportPart::Body, ExportPart::Tools, ExportPart::Contact};
+};
+
+/// Writes a run as VTK files in `frames/`, all at current positions, with the collection `frames.pvd` of
+/// their times, which can be opened while the run goes on. Every file appears under its name only when it is
+/// complete.
 class VtuSeriesWriter {
  public:
-  /// Makes the directory and removes a series that an earlier run of the same names left there. Throws
-  /// `Error` naming the file or directory.
-  VtuSeriesWriter(std::filesystem::path runDir, ModelRecord model);
+  /// Makes the directory and removes a series that was written there before, of whatever parts. Throws
+  /// `Error` naming the file or directory, or if the model has no such cells (then nothing is removed).
+  VtuSeriesWriter(std::filesystem::path runDir, ModelRecord model, VtuOptions options = {});
 
   /// Adds a frame. Frames of the same or a higher index are dropped from the collection and removed. Throws
   /// `Error` naming the file, or saying what of the frame does not fit the model.
   void write(const FrameRecord& frame);
 
  private:
-  std::filesystem::path file(std::size_t part, int frame) const;
+  using BodyCells = std::variant<Tessellation, CurvedCells>;
+
+  /// One data set of the collection in every frame.
+  struct Part {
+    ExportPart kind;
+    std::string name;  ///< in the collection and of the files
+    std::size_t tool;  ///< of tools and contact
+  };
+  struct Instant {
+    double time;
+    std::vector<std::size_t> parts;  ///< those that the frame has
+  };
+
+  static BodyCells makeCells(const ModelRecord& model, CellKind kind);
+  static std::vector<Part> makeParts(const ModelRecord& model, const std::set<ExportPart>& kinds);
+
+  void writePart(const Part& part, const FrameRecord& frame) const;
+  std::filesystem::path file(const Part& part, int frame) const;
   void removeEarlierSeries() const;
+  void removeFrames(const std::map<int, Instant>& frames) const;
   void writeCollection() const;
 
   std::filesystem::path runDir_;
   ModelRecord model_;
-  std::vector<std::string> stems_;  ///< file name stems: body, then one per tool
-  Tessellation tessellation_;
-  std::map<int, double> times_;  ///< by index of the frame
+  BodyCells cells_;
+  std::vector<Part> parts_;
+  std::map<int, Instant> instants_;  ///< by index of the frame
 };
 
 }  // namespace burnish

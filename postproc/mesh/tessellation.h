@@ -2,33 +2,37 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Dense>
-#include <Eigen/Sparse>
+#include <string>
 #include <vector>
 
 #include "engine/results/result.h"
+#include "postproc/mesh/span_points.h"
 
 class vtkUnstructuredGrid;
 
 namespace burnish {
 
 /// The body cut into straight cells, `subdivision` per knot span and direction: quadrilaterals in 2D,
-/// hexahedra in 3D. Cells of one patch share their points. What a field needs is computed once: a value is
-/// Σ R_A q_A.
+/// hexahedra in 3D. Cells of one patch share their points.
 class Tessellation {
  public:
   /// Throws `Error` if `subdivision` < 1 or the model is inconsistent.
   Tessellation(const ModelRecord& model, int subdivision);
 
-  int dim() const { return dim_; }
-  int numPoints() const { return static_cast<int>(values_.rows()); }
+  int dim() const { return points_.dim(); }
+  int numPoints() const { return points_.size(); }
   int numCells() const { return static_cast<int>(cells_.cols()); }
 
   /// Values at the points (components x points) of a field with these coefficients (components x nodes).
   /// Throws `Error` if the number of nodes does not fit.
-  Eigen::MatrixXd evaluate(const Eigen::MatrixXd& coefficients) const;
+  Eigen::MatrixXd evaluate(const Eigen::MatrixXd& coefficients) const {
+    return points_.evaluate(coefficients);
+  }
 
   /// Positions in the reference configuration, dim x points.
-  const Eigen::MatrixXd& referencePoints() const { return referencePoints_; }
+  const Eigen::MatrixXd& referencePoints() const { return points_.referencePoints(); }
+
+  const SpanPoints& points() const { return points_; }
 
   /// Points of each cell in VTK's order, 2^dim x cells.
   const Eigen::MatrixXi& cells() const { return cells_; }
@@ -37,17 +41,14 @@ class Tessellation {
   const std::vector<int>& patchOfCell() const { return patchOfCell_; }
 
  private:
-  int dim_;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> values_;  ///< R_A at the points, points x nodes
-  Eigen::MatrixXd referencePoints_;
+  SpanPoints points_;
   Eigen::MatrixXi cells_;
   std::vector<int> patchOfCell_;
 };
 
-/// A frame as a VTK data set in double precision. Point data: `displacement` (components X Y Z) and every
-/// field of the frame under its own name and component names; cell data: `patch`. The points are the current
-/// positions if `deformed`, else the reference positions. Throws `Error` if a field does not fit the model.
+/// A frame as a VTK data set in double precision, with the point data of `setPoints` and the cell data
+/// `patch`. Throws `Error` if a field does not fit the model.
 vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const Tessellation& tessellation, const FrameRecord& frame,
-                                              bool deformed);
+                                              bool deformed, const std::string& lengthUnit = {});
 
 }  // namespace burnish

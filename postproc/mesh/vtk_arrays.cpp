@@ -1,7 +1,10 @@
 #include "postproc/mesh/vtk_arrays.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
 #include <vtkPoints.h>
+
+#include <algorithm>
 
 namespace burnish {
 
@@ -25,6 +28,24 @@ vtkSmartPointer<vtkDoubleArray> makeArray(const std::string& name, const Eigen::
   // Both store the components of a tuple next to each other.
   Eigen::Map<Eigen::MatrixXd>(array->GetPointer(0), values.rows(), values.cols()) = values;
   return array;
+}
+
+vtkSmartPointer<vtkIntArray> makeIntegers(const std::string& name, const std::vector<int>& values) {
+  const auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+std::string labelled(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " [" + unit + "]";
+}
+
+Eigen::MatrixXd inSpace(const Eigen::MatrixXd& vectors) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, vectors.cols());
+  result.topRows(vectors.rows()) = vectors;
+  return result;
 }
 
 }  // namespace burnish

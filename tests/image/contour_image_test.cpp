@@ -25,7 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using samples::Sample;
 
-constexpr double kBlank = 0.02;     // share of drawn pixels below which a picture is taken as blank
 constexpr int kColorTolerance = 6;  // of 255: interpolation between two colours of a fine scale
 
 std::string bytesOf(const fs::path& file) {
@@ -149,34 +148,6 @@ TEST_F(ContourImage, ValuesOutsideAGivenRangeHaveTheColoursOfItsEnds) {
   const ColorScale scale("viridis", *options.range, 0);
   expectColor(picture, deformedSlab(0.5, 0.2), scale.colors().front());
   expectColor(picture, deformedSlab(0.5, 0.93), scale.colors().back());
-}
-
-TEST_F(ContourImage, ComparisonNoticesAFieldShiftedByTwoPercent) {
-  for (const int bands : {0, 8}) {
-    ContourOptions options = small("plastic_strain");
-    options.range = {0.0, 1.0};
-    options.bands = bands;
-    Sample sample = samples::slab();
-    const Picture right = drawn(sample, options);
-    sample.frame.fields["plastic_strain"].values.array() += 0.02;
-    EXPECT_GT(differentShare(right, drawn(sample, options)), kAllowedShare) << bands << " bands";
-  }
-}
-
-TEST_F(ContourImage, ComparisonNoticesWhatIsMissing) {
-  const Sample sample = samples::slab();
-  const ContourOptions options = small("plastic_strain");
-  const Picture right = drawn(sample, options);
-
-  Sample withoutTool = sample;
-  withoutTool.model.tools.clear();
-  EXPECT_GT(differentShare(right, drawn(withoutTool, options)), kAllowedShare);
-  ContourOptions withoutOutline = options;
-  withoutOutline.undeformed = false;
-  EXPECT_GT(differentShare(right, drawn(sample, withoutOutline)), kAllowedShare);
-  ContourOptions withoutTitle = options;
-  withoutTitle.title = "";
-  EXPECT_GT(differentShare(right, drawn(sample, withoutTitle)), kAllowedShare);
 }
 
 TEST_F(ContourImage, EveryPictureFromTinyToLargeKeepsItsTextsInside) {

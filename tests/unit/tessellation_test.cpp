@@ -15,6 +15,7 @@
 #include "engine/core/error.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/patch_geometry.h"
+#include "postproc/mesh/vtk_arrays.h"
 #include "tests/unit/model_samples.h"
 
 namespace burnish {
@@ -152,7 +153,7 @@ TEST(Grid, HoldsTheFieldsInDoublePrecision) {
   ASSERT_EQ(grid->GetNumberOfCells(), mesh.numCells());
   EXPECT_NE(grid->GetCellData()->GetArray("patch"), nullptr);
   for (const auto& [name, field] : frame.fields) {
-    vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
+    vtkDataArray* array = grid->GetPointData()->GetArray(labelled(name, field.unit).c_str());
     ASSERT_NE(array, nullptr);
     EXPECT_EQ(array->GetDataType(), VTK_DOUBLE);
     const Eigen::MatrixXd values = mesh.evaluate(field.values);
@@ -160,7 +161,7 @@ TEST(Grid, HoldsTheFieldsInDoublePrecision) {
       for (Eigen::Index c = 0; c < values.rows(); ++c)
         ASSERT_EQ(array->GetComponent(i, static_cast<int>(c)), values(c, i));
   }
-  EXPECT_STREQ(grid->GetPointData()->GetArray("stress")->GetComponentName(2), "xy");
+  EXPECT_STREQ(grid->GetPointData()->GetArray("stress [MPa]")->GetComponentName(2), "xy");
   EXPECT_STREQ(grid->GetPointData()->GetArray("displacement")->GetComponentName(1), "Y");
 }
 

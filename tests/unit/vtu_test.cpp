@@ -1,27 +1,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLDataElement.h>
-#include <vtkXMLUnstructuredGridReader.h>
-#include <vtkXMLUtilities.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <set>
 #include <string>
 
 #include "engine/core/error.h"
 #include "postproc/export/vtu_series_writer.h"
 #include "tests/unit/model_samples.h"
+#include "tests/unit/vtu_files.h"
 
 namespace burnish {
 namespace {
@@ -34,93 +26,21 @@ using testing::HasSubstr;
 ModelRecord ringWithTools() {
   ModelRecord model = modelOf(quarterRing());
   model.subdivision = 2;
+  model.lengthUnit = "mm";
   model.tools = {{"cylinder", Cylinder{{0.0, 3.0, 0.0}, Eigen::Vector3d::UnitZ(), 0.5}},
                  {"flat table", Plane{{0.0, -0.5, 0.0}, Eigen::Vector3d::UnitY()}}};
   return model;
 }
 
-/// Collects what VTK complains about, by whatever way.
-class Complaints : public vtkOutputWindow {
- public:
-  static Complaints* New();
-  vtkTypeMacro(Complaints, vtkOutputWindow) void DisplayText(const char* text) override {
-    texts.emplace_back(text);
-  }
-  std::vector<std::string> texts;
-};
-vtkStandardNewMacro(Complaints);
-
-class VtuSeries : public testing::Test {
- protected:
-  VtuSeries() {
-    std::string name = (fs::temp_directory_path() / "burnish_vtu_XXXXXX").string();
-    directory_ = mkdtemp(name.data());
-    vtkOutputWindow::SetInstance(complaints_);
-  }
-  ~VtuSeries() override {
-    vtkOutputWindow::SetInstance(nullptr);
-    fs::remove_all(directory_);
-  }
-
-  /// Reads a file; any error, warning or message of the reader fails the test.
-  vtkSmartPointer<vtkUnstructuredGrid> read(const fs::path& file) {
-    vtkNew<vtkCallbackCommand> fail;
-    fail->SetCallback([](vtkObject*, unsigned long, void*, void* text) {
-      ADD_FAILURE() << "the reader says: " << static_cast<const char*>(text);
-    });
-    vtkNew<vtkXMLUnstructuredGridReader> reader;
-    reader->AddObserver("ErrorEvent", fail);
-    reader->AddObserver("WarningEvent", fail);
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    EXPECT_EQ(reader->GetErrorCode(), 0u);
-    EXPECT_THAT(complaints_->texts, testing::IsEmpty());
-    return reader->GetOutput();
-  }
-
-  struct Entry {
-    double time;
-    int part;
-    std::string file;
-    bool operator==(const Entry&) const = default;
-  };
-  std::vector<Entry> readCollection() const {
-    vtkSmartPointer<vtkXMLDataElement> root =
-        vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromFile((directory_ / "frames.pvd").c_str()));
-    EXPECT_NE(root, nullptr);
-    EXPECT_STREQ(root->GetAttribute("type"), "Collection");
-    vtkXMLDataElement* collection = root->FindNestedElementWithName("Collection");
-    std::vector<Entry> entries;
-    for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
-      vtkXMLDataElement* element = collection->GetNestedElement(i);
-      entries.push_back({std::stod(element->GetAttribute("timestep")),
-                         std::stoi(element->GetAttribute("part")), element->GetAttribute("file")});
-    }
-    return entries;
-  }
-
-  std::set<std::string> filesIn(const fs::path& path) const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(path)) names.insert(entry.path().filename().string());
-    return names;
-  }
-
-  static std::string bytes(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
-  fs::path directory_;
-  vtkNew<Complaints> complaints_;
-};
+using VtuSeries = test::VtuFiles;
 
 TEST_F(VtuSeries, IsReadBackBitForBit) {
   const ModelRecord model = ringWithTools();
   const FrameRecord frame = frameOf(model, 0, 0.0);
   VtuSeriesWriter(directory_, model).write(frame);
 
-  const auto expected = makeGrid(Tessellation(model, model.subdivision), frame, true);
-  const auto grid = read(directory_ / "frames/body_000000.vtu");
+  const auto expected = makeGrid(Tessellation(model, model.subdivision), frame, true, "mm");
+  const auto grid = readGrid("body_000000.vtu");
   ASSERT_EQ(grid->GetNumberOfCells(), 6 * 8);
   ASSERT_EQ(grid->GetNumberOfPoints(), 7 * 9);
   EXPECT_EQ(grid->GetPoints()->GetDataType(), VTK_DOUBLE);
@@ -142,15 +62,15 @@ TEST_F(VtuSeries, IsReadBackBitForBit) {
 TEST_F(VtuSeries, KeepsTheNamesOfComponents) {
   const ModelRecord model = ringWithTools();
   VtuSeriesWriter(directory_, model).write(frameOf(model, 0, 0.0));
-  const auto grid = read(directory_ / "frames/body_000000.vtu");
+  const auto grid = readGrid("body_000000.vtu");
   const auto names = [&](const char* field) {
     vtkDataArray* array = grid->GetPointData()->GetArray(field);
     std::vector<std::string> result;
     for (int c = 0; c < array->GetNumberOfComponents(); ++c) result.emplace_back(array->GetComponentName(c));
     return result;
   };
-  EXPECT_THAT(names("stress"), ElementsAre("xx", "yy", "xy", "zz"));
-  EXPECT_THAT(names("displacement"), ElementsAre("X", "Y", "Z"));
+  EXPECT_THAT(names("stress [MPa]"), ElementsAre("xx", "yy", "xy", "zz"));
+  EXPECT_THAT(names("displacement [mm]"), ElementsAre("X", "Y", "Z"));
 }
 
 TEST_F(VtuSeries, LeavesOutFieldsThatTheFrameHasNot) {
@@ -158,22 +78,22 @@ TEST_F(VtuSeries, LeavesOutFieldsThatTheFrameHasNot) {
   FrameRecord frame = frameOf(model, 0, 0.0);
   frame.fields.erase("plastic_strain");
   VtuSeriesWriter(directory_, model).write(frame);
-  const auto grid = read(directory_ / "frames/body_000000.vtu");
+  const auto grid = readGrid("body_000000.vtu");
   EXPECT_EQ(grid->GetPointData()->GetArray("plastic_strain"), nullptr);
-  EXPECT_NE(grid->GetPointData()->GetArray("pressure"), nullptr);
+  EXPECT_NE(grid->GetPointData()->GetArray("pressure [MPa]"), nullptr);
 }
 
 TEST_F(VtuSeries, ToolsAreLinesAtTheirCurrentPosition) {
   const ModelRecord model = ringWithTools();
   const FrameRecord frame = frameOf(model, 3, 0.5);
   VtuSeriesWriter(directory_, model).write(frame);
-  const auto circle = read(directory_ / "frames/cylinder_000003.vtu");
+  const auto circle = readPolyData("tool_cylinder_000003.vtp");
   ASSERT_EQ(circle->GetNumberOfCells(), 1);
   EXPECT_EQ(circle->GetCellType(0), VTK_POLY_LINE);
   const Eigen::Vector2d center = Eigen::Vector2d(0.0, 3.0) + frame.toolDisplacement.col(0);
   for (vtkIdType i = 0; i < circle->GetNumberOfPoints(); ++i)
     EXPECT_NEAR((Eigen::Map<const Eigen::Vector2d>(circle->GetPoint(i)) - center).norm(), 0.5, 1e-14);
-  const auto table = read(directory_ / "frames/flat_table_000003.vtu");
+  const auto table = readPolyData("tool_flat_table_000003.vtp");
   ASSERT_EQ(table->GetNumberOfPoints(), 2);
   EXPECT_NEAR(table->GetPoint(1)[1], -0.5 + frame.toolDisplacement(1, 1), 1e-14);
 }
@@ -183,8 +103,8 @@ TEST_F(VtuSeries, BlocksInSpaceAreHexahedra) {
   model.subdivision = 2;
   model.tools = {{"ball", Sphere{{0.5, 3.0, 1.5}, 0.4}}};
   VtuSeriesWriter(directory_, model).write(frameOf(model, 0, 0.0));
-  EXPECT_EQ(read(directory_ / "frames/body_000000.vtu")->GetCellType(7), VTK_HEXAHEDRON);
-  EXPECT_GT(read(directory_ / "frames/ball_000000.vtu")->GetNumberOfCells(), 100);
+  EXPECT_EQ(readGrid("body_000000.vtu")->GetCellType(7), VTK_HEXAHEDRON);
+  EXPECT_GT(readPolyData("tool_ball_000000.vtp")->GetNumberOfCells(), 100);
 }
 
 TEST_F(VtuSeries, CollectionListsAllFramesAndParts) {
@@ -196,10 +116,11 @@ TEST_F(VtuSeries, CollectionListsAllFramesAndParts) {
     ASSERT_EQ(readCollection().size(), static_cast<std::size_t>(3 * (i + 1)));
   }
   const std::vector<Entry> entries = readCollection();
-  const std::vector<std::string> stems{"body", "cylinder", "flat_table"};
+  const std::vector<std::string> names{"body", "tool_cylinder", "tool_flat_table"};
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Entry expected{times[i / 3], static_cast<int>(i % 3),
-                         "frames/" + stems[i % 3] + "_00000" + std::to_string(i / 3) + ".vtu"};
+    const Entry expected{
+        times[i / 3], static_cast<int>(i % 3), names[i % 3],
+        "frames/" + names[i % 3] + "_00000" + std::to_string(i / 3) + (i % 3 == 0 ? ".vtu" : ".vtp")};
     EXPECT_EQ(entries[i], expected) << entries[i].file;
     EXPECT_TRUE(fs::exists(directory_ / entries[i].file));
   }
@@ -219,17 +140,45 @@ TEST_F(VtuSeries, AFrameReplacesThoseFromItsIndexOn) {
   EXPECT_EQ(filesIn(directory_ / "frames").size(), 6u);
 }
 
-TEST_F(VtuSeries, FilesOfALongerEarlierRunAreRemovedAndOthersKept) {
-  const ModelRecord model = ringWithTools();
+TEST_F(VtuSeries, FilesOfAnEarlierSeriesAreRemovedAndOthersKept) {
+  ModelRecord earlier = ringWithTools();
+  earlier.tools[0].name = "former";
   {
-    VtuSeriesWriter longer(directory_, model);
-    for (int i = 0; i < 3; ++i) longer.write(frameOf(model, i, i));
+    VtuSeriesWriter longer(
+        directory_, earlier,
+        {.cells = CellKind::Bezier,
+         .parts = {ExportPart::Body, ExportPart::Tools, ExportPart::Points, ExportPart::Net}});
+    for (int i = 0; i < 3; ++i) longer.write(frameOf(earlier, i, i));
+    ASSERT_EQ(filesIn(directory_ / "frames").size(), 15u);
   }
-  std::ofstream(directory_ / "frames/cylinder_000007.vtu.partial") << "cut off";
-  std::ofstream(directory_ / "frames/body_notes.vtu") << "of the user";
-  VtuSeriesWriter writer(directory_, model);
+  std::ofstream(directory_ / "frames/tool_cylinder_000007.vtp.partial") << "cut off";
+  for (const char* file : {"body_notes.vtu", "body_01.vtu", "mytool_a_000001.vtp", "tool_a_000001.csv"})
+    std::ofstream(directory_ / "frames" / file) << "of the user";
+  VtuSeriesWriter writer(directory_, ringWithTools());
   EXPECT_FALSE(fs::exists(directory_ / "frames.pvd"));
-  EXPECT_THAT(filesIn(directory_ / "frames"), ElementsAre("body_notes.vtu"));
+  EXPECT_THAT(filesIn(directory_ / "frames"),
+              ElementsAre("body_01.vtu", "body_notes.vtu", "mytool_a_000001.vtp", "tool_a_000001.csv"));
+}
+
+TEST_F(VtuSeries, OnlyTheChosenPartsAreWritten) {
+  const ModelRecord model = ringWithTools();
+  VtuSeriesWriter writer(directory_, model, {.parts = {ExportPart::Net, ExportPart::Tools}});
+  writer.write(frameOf(model, 4, 1.0));
+  EXPECT_THAT(filesIn(directory_ / "frames"),
+              ElementsAre("net_000004.vtp", "tool_cylinder_000004.vtp", "tool_flat_table_000004.vtp"));
+  EXPECT_EQ(readCollection().size(), 3u);
+}
+
+TEST_F(VtuSeries, FilesKnowTheTimeOfTheAnalysis) {
+  const ModelRecord model = ringWithTools();
+  VtuSeriesWriter(directory_, model).write(frameOf(model, 3, 1.0 / 3.0));
+  const std::vector<vtkSmartPointer<vtkDataObject>> files{readGrid("body_000003.vtu"),
+                                                          readPolyData("tool_cylinder_000003.vtp")};
+  for (const auto& file : files) {
+    vtkDataArray* time = file->GetFieldData()->GetArray("TimeValue");
+    ASSERT_NE(time, nullptr);
+    EXPECT_EQ(time->GetComponent(0, 0), 1.0 / 3.0);
+  }
 }
 
 TEST_F(VtuSeries, EqualFramesGiveEqualBytes) {
@@ -239,8 +188,8 @@ TEST_F(VtuSeries, EqualFramesGiveEqualBytes) {
   };
   writeTo("a");
   writeTo("b");
-  for (const char* file : {"frames.pvd", "frames/body_000000.vtu", "frames/cylinder_000000.vtu",
-                           "frames/flat_table_000000.vtu"}) {
+  for (const char* file : {"frames.pvd", "frames/body_000000.vtu", "frames/tool_cylinder_000000.vtp",
+                           "frames/tool_flat_table_000000.vtp"}) {
     EXPECT_GT(bytes(directory_ / "a" / file).size(), 100u);
     EXPECT_EQ(bytes(directory_ / "a" / file), bytes(directory_ / "b" / file)) << file;
   }
@@ -263,7 +212,7 @@ TEST_F(VtuSeries, NamesOfToolsNeverCollideOrLeaveTheDirectory) {
   VtuSeriesWriter(directory_, model).write(frameOf(model, 0, 0.0));
   EXPECT_THAT(filesIn(directory_), ElementsAre("frames", "frames.pvd"));
   EXPECT_THAT(filesIn(directory_ / "frames"),
-              ElementsAre("BODY_3_000000.vtu", "___Body_000000.vtu", "body_000000.vtu", "body_2_000000.vtu"));
+              ElementsAre("body_000000.vtu", "tool_BODY_2_000000.vtp", "tool_body_000000.vtp"));
 }
 
 TEST_F(VtuSeries, ErrorsNameTheFile) {

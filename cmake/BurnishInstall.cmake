@@ -1,0 +1,16 @@
+# cmake --install: the program, the documentation, and what find_package(burnish) finds in other projects.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md")
+install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES
+  "${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/burnishConfig.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/BurnishImageTest.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/BurnishRunImageTest.cmake"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/cmake/burnish")

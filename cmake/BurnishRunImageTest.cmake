@@ -1,0 +1,20 @@
+# What a test of burnish_add_image_test does. PROGRAM, SCENE, BASELINE, SET, RENDER, RULE and DIRECTORY are given.
+cmake_minimum_required(VERSION 3.25)
+
+function(burnish)
+  execute_process(COMMAND "${PROGRAM}" ${ARGN} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " arguments)
+    message(FATAL_ERROR "burnish ${arguments}: exit code ${result}")
+  endif()
+endfunction()
+
+set(changes "")
+foreach(change IN LISTS SET)
+  list(APPEND changes --set "${change}")
+endforeach()
+cmake_path(GET BASELINE FILENAME picture)
+file(REMOVE_RECURSE "${DIRECTORY}")
+burnish(run "${SCENE}" -o "${DIRECTORY}/run" --quiet ${changes})
+burnish(render "${DIRECTORY}/run" ${RENDER} -o "${DIRECTORY}/${picture}")
+burnish(compare "${DIRECTORY}/${picture}" "${BASELINE}" ${RULE} --report "${DIRECTORY}/report")

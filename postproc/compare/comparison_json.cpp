@@ -1,0 +1,50 @@
+#include "postproc/compare/comparison_json.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <json/writer.h>
+
+namespace burnish {
+namespace {
+
+Json::Value boxJson(const PixelBox& box) {
+  if (box.width == 0) return Json::nullValue;
+  Json::Value value;
+  value["x"] = box.left;
+  value["y"] = box.top;
+  value["width"] = box.width;
+  value["height"] = box.height;
+  return value;
+}
+
+}  // namespace
+
+Json::Value comparisonJson(const Comparison& comparison, const PictureRule& rule) {
+  Json::Value value;
+  value["name"] = comparison.name;
+  value["verdict"] = verdictName(comparison.verdict);
+  value["metric"] = metricName(rule.metric);
+  value["threshold"] = rule.threshold;
+  value["message"] = comparison.message;
+  const bool measured = isMeasured(comparison);
+  value["value"] = measured ? metricValue(rule.metric, comparison.difference) : Json::Value();
+  value["different_share"] = measured ? comparison.difference.share : Json::Value();
+  value["box"] = measured ? boxJson(comparison.difference.box) : Json::Value();
+  return value;
+}
+
+std::string compactText(const Json::Value& value) {
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = "";
+  builder["precision"] = 6;
+  return Json::writeString(builder, value);
+}
+
+std::string comparisonsText(const std::vector<Comparison>& comparisons, const PictureRule& rule) {
+  std::vector<std::string> lines;
+  for (const Comparison& comparison : comparisons)
+    lines.push_back(compactText(comparisonJson(comparison, rule)));
+  return fmt::format("[\n{}\n]\n", fmt::join(lines, ",\n"));
+}
+
+}  // namespace burnish

@@ -1,0 +1,64 @@
+#include "postproc/export/vtk_file.h"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <span>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/results/atomic_file.h"
+#include "postproc/mesh/vtk_arrays.h"
+
+namespace burnish {
+namespace {
+
+/// Marks files as of version 2.2. Curved hexahedra of files of earlier versions are read with two points
+/// exchanged, because VTK had another order of points once; VTK 9.1 itself writes version 0.1.
+class CurvedGridWriter : public vtkXMLUnstructuredGridWriter {
+ public:
+  static CurvedGridWriter* New();
+
+ protected:
+  int GetDataSetMajorVersion() override { return 2; }
+  int GetDataSetMinorVersion() override { return 2; }
+};
+vtkStandardNewMacro(CurvedGridWriter);
+
+template <class Writer>
+void write(vtkDataObject& data, double time, const std::filesystem::path& file) {
+  data.GetFieldData()->AddArray(makeArray("TimeValue", Eigen::MatrixXd::Constant(1, 1, time), {}));
+  vtkNew<Writer> writer;
+  writer->SetInputData(&data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOn();
+  writer->SetCompressorTypeToZLib();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0)
+    throw Error(fmt::format("cannot write {}: VTK failed to encode it", file.string()));
+  const std::string text = writer->GetOutputString();
+  writeFileAtomically(file, std::as_bytes(std::span(text)));
+}
+
+}  // namespace
+
+void writeVtkFile(vtkUnstructuredGrid& grid, double time, const std::filesystem::path& vtu) {
+  if (grid.GetCellData()->GetHigherOrderDegrees() != nullptr)
+    write<CurvedGridWriter>(grid, time, vtu);
+  else
+    write<vtkXMLUnstructuredGridWriter>(grid, time, vtu);
+}
+
+void writeVtkFile(vtkPolyData& data, double time, const std::filesystem::path& vtp) {
+  write<vtkXMLPolyDataWriter>(data, time, vtp);
+}
+
+}  // namespace burnish

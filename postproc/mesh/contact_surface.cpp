@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <vector>
+
+#include "engine/contact/rigid_shape.h"
+#include "engine/core/error.h"
+#include "postproc/mesh/frame_parts.h"
+#include "postproc/mesh/index_box.h"
+#include "postproc/mesh/patch_geometry.h"
+#include "postproc/mesh/poly_builder.h"
+#include "postproc/mesh/vtk_arrays.h"
+
+namespace burnish {
+namespace {
+
+/// Quadrature points of a face in rows and columns: `perSpan` per knot span and direction.
+struct FacePoints {
+  IndexBox spans;
+  int perSpan = 0;
+  int dim = 2;  ///< of space
+
+  IndexBox points() const {
+    IndexBox box;
+    for (std::size_t d = 0; d + 1 < static_cast<std::size_t>(dim); ++d)
+      box.extent[d] = spans.extent[d] * perSpan;
+    return box;
+  }
+
+  /// Place in the record, which goes span by span, of the point in this row and column.
+  std::size_t place(const IndexBox::Index& index) const {
+    const int row = dim == 2 ? 1 : perSpan;
+    const int span = spans.number({index[0] / perSpan, index[1] / row, 0});
+    return static_cast<std::size_t>((span * row + index[1] % row) * perSpan + index[0] % perSpan);
+  }
+};
+
+template <int Dim>
+FacePoints facePoints(const ModelRecord& model, const ContactRecord& contact) {
+  const auto trace = tracePatch(patchGeometry<Dim>(model.patches[static_cast<std::size_t>(contact.patch)]),
+                                faceFromName<Dim>(contact.face));
+  FacePoints face{.spans = {}, .perSpan = 0, .dim = Dim};
+  for (int d = 0; d < Dim - 1; ++d)
+    face.spans.extent[static_cast<std::size_t>(d)] = trace.basis().direction(d).numSpans();
+  while (face.points().size() < contact.quadraturePoints.cols()) ++face.perSpan;
+  if (face.points().size() != contact.quadraturePoints.cols())
+    throw Error(
+        fmt::format("contact face {}: found {} quadrature points on {} knot spans; expected the same "
+                    "number on each",
+                    contact.face, contact.quadraturePoints.cols(), face.spans.size()));
+  return face;
+}
+
+void addCells(const FacePoints& face, const std::vector<vtkIdType>& ids, PolyBuilder& builder) {
+  const IndexBox points = face.points();
+  const auto id = [&](int i, int j) { return ids[face.place({i, j, 0})]; };
+  if (face.dim == 2) {
+    std::vector<vtkIdType> line;
+    for (int i = 0; i < points.extent[0]; ++i) line.push_back(id(i, 0));
+    if (!line.empty()) builder.addLine(line);
+    return;
+  }
+  for (int j = 0; j + 1 < points.extent[1]; ++j)
+    for (int i = 0; i + 1 < points.extent[0]; ++i)
+      builder.addPolygon({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
+}
+
+/// What the tool does to the body: the pressure along the tool's normal.
+Eigen::MatrixXd tractionOf(const ContactRecord& contact, const ToolRecord& tool,
+                           const Eigen::VectorXd& toolDisplacement) {
+  const Eigen::MatrixXd x = inSpace(contact.quadraturePoints.colwise() - toolDisplacement);
+  Eigen::MatrixXd traction(3, x.cols());
+  for (Eigen::Index q = 0; q < x.cols(); ++q)
+    traction.col(q) = contact.quadraturePressure(q) * queryGap(tool.shape, x.col(q)).normal;
+  return traction;
+}
+
+/// Rows: pressure, gap, three components of the traction; a column per point.
+Eigen::MatrixXd valuesOf(const ContactRecord& contact, const ToolRecord& tool,
+                         const Eigen::VectorXd& toolDisplacement) {
+  Eigen::MatrixXd values(5, contact.quadraturePoints.cols());
+  if (values.cols() == 0) return values;
+  values << contact.quadraturePressure.transpose(), contact.quadratureGap.transpose(),
+      tractionOf(contact, tool, toolDisplacement);
+  return values;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
+                                            std::size_t tool) {
+  const ToolRecord& record = model.tools.at(tool);
+  PolyBuilder builder;
+  Eigen::MatrixXd values(5, 0);
+  for (const ContactRecord& contact : frame.contact) {
+    if (contact.tool != record.name) continue;
+    const FacePoints face = model.dim == 2 ? facePoints<2>(model, contact) : facePoints<3>(model, contact);
+    addCells(face, builder.addPoints(contact.quadraturePoints), builder);
+    const auto added = valuesOf(contact, record, frame.toolDisplacement.col(static_cast<Eigen::Index>(tool)));
+    values.conservativeResize(Eigen::NoChange, values.cols() + added.cols());
+    values.rightCols(added.cols()) = added;
+  }
+  std::vector<int> status;
+  for (const double pressure : values.row(0)) status.push_back(pressure != 0.0 ? 1 : 0);
+
+  const auto surface = builder.finish();
+  vtkPointData& data = *surface->GetPointData();
+  data.AddArray(makeArray(labelled("contact_pressure", model.stressUnit), values.row(0), {}));
+  data.AddArray(makeArray(labelled("traction", model.stressUnit), values.bottomRows(3), kAxes));
+  data.AddArray(makeArray(labelled("gap", model.lengthUnit), values.row(1), {}));
+  data.AddArray(makeIntegers("status", status));
+  return surface;
+}
+
+}  // namespace burnish
