@@ -93,6 +93,9 @@ FittedText fitText(RichText text, TextStyle style, double width, double smallest
   const double full = textWidth(text, style);
   if (full > width)
     style.size = std::max(std::min(smallest, style.size), std::floor(style.size * width / full));
+  // Letters are set at whole pixels, so a text may still be a little longer than in proportion.
+  while (style.size > smallest && textWidth(text, style) > width)
+    style.size = std::max(smallest, style.size - 1.0);
   if (textWidth(text, style) <= width) return {std::move(text), style};
   const TextRun dots{"…"};
   do dropLast(text);
