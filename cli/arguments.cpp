@@ -1,20 +1,19 @@
 #include "cli/arguments.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
+#include <numeric>
+#include <set>
 #include <string_view>
-
-#include "engine/core/error.h"
+#include <utility>
 
 namespace burnish {
 namespace {
 
 constexpr int kSmallestPicture = 200;
 constexpr int kLargestPicture = 8000;
+constexpr int kMostBands = 256;
 
 /// The whole text as a number, or nothing.
 template <class Number>
@@ -25,15 +24,19 @@ std::optional<Number> numberFrom(std::string_view text) {
   return value;
 }
 
-/// `A,B`, or nothing.
-template <class Number>
-std::optional<std::array<Number, 2>> pairFrom(std::string_view text) {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string_view::npos) return std::nullopt;
-  const auto first = numberFrom<Number>(text.substr(0, comma));
-  const auto second = numberFrom<Number>(text.substr(comma + 1));
-  if (!first || !second) return std::nullopt;
-  return std::array{*first, *second};
+/// As many numbers with commas between them, or nothing.
+template <class Number, std::size_t Count>
+std::optional<std::array<Number, Count>> listFrom(std::string_view text) {
+  std::array<Number, Count> list{};
+  for (std::size_t k = 0; k < Count; ++k) {
+    const std::size_t comma = k + 1 < Count ? text.find(',') : text.size();
+    if (comma == std::string_view::npos) return std::nullopt;
+    const auto number = numberFrom<Number>(text.substr(0, comma));
+    if (!number) return std::nullopt;
+    list[k] = *number;
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return list;
 }
 
 int frameAtTime(double time, const std::vector<double>& times) {
@@ -48,6 +51,10 @@ int frameAtTime(double time, const std::vector<double>& times) {
 
 }  // namespace
 
+bool isOn(const char* option, const std::string& word) {
+  return chosen(option, word, std::array{std::pair{"on", true}, std::pair{"off", false}});
+}
+
 int frameIndex(const std::string& text, const std::vector<double>& times) {
   if (times.empty()) throw Error("the result has no frames yet");
   const int last = static_cast<int>(times.size()) - 1;
@@ -57,25 +64,106 @@ int frameIndex(const std::string& text, const std::vector<double>& times) {
     if (time && std::isfinite(*time)) return frameAtTime(*time, times);
   }
   const auto index = numberFrom<int>(text);
-  if (!index) throw Error(fmt::format("--frame: found \"{}\"; expected a number, last, or time=T", text));
+  if (!index)
+    throw Error(
+        fmt::format("--frame: found \"{}\"; expected a number, last, or time=T; or for several A-B, all.{}",
+                    text, didYouMean(text, {"last", "all"})));
   if (*index < 0 || *index > last)
     throw Error(fmt::format("--frame: there is no frame {}; the result has frames 0 to {}", *index, last));
   return *index;
 }
 
+std::vector<int> frameIndices(const std::string& text, const std::vector<double>& times) {
+  std::string first = text, last = text;
+  const std::size_t dash = text.starts_with("time=") ? std::string::npos : text.find('-', 1);
+  if (text == "all") {
+    first = "0";
+    last = "last";
+  } else if (dash != std::string::npos) {
+    first = text.substr(0, dash);
+    last = text.substr(dash + 1);
+  }
+  const int begin = frameIndex(first, times), end = frameIndex(last, times);
+  if (begin > end) throw Error(fmt::format("--frame: found \"{}\"; expected the smaller number first", text));
+  std::vector<int> indices(static_cast<std::size_t>(end - begin + 1));
+  std::iota(indices.begin(), indices.end(), begin);
+  return indices;
+}
+
+std::vector<std::filesystem::path> pictureNames(const std::string& pattern, const std::vector<int>& frames,
+                                                const std::vector<double>& times) {
+  std::vector<std::filesystem::path> names;
+  try {
+    for (const int frame : frames)
+      names.emplace_back(fmt::format(fmt::runtime(pattern), fmt::arg("frame", frame),
+                                     fmt::arg("time", times[static_cast<std::size_t>(frame)])));
+  } catch (const fmt::format_error& error) {
+    throw Error(
+        fmt::format("-o: found \"{}\" ({}); expected a name in which braces hold frame or time, as in {}",
+                    pattern, error.what(), "frame_{frame:04}.png"));
+  }
+  if (std::set(names.begin(), names.end()).size() < names.size())
+    throw Error(
+        fmt::format("-o: found \"{}\" for {} frames; expected a name with the number of the frame, as in {}",
+                    pattern, frames.size(), "frame_{frame:04}.png"));
+  return names;
+}
+
 std::array<double, 2> rangeFromText(const std::string& text) {
-  const auto range = pairFrom<double>(text);
+  const auto range = listFrom<double, 2>(text);
   if (range && std::isfinite((*range)[0]) && std::isfinite((*range)[1]) && (*range)[0] < (*range)[1])
     return *range;
-  throw Error(fmt::format("--range: found \"{}\"; expected LO,HI: two numbers, the first one smaller", text));
+  throw Error(fmt::format(
+      "--range: found \"{}\"; expected LO,HI: two numbers, the first one smaller; or auto, frame, run.{}",
+      text, didYouMean(text, {"auto", "frame", "run"})));
 }
 
 std::array<int, 2> sizeFromText(const std::string& text) {
-  const auto size = pairFrom<int>(text);
+  const auto size = listFrom<int, 2>(text);
   const auto fits = [](int n) { return n >= kSmallestPicture && n <= kLargestPicture; };
   if (size && fits((*size)[0]) && fits((*size)[1])) return *size;
   throw Error(fmt::format("--size: found \"{}\"; expected W,H: pixels from {} to {}", text, kSmallestPicture,
                           kLargestPicture));
+}
+
+Eigen::AlignedBox2d windowFromText(const std::string& text) {
+  const auto corners = listFrom<double, 4>(text);
+  Eigen::AlignedBox2d window;
+  if (corners) {
+    const Eigen::Vector4d c = Eigen::Map<const Eigen::Vector4d>(corners->data());
+    window.extend(Eigen::Vector2d(c.head<2>())).extend(Eigen::Vector2d(c.tail<2>()));
+    if (c.allFinite() && window.sizes().minCoeff() > 0.0) return window;
+  }
+  throw Error(fmt::format("--zoom: found \"{}\"; expected X0,Y0,X1,Y1: two corners of a window", text));
+}
+
+std::optional<Eigen::Vector3d> directionFromText(const std::string& text) {
+  const auto direction = listFrom<double, 3>(text);
+  if (!direction) return std::nullopt;
+  return Eigen::Map<const Eigen::Vector3d>(direction->data());
+}
+
+int bandsFromText(const std::string& text) {
+  if (text == "smooth") return 0;
+  const auto bands = numberFrom<int>(text);
+  if (bands && *bands >= 0 && *bands <= kMostBands) return *bands;
+  throw Error(fmt::format("--bands: found \"{}\"; expected a number up to {}, or smooth.{}", text, kMostBands,
+                          didYouMean(text, {"smooth"})));
+}
+
+Color colorFromText(const char* option, const std::string& text) {
+  if (text.size() == 7 && text.front() == '#') {
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
+    const auto channel = [&](int shift) { return static_cast<unsigned char>((value >> shift) & 255U); };
+    if (error == std::errc() && end == text.data() + 7) return {channel(16), channel(8), channel(0)};
+  }
+  static const std::vector<std::pair<std::string, Color>> names{
+      {"white", {255, 255, 255}}, {"black", {0, 0, 0}}, {"grey", {128, 128, 128}}};
+  for (const auto& [name, color] : names)
+    if (text == name) return color;
+  throw Error(fmt::format("{}: found \"{}\"; expected #rrggbb, white, black or grey.{}", option, text,
+                          didYouMean(text, {"white", "black", "grey"})));
 }
 
 void makeDirectoryOf(const std::filesystem::path& file) {

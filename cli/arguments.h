@@ -1,21 +1,65 @@
 #pragma once
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "engine/core/error.h"
+#include "engine/scene/nearest.h"
+#include "postproc/draw/color_scale.h"
 
 /// Values of options that are more than a number or a word. All throw `Error` with the option, what was found
 /// and what is expected.
 namespace burnish {
 
+/// The value of a word given with an option; choices: pairs of word and value. The error tells the nearest.
+template <class Choices>
+auto chosen(const char* option, const std::string& word, const Choices& choices) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : choices) {
+    if (word == name) return value;
+    words.emplace_back(name);
+  }
+  throw Error(fmt::format("{}: found \"{}\"; expected {}.{}", option, word, fmt::join(words, ", "),
+                          didYouMean(word, words)));
+}
+
+/// `on` or `off`.
+bool isOn(const char* option, const std::string& word);
+
 /// `N`, `last` or `time=T` as an index into the frames with these times.
 int frameIndex(const std::string& text, const std::vector<double>& times);
+
+/// The same, or `A-B` or `all`: indices in ascending order.
+std::vector<int> frameIndices(const std::string& text, const std::vector<double>& times);
+
+/// The names of pictures of these frames: in the pattern {frame} and {time} are replaced by index and time of
+/// a frame, {frame:04} with four digits. The names differ.
+std::vector<std::filesystem::path> pictureNames(const std::string& pattern, const std::vector<int>& frames,
+                                                const std::vector<double>& times);
 
 /// `LO,HI` with LO < HI.
 std::array<double, 2> rangeFromText(const std::string& text);
 
 /// `W,H` in pixels.
 std::array<int, 2> sizeFromText(const std::string& text);
+
+/// `X0,Y0,X1,Y1`: two opposite corners.
+Eigen::AlignedBox2d windowFromText(const std::string& text);
+
+/// `X,Y,Z`, or nothing if it is not three numbers.
+std::optional<Eigen::Vector3d> directionFromText(const std::string& text);
+
+/// `smooth` (0) or a number of bands.
+int bandsFromText(const std::string& text);
+
+/// `#rrggbb` or white, black, grey.
+Color colorFromText(const char* option, const std::string& text);
 
 /// Creates the directory that a file given with -o goes to.
 void makeDirectoryOf(const std::filesystem::path& file);

@@ -25,10 +25,13 @@ using Action = std::function<ExitCode()>;
 
 void addRunCommand(CLI::App& app, Action& action);
 void addRenderCommand(CLI::App& app, Action& action);
+void addAnimateCommand(CLI::App& app, Action& action);
+void addSheetCommand(CLI::App& app, Action& action);
 void addPlotCommand(CLI::App& app, Action& action);
 void addExportCommand(CLI::App& app, Action& action);
 void addInfoCommand(CLI::App& app, Action& action);
 void addCompareCommand(CLI::App& app, Action& action);
+void addReportCommand(CLI::App& app, Action& action);
 void addFiguresCommand(CLI::App& app, Action& action);
 
 }  // namespace burnish

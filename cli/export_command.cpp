@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "engine/core/error.h"
 #include "engine/results/result_reader.h"
@@ -35,18 +36,6 @@ constexpr std::array kCellKinds{std::pair{"linear", CellKind::Linear},
 constexpr std::array kParts{std::pair{"body", ExportPart::Body}, std::pair{"tools", ExportPart::Tools},
                             std::pair{"contact", ExportPart::Contact},
                             std::pair{"points", ExportPart::Points}, std::pair{"net", ExportPart::Net}};
-
-/// The value of a word given with an option. Throws `Error` with the nearest of the words that are allowed.
-template <class Choices>
-auto chosen(const char* option, const std::string& word, const Choices& choices) {
-  std::vector<std::string> words;
-  for (const auto& [name, value] : choices) {
-    if (word == name) return value;
-    words.emplace_back(name);
-  }
-  throw Error(fmt::format("{}: found \"{}\"; expected {}.{}", option, word, fmt::join(words, ", "),
-                          didYouMean(word, words)));
-}
 
 VtuOptions optionsFrom(const ExportArguments& arguments) {
   VtuOptions options;

@@ -20,10 +20,13 @@ ExitCode execute(int argc, char** argv) {
   Action action;
   addRunCommand(app, action);
   addRenderCommand(app, action);
+  addAnimateCommand(app, action);
+  addSheetCommand(app, action);
   addPlotCommand(app, action);
   addExportCommand(app, action);
   addInfoCommand(app, action);
   addCompareCommand(app, action);
+  addReportCommand(app, action);
   addFiguresCommand(app, action);
   try {
     app.parse(argc, argv);

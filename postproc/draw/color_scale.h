@@ -11,7 +11,8 @@ namespace burnish {
 
 using Color = std::array<unsigned char, 3>;  ///< red, green, blue
 
-/// viridis, rainbow, coolwarm, grey.
+/// viridis, cividis, batlow and grey, whose lightness only grows; coolwarm, for values about a middle; turbo
+/// and rainbow.
 const std::vector<std::string>& colormapNames();
 
 /// Colours for the values of a range: the whole colour map, smooth or in equal bands. Values outside have the

@@ -6,9 +6,13 @@
 #include <string>
 
 #include "engine/results/result.h"
+#include "postproc/draw/theme.h"
 #include "postproc/draw/view.h"
 
 namespace burnish {
+
+/// What the arrows of a picture show: displacements on the body, or what tools do to its contact faces.
+enum class ArrowField { None, Displacement, Traction };
 
 /// What a contour picture shows. The names are those of the scene's `pictures`.
 struct ContourOptions {
@@ -20,19 +24,28 @@ struct ContourOptions {
   std::array<int, 2> size{1600, 900};  ///< pixels
   int bands = 0;                       ///< number of colour bands, 0: smooth
   std::string colormap = "viridis";    ///< one of `colormapNames()`
+  int isolines = 0;                    ///< number of lines at equal distances in the range, up to 100
   bool knots = false;                  ///< draw the lines between knot spans
+  bool controlNet = false;             ///< draw the control points and the lines between them
   bool undeformed = true;              ///< draw the outline of the undeformed body
-  std::optional<std::string> title;    ///< instead of the model's; empty: none
-  bool time = true;                    ///< write the time of the frame
-  std::optional<double> textSize;      ///< in pixels, [6, 200]; follows from the picture's size when left out
+  bool tools = true;
+  ArrowField arrows = ArrowField::None;
+  double warp = 1.0;                 ///< factor on the displacements of body and tools; values keep theirs
+  std::optional<std::string> title;  ///< instead of the model's; empty: none
+  std::string note;                  ///< small text below the body; may be empty
+  bool time = true;                  ///< write the time of the frame
+  std::optional<double> textSize;    ///< in pixels, [6, 200]; follows from the picture's size when left out
   std::optional<Eigen::AlignedBox2d> window;  ///< of the view's plane, that must be seen; see `contentOf`
   std::optional<int> subdivision;             ///< cells per knot span and direction, instead of the model's
+  std::optional<ViewAxes> axes;               ///< instead of `viewNamed("auto")`
+  Theme theme;
+  bool transparent = false;  ///< no paper: the picture has an alpha channel
 };
 
 /// Draws a field on the deformed body, the tools, a colour scale and a caption into a PNG file, which appears
 /// under its name only when it is complete. Returns how positions became pixels. Throws `Error` for an
-/// unknown field, option values out of range, a field that is not finite, a missing font and a file that
-/// cannot be written.
+/// unknown field, option values out of range or that exclude each other, a field that is not finite, a
+/// missing font and a file that cannot be written.
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                  const std::filesystem::path& png);
 

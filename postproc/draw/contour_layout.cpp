@@ -10,8 +10,6 @@ namespace {
 
 using Direction = Overlay::Direction;
 
-constexpr Color kInk{30, 30, 30};
-constexpr Color kSoftInk{95, 95, 95};
 constexpr double kSmallestText = 10.0, kSmallestNote = 6.0;  // pixels
 
 // Measures as parts of the text size.
@@ -90,7 +88,7 @@ double textSizeFor(const std::array<int, 2>& pictureSize) {
 
 ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSize,
                             const Eigen::AlignedBox2d& content, const Eigen::Matrix<double, 2, 3>& axes,
-                            const ContourCaption& caption, const ScalarBar& bar) {
+                            const ContourCaption& caption, const ScalarBar& bar, const Theme& theme) {
   const double width = pictureSize[0], height = pictureSize[1], size = textSize;
   const bool bare = caption.title.empty() && caption.time.empty();
   const double margin = std::round((bare ? kBareMargin : kMargin) * size);
@@ -99,7 +97,7 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   double top = height - margin;
   const auto addLine = [&](const std::string& text, double textHeight, double gap) {
     const FittedText line =
-        fitText({{text}}, {textHeight, kInk}, width - 2 * margin, std::min(textHeight, kSmallestText));
+        fitText({{text}}, {textHeight, theme.ink}, width - 2 * margin, std::min(textHeight, kSmallestText));
     const Eigen::Vector2d at(margin, top - capitalHeight(line.style.size));
     top = at.y() - gap * size;
     return std::pair(line, at);
@@ -113,7 +111,8 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
 
   double bottom = margin;
   if (!caption.note.empty()) {
-    layout.note = fitText({{caption.note}}, {kNoteSize * size, kSoftInk}, width - 2 * margin, kSmallestNote);
+    layout.note =
+        fitText({{caption.note}}, {kNoteSize * size, theme.softInk}, width - 2 * margin, kSmallestNote);
     bottom += kNoteGap * size + capitalHeight(layout.note.style.size);
   }
 

@@ -5,6 +5,7 @@
 
 #include "postproc/draw/overlay.h"
 #include "postproc/draw/scalar_bar.h"
+#include "postproc/draw/theme.h"
 #include "postproc/draw/view.h"
 
 namespace burnish {
@@ -33,6 +34,6 @@ struct ContourCaption {
 /// textSize: of ordinary text, in pixels. content: the projected box that must be seen. axes: see `View`.
 ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSize,
                             const Eigen::AlignedBox2d& content, const Eigen::Matrix<double, 2, 3>& axes,
-                            const ContourCaption& caption, const ScalarBar& bar);
+                            const ContourCaption& caption, const ScalarBar& bar, const Theme& theme);
 
 }  // namespace burnish

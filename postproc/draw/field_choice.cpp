@@ -76,6 +76,10 @@ std::vector<std::string> fieldNames(const FrameRecord& frame) {
   return names;
 }
 
+std::string fieldToShow(const FrameRecord& frame) {
+  return frame.fields.contains("plastic_strain") ? "plastic_strain" : "von_mises";
+}
+
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
   const auto fields = allFields(frame, model.lengthUnit);
   for (const auto& [fieldName, field] : fields) {

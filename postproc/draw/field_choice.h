@@ -13,6 +13,10 @@ namespace burnish {
 /// fields; a vector alone stands for its magnitude, a tensor only has components.
 std::vector<std::string> fieldNames(const FrameRecord& frame);
 
+/// What one most probably wants to see: plastic strain where there is any law for it, else the von Mises
+/// stress.
+std::string fieldToShow(const FrameRecord& frame);
+
 /// A scalar that is to be drawn.
 struct FieldChoice {
   RichText title;                ///< readable name with symbol, without unit

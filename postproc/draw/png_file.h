@@ -5,8 +5,8 @@ class vtkImageData;
 
 namespace burnish {
 
-/// Writes a picture of bytes (RGB or grey) as PNG; the file appears under its name only when it is complete.
-/// Throws `Error` naming the file.
+/// Writes a picture of bytes (grey, RGB or RGBA) as PNG; the file appears under its name only when it is
+/// complete. Throws `Error` naming the file.
 void writePng(vtkImageData& picture, const std::filesystem::path& file);
 
 }  // namespace burnish

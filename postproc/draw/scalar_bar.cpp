@@ -12,9 +12,6 @@ namespace {
 using Anchor = Overlay::Anchor;
 using Direction = ScalarBar::Direction;
 
-constexpr Color kInk{30, 30, 30};
-constexpr Color kSoftInk{95, 95, 95};
-
 // Measures as parts of the text size.
 constexpr double kLabelSize = 0.9;
 constexpr double kEndSize = 0.85;
@@ -48,13 +45,14 @@ PixelRect rounded(const PixelRect& r) {
 
 }  // namespace
 
-ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize)
+ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme& theme)
     : scale_(std::move(scale)),
       title_(std::move(texts.title)),
       size_(textSize),
-      titleStyle_{textSize, kInk},
-      labelStyle_{kLabelSize * textSize, kInk},
-      endStyle_{kEndSize * textSize, kSoftInk} {
+      ink_(theme.ink),
+      titleStyle_{textSize, theme.ink},
+      labelStyle_{kLabelSize * textSize, theme.ink},
+      endStyle_{kEndSize * textSize, theme.softInk} {
   const int exponent = makeTicks(scale_.range(), kMostTicks).exponent;
   const RichText unit = unitText(exponent, texts.unit);
   title_.insert(title_.end(), unit.begin(), unit.end());
@@ -162,7 +160,7 @@ void ScalarBar::drawArrow(FlatShapes& shapes, const PixelRect& bar, Direction di
   const Eigen::Vector2d other = end + inwards * kBarDepth * size_ * across;
   const Eigen::Vector2d tip = (end + other) / 2 - inwards * kArrow * size_ * along;
   shapes.addConvexPolygon({end, other, tip}, high ? scale_.colors().back() : scale_.colors().front());
-  shapes.addPolyline({end, tip, other}, lineWidth(), kInk);
+  shapes.addPolyline({end, tip, other}, lineWidth(), ink_);
 }
 
 void ScalarBar::drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const PixelRect& bar,
@@ -182,7 +180,7 @@ void ScalarBar::drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const Pi
   }
   if (low_.passed) drawArrow(shapes, bar, direction, false);
   if (high_.passed) drawArrow(shapes, bar, direction, true);
-  overlay.addSegments(lines, lineWidth(), kInk);
+  overlay.addSegments(lines, lineWidth(), ink_);
 }
 
 Ticks ScalarBar::ticksUp(double barLength) const {

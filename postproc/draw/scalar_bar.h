@@ -4,6 +4,7 @@
 #include "postproc/draw/color_scale.h"
 #include "postproc/draw/flat_shapes.h"
 #include "postproc/draw/overlay.h"
+#include "postproc/draw/theme.h"
 #include "postproc/draw/ticks.h"
 
 namespace burnish {
@@ -21,7 +22,7 @@ class ScalarBar {
   };
 
   /// textSize: of the title, in pixels.
-  ScalarBar(ColorScale scale, Texts texts, double textSize);
+  ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme& theme);
 
   /// Pixels it takes across when it is `length` pixels long, ends included.
   double depth(Direction direction, double length) const;
@@ -60,6 +61,7 @@ class ScalarBar {
   };
   End low_, high_;
   double size_;
+  Color ink_;
   TextStyle titleStyle_, labelStyle_, endStyle_;
 };
 

@@ -62,6 +62,15 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, doub
   return actor;
 }
 
+vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter) {
+  const auto actor = makeActor(points);
+  paint(*actor, color, 1.0);
+  actor->GetProperty()->SetRepresentationToPoints();
+  actor->GetProperty()->RenderPointsAsSpheresOn();
+  actor->GetProperty()->SetPointSize(static_cast<float>(diameter));
+  return actor;
+}
+
 void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance) {
   renderer.SetViewport(view.area.x / pictureSize[0], view.area.y / pictureSize[1],
                        view.area.right() / pictureSize[0], view.area.top() / pictureSize[1]);

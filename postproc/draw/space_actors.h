@@ -22,6 +22,9 @@ vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& s
 /// Lines. width: in pixels of the window.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);
 
+/// The points as round dots. diameter: in pixels of the window.
+vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter);
+
 /// Lets a renderer show a view in its part of a picture of this size (pixels), when all actors have been
 /// added. distance: of the eye, large enough to have everything in front of it.
 void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance);

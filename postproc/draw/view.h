@@ -12,9 +12,12 @@ struct PixelRect {
   Eigen::Vector2d center() const { return {x + width / 2, y + height / 2}; }
 };
 
+/// Unit vectors of space that go right and up in a picture.
+using ViewAxes = Eigen::Matrix<double, 2, 3>;
+
 /// A parallel projection of space into a part of the picture.
 struct View {
-  Eigen::Matrix<double, 2, 3> axes = Eigen::Matrix<double, 2, 3>::Identity();  ///< unit vectors right, up
+  ViewAxes axes = ViewAxes::Identity();
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< projected point that lies in the middle of `area`
   double pixelsPerLength = 1.0;
   PixelRect area;  ///< the part of the picture that shows space

@@ -16,6 +16,8 @@
 
 #include "engine/core/error.h"
 #include "engine/results/atomic_file.h"
+#include "postproc/export/scratch_directory.h"
+#include "postproc/export/video_frames.h"
 
 namespace burnish {
 namespace {
@@ -24,29 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr double kHighestRate = 240.0;
 constexpr std::size_t kLastWords = 600;  // bytes of ffmpeg's messages that are shown
-
-/// A directory that goes away with its contents.
-class ScratchDirectory {
- public:
-  ScratchDirectory() {
-    std::string name = (fs::temp_directory_path() / "burnish_video_XXXXXX").string();
-    if (!::mkdtemp(name.data()))
-      throw Error(fmt::format("cannot create a directory in {}: {}", fs::temp_directory_path().string(),
-                              std::generic_category().message(errno)));
-    path_ = name;
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 std::string textOf(const fs::path& file) {
   std::ostringstream text;
@@ -81,7 +60,9 @@ Outcome runFfmpeg(std::vector<std::string> arguments, const fs::path& log) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Outcome::Fine : Outcome::Failed;
 }
 
-void checkArguments(const std::vector<fs::path>& frames, double framesPerSecond) {
+}  // namespace
+
+void checkFrames(const std::vector<fs::path>& frames, double framesPerSecond) {
   if (frames.empty()) throw Error("video: found no picture; expected at least one");
   if (!(framesPerSecond > 0.0 && framesPerSecond <= kHighestRate))
     throw Error(fmt::format("video: found {} pictures per second; expected more than 0, up to {}",
@@ -90,10 +71,12 @@ void checkArguments(const std::vector<fs::path>& frames, double framesPerSecond)
     if (!fs::is_regular_file(frame)) throw Error(fmt::format("{}: there is no such picture", frame.string()));
 }
 
+namespace {
+
 /// Links to the pictures, named by their numbers.
 void linkFrames(const std::vector<fs::path>& frames, const ScratchDirectory& scratch) {
   for (std::size_t k = 0; k < frames.size(); ++k)
-    fs::create_symlink(fs::absolute(frames[k]), scratch / fmt::format("{:06}.png", k));
+    fs::create_symlink(fs::absolute(frames[k]), scratch.path() / fmt::format("{:06}.png", k));
 }
 
 std::vector<std::string> encoding(bool hasH264) {
@@ -101,36 +84,61 @@ std::vector<std::string> encoding(bool hasH264) {
   return {"-c:v", "mpeg4", "-q:v", "2"};
 }
 
-}  // namespace
-
-bool writeVideo(const std::vector<fs::path>& frames, double framesPerSecond, const fs::path& mp4) {
-  checkArguments(frames, framesPerSecond);
-  const ScratchDirectory scratch;
-  const fs::path log = scratch / "log";
-  if (runFfmpeg({"-encoders"}, log) == Outcome::Missing) return false;
-  const bool hasH264 = textOf(log).find(" libx264 ") != std::string::npos;
-
+/// Lets ffmpeg make a file of these pictures. `how`: its options between the pictures and the file.
+void encode(const std::vector<fs::path>& frames, double framesPerSecond, const ScratchDirectory& scratch,
+            const std::vector<std::string>& how, const fs::path& file) {
   linkFrames(frames, scratch);
-  const fs::path partial = partialName(mp4);
-  std::vector<std::string> arguments{
-      "-loglevel", "error", "-y", "-framerate", fmt::format("{}", framesPerSecond), "-i",
-      (scratch / "%06d.png").string(),
-      // 4:2:0 has a colour sample for every 2 x 2 pixels.
-      "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:white,format=yuv420p", "-fflags", "+bitexact", "-flags:v",
-      "+bitexact", "-movflags", "+faststart"};
-  const std::vector<std::string> encoder = encoding(hasH264);
-  arguments.insert(arguments.end(), encoder.begin(), encoder.end());
-  arguments.insert(arguments.end(), {"-f", "mp4", "file:" + partial.string()});
+  const fs::path partial = partialName(file), log = scratch.path() / "log";
+  std::vector<std::string> arguments{"-loglevel",
+                                     "error",
+                                     "-y",
+                                     "-framerate",
+                                     fmt::format("{}", framesPerSecond),
+                                     "-i",
+                                     (scratch.path() / "%06d.png").string()};
+  arguments.insert(arguments.end(), how.begin(), how.end());
+  arguments.push_back("file:" + partial.string());
   std::error_code problem;
   if (runFfmpeg(arguments, log) == Outcome::Fine) {
-    fs::rename(partial, mp4, problem);
-    if (!problem) return true;
+    fs::rename(partial, file, problem);
+    if (!problem) return;
   }
   std::error_code ignored;
   fs::remove(partial, ignored);
   const std::string words = problem ? problem.message() : textOf(log);
-  throw Error(fmt::format("cannot write the video {}: {}", mp4.string(),
+  throw Error(fmt::format("cannot write the video {}: {}", file.string(),
                           words.substr(words.size() - std::min(words.size(), kLastWords))));
+}
+
+}  // namespace
+
+bool writeVideo(const std::vector<fs::path>& frames, double framesPerSecond, const fs::path& mp4) {
+  checkFrames(frames, framesPerSecond);
+  const ScratchDirectory scratch;
+  const fs::path log = scratch.path() / "log";
+  if (runFfmpeg({"-encoders"}, log) == Outcome::Missing) return false;
+  const bool hasH264 = textOf(log).find(" libx264 ") != std::string::npos;
+  // 4:2:0 has a colour sample for every 2 x 2 pixels.
+  std::vector<std::string> how{"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:white,format=yuv420p",
+                               "-fflags",   "+bitexact",
+                               "-flags:v",  "+bitexact",
+                               "-movflags", "+faststart"};
+  const std::vector<std::string> encoder = encoding(hasH264);
+  how.insert(how.end(), encoder.begin(), encoder.end());
+  how.insert(how.end(), {"-f", "mp4"});
+  encode(frames, framesPerSecond, scratch, how, mp4);
+  return true;
+}
+
+bool writeGif(const std::vector<fs::path>& frames, double framesPerSecond, const fs::path& gif) {
+  checkFrames(frames, framesPerSecond);
+  const ScratchDirectory scratch;
+  if (runFfmpeg({"-version"}, scratch.path() / "log") == Outcome::Missing) return false;
+  encode(frames, framesPerSecond, scratch,
+         {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none", "-fflags",
+          "+bitexact", "-loop", "0", "-f", "gif"},
+         gif);
+  return true;
 }
 
 }  // namespace burnish

@@ -12,4 +12,13 @@ namespace burnish {
 bool writeVideo(const std::vector<std::filesystem::path>& frames, double framesPerSecond,
                 const std::filesystem::path& mp4);
 
+/// The same as an endless GIF with the 256 colours that suit the pictures best.
+bool writeGif(const std::vector<std::filesystem::path>& frames, double framesPerSecond,
+              const std::filesystem::path& gif);
+
+/// The same as an endless animated PNG, whose colours are those of the pictures; needs no other program. Also
+/// throws `Error` for pictures of different sizes or kinds.
+void writeAnimatedPng(const std::vector<std::filesystem::path>& frames, double framesPerSecond,
+                      const std::filesystem::path& png);
+
 }  // namespace burnish

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "engine/core/error.h"
 #include "postproc/draw/color_range.h"
-#include "postproc/draw/contour.h"
+#include "postproc/draw/contour_series.h"
 #include "postproc/draw/sheet.h"
 #include "postproc/export/video.h"
 #include "postproc/study/figure_kinds.h"
@@ -127,15 +128,12 @@ Files drawFrames(const FigureTask& task, const AnimationSpec& spec, const StudyR
   const ModelRecord& model = result.model();
   ContourOptions options;
   options.field = spec.field;
-  Range range = kNothing;
-  Eigen::AlignedBox2d window;
-  for (int k = 0; k < result.numFrames(); ++k) {
-    const FrameRecord frame = result.frame(k);
-    range = joined(range, fieldRange(model, frame, spec.field, model.subdivision, spec.clip));
-    window.extend(contentOf(model, frame, options));
-  }
-  options.range = widened(range);
-  options.window = window;
+  options.clip = spec.clip;
+  std::vector<int> all(static_cast<std::size_t>(result.numFrames()));
+  std::iota(all.begin(), all.end(), 0);
+  options.range = commonRange(result, all, options);
+  options.clip.reset();
+  options.window = commonWindow(result, all, options);
   options.size = spec.size;
   options.textSize = sheetTextSize(spec.size[0], 6.0);
   options.title = run.label;

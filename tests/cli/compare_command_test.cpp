@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "postproc/compare/picture.h"
+#include "tests/cli/browser.h"
 #include "tests/cli/shell.h"
 #include "tests/image/spoiled_pictures.h"
 
@@ -159,16 +160,12 @@ Promise.all([...document.images].map((image) => image.decode())).then(() => {
 }</script>)";
 
 TEST_F(CompareCommand, ReportWorksInABrowser) {
-  if (!fs::exists(BURNISH_CHROMIUM)) GTEST_SKIP() << "no chromium; scripts/setup installs it";
+  if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
   ASSERT_EQ(compare("actual baseline --report report").code, 1);
-  writeText(readText(dir / "report/index.html") + kUser, dir / "used.html");
-  const std::string browser = BURNISH_CHROMIUM
-      " --headless --no-sandbox --disable-gpu --enable-logging=stderr --virtual-time-budget=10000"
-      " --user-data-dir=profile --dump-dom used.html";
-  const Outcome outcome = shell(dir, "timeout 100 " + browser);
+  const Outcome outcome = usePage(dir, dir / "report/index.html", kUser);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, Not(HasSubstr("CONSOLE"))) << "errors and warnings of the page";
-  const std::string found = outcome.out.substr(std::min(outcome.out.rfind("<pre>"), outcome.out.size()));
+  const std::string& found = outcome.out;
   EXPECT_THAT(found, HasSubstr("start slab.png,noisy's.png\n")) << "failures first";
   EXPECT_THAT(found, HasSubstr("filtered noisy's.png\n"));
   EXPECT_THAT(found, HasSubstr("failed slab.png\n"));

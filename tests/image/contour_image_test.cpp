@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -13,6 +16,7 @@
 #include "engine/core/error.h"
 #include "engine/results/result_writer.h"
 #include "postproc/draw/contour.h"
+#include "postproc/draw/contour_view.h"
 #include "tests/image/picture.h"
 #include "tests/image/sample_records.h"
 
@@ -186,6 +190,105 @@ TEST_F(ContourImage, CommandDrawsTheSameInAnEmptyEnvironment) {
   EXPECT_EQ(bytesOf(child), bytesOf(dir / "own.png"));
 }
 
+TEST_F(ContourImage, ArrowsIsolinesAndKnotsOnADarkGround) {
+  ContourOptions options = small("plastic_strain");
+  options.theme = themeNamed("dark");
+  options.bands = 6;
+  options.isolines = 5;
+  options.knots = true;
+  options.arrows = ArrowField::Displacement;
+  const Picture picture = expectBaseline(samples::slab(), options, "slab_dark");
+  EXPECT_EQ(picture.at({0.5, 0.5}), options.theme.paper);
+}
+
+TEST_F(ContourImage, ControlNetInAWindow) {
+  ContourOptions options = small("von_mises");
+  options.controlNet = true;
+  options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.2, 0.8), Eigen::Vector2d(1.6, 2.1));
+  const Picture picture = expectBaseline(samples::ring(), options, "ring_net");
+  EXPECT_TRUE(view.center.isApprox(Eigen::Vector2d(0.9, 1.45)));
+  const Eigen::MatrixXd points = samples::ring().model.patches.front().points;
+  const double margin = 0.05;
+  int seen = 0;
+  for (const auto& point : points.colwise()) {
+    if (options.window->exteriorDistance(Eigen::Vector2d(point)) > 0.0) continue;
+    if ((point - options.window->min()).minCoeff() < margin ||
+        (options.window->max() - point).minCoeff() < margin)
+      continue;
+    expectColor(picture, point, options.theme.controlNet);
+    ++seen;
+  }
+  EXPECT_GT(seen, 3);
+}
+
+TEST_F(ContourImage, IsolinesLieWhereTheFieldHasTheirValues) {
+  ContourOptions options = small("von_mises");
+  options.isolines = 3;
+  options.size = {1600, 1200};
+  const Picture picture = drawn(samples::ring(), options);
+  const ColorScale scale("viridis", {0.0, 100.0}, 0);
+  for (const double angle : {0.2, 0.7, 1.3})
+    for (const double radius : {1.25, 1.5, 1.75}) {
+      const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+      const Color line = picture.at(view.pixel(radius * direction));
+      EXPECT_LT(line[1], 0.7 * scale.color(100.0 * (radius - 1.0))[1]) << angle << " " << radius;
+      const double beside = radius + 6.0 / view.pixelsPerLength;
+      expectColor(picture, beside * direction, scale.color(100.0 * (beside - 1.0)));
+    }
+}
+
+TEST_F(ContourImage, WarpMovesTheBodyAndKeepsItsValues) {
+  ContourOptions options = small("plastic_strain");
+  options.warp = 3.0;
+  options.tools = false;
+  const Picture picture = drawn(samples::slab(), options);
+  const ColorScale scale("viridis", {0.0, 1.0}, 0);
+  for (const double s : {0.2, 0.45, 0.8})
+    expectColor(picture, Eigen::Vector2d(3.0 * s, 0.8 - 3.0 * 0.6 * s * (1.0 - s) * 0.8),
+                scale.color(4.0 * s * (1.0 - s) * 0.64));
+}
+
+TEST_F(ContourImage, ToolsCanBeLeftOut) {
+  ContourOptions options = small("plastic_strain");
+  const double with = (drawn(samples::slab(), options), view.pixelsPerLength);
+  options.tools = false;
+  const Picture picture = drawn(samples::slab(), options);
+  EXPECT_GT(view.pixelsPerLength, with);
+  expectColor(picture, Eigen::Vector2d(1.5, 0.95), options.theme.paper);
+}
+
+TEST_F(ContourImage, CubeFromAGivenSide) {
+  ContourOptions options = small("pressure");
+  options.axes = viewNamed("xz", 3);
+  const Picture picture = drawn(samples::cube(), options);
+  // The eye sees the face y = 0, on which the pressure is x + z.
+  const ColorScale scale("viridis", {0.0, 3.0}, 0);
+  const Color low = picture.at(view.pixel(Eigen::Vector3d(0.1, 0.0, 0.1))),
+              high = picture.at(view.pixel(Eigen::Vector3d(0.9, 0.0, 0.9)));
+  EXPECT_LE(difference(low, scale.color(0.2)), 12);
+  EXPECT_LE(difference(high, scale.color(1.8)), 12);
+}
+
+TEST_F(ContourImage, WithoutPaperThePictureOnWhiteIsTheSame) {
+  const Sample sample = samples::slab();
+  ContourOptions options = small("plastic_strain");
+  const Picture opaque = drawn(sample, options);
+  options.transparent = true;
+  drawContour(sample.model, sample.frame, options, dir / "drawn.png");
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((dir / "drawn.png").c_str());
+  reader->Update();
+  vtkImageData& image = *reader->GetOutput();
+  ASSERT_EQ(image.GetNumberOfScalarComponents(), 4);
+  const auto* rgba = static_cast<const unsigned char*>(image.GetScalarPointer());
+  for (std::size_t k = 0; k < opaque.pixels.size(); ++k, rgba += 4)
+    for (std::size_t c = 0; c < 3; ++c)
+      ASSERT_NEAR(opaque.pixels[k][c], (rgba[c] * rgba[3] + 255 * (255 - rgba[3])) / 255.0, 1.0) << k;
+  EXPECT_EQ(image.GetScalarComponentAsDouble(0, 0, 0, 3), 0.0);
+  const Eigen::Vector2i inside = view.pixel(deformedSlab(0.2, 0.5)).cast<int>();
+  EXPECT_EQ(image.GetScalarComponentAsDouble(inside.x(), inside.y(), 0, 3), 255.0);
+}
+
 class ContourMistakes : public ContourImage {
  protected:
   void expectRefused(const Sample& sample, const ContourOptions& options,
@@ -221,6 +324,12 @@ TEST_F(ContourMistakes, OptionsOutOfRange) {
   options = small("plastic_strain");
   options.colormap = "virdis";
   expectRefused(samples::slab(), options, {"colormap: found \"virdis\"", "Did you mean \"viridis\"?"});
+  options = small("plastic_strain");
+  options.isolines = 101;
+  expectRefused(samples::slab(), options, {"isolines: found 101"});
+  options = small("plastic_strain");
+  options.warp = std::numeric_limits<double>::infinity();
+  expectRefused(samples::slab(), options, {"warp: found inf"});
 }
 
 TEST_F(ContourMistakes, FieldThatIsNotFinite) {

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "postproc/compare/lab.h"
 #include "postproc/draw/color_scale.h"
+#include "postproc/draw/contour_view.h"
 #include "postproc/draw/field_choice.h"
 #include "postproc/draw/ticks.h"
 
@@ -80,6 +82,43 @@ TEST(ColorScale, BandsAreEquallyWideAndUseTheWholeMap) {
 TEST(ColorScale, RefusesARangeThatDoesNotIncrease) {
   EXPECT_THROW(ColorScale("viridis", {1.0, 1.0}, 0), Error);
   EXPECT_THROW(ColorScale("viridis", {0.0, std::numeric_limits<double>::infinity()}, 0), Error);
+}
+
+TEST(ColorScale, PerceptualMapsOnlyGetLighter) {
+  for (const char* map : {"viridis", "cividis", "batlow", "grey"}) {
+    const std::vector<Color> colors = ColorScale(map, {0.0, 1.0}, 64).colors();
+    for (std::size_t k = 1; k < colors.size(); ++k)
+      EXPECT_GT(toLab(colors[k])[0], toLab(colors[k - 1])[0]) << map << " " << k;
+    EXPECT_GT(toLab(colors.back())[0] - toLab(colors.front())[0], 65.0F) << map;
+  }
+}
+
+TEST(ColorScale, EveryNamedMapExists) {
+  for (const std::string& map : colormapNames())
+    EXPECT_EQ(ColorScale(map, {0.0, 1.0}, 5).colors().size(), 5U) << map;
+}
+
+TEST(Views, AreRightHandedWithTheEyeWhereTheirNamesSay) {
+  const auto eye = [](const ViewAxes& axes) {
+    View view;
+    view.axes = axes;
+    return view.towardsEye();
+  };
+  EXPECT_EQ(eye(viewNamed("xy", 3)), Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(eye(viewNamed("xz", 3)), Eigen::Vector3d(0, -1, 0));
+  EXPECT_EQ(eye(viewNamed("yz", 3)), Eigen::Vector3d(1, 0, 0));
+  EXPECT_TRUE(eye(viewNamed("iso", 3)).isApprox(Eigen::Vector3d(1, 1, 1).normalized()));
+  for (const Eigen::Vector3d& direction :
+       {Eigen::Vector3d(0, 2, 0), Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(1, 2, 3)}) {
+    const ViewAxes axes = viewFrom(direction);
+    EXPECT_TRUE((axes * axes.transpose()).isIdentity(1e-12));
+    EXPECT_TRUE(eye(axes).isApprox(direction.normalized()));
+    EXPECT_GE(axes(1, 1), 0.0);
+  }
+  EXPECT_EQ(viewNamed("auto", 2), ViewAxes(ViewAxes::Identity()));
+  EXPECT_THROW(viewNamed("iso", 2), Error);
+  EXPECT_THROW(viewNamed("front", 3), Error);
+  EXPECT_THROW(viewFrom({0, 0, 0}), Error);
 }
 
 TEST(FieldNames, AreScalarsVectorsAndComponents) {

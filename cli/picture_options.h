@@ -1,0 +1,46 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/results/result_reader.h"
+#include "postproc/draw/contour.h"
+
+namespace CLI {
+class App;
+}
+
+namespace burnish {
+
+/// What the options of `render` and `animate` were given.
+struct PictureOptions {
+  std::filesystem::path result;
+  std::string frame = "last";
+  std::string field, component;
+  std::string range = "auto";
+  std::optional<double> clip;
+  std::string colormap = "viridis", bands = "smooth";
+  int isolines = 0;
+  bool knots = false, controlNet = false;
+  std::string undeformed = "on", tools = "on", vectors = "none";
+  double warp = 1.0;
+  std::string view = "auto", zoom;
+  std::string size;
+  double scale = 1.0;
+  std::optional<double> textSize;
+  int subdivision = 0;
+  std::string theme = "paper", background;
+  bool transparent = false;
+  std::optional<std::string> title;
+};
+
+/// Adds the result and all of these options, with `frame` as it is for a default, to a command.
+void addPictureOptions(CLI::App& command, PictureOptions& options);
+
+/// How these frames are drawn. Several frames share a window and, unless something else is asked for, a range
+/// of colours. Throws `Error` that names the option.
+ContourOptions contourOptions(const PictureOptions& options, const ResultReader& result,
+                              const std::vector<int>& frames);
+
+}  // namespace burnish

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/picture_options.h"
+#include "postproc/draw/color_scale.h"
+#include "postproc/draw/contour_view.h"
+#include "postproc/draw/theme.h"
+
+namespace burnish {
+namespace {
+
+void addWhat(CLI::App& command, PictureOptions& options) {
+  command.add_option("RESULT", options.result, "Directory of a run or the result file in it")->required();
+  command
+      .add_option(
+          "--frame", options.frame,
+          fmt::format("Number of the frame, last, or time=T; for several A-B or all [{}]", options.frame))
+      ->type_name("N|A-B|all|last|time=T");
+  command
+      .add_option(
+          "--field", options.field,
+          "displacement, plastic_strain, von_mises, stress.xx, ..., pressure [plastic_strain or von_mises]")
+      ->type_name("NAME");
+  command
+      .add_option("--component", options.component,
+                  "Component of the field: x, xx, ...; of a vector also magnitude")
+      ->type_name("NAME");
+  command.add_option("--warp", options.warp, "Factor on the displacements of body and tools [1]")
+      ->type_name("S");
+  command
+      .add_option("--subdivision", options.subdivision,
+                  "Cells per knot span and direction: more for smoother lines [that of the scene]")
+      ->check(CLI::Range(1, 64));
+}
+
+void addColors(CLI::App& command, PictureOptions& options) {
+  command
+      .add_option("--range", options.range,
+                  "Values at the ends of the colour scale: those of the frame, of the whole run, or given; "
+                  "auto: of all frames that are drawn [auto]")
+      ->type_name("auto|frame|run|LO,HI");
+  command
+      .add_option("--clip", options.clip,
+                  "End the colours at this percentile and at 100 minus it, by undeformed area (2D) or volume "
+                  "(3D), so that a spike leaves colours for the rest; the picture says so [no]")
+      ->type_name("P");
+  command
+      .add_option("--colormap", options.colormap,
+                  fmt::format("{} [viridis]", fmt::join(colormapNames(), ", ")))
+      ->type_name("NAME");
+  command.add_option("--bands", options.bands, "Number of colour bands, or smooth [smooth]")
+      ->type_name("N|smooth");
+  command.add_option("--isolines", options.isolines, "Number of lines of equal value [0]")
+      ->check(CLI::Range(0, 100));
+}
+
+void addThings(CLI::App& command, PictureOptions& options) {
+  command.add_flag("--knots", options.knots, "Draw the knot lines");
+  command.add_flag("--control-net", options.controlNet, "Draw the control points and the lines between them");
+  command.add_option("--undeformed", options.undeformed, "Draw the outline of the undeformed body [on]")
+      ->type_name("on|off");
+  command.add_option("--tools", options.tools, "Draw the tools [on]")->type_name("on|off");
+  command
+      .add_option("--vectors", options.vectors,
+                  "Draw arrows: displacement, or traction, that of the contact [none]")
+      ->type_name("FIELD");
+}
+
+void addView(CLI::App& command, PictureOptions& options) {
+  command
+      .add_option("--view", options.view,
+                  fmt::format("{}, or the direction towards the eye [auto]", fmt::join(viewNames(), ", ")))
+      ->type_name("NAME|X,Y,Z");
+  command
+      .add_option("--zoom", options.zoom,
+                  "Corners of what is seen, in the plane of the view: coordinates of a plane body [all]")
+      ->type_name("X0,Y0,X1,Y1");
+  command.add_option("--size", options.size, "Size of the picture in pixels [1600,900]")->type_name("W,H");
+  command
+      .add_option("--scale", options.scale,
+                  "Factor on the size with all texts and lines: 2 for a screen of high density [1]")
+      ->type_name("S");
+  command.add_option("--text-size", options.textSize, "Height of the font in pixels [from the size]")
+      ->check(CLI::Range(6.0, 200.0))
+      ->type_name("PIXELS");
+}
+
+void addLook(CLI::App& command, PictureOptions& options) {
+  command.add_option("--title", options.title, "Title of the picture, empty for none [that of the scene]")
+      ->type_name("TEXT");
+  command.add_option("--theme", options.theme, fmt::format("{} [paper]", fmt::join(themeNames(), ", ")))
+      ->type_name("NAME");
+  command.add_option("--background", options.background, "Colour of the paper [that of the theme]")
+      ->type_name("#rrggbb|NAME");
+  command.add_flag("--transparent", options.transparent,
+                   "No paper: what is behind the picture shows through");
+}
+
+}  // namespace
+
+void addPictureOptions(CLI::App& command, PictureOptions& options) {
+  addWhat(command, options);
+  addColors(command, options);
+  addThings(command, options);
+  addView(command, options);
+  addLook(command, options);
+}
+
+}  // namespace burnish

@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace burnish {
+
+struct ReportOptions {
+  std::string field;               ///< of the pictures; empty: plastic strain, or else the von Mises stress
+  std::optional<double> clip;      ///< percentile at which the colours end; see `fieldRange`
+  int frames = 40;                 ///< at most so many pictures of a run, >= 2, evenly chosen
+  std::filesystem::path document;  ///< of a study; empty: the only Markdown file in its directory, if any
+};
+
+/// Writes a page about a run or a study, which needs nothing else: no network, no other file. directory: of a
+/// run (with result.h5, which may still be going on) or of a study (with runs/). Throws `Error` for other
+/// directories, results that cannot be read, an unknown field, and a page that cannot be written.
+void writeReport(const std::filesystem::path& directory, const ReportOptions& options,
+                 const std::filesystem::path& html);
+
+}  // namespace burnish

@@ -1,0 +1,132 @@
+#include "postproc/report/run_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "engine/core/version.h"
+#include "postproc/draw/color_range.h"
+#include "postproc/draw/contour_series.h"
+#include "postproc/draw/field_choice.h"
+#include "postproc/export/scratch_directory.h"
+#include "postproc/report/frame_pictures.h"
+#include "postproc/report/html_parts.h"
+#include "postproc/report/run_facts.h"
+#include "postproc/report/run_record.h"
+#include "postproc/report/run_warnings.h"
+#include "postproc/study/markdown.h"
+
+namespace burnish {
+namespace {
+
+constexpr std::array<int, 2> kPictureSize{960, 480};
+constexpr double kTextSize = 18.0;
+
+ContourOptions pictureOptions(const RunRecord& run, const std::string& field, std::optional<double> clip,
+                              const std::vector<int>& frames) {
+  ContourOptions options;
+  options.field = field.empty() ? fieldToShow(run.result.frame(frames.back())) : field;
+  options.clip = clip;
+  options.size = kPictureSize;
+  options.textSize = kTextSize;
+  options.title = "";
+  options.time = false;  // the page says it
+  options.range = commonRange(run.result, frames, options);
+  options.window = commonWindow(run.result, frames, options);
+  options.clip.reset();  // it is in the range
+  return options;
+}
+
+std::string scaleNote(std::optional<double> clip, int dim) {
+  const std::string text = "All frames have one colour scale";
+  if (!clip) return text + ".";
+  return fmt::format("{}; its {}, the lowest and the highest of all frames.", text, clipNote(*clip, dim));
+}
+
+/// All pictures on one place, of which the slider shows one; the last at first.
+std::string pictures(const RunRecord& run, const ReportOptions& report) {
+  const int count = run.result.numFrames();
+  if (count == 0) return "<p>There is no frame yet.</p>\n";
+  const std::vector<int> frames = evenlyChosen(count, report.frames);
+  const ContourOptions options = pictureOptions(run, report.field, report.clip, frames);
+  const ScratchDirectory scratch;
+  std::string images, last;
+  for (const int number : frames) {
+    const FrameRecord frame = run.result.frame(number);
+    last = fmt::format("t = {} (frame {} of {}, step {})", plainNumber(frame.time), number + 1, count,
+                       frame.step);
+    images +=
+        htmlPicture(framePicture(run.result, frame, options, scratch.path()), options.field + ", " + last,
+                    fmt::format(" data-time=\"{}\"{}", last, number == frames.back() ? "" : " hidden"));
+  }
+  const auto most = frames.size() - 1;
+  return fmt::format(
+      "<div class=\"control\"><input type=\"range\" id=\"frame\" min=\"0\" max=\"{0}\" value=\"{0}\" "
+      "aria-label=\"Frame\"><output id=\"time\" for=\"frame\">{1}</output></div>\n<div "
+      "id=\"frames\">\n{2}</div>\n<p>{3}</p>\n",
+      most, last, images, scaleNote(report.clip, run.result.model().dim));
+}
+
+/// Seconds by part of the program, with a bar for the share.
+std::string timings(const RunRecord& run) {
+  constexpr std::array<std::pair<const char*, const char*>, 6> parts{
+      {{"assembly", "assembly_seconds"},
+       {"contact", "contact_seconds"},
+       {"factorisation", "factorisation_seconds"},
+       {"solution", "solve_seconds"},
+       {"projection", "projection_seconds"},
+       {"output", "output_seconds"}}};
+  const double total = run.number("seconds").value_or(0.0);
+  if (!(total > 0.0)) return "<p>They are known when the run has ended.</p>\n";
+  std::vector<HtmlColumn> columns{{"part", {}, false}, {"seconds", {}}, {"share", {}}, {"", {}, false}};
+  const auto add = [&](const std::string& name, double seconds) {
+    const double percent = std::clamp(100.0 * seconds / total, 0.0, 100.0);
+    columns[0].cells.push_back(name);
+    columns[1].cells.push_back(fmt::format("{:.3f}", seconds));
+    columns[2].cells.push_back(fmt::format("{:.1f} %", percent));
+    columns[3].cells.push_back(fmt::format("<div class=\"bar\" style=\"width:{:.1f}%\"></div>", percent));
+  };
+  double rest = total;
+  for (const auto& [name, entry] : parts) {
+    const auto seconds = run.number(entry);
+    if (!seconds) continue;
+    add(name, *seconds);
+    rest -= *seconds;
+  }
+  add("everything else", std::max(0.0, rest));
+  add("altogether", total);
+  return htmlTable(columns);
+}
+
+}  // namespace
+
+HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& options) {
+  const RunRecord run = readRun(directory);
+  const ModelRecord& model = run.result.model();
+  const std::vector<std::string> warnings = runWarnings(run);
+  const std::string title = model.title.empty() ? run.name : model.title;
+  std::string body = fmt::format("<header>\n<h1>{}</h1>\n<p>Report of the run {} by {}.</p>\n",
+                                 escaped(title), escaped(run.name), escaped(programName()));
+  body += htmlContents({{"warnings", "Warnings"},
+                        {"summary", "Summary"},
+                        {"pictures", "Pictures"},
+                        {"charts", "Charts"},
+                        {"convergence", "Convergence"},
+                        {"timings", "Timings"},
+                        {"settings", "Settings"}});
+  body += "</header>\n<main>\n";
+  body += htmlCard("warnings", "Warnings", htmlWarnings(warnings), warnings.empty() ? "good" : "bad");
+  body += htmlCard("summary", "Summary", htmlFacts(runFacts(run)));
+  body += htmlCard("pictures", "Pictures", pictures(run, options));
+  body += htmlCard("charts", "Charts", htmlCharts(stateCharts(run)));
+  body += htmlCard("convergence", "Convergence", htmlCharts(convergenceCharts(run)));
+  body += htmlCard("timings", "Timings", timings(run));
+  body += htmlCard("settings", "Settings",
+                   fmt::format("<p>The scene with every default filled in.</p>\n<pre>{}</pre>\n",
+                               escaped(model.sceneYaml)));
+  return {title, {}, body + "</main>\n", {}};
+}
+
+}  // namespace burnish

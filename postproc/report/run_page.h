@@ -1,0 +1,13 @@
+#pragma once
+#include <filesystem>
+
+#include "postproc/html/page.h"
+#include "postproc/report/report.h"
+
+namespace burnish {
+
+/// Title and body of the page of a run: warnings, summary, settings, pictures with a slider over the frames,
+/// charts, convergence and timings.
+HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& options);
+
+}  // namespace burnish

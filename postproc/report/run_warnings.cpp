@@ -1,0 +1,109 @@
+#include "postproc/report/run_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "engine/solid/face_quadrature.h"
+#include "postproc/draw/ticks.h"
+#include "postproc/mesh/patch_geometry.h"
+#include "postproc/study/markdown.h"
+
+namespace burnish {
+namespace {
+
+// The limits that the program warns of at the end of a run.
+constexpr double kDoubtfulSpanShare = 0.1;
+constexpr double kDoubtfulRadiusShare = 0.01;
+constexpr double kDoubtfulJ = 0.05;
+
+template <int Dim>
+double smallestSpan(const ModelRecord& model, const ContactRecord& contact) {
+  const auto body = makeBody(patchGeometry<Dim>(model.patches.at(static_cast<std::size_t>(contact.patch))));
+  const FaceQuadrature<Dim> face(body, 0, faceFromName<Dim>(contact.face), 0);
+  double smallest = HUGE_VAL;
+  for (const auto& span : face.spans()) smallest = std::min(smallest, FaceQuadrature<Dim>::sizeOf(span));
+  return smallest;
+}
+
+/// Infinite without contact.
+double largestSoundPenetration(const ResultReader& result) {
+  const ModelRecord& model = result.model();
+  double limit = HUGE_VAL;
+  if (result.numFrames() == 0) return limit;
+  for (const ContactRecord& contact : result.frame(0).contact)
+    limit = std::min(limit, kDoubtfulSpanShare * (model.dim == 2 ? smallestSpan<2>(model, contact)
+                                                                 : smallestSpan<3>(model, contact)));
+  for (const ToolRecord& tool : model.tools)
+    limit = std::min(limit, kDoubtfulRadiusShare * curvatureRadius(tool.shape));
+  return limit;
+}
+
+/// Since when and how often a column is doubtful; empty if never.
+std::string doubt(const HistoryTable& history, const std::string& column, const std::string& what,
+                  const std::function<bool(double)>& isDoubtful) {
+  const auto* values = findColumn(history, column);
+  const auto* times = findColumn(history, "time");
+  if (values == nullptr || times == nullptr) return {};
+  const auto first = std::find_if(values->begin(), values->end(), isDoubtful);
+  if (first == values->end()) return {};
+  const auto count = std::count_if(first, values->end(), isDoubtful);
+  const auto steps = std::max<std::ptrdiff_t>(1, std::ssize(*values) - 1);  // the first row is the start
+  return fmt::format("{}: first at t = {}, in {:.1f} % of the steps. Do not trust the results from there on.",
+                     what, numberText((*times)[static_cast<std::size_t>(first - values->begin())], 5),
+                     std::min(100.0, 100.0 * static_cast<double>(count) / static_cast<double>(steps)));
+}
+
+std::string penetrationDoubt(const RunRecord& run) {
+  const double limit = largestSoundPenetration(run.result);
+  if (!std::isfinite(limit)) return {};
+  return doubt(run.history, "max_penetration",
+               fmt::format("Point-wise penetration above {}, a tenth of the smallest knot span of a contact "
+                           "face or 1 % of a tool's radius",
+                           plainNumber(limit)),
+               [limit](double value) { return value > limit; });
+}
+
+std::string incompleteness(const RunRecord& run) {
+  const auto* times = findColumn(run.history, "time");
+  const std::string last =
+      times != nullptr && !times->empty() ? fmt::format(" at t = {}", plainNumber(times->back())) : "";
+  if (!run.summary)
+    return fmt::format("The run has not ended: it goes on, or was killed. Its last step is{}.",
+                       last.empty() ? " not known" : last);
+  if (run.summary->completed) return {};
+  return fmt::format("The run stopped{} before its end: {}.", last, run.summary->stoppedBecause);
+}
+
+/// "WHAT of NUMBER is above the tolerance of NUMBER"; empty if it is not.
+std::string excess(const RunRecord& run, const std::string& entry, const std::string& tolerance,
+                   const std::string& what) {
+  const auto value = run.number(entry), limit = run.number(tolerance);
+  if (!value || !limit || *value <= *limit) return {};
+  return fmt::format("{} of {} is above the tolerance of {}.", what, plainNumber(*value),
+                     plainNumber(*limit));
+}
+
+std::string roundOff(const RunRecord& run) {
+  const double steps = run.number("steps_at_round_off").value_or(0.0);
+  if (steps == 0.0) return {};
+  return fmt::format("{} {} ended above the tolerance, where rounding allows no less.", steps,
+                     steps == 1.0 ? "step" : "steps");
+}
+
+}  // namespace
+
+std::vector<std::string> runWarnings(const RunRecord& run) {
+  std::vector<std::string> texts{
+      incompleteness(run), roundOff(run),
+      excess(run, "worst_constraint", "constraint_tolerance", "The largest averaged gap"),
+      penetrationDoubt(run),
+      doubt(run.history, "min_detJ", fmt::format("Volume ratio J below {}", kDoubtfulJ),
+            [](double value) { return value < kDoubtfulJ; })};
+  std::erase(texts, "");
+  return texts;
+}
+
+}  // namespace burnish

@@ -1,0 +1,28 @@
+#pragma once
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "postproc/study/text_file.h"
+#include "tests/cli/shell.h"
+
+/// Pages in a real browser. BURNISH_CHROMIUM is its path, or none where it is not installed.
+namespace burnish {
+
+inline bool haveBrowser() {
+  return std::filesystem::exists(BURNISH_CHROMIUM);
+}
+
+/// Opens a page with a script behind it that uses the page as a person does and writes what it finds into a
+/// last <pre>, whose text is `out`. `err` has a line with CONSOLE for each error or warning of the page.
+inline Outcome usePage(const std::filesystem::path& dir, const std::filesystem::path& page,
+                       const std::string& script) {
+  writeText(readText(page) + script, dir / "used.html");
+  Outcome outcome = shell(dir, "timeout 100 " BURNISH_CHROMIUM
+                               " --headless --no-sandbox --disable-gpu --enable-logging=stderr"
+                               " --virtual-time-budget=10000 --user-data-dir=profile --dump-dom used.html");
+  outcome.out.erase(0, std::min(outcome.out.rfind("<pre>"), outcome.out.size()));
+  return outcome;
+}
+
+}  // namespace burnish

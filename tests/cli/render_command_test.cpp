@@ -1,0 +1,241 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "engine/core/error.h"
+#include "engine/results/result_writer.h"
+#include "postproc/draw/contour.h"
+#include "postproc/study/text_file.h"
+#include "tests/cli/shell.h"
+#include "tests/image/picture.h"
+#include "tests/image/sample_records.h"
+
+/// `burnish render`, `sheet` and `animate` as the user meets them. BURNISH_COMMAND is the program.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::vector<double> kTimes{0.0, 0.25, 0.5, 0.75, 1.0};
+
+void expectError(const std::function<void()>& action, const std::string& part) {
+  try {
+    action();
+    ADD_FAILURE() << "no error; expected: " << part;
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(part));
+  }
+}
+
+TEST(FrameIndices, AreOneARangeOrAll) {
+  EXPECT_THAT(frameIndices("2", kTimes), ElementsAre(2));
+  EXPECT_THAT(frameIndices("1-3", kTimes), ElementsAre(1, 2, 3));
+  EXPECT_THAT(frameIndices("3-last", kTimes), ElementsAre(3, 4));
+  EXPECT_THAT(frameIndices("all", kTimes), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(frameIndices("time=7.5e-1", kTimes), ElementsAre(3));
+  expectError([] { frameIndices("3-1", kTimes); }, "the smaller number first");
+  expectError([] { frameIndices("1-5", kTimes); }, "there is no frame 5");
+  expectError([] { frameIndices("al", kTimes); }, "Did you mean \"all\"?");
+  for (const char* text : {"-1", "1-", "1-2-3", "-"}) EXPECT_THROW(frameIndices(text, kTimes), Error) << text;
+}
+
+TEST(PictureNames, HoldFrameAndTime) {
+  EXPECT_THAT(pictureNames("a/f_{frame:04}.png", {3, 12}, std::vector<double>(13)),
+              ElementsAre("a/f_0003.png", "a/f_0012.png"));
+  EXPECT_THAT(pictureNames("t{time:.2f}.png", {1, 2}, kTimes), ElementsAre("t0.25.png", "t0.50.png"));
+  EXPECT_THAT(pictureNames("plain.png", {1}, kTimes), ElementsAre("plain.png"));
+  expectError([] { pictureNames("plain.png", {1, 2}, kTimes); }, "the number of the frame");
+  expectError([] { pictureNames("{frane}.png", {1}, kTimes); }, "frame_{frame:04}.png");
+  expectError([] { pictureNames("{frame", {1}, kTimes); }, "frame_{frame:04}.png");
+}
+
+/// Five frames of the slab, whose plastic strain grows in proportion to their numbers.
+class RenderCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    fs::create_directories(dir());
+    samples::Sample sample = samples::slab();
+    ResultWriter result(dir() / "run", sample.model);
+    const Eigen::MatrixXd strain = sample.frame.fields["plastic_strain"].values;
+    for (int k = 0; k < 5; ++k) {
+      sample.frame.index = k;
+      sample.frame.time = kTimes[static_cast<std::size_t>(k)];
+      sample.frame.fields["plastic_strain"].values = 0.25 * k * strain;
+      result.append(sample.frame);
+    }
+  }
+  static void TearDownTestSuite() { fs::remove_all(dir()); }
+
+  static fs::path dir() {
+    return fs::temp_directory_path() / ("burnish_render_command_" + std::to_string(::getpid()));
+  }
+
+  static Outcome burnish(const std::string& arguments, const std::string& environment = "") {
+    return shell(dir(), environment + " " BURNISH_COMMAND " " + arguments);
+  }
+
+  static void render(const std::string& options, const std::string& name) {
+    const Outcome outcome = burnish("render run --size 400,300 " + options + " -o " + name);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  }
+
+  static void expectRefused(const std::string& arguments, const std::string& part) {
+    const Outcome outcome = burnish(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("burnish: "), HasSubstr(part)));
+    EXPECT_EQ(outcome.out, "") << arguments;
+  }
+
+  /// Whether at most 1 of 1000 pixels are clearly different: ticks may jump by a pixel where a range has
+  /// rounding errors.
+  static bool alike(const std::string& a, const std::string& b) {
+    const Picture first = readPicture(dir() / a), second = readPicture(dir() / b);
+    if (first.pixels.size() != second.pixels.size()) return false;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < first.pixels.size(); ++k)
+      if (difference(first.pixels[k], second.pixels[k]) > 8) ++count;
+    return 1000 * count <= first.pixels.size();
+  }
+};
+
+TEST_F(RenderCommand, SeveralFramesShareTheirRangeUnlessToldOtherwise) {
+  const Outcome outcome =
+      burnish("render run --size 400,300 --frame 1-3 --tools off -o 'shared/{frame:02}.png'");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "3 pictures, shared/01.png to shared/03.png\n");
+  EXPECT_FALSE(fs::exists(dir() / "shared/00.png") || fs::exists(dir() / "shared/04.png"));
+  render("--frame 2 --tools off --range 0,0.75", "given.png");
+  EXPECT_TRUE(alike("shared/02.png", "given.png"));
+
+  render("--frame 2 --tools off", "own.png");
+  EXPECT_FALSE(alike("shared/02.png", "own.png"));
+  render("--frame 1-3 --tools off --range frame", "'own_{frame}.png'");
+  EXPECT_TRUE(alike("own_2.png", "own.png"));
+
+  render("--frame 2 --tools off --range run", "run.png");
+  render("--frame 2 --tools off --range 0,1", "whole.png");
+  EXPECT_TRUE(alike("run.png", "whole.png"));
+}
+
+TEST_F(RenderCommand, ComponentsAreChosenByName) {
+  render("--field displacement --component y", "component.png");
+  render("--field displacement.y", "whole_name.png");
+  EXPECT_EQ(readText(dir() / "component.png"), readText(dir() / "whole_name.png"));
+  expectRefused("render run --field displacement --component z -o a.png", "Did you mean \"displacement.x\"?");
+  expectRefused("render run --field plastic_strain --component xx -o a.png",
+                "found \"plastic_strain.xx\"; available");
+  expectRefused("render run --field displacment --component x -o a.png", "Did you mean \"displacement.x\"?");
+}
+
+TEST_F(RenderCommand, ScaleMagnifiesAllThatIsDrawn) {
+  EXPECT_EQ(burnish("render run --size 300,200 --text-size 20 --scale 3 -o scaled.png").code, 0);
+  EXPECT_EQ(burnish("render run --size 900,600 --text-size 60 -o large.png").code, 0);
+  EXPECT_EQ(readText(dir() / "scaled.png"), readText(dir() / "large.png"));
+}
+
+TEST_F(RenderCommand, AnswersWithTheNearestValidValue) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"--range rnu", "Did you mean \"run\"?"},
+      {"--colormap virids", "Did you mean \"viridis\"?"},
+      {"--bands smoth", "Did you mean \"smooth\"?"},
+      {"--theme drak", "Did you mean \"dark\"?"},
+      {"--vectors displacements", "Did you mean \"displacement\"?"},
+      {"--tools offf", "Did you mean \"off\"?"},
+      {"--background blck", "Did you mean \"black\"?"},
+      {"--view isso", "Did you mean \"iso\"?"},
+      {"--view iso", "a plane body is only seen in its plane"},
+      {"--view 1,1,1", "a plane body is only seen in its plane"},
+      {"--zoom 1,1,1,2", "two corners of a window"},
+      {"--zoom 1,2,3", "two corners of a window"},
+      {"--bands 257", "--bands: found \"257\""},
+      {"--scale 0", "--scale: found 0"},
+      {"--scale 9", "expected 200 x 150 to 8000 x 8000"},
+      {"--vectors traction --warp 2", "without a warp"},
+      {"--background white --transparent", "exclude each other"},
+      {"--clip 99 --range 0,1", "give one of them"},
+      {"--framme 1", "Did you mean \"--frame\"?"}};
+  for (const auto& [options, part] : cases) expectRefused("render run " + options + " -o refused.png", part);
+  EXPECT_FALSE(fs::exists(dir() / "refused.png"));
+}
+
+TEST_F(RenderCommand, SheetHasItsCaptionsAndColumns) {
+  render("--frame 1-3", "'panel_{frame}.png'");
+  EXPECT_EQ(
+      burnish("sheet panel_1.png panel_2.png panel_3.png --columns 3 --caption a --caption b --caption c "
+              "--width 900 -o sheets/three.png")
+          .code,
+      0);
+  const Picture sheet = readPicture(dir() / "sheets/three.png");
+  EXPECT_EQ(sheet.width, 900);
+  EXPECT_LT(sheet.height, 300);
+  expectRefused("sheet panel_1.png panel_2.png --caption a -o no.png", "1 captions for 2 pictures");
+  expectRefused("sheet absent.png -o no.png", "absent.png");
+}
+
+/// Types of the chunks of a PNG file in their order; of those of an animation with their numbers.
+std::vector<std::string> chunksOf(const fs::path& png) {
+  const std::string bytes = readText(png);
+  const auto numberAt = [&](std::size_t at) {
+    std::size_t number = 0;
+    for (std::size_t k = 0; k < 4; ++k) number = number << 8U | static_cast<unsigned char>(bytes[at + k]);
+    return number;
+  };
+  std::vector<std::string> types;
+  for (std::size_t at = 8; at + 12 <= bytes.size(); at += 12 + numberAt(at)) {
+    types.push_back(bytes.substr(at + 4, 4));
+    if (types.back() == "fcTL" || types.back() == "fdAT") types.back() += std::to_string(numberAt(at + 8));
+  }
+  return types;
+}
+
+TEST_F(RenderCommand, AnimationIsAPngWhereThereIsNoFfmpeg) {
+  const Outcome outcome = burnish("animate run --size 400,300 --frame 2-4 -o films/run.mp4", "PATH=/nowhere");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("3 frames in films/run.png"));
+  EXPECT_FALSE(fs::exists(dir() / "films/run.mp4"));
+  EXPECT_THAT(chunksOf(dir() / "films/run.png"),
+              ElementsAre("IHDR", "acTL", "fcTL0", "IDAT", "fcTL1", "fdAT2", "fcTL3", "fdAT4", "IEND"));
+  render("--frame 2-4", "'film_{frame}.png'");
+  EXPECT_TRUE(alike("films/run.png", "film_2.png"));
+
+  const Outcome gif = burnish("animate run --size 400,300 -o run.gif", "PATH=/nowhere");
+  EXPECT_EQ(gif.code, 2);
+  EXPECT_THAT(gif.err, HasSubstr("take run.png instead"));
+}
+
+TEST_F(RenderCommand, AnimatedPngHoldsThePicturesOfAllFrames) {
+  if (shell(dir(), "ffmpeg -version").code != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  EXPECT_EQ(burnish("animate run --size 400,300 --rate 4 -o film.png").code, 0);
+  render("--frame all", "'frame_{frame}.png'");
+  const Outcome split =
+      shell(dir(), "ffmpeg -v error -f apng -i film.png -fps_mode passthrough split_%d.png");
+  EXPECT_EQ(split.code, 0);
+  EXPECT_EQ(split.err, "");
+  for (int k = 0; k < 5; ++k)
+    EXPECT_EQ(readPicture(dir() / ("split_" + std::to_string(k + 1) + ".png")).pixels,
+              readPicture(dir() / ("frame_" + std::to_string(k) + ".png")).pixels)
+        << k;
+}
+
+TEST_F(RenderCommand, AnimationIsAVideoOrAGif) {
+  if (shell(dir(), "ffmpeg -version").code != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  EXPECT_EQ(burnish("animate run --size 400,300 -o film.mp4").out, "5 frames in film.mp4\n");
+  EXPECT_EQ(readText(dir() / "film.mp4").substr(4, 4), "ftyp");
+  EXPECT_EQ(burnish("animate run --size 400,300 -o film.gif").out, "5 frames in film.gif\n");
+  EXPECT_THAT(readText(dir() / "film.gif"), StartsWith("GIF89a"));
+  expectRefused("animate run -o film.avi", ".mp4, .png or .gif");
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,202 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "engine/core/error.h"
+#include "postproc/html/page.h"
+#include "postproc/report/frame_pictures.h"
+#include "postproc/report/html_parts.h"
+#include "postproc/report/markdown_html.h"
+#include "postproc/report/report.h"
+#include "postproc/report/run_charts.h"
+#include "postproc/report/run_facts.h"
+#include "postproc/report/run_warnings.h"
+#include "postproc/study/text_file.h"
+#include "tests/unit/study_samples.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// A run of the slab, whose disc has a radius of 0.5 and whose contact face spans of at least 0.5.
+class Report : public testing::Test {
+ protected:
+  void SetUp() override {
+    samples::writeRun(
+        run_, [](double t) { return t; }, 2.0, 16.0);
+  }
+
+  void writeHistory(const std::vector<std::string>& columns,
+                    const std::vector<std::vector<double>>& rows) const {
+    HistoryWriter history(run_ / "history.csv", columns);
+    for (const auto& row : rows) history.append(row);
+  }
+
+  void changeSummary(const std::function<void(SummaryRecord&)>& change) const {
+    SummaryRecord summary = readSummary(run_);
+    change(summary);
+    writeSummary(run_, summary);
+  }
+
+  std::vector<std::string> warnings() const { return runWarnings(readRun(run_)); }
+
+  samples::ScratchDirectory scratch_;
+  fs::path run_ = scratch_.path() / "press";
+};
+
+TEST_F(Report, ASoundRunHasNoWarning) {
+  EXPECT_THAT(warnings(), IsEmpty());
+}
+
+TEST_F(Report, WarnsOfRunsThatDidNotComeToTheirEnd) {
+  changeSummary([](SummaryRecord& s) { s.completed = false, s.stoppedBecause = "the smallest step failed"; });
+  EXPECT_THAT(warnings(), ElementsAre("The run stopped at t = 2 before its end: the smallest step failed."));
+  removeSummary(run_);
+  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("The run has not ended: it goes on, or was killed.")));
+}
+
+TEST_F(Report, WarnsOfStepsAboveATolerance) {
+  changeSummary([](SummaryRecord& s) {
+    s.numbers["steps_at_round_off"] = 3.0;
+    s.numbers["worst_constraint"] = 2e-12;
+    s.numbers["constraint_tolerance"] = 1e-12;
+  });
+  EXPECT_THAT(warnings(),
+              ElementsAre("3 steps ended above the tolerance, where rounding allows no less.",
+                          "The largest averaged gap of 2×10⁻¹² is above the tolerance of 1×10⁻¹²."));
+}
+
+TEST_F(Report, WarnsOfDoubtfulPenetrationAndVolume) {
+  writeHistory({"time", "max_penetration", "min_detJ"},
+               {{0, 0, 1}, {0.5, 0.0049, 0.06}, {1, 0.0051, 0.5}, {1.5, 0.001, 0.04}, {2, 0.02, 0.5}});
+  const std::vector<std::string> texts = warnings();
+  ASSERT_EQ(texts.size(), 2U);
+  EXPECT_THAT(texts[0], HasSubstr("penetration above 0.005"));
+  EXPECT_THAT(texts[0], HasSubstr("first at t = 1, in 50.0 % of the steps"));
+  EXPECT_THAT(texts[1], HasSubstr("J below 0.05: first at t = 1.5, in 25.0 % of the steps"));
+}
+
+TEST_F(Report, ChartsShowWhatTheHistoryHas) {
+  writeHistory({"time", "disc.fx", "disc.fy", "strain_energy", "contact_energy", "newton_iterations"},
+               {{0, 0, 0, 0, 0, 0}, {0.1, 0, 2, 1, 0, 7}, {0.15, 0, 3, 2, 0, 3}});
+  const RunRecord run = readRun(run_);
+  const std::string tool = run.result.model().tools.front().name;
+  writeHistory({"time", tool + ".fx", tool + ".fy", "strain_energy", "contact_energy", "newton_iterations"},
+               {{0, 0, 0, 0, 0, 0}, {0.1, 0, 2, 1, 0, 7}, {0.15, 0, 3, 2, 0, 3}});
+  const auto charts = stateCharts(readRun(run_));
+  ASSERT_EQ(charts.size(), 2U);
+  EXPECT_THAT(charts[0].caption, HasSubstr("Force of the body on the tool “" + tool + "”"));
+  ASSERT_EQ(charts[0].chart.curves.size(), 1U) << "fx is zero throughout";
+  EXPECT_THAT(charts[0].chart.curves[0].y, ElementsAre(0, 2, 3));
+  EXPECT_THAT(charts[1].caption, HasSubstr("Energies"));
+}
+
+TEST_F(Report, ConvergenceChartsShowIterationsStepsAndResiduals) {
+  writeHistory({"time", "newton_iterations"}, {{0, 0}, {0.1, 7}, {0.15, 3}});
+  HistoryWriter convergence(run_ / "convergence.csv", {"step", "time", "iteration", "residual"});
+  for (const auto& row : std::vector<std::vector<double>>{
+           {1, 0.1, 0, 1}, {1, 0.1, 1, 1e-5}, {1, 0.1, 2, 0}, {2, 0.15, 0, 1}, {2, 0.15, 1, 1e-9}})
+    convergence.append(row);
+  const auto charts = convergenceCharts(readRun(run_));
+  ASSERT_EQ(charts.size(), 4U);
+  EXPECT_THAT(charts[0].chart.curves[0].y, ElementsAre(7, 3)) << "all attempts";
+  EXPECT_THAT(charts[0].chart.curves[1].y, ElementsAre(2, 1)) << "the last attempt";
+  EXPECT_THAT(charts[1].caption, HasSubstr("0 cut-backs"));
+  EXPECT_DOUBLE_EQ(charts[1].chart.curves[0].y[3], 0.15 - 0.1);
+  EXPECT_TRUE(charts[2].chart.y.logarithmic);
+  EXPECT_TRUE(std::isnan(charts[2].chart.curves[0].y[0])) << "a residual of zero has no logarithm";
+  EXPECT_DOUBLE_EQ(charts[2].chart.curves[0].y[1], 1e-9);
+  EXPECT_DOUBLE_EQ(charts[2].chart.curves[1].y[0], 1e-9) << "the tolerance";
+  EXPECT_EQ(charts[3].chart.curves[0].label, "t = 0.1") << "the slowest step";
+}
+
+TEST_F(Report, ChoosesFramesEvenly) {
+  EXPECT_THAT(evenlyChosen(3, 40), ElementsAre(0, 1, 2));
+  EXPECT_THAT(evenlyChosen(101, 5), ElementsAre(0, 25, 50, 75, 100));
+  EXPECT_THAT(evenlyChosen(1, 2), ElementsAre(0));
+}
+
+TEST_F(Report, PagesAreMadeOfRunsInAnyState) {
+  removeSummary(run_);
+  fs::remove(run_ / "convergence.csv");
+  writeHistory({"time", "min_detJ", "newton_iterations"}, {{0, 1, 0}});
+  writeReport(run_, {}, scratch_.path() / "page.html");
+  EXPECT_THAT(readText(scratch_.path() / "page.html"), HasSubstr("The run has not ended"));
+  fs::remove(run_ / "history.csv");
+  writeReport(run_, {}, scratch_.path() / "page.html");
+  EXPECT_THROW(writeReport(scratch_.path(), {}, scratch_.path() / "page.html"), Error);
+  ReportOptions unknown;
+  unknown.field = "strain";
+  EXPECT_THROW(writeReport(run_, unknown, scratch_.path() / "page.html"), Error);
+}
+
+TEST_F(Report, PagesAreMadeOfRunsWithoutTools) {
+  samples::Sample ring = samples::ring();
+  ResultWriter(run_, ring.model).append(ring.frame);
+  writeHistory({"time", "max_penetration", "min_detJ"}, {{0, 0, 1}, {1, 0, 0.9}});
+  EXPECT_THAT(warnings(), IsEmpty());
+  writeReport(run_, {}, scratch_.path() / "page.html");
+  EXPECT_THAT(readText(scratch_.path() / "page.html"),
+              HasSubstr("alt=\"von_mises, t = 0 (frame 1 of 1, step 0)\""));
+}
+
+TEST_F(Report, TextsCannotBecomeElements) {
+  EXPECT_EQ(escaped("a < \"b\" & c>"), "a &lt; &quot;b&quot; &amp; c&gt;");
+  EXPECT_THAT(htmlText({"<t>", "S", "B /*script*/", "J"}),
+              testing::AllOf(HasSubstr("<title>&lt;t&gt;</title>"), HasSubstr("B /*script*/"),
+                             HasSubstr("J\n</script>")));
+  EXPECT_THAT(htmlWarnings({"<b>"}), HasSubstr("<li>&lt;b&gt;</li>"));
+}
+
+TEST_F(Report, DocumentsBecomeHtml) {
+  const std::string text =
+      "# T\n\n## Runs\n\n| a |\n\n<a id=\"s\"></a>\n\n## S\n\n- **holds**: x\n\n![c](<figures/f.png>)\n";
+  const std::string html = markdownHtml(withoutSection(text, "Runs"), [](const std::string& address) {
+    EXPECT_EQ(address, "figures/f.png");
+    return "data:,f";
+  });
+  EXPECT_THAT(html, HasSubstr("<a id=\"s\"></a>"));
+  EXPECT_THAT(html, HasSubstr("<li><strong>holds</strong>: x</li>"));
+  EXPECT_THAT(html, HasSubstr("<img src=\"data:,f\" alt=\"c\">"));
+  EXPECT_THAT(html, Not(HasSubstr("Runs")));
+  EXPECT_EQ(withoutSection(text, "Absent"), text);
+}
+
+TEST_F(Report, StudiesShowRunsDocumentAndFigures) {
+  const fs::path study = scratch_.path() / "study";
+  samples::madeUpStudy(study);
+  fs::create_directories(study / "runs/broken");
+  writeText("run,state\nnurbs-fine,completed\nnurbs-coarse,completed\n", study / "runs.csv");
+  writeText("# Blocks\n\n- **does not hold**: A claim.\n\n![f](<figures/f.png>)\n", study / "study.md");
+  const ResultReader result(study / "runs/nurbs-fine");
+  ContourOptions options;
+  options.field = "plastic_strain";
+  for (const char* name : {"f.png", "f_a.png", "g.png"}) {
+    fs::create_directories(study / "figures");
+    drawContour(result.model(), result.frame(2), options, study / "figures" / name);
+  }
+  ReportOptions unknown;
+  unknown.field = "strain";
+  writeReport(study, unknown, study / "report.html");
+  EXPECT_THAT(readText(study / "report.html"), HasSubstr("<div class=\"absent\">"));
+  writeReport(study, {}, study / "report.html");
+  const std::string page = readText(study / "report.html");
+  EXPECT_THAT(page, HasSubstr("<h1>Blocks</h1>"));
+  EXPECT_THAT(page, HasSubstr("alt=\"plastic_strain of nurbs-fine at t = 2\""));
+  EXPECT_THAT(page, HasSubstr("<strong class=\"does-not-hold\">does not hold</strong>: A claim."));
+  EXPECT_LT(page.find("#run-nurbs-fine"), page.find("#run-nurbs-coarse")) << "the order of runs.csv";
+  EXPECT_THAT(page, HasSubstr("<article id=\"run-lagrange-fine\" class=\"bad\">"));
+  EXPECT_THAT(page, HasSubstr("before its end: the smallest step failed."));
+  EXPECT_THAT(page, HasSubstr("runs/broken holds no result.h5"));
+  EXPECT_THAT(page, HasSubstr("<figcaption>g</figcaption>"));
+  EXPECT_THAT(page, Not(HasSubstr("<figcaption>f")));
+}
+
+}  // namespace
+}  // namespace burnish
