@@ -47,7 +47,10 @@ pid_t startSelf(const std::vector<std::string>& arguments, const std::filesystem
 
 std::optional<int> endOf(pid_t process) {
   int status = 0;
-  if (::waitpid(process, &status, WNOHANG) == process) return status;
+  const pid_t ended = ::waitpid(process, &status, WNOHANG);
+  if (ended == process) return status;
+  constexpr int kUnknown = 1 << 8;  // as exit code 1: somebody else has taken the child's end
+  if (ended < 0 && errno == ECHILD) return kUnknown;
   return std::nullopt;
 }
 
@@ -59,15 +62,21 @@ struct SignalGuard::Saved {
 SignalGuard::SignalGuard() {
   lastSignal = 0;
   signalCount = 0;
-  for (const int signal : {SIGINT, SIGTERM}) {
-    Saved saved{signal, {}};
-    ::sigaction(signal, nullptr, &saved.action);
-    if (saved.action.sa_handler == SIG_IGN) continue;  // as nohup and shells want it
-    struct sigaction action = {};
-    action.sa_handler = note;
-    ::sigaction(signal, &action, nullptr);
-    saved_.push_back(saved);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction current = {};
+    ::sigaction(signal, nullptr, &current);
+    if (current.sa_handler != SIG_IGN) set(signal, note);  // else as nohup and shells want it
   }
+  set(SIGPIPE, SIG_IGN);  // whoever reads the progress may go away; the jobs are not to be left alone
+  set(SIGCHLD, SIG_DFL);  // else children end without leaving how
+}
+
+void SignalGuard::set(int signal, void (*handler)(int)) {
+  Saved saved{signal, {}};
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  ::sigaction(signal, &action, &saved.action);
+  saved_.push_back(saved);
 }
 
 SignalGuard::~SignalGuard() {

@@ -15,7 +15,7 @@ pid_t startSelf(const std::vector<std::string>& arguments, const std::filesystem
 /// The status of a process as `waitpid` gives it once it has ended; nothing before.
 std::optional<int> endOf(pid_t process);
 
-/// While it lives, SIGINT and SIGTERM are noted instead of ending the program. One at a time.
+/// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the program. One at a time.
 class SignalGuard {
  public:
   SignalGuard();
@@ -29,6 +29,8 @@ class SignalGuard {
   int count() const;
 
  private:
+  void set(int signal, void (*handler)(int));
+
   struct Saved;
   std::vector<Saved> saved_;
 };

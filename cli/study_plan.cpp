@@ -9,6 +9,7 @@
 #include <numeric>
 #include <set>
 #include <span>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -32,6 +33,13 @@ fs::path recordFile(const fs::path& directory, const std::string& figure) {
 
 fs::path logFile(const fs::path& directory, const std::string& figure) {
   return directory / "drawn" / (figure + ".log");
+}
+
+/// Tells studies apart, also those with equal times of change.
+std::string digestOf(const fs::path& studyFile) {
+  std::ostringstream text;
+  text << std::ifstream(studyFile, std::ios::binary).rdbuf();
+  return fmt::format("study {:016x}", std::hash<std::string>{}(text.str()));
 }
 
 /// Whether a run has ended, with this program and this scene.
@@ -157,8 +165,15 @@ class Planner {
   /// Whether all files of a figure are there and younger than what they show.
   bool isDrawn(const std::string& figure, const std::vector<fs::path>& inputs) const {
     const std::vector<fs::path> files = drawnFiles(directory_, figure);
-    const auto exists = [](const fs::path& file) { return fs::exists(file); };
+    const auto exists = [](const fs::path& file) {
+      std::error_code absent;
+      return fs::is_regular_file(file, absent) && fs::file_size(file, absent) > 0;
+    };
     if (files.empty() || !std::all_of(files.begin(), files.end(), exists)) return false;
+    std::ifstream record(recordFile(directory_, figure));
+    std::string digest;
+    std::getline(record, digest);
+    if (digest != digestOf(study_.file)) return false;
     const auto drawn = fs::last_write_time(recordFile(directory_, figure));
     return std::all_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
       return fs::exists(input) && fs::last_write_time(input) <= drawn;
@@ -211,7 +226,7 @@ void prepareJobs(const StudyPlan& plan, const fs::path& directory) {
 }
 
 void drawAndRecord(const Study& study, const FigureSpec& figure, const fs::path& directory) {
-  std::string record;
+  std::string record = digestOf(study.file) + "\n";
   for (const fs::path& file : drawFigure(study, figure, directory))
     record += file.lexically_relative(directory).string() + "\n";
   makeDirectory(directory / "drawn");
@@ -221,7 +236,9 @@ void drawAndRecord(const Study& study, const FigureSpec& figure, const fs::path&
 std::vector<fs::path> drawnFiles(const fs::path& directory, const std::string& figure) {
   std::ifstream record(recordFile(directory, figure));
   std::vector<fs::path> files;
-  for (std::string line; std::getline(record, line);) files.push_back(directory / line);
+  std::string line;
+  std::getline(record, line);  // the study's digest
+  while (std::getline(record, line)) files.push_back(directory / line);
   return files;
 }
 

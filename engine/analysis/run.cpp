@@ -22,14 +22,25 @@
 namespace burnish {
 namespace {
 
+std::vector<DoubtRecord> doubtRecords(const std::vector<Doubt>& doubts) {
+  std::vector<DoubtRecord> records;
+  for (const Doubt& doubt : doubts) records.push_back({doubt.what, doubt.firstTime, doubt.steps});
+  std::sort(records.begin(), records.end(),
+            [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
+  return records;
+}
+
 /// The summary under the names of docs/results.md.
 SummaryRecord makeSummaryRecord(const RunSummary& s) {
   return {.program = s.program,
           .completed = s.completed,
           .stoppedBecause = s.stoppedBecause,
+          .doubts = doubtRecords(s.doubts),
           .numbers = {{"end_time", s.end.time},
                       {"functions", s.functions},
                       {"unknowns", s.unknowns},
+                      {"approach_steps", s.approachSteps},
+                      {"approach_iterations", static_cast<double>(s.approachIterations)},
                       {"steps", s.steps},
                       {"cut_backs", s.cuts},
                       {"smallest_step", s.smallestStep},
@@ -124,7 +135,9 @@ class Run {
     if (model_.startTime() < 0.0) {
       arrived = stepping_.advance(0.0, -0.25 * model_.startTime(), [this](const StepReport& step) {
         recorder_.update(step.time, stepping_.state().x, totalForce());
-        note(step);
+        noteResiduals(step);
+        ++summary_.approachSteps;
+        summary_.approachIterations += step.iterations;
       });
       stepping_.forgetIncrement();
     }
@@ -139,7 +152,8 @@ class Run {
     for (const Landing& landing : grid) {
       const bool arrived = stepping_.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
         recorder_.update(step.time, stepping_.state().x, totalForce());
-        note(step);
+        noteResiduals(step);
+        summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
         step_ = step.step - stepsBefore;
         history_.append(recorder_.row(step_, step.iterations));
         for (std::size_t k = 0; k < step.newton.history.size(); ++k)
@@ -155,12 +169,10 @@ class Run {
     return true;
   }
 
-  /// Statistics of an accepted step.
-  void note(const StepReport& step) {
+  void noteResiduals(const StepReport& step) {
     summary_.worstResidual = std::max(summary_.worstResidual, step.newton.residual);
     summary_.worstConstraint = std::max(summary_.worstConstraint, step.newton.constraint);
     summary_.stepsAtRoundOff += step.newton.atRoundOff ? 1 : 0;
-    summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
   }
 
   void writeFrame() {
@@ -195,8 +207,8 @@ class Run {
     summary_.steps = step_;
     summary_.cuts = state.cuts;
     summary_.smallestStep = state.smallestStep;
-    summary_.iterations = state.iterations;
-    summary_.meanIterations = static_cast<double>(state.iterations) / std::max(1, state.steps);
+    summary_.iterations = state.iterations - summary_.approachIterations;
+    summary_.meanIterations = static_cast<double>(summary_.iterations) / std::max(1, step_);
     summary_.tolerance = scene_.solver.tolerance;
     summary_.constraintTolerance = newtonOptions(scene_).constraintTolerance;
     if (!model_.contacts().empty())

@@ -43,7 +43,9 @@ struct RunSummary {
   std::string program;         ///< see `programName()`
   int functions = 0;           ///< basis functions of the body
   int unknowns = 0;
-  int steps = 0;
+  int approachSteps = 0;  ///< that brought lifted tools down before t = 0
+  long approachIterations = 0;
+  int steps = 0;  ///< from t = 0 on
   int cuts = 0;
   double smallestStep = 0.0;
   long iterations = 0;

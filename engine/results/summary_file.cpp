@@ -24,6 +24,14 @@ void writeSummary(const std::filesystem::path& directory, const SummaryRecord& s
   yaml << YAML::Key << "program" << YAML::Value << summary.program;
   yaml << YAML::Key << "completed" << YAML::Value << summary.completed;
   if (!summary.completed) yaml << YAML::Key << "stopped_because" << YAML::Value << summary.stoppedBecause;
+  if (!summary.doubts.empty()) {
+    yaml << YAML::Key << "doubts" << YAML::Value << YAML::BeginSeq;
+    for (const DoubtRecord& doubt : summary.doubts)
+      yaml << YAML::BeginMap << YAML::Key << "what" << YAML::Value << doubt.what << YAML::Key << "first_time"
+           << YAML::Value << fmt::format("{}", doubt.firstTime) << YAML::Key << "steps" << YAML::Value
+           << doubt.steps << YAML::EndMap;
+    yaml << YAML::EndSeq;
+  }
   for (const auto& [name, value] : summary.numbers)
     yaml << YAML::Key << name << YAML::Value << fmt::format("{}", value);  // shortest that reads back exactly
   yaml << YAML::EndMap << YAML::Newline;
@@ -42,6 +50,10 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
         summary.completed = entry.second.as<bool>();
       else if (name == "stopped_because")
         summary.stoppedBecause = entry.second.as<std::string>();
+      else if (name == "doubts")
+        for (const auto& doubt : entry.second)
+          summary.doubts.push_back(
+              {doubt["what"].as<std::string>(), doubt["first_time"].as<double>(), doubt["steps"].as<int>()});
       else
         summary.numbers[name] = entry.second.as<double>();
     }

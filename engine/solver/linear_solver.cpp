@@ -47,6 +47,7 @@ class LinearSolver::Definite {
   /// False if K or -S is not positive definite, or if the border is too wide.
   bool factorise(const Matrix& A) {
     if (K_.rows() == 0) analyse(A);
+    if (!analysed_) return false;
     for (std::size_t k = 0; k < entries_.size(); ++k) K_.valuePtr()[k] = A.valuePtr()[entries_[k]];
     if (!findBorder(A) || isTooWide()) return false;
     llt_.factorize(K_);
@@ -87,6 +88,7 @@ class LinearSolver::Definite {
     K_.resize(n_, n_);
     K_.setFromTriplets(triplets.begin(), triplets.end());
     llt_.analyzePattern(K_);
+    analysed_ = llt_.info() == Eigen::Success;
   }
 
   /// Sorts the border into unknowns that are coupled with K at present and those that stand alone; false if
@@ -131,6 +133,7 @@ class LinearSolver::Definite {
 
   Eigen::Index n_;
   Eigen::CholmodSupernodalLLT<Matrix> llt_;  ///< of K
+  bool analysed_ = false;                    ///< not if CHOLMOD has run out of memory
   Matrix K_;
   std::vector<int> entries_;
   Eigen::VectorXd C_;

@@ -104,8 +104,8 @@ class Document {
     for (const Verdict verdict : {Verdict::Holds, Verdict::DoesNotHold, Verdict::CannotBeTold})
       title += fmt::format("{}{} {}", title.empty() ? "" : ", ", total[static_cast<std::size_t>(verdict)],
                            countedText(verdict, total[static_cast<std::size_t>(verdict)]));
-    return fmt::format("## Claims\n\nOf the claims, {}.\n\n{}\n{}", title, markdownTable(columns),
-                       others.empty() ? "" : others + "\n");
+    return fmt::format("## Claims\n\nOf the claims, {}.\n\n{}{}\n{}", title, doubtSentence(),
+                       markdownTable(columns), others.empty() ? "" : others + "\n");
   }
 
   static std::string countedText(Verdict verdict, int count) {
@@ -123,7 +123,33 @@ class Document {
     }
     for (const SummaryColumn& column : kSummaryColumns)
       columns.push_back({column.title, columnTexts(numbers(column.entry))});
+    columns.push_back({"doubtful from t", doubtTexts(notes)});
     return fmt::format("## Runs\n\n{}\n{}{}", markdownTable(columns), paragraph(notes.text()), settings());
+  }
+
+  /// Since when each run is doubtful, and why.
+  std::vector<std::string> doubtTexts(Footnotes& notes) const {
+    std::vector<std::string> texts;
+    for (const auto& data : data_) {
+      std::string text;
+      if (data)
+        for (const DoubtRecord& doubt : data->summary().doubts)
+          text += (text.empty() ? "" : ", ") + plainNumber(doubt.firstTime) + notes.mark(doubt.what);
+      texts.push_back(text);
+    }
+    return texts;
+  }
+
+  /// What is to be known of the runs before their claims are read.
+  std::string doubtSentence() const {
+    const auto count = std::count_if(
+        data_.begin(), data_.end(), [](const auto& data) { return data && !data->summary().doubts.empty(); });
+    if (count == 0) return {};
+    return fmt::format(
+        "{} of the {} runs are doubtful from some time on (the table of runs says from when, and why): do "
+        "not trust "
+        "numbers and claims about later times. Where a table shows such a run, a note says so.\n\n",
+        count, data_.size());
   }
 
   static std::string endText(const std::optional<RunData>& data, Footnotes& notes) {
@@ -169,8 +195,9 @@ class Document {
     const auto runs = study_.matching(statement.runs);
     std::vector<MarkdownColumn> columns{{"run", {}, false}};
     const bool labelsDiffer = haveDifferentLabels(runs);
-    for (const StudyRun* run : runs) columns[0].cells.push_back(labelsDiffer ? run->label : run->name);
     Footnotes notes;
+    for (const StudyRun* run : runs)
+      columns[0].cells.push_back((labelsDiffer ? run->label : run->name) + doubtMark(*run, notes));
     for (const MeasureSpec& measure : statement.measures) {
       std::vector<std::optional<double>> values;
       std::vector<std::string> marks;
@@ -185,6 +212,13 @@ class Document {
     }
     const std::string below = notes.text();
     return markdownTable(columns) + (below.empty() ? "" : "\n" + below);
+  }
+
+  std::string doubtMark(const StudyRun& run, Footnotes& notes) const {
+    const auto& data = data_[static_cast<std::size_t>(&run - study_.runs.data())];
+    if (!data || data->summary().doubts.empty()) return {};
+    return notes.mark(
+        fmt::format("doubtful from t = {} on", plainNumber(data->summary().doubts.front().firstTime)));
   }
 
   std::string figure(const std::string& name) const {

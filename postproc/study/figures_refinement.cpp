@@ -91,23 +91,33 @@ std::string valuesText(const std::vector<RefinementCurve>& curves) {
   return text.empty() ? "none" : text;
 }
 
-/// The median over the curves, which all have the same limit.
-double commonLimit(const std::vector<RefinementCurve>& curves) {
-  std::vector<double> limits;
+/// What all curves tend to, and how far their own limits are from it.
+struct CommonLimit {
+  double value;    ///< median over the curves
+  double scatter;  ///< median of |limit of a curve - value|
+};
+
+CommonLimit commonLimit(const std::vector<RefinementCurve>& curves) {
+  std::vector<double> limits, distances;
   for (const RefinementCurve& curve : curves)
     if (curve.limit) limits.push_back(*curve.limit);
-  if (const auto limit = median(limits)) return *limit;
-  throw Error(
-      fmt::format("no limit can be extrapolated: at least one curve needs three meshes whose values come "
-                  "closer to each other as with an order of 0.85 or more; found {}",
-                  valuesText(curves)));
+  const auto value = median(limits);
+  if (!value)
+    throw Error(
+        fmt::format("no limit can be extrapolated: at least one curve needs three meshes whose values come "
+                    "closer to each other as with an order of 0.85 or more; found {}",
+                    valuesText(curves)));
+  for (const double limit : limits) distances.push_back(std::abs(limit - *value));
+  return {*value, median(distances).value_or(0.0)};
 }
 
-/// The slope of the least-squares line through all meshes.
-std::optional<double> orderOf(const RefinementCurve& curve, double limit) {
+/// The slope of the least-squares line through the meshes whose errors are larger than what is known of the
+/// limit.
+std::optional<double> orderOf(const RefinementCurve& curve, const CommonLimit& limit) {
   std::vector<MeshValue> meshes;
-  for (const RefinedRun& run : curve.runs) meshes.push_back(run.mesh);
-  return meanOrder(meshes, limit);
+  for (const RefinedRun& run : curve.runs)
+    if (std::abs(run.mesh.value - limit.value) > limit.scatter) meshes.push_back(run.mesh);
+  return meanOrder(meshes, limit.value);
 }
 
 /// Part of the limit, or the difference itself where the limit is zero.
@@ -117,7 +127,7 @@ double errorOf(const RefinedRun& run, double limit) {
 }
 
 ChartCurve chartCurve(const FigureTask& task, const RefinementChartSpec& spec, const RefinementCurve& curve,
-                      double limit) {
+                      const CommonLimit& limit) {
   ChartCurve drawn;
   const auto order = orderOf(curve, limit);
   const std::string label = curve.label.empty() ? spec.measure.title : curve.label;
@@ -125,11 +135,24 @@ ChartCurve chartCurve(const FigureTask& task, const RefinementChartSpec& spec, c
   drawn.style = styleOf(task.study, *curve.runs.front().run, spec.looks);
   if (drawn.style && drawn.style->marker < 0) drawn.style->marker = drawn.style->color;
   for (const RefinedRun& run : curve.runs) {
-    const double error = errorOf(run, limit);
+    const double error = errorOf(run, limit.value);
     drawn.x.push_back(run.functions);
     drawn.y.push_back(error > 0.0 ? error : std::nan(""));  // a logarithmic axis has no zero
   }
   return drawn;
+}
+
+/// Errors below it are not known, because the limits of the curves differ by so much.
+ChartCurve scatterLine(const std::vector<ChartCurve>& curves, const CommonLimit& limit) {
+  double low = HUGE_VAL, high = 0.0;
+  for (const ChartCurve& curve : curves)
+    for (const double x : curve.x) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  const double error = limit.value == 0.0 ? limit.scatter : limit.scatter / std::abs(limit.value);
+  return {
+      .label = "scatter of the limits", .x = {low, high}, .y = {error, error}, .style = CurveStyle{3, 2, -1}};
 }
 
 std::string numberCell(const std::optional<double>& value) {
@@ -152,14 +175,15 @@ std::string dataText(const std::vector<RefinementCurve>& curves, double limit) {
 
 Files drawKind(const FigureTask& task, const RefinementChartSpec& spec) {
   const std::vector<RefinementCurve> curves = refinementCurves(task, spec);
-  const double limit = commonLimit(curves);
+  const CommonLimit limit = commonLimit(curves);
   Chart chart;
   chart.size = {1200, 1200};  // room for the legend, which has the orders in it
   chart.x = {"number of basis functions", true, {}};
   chart.y = {spec.yTitle.empty() ? "relative error of " + spec.measure.title : spec.yTitle, true, {}};
   for (const RefinementCurve& curve : curves) chart.curves.push_back(chartCurve(task, spec, curve, limit));
+  if (limit.scatter > 0.0) chart.curves.push_back(scatterLine(chart.curves, limit));
   drawChart(chart, task.file(".png"));
-  writeText(dataText(curves, limit), task.file(".csv"));
+  writeText(dataText(curves, limit.value), task.file(".csv"));
   return {task.file(".png"), task.file(".csv")};
 }
 

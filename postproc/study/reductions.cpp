@@ -16,17 +16,16 @@ double toleranceOf(const std::array<double, 2>& range) {
   return kRounding * std::max({1.0, std::abs(range[0]), std::abs(range[1])});
 }
 
-/// a - b at every x of either curve at which both exist.
+/// a - b at the x that both have: between the points of the coarser curve an interpolation would be compared.
 Series difference(const Series& a, const Series& b) {
-  std::vector<double> xs = a.x;
-  xs.insert(xs.end(), b.x.begin(), b.x.end());
-  std::sort(xs.begin(), xs.end());
   Series result;
-  for (const double x : xs) {
-    const auto ya = interpolate(a, x), yb = interpolate(b, x);
-    if (!ya || !yb) continue;
-    result.x.push_back(x);
-    result.y.push_back(*ya - *yb);
+  for (std::size_t k = 0; k < a.x.size(); ++k) {
+    const double tolerance = toleranceOf({a.x[k], a.x[k]});
+    const auto same =
+        std::find_if(b.x.begin(), b.x.end(), [&](double x) { return std::abs(x - a.x[k]) <= tolerance; });
+    if (same == b.x.end()) continue;
+    result.x.push_back(a.x[k]);
+    result.y.push_back(a.y[k] - b.y[static_cast<std::size_t>(same - b.x.begin())]);
   }
   return result;
 }

@@ -34,7 +34,7 @@ std::optional<double> meanOver(const Series& series);
 /// Root mean square of what is left of y without its least-squares quartic in x; from 6 points on.
 std::optional<double> oscillation(const Series& series);
 
-/// Largest |a - b| of two curves with increasing x that are joined linearly, where both exist.
+/// Largest |a - b| of two curves at the x that both have.
 std::optional<double> largestDifference(const Series& a, const Series& b);
 
 /// The first x at which |a - b| exceeds the tolerance.

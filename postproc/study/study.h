@@ -83,8 +83,8 @@ struct LineMeasure {
   LineReduction reduce = LineReduction::Variation;
 };
 
-/// How far y(x) is from that of another run: the largest |difference| over the range as a part of the other
-/// run's largest |y|; with `tolerance`, the first x at which the difference exceeds this part.
+/// How far y(x) is from that of another run, at the x that both have: the largest |difference| as a part of
+/// the other run's largest |y|; with `tolerance`, the first x at which the difference exceeds this part.
 struct DifferenceMeasure {
   std::string other;  ///< name of a run, in braces as above
   std::string x = "time", y;

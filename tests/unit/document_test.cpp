@@ -92,6 +92,15 @@ TEST_F(Document, SaysFirstWhichClaimsHold) {
   EXPECT_LT(text.find("## Runs"), text.find("## Meshes"));
 }
 
+TEST_F(Document, SaysWhichRunsAreDoubtful) {
+  const std::string text = written();
+  EXPECT_THAT(text, HasSubstr("1 of the 4 runs are doubtful from some time on"));
+  EXPECT_THAT(text, HasSubstr("| 1.2 <sup>2</sup> |"));
+  EXPECT_THAT(text, HasSubstr("<sup>1</sup> the smallest step failed; <sup>2</sup> deep penetration"));
+  EXPECT_THAT(text, HasSubstr("| Lagrange, fine <sup>1</sup> |"));
+  EXPECT_THAT(text, HasSubstr("<sup>1</sup> doubtful from t = 1.2 on"));
+}
+
 TEST_F(Document, HasATableOfAllRuns) {
   const std::string text = written();
   EXPECT_THAT(text, HasSubstr("| lagrange-fine | stopped at t = 1.4 <sup>1</sup> |    14 |         7 |"));
@@ -102,8 +111,8 @@ TEST_F(Document, HasATableOfAllRuns) {
 TEST_F(Document, MarksValuesThatAreMissing) {
   const std::string text = written();
   EXPECT_THAT(text, HasSubstr(" 1.250 |"));
-  EXPECT_THAT(text, HasSubstr("| — <sup>1</sup> |"));
-  EXPECT_THAT(text, HasSubstr("<sup>1</sup> stopped at t = 1.4"));
+  EXPECT_THAT(text, HasSubstr("| — <sup>2</sup> |"));
+  EXPECT_THAT(text, HasSubstr("<sup>2</sup> stopped at t = 1.4"));
 }
 
 TEST_F(Document, ShowsPicturesWhereTheyAreOrFromTheGallery) {

@@ -255,6 +255,7 @@ TEST_F(Results, SummaryReadsBackExactlyAndIsRefusedWhenDamaged) {
   const SummaryRecord written{.program = "burnish 0 (engine 0)",
                               .completed = false,
                               .stoppedBecause = "at t = 0.1: the iteration diverged",
+                              .doubts = {{"smallest J below 0.05", 0.1, 3}},
                               .numbers = {{"seconds", 1.0 / 3.0}, {"steps", 12}, {"worst_residual", 1e-12}}};
   writeSummary(dir, written);
   const SummaryRecord read = readSummary(dir);
@@ -262,6 +263,10 @@ TEST_F(Results, SummaryReadsBackExactlyAndIsRefusedWhenDamaged) {
   EXPECT_EQ(read.completed, written.completed);
   EXPECT_EQ(read.stoppedBecause, written.stoppedBecause);
   EXPECT_EQ(read.numbers, written.numbers);
+  ASSERT_EQ(read.doubts.size(), 1u);
+  EXPECT_EQ(read.doubts[0].what, "smallest J below 0.05");
+  EXPECT_EQ(read.doubts[0].firstTime, 0.1);
+  EXPECT_EQ(read.doubts[0].steps, 3);
   std::ofstream(dir / "summary.yaml") << "program: [";
   expectError([&] { readSummary(dir); }, "summary.yaml");
   removeSummary(dir);

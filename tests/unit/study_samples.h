@@ -77,6 +77,8 @@ inline void writeRun(const std::filesystem::path& directory, const std::function
   writeSummary(directory, {.program = "burnish",
                            .completed = completed,
                            .stoppedBecause = completed ? "" : "the smallest step failed",
+                           .doubts = completed ? std::vector<DoubtRecord>{}
+                                               : std::vector<DoubtRecord>{{"deep penetration", 1.2, 5}},
                            .numbers = {{"end_time", end},
                                        {"steps", 10.0 * end},
                                        {"cut_backs", completed ? 0.0 : 7.0},
