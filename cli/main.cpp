@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <string>
 
 #include "cli/command.h"
 #include "cli/usage_error.h"
@@ -12,6 +13,12 @@
 namespace {
 
 using namespace burnish;
+
+/// Whether a command solves equations, itself or in processes that it starts: only then is it worth the time
+/// to load the program a second time.
+bool computes(const std::string& command) {
+  return command == "run" || command == "figures";
+}
 
 ExitCode execute(int argc, char** argv) {
   CLI::App app("Elastoplastic contact of NURBS bodies with rigid tools: compute, draw, export.", "burnish");
@@ -42,7 +49,7 @@ ExitCode execute(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  burnish::useFastestBlasKernels(argv);
+  if (argc > 1 && computes(argv[1])) burnish::useFastestBlasKernels(argv);
   try {
     return static_cast<int>(execute(argc, argv));
   } catch (const burnish::Error& error) {

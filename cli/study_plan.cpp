@@ -79,7 +79,7 @@ std::vector<std::string> partsOf(const FigureSpec& figure) {
 class Planner {
  public:
   Planner(const Study& study, const fs::path& directory, int atOnce)
-      : study_(study), directory_(directory), atOnce_(atOnce) {}
+      : study_(study), digest_(digestOf(study.file)), directory_(directory), atOnce_(atOnce) {}
 
   StudyPlan plan(const std::vector<std::string>& only) {
     chooseFigures(only);
@@ -173,7 +173,7 @@ class Planner {
     std::ifstream record(recordFile(directory_, figure));
     std::string digest;
     std::getline(record, digest);
-    if (digest != digestOf(study_.file)) return false;
+    if (digest != digest_) return false;
     const auto drawn = fs::last_write_time(recordFile(directory_, figure));
     return std::all_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
       return fs::exists(input) && fs::last_write_time(input) <= drawn;
@@ -181,6 +181,7 @@ class Planner {
   }
 
   const Study& study_;
+  std::string digest_;
   fs::path directory_;
   int atOnce_;
   StudyPlan plan_;

@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
+#include "tests/cli/shell.h"
 
 /// The program as the user meets it: exit codes, messages, and what is left behind. BURNISH_COMMAND is its
 /// path.
@@ -30,11 +29,6 @@ steps: [{until: 2, count: 8}]
 output: {every: 0.5, vtu: false}
 )";
 
-struct Outcome {
-  int code = 0;
-  std::string out, err;
-};
-
 class Command : public testing::Test {
  protected:
   void SetUp() override {
@@ -55,12 +49,7 @@ class Command : public testing::Test {
     return text.str();
   }
 
-  Outcome burnish(const std::string& arguments) const {
-    const std::string line =
-        "cd " + dir.string() + " && " BURNISH_COMMAND " " + arguments + " > stdout.txt 2> stderr.txt";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout.txt"), read("stderr.txt")};
-  }
+  Outcome burnish(const std::string& arguments) const { return shell(dir, BURNISH_COMMAND " " + arguments); }
 
   /// Exit code 2, one message that contains `part`, and no output directory.
   void expectRefused(const std::string& arguments, const std::string& part) const {

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "engine/results/summary_file.h"
+#include "tests/cli/shell.h"
 
 /// `burnish figures` as the user meets it. BURNISH_COMMAND is the program.
 namespace burnish {
@@ -40,11 +41,6 @@ figures:
   - {name: energy, kind: history, runs: ["block-*"], y: strain_energy}
   - {name: stress, kind: history, runs: [stiff], y: strain_energy}
 )";
-
-struct Outcome {
-  int code = 0;
-  std::string out, err;
-};
 
 class FiguresCommand : public testing::Test {
  protected:
@@ -73,10 +69,7 @@ class FiguresCommand : public testing::Test {
   }
 
   Outcome figures(const std::string& arguments = "") const {
-    const std::string line = "cd " + dir_.string() + " && " BURNISH_COMMAND " figures study.yaml -o out " +
-                             arguments + " > stdout.txt 2> stderr.txt";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout.txt"), read("stderr.txt")};
+    return shell(dir_, BURNISH_COMMAND " figures study.yaml -o out " + arguments);
   }
 
   fs::file_time_type timeOf(const std::string& run) const {
