@@ -8,6 +8,8 @@
 #include "engine/core/error.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
+#include "engine/scene/mesh_knots.h"
+#include "engine/solid/joined_body.h"
 
 namespace burnish {
 namespace {
@@ -54,52 +56,72 @@ Patch<Dim> controlNet(const ControlNetSpec& spec) {
     weights(static_cast<Eigen::Index>(a)) = spec.weights[a];
   return {std::move(basis), std::move(points), std::move(weights)};
 }
-
-/// Number of knot spans (or elements) per direction that gives the wanted number of functions.
-std::vector<int> spansOf(const Scene& scene) {
-  if (!scene.geometry.spans.empty()) return scene.geometry.spans;
-  std::vector<int> spans;
-  for (const int functions : scene.geometry.functions)
-    spans.push_back(scene.basis == BasisChoice::Nurbs ? functions - scene.degree
-                                                      : (functions - 1) / scene.degree);
-  return spans;
+template <>
+Patch<2> coarse<2>(const ControlNetSpec& spec) {
+  return controlNet<2>(spec);
+}
+template <>
+Patch<3> coarse<3>(const ControlNetSpec& spec) {
+  return controlNet<3>(spec);
 }
 
-/// Knots of the wanted degree that divide the coarse shape's interval evenly.
-template <int Dim>
-Patch<Dim> onNurbs(const Patch<Dim>& shape, int degree, const std::vector<int>& spans) {
+/// A shape on the scene's basis.
+template <int Dim, class Spec>
+Patch<Dim> meshed(const Scene& scene, const Spec& spec, const MeshSpec& mesh) {
+  Patch<Dim> shape = coarse<Dim>(spec);
   std::vector<KnotVector> target;
+  bool asGiven = true;
   for (int d = 0; d < Dim; ++d) {
-    const int exact = shape.basis().direction(d).degree();
-    if (degree < exact)
-      throw Error(
-          fmt::format("degree: {} is too low for this shape, whose circular direction needs {} with NURBS; "
-                      "raise degree or take basis: lagrange",
-                      degree, exact));
-    target.push_back(KnotVector::uniform(degree, spans[static_cast<std::size_t>(d)]));
+    const auto& direction = shape.basis().direction(d);
+    const KnotVector knots(direction.degree(), direction.knots());
+    target.push_back(meshKnots(scene, mesh, static_cast<std::size_t>(d), knots));
+    asGiven = asGiven && target.back() == knots;
   }
-  return refined(shape, target);
+  if (scene.basis == BasisChoice::Nurbs) return asGiven ? shape : refined(shape, target);
+  std::vector<std::vector<double>> breakpoints;
+  for (const KnotVector& knots : target) breakpoints.push_back(knots.breakpoints());
+  return lagrangeInterpolant(shape, scene.degree, breakpoints);
 }
 
 template <int Dim>
-Patch<Dim> onLagrange(const Patch<Dim>& shape, int degree, const std::vector<int>& spans) {
-  std::vector<std::vector<double>> breakpoints;
-  for (const int n : spans) breakpoints.push_back(KnotVector::uniform(1, n).breakpoints());
-  return lagrangeInterpolant(shape, degree, breakpoints);
+NamedBody<Dim> joined(const Scene& scene, const std::vector<PatchSpec>& specs) {
+  std::vector<Patch<Dim>> patches;
+  std::vector<std::string> names;
+  for (const PatchSpec& patch : specs) {
+    patches.push_back(
+        std::visit([&](const auto& spec) { return meshed<Dim>(scene, spec, patch.mesh); }, patch.shape));
+    names.push_back(patch.name);
+  }
+  auto body = joinedBody<Dim>(std::move(patches), names);
+  return {std::move(body), std::move(names)};
 }
+
+template <int Dim>
+struct BodyMaker {
+  const Scene& scene;
+
+  NamedBody<Dim> operator()(const PatchesSpec& spec) const { return joined<Dim>(scene, spec.patches); }
+
+  template <class Spec>
+  NamedBody<Dim> operator()(const Spec& spec) const {
+    return {joinedBody<Dim>({meshed<Dim>(scene, spec, scene.geometry.mesh)}, {""}), {""}};
+  }
+};
 
 }  // namespace
 
 template <int Dim>
-Patch<Dim> makePatch(const Scene& scene) {
-  if (const auto* net = std::get_if<ControlNetSpec>(&scene.geometry.shape)) return controlNet<Dim>(*net);
-  const Patch<Dim> shape =
-      std::visit([](const auto& spec) { return coarse<Dim>(spec); }, scene.geometry.shape);
-  return scene.basis == BasisChoice::Nurbs ? onNurbs(shape, scene.degree, spansOf(scene))
-                                           : onLagrange(shape, scene.degree, spansOf(scene));
+NamedBody<Dim> makeBody(const Scene& scene) {
+  try {
+    NamedBody<Dim> made = std::visit(BodyMaker<Dim>{scene}, scene.geometry.shape);
+    made.body.axisymmetric = Dim == 2 && scene.kinematics == KinematicsChoice::Axisymmetric;
+    return made;
+  } catch (const Error& error) {
+    throw Error(fmt::format("geometry: {}", error.what()));
+  }
 }
 
-template Patch<2> makePatch(const Scene&);
-template Patch<3> makePatch(const Scene&);
+template NamedBody<2> makeBody(const Scene&);
+template NamedBody<3> makeBody(const Scene&);
 
 }  // namespace burnish

@@ -1,13 +1,23 @@
 #pragma once
-#include "engine/nurbs/patch.h"
+#include <string>
+#include <vector>
+
 #include "engine/scene/scene.h"
+#include "engine/solid/body.h"
 
 namespace burnish {
 
-/// The reference geometry of a scene on the basis and degree that it asks for. Lagrange bases interpolate the
-/// exact shape at their nodes. Throws `Error` for what the reader cannot see (knots or weights of a control
-/// net that do not fit).
+/// A body and the names of its patches; a body of a single shape is one patch without a name.
 template <int Dim>
-Patch<Dim> makePatch(const Scene& scene);
+struct NamedBody {
+  Body<Dim> body;
+  std::vector<std::string> names;
+};
+
+/// The reference geometry of a scene on the basis, degree and meshes that it asks for, matching faces joined.
+/// Lagrange bases interpolate the exact shapes at their nodes. Throws `Error` for what the reader cannot see:
+/// patches that lie on each other and do not match, or that are not connected.
+template <int Dim>
+NamedBody<Dim> makeBody(const Scene& scene);
 
 }  // namespace burnish

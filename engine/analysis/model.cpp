@@ -11,11 +11,11 @@
 #include "engine/analysis/materials.h"
 #include "engine/analysis/tool_start.h"
 #include "engine/core/error.h"
+#include "engine/solid/dead_load.h"
+#include "engine/solid/follower_load.h"
 
 namespace burnish {
 namespace {
-
-constexpr std::array<const char*, 3> kComponents{"x", "y", "z"};
 
 /// Schedules of a motion's components; empty ones for components that are left out.
 std::array<Schedule, 3> schedules(const MotionSpec& motion) {
@@ -60,20 +60,28 @@ double defaultParameter(Enforcement enforcement, double E, double L) {
   return (enforcement == Enforcement::AugmentedLagrangian ? 1.0 : 100.0) * E / L;
 }
 
+template <int Dim>
+NamedBody<Dim> bodyOf(const Scene& scene) {
+  auto named = makeBody<Dim>(scene);
+  named.body.axisymmetric = Dim == 2 && scene.kinematics == KinematicsChoice::Axisymmetric;
+  return named;
+}
+
 }  // namespace
 
 template <int Dim>
-Model<Dim>::Model(const Scene& scene) : body_(makeBody(makePatch<Dim>(scene))) {
-  quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_);
-  bulk_ = std::make_unique<BulkTerm<Dim>>(*quadrature_, makeMaterial(scene.material));
-  prescribed_.assign(static_cast<std::size_t>(numDisplacements()), false);
-  for (const auto& support : scene.supports) addSupport(support);
-  for (const auto& load : scene.loads) {
-    const Schedule factor = load.schedule.value_or(Schedule{});
-    corners_.insert(corners_.end(), factor.times.begin(), factor.times.end());
-    tractions_.push_back(std::make_unique<TractionTerm<Dim>>(
-        body_, 0, faceFromName<Dim>(load.face), padded(load.traction).template head<Dim>(), factor));
-  }
+Model<Dim>::Model(const Scene& scene) : Model(scene, bodyOf<Dim>(scene)) {}
+
+template <int Dim>
+Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
+    : body_(std::move(named.body)), faces_(body_, std::move(named.names)), supports_(scene, faces_) {
+  quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
+  bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material),
+                       scene.formulation == FormulationChoice::Fbar ? Formulation::ProjectedDilatation
+                                                                    : Formulation::Displacement);
+  prescribed_ = supports_.prescribed();
+  corners_ = supports_.corners();
+  addLoads(scene);
   addTools(scene);
   addContacts(scene);
   std::sort(corners_.begin(), corners_.end());
@@ -83,49 +91,34 @@ Model<Dim>::Model(const Scene& scene) : body_(makeBody(makePatch<Dim>(scene))) {
 }
 
 template <int Dim>
-void Model<Dim>::addSupport(const SupportSpec& spec) {
-  const FaceId face = faceFromName<Dim>(spec.face);
-  const auto functions = faceFunctions(body_.patches.front().basis(), face);
-  std::array<bool, 3> held{};
-  std::array<Schedule, 3> motion;
-  for (std::size_t d = 0; d < Dim; ++d)
-    held[d] = std::find(spec.fix.begin(), spec.fix.end(), kComponents[d]) != spec.fix.end();
-  if (spec.move) {
-    motion = schedules(*spec.move);
-    for (std::size_t d = 0; d < Dim; ++d) held[d] = !motion[d].times.empty();
-    corners_.insert(corners_.end(), spec.move->times.begin(), spec.move->times.end());
-  }
-  if (spec.symmetry) {
-    const Eigen::MatrixXd points = body_.patches.front().points()(Eigen::all, functions);
-    const Eigen::VectorXd extent = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
-    Eigen::Index normal = 0;
-    if (extent.minCoeff(&normal) > 1e-12 * body_.size())
-      throw Error(fmt::format(
-          "supports: face '{}' is not flat along an axis, so symmetry has no direction to hold; use "
-          "fix with the components to hold",
-          spec.face));
-    held[static_cast<std::size_t>(normal)] = true;
-  }
-  for (const int a : functions)
-    for (int d = 0; d < Dim; ++d) {
-      if (!held[static_cast<std::size_t>(d)]) continue;
-      const int unknown = Dim * body_.nodes.front()[static_cast<std::size_t>(a)] + d;
-      if (prescribed_[static_cast<std::size_t>(unknown)]) {
-        // A corner that two supports hold must be moved by both in the same way.
-        const auto same = std::find_if(motions_.begin(), motions_.end(),
-                                       [&](const auto& m) { return m.unknown == unknown; });
-        const Schedule before = same == motions_.end() ? Schedule{} : same->motion;
-        if (!sameValues(before, motion[static_cast<std::size_t>(d)]))
-          throw Error(
-              fmt::format("supports: face '{}' meets another support at a corner where component {} is "
-                          "prescribed differently by the two; give both the same motion",
-                          spec.face, kComponents[static_cast<std::size_t>(d)]));
-        continue;
-      }
-      prescribed_[static_cast<std::size_t>(unknown)] = true;
-      if (!motion[static_cast<std::size_t>(d)].times.empty())
-        motions_.push_back({unknown, motion[static_cast<std::size_t>(d)]});
+void Model<Dim>::addLoads(const Scene& scene) {
+  const auto formulas = [&](const std::vector<FormulaText>& texts) {
+    std::vector<Formula> result;
+    for (const auto& text : texts) result.emplace_back(text, scene.definitions);
+    return result;
+  };
+  for (const auto& load : scene.loads) {
+    const Schedule factor = load.schedule.value_or(Schedule{});
+    corners_.insert(corners_.end(), factor.times.begin(), factor.times.end());
+    if (!load.bodyForce.empty()) {
+      const int patch = load.place.patch.empty() ? -1 : faces_.patch(load.place.patch);
+      loads_.push_back(
+          std::make_unique<DeadLoad<Dim>>(body_, *quadrature_, patch, formulas(load.bodyForce), factor));
+      continue;
     }
+    const int patch = faces_.patch(load.place.patch);
+    const FaceId side = faceFromName<Dim>(load.place.face);
+    FaceQuadrature<Dim> face(body_, patch, side, 0, load.place.part);
+    if (!load.traction.empty()) {
+      loads_.push_back(std::make_unique<DeadLoad<Dim>>(body_, face, formulas(load.traction), factor));
+      continue;
+    }
+    const auto direction =
+        load.pressure ? FollowerLoad<Dim>::Direction::Pressure : FollowerLoad<Dim>::Direction::Shear;
+    loads_.push_back(std::make_unique<FollowerLoad<Dim>>(
+        body_, patch, side, std::move(face), direction,
+        Formula(load.pressure ? *load.pressure : *load.shear, scene.definitions), factor));
+  }
 }
 
 template <int Dim>
@@ -149,45 +142,47 @@ void Model<Dim>::addContacts(const Scene& scene) {
     const auto tool = static_cast<std::size_t>(
         std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t->name == spec.tool; }) -
         tools_.begin());
-    const FaceId face = faceFromName<Dim>(spec.face);
-    requireReachable(*tools_[tool], face, spec);
+    requireReachable(*tools_[tool], spec);
+    const int patch = faces_.patch(spec.place.patch);
     const Enforcement enforcement = enforcementOf(spec.method);
     typename ContactTerm<Dim>::Options options{
         enforcement,
         spec.parameter.value_or(
             defaultParameter(enforcement, youngsModulus(bulk_->material()), body_.size())),
         spec.quadraturePoints.value_or(0)};
-    auto term = std::make_unique<ContactTerm<Dim>>(body_, 0, face, *tools_[tool], options, numUnknowns_);
+    auto term = std::make_unique<ContactTerm<Dim>>(body_, patch, faceFromName<Dim>(spec.place.face),
+                                                   *tools_[tool], options, numUnknowns_);
     numUnknowns_ += term->numMultipliers();
-    contacts_.push_back({tool, 0, spec.face, std::move(term)});
+    contacts_.push_back({tool, patch, spec.place.face, std::move(term)});
   }
   prescribed_.resize(static_cast<std::size_t>(numUnknowns_), false);
 }
 
 template <int Dim>
-void Model<Dim>::requireReachable(const Tool& tool, FaceId face, const ContactSpec& spec) const {
+void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec) const {
   const std::string place = fmt::format("contact[{}]", contacts_.size());
-  const NearestPoint nearest = nearestPoint(body_, 0, face, tool);
+  const NearestPoint nearest =
+      nearestPoint(body_, faces_.patch(spec.place.patch), faceFromName<Dim>(spec.place.face), tool);
   if (-nearest.gap > kTouching * std::min(curvatureRadius(tool.shape), body_.size()))
     throw Error(
         fmt::format("{}: tool '{}' overlaps face '{}' by {:.3g} at the start; move it away by at least "
                     "that much (touching is fine)",
-                    place, spec.tool, spec.face, -nearest.gap));
+                    place, spec.tool, spec.place.face, -nearest.gap));
   if (nearest.facing > 0.5)
     throw Error(
         fmt::format("{}: tool '{}' is behind face '{}' at the start, inside the body or on its other "
                     "side; put it in front of the face",
-                    place, spec.tool, spec.face));
-  const auto functions = faceFunctions(body_.patches.front().basis(), face);
-  const bool held = std::all_of(functions.begin(), functions.end(), [&](int a) {
-    const auto first = prescribed_.begin() + Dim * body_.nodes.front()[static_cast<std::size_t>(a)];
+                    place, spec.tool, spec.place.face));
+  const auto nodes = faces_.nodes(spec.place);
+  const bool held = std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+    const auto first = prescribed_.begin() + Dim * node;
     return std::all_of(first, first + Dim, [](bool flag) { return flag; });
   });
   if (held)
     throw Error(
         fmt::format("{}: face '{}' is held in all its components, so tool '{}' cannot move it; name a "
                     "face that is free",
-                    place, spec.face, spec.tool));
+                    place, spec.place.face, spec.tool));
 }
 
 template <int Dim>
@@ -211,17 +206,20 @@ template <int Dim>
 void Model<Dim>::requireSupported() const {
   // The rigid motions of the reference body must not all fit the supports: their values at the prescribed
   // unknowns have to be linearly independent.
-  constexpr int kRigid = Dim == 2 ? 3 : 6;
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(numDisplacements(), kRigid);
-  const auto& patch = body_.patches.front();
+  const int numRigid = body_.axisymmetric ? 1 : Dim == 2 ? 3 : 6;
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(numDisplacements(), numRigid);
+  const Eigen::MatrixXd positions = body_.nodePositions() / body_.size();
   for (int a = 0; a < body_.numNodes; ++a) {
-    const Eigen::Vector<double, Dim> X = patch.points().col(a) / body_.size();
+    if (body_.axisymmetric) {
+      motions(Dim * a + 1, 0) = 1.0;
+      continue;
+    }
     for (int d = 0; d < Dim; ++d) motions(Dim * a + d, d) = 1.0;
     int column = Dim;
     for (int i = 0; i < Dim; ++i)
       for (int j = i + 1; j < Dim; ++j, ++column) {
-        motions(Dim * a + i, column) = -X(j);
-        motions(Dim * a + j, column) = X(i);
+        motions(Dim * a + i, column) = -positions(j, a);
+        motions(Dim * a + j, column) = positions(i, a);
       }
   }
   std::vector<int> held;
@@ -230,26 +228,26 @@ void Model<Dim>::requireSupported() const {
   const Eigen::MatrixXd atSupports = motions(held, Eigen::all);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(atSupports);
   qr.setThreshold(1e-10);
-  if (held.empty() || qr.rank() < kRigid)
-    throw Error(fmt::format(
-        "supports: they leave the body free to move as a rigid whole in {} way{}; hold more components "
-        "or faces",
-        kRigid - (held.empty() ? 0 : static_cast<int>(qr.rank())),
-        kRigid - (held.empty() ? 0 : static_cast<int>(qr.rank())) == 1 ? "" : "s"));
+  const int freeWays = numRigid - (held.empty() ? 0 : static_cast<int>(qr.rank()));
+  if (freeWays > 0)
+    throw Error(
+        fmt::format("supports: they leave the body free to move as a rigid whole in {} way{}; hold more "
+                    "components or faces",
+                    freeWays, freeWays == 1 ? "" : "s"));
 }
 
 template <int Dim>
 std::vector<Term*> Model<Dim>::terms() const {
   std::vector<Term*> terms{bulk_.get()};
   for (const auto& pair : contacts_) terms.push_back(pair.term.get());
-  for (const auto& traction : tractions_) terms.push_back(traction.get());
+  for (const auto& load : loads_) terms.push_back(load.get());
   return terms;
 }
 
 template <int Dim>
 Eigen::VectorXd Model<Dim>::target(double t) const {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(numUnknowns_);
-  for (const auto& prescribed : motions_) values(prescribed.unknown) = prescribed.motion(std::max(t, 0.0));
+  supports_.setValues(t, values);
   return values;
 }
 
@@ -266,9 +264,13 @@ ResidualScales Model<Dim>::residualScales() const {
   const double L = body_.size();
   ResidualScales scales;
   scales.numForces = numDisplacements();
-  scales.forceFloor = 1e-9 * youngsModulus(bulk_->material()) * std::pow(L, Dim - 1);
-  scales.spanSize =
-      std::pow(quadrature_->volume() / static_cast<double>(quadrature_->spans().size()), 1.0 / Dim);
+  scales.forceFloor = 1e-9 * youngsModulus(bulk_->material()) * std::pow(L, body_.axisymmetric ? 2 : Dim - 1);
+  scales.spanSizes = Eigen::VectorXd::Zero(numDisplacements());
+  for (const auto& span : quadrature_->spans())
+    for (const int node : span.nodes) {
+      auto sizes = scales.spanSizes.segment<Dim>(Dim * node);
+      sizes = sizes.cwiseMax(span.size);
+    }
   scales.constraints.resize(numUnknowns_ - numDisplacements());
   Eigen::Index next = 0;
   for (const auto& pair : contacts_) {

@@ -3,13 +3,15 @@
 #include <memory>
 #include <vector>
 
+#include "engine/analysis/geometry.h"
+#include "engine/analysis/supports.h"
 #include "engine/contact/contact_term.h"
 #include "engine/contact/tool.h"
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
 #include "engine/solid/bulk_term.h"
+#include "engine/solid/load_term.h"
 #include "engine/solid/span_quadrature.h"
-#include "engine/solid/traction_term.h"
 #include "engine/solver/newton.h"
 #include "engine/solver/stepping.h"
 
@@ -29,8 +31,8 @@ struct ContactPair {
 template <int Dim>
 class Model {
  public:
-  /// Throws `Error` if the scene cannot be computed: folded geometry, a symmetric support on a face that is
-  /// not flat, a tool that overlaps the body at the start, supports that leave the body free to move away.
+  /// Throws `Error` if the scene cannot be computed: patches that do not fit, folded geometry, supports that
+  /// contradict each other or leave the body free to move away, a tool that overlaps the body at the start.
   explicit Model(const Scene& scene);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
@@ -41,9 +43,10 @@ class Model {
   const BulkTerm<Dim>& bulk() const { return *bulk_; }
   const std::vector<std::unique_ptr<Tool>>& tools() const { return tools_; }
   const std::vector<ContactPair<Dim>>& contacts() const { return contacts_; }
-  const std::vector<std::unique_ptr<TractionTerm<Dim>>>& tractions() const { return tractions_; }
+  const std::vector<std::unique_ptr<LoadTerm>>& loads() const { return loads_; }
+  const FaceFinder<Dim>& faces() const { return faces_; }
 
-  /// Bulk, contacts, tractions, in this order.
+  /// Bulk, contacts, loads, in this order.
   std::vector<Term*> terms() const;
 
   int numUnknowns() const { return numUnknowns_; }
@@ -67,26 +70,24 @@ class Model {
   SteppingState startState() const;
 
  private:
-  struct PrescribedMotion {
-    int unknown;
-    Schedule motion;
-  };
-
-  void addSupport(const SupportSpec& spec);
+  void addLoads(const Scene& scene);
   void addTools(const Scene& scene);
   void addContacts(const Scene& scene);
-  void requireReachable(const Tool& tool, FaceId face, const ContactSpec& spec) const;
+  void requireReachable(const Tool& tool, const ContactSpec& spec) const;
   void liftTools(const Scene& scene);
   void requireSupported() const;
 
+  explicit Model(const Scene& scene, NamedBody<Dim> body);
+
   Body<Dim> body_;
+  FaceFinder<Dim> faces_;
+  Supports<Dim> supports_;
   std::unique_ptr<SpanQuadrature<Dim>> quadrature_;
   std::unique_ptr<BulkTerm<Dim>> bulk_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::vector<ContactPair<Dim>> contacts_;
-  std::vector<std::unique_ptr<TractionTerm<Dim>>> tractions_;
+  std::vector<std::unique_ptr<LoadTerm>> loads_;
   std::vector<bool> prescribed_;
-  std::vector<PrescribedMotion> motions_;
   std::vector<double> corners_;
   int numUnknowns_ = 0;
   double startTime_ = 0.0;

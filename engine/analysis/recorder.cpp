@@ -18,10 +18,11 @@ constexpr double kDoubtfulJ = 0.05;
 }  // namespace
 
 template <int Dim>
-Recorder<Dim>::Recorder(const Model<Dim>& model, const Projection<Dim>& projection)
+Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection)
     : model_(model),
       projection_(projection),
       extremes_(model.body()),
+      measures_(scene, model, projection),
       doubts_{{"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
               {"smallest J below 0.05"}} {}
 
@@ -37,28 +38,36 @@ std::vector<std::string> Recorder<Dim>::columns() const {
         "max_plastic_strain_projected", "min_plastic_strain_projected", "active_control_points",
         "max_penetration", "min_detJ", "newton_iterations"})
     columns.emplace_back(name);
+  for (auto& column : measures_.columns()) columns.push_back(std::move(column));
   return columns;
 }
 
 template <int Dim>
-double Recorder<Dim>::workIncrement(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& force) const {
+Eigen::VectorXd Recorder<Dim>::loadForces() const {
+  Eigen::VectorXd sum;
+  for (const auto& load : model_.loads())
+    sum = sum.size() == 0 ? load->nodalForces() : Eigen::VectorXd(sum + load->nodalForces());
+  return sum;
+}
+
+template <int Dim>
+double Recorder<Dim>::workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force) const {
   if (x_.size() == 0) return 0.0;
   double work = 0.0;
   const Eigen::VectorXd increment = x - x_;
   for (Eigen::Index i = 0; i < model_.numDisplacements(); ++i)
     if (model_.prescribed()[static_cast<std::size_t>(i)]) work += 0.5 * (force_(i) + force(i)) * increment(i);
-  for (const auto& traction : model_.tractions())
-    work +=
-        0.5 *
-        (traction->load(current_.time) + traction->load(t)).dot(increment.head(model_.numDisplacements()));
+  if (loads_.size() > 0) work += 0.5 * (loads_ + loadForces()).dot(increment.head(model_.numDisplacements()));
   return work;
 }
 
 template <int Dim>
-void Recorder<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& force) {
+void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force) {
+  const double t = state.time;
+  const Eigen::VectorXd& x = state.x;
   StateQuantities next;
   next.time = t;
-  next.externalWork = current_.externalWork + workIncrement(t, x, force);
+  next.externalWork = current_.externalWork + workIncrement(x, force);
   for (const auto& tool : model_.tools()) next.toolDisplacements.push_back(tool->displacement(t));
   next.toolForces.assign(model_.tools().size(), Eigen::Vector3d::Zero());
   for (const auto& pair : model_.contacts()) {
@@ -83,9 +92,11 @@ void Recorder<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::Vect
     next.projectedPlasticStrain = extremes_(projection_.project(plasticStrain(bulk)).col(0));
   }
 
+  measured_ = measures_.values(state);
   current_ = std::move(next);
   x_ = x;
   force_ = force;
+  loads_ = loadForces();
   watch();
 }
 
@@ -126,6 +137,7 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
         static_cast<double>(current_.activeControlPoints), current_.maxPenetration, current_.minJ,
         static_cast<double>(newtonIterations)})
     row.push_back(value);
+  row.insert(row.end(), measured_.begin(), measured_.end());
   return row;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
 #include "engine/fields/projection.h"
 #include "engine/fields/span_extremes.h"
@@ -36,15 +37,15 @@ struct StateQuantities {
 template <int Dim>
 class Recorder {
  public:
-  /// The model and the projection must outlive the recorder.
-  Recorder(const Model<Dim>& model, const Projection<Dim>& projection);
+  /// Scene, model and projection must outlive the recorder.
+  Recorder(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection);
 
   /// Columns of the history, as documented in docs/results.md.
   std::vector<std::string> columns() const;
 
   /// Takes in the accepted state that the terms have just been evaluated at. `force`: sum of all terms'
   /// forces there.
-  void update(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& force);
+  void update(const MeasuredState& state, const Eigen::VectorXd& force);
 
   const StateQuantities& current() const { return current_; }
   std::vector<double> row(int step, int newtonIterations) const;
@@ -59,14 +60,17 @@ class Recorder {
   double projectionSeconds() const { return projectionSeconds_; }
 
  private:
-  double workIncrement(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& force) const;
+  double workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force) const;
+  Eigen::VectorXd loadForces() const;
   void watch();
 
   const Model<Dim>& model_;
   const Projection<Dim>& projection_;
   SpanExtremes<Dim> extremes_;
+  Measures<Dim> measures_;
   StateQuantities current_;
-  Eigen::VectorXd x_, force_;  ///< of the last state; empty before the first
+  std::vector<double> measured_;       ///< of the current state
+  Eigen::VectorXd x_, force_, loads_;  ///< of the last state; empty before the first
   double smallestJ_ = 1.0;
   double largestPenetration_ = 0.0;
   std::vector<Doubt> doubts_;

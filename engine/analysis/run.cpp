@@ -80,7 +80,7 @@ class Run {
             newton_, terms_, [this](double t) { return model_.target(t); }, {.maxCuts = scene.solver.maxCuts},
             model_.startState()),
         projection_(model_.quadrature()),
-        recorder_(model_, projection_),
+        recorder_(scene, model_, projection_),
         record_(makeModelRecord(scene, model_)),
         directory_(prepared(directory)),
         writer_(directory_, record_),
@@ -110,31 +110,40 @@ class Run {
     return directory;
   }
 
+  struct Forces {
+    Eigen::VectorXd bulk, total;
+  };
+
   /// Evaluates the terms at the current state without a step.
-  Eigen::VectorXd evaluateHere() {
+  Forces evaluateHere() {
     const auto& state = stepping_.state();
-    Eigen::VectorXd total = Eigen::VectorXd::Zero(model_.numUnknowns());
+    Forces forces{{}, Eigen::VectorXd::Zero(model_.numUnknowns())};
     for (Term* term : terms_) {
-      Assembly out{total};
+      Eigen::VectorXd force = Eigen::VectorXd::Zero(model_.numUnknowns());
+      Assembly out{force};
       static_cast<void>(term->evaluate(state.time, state.x, out));  // an accepted state is admissible
+      forces.total += force;
+      if (term == terms_.front()) forces.bulk = std::move(force);
     }
-    return total;
+    return forces;
   }
 
-  Eigen::VectorXd totalForce() const {
+  /// Hands the state that a step has just reached to the recorder.
+  void record(const StepReport& step) {
     Eigen::VectorXd total = Eigen::VectorXd::Zero(model_.numUnknowns());
     for (std::size_t k = 0; k < terms_.size(); ++k) total += newton_.force(k);
-    return total;
+    recorder_.update({step.time, stepping_.state().x, newton_.force(0)}, total);
   }
 
   /// Brings lifted tools down and records the state at t = 0.
   bool approach() {
-    recorder_.update(stepping_.state().time, stepping_.state().x, evaluateHere());
+    const Forces forces = evaluateHere();
+    recorder_.update({stepping_.state().time, stepping_.state().x, forces.bulk}, forces.total);
     for (Term* term : terms_) term->accept();
     bool arrived = true;
     if (model_.startTime() < 0.0) {
       arrived = stepping_.advance(0.0, -0.25 * model_.startTime(), [this](const StepReport& step) {
-        recorder_.update(step.time, stepping_.state().x, totalForce());
+        record(step);
         noteResiduals(step);
         ++summary_.approachSteps;
         summary_.approachIterations += step.iterations;
@@ -151,7 +160,7 @@ class Run {
     const int stepsBefore = stepping_.state().steps;
     for (const Landing& landing : grid) {
       const bool arrived = stepping_.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
-        recorder_.update(step.time, stepping_.state().x, totalForce());
+        record(step);
         noteResiduals(step);
         summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
         step_ = step.step - stepsBefore;
@@ -225,7 +234,8 @@ class Run {
     summary_.timings.factorisation = timings.factorisation;
     summary_.timings.solve = timings.solve;
     summary_.timings.projection = recorder_.projectionSeconds();
-    if (state.steps > 0) summary_.factorNonZeros = newton_.linearSolver().factorNonZeros();
+    if (state.steps > 0 && summary_.unknowns > 0)
+      summary_.factorNonZeros = newton_.linearSolver().factorNonZeros();
     summary_.luFactorisations = newton_.linearSolver().numGeneral();
   }
 

@@ -21,7 +21,8 @@ struct ContactState {
   std::vector<bool> active;    ///< functions; empty for point-wise penalty
   Eigen::VectorXd gap;         ///< point-wise gap, quadrature points
   Eigen::VectorXd pressure;    ///< nominal contact pressure >= 0 in compression, quadrature points
-  Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  ///< force of the body on the tool
+  Eigen::Vector3d reaction =
+      Eigen::Vector3d::Zero();  ///< force of the body on the tool; whole rings in axisymmetry
   double energy = 0.0;
 
   int numActive() const;
@@ -39,8 +40,8 @@ class ContactTerm final : public Term {
   };
 
   /// `firstMultiplier`: number of the first of the face's multipliers among the unknowns (augmented
-  /// Lagrangian only). Throws `Error` if a weight A_A (32) is not positive (Lagrange bases above degree 7).
-  /// The tool must outlive the term.
+  /// Lagrangian only). Throws `Error` if a weight A_A (32) is not positive (Lagrange bases above degree 7, or
+  /// of higher degree than 1 where an axisymmetric face meets the axis). The tool must outlive the term.
   ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, Options options,
               int firstMultiplier);
 
@@ -77,6 +78,7 @@ class ContactTerm final : public Term {
   const Tool& tool_;
   Options options_;
   int firstMultiplier_;
+  bool axisymmetric_;
   Eigen::VectorXd A_;
   std::vector<std::vector<int>> supports_;  ///< per function: functions that share a span with it, sorted
   std::vector<std::vector<std::vector<int>>>

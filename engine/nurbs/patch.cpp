@@ -12,6 +12,8 @@
 namespace burnish {
 namespace {
 
+constexpr std::array<const char*, 6> kFaceNames{"left", "right", "bottom", "top", "back", "front"};
+
 template <std::size_t P>
 int flatten(const std::array<int, P>& index, const std::array<int, P>& extent) {
   int number = 0;
@@ -176,13 +178,16 @@ Eigen::Matrix<double, S, P> Patch<P, S>::jacobian(const Parameter& xi) const {
 
 template <int P>
 FaceId faceFromName(const std::string& name) {
-  static const std::array<std::string, 6> names{"left", "right", "bottom", "top", "back", "front"};
-  const auto end = names.begin() + 2 * P;
-  const auto found = std::find(names.begin(), end, name);
+  const auto end = kFaceNames.begin() + 2 * P;
+  const auto found = std::find(kFaceNames.begin(), end, name);
   if (found == end)
     throw Error(fmt::format("'{}' is not a face; in {} dimensions the faces are {}", name, P,
-                            fmt::join(names.begin(), end, ", ")));
-  return static_cast<FaceId>(found - names.begin());
+                            fmt::join(kFaceNames.begin(), end, ", ")));
+  return static_cast<FaceId>(found - kFaceNames.begin());
+}
+
+const char* faceName(FaceId face) {
+  return kFaceNames.at(static_cast<std::size_t>(face));
 }
 
 template <int P>

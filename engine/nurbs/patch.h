@@ -80,6 +80,9 @@ using FaceId = int;
 template <int P>
 FaceId faceFromName(const std::string& name);
 
+/// The name of a face: left, right, bottom, top, back or front.
+const char* faceName(FaceId face);
+
 /// Numbers of a patch's functions that do not vanish on a face, in the order of the face's own tensor
 /// product.
 template <int P>

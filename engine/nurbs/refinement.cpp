@@ -65,6 +65,16 @@ Eigen::MatrixXd applyAlong(const Eigen::MatrixXd& values, const Eigen::MatrixXd&
   return result;
 }
 
+/// The breakpoint that a place inside the domain means, or the place itself.
+double snapped(const KnotVector& knots, double place) {
+  constexpr double kClose = 1e-3;
+  const auto& breakpoints = knots.breakpoints();
+  const auto end = std::upper_bound(breakpoints.begin(), breakpoints.end() - 1, place);
+  const double a = *(end - 1), b = *end;
+  if (place - a < kClose * (b - a)) return a;
+  return b - place < kClose * (b - a) ? b : place;
+}
+
 }  // namespace
 
 Eigen::MatrixXd refinementMatrix(const KnotVector& coarse, const KnotVector& fine) {
@@ -99,6 +109,26 @@ KnotVector elevated(const KnotVector& knots, int times) {
     all.insert(all.end(), knots.breakpoints().begin(), knots.breakpoints().end());
   std::sort(all.begin(), all.end());
   return {knots.degree() + times, std::move(all)};
+}
+
+KnotVector divided(const KnotVector& knots, const std::vector<double>& fractions) {
+  std::vector<double> added;
+  const auto& breakpoints = knots.breakpoints();
+  for (std::size_t e = 0; e + 1 < breakpoints.size(); ++e)
+    for (const double s : fractions)
+      added.push_back(breakpoints[e] + s * (breakpoints[e + 1] - breakpoints[e]));
+  return withKnots(knots, added);
+}
+
+KnotVector creased(const KnotVector& knots, const std::vector<double>& places) {
+  KnotVector result = knots;
+  const double begin = knots.breakpoints().front(), end = knots.breakpoints().back();
+  for (const double s : places) {
+    const double place = snapped(result, begin + s * (end - begin));
+    const int missing = std::max(knots.degree() - multiplicity(result, place), 0);
+    result = withKnots(result, std::vector<double>(static_cast<std::size_t>(missing), place));
+  }
+  return result;
 }
 
 template <int P, int S>

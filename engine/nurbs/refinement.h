@@ -17,6 +17,13 @@ KnotVector withKnots(const KnotVector& knots, const std::vector<double>& added);
 /// The knot vector of degree p + `times`, continuity at every breakpoint unchanged.
 KnotVector elevated(const KnotVector& knots, int times);
 
+/// The knot vector with every span [a, b] divided at a + s (b - a), for each of the fractions s in (0, 1).
+KnotVector divided(const KnotVector& knots, const std::vector<double>& fractions);
+
+/// The knot vector with continuity C^0 only at the given places, s in [0, 1] from the begin to the end of its
+/// domain. A place closer to a breakpoint than a thousandth of a span means this breakpoint.
+KnotVector creased(const KnotVector& knots, const std::vector<double>& places);
+
 /// The same geometry on finer B-spline bases, one knot vector per direction. Throws `Error` if a direction is
 /// not a B-spline or its space is not contained in the new one.
 template <int P, int S>

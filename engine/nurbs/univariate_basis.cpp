@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -36,6 +37,13 @@ Eigen::MatrixXd bsplineExtraction(const std::vector<double>& knots, int p, int i
   return C;
 }
 
+/// Greville abscissa of function i; the middle of the span for degree 0.
+double splineAnchor(const std::vector<double>& knots, int degree, int i) {
+  const auto knot = knots.begin() + i;
+  if (degree == 0) return 0.5 * (knot[0] + knot[1]);
+  return std::accumulate(knot + 1, knot + 1 + degree, 0.0) / degree;
+}
+
 /// Lagrange polynomials with equally spaced nodes in Bernstein form: the inverse of the Bernstein collocation
 /// matrix.
 Eigen::MatrixXd lagrangeExtraction(int p) {
@@ -50,14 +58,33 @@ UnivariateBasis UnivariateBasis::bspline(const KnotVector& knots) {
   UnivariateBasis basis;
   basis.family_ = BasisFamily::BSpline;
   basis.degree_ = knots.degree();
-  basis.numFunctions_ = knots.numFunctions();
   basis.knots_ = knots.knots();
   basis.breakpoints_ = knots.breakpoints();
-  for (int e = 0; e < knots.numSpans(); ++e) {
-    basis.firstFunction_.push_back(knots.intervalOfSpan(e) - knots.degree());
-    basis.extraction_.push_back(bsplineExtraction(knots.knots(), knots.degree(), knots.intervalOfSpan(e)));
+  basis.makeFunctions();
+  return basis;
+}
+
+void UnivariateBasis::makeFunctions() {
+  numFunctions_ = static_cast<int>(knots_.size()) - degree_ - 1;
+  for (int i = degree_; i < numFunctions_; ++i) {
+    const auto knot = knots_.begin() + i;
+    if (!(knot[1] > knot[0])) continue;
+    firstFunction_.push_back(i - degree_);
+    extraction_.push_back(bsplineExtraction(knots_, degree_, i));
   }
-  for (int i = 0; i < knots.numFunctions(); ++i) basis.anchors_.push_back(knots.greville(i));
+  for (int i = 0; i < numFunctions_; ++i) anchors_.push_back(splineAnchor(knots_, degree_, i));
+}
+
+UnivariateBasis UnivariateBasis::derivativeSpace() const {
+  UnivariateBasis basis;
+  basis.degree_ = degree_ - 1;
+  basis.breakpoints_ = breakpoints_;
+  if (family_ == BasisFamily::BSpline)
+    basis.knots_.assign(knots_.begin() + 1, knots_.end() - 1);
+  else
+    for (const double breakpoint : breakpoints_)
+      basis.knots_.insert(basis.knots_.end(), static_cast<std::size_t>(degree_), breakpoint);
+  basis.makeFunctions();
   return basis;
 }
 

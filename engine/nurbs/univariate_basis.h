@@ -21,6 +21,10 @@ class UnivariateBasis {
   /// 1 or breakpoints that do not increase.
   static UnivariateBasis lagrange(int degree, std::vector<double> breakpoints);
 
+  /// The B-splines that span the derivatives of this basis: degree p-1 on the same spans, continuity one less
+  /// at every breakpoint, so that elements of a C^0 basis are not joined at all. Degree 0 if p = 1.
+  UnivariateBasis derivativeSpace() const;
+
   BasisFamily family() const { return family_; }
   int degree() const { return degree_; }
   int numFunctions() const { return numFunctions_; }
@@ -53,6 +57,9 @@ class UnivariateBasis {
 
  private:
   UnivariateBasis() = default;
+
+  /// Functions and extraction operators of B-splines from `degree_`, `knots_` and `breakpoints_`.
+  void makeFunctions();
 
   BasisFamily family_ = BasisFamily::BSpline;
   int degree_ = 1;

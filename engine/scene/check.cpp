@@ -6,9 +6,12 @@ namespace burnish {
 
 void checkScene(const Scene& scene, const YamlNode& root, Diagnostics& errors) {
   const CheckContext context{scene, root, errors};
+  checkDefinitions(context);
   checkBody(context);
   checkBoundary(context);
+  checkMeasures(context);
   checkRun(context);
+  checkChecks(context);
 }
 
 }  // namespace burnish

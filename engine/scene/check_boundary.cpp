@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -11,14 +12,6 @@
 
 namespace burnish {
 namespace {
-
-void checkFace(const CheckContext& c, const std::string& path, const std::string& face) {
-  if (c.clean(path) && c.dimensionIsKnown() && c.scene.dim() == 2 && (face == "back" || face == "front"))
-    c.report(path,
-             fmt::format(
-                 "found {}, a face of three-dimensional bodies; allowed here: left | right | bottom | top.",
-                 face));
-}
 
 void checkLength(const CheckContext& c, const std::string& path, std::size_t values, std::size_t times) {
   if (c.clean(path) && values != times)
@@ -49,24 +42,59 @@ void checkFixed(const CheckContext& c, const std::string& path, const std::vecto
   }
 }
 
+void checkPrescribed(const CheckContext& c, const std::string& path, const PrescribedSpec& prescribed) {
+  if (!prescribed.x && !prescribed.y && !prescribed.z && c.clean(path))
+    c.report(path, "found no displacement; allowed: one or more of x, y and z.");
+  for (const auto& [key, component] :
+       {std::pair{"x", &prescribed.x}, std::pair{"y", &prescribed.y}, std::pair{"z", &prescribed.z}})
+    if (*component) checkFormula(c, fmt::format("{}.{}", path, key), **component);
+  if (prescribed.z && c.dimensionIsKnown() && c.scene.dim() == 2)
+    c.report(path + ".z", "found a component of three-dimensional scenes; allowed here: x and y.");
+}
+
 void checkSupport(const CheckContext& c, const std::string& path, const SupportSpec& support) {
-  checkFace(c, path + ".face", support.face);
+  checkFace(c, path, support.place);
   checkFixed(c, path + ".fix", support.fix);
   if (support.move) checkMotion(c, path + ".move", *support.move);
+  if (support.prescribe) checkPrescribed(c, path + ".prescribe", *support.prescribe);
   std::vector<std::string> given;
   if (!support.fix.empty()) given.emplace_back("fix");
   if (support.move) given.emplace_back("move");
+  if (support.prescribe) given.emplace_back("prescribe");
   if (support.symmetry) given.emplace_back("symmetry");
   if (given.size() != 1 && c.clean(path))
-    c.report(path,
-             fmt::format("found {}; allowed: exactly one of fix: [x, y], move: {{times: ..., y: ...}} and "
-                         "symmetry: true.",
-                         given.empty() ? "none of fix, move and symmetry"
-                                       : fmt::format("{}", fmt::join(given, " and "))));
+    c.report(
+        path,
+        fmt::format("found {}; allowed: exactly one of fix: [x, y], move: {{times: ..., y: ...}}, prescribe: "
+                    "{{x: ..., y: ...}} and symmetry: true.",
+                    given.empty() ? "none of fix, move, prescribe and symmetry"
+                                  : fmt::format("{}", fmt::join(given, " and "))));
 }
 
 void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& load) {
-  checkFace(c, path + ".face", load.face);
+  std::vector<std::string> given;
+  if (!load.traction.empty()) given.emplace_back("traction");
+  if (load.pressure) given.emplace_back("pressure");
+  if (load.shear) given.emplace_back("shear");
+  if (!load.bodyForce.empty()) given.emplace_back("body_force");
+  if (given.size() != 1 && c.clean(path))
+    c.report(path, fmt::format("found {}; allowed: exactly one of traction, pressure, shear and body_force.",
+                               given.empty() ? "no load" : fmt::format("{}", fmt::join(given, " and "))));
+  if (load.bodyForce.empty())
+    checkFace(c, path, load.place);
+  else if (!load.place.face.empty() || !load.place.part.empty())
+    c.report(path, "found a face beside body_force; allowed: at most the patch on which it acts.");
+  else if (!load.place.patch.empty())
+    checkPatch(c, path + ".patch", load.place.patch);
+  for (std::size_t d = 0; d < load.traction.size(); ++d)
+    checkFormula(c, fmt::format("{}.traction[{}]", path, d), load.traction[d]);
+  for (std::size_t d = 0; d < load.bodyForce.size(); ++d)
+    checkFormula(c, fmt::format("{}.body_force[{}]", path, d), load.bodyForce[d]);
+  if (load.pressure) checkFormula(c, path + ".pressure", *load.pressure);
+  if (load.shear) checkFormula(c, path + ".shear", *load.shear);
+  if (load.shear && c.dimensionIsKnown() && c.scene.dim() == 3)
+    c.report(path + ".shear",
+             "found a load of two-dimensional bodies; allowed here: traction, pressure and body_force.");
   if (load.schedule && c.clean(path + ".schedule"))
     checkLength(c, path + ".schedule.values", load.schedule->values.size(), load.schedule->times.size());
 }
@@ -93,7 +121,11 @@ void checkTool(const CheckContext& c, const std::string& path, const ToolSpec& t
   if (std::holds_alternative<SphereToolSpec>(tool.shape) && c.dimensionIsKnown() && c.scene.dim() == 2)
     c.report(path + ".shape",
              "found sphere, which needs a three-dimensional body; allowed here: plane | cylinder.");
-  if (tool.motion) checkMotion(c, path + ".motion", *tool.motion);
+  if (!tool.motion) return;
+  checkMotion(c, path + ".motion", *tool.motion);
+  if (c.scene.kinematics == KinematicsChoice::Axisymmetric && tool.motion->x)
+    c.report(path + ".motion.x",
+             "found a motion across the axis of revolution; allowed in axisymmetry: y alone.");
 }
 
 /// Names of all tools that could be read; a name given twice is reported.
@@ -113,11 +145,11 @@ std::vector<std::string> checkToolNames(const CheckContext& c) {
 }
 
 void checkContact(const CheckContext& c, const std::vector<std::string>& toolNames) {
-  std::set<std::pair<std::string, std::string>> pairs;
+  std::set<std::array<std::string, 3>> pairs;
   for (std::size_t i = 0; i < c.scene.contact.size(); ++i) {
     const ContactSpec& pair = c.scene.contact[i];
     const std::string path = fmt::format("contact[{}]", i);
-    checkFace(c, path + ".face", pair.face);
+    checkFace(c, path, pair.place);
     if (!c.clean(path)) continue;
     const bool known = std::find(toolNames.begin(), toolNames.end(), pair.tool) != toolNames.end();
     const bool allNamesAreRead = c.clean("tools") || toolNames.size() == c.scene.tools.size();
@@ -126,14 +158,39 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
                                            toolNames.empty() ? "a tool listed under tools, which is empty"
                                                              : fmt::format("{}", fmt::join(toolNames, " | ")),
                                            didYouMean(pair.tool, toolNames)));
-    if (!pairs.emplace(pair.tool, pair.face).second)
+    if (!pairs.insert({pair.tool, pair.place.patch, pair.place.face}).second)
       c.report(path,
                fmt::format("found the pair of tool {} and face {} a second time; allowed: each pair once.",
-                           pair.tool, pair.face));
+                           pair.tool, pair.place.face));
   }
 }
 
 }  // namespace
+
+void checkFace(const CheckContext& c, const std::string& path, const FaceSpec& face) {
+  checkPatch(c, path + ".patch", face.patch);
+  const std::string place = path + ".face";
+  if (!c.dimensionIsKnown()) return;
+  const int dim = c.scene.dim();
+  if (c.clean(place) && face.face.empty())
+    c.report(place, "missing; allowed: left | right | bottom | top, in three dimensions also back | front.");
+  if (c.clean(place) && dim == 2 && (face.face == "back" || face.face == "front"))
+    c.report(place,
+             fmt::format(
+                 "found {}, a face of three-dimensional bodies; allowed here: left | right | bottom | top.",
+                 face.face));
+  const std::string part = path + ".part";
+  if (face.part.empty() || !c.clean(part)) return;
+  if (face.part.size() != static_cast<std::size_t>(2 * (dim - 1)))
+    return c.report(
+        part, fmt::format("found {} numbers; allowed: {}, begin and end for each direction of the face.",
+                          face.part.size(), 2 * (dim - 1)));
+  for (std::size_t d = 0; 2 * d + 1 < face.part.size(); ++d)
+    if (!(face.part[2 * d] < face.part[2 * d + 1]))
+      c.report(fmt::format("{}[{}]", part, 2 * d + 1),
+               fmt::format("found {} after {}; allowed: an end after the beginning.", face.part[2 * d + 1],
+                           face.part[2 * d]));
+}
 
 void checkBoundary(const CheckContext& c) {
   for (std::size_t i = 0; i < c.scene.supports.size(); ++i)

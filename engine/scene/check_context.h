@@ -17,8 +17,30 @@ struct CheckContext {
     errors.add(placeOf(root, path), path, problem);
   }
   /// Whether the number of dimensions is known.
-  bool dimensionIsKnown() const { return clean("geometry.shape") && clean("geometry.degrees"); }
+  bool dimensionIsKnown() const {
+    return clean("geometry.shape") && clean("geometry.degrees") && clean("geometry.patches[0].shape") &&
+           clean("geometry.patches[0].degrees") && scene.dim() > 0;
+  }
 };
+
+/// The patch of a scene by name: it exists, and is named if there are several.
+void checkPatch(const CheckContext& context, const std::string& path, const std::string& patch);
+
+/// A face of a patch that the dimension has, and its part.
+void checkFace(const CheckContext& context, const std::string& path, const FaceSpec& face);
+
+/// A formula in X, Y, Z, t and the definitions; constant: in the definitions alone.
+void checkFormula(const CheckContext& context, const std::string& path, const FormulaText& formula,
+                  bool constant = false);
+
+/// Names and formulas of the definitions.
+void checkDefinitions(const CheckContext& context);
+
+/// The patches have one dimension; those of another one are not looked at any further.
+void checkPatchDimensions(const CheckContext& context);
+
+/// Shapes and meshes.
+void checkGeometry(const CheckContext& context);
 
 /// Geometry, basis and material.
 void checkBody(const CheckContext& context);
@@ -26,7 +48,13 @@ void checkBody(const CheckContext& context);
 /// Supports, loads, tools and contact.
 void checkBoundary(const CheckContext& context);
 
+/// Measures.
+void checkMeasures(const CheckContext& context);
+
 /// Steps, output and pictures.
 void checkRun(const CheckContext& context);
+
+/// Variants and checks.
+void checkChecks(const CheckContext& context);
 
 }  // namespace burnish

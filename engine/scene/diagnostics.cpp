@@ -22,6 +22,11 @@ bool isWithin(const std::string& path, const std::string& outer) {
 Diagnostics::Diagnostics(std::string file, std::vector<std::string> overrides)
     : file_(std::move(file)), overrides_(std::move(overrides)) {}
 
+int Diagnostics::addFile(std::string file) {
+  furtherFiles_.push_back(std::move(file));
+  return static_cast<int>(overrides_.size() + furtherFiles_.size());
+}
+
 void Diagnostics::add(const Place& place, const std::string& key, const std::string& problem) {
   if (!full()) entries_.push_back({place, key, problem});
 }
@@ -34,9 +39,11 @@ bool Diagnostics::clean(const std::string& key) const {
 
 std::string Diagnostics::line(const Entry& entry) const {
   const auto& [source, row, column] = entry.place;
-  const std::string place = source == 0
-                                ? fmt::format("{}:{}:{}", file_, row, column)
-                                : fmt::format("--set {}", overrides_[static_cast<std::size_t>(source) - 1]);
+  const auto number = static_cast<std::size_t>(source);
+  const bool inOverride = number > 0 && number <= overrides_.size();
+  const std::string& file = number == 0 || inOverride ? file_ : furtherFiles_[number - overrides_.size() - 1];
+  const std::string place = inOverride ? fmt::format("--set {}", overrides_[number - 1])
+                                       : fmt::format("{}:{}:{}", file, row, column);
   return entry.key.empty() ? fmt::format("{}: {}", place, entry.problem)
                            : fmt::format("{}: {}: {}", place, entry.key, entry.problem);
 }

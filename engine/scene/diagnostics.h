@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// Where a piece of YAML stands: source 0 is the scene file, source k the k-th override. Lines and columns
-/// from 1.
+/// Where a piece of YAML stands: source 0 is the scene file, source k the k-th override, sources beyond the
+/// overrides are further files. Lines and columns from 1.
 struct Place {
   int source = 0;
   int line = 1;
@@ -18,6 +18,9 @@ class Diagnostics {
  public:
   /// `overrides` as given on the command line, "path=value" each.
   Diagnostics(std::string file, std::vector<std::string> overrides);
+
+  /// Source number of a further file, for places in it.
+  int addFile(std::string file);
 
   /// `key` is the full path of the value, such as `tools[0].radius`; empty for the scene as a whole.
   void add(const Place& place, const std::string& key, const std::string& problem);
@@ -43,6 +46,7 @@ class Diagnostics {
 
   std::string file_;
   std::vector<std::string> overrides_;
+  std::vector<std::string> furtherFiles_;
   std::vector<Entry> entries_;
 };
 

@@ -9,10 +9,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "engine/core/formula.h"
 #include "engine/scene/rule.h"
 
-/// The types that a single key of a scene may have: numbers, truth values, texts, named choices, lists of
-/// these.
+/// The types that a single key of a scene may have: numbers, truth values, texts, formulas, named choices,
+/// lists of these.
 namespace burnish {
 
 /// Specialised for every enumeration of a scene: `values`, pairs of name and value.
@@ -46,6 +47,8 @@ concept Optional = OptionalTraits<T>::value;
 template <class T>
 struct IsLeaf
     : std::bool_constant<std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>> {};
+template <>
+struct IsLeaf<FormulaText> : std::true_type {};
 template <List T>
 struct IsLeaf<T> : IsLeaf<typename ListTraits<T>::Item> {};
 
@@ -78,6 +81,8 @@ std::string allowedText(const Rule& rule, bool plural = false) {
     return (plural ? "whole numbers" : "a whole number") + rule.range();
   } else if constexpr (std::is_floating_point_v<T>) {
     return (plural ? "numbers" : "a number") + rule.range();
+  } else if constexpr (std::is_same_v<T, FormulaText>) {
+    return plural ? "numbers or formulas" : "a number or a formula";
   } else if constexpr (std::is_enum_v<T>) {
     return fmt::format("{}", fmt::join(enumNames<T>(), " | "));
   } else if constexpr (std::is_same_v<T, std::string>) {

@@ -67,6 +67,12 @@ void LeafReader::read(const YamlNode& node, const std::string& path, std::string
   value = node.text;
 }
 
+void LeafReader::read(const YamlNode& node, const std::string& path, FormulaText& value, const Rule& rule) {
+  if (node.kind != YamlNode::Kind::Scalar || node.text.empty())
+    return reject(node, path, allowedText<FormulaText>(rule));
+  value.text = node.text;
+}
+
 void LeafReader::reject(const YamlNode& node, const std::string& path, const std::string& allowed,
                         const std::vector<std::string>& candidates) {
   const std::string hint = node.kind == YamlNode::Kind::Scalar ? didYouMean(node.text, candidates) : "";

@@ -17,6 +17,7 @@ class LeafReader {
   void read(const YamlNode& node, const std::string& path, int& value, const Rule& rule);
   void read(const YamlNode& node, const std::string& path, bool& value, const Rule& rule);
   void read(const YamlNode& node, const std::string& path, std::string& value, const Rule& rule);
+  void read(const YamlNode& node, const std::string& path, FormulaText& value, const Rule& rule);
 
   template <class E>
   requires std::is_enum_v<E>

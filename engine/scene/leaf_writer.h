@@ -20,6 +20,8 @@ void writeLeaf(YAML::Emitter& out, const T& value, const Rule& rule) {
   } else if constexpr (std::is_same_v<T, std::string>) {
     if (rule.choices.empty() && !rule.identifier) out << YAML::DoubleQuoted;
     out << value;
+  } else if constexpr (std::is_same_v<T, FormulaText>) {
+    out << YAML::DoubleQuoted << value.text;
   } else if constexpr (std::is_floating_point_v<T>) {
     out << fmt::format("{}", value);
   } else {

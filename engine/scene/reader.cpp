@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "engine/scene/check.h"
+#include "engine/scene/check_context.h"
+#include "engine/scene/control_net_file.h"
 #include "engine/scene/mapping_reader.h"
 #include "engine/scene/overrides.h"
 #include "engine/scene/schema.h"
@@ -16,17 +18,46 @@ namespace {
 
 const DocumentKind kSceneKind{.name = "scene", .keys = "geometry, material and steps"};
 
-/// The scene's tree with all overrides applied; what is wrong so far is in `errors`.
-YamlNode readTree(const std::string& yaml, const std::vector<std::string>& overrides, Diagnostics& errors) {
+/// The scene's tree with all overrides applied and the files of control nets put in; what is wrong so far is
+/// in `errors`.
+YamlNode readTree(const std::string& yaml, const std::string& name, const std::vector<std::string>& overrides,
+                  Diagnostics& errors) {
   YamlNode root = parseDocument(yaml, kSceneKind, errors);
   for (std::size_t i = 0; i < overrides.size(); ++i)
     applyOverride(root, overrides[i], static_cast<int>(i) + 1, errors);
+  insertControlNetFiles(root, std::filesystem::path(name).parent_path(), errors);
   return root;
+}
+
+/// Degrees of the control nets if the body consists of nothing else.
+std::vector<int> netDegrees(const GeometrySpec& geometry) {
+  std::vector<int> degrees;
+  bool only = true;
+  const auto add = [&](const auto& shape) {
+    if (const auto* net = std::get_if<ControlNetSpec>(&shape))
+      degrees.insert(degrees.end(), net->degrees.begin(), net->degrees.end());
+    else
+      only = false;
+  };
+  if (const auto* body = std::get_if<PatchesSpec>(&geometry.shape))
+    for (const PatchSpec& patch : body->patches) add(patch.shape);
+  else
+    add(geometry.shape);
+  return only ? degrees : std::vector<int>();
+}
+
+/// A body of control nets that is given no degree: NURBS as they are, of which none is raised to the lowest
+/// degree, Lagrange elements of the highest.
+void takeDegree(Scene& scene, const YamlNode& root) {
+  const auto degrees = netDegrees(scene.geometry);
+  if (root.find("degree") != nullptr || degrees.empty()) return;
+  const auto [lowest, highest] = std::minmax_element(degrees.begin(), degrees.end());
+  scene.degree = scene.basis == BasisChoice::Nurbs ? *lowest : *highest;
 }
 
 void checkDimensions(const std::vector<DimensionedList>& lists, int dim, Diagnostics& errors) {
   for (const DimensionedList& list : lists)
-    if (list.entries != static_cast<std::size_t>(dim))
+    if (list.entries != static_cast<std::size_t>(dim) && errors.clean(list.path))
       errors.add(
           list.place, list.path,
           fmt::format("found a list of {}; allowed: a list of {}, one entry per dimension of the body.",
@@ -38,19 +69,20 @@ void checkDimensions(const std::vector<DimensionedList>& lists, int dim, Diagnos
 Scene parseScene(const std::string& yaml, const std::string& name,
                  const std::vector<std::string>& overrides) {
   Diagnostics errors(name, overrides);
-  const YamlNode root = readTree(yaml, overrides, errors);
+  const YamlNode root = readTree(yaml, name, overrides, errors);
 
   Scene scene;
   std::vector<DimensionedList> dimensioned;
   MappingReader(root, "", errors, dimensioned).readInto(scene);
   if (errors.full()) errors.throwIfAny();
-  if (errors.clean("geometry.shape") && errors.clean("geometry.degrees"))
+  takeDegree(scene, root);
+  if (const CheckContext context{scene, root, errors}; context.dimensionIsKnown()) {
+    checkPatchDimensions(context);
     checkDimensions(dimensioned, scene.dim(), errors);
+  }
   checkScene(scene, root, errors);
   errors.throwIfAny();
 
-  if (const auto* net = std::get_if<ControlNetSpec>(&scene.geometry.shape))
-    scene.degree = *std::max_element(net->degrees.begin(), net->degrees.end());
   scene.source = name;
   scene.resolvedYaml = writeScene(scene);
   return scene;

@@ -1,11 +1,15 @@
 #include "engine/scene/scene.h"
 
+#include "engine/scene/dimension.h"
+
 namespace burnish {
 
+int dimensionOf(const PatchesSpec& body) {
+  return body.patches.empty() ? 0 : dimensionOf(body.patches.front().shape);
+}
+
 int Scene::dim() const {
-  if (const auto* net = std::get_if<ControlNetSpec>(&geometry.shape))
-    return static_cast<int>(net->degrees.size());
-  return std::holds_alternative<BoxSpec>(geometry.shape) ? 3 : 2;
+  return dimensionOf(geometry.shape);
 }
 
 }  // namespace burnish

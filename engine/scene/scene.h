@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/core/formula.h"
 #include "engine/core/schedule.h"
 
 /// A scene as a value: what a YAML file says, with every default filled in. Lengths, stresses and times are
@@ -13,6 +14,8 @@
 namespace burnish {
 
 enum class BasisChoice { Nurbs, Lagrange };
+enum class KinematicsChoice { PlaneStrain, Axisymmetric };
+enum class FormulationChoice { Displacement, Fbar };
 
 struct RectangleSpec {
   std::vector<double> origin{0.0, 0.0};  ///< lower left corner
@@ -33,21 +36,44 @@ struct BoxSpec {
   std::vector<double> size;
 };
 
-/// Control points, weights and knot vectors given in the scene; a NURBS body. `degrees`, `knots` one entry
-/// per direction; points with the first direction fastest; weights may be left out (all 1).
+/// Control points, weights and knot vectors given in the scene, or in a YAML file of the same keys.
+/// `degrees`, `knots` one entry per direction; points with the first direction fastest; weights may be left
+/// out (all 1).
 struct ControlNetSpec {
+  std::string file;  ///< relative to the scene's file; replaced by its contents when the scene is read
   std::vector<int> degrees;
   std::vector<std::vector<double>> knots;
   std::vector<std::vector<double>> points;
   std::vector<double> weights;
 };
 
-struct GeometrySpec {
-  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, ControlNetSpec> shape;
+/// How a shape is divided into knot spans.
+struct MeshSpec {
   /// Number of basis functions per direction; or `spans`: number of knot spans. Exactly one of the two for
-  /// the named shapes; a control net is taken as it is.
+  /// the named shapes, neither for a control net.
   std::vector<int> functions;
   std::vector<int> spans;
+  std::vector<int> refine;           ///< parts of every knot span of a control net, per direction
+  std::vector<FormulaText> grading;  ///< breakpoint of s in [0, 1], per direction; growing from 0 to 1
+  /// Per direction the breakpoints, in [0, 1], across which the basis is continuous only.
+  std::vector<std::vector<double>> creases;
+};
+
+/// One of several patches.
+struct PatchSpec {
+  std::string name;
+  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, ControlNetSpec> shape;
+  MeshSpec mesh;
+};
+
+/// Patches that share the control points of the faces at which they meet.
+struct PatchesSpec {
+  std::vector<PatchSpec> patches;
+};
+
+struct GeometrySpec {
+  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, ControlNetSpec, PatchesSpec> shape;
+  MeshSpec mesh;  ///< unused with several patches, which have their own
 };
 
 struct NeoHookeanSpec {
@@ -94,18 +120,35 @@ struct MotionSpec {
   std::optional<std::vector<double>> x, y, z;  ///< one value per time; at least one component is given
 };
 
-/// Exactly one of `fix`, `move`, `symmetry`.
+/// A face of a patch, or a part of it.
+struct FaceSpec {
+  std::string patch;         ///< name; may be left out for a body of one patch
+  std::string face;          ///< left, right, bottom, top, back, front
+  std::vector<double> part;  ///< begin and end in [0, 1] per direction of the face; all of it when empty
+};
+
+/// Displacement components as formulas.
+struct PrescribedSpec {
+  std::optional<FormulaText> x, y, z;
+};
+
+/// Exactly one of `fix`, `move`, `prescribe`, `symmetry`.
 struct SupportSpec {
-  std::string face;                ///< left, right, bottom, top, back, front
-  std::vector<std::string> fix;    ///< components held: x, y, z
-  std::optional<MotionSpec> move;  ///< prescribed components; those left out are free
+  FaceSpec place;
+  std::vector<std::string> fix;             ///< components held: x, y, z
+  std::optional<MotionSpec> move;           ///< prescribed components; those left out are free
+  std::optional<PrescribedSpec> prescribe;  ///< components that follow formulas; those left out are free
   bool symmetry = false;  ///< holds the component normal to a face that is flat and aligned with an axis
 };
 
-/// Dead traction: force per reference area, constant in direction, scaled by the schedule (1 when left out).
+/// Exactly one of `traction`, `pressure`, `shear`, each on a face, and `bodyForce`; scaled by the schedule (1
+/// when left out).
 struct LoadSpec {
-  std::string face;
-  std::vector<double> traction;
+  FaceSpec place;                       ///< for a body force at most the patch
+  std::vector<FormulaText> traction;    ///< dead: force per reference area
+  std::optional<FormulaText> pressure;  ///< follows the face: force per current area against its normal
+  std::optional<FormulaText> shear;     ///< follows the face: force per current area along it (2D)
+  std::vector<FormulaText> bodyForce;   ///< dead: force per reference volume
   std::optional<Schedule> schedule;
 };
 
@@ -133,7 +176,7 @@ enum class ContactMethod { AugmentedLagrangian, Penalty, PointwisePenalty };
 
 struct ContactSpec {
   std::string tool;
-  std::string face;
+  FaceSpec place;  ///< a whole face
   ContactMethod method = ContactMethod::AugmentedLagrangian;
   std::optional<double> parameter;      ///< ε, stress per length; derived from the body when left out
   std::optional<int> quadraturePoints;  ///< per span and direction; 2p when left out
@@ -169,6 +212,92 @@ struct PictureSpec {
   bool undeformed = true;  ///< draw the outline of the undeformed body
 };
 
+/// Displacement and projected fields at a material point: columns NAME.ux, NAME.stress_xx, ...
+struct PointMeasureSpec {
+  std::string patch;
+  std::vector<double> parameters;  ///< in [0, 1] per direction; or
+  std::vector<double> position;    ///< reference coordinates
+  std::vector<std::string> fields;
+};
+
+/// Mean displacement of a face, by reference area, and the force that the body is held or loaded with there:
+/// columns NAME.ux, NAME.fx, ...
+struct FaceMeasureSpec {
+  FaceSpec place;
+};
+
+/// Relative errors against an exact displacement: columns NAME.L2, NAME.H1 (of the gradient).
+struct ErrorMeasureSpec {
+  std::vector<FormulaText> displacement;
+};
+
+/// The ellipse p^2 = p_0^2 (1 - (s/a)^2) that fits the contact pressure best, s the distance from its
+/// middle: columns NAME.peak, NAME.half_width, NAME.middle, NAME.deviation (largest, over the peak).
+struct EllipseMeasureSpec {
+  enum class Middle { Free, Begin, End } middle = Middle::Free;  ///< begin or end of the face, by symmetry
+  std::string tool;
+  FaceSpec place;
+};
+
+/// Columns of the history beside those that every run has.
+struct SceneMeasureSpec {
+  std::string name;
+  std::variant<PointMeasureSpec, FaceMeasureSpec, ErrorMeasureSpec, EllipseMeasureSpec> kind;
+};
+
+/// A change of the scene, as `burnish run --set` takes it.
+struct FamilySpec {
+  std::string name;
+  std::vector<std::string> set;
+};
+struct MeshVariantSpec {
+  double size = 1.0;  ///< of a cell, in any unit; decreasing from mesh to mesh
+  std::vector<std::string> set;
+};
+
+/// What `burnish verify` runs: every family on every mesh, coarse to fine.
+struct VariantsSpec {
+  std::vector<FamilySpec> families;
+  std::vector<MeshVariantSpec> meshes;
+};
+
+/// The quantity is `value` within a tolerance.
+struct ValueCheckSpec {
+  FormulaText value;
+  std::optional<double> relative, absolute;  ///< exactly one of the two
+};
+/// The quantity lies between two bounds, of which one may be missing.
+struct RangeCheckSpec {
+  std::optional<FormulaText> atLeast, atMost;
+};
+/// The quantity, an error, falls with this order of the cell size.
+struct OrderCheckSpec {
+  double order = 1.0;
+  double tolerance = 0.2;            ///< the observed order may be lower by so much
+  std::optional<FormulaText> limit;  ///< the error is |quantity - limit|; the quantity itself when left out
+  double floor = 0.0;                ///< meshes with a smaller error are left out
+};
+/// The quantity grows or falls from mesh to mesh.
+struct MonotoneCheckSpec {
+  enum class Direction { Increasing, Decreasing } direction = Direction::Increasing;
+};
+/// The quantity of all families is the same within a tolerance relative to its largest absolute value.
+struct SameCheckSpec {
+  double relative = 0.01;
+};
+
+/// What a scene must produce.
+struct CheckSpec {
+  std::string name;
+  std::string quantity;  ///< formula in the columns of the history
+  enum class Reduction { Last, Max, Min } reduction = Reduction::Last;
+  std::optional<double> time;         ///< row of this time instead of the reduction
+  std::vector<std::string> families;  ///< all when empty
+  enum class Meshes { Finest, Every } meshes = Meshes::Finest;
+  std::variant<ValueCheckSpec, RangeCheckSpec, OrderCheckSpec, MonotoneCheckSpec, SameCheckSpec> expect;
+  std::string source;  ///< where the value comes from
+};
+
 struct UnitsSpec {
   std::string length, stress;  ///< labels only; empty: no unit is shown
 };
@@ -177,7 +306,11 @@ struct Scene {
   std::string title;
   UnitsSpec units;
   BasisChoice basis = BasisChoice::Nurbs;
-  int degree = 2;  ///< of a named shape; the highest of its degrees for a control net
+  int degree = 2;  ///< control nets of lower degree are raised to it
+  KinematicsChoice kinematics = KinematicsChoice::PlaneStrain;  ///< of a body of two dimensions
+  FormulationChoice formulation = FormulationChoice::Displacement;
+  std::optional<int> quadraturePoints;  ///< of the body, per span and direction; degree + 1 when left out
+  std::vector<DefinitionSpec> definitions;
   GeometrySpec geometry;
   MaterialSpec material;
   std::vector<SupportSpec> supports;
@@ -188,12 +321,15 @@ struct Scene {
   SolverSpec solver;
   OutputSpec output;
   std::vector<PictureSpec> pictures;
+  std::vector<SceneMeasureSpec> measures;
+  std::optional<VariantsSpec> variants;
+  std::vector<CheckSpec> checks;
 
   std::string source;  ///< file the scene was read from, for messages
   std::string
       resolvedYaml;  ///< the whole scene with every default, as YAML that reads back to the same scene
 
-  /// 2 (plane strain) or 3, from the geometry.
+  /// 2 or 3, from the geometry.
   int dim() const;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/scene/scene.h"
 #include "engine/scene/schema_boundary.h"
+#include "engine/scene/schema_checks.h"
 #include "engine/scene/schema_geometry.h"
 #include "engine/scene/schema_material.h"
 #include "engine/scene/schema_run.h"
@@ -22,6 +23,24 @@ struct EnumNames<BasisChoice> {
                                      std::pair{"lagrange", BasisChoice::Lagrange}};
 };
 
+template <>
+struct EnumNames<KinematicsChoice> {
+  static constexpr std::array values{std::pair{"plane-strain", KinematicsChoice::PlaneStrain},
+                                     std::pair{"axisymmetric", KinematicsChoice::Axisymmetric}};
+};
+
+template <>
+struct EnumNames<FormulationChoice> {
+  static constexpr std::array values{std::pair{"displacement", FormulationChoice::Displacement},
+                                     std::pair{"fbar", FormulationChoice::Fbar}};
+};
+
+template <class Visitor>
+void describe(Visitor& v, DefinitionSpec& s) {
+  v.field("name", s.name, {.required = true, .identifier = true}, "Name, unlike X, Y, Z and t.");
+  v.field("formula", s.formula, {.required = true}, "What it stands for.");
+}
+
 template <class Visitor>
 void describe(Visitor& v, UnitsSpec& s) {
   v.field("length", s.length, {}, "Label of the unit of length in pictures and files; nothing is converted.");
@@ -34,19 +53,36 @@ void describe(Visitor& v, Scene& s) {
   v.field("units", s.units, {}, "Labels of the consistent units that the numbers of the scene are in.");
   v.field("basis", s.basis, {},
           "Basis functions of the body: NURBS, or Lagrange elements that are continuous only.");
-  v.field("degree", s.degree, {.atLeast = 1, .atMost = 10}, "Polynomial degree in every direction.");
+  v.field("degree", s.degree, {.atLeast = 1, .atMost = 10},
+          "Polynomial degree in every direction. Control nets of a lower degree are raised to it; a body of "
+          "nets alone "
+          "keeps theirs when the key is left out.");
+  v.field("kinematics", s.kinematics, {},
+          "Of a body of two dimensions; axisymmetric: x is the radius, y the axis, forces are those of the "
+          "whole ring.");
+  v.field("formulation", s.formulation, {},
+          "displacement alone, or fbar: with a projected change of volume, which does not lock when the "
+          "material is "
+          "nearly incompressible.");
+  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
+          "Gauss points of the body per knot span and direction; the degree plus one when left out.");
+  v.field("definitions", s.definitions, {},
+          "Names for formulas in X, Y, Z and t, to be used in the formulas of the scene; each may use those "
+          "before it.");
   v.field("geometry", s.geometry, {.required = true},
           "Shape and mesh of the body; its dimension is the scene's.");
-  v.field("material", s.material, {.required = true},
-          "Material of the body; two dimensions mean plane strain.");
+  v.field("material", s.material, {.required = true}, "Material of the body.");
   v.field("supports", s.supports, {}, "Where the body is held or moved, face by face.");
-  v.field("loads", s.loads, {}, "Tractions on faces of the body.");
+  v.field("loads", s.loads, {}, "Tractions and pressures on faces of the body, and body forces.");
   v.field("tools", s.tools, {}, "Rigid tools with their motion.");
   v.field("contact", s.contact, {}, "Which tool may touch which face, without friction.");
   v.field("steps", s.steps, {.required = true, .minEntries = 1}, "Phases of the run, from time 0 on.");
   v.field("solver", s.solver, {}, "Newton's method and the control of the step size.");
   v.field("output", s.output, {}, "When and how finely results are written.");
   v.field("pictures", s.pictures, {}, "Contour pictures, drawn as the run passes their times.");
+  v.field("measures", s.measures, {}, "Columns of the history beside those that every run has.");
+  v.field("variants", s.variants, {}, "Changed copies of the scene that `burnish verify` runs.");
+  v.field("checks", s.checks, {}, "What the scene must produce, for `burnish verify`.");
 }
 
 }  // namespace burnish

@@ -11,12 +11,29 @@ struct EnumNames<ContactMethod> {
                                      std::pair{"pointwise-penalty", ContactMethod::PointwisePenalty}};
 };
 
+inline std::vector<std::string> faceNames() {
+  return {"left", "right", "bottom", "top", "back", "front"};
+}
+
+inline constexpr const char* kPatchSentence = "Name of the patch; to be left out if there is only one.";
+inline constexpr const char* kFaceSentence =
+    "Face of the patch: left and right end the first direction, bottom and top the second, back and front "
+    "the "
+    "third.";
+
+/// A whole face.
 template <class Visitor>
-void describeFace(Visitor& v, std::string& face) {
-  v.field("face", face, {.required = true, .choices = {"left", "right", "bottom", "top", "back", "front"}},
-          "Face of the body: left and right end the first direction, bottom and top the second, back and "
-          "front the "
-          "third.");
+void describeFace(Visitor& v, FaceSpec& s) {
+  v.field("patch", s.patch, {.identifier = true}, kPatchSentence);
+  v.field("face", s.face, {.required = true, .choices = faceNames()}, kFaceSentence);
+}
+
+template <class Visitor>
+void describe(Visitor& v, FaceSpec& s) {
+  describeFace(v, s);
+  v.field("part", s.part, {.atLeast = 0, .atMost = 1, .minEntries = 2, .maxEntries = 4},
+          "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of the "
+          "face.");
 }
 
 template <class Visitor>
@@ -36,11 +53,20 @@ void describe(Visitor& v, MotionSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, PrescribedSpec& s) {
+  v.field("x", s.x, {.unit = "length"}, "Displacement in x.");
+  v.field("y", s.y, {.unit = "length"}, "Displacement in y.");
+  v.field("z", s.z, {.unit = "length"}, "Displacement in z (3D).");
+}
+
+template <class Visitor>
 void describe(Visitor& v, SupportSpec& s) {
-  describeFace(v, s.face);
+  describe(v, s.place);
   v.field("fix", s.fix, {.minEntries = 1, .choices = {"x", "y", "z"}},
           "Displacement components that are held.");
   v.field("move", s.move, {}, "Displacement components that follow a schedule; those left out are free.");
+  v.field("prescribe", s.prescribe, {},
+          "Displacement components that follow formulas in X, Y, Z and t; those left out are free.");
   v.field(
       "symmetry", s.symmetry, {},
       "Plane of symmetry: holds the component normal to the face, which is flat and aligned with an axis.");
@@ -48,10 +74,22 @@ void describe(Visitor& v, SupportSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, LoadSpec& s) {
-  describeFace(v, s.face);
-  v.field("traction", s.traction, {.required = true, .perDimension = true, .unit = "stress"},
-          "Force per area of the undeformed face, constant in direction.");
-  v.field("schedule", s.schedule, {}, "Factor of the traction over time; 1 when left out.");
+  v.field("patch", s.place.patch, {.identifier = true}, kPatchSentence);
+  v.field("face", s.place.face, {.choices = faceNames()}, kFaceSentence);
+  v.field("part", s.place.part, {.atLeast = 0, .atMost = 1, .minEntries = 2, .maxEntries = 4},
+          "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of the "
+          "face.");
+  v.field("traction", s.traction, {.perDimension = true, .unit = "stress"},
+          "Force per area of the undeformed face, which stays what it is while the face moves; in X, Y, Z "
+          "and t.");
+  v.field("pressure", s.pressure, {.unit = "stress"},
+          "Force per area of the deformed face, against its normal, which it follows.");
+  v.field(
+      "shear", s.shear, {.unit = "stress"},
+      "Force per area of the deformed face along it, in the direction of its parameter (two dimensions).");
+  v.field("body_force", s.bodyForce, {.perDimension = true, .unit = "stress per length"},
+          "Force per undeformed volume, on all patches or the named one; needs no face.");
+  v.field("schedule", s.schedule, {}, "Factor over time; 1 when left out.");
 }
 
 template <class Visitor>
@@ -93,7 +131,7 @@ void describe(Visitor& v, ToolSpec& s) {
 template <class Visitor>
 void describe(Visitor& v, ContactSpec& s) {
   v.field("tool", s.tool, {.required = true}, "Name of a tool.");
-  describeFace(v, s.face);
+  describeFace(v, s.place);
   v.field("method", s.method, {},
           "Mortar augmented Lagrangian (no penetration on average), mortar penalty, or penalty at every "
           "quadrature "

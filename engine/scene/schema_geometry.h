@@ -34,29 +34,62 @@ void describe(Visitor& v, BoxSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, ControlNetSpec& s) {
-  v.field("degrees", s.degrees,
-          {.required = true, .atLeast = 1, .atMost = 10, .minEntries = 2, .maxEntries = 3},
+  v.field("file", s.file, {},
+          "YAML file that holds the other keys of the control net, beside the scene; instead of giving them "
+          "here.");
+  v.field("degrees", s.degrees, {.atLeast = 1, .atMost = 10, .minEntries = 2, .maxEntries = 3},
           "Degree in each of the two or three parametric directions.");
-  v.field("knots", s.knots, {.required = true, .minEntries = 2, .maxEntries = 3},
-          "An open knot vector for each direction.");
-  v.field("points", s.points, {.required = true, .minEntries = 4, .unit = "length"},
+  v.field("knots", s.knots, {.minEntries = 2, .maxEntries = 3}, "An open knot vector for each direction.");
+  v.field("points", s.points, {.minEntries = 4, .unit = "length"},
           "Coordinates of the control points, the first direction fastest.");
   v.field("weights", s.weights, {.above = 0}, "One weight per control point; all 1 when left out.");
 }
 
 template <class Visitor>
-void describe(Visitor& v, GeometrySpec& s) {
-  v.alternatives(
-      "shape", s.shape,
-      {{{"rectangle", "A rectangle along the axes."},
-        {"annulus", "Part of a ring: radius first, then angle."},
-        {"box", "A box along the axes."},
-        {"control-net", "Control points, weights and knots as given; needs no functions or spans."}}},
-      "Kind of body.");
+void describe(Visitor& v, MeshSpec& s) {
   v.field("functions", s.functions, {.atLeast = 2, .atMost = 10000, .perDimension = true},
           "Number of basis functions in each direction; give either this or spans.");
   v.field("spans", s.spans, {.atLeast = 1, .atMost = 10000, .perDimension = true},
-          "Number of equal knot spans (elements) in each direction.");
+          "Number of knot spans (elements) in each direction.");
+  v.field("refine", s.refine, {.atLeast = 1, .atMost = 10000, .perDimension = true},
+          "Of a control net: parts into which every knot span is divided, in each direction.");
+  v.field("grading", s.grading, {.perDimension = true},
+          "A formula in s for each direction that takes equally spaced breakpoints s from 0 to 1 to graded "
+          "ones, such "
+          "as s^2.");
+  v.field("creases", s.creases, {.perDimension = true},
+          "For each direction the breakpoints, from 0 to 1, at which NURBS are continuous only.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, PatchSpec& s) {
+  v.field("name", s.name, {.required = true, .identifier = true},
+          "Name for supports, loads, contact and measures; different for every patch.");
+  v.alternatives("shape", s.shape,
+                 {{{"rectangle", "A rectangle along the axes."},
+                   {"annulus", "Part of a ring: radius first, then angle."},
+                   {"box", "A box along the axes."},
+                   {"control-net", "Control points, weights and knots."}}},
+                 "Kind of patch.");
+  describe(v, s.mesh);
+}
+
+template <class Visitor>
+void describe(Visitor& v, PatchesSpec& s) {
+  v.field("patches", s.patches, {.required = true, .minEntries = 1},
+          "The patches; where faces of two of them have the same control points, they are joined.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, GeometrySpec& s) {
+  v.alternatives("shape", s.shape,
+                 {{{"rectangle", "A rectangle along the axes."},
+                   {"annulus", "Part of a ring: radius first, then angle."},
+                   {"box", "A box along the axes."},
+                   {"control-net", "Control points, weights and knots; needs no functions or spans."},
+                   {"patches", "Several patches, joined at common faces; each has its own mesh."}}},
+                 "Kind of body.");
+  describe(v, s.mesh);
 }
 
 }  // namespace burnish

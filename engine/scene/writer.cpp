@@ -18,6 +18,8 @@ class MappingWriter {
     } else {
       if constexpr (List<T>)
         if (value.empty()) return;
+      if constexpr (std::is_same_v<T, std::string>)
+        if (value.empty() && !rule.required) return;
       out_ << YAML::Key << key << YAML::Value;
       write(value, rule);
     }

@@ -6,6 +6,15 @@
 namespace burnish {
 
 template <int Dim>
+Eigen::MatrixXd Body<Dim>::nodePositions() const {
+  Eigen::MatrixXd positions(Dim, numNodes);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (std::size_t a = 0; a < nodes[p].size(); ++a)
+      positions.col(nodes[p][a]) = patches[p].points().col(static_cast<Eigen::Index>(a));
+  return positions;
+}
+
+template <int Dim>
 double Body<Dim>::size() const {
   Eigen::Vector<double, Dim> low = patches.front().points().col(0), high = low;
   for (const auto& patch : patches) {

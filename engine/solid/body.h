@@ -1,8 +1,10 @@
 #pragma once
 #include <Eigen/Dense>
+#include <numbers>
 #include <vector>
 
 #include "engine/nurbs/patch.h"
+#include "engine/solid/kinematics.h"
 
 namespace burnish {
 
@@ -13,6 +15,23 @@ struct Body {
   std::vector<Patch<Dim>> patches;
   std::vector<std::vector<int>> nodes;  ///< per patch: node of each function
   int numNodes = 0;
+
+  /// Dim 2 only: the patches are a half plane's cut through a body of revolution, x the radius and y the
+  /// axis.
+  bool axisymmetric = false;
+
+  Kinematics kinematics() const {
+    if (Dim == 3) return Kinematics::Solid;
+    return axisymmetric ? Kinematics::Axisymmetric : Kinematics::Plane;
+  }
+
+  /// Share of the body behind a reference point of its cut: the circumference 2πR in axisymmetry, else 1.
+  double circumference(const Eigen::Vector<double, Dim>& X) const {
+    return axisymmetric ? 2.0 * std::numbers::pi * X(0) : 1.0;
+  }
+
+  /// Reference positions of the nodes, Dim x nodes.
+  Eigen::MatrixXd nodePositions() const;
 
   /// Largest extent of the bounding box of the control points: the length L of all tolerances.
   double size() const;

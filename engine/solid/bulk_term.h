@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Dense>
+#include <algorithm>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "engine/material/material.h"
@@ -18,17 +20,20 @@ struct BulkSummary {
   double minJ = std::numeric_limits<double>::infinity();
 };
 
-/// The body's resistance, total Lagrangian: δΠ = ∫ P : ∇_X δu dV with the consistent tangent.
+/// How the volume change of a body follows from its displacements.
+enum class Formulation {
+  Displacement,        ///< J = det F; locks when the law is nearly incompressible
+  ProjectedDilatation  ///< J projected onto splines of one degree less (F-bar)
+};
+
+/// The body's resistance, total Lagrangian: history and stresses at the quadrature points, which all
+/// formulations share.
 template <int Dim>
-class BulkTerm final : public Term {
+class BulkTerm : public Term {
  public:
   using Stress = Eigen::Vector<double, kVoigt<Dim>>;
 
-  /// The quadrature must outlive the term.
-  BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material);
-
   CouplingGroups couplings() const override { return groups_; }
-  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
   void accept() override;
 
   const BulkSummary& summary() const { return summary_; }
@@ -39,31 +44,54 @@ class BulkTerm final : public Term {
   /// Accepted history, one entry per quadrature point.
   const std::vector<MaterialState>& history() const { return accepted_; }
 
-  /// Kirchhoff stress (components of `kVoigt`) and J at the quadrature points of the last evaluated state.
+  /// Kirchhoff stress τ = J σ (components of `kVoigt`) and J = det F at the quadrature points of the last
+  /// evaluated state, with σ the Cauchy stress that the law answers.
   const std::vector<Stress>& kirchhoffStress() const { return stress_; }
   const std::vector<double>& jacobians() const { return J_; }
 
   const Material& material() const { return material_; }
 
- private:
-  struct Workspace;
+ protected:
+  /// The quadrature must outlive the term. groups: unknowns that the tangent of each span couples.
+  BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material, CouplingGroups groups);
 
+  /// Evaluates the law at one point from its accepted history and adds to the span's summary; false if it
+  /// cannot answer. Stress and J are stored by the formulation.
   template <class Law>
-  bool evaluateSpan(const Law& law, std::size_t span, const Eigen::VectorXd& x, Assembly& out,
-                    Workspace& work);
-  template <class Law>
-  bool evaluateAll(const Law& law, const Eigen::VectorXd& x, Assembly& out);
+  bool respond(const Law& law, std::size_t point, double weight, const Eigen::Matrix3d& F,
+               MaterialResponse<Dim>& response, BulkSummary& summary) {
+    if (!law.template evaluate<Dim>(F, accepted_[point], trial_[point], response)) return false;
+    summary.strainEnergy += weight * response.strainEnergy;
+    summary.plasticWorkIncrement += weight * response.plasticWork;
+    summary.maxPlasticStrain = std::max(summary.maxPlasticStrain, trial_[point].e_p);
+    return true;
+  }
+
+  /// Makes the summary of the body from those of the spans.
+  void summarise();
 
   const SpanQuadrature<Dim>& quadrature_;
   Material material_;
   CouplingGroups groups_;
   std::vector<std::vector<int>> colours_;
-  std::vector<MaterialState> accepted_, trial_;
   std::vector<Stress> stress_;
   std::vector<double> J_;
   std::vector<BulkSummary> spanSummaries_;
+
+ private:
+  std::vector<MaterialState> accepted_, trial_;
   BulkSummary summary_;
   double plasticWork_ = 0.0;
 };
+
+/// Displacement unknowns of nodes, component by component.
+template <int Dim>
+std::vector<int> unknownsOf(const std::vector<int>& nodes);
+
+/// The bulk term of a body in the given formulation. The quadrature, made from the same body, must outlive
+/// it.
+template <int Dim>
+std::unique_ptr<BulkTerm<Dim>> makeBulkTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature,
+                                            Material material, Formulation formulation);
 
 }  // namespace burnish

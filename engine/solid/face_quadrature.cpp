@@ -1,6 +1,7 @@
 #include "engine/solid/face_quadrature.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/solid/span_quadrature.h"
@@ -17,10 +18,24 @@ double surfaceElement(const Eigen::Matrix<double, Dim, Dim - 1>& tangents) {
     return tangents.col(0).cross(tangents.col(1)).norm();
 }
 
+/// What a span and a part of the face have in common; empty boxes have an end at or before their beginning.
+template <int P>
+ParameterBox<P> clipped(ParameterBox<P> box, const TensorBasis<P>& basis, const std::vector<double>& part) {
+  for (std::size_t d = 0; 2 * d + 1 < part.size(); ++d) {
+    const auto i = static_cast<Eigen::Index>(d);
+    const auto& breakpoints = basis.direction(static_cast<int>(d)).breakpoints();
+    const double length = breakpoints.back() - breakpoints.front();
+    box.begin(i) = std::max(box.begin(i), breakpoints.front() + part[2 * d] * length);
+    box.end(i) = std::min(box.end(i), breakpoints.front() + part[2 * d + 1] * length);
+  }
+  return box;
+}
+
 }  // namespace
 
 template <int Dim>
-FaceQuadrature<Dim>::FaceQuadrature(const Body<Dim>& body, int patch, FaceId face, int pointsPerDirection) {
+FaceQuadrature<Dim>::FaceQuadrature(const Body<Dim>& body, int patch, FaceId face, int pointsPerDirection,
+                                    const std::vector<double>& part) {
   const auto& volume = body.patches[static_cast<std::size_t>(patch)];
   const auto trace = tracePatch(volume, face);
   for (const int a : faceFunctions(volume.basis(), face))
@@ -30,19 +45,28 @@ FaceQuadrature<Dim>::FaceQuadrature(const Body<Dim>& body, int patch, FaceId fac
   int degree = 1;
   for (int d = 0; d < Dim - 1; ++d) degree = std::max(degree, trace.basis().direction(d).degree());
   for (int e = 0; e < trace.basis().numSpans(); ++e) {
-    const auto rule = spanRule(trace.basis(), e, pointsPerDirection > 0 ? pointsPerDirection : degree + 1);
-    Span span{trace.basis().spanFunctions(e), numPoints_, {}, {}};
+    const auto box = clipped(spanBox(trace.basis(), e), trace.basis(), part);
+    if (!((box.end - box.begin).minCoeff() > 0.0)) continue;
+    const auto rule = boxRule(box, pointsPerDirection > 0 ? pointsPerDirection : degree + 1);
+    Span span{trace.basis().spanFunctions(e), numPoints_, {}, {}, {}, {}, 0.0};
     const auto n = static_cast<Eigen::Index>(span.functions.size());
     const auto Q = static_cast<Eigen::Index>(rule.points.size());
     span.R.resize(n, Q);
+    span.dR.resize(n, (Dim - 1) * Q);
     span.weights.resize(Q);
+    span.ruleWeights = Eigen::Map<const Eigen::VectorXd>(rule.weights.data(), Q);
     const Eigen::MatrixXd points = points_(Eigen::all, span.functions);
     for (Eigen::Index q = 0; q < Q; ++q) {
       const auto shape = trace.shape(e, rule.points[static_cast<std::size_t>(q)]);
       const Eigen::Matrix<double, Dim, Dim - 1> tangents = points * shape.dR;
       span.R.col(q) = shape.R;
-      span.weights(q) = rule.weights[static_cast<std::size_t>(q)] * surfaceElement<Dim>(tangents);
+      span.dR.middleCols((Dim - 1) * q, Dim - 1) = shape.dR;
+      const Eigen::Vector<double, Dim> X = points * shape.R;
+      const double area = rule.weights[static_cast<std::size_t>(q)] * surfaceElement<Dim>(tangents);
+      span.size += area;
+      span.weights(q) = area * body.circumference(X);
     }
+    if (Dim == 3) span.size = std::sqrt(span.size);
     numPoints_ += static_cast<int>(Q);
     spans_.push_back(std::move(span));
   }

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Dense>
-#include <cmath>
 #include <vector>
 
 #include "engine/solid/body.h"
@@ -8,19 +7,24 @@
 namespace burnish {
 
 /// Quadrature over the reference surface of one face: the trace of a patch (25), with basis values and area
-/// weights.
+/// weights. In axisymmetry the surface is that of the whole ring; a face on the axis has none.
 template <int Dim>
 class FaceQuadrature {
  public:
   struct Span {
     std::vector<int> functions;  ///< n functions of the trace, numbered as in `nodes()`
     int firstPoint = 0;
-    Eigen::MatrixXd R;        ///< n x Q
-    Eigen::VectorXd weights;  ///< Q: weight times reference area
+    Eigen::MatrixXd R;            ///< n x Q
+    Eigen::MatrixXd dR;           ///< n x (Dim-1)·Q: derivatives with respect to the face's parameters
+    Eigen::VectorXd weights;      ///< Q: weight times reference area
+    Eigen::VectorXd ruleWeights;  ///< Q: weight in the space of the parameters
+    double size = 0.0;            ///< length (2D) or square root of the area, of the cut in axisymmetry
   };
 
-  /// Degree + 1 points per direction and span unless `pointsPerDirection` is positive.
-  FaceQuadrature(const Body<Dim>& body, int patch, FaceId face, int pointsPerDirection);
+  /// Degree + 1 points per direction and span unless `pointsPerDirection` is positive. part: begin and end in
+  /// [0, 1] per direction of the face; only what lies in between is covered. All of it when empty.
+  FaceQuadrature(const Body<Dim>& body, int patch, FaceId face, int pointsPerDirection,
+                 const std::vector<double>& part = {});
 
   const std::vector<Span>& spans() const { return spans_; }
 
@@ -34,9 +38,7 @@ class FaceQuadrature {
   int numPoints() const { return numPoints_; }
 
   /// Length (2D) or square root of the area of a span.
-  static double sizeOf(const Span& span) {
-    return Dim == 2 ? span.weights.sum() : std::sqrt(span.weights.sum());
-  }
+  static double sizeOf(const Span& span) { return span.size; }
 
  private:
   std::vector<Span> spans_;

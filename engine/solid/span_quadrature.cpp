@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -11,9 +12,20 @@
 namespace burnish {
 
 template <int P>
-SpanRule<P> spanRule(const TensorBasis<P>& basis, int span, int pointsPerDirection) {
-  const QuadratureRule rule = gaussLegendre(pointsPerDirection);
+ParameterBox<P> spanBox(const TensorBasis<P>& basis, int span) {
   const auto index = basis.spanIndex(span);
+  ParameterBox<P> box;
+  for (int d = 0; d < P; ++d) {
+    const int e = index[static_cast<std::size_t>(d)];
+    box.begin(d) = basis.direction(d).spanBegin(e);
+    box.end(d) = basis.direction(d).spanEnd(e);
+  }
+  return box;
+}
+
+template <int P>
+SpanRule<P> boxRule(const ParameterBox<P>& box, int pointsPerDirection) {
+  const QuadratureRule rule = gaussLegendre(pointsPerDirection);
   int total = 1;
   for (int d = 0; d < P; ++d) total *= pointsPerDirection;
   SpanRule<P> result;
@@ -22,9 +34,8 @@ SpanRule<P> spanRule(const TensorBasis<P>& basis, int span, int pointsPerDirecti
     double weight = 1.0;
     for (int d = 0, rest = q; d < P; ++d, rest /= pointsPerDirection) {
       const int k = rest % pointsPerDirection;
-      const int e = index[static_cast<std::size_t>(d)];
-      const double begin = basis.direction(d).spanBegin(e), length = basis.direction(d).spanEnd(e) - begin;
-      xi(d) = begin + length * rule.points(k);
+      const double length = box.end(d) - box.begin(d);
+      xi(d) = box.begin(d) + length * rule.points(k);
       weight *= length * rule.weights(k);
     }
     result.points.push_back(xi);
@@ -33,44 +44,75 @@ SpanRule<P> spanRule(const TensorBasis<P>& basis, int span, int pointsPerDirecti
   return result;
 }
 
+namespace {
+
+/// Throws unless the patch is on the positive side of the axis and its map is not folded.
+template <int Dim>
+void requireSound(const Body<Dim>& body, std::size_t patch, const Eigen::Vector<double, Dim>& X, double det) {
+  if (!(det > 0.0))
+    throw Error(
+        fmt::format("geometry: the map of patch {} is folded near ({:.4g}, {:.4g}): its determinant is "
+                    "{:.3g}; reorder or move the control points so that it is positive everywhere",
+                    patch + 1, X(0), X(1), det));
+  if (body.axisymmetric && !(X(0) > 0.0))
+    throw Error(
+        fmt::format("geometry: patch {} crosses the axis of revolution near ({:.4g}, {:.4g}); x is the "
+                    "radius in axisymmetry, so move the control points to x >= 0",
+                    patch + 1, X(0), X(1)));
+}
+
+}  // namespace
+
 template <int Dim>
 SpanQuadrature<Dim>::SpanQuadrature(const Body<Dim>& body, int pointsPerDirection)
-    : numNodes_(body.numNodes) {
+    : kinematics_(body.kinematics()), numNodes_(body.numNodes) {
   for (std::size_t p = 0; p < body.patches.size(); ++p) {
-    const Patch<Dim>& patch = body.patches[p];
-    const auto& basis = patch.basis();
+    const auto& basis = body.patches[p].basis();
     int degree = 1;
     for (int d = 0; d < Dim; ++d) degree = std::max(degree, basis.direction(d).degree());
-    const int pointsOnSpan = pointsPerDirection > 0 ? pointsPerDirection : degree + 1;
     for (int e = 0; e < basis.numSpans(); ++e) {
-      const auto rule = spanRule(basis, e, pointsOnSpan);
-      const auto functions = basis.spanFunctions(e);
-      const auto n = static_cast<Eigen::Index>(functions.size());
-      const auto Q = static_cast<Eigen::Index>(rule.points.size());
-      Span span{static_cast<int>(p), {}, numPoints_, Eigen::MatrixXd(n, Q), Eigen::MatrixXd(n, Dim * Q),
-                Eigen::VectorXd(Q)};
-      for (const int a : functions) span.nodes.push_back(body.nodes[p][static_cast<std::size_t>(a)]);
-      const Eigen::MatrixXd points = patch.points()(Eigen::all, functions);
-      for (Eigen::Index q = 0; q < Q; ++q) {
-        const auto& xi = rule.points[static_cast<std::size_t>(q)];
-        const auto shape = patch.shape(e, xi);
-        const Eigen::Matrix<double, Dim, Dim> jacobian = points * shape.dR;
-        const double det = jacobian.determinant();
-        if (!(det > 0.0)) {
-          const Eigen::Vector<double, Dim> X = points * shape.R;
-          throw Error(
-              fmt::format("geometry: the map of patch {} is folded near ({:.4g}, {:.4g}): its determinant is "
-                          "{:.3g}; reorder or move the control points so that it is positive everywhere",
-                          p + 1, X(0), X(1), det));
-        }
-        span.R.col(q) = shape.R;
-        span.G.middleCols(Dim * q, Dim) = shape.dR * jacobian.inverse();
-        span.weights(q) = rule.weights[static_cast<std::size_t>(q)] * det;
-      }
-      numPoints_ += static_cast<int>(Q);
-      spans_.push_back(std::move(span));
+      spans_.push_back(makeSpan(body, p, e, pointsPerDirection > 0 ? pointsPerDirection : degree + 1));
+      numPoints_ += static_cast<int>(spans_.back().weights.size());
     }
   }
+}
+
+template <int Dim>
+typename SpanQuadrature<Dim>::Span SpanQuadrature<Dim>::makeSpan(const Body<Dim>& body, std::size_t p,
+                                                                 int number, int pointsPerDirection) const {
+  const Patch<Dim>& patch = body.patches[p];
+  const auto rule = spanRule(patch.basis(), number, pointsPerDirection);
+  const auto functions = patch.basis().spanFunctions(number);
+  const auto n = static_cast<Eigen::Index>(functions.size());
+  const auto Q = static_cast<Eigen::Index>(rule.points.size());
+  const int columns = gradientColumns(kinematics_);
+  Span span{static_cast<int>(p),
+            number,
+            {},
+            numPoints_,
+            Eigen::MatrixXd(Dim, Q),
+            Eigen::MatrixXd(n, Q),
+            Eigen::MatrixXd(n, columns * Q),
+            Eigen::VectorXd(Q),
+            0.0};
+  for (const int a : functions) span.nodes.push_back(body.nodes[p][static_cast<std::size_t>(a)]);
+  const Eigen::MatrixXd points = patch.points()(Eigen::all, functions);
+  for (Eigen::Index q = 0; q < Q; ++q) {
+    const auto& xi = rule.points[static_cast<std::size_t>(q)];
+    const auto shape = patch.shape(number, xi);
+    const Eigen::Matrix<double, Dim, Dim> jacobian = points * shape.dR;
+    const Eigen::Vector<double, Dim> X = points * shape.R;
+    const double det = jacobian.determinant();
+    requireSound(body, p, X, det);
+    span.xi.col(q) = xi;
+    span.R.col(q) = shape.R;
+    span.G.middleCols(columns * q, Dim) = shape.dR * jacobian.inverse();
+    if (body.axisymmetric) span.G.col(columns * q + 2) = shape.R / X(0);
+    span.size += rule.weights[static_cast<std::size_t>(q)] * det;
+    span.weights(q) = rule.weights[static_cast<std::size_t>(q)] * det * body.circumference(X);
+  }
+  span.size = std::pow(span.size, 1.0 / Dim);
+  return span;
 }
 
 template <int Dim>
@@ -83,9 +125,12 @@ double SpanQuadrature<Dim>::volume() const {
 template struct SpanRule<1>;
 template struct SpanRule<2>;
 template struct SpanRule<3>;
-template SpanRule<1> spanRule(const TensorBasis<1>&, int, int);
-template SpanRule<2> spanRule(const TensorBasis<2>&, int, int);
-template SpanRule<3> spanRule(const TensorBasis<3>&, int, int);
+template ParameterBox<1> spanBox(const TensorBasis<1>&, int);
+template ParameterBox<2> spanBox(const TensorBasis<2>&, int);
+template ParameterBox<3> spanBox(const TensorBasis<3>&, int);
+template SpanRule<1> boxRule(const ParameterBox<1>&, int);
+template SpanRule<2> boxRule(const ParameterBox<2>&, int);
+template SpanRule<3> boxRule(const ParameterBox<3>&, int);
 template class SpanQuadrature<2>;
 template class SpanQuadrature<3>;
 

@@ -14,38 +14,61 @@ class SpanQuadrature {
   /// One knot span of one patch. Matrices are views with `n` functions and `Q` points.
   struct Span {
     int patch = 0;
-    std::vector<int> nodes;   ///< n nodes
-    int firstPoint = 0;       ///< number of its first quadrature point in the body
-    Eigen::MatrixXd R;        ///< n x Q values R_a
-    Eigen::MatrixXd G;        ///< n x Dim·Q reference gradients ∇_X R_a, columns Dim·q + d
-    Eigen::VectorXd weights;  ///< Q: weight times det(∂X/∂ξ)
+    int number = 0;          ///< span of the patch's basis
+    std::vector<int> nodes;  ///< n nodes
+    int firstPoint = 0;      ///< number of its first quadrature point in the body
+    Eigen::MatrixXd xi;      ///< Dim x Q parameters
+    Eigen::MatrixXd R;       ///< n x Q values R_a
+    Eigen::MatrixXd G;       ///< n x C·Q reference gradients ∇_X R_a, columns C·q + d with C = `kColumns`
+    Eigen::VectorXd weights;  ///< Q: weight times det(∂X/∂ξ), and times 2πR in axisymmetry
+    double size = 0.0;        ///< square root of its area (2D) or cube root of its volume
   };
 
   /// p+1 points per direction and span unless `pointsPerDirection` is positive.
-  /// Throws `Error` if the map from parameters to space is folded (det <= 0) at a point.
+  /// Throws `Error` if the map from parameters to space is folded (det <= 0) at a point, or if a point of an
+  /// axisymmetric body is not on the positive side of the axis.
   explicit SpanQuadrature(const Body<Dim>& body, int pointsPerDirection = 0);
 
   const std::vector<Span>& spans() const { return spans_; }
   int numPoints() const { return numPoints_; }
   int numNodes() const { return numNodes_; }
+  Kinematics kinematics() const { return kinematics_; }
 
-  /// Volume (area in 2D) of the body.
+  /// Volume of the body (area in plane strain, whole rings in axisymmetry).
   double volume() const;
 
  private:
+  Span makeSpan(const Body<Dim>& body, std::size_t patch, int number, int pointsPerDirection) const;
+
+  Kinematics kinematics_;
   std::vector<Span> spans_;
   int numPoints_ = 0;
   int numNodes_ = 0;
 };
 
-/// Parameter points and weights of the tensor-product rule with n points per direction on a span, first
-/// direction fastest.
+/// Parameter points and weights of the tensor-product rule with n points per direction, first direction
+/// fastest.
 template <int P>
 struct SpanRule {
   std::vector<Eigen::Vector<double, P>> points;
   std::vector<double> weights;  ///< in parameter space
 };
+
+/// A box of parameters.
 template <int P>
-SpanRule<P> spanRule(const TensorBasis<P>& basis, int span, int pointsPerDirection);
+struct ParameterBox {
+  Eigen::Vector<double, P> begin, end;
+};
+
+template <int P>
+ParameterBox<P> spanBox(const TensorBasis<P>& basis, int span);
+
+template <int P>
+SpanRule<P> boxRule(const ParameterBox<P>& box, int pointsPerDirection);
+
+template <int P>
+SpanRule<P> spanRule(const TensorBasis<P>& basis, int span, int pointsPerDirection) {
+  return boxRule(spanBox(basis, span), pointsPerDirection);
+}
 
 }  // namespace burnish

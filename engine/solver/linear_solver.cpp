@@ -142,8 +142,9 @@ class LinearSolver::Definite {
   Eigen::LLT<Eigen::MatrixXd> schur_;  ///< of -S = Bᵀ K⁻¹ B - C
 };
 
-LinearSolver::LinearSolver(Eigen::Index leading)
-    : definite_(std::make_unique<Definite>(leading)), general_(std::make_unique<General>()) {
+LinearSolver::LinearSolver(Eigen::Index leading, TangentKind kind)
+    : definite_(kind == TangentKind::Symmetric ? std::make_unique<Definite>(leading) : nullptr),
+      general_(std::make_unique<General>()) {
   pinLibrariesToOneThread();
 }
 
@@ -151,7 +152,7 @@ LinearSolver::~LinearSolver() = default;
 
 bool LinearSolver::factorise(const Matrix& A) {
   if (!A.coeffs().allFinite()) return false;
-  isDefinite_ = definite_->factorise(A);
+  isDefinite_ = definite_ && definite_->factorise(A);
   if (isDefinite_) return true;
   ++numGeneral_;
   return general_->factorise(A);

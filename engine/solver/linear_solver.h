@@ -5,7 +5,9 @@
 
 namespace burnish {
 
-/// A sparse direct solver for symmetric matrices of one pattern,
+enum class TangentKind { Symmetric, General };
+
+/// A sparse direct solver for matrices of one symmetric pattern. Symmetric ones have the form
 ///
 ///     A = [ K   B ]
 ///         [ Bᵀ  C ],
@@ -13,11 +15,11 @@ namespace burnish {
 /// whose leading block K is usually positive definite and whose border, the multipliers, is coupled with
 /// itself by nothing but the diagonal C. K is factorised by CHOLMOD and the border by a dense Cholesky
 /// factorisation of its Schur complement; UMFPACK takes the whole matrix where one of them is not definite,
-/// and where the border is so wide that this is cheaper.
+/// where the border is so wide that this is cheaper, and where the matrix is not symmetric.
 class LinearSolver {
  public:
   /// `leading`: number of rows of K.
-  explicit LinearSolver(Eigen::Index leading);
+  explicit LinearSolver(Eigen::Index leading, TangentKind kind = TangentKind::Symmetric);
   ~LinearSolver();
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
@@ -36,7 +38,7 @@ class LinearSolver {
   class Definite;
   class General;
 
-  std::unique_ptr<Definite> definite_;
+  std::unique_ptr<Definite> definite_;  ///< null for a general matrix
   std::unique_ptr<General> general_;
   bool isDefinite_ = false;
   long numGeneral_ = 0;

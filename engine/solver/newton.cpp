@@ -16,6 +16,12 @@ std::vector<CouplingGroups> couplingsOf(const std::vector<Term*>& terms) {
   return groups;
 }
 
+TangentKind tangentKind(const std::vector<Term*>& terms) {
+  const bool symmetric =
+      std::all_of(terms.begin(), terms.end(), [](const Term* term) { return term->hasSymmetricTangent(); });
+  return symmetric ? TangentKind::Symmetric : TangentKind::General;
+}
+
 /// Free unknowns with numbers below a limit.
 std::ptrdiff_t numFreeBelow(const SparseSystem& system, int limit) {
   const auto& unknowns = system.freeUnknowns();
@@ -49,7 +55,7 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
       scales_(std::move(scales)),
       options_(options),
       system_(std::move(prescribed), couplingsOf(terms_)),
-      linear_(numFreeBelow(system_, scales_.numForces)),
+      linear_(numFreeBelow(system_, scales_.numForces), tangentKind(terms_)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);
 }
@@ -88,7 +94,7 @@ Newton::Residual Newton::measure() const {
 
 double Newton::roundOff(const Eigen::VectorXd& x) const {
   Eigen::VectorXd magnitude = x.cwiseAbs();
-  magnitude.head(scales_.numForces).array() += scales_.spanSize;
+  magnitude.head(scales_.numForces) += scales_.spanSizes;
   const Eigen::VectorXd bound = system_.tangent().cwiseAbs() * magnitude;
   double sum = 0.0;
   for (const int i : system_.freeUnknowns())
@@ -116,6 +122,7 @@ NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, 
 
 bool Newton::findCorrection(bool isFirst, FirstTangent first, Eigen::VectorXd& correction) {
   if (isFirst && first == FirstTangent::Remembered && remembersTangent()) system_.setTangent(remembered_);
+  if (system_.freeUnknowns().empty()) return true;  // supports say it all
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(correction.size());
   for (const auto& force : forces_) rhs -= force;
   if (!correction.isZero(0.0)) rhs -= system_.tangent() * correction;

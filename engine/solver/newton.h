@@ -35,7 +35,9 @@ struct NewtonOptions {
 struct ResidualScales {
   int numForces = 0;
   double forceFloor = 0.0;  ///< smallest force that counts as a reference: 1e-9 E L (E L² in 3D)
-  double spanSize = 0.0;    ///< lengths below its rounding error are not resolved by the deformation gradient
+  /// Size of the spans around each displacement component: lengths below its rounding error are not resolved
+  /// by the deformation gradient.
+  Eigen::VectorXd spanSizes;
   Eigen::VectorXd constraints;  ///< one per multiplier
 };
 
@@ -102,8 +104,8 @@ class Newton {
   bool evaluate(double t, const Eigen::VectorXd& x);
   Residual measure() const;
 
-  /// Residual force that rounding in its own evaluation explains: 4 ε ‖|K| (|x| + h)‖, h the size of a span.
-  /// F = I + ∇u is rounded like a number of order one however small the displacements are.
+  /// Residual force that rounding in its own evaluation explains: 4 ε ‖|K| (|x| + h)‖, h the sizes of the
+  /// spans. F = I + ∇u is rounded like a number of order one however small the displacements are.
   double roundOff(const Eigen::VectorXd& x) const;
 
   NewtonOutcome judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const;

@@ -28,6 +28,9 @@ class Term {
   /// through): the step control mends that.
   [[nodiscard]] virtual bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) = 0;
 
+  /// Whether the tangent is symmetric in every state; that of a load which follows the body is not.
+  virtual bool hasSymmetricTangent() const { return true; }
+
   /// Makes the history of the last evaluation the accepted one.
   virtual void accept() {}
 };

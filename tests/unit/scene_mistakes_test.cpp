@@ -33,6 +33,23 @@ struct Mistake {
 
 const std::string functions = "functions: [49, 25]";
 
+const std::string stripes = R"(geometry:
+  shape: control-net
+  degrees: [1, 1]
+  knots: [[0, 0, 1, 2, 2], [0, 0, 1, 1]]
+  points: [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]]
+  refine: [2, 2]
+material: {law: neo-hookean, E: 1, nu: 0.3}
+steps: [{until: 1, count: 1}]
+)";
+
+const std::string pairOfPatches = R"(patches:
+    - {name: a, shape: rectangle, size: [1, 1], spans: [2, 2]}
+    - {name: b, shape: rectangle, origin: [1, 0], size: [1, 1], spans: [2, 2]}
+)";
+const std::string pair = "geometry:\n  shape: patches\n  " + pairOfPatches +
+                         "material: {law: neo-hookean, E: 1, nu: 0.3}\nsteps: [{until: 1, count: 1}]\n";
+
 void PrintTo(const Mistake& mistake, std::ostream* out) {
   *out << mistake.name;
 }
@@ -56,24 +73,23 @@ TEST_P(SceneMistake, isReportedWithPlaceKeyAndRemedy) {
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, SceneMistake,
-    testing::Values(Mistake{"unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
-                            "found an unknown key; allowed: title, units, basis, degree, geometry, material, "
-                            "supports, loads, tools, "
-                            "contact, steps, solver, output, pictures. Did you mean \"degree\"?"},
-                    Mistake{"unknownInside", &block, "nu: 0.3", "nu: 0.3, poisson: 1", "poisson",
-                            "material.poisson", "found an unknown key; allowed: law, E, nu, volumetric."},
-                    Mistake{"ofAnotherAlternative", &block, "origin: [0, 2]", "origin: [0, 2], radius: 1",
-                            "radius", "tools[1].radius",
-                            "found an unknown key; allowed: name, shape, origin, normal, motion."},
-                    Mistake{"duplicate", &block, "nu: 0.3", "nu: 0.3, E: 2", "E: 2", "material.E",
-                            "the key is already given in line 4"},
-                    Mistake{"missing", &block, "radius: 0.5, ", "", "{name: cylinder", "tools[0].radius",
-                            "missing; required: a number above 0."},
-                    Mistake{"missingTop", &block,
-                            "steps:\n  - {until: 1, count: 20}\n  - {until: 2, count: 200}\n", "",
-                            "basis: nurbs", "steps", "missing; required: a list of 1 or more mappings."},
-                    Mistake{"missingChoice", &block, "law: neo-hookean, ", "", "{E: 1.0", "material.law",
-                            "missing; required: neo-hookean | j2."}),
+    testing::Values(
+        Mistake{"unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
+                "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
+                "quadrature_points, definitions, geometry, material, supports, loads, tools, contact, "
+                "steps, solver, output, pictures, measures, variants, checks. Did you mean \"degree\"?"},
+        Mistake{"unknownInside", &block, "nu: 0.3", "nu: 0.3, poisson: 1", "poisson", "material.poisson",
+                "found an unknown key; allowed: law, E, nu, volumetric."},
+        Mistake{"ofAnotherAlternative", &block, "origin: [0, 2]", "origin: [0, 2], radius: 1", "radius",
+                "tools[1].radius", "found an unknown key; allowed: name, shape, origin, normal, motion."},
+        Mistake{"duplicate", &block, "nu: 0.3", "nu: 0.3, E: 2", "E: 2", "material.E",
+                "the key is already given in line 4"},
+        Mistake{"missing", &block, "radius: 0.5, ", "", "{name: cylinder", "tools[0].radius",
+                "missing; required: a number above 0."},
+        Mistake{"missingTop", &block, "steps:\n  - {until: 1, count: 20}\n  - {until: 2, count: 200}\n", "",
+                "basis: nurbs", "steps", "missing; required: a list of 1 or more mappings."},
+        Mistake{"missingChoice", &block, "law: neo-hookean, ", "", "{E: 1.0", "material.law",
+                "missing; required: neo-hookean | j2."}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -93,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"infinite", &block, "E: 1.0", "E: .inf", ".inf", "material.E",
                             "found .inf; allowed: a number above 0 that is finite"},
                     Mistake{"notANumber", &block, "traction: [1, 0]", "traction: [1, .nan]", ".nan",
-                            "loads[0].traction[1]", "found .nan; allowed: a number that is finite"},
+                            "loads[0].traction[1]", "the formula \".nan\" cannot be understood"},
                     Mistake{"overflow", &block, "E: 1.0", "E: 1e400", "1e400", "material.E",
                             "found 1e400; allowed: a number above 0 that"},
                     Mistake{"truth", &block, "{face: bottom, fix: [x, y]}",
@@ -184,14 +200,78 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"coordinates", &net, "[0, 1], [0, 2]]", "[0, 1], [0, 2, 0]]", "[0, 2, 0]",
                 "geometry.points[5]", "found 3 coordinates; allowed: 2, one per direction of the body."},
         Mistake{"functions", &net, "degrees: [1, 2]", "degrees: [1, 2]\n  functions: [2, 3]", "[2, 3]",
-                "geometry.functions", "a control net is taken as it is given; allowed: leave the key out"},
-        Mistake{"degree", &net, "geometry:", "degree: 3\ngeometry:", "3", "degree",
-                "found 3, but the control net has the degrees 1, 2; allowed: leave the key out."},
-        Mistake{"lagrange", &net, "geometry:", "basis: lagrange\ngeometry:", "lagrange", "basis",
-                "found lagrange, but the geometry is a control net with knots, which is a NURBS body; "
-                "allowed: nurbs."},
+                "geometry.functions",
+                "found functions, but a control net brings its own knots; allowed: refine."},
+        Mistake{"noDegrees", &net, "  degrees: [1, 2]\n", "", "shape", "geometry.degrees",
+                "missing; required: degrees, knots and points, or a file that holds them."},
+        Mistake{"fileBesideKeys", &net, "degrees: [1, 2]", "file: net.yaml\n  degrees: [1, 2]", "degrees",
+                "geometry.degrees",
+                "found degrees beside file; allowed: all of the control net either here or in the file."},
+        Mistake{
+            "grading", &stripes, "refine: [2, 2]", "refine: [2, 2]\n  grading: [s^2, s]", "s^2",
+            "geometry.grading[0]",
+            "found \"s^2\", but the control net has 2 knot spans in this direction, not one to be graded; "
+            "allowed: s,"},
         Mistake{"directions", &net, "degrees: [1, 2]", "degrees: [1, 2, 2, 2]", "[", "geometry.degrees",
                 "found a list of 4 entries; allowed: a list of 2 to 3 whole numbers from 1 to 10."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Mesh, SceneMistake,
+    testing::Values(
+        Mistake{"refine", &block, functions, "spans: [4, 4], refine: [2, 2]", "[2, 2]", "geometry.refine",
+                "found refine, which divides the knot spans of a control net; allowed: spans."},
+        Mistake{"crease", &block, functions, "spans: [4, 4], creases: [[0.5], [0, 1.5]]", "1.5",
+                "geometry.creases[1][1]", "found 1.5; allowed: a number from 0 to 1."},
+        Mistake{"creasesPerDirection", &block, functions, "spans: [4, 4], creases: [[0.5]]", "[[",
+                "geometry.creases", "found a list of 1; allowed: a list of 2, one entry per dimension"},
+        Mistake{"creasesBesideFunctions", &block, functions, functions + ", creases: [[0.5], []]", "[49, 25]",
+                "geometry.functions", "found functions beside creases, which add functions; allowed: spans."},
+        Mistake{"gradingAtTheStart", &block, functions, "spans: [4, 4], grading: [s, s + 1]", "s + 1",
+                "geometry.grading[1]",
+                "found \"s + 1\", which takes s = 0 to 1; allowed: a formula in s that grows from 0 at s = 0 "
+                "to 1 "
+                "at s = 1."},
+        Mistake{"gradingAtTheEnd", &block, functions, "spans: [4, 4], grading: [2 * s, s]", "2 * s",
+                "geometry.grading[0]",
+                "found \"2 * s\", which takes s = 1 to 2; allowed: a formula in s that"},
+        Mistake{"gradingThatFalls", &block, functions, "spans: [4, 4], grading: [5 * s - 4 * s^2, s]",
+                "5 * s", "geometry.grading[0]",
+                "found \"5 * s - 4 * s^2\", which takes s = 0.75 to 1.5 after 1.5; allowed:"},
+        Mistake{"gradingOfSomethingElse", &block, functions, "spans: [4, 4], grading: [X, s]", "X",
+                "geometry.grading[0]", "the formula \"X\" names X, which is unknown here; known are s."},
+        Mistake{"gradingThatIsNoNumber", &block, functions, "spans: [4, 4], grading: [ln(s), s]", "ln",
+                "geometry.grading[0]", "the formula \"ln(s)\" has no finite value at s = 0."},
+        Mistake{"manyFunctions", &block, functions, "spans: [9000, 9000]", "[9000", "geometry.spans",
+                "found 8.1e+07 basis functions in all; allowed: at most 500000."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Patches, SceneMistake,
+    testing::Values(
+        Mistake{"none", &pair, pairOfPatches, "patches: []\n", "[]", "geometry.patches",
+                "found a list of 0 entries; allowed: a list of 1 or more mappings."},
+        Mistake{"noName", &pair, "{name: b, ", "{", "{", "geometry.patches[1].name",
+                "missing; required: a name of letters, digits, - and _."},
+        Mistake{"sameName", &pair, "b, shape", "a, shape", "a, shape", "geometry.patches[1].name",
+                "found a, the name of another patch; allowed: a name of its own for each patch."},
+        Mistake{"shape", &pair, "shape: rectangle, origin", "shape: patches, origin", "patches",
+                "geometry.patches[1].shape",
+                "found patches; allowed: rectangle | annulus | box | control-net."},
+        Mistake{"dimension", &pair, "rectangle, origin: [1, 0], size: [1, 1], spans: [2, 2]",
+                "box, size: [1, 1, 1], spans: [2, 2, 2]", "{name: b", "geometry.patches[1]",
+                "found a shape of 3 dimensions; allowed: 2 dimensions, as the first patch has."},
+        Mistake{"noMesh", &pair, ", spans: [2, 2]}\nmaterial", "}\nmaterial", "{name: b",
+                "geometry.patches[1]", "found neither functions nor spans; allowed: exactly one of the two"},
+        Mistake{"commonMesh", &pair, "shape: patches", "shape: patches\n  spans: [3, 3]", "[3, 3]",
+                "geometry.spans", "found spans beside patches; allowed: in each of the patches."},
+        Mistake{"entry", &pair, "origin: [1, 0]", "origin: [1, 0, 0]", "[1, 0, 0]",
+                "geometry.patches[1].origin",
+                "found a list of 3; allowed: a list of 2, one entry per dimension of the body."},
+        Mistake{
+            "key", &pair, "origin: [1, 0]", "orgin: [1, 0]", "orgin", "geometry.patches[1].orgin",
+            "found an unknown key; allowed: name, shape, origin, size, functions, spans, refine, grading, "
+            "creases. Did you mean \"origin\"?"}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -227,7 +307,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"componentTwice", &block, "fix: [x, y]", "fix: [x, x]", "x]", "supports[0].fix[1]",
                 "found x a second time; allowed: each component once."},
         Mistake{"noSupport", &block, "{face: bottom, fix: [x, y]}", "{face: bottom}", "{", "supports[0]",
-                "found none of fix, move and symmetry; allowed: exactly one of"},
+                "found none of fix, move, prescribe and symmetry; allowed: exactly one of"},
         Mistake{"severalSupports", &block, "{face: bottom, fix: [x, y]}",
                 "{face: bottom, fix: [x, y], symmetry: true}", "{", "supports[0]",
                 "found fix and symmetry; allowed: exactly one of"},

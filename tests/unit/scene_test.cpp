@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -111,10 +112,10 @@ TEST(Scene, fillsInDefaults) {
 TEST(Scene, readsEveryValueOfAScene) {
   const Scene scene = parseScene(block, "test.yaml");
   EXPECT_EQ(std::get<RectangleSpec>(scene.geometry.shape).size, (std::vector<double>{3, 1}));
-  EXPECT_EQ(scene.geometry.functions, (std::vector<int>{49, 25}));
-  EXPECT_EQ(scene.supports.at(0).face, "bottom");
+  EXPECT_EQ(scene.geometry.mesh.functions, (std::vector<int>{49, 25}));
+  EXPECT_EQ(scene.supports.at(0).place.face, "bottom");
   EXPECT_EQ(scene.supports.at(0).fix, (std::vector<std::string>{"x", "y"}));
-  EXPECT_EQ(scene.loads.at(0).traction, (std::vector<double>{1, 0}));
+  EXPECT_EQ(scene.loads.at(0).traction, (std::vector<FormulaText>{{"1"}, {"0"}}));
   EXPECT_EQ((*scene.loads.at(0).schedule)(0.5), 0.5);
   EXPECT_EQ(scene.tools.at(0).name, "cylinder");
   EXPECT_EQ(std::get<CylinderToolSpec>(scene.tools[0].shape).center, (std::vector<double>{0.5, 1.5}));
@@ -126,14 +127,94 @@ TEST(Scene, readsEveryValueOfAScene) {
   EXPECT_EQ(scene.pictures.at(0).times, (std::vector<double>{1, 1.5, 2}));
 }
 
-TEST(Scene, controlNetBringsItsDegree) {
+TEST(Scene, controlNetKeepsItsDegrees) {
   const Scene scene = parseScene(net, "test.yaml");
   const auto& given = std::get<ControlNetSpec>(scene.geometry.shape);
   EXPECT_EQ(given.degrees, (std::vector<int>{1, 2}));
   EXPECT_EQ(given.points.at(3), (std::vector<double>{2, 2}));
   EXPECT_EQ(given.weights.at(2), 0.7071067811865476);
-  EXPECT_EQ(scene.degree, 2);
+  EXPECT_EQ(scene.degree, 1) << "none is raised";
+  EXPECT_EQ(parseScene(net, "test.yaml", {"basis=lagrange"}).degree, 2) << "the highest of the net";
   EXPECT_EQ(scene.dim(), 2);
+}
+
+/// A scene beside a directory `nets` with the file of a control net.
+class ControlNetFile : public testing::Test {
+ protected:
+  ControlNetFile()
+      : directory_(std::filesystem::path(testing::TempDir()) / ("nets_" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(directory_ / "nets");
+    write("scene.yaml",
+          "geometry: {shape: control-net, file: nets/ring.yaml, refine: [1, 4]}\n"
+          "material: {law: neo-hookean, E: 1, nu: 0.3}\nsteps: [{until: 1, count: 1}]\n");
+  }
+  ~ControlNetFile() override { std::filesystem::remove_all(directory_); }
+
+  void write(const char* file, const std::string& text) const { std::ofstream(directory_ / file) << text; }
+
+  /// What is wrong with a scene that takes this net, without the directory.
+  std::string errorWith(const std::string& netText) const {
+    write("nets/ring.yaml", netText);
+    try {
+      readScene(directory_ / "scene.yaml");
+    } catch (const Error& e) {
+      std::string message = e.what();
+      const std::string prefix = directory_.string() + "/";
+      for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix))
+        message.erase(at, prefix.size());
+      return message;
+    }
+    return "no error";
+  }
+
+  std::filesystem::path directory_;
+  const std::string ring_ =
+      "# a quarter ring\n"
+      "degrees: [1, 2]\n"
+      "knots: [[0, 0, 1, 1], [0, 0, 0, 1, 1, 1]]\n"
+      "points: [[1, 0], [2, 0], [1, 1], [2, 2], [0, 1], [0, 2]]\n"
+      "weights: [1, 1, 0.7071067811865476, 0.7071067811865476, 1, 1]\n";
+};
+
+TEST_F(ControlNetFile, isReadAndItsContentsStandInTheResolvedScene) {
+  ASSERT_EQ(errorWith(ring_), "no error");
+  const Scene scene = readScene(directory_ / "scene.yaml");
+  EXPECT_EQ(scene.dim(), 2);
+  EXPECT_EQ(std::get<ControlNetSpec>(scene.geometry.shape).points.at(3), (std::vector<double>{2, 2}));
+  EXPECT_EQ(scene.resolvedYaml.find("ring.yaml"), std::string::npos);
+  const Scene again = parseScene(scene.resolvedYaml, "elsewhere/again.yaml");
+  EXPECT_EQ(again.resolvedYaml, scene.resolvedYaml);
+  EXPECT_EQ(again.geometry.mesh.refine, (std::vector<int>{1, 4}));
+}
+
+TEST_F(ControlNetFile, isNamedWithLineAndColumnWhenItIsWrong) {
+  EXPECT_EQ(errorWith(replaced(ring_, "[2, 2]", "[2, two]")),
+            "nets/ring.yaml:4:38: geometry.points[3][1]: found two; allowed: a number.");
+  EXPECT_EQ(errorWith(replaced(ring_, "[1, 2]", "[1, 3]")).substr(0, 36),
+            "nets/ring.yaml:3:23: geometry.knots[");
+  EXPECT_EQ(
+      errorWith(replaced(ring_, "weights", "weight")),
+      "nets/ring.yaml:5:1: geometry.weight: found an unknown key; allowed: degrees, knots, points, weights. "
+      "Did you mean \"weights\"?");
+  EXPECT_EQ(errorWith(replaced(ring_, "degrees: [1, 2]\n", "")),
+            "nets/ring.yaml:2:1: geometry.degrees: missing; required: degrees, knots and points.");
+  EXPECT_EQ(errorWith("degrees: [1, 2\n").substr(0, 31), "nets/ring.yaml:2:1: geometry: m");
+  EXPECT_EQ(errorWith("- 1\n"),
+            "nets/ring.yaml:1:1: geometry: found a list of 1 entry; allowed: a mapping of "
+            "degrees, knots, points and weights.");
+}
+
+TEST_F(ControlNetFile, thatIsNotThereIsReportedWhereItIsNamed) {
+  EXPECT_EQ(errorWith(ring_), "no error");
+  std::filesystem::remove(directory_ / "nets/ring.yaml");
+  try {
+    readScene(directory_ / "scene.yaml", {"geometry.file=other.yaml"});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(std::string(e.what()),
+              "--set geometry.file=other.yaml: geometry.file: " + (directory_ / "other.yaml").string() +
+                  ": cannot be read: No such file or directory.");
+  }
 }
 
 TEST(Scene, boxMakesThreeDimensions) {
@@ -165,7 +246,9 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
       "{law: voce-linear, sigma0: 1, sigma_inf: 2, beta: 3, modulus: 4}",
       "{law: formula, formula: 80 + 90 * (1 - exp(-18 * ep))}",
   };
-  std::vector<std::string> scenes{block, title + block, awkward, net};
+  const std::string creased =
+      replaced(block, "functions: [49, 25]", "spans: [4, 4], grading: [s^2, s], creases: [[0.5], []]");
+  std::vector<std::string> scenes{block, title + block, awkward, creased, net};
   for (const std::string& law : laws)
     scenes.push_back(replaced(net, hardening, "elastic: hencky, hardening: " + law));
   for (const std::string& yaml : scenes) {
@@ -240,7 +323,7 @@ TEST(PaperScenes, suitEveryBasisAndDegree) {
         const Scene scene =
             readScene(scenes / file, {std::string("basis=") + basis, "degree=" + std::to_string(degree)});
         EXPECT_EQ(scene.degree, degree);
-        EXPECT_EQ(scene.geometry.functions, (std::vector<int>{49, 25}));
+        EXPECT_EQ(scene.geometry.mesh.functions, (std::vector<int>{49, 25}));
         EXPECT_EQ(scene.pictures.at(0).times, (std::vector<double>{1, 1.5, 2}));
       }
     }

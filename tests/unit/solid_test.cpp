@@ -8,8 +8,7 @@
 #include "engine/fields/span_extremes.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
-#include "engine/solid/bulk_term.h"
-#include "engine/solid/traction_term.h"
+#include "engine/solid/displacement_term.h"
 #include "tests/unit/term_check.h"
 
 namespace burnish {
@@ -51,22 +50,22 @@ TEST(SpanQuadrature, RefusesAFoldedMap) {
   EXPECT_THROW(SpanQuadrature<2>(makeBody(Patch<2>(patch.basis(), points, patch.weights()))), Error);
 }
 
-TEST(BulkTerm, TangentAgreesWithCentralDifferences) {
+TEST(DisplacementTerm, TangentAgreesWithCentralDifferences) {
   const Body<2> plane = ring(2);
   const SpanQuadrature<2> planeQuadrature(plane);
-  BulkTerm<2> rubber(planeQuadrature, elastic());
+  DisplacementTerm<2> rubber(planeQuadrature, elastic());
   EXPECT_LT(test::tangentError(rubber, 0.0, randomState(2 * plane.numNodes, 0.03, 1), 1e-6), 1e-7);
 
   const Body<3> solid = shell();
   const SpanQuadrature<3> solidQuadrature(solid);
-  BulkTerm<3> rubber3(solidQuadrature, elastic());
+  DisplacementTerm<3> rubber3(solidQuadrature, elastic());
   EXPECT_LT(test::tangentError(rubber3, 0.0, randomState(3 * solid.numNodes, 0.03, 2), 1e-6), 1e-7);
 }
 
-TEST(BulkTerm, PlasticTangentAgreesWithCentralDifferences) {
+TEST(DisplacementTerm, PlasticTangentAgreesWithCentralDifferences) {
   const Body<2> plane = ring(2);
   const SpanQuadrature<2> quadrature(plane);
-  BulkTerm<2> metal(quadrature, plastic());
+  DisplacementTerm<2> metal(quadrature, plastic());
   // A stretch far beyond yield everywhere, so that no point switches between elastic and plastic.
   Eigen::VectorXd x = randomState(2 * plane.numNodes, 0.01, 3);
   for (int a = 0; a < plane.numNodes; ++a) x(2 * a) += 0.08 * plane.patches[0].points()(0, a);
@@ -78,16 +77,16 @@ TEST(BulkTerm, PlasticTangentAgreesWithCentralDifferences) {
 
   const Body<3> solid = shell();
   const SpanQuadrature<3> solidQuadrature(solid);
-  BulkTerm<3> metal3(solidQuadrature, plastic());
+  DisplacementTerm<3> metal3(solidQuadrature, plastic());
   Eigen::VectorXd y = randomState(3 * solid.numNodes, 0.004, 4);
   for (int a = 0; a < solid.numNodes; ++a) y(3 * a) += 0.08 * solid.patches[0].points()(0, a);
   EXPECT_LT(test::tangentError(metal3, 0.0, y, 1e-6), 1e-6);
 }
 
-TEST(BulkTerm, ForceIsTheDerivativeOfTheStoredEnergy) {
+TEST(DisplacementTerm, ForceIsTheDerivativeOfTheStoredEnergy) {
   const Body<2> body = ring(3);
   const SpanQuadrature<2> quadrature(body);
-  BulkTerm<2> term(quadrature, elastic());
+  DisplacementTerm<2> term(quadrature, elastic());
   const Eigen::VectorXd x = randomState(2 * body.numNodes, 0.03, 5),
                         direction = randomState(x.size(), 1.0, 6);
   const auto energy = [&](double s) {
@@ -98,10 +97,10 @@ TEST(BulkTerm, ForceIsTheDerivativeOfTheStoredEnergy) {
   EXPECT_NEAR((energy(h) - energy(-h)) / (2.0 * h), test::forceOf(term, 0.0, x).dot(direction), 1e-8);
 }
 
-TEST(BulkTerm, RigidMotionCostsNothing) {
+TEST(DisplacementTerm, RigidMotionCostsNothing) {
   const Body<2> body = ring(2);
   const SpanQuadrature<2> quadrature(body);
-  BulkTerm<2> term(quadrature, elastic());
+  DisplacementTerm<2> term(quadrature, elastic());
   const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(2.0).toRotationMatrix();
   Eigen::VectorXd x(2 * body.numNodes);
   for (int a = 0; a < body.numNodes; ++a) {
@@ -111,29 +110,15 @@ TEST(BulkTerm, RigidMotionCostsNothing) {
   EXPECT_LT(test::forceOf(term, 0.0, x).norm(), 1e-13);
 }
 
-TEST(BulkTerm, RefusesAStateThatIsInsideOut) {
+TEST(DisplacementTerm, RefusesAStateThatIsInsideOut) {
   const Body<2> body = makeBody(rectangle({0.0, 0.0}, {1.0, 1.0}));
   const SpanQuadrature<2> quadrature(body);
-  BulkTerm<2> term(quadrature, elastic());
+  DisplacementTerm<2> term(quadrature, elastic());
   Eigen::VectorXd x = Eigen::VectorXd::Zero(8);
   x(4 + 1) = x(6 + 1) = -1.5;
   bool admissible = true;
   static_cast<void>(test::forceOf(term, 0.0, x, &admissible));
   EXPECT_FALSE(admissible);
-}
-
-TEST(TractionTerm, SumsToTractionTimesLength) {
-  const Body<2> body = ring(2);
-  TractionTerm<2> term(body, 0, faceFromName<2>("right"), {3.0, -2.0}, {{0.0, 2.0}, {0.0, 1.0}});
-  const Eigen::VectorXd load = term.load(1.0);
-  double fx = 0.0, fy = 0.0;
-  for (int a = 0; a < body.numNodes; ++a) {
-    fx += load(2 * a);
-    fy += load(2 * a + 1);
-  }
-  const double arc = 2.0 * 1.5;
-  EXPECT_NEAR(fx, 0.5 * 3.0 * arc, 1e-5) << "three Gauss points integrate a rational arc length this well";
-  EXPECT_NEAR(fy, -0.5 * 2.0 * arc, 1e-5);
 }
 
 TEST(Projection, ReproducesFieldsOfTheSpaceAndOrthogonalisesTheRest) {

@@ -53,7 +53,7 @@ std::vector<bool> endsHeld(int size) {
 }
 
 ResidualScales scalesFor(int size) {
-  return {size, 1e-9, 0.0, Eigen::VectorXd()};
+  return {size, 1e-9, Eigen::VectorXd::Zero(size), Eigen::VectorXd()};
 }
 
 TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {

@@ -24,6 +24,11 @@ inline Eigen::MatrixXd tangentOf(Term& term, double t, const Eigen::VectorXd& x)
   return system.tangent();
 }
 
+/// Largest difference between a matrix and its transpose, relative to the largest entry.
+inline double asymmetry(const Eigen::MatrixXd& K) {
+  return (K - K.transpose()).cwiseAbs().maxCoeff() / K.cwiseAbs().maxCoeff();
+}
+
 /// Largest difference between the tangent and central differences of the force (step h), relative to the
 /// tangent's largest entry.
 inline double tangentError(Term& term, double t, const Eigen::VectorXd& x, double h) {

@@ -35,9 +35,9 @@ struct PatchError {
 
 template <int Dim>
 PatchError solvePatch(const Body<Dim>& body, const Material& material, double strain,
-                      int pointsPerDirection = 0) {
+                      int pointsPerDirection = 0, Formulation formulation = Formulation::Displacement) {
   const SpanQuadrature<Dim> quadrature(body, pointsPerDirection);
-  BulkTerm<Dim> bulk(quadrature, material);
+  const auto bulk = makeBulkTerm(body, quadrature, material, formulation);
   const int size = Dim * body.numNodes;
   std::vector<bool> prescribed(static_cast<std::size_t>(size), false);
   const auto& patch = body.patches.front();
@@ -51,13 +51,14 @@ PatchError solvePatch(const Body<Dim>& body, const Material& material, double st
   Eigen::VectorXd exact(size);
   for (int a = 0; a < body.numNodes; ++a) exact.segment<Dim>(Dim * a) = H * patch.points().col(a);
 
-  Newton newton({&bulk}, prescribed, {size, 1e-12, 0.0, Eigen::VectorXd()}, {.tolerance = 1e-12});
+  Newton newton({bulk.get()}, prescribed, {size, 1e-12, Eigen::VectorXd::Zero(size), {}},
+                {.tolerance = 1e-12});
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
   EXPECT_EQ(newton.solve(0.0, exact, x).outcome, NewtonOutcome::Converged);
   double spread = 0.0;
-  for (const auto& tau : bulk.kirchhoffStress())
-    spread = std::max(spread, (tau - bulk.kirchhoffStress().front()).cwiseAbs().maxCoeff());
-  EXPECT_GT(bulk.kirchhoffStress().front().norm() / youngsModulus(material), 1e-4);
+  for (const auto& tau : bulk->kirchhoffStress())
+    spread = std::max(spread, (tau - bulk->kirchhoffStress().front()).cwiseAbs().maxCoeff());
+  EXPECT_GT(bulk->kirchhoffStress().front().norm() / youngsModulus(material), 1e-4);
   return {(x - exact).cwiseAbs().maxCoeff(), spread / youngsModulus(material)};
 }
 
@@ -114,6 +115,25 @@ TEST(PatchTest, DistortedPatchesInThreeDimensions) {
   expectExact(solvePatch(distorted(shell, 0.02, false), kRubber, 0.05, 4));
   expectExact(solvePatch(distorted(shell, 0.02, false), kMetal, 0.01, 4));
   expectExact(solvePatch(distorted(shell, 0.02, true), kRubber, 0.05, 16));
+}
+
+TEST(PatchTest, DistortedPatchesAreExactWithTheProjectedDilatation) {
+  const auto solve = [](const auto& body, const Material& material, double strain, int points = 0) {
+    expectExact(solvePatch(body, material, strain, points, Formulation::ProjectedDilatation));
+  };
+  forEachDegree(false, [&](const Body<2>& body, const Material& material, double strain) {
+    solve(body, material, strain);
+  });
+  for (int degree = 1; degree <= 3; ++degree) {
+    const auto ring = lagrangeInterpolant(
+        annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.5), degree,
+        {KnotVector::uniform(1, 3).breakpoints(), KnotVector::uniform(1, 4).breakpoints()});
+    solve(distorted(ring, 0.01, false), kRubber, 0.1);
+  }
+  const auto shell =
+      refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.6, {0.0, 1.0}, {-0.3, 0.8}),
+              {KnotVector::uniform(2, 2), KnotVector::uniform(2, 2), KnotVector::uniform(2, 2)});
+  solve(distorted(shell, 0.02, false), kRubber, 0.05, 4);
 }
 
 }  // namespace

@@ -1,0 +1,112 @@
+#include "engine/analysis/measures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/fields/body_fields.h"
+#include "engine/fields/ellipse_measure.h"
+#include "engine/fields/error_measure.h"
+#include "engine/fields/face_measure.h"
+#include "engine/fields/point_measure.h"
+
+namespace burnish {
+
+template <int Dim>
+Measures<Dim>::Measures(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection)
+    : scene_(scene), model_(model), projection_(projection) {
+  for (std::size_t k = 0; k < scene.measures.size(); ++k) {
+    const auto& spec = scene.measures[k];
+    try {
+      measures_.push_back({spec.name, std::visit([&](const auto& kind) { return make(kind); }, spec.kind)});
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: measures[{}]: {}", scene.source, k, error.what()));
+    }
+  }
+}
+
+template <int Dim>
+std::unique_ptr<Measure> Measures<Dim>::make(const PointMeasureSpec& spec) {
+  using Vector = Eigen::Vector<double, Dim>;
+  const Body<Dim>& body = model_.body();
+  int patch = spec.patch.empty() ? -1 : model_.faces().patch(spec.patch);
+  Vector xi;
+  if (!spec.position.empty()) {
+    std::tie(patch, xi) = findPoint<Dim>(body, patch, Eigen::Map<const Vector>(spec.position.data()));
+  } else {
+    patch = std::max(patch, 0);
+    for (int d = 0; d < Dim; ++d) {
+      const auto& breakpoints =
+          body.patches[static_cast<std::size_t>(patch)].basis().direction(d).breakpoints();
+      xi(d) = breakpoints.front() +
+              spec.parameters[static_cast<std::size_t>(d)] * (breakpoints.back() - breakpoints.front());
+    }
+  }
+  auto names = spec.fields.empty() ? std::vector<std::string>{"displacement"} : spec.fields;
+  return std::make_unique<PointMeasure<Dim>>(
+      body, patch, xi, std::move(names),
+      [this]() -> const std::map<std::string, FieldRecord>& { return fields(); });
+}
+
+template <int Dim>
+std::unique_ptr<Measure> Measures<Dim>::make(const FaceMeasureSpec& spec) {
+  return std::make_unique<FaceMeasure<Dim>>(
+      FaceQuadrature<Dim>(model_.body(), model_.faces().patch(spec.place.patch),
+                          faceFromName<Dim>(spec.place.face), 0, spec.place.part));
+}
+
+template <int Dim>
+std::unique_ptr<Measure> Measures<Dim>::make(const ErrorMeasureSpec& spec) {
+  std::vector<Formula> exact;
+  for (const auto& text : spec.displacement) exact.emplace_back(text, scene_.definitions);
+  return std::make_unique<ErrorMeasure<Dim>>(model_.body(), std::move(exact));
+}
+
+template <int Dim>
+std::unique_ptr<Measure> Measures<Dim>::make(const EllipseMeasureSpec& spec) {
+  if constexpr (Dim == 2) {
+    const auto middle = spec.middle == EllipseMeasureSpec::Middle::Free    ? EllipseMeasure::Middle::Free
+                        : spec.middle == EllipseMeasureSpec::Middle::Begin ? EllipseMeasure::Middle::Begin
+                                                                           : EllipseMeasure::Middle::End;
+    const int patch = model_.faces().patch(spec.place.patch);
+    for (const auto& pair : model_.contacts())
+      if (model_.tools()[pair.tool]->name == spec.tool && pair.patch == patch &&
+          pair.faceName == spec.place.face)
+        return std::make_unique<EllipseMeasure>(*pair.term, middle);
+    throw Error(fmt::format("tool '{}' and face '{}' are no pair of contact:", spec.tool, spec.place.face));
+  } else {
+    throw Error("an ellipse is fitted to the contact of two-dimensional bodies only");
+  }
+}
+
+template <int Dim>
+std::vector<std::string> Measures<Dim>::columns() const {
+  std::vector<std::string> columns;
+  for (const auto& [name, measure] : measures_)
+    for (const auto& column : measure->columns()) columns.push_back(name + "." + column);
+  return columns;
+}
+
+template <int Dim>
+std::vector<double> Measures<Dim>::values(const MeasuredState& state) {
+  fields_.clear();
+  std::vector<double> result;
+  for (const auto& [name, measure] : measures_) {
+    const auto values = measure->values(state);
+    result.insert(result.end(), values.begin(), values.end());
+  }
+  return result;
+}
+
+template <int Dim>
+const std::map<std::string, FieldRecord>& Measures<Dim>::fields() {
+  if (fields_.empty()) fields_ = projected(projection_, quadratureFields(model_.bulk(), scene_.units.stress));
+  return fields_;
+}
+
+template class Measures<2>;
+template class Measures<3>;
+
+}  // namespace burnish

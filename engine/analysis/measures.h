@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/analysis/model.h"
+#include "engine/fields/measure.h"
+#include "engine/fields/projection.h"
+#include "engine/results/result.h"
+
+namespace burnish {
+
+/// The measures of a scene: columns of its history.
+template <int Dim>
+class Measures {
+ public:
+  /// Model and projection must outlive the object. Throws `Error` with the place in the scene for points
+  /// outside the body and ellipses of pairs that are no contact.
+  Measures(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection);
+
+  /// NAME.ux, ...
+  std::vector<std::string> columns() const;
+  std::vector<double> values(const MeasuredState& state);
+
+ private:
+  struct Named {
+    std::string name;
+    std::unique_ptr<Measure> measure;
+  };
+
+  std::unique_ptr<Measure> make(const PointMeasureSpec& spec);
+  std::unique_ptr<Measure> make(const FaceMeasureSpec& spec);
+  std::unique_ptr<Measure> make(const ErrorMeasureSpec& spec);
+  std::unique_ptr<Measure> make(const EllipseMeasureSpec& spec);
+
+  /// Projected once per state, and only if a measure asks.
+  const std::map<std::string, FieldRecord>& fields();
+
+  const Scene& scene_;
+  const Model<Dim>& model_;
+  const Projection<Dim>& projection_;
+  std::map<std::string, FieldRecord> fields_;
+  std::vector<Named> measures_;
+};
+
+}  // namespace burnish

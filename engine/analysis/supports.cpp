@@ -1,0 +1,201 @@
+#include "engine/analysis/supports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+constexpr std::array<const char*, 3> kComponents{"x", "y", "z"};
+
+/// Anchors of the functions of a face, one parameter point per function, in the face's own order.
+template <int P>
+std::vector<Eigen::Vector<double, P>> anchorsOf(const TensorBasis<P>& trace) {
+  std::vector<Eigen::Vector<double, P>> anchors;
+  for (int a = 0; a < trace.numFunctions(); ++a) {
+    const auto index = trace.functionIndex(a);
+    Eigen::Vector<double, P> anchor;
+    for (int d = 0; d < P; ++d) anchor(d) = trace.direction(d).anchor(index[static_cast<std::size_t>(d)]);
+    anchors.push_back(anchor);
+  }
+  return anchors;
+}
+
+/// Functions of a face whose anchors lie in a part of it, given in shares of the parameter ranges.
+template <int P>
+std::vector<std::size_t> functionsInPart(const TensorBasis<P>& trace, const std::vector<double>& part) {
+  constexpr double kRounding = 1e-12;
+  const auto anchors = anchorsOf(trace);
+  std::vector<std::size_t> inside;
+  for (std::size_t a = 0; a < anchors.size(); ++a) {
+    bool isInside = true;
+    for (std::size_t d = 0; 2 * d + 1 < part.size(); ++d) {
+      const auto& breakpoints = trace.direction(static_cast<int>(d)).breakpoints();
+      const double share = (anchors[a](static_cast<Eigen::Index>(d)) - breakpoints.front()) /
+                           (breakpoints.back() - breakpoints.front());
+      isInside = isInside && share >= part[2 * d] - kRounding && share <= part[2 * d + 1] + kRounding;
+    }
+    if (isInside) inside.push_back(a);
+  }
+  return inside;
+}
+
+}  // namespace
+
+template <int Dim>
+int FaceFinder<Dim>::patch(const std::string& name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  return name.empty() || found == names_.end() ? 0 : static_cast<int>(found - names_.begin());
+}
+
+template <int Dim>
+std::vector<int> FaceFinder<Dim>::functions(const FaceSpec& place) const {
+  return faceFunctions(body_.patches[static_cast<std::size_t>(patch(place.patch))].basis(),
+                       faceFromName<Dim>(place.face));
+}
+
+template <int Dim>
+std::vector<int> FaceFinder<Dim>::nodes(const FaceSpec& place) const {
+  std::vector<int> result;
+  const auto& nodes = body_.nodes[static_cast<std::size_t>(patch(place.patch))];
+  for (const int a : functions(place)) result.push_back(nodes[static_cast<std::size_t>(a)]);
+  return result;
+}
+
+template <int Dim>
+Eigen::VectorXd Supports<Dim>::Motion::values(double t) const {
+  const double time = std::max(t, 0.0);  // lifted tools come down before
+  if (formulas.empty())
+    return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(unknowns.size()), schedule(time));
+  Eigen::VectorXd atAnchors(places.cols());
+  for (Eigen::Index k = 0; k < places.cols(); ++k) atAnchors(k) = formulas.front()(places.col(k), time);
+  return interpolation * atAnchors;
+}
+
+template <int Dim>
+Supports<Dim>::Supports(const Scene& scene, const FaceFinder<Dim>& faces)
+    : prescribed_(static_cast<std::size_t>(Dim * faces.body().numNodes), false) {
+  constexpr int kSamples = 8;
+  for (int k = 0; k <= kSamples; ++k) times_.push_back(scene.steps.back().until * k / kSamples);
+  for (const auto& support : scene.supports)
+    if (support.move) corners_.insert(corners_.end(), support.move->times.begin(), support.move->times.end());
+  times_.insert(times_.end(), corners_.begin(), corners_.end());
+  for (std::size_t k = 0; k < scene.supports.size(); ++k)
+    add(scene.supports[k], fmt::format("supports[{}]", k), scene, faces);
+}
+
+template <int Dim>
+void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const Scene& scene,
+                        const FaceFinder<Dim>& faces) {
+  const auto& patch = faces.body().patches[static_cast<std::size_t>(faces.patch(spec.place.patch))];
+  const auto trace = tracePatch(patch, faceFromName<Dim>(spec.place.face));
+  const auto nodes = faces.nodes(spec.place);
+  const auto chosen = functionsInPart(trace.basis(), spec.place.part);
+  if (chosen.empty())
+    throw Error(
+        fmt::format("{}: no control point belongs to this part of face '{}'; make it wider, or the mesh "
+                    "finer",
+                    place, spec.place.face));
+
+  std::array<bool, 3> held{};
+  for (std::size_t d = 0; d < Dim; ++d)
+    held[d] = std::find(spec.fix.begin(), spec.fix.end(), kComponents[d]) != spec.fix.end();
+  if (spec.symmetry) {
+    const Eigen::VectorXd extent = trace.points().rowwise().maxCoeff() - trace.points().rowwise().minCoeff();
+    Eigen::Index normal = 0;
+    if (extent.minCoeff(&normal) > 1e-12 * faces.body().size())
+      throw Error(
+          fmt::format("{}: face '{}' is not flat along an axis, so symmetry has no direction to hold; use "
+                      "fix with the components to hold",
+                      place, spec.place.face));
+    held[static_cast<std::size_t>(normal)] = true;
+  }
+
+  std::array<const std::optional<std::vector<double>>*, 3> schedules{};
+  if (spec.move) schedules = {&spec.move->x, &spec.move->y, &spec.move->z};
+  std::array<const std::optional<FormulaText>*, 3> formulas{};
+  if (spec.prescribe) formulas = {&spec.prescribe->x, &spec.prescribe->y, &spec.prescribe->z};
+  for (int d = 0; d < Dim; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    Motion motion;
+    if (spec.move && schedules[k]->has_value())
+      motion.schedule = {spec.move->times, **schedules[k]};
+    else if (spec.prescribe && formulas[k]->has_value())
+      motion = formulaMotion(spec, Formula(**formulas[k], scene.definitions), faces, chosen);
+    else if (!held[k])
+      continue;
+    for (const std::size_t a : chosen) motion.unknowns.push_back(Dim * nodes[a] + d);
+    append(std::move(motion), place, spec.place.face, d);
+  }
+}
+
+template <int Dim>
+typename Supports<Dim>::Motion Supports<Dim>::formulaMotion(const SupportSpec& spec, const Formula& formula,
+                                                            const FaceFinder<Dim>& faces,
+                                                            const std::vector<std::size_t>& chosen) const {
+  const auto& patch = faces.body().patches[static_cast<std::size_t>(faces.patch(spec.place.patch))];
+  const auto trace = tracePatch(patch, faceFromName<Dim>(spec.place.face));
+  const auto anchors = anchorsOf(trace.basis());
+  const auto n = static_cast<Eigen::Index>(anchors.size());
+  Motion motion;
+  motion.formulas.push_back(formula);
+  motion.places = Eigen::Matrix3Xd::Zero(3, n);
+  Eigen::MatrixXd collocation = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto& anchor = anchors[static_cast<std::size_t>(k)];
+    const int span = trace.findSpan(anchor);
+    const auto shape = trace.shape(span, anchor);
+    const auto functions = trace.basis().spanFunctions(span);
+    for (std::size_t a = 0; a < functions.size(); ++a)
+      collocation(k, functions[a]) = shape.R(static_cast<Eigen::Index>(a));
+    motion.places.col(k).template head<Dim>() = trace.position(anchor);
+  }
+  const Eigen::MatrixXd inverse = collocation.partialPivLu().inverse();
+  motion.interpolation = inverse(chosen, Eigen::all);
+  return motion;
+}
+
+template <int Dim>
+void Supports<Dim>::append(Motion motion, const std::string& place, const std::string& face, int component) {
+  // A control point that two supports hold must be moved by both in the same way.
+  std::vector<int> shared;
+  for (const int unknown : motion.unknowns)
+    if (prescribed_[static_cast<std::size_t>(unknown)]) shared.push_back(unknown);
+  if (!shared.empty()) {
+    Eigen::VectorXd before = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(prescribed_.size()));
+    Eigen::VectorXd now = before;
+    for (const double t : times_) {
+      setValues(t, before);
+      now(motion.unknowns) = motion.values(t);
+      const double scale = std::max(before.cwiseAbs().maxCoeff(), now.cwiseAbs().maxCoeff());
+      for (const int unknown : shared)
+        if (!(std::abs(before(unknown) - now(unknown)) <= 1e-9 * scale))
+          throw Error(
+              fmt::format("{}: face '{}' meets another support where component {} is prescribed differently "
+                          "by the two at t = {:.6g} ({:.6g} and {:.6g}); give both the same motion",
+                          place, face, kComponents[static_cast<std::size_t>(component)], t, before(unknown),
+                          now(unknown)));
+    }
+  }
+  for (const int unknown : motion.unknowns) prescribed_[static_cast<std::size_t>(unknown)] = true;
+  motions_.push_back(std::move(motion));
+}
+
+template <int Dim>
+void Supports<Dim>::setValues(double t, Eigen::VectorXd& x) const {
+  for (const Motion& motion : motions_) x(motion.unknowns) = motion.values(t);
+}
+
+template class FaceFinder<2>;
+template class FaceFinder<3>;
+template class Supports<2>;
+template class Supports<3>;
+
+}  // namespace burnish

@@ -1,0 +1,76 @@
+#pragma once
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene.h"
+#include "engine/solid/body.h"
+
+namespace burnish {
+
+/// The patches of a body by the names of the scene.
+template <int Dim>
+class FaceFinder {
+ public:
+  /// names: one per patch. The body must outlive the object.
+  FaceFinder(const Body<Dim>& body, std::vector<std::string> names) : body_(body), names_(std::move(names)) {}
+
+  /// Number of the patch; of the first one for an empty name.
+  int patch(const std::string& name) const;
+
+  const Body<Dim>& body() const { return body_; }
+
+  /// Functions of the patch on the face, and their nodes.
+  std::vector<int> functions(const FaceSpec& place) const;
+  std::vector<int> nodes(const FaceSpec& place) const;
+
+ private:
+  const Body<Dim>& body_;
+  std::vector<std::string> names_;
+};
+
+/// Displacement components that the supports of a scene prescribe.
+///
+/// On a part of a face those control points are held whose Greville abscissae (or nodes) lie in it. A formula
+/// is interpolated there by the trace of the basis at the same places.
+template <int Dim>
+class Supports {
+ public:
+  /// Throws `Error` for a symmetric support on a face that is not flat, for a part without control points,
+  /// and where two supports prescribe one component differently.
+  Supports(const Scene& scene, const FaceFinder<Dim>& faces);
+
+  /// One flag per displacement component.
+  const std::vector<bool>& prescribed() const { return prescribed_; }
+
+  /// Writes the values at time t into the prescribed entries.
+  void setValues(double t, Eigen::VectorXd& x) const;
+
+  /// Times at which a schedule has a corner.
+  const std::vector<double>& corners() const { return corners_; }
+
+ private:
+  /// Values of one component on the control points of one face over time.
+  struct Motion {
+    std::vector<int> unknowns;
+    Schedule schedule;              ///< the same for all; or, if there are formulas,
+    std::vector<Formula> formulas;  ///< at most one, interpolated at
+    Eigen::Matrix3Xd places;        ///< reference positions of the whole face's anchors,
+    Eigen::MatrixXd interpolation;  ///< unknowns x anchors, by this matrix
+
+    Eigen::VectorXd values(double t) const;
+  };
+
+  void add(const SupportSpec& spec, const std::string& place, const Scene& scene,
+           const FaceFinder<Dim>& faces);
+  Motion formulaMotion(const SupportSpec& spec, const Formula& formula, const FaceFinder<Dim>& faces,
+                       const std::vector<std::size_t>& chosen) const;
+  void append(Motion motion, const std::string& place, const std::string& face, int component);
+
+  std::vector<bool> prescribed_;
+  std::vector<Motion> motions_;
+  std::vector<double> corners_;
+  std::vector<double> times_;  ///< at which two supports of one component are compared
+};
+
+}  // namespace burnish

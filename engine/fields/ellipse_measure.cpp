@@ -1,0 +1,63 @@
+#include "engine/fields/ellipse_measure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+std::pair<Eigen::VectorXd, double> EllipseMeasure::arcLengths(const Eigen::VectorXd& x) const {
+  const auto& face = contact_.face();
+  const Eigen::MatrixXd positions = contact_.positions(x);
+  const auto corner = [&](int function) {
+    return Eigen::Vector2d(face.points().col(function) +
+                           x.segment<2>(2 * face.nodes()[static_cast<std::size_t>(function)]));
+  };
+  Eigen::VectorXd s(positions.cols());
+  double length = 0.0;
+  Eigen::Vector2d last = corner(0);
+  for (Eigen::Index q = 0; q < s.size(); ++q) {
+    length += (positions.col(q) - last).norm();
+    s(q) = length;
+    last = positions.col(q);
+  }
+  return {s, length + (corner(face.numFunctions() - 1) - last).norm()};
+}
+
+std::vector<double> EllipseMeasure::values(const MeasuredState& state) const {
+  constexpr double kLowest = 0.2, kInside = 0.9;
+  const auto [s, length] = arcLengths(state.x);
+  const Eigen::VectorXd& p = contact_.state().pressure;
+  const auto count = static_cast<Eigen::Index>((p.array() > kLowest * p.maxCoeff()).count());
+  if (count < 5) return {0.0, 0.0, 0.0, 0.0};
+  Eigen::VectorXd places(count), squares(count);
+  for (Eigen::Index q = 0, k = 0; q < p.size(); ++q) {
+    if (!(p(q) > kLowest * p.maxCoeff())) continue;
+    places(k) = s(q);
+    squares(k++) = p(q) * p(q);
+  }
+
+  // p² = c0 + c1 r² (+ c2 r), r from the origin in units of the chosen points' extent
+  const double origin = middle_ == Middle::Free ? places(0) : middle_ == Middle::Begin ? 0.0 : length;
+  const double unit = (places.array() - origin).abs().maxCoeff();
+  const Eigen::VectorXd r = (places.array() - origin) / unit;
+  Eigen::MatrixXd powers(count, middle_ == Middle::Free ? 3 : 2);
+  powers.col(0).setOnes();
+  powers.col(1) = r.cwiseAbs2();
+  if (middle_ == Middle::Free) powers.col(2) = r;
+  const Eigen::VectorXd c = powers.colPivHouseholderQr().solve(squares);
+  const double shift = middle_ == Middle::Free ? -0.5 * c(2) / c(1) : 0.0;
+  const double peakSquared = c(0) - c(1) * shift * shift;
+  if (!(c(1) < 0.0) || !(peakSquared > 0.0)) return {0.0, 0.0, 0.0, 0.0};
+  const double peak = std::sqrt(peakSquared), halfWidth = unit * std::sqrt(-peakSquared / c(1));
+  const double middle = origin + shift * unit;
+
+  double deviation = 0.0;
+  for (Eigen::Index q = 0; q < p.size(); ++q) {
+    const double share = (s(q) - middle) / halfWidth;
+    if (std::abs(share) <= kInside)
+      deviation = std::max(deviation, std::abs(p(q) - peak * std::sqrt(1.0 - share * share)));
+  }
+  return {peak, halfWidth, middle, deviation / peak};
+}
+
+}  // namespace burnish

@@ -1,0 +1,40 @@
+#include "engine/fields/face_measure.h"
+
+#include <set>
+
+namespace burnish {
+
+template <int Dim>
+std::vector<std::string> FaceMeasure<Dim>::columns() const {
+  if constexpr (Dim == 2)
+    return {"ux", "uy", "fx", "fy"};
+  else
+    return {"ux", "uy", "uz", "fx", "fy", "fz"};
+}
+
+template <int Dim>
+std::vector<double> FaceMeasure<Dim>::values(const MeasuredState& state) const {
+  using Vector = Eigen::Vector<double, Dim>;
+  Vector displacement = Vector::Zero(), force = Vector::Zero();
+  double area = 0.0;
+  std::set<int> nodes;
+  for (const auto& span : face_.spans()) {
+    area += span.weights.sum();
+    for (std::size_t a = 0; a < span.functions.size(); ++a) {
+      const int node = face_.nodes()[static_cast<std::size_t>(span.functions[a])];
+      nodes.insert(node);
+      displacement += span.R.row(static_cast<Eigen::Index>(a)).dot(span.weights) *
+                      state.x.template segment<Dim>(Dim * node);
+    }
+  }
+  for (const int node : nodes) force += state.bulkForce.template segment<Dim>(Dim * node);
+  displacement /= area;
+  std::vector<double> result(displacement.begin(), displacement.end());
+  result.insert(result.end(), force.begin(), force.end());
+  return result;
+}
+
+template class FaceMeasure<2>;
+template class FaceMeasure<3>;
+
+}  // namespace burnish

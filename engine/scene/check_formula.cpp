@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "engine/core/error.h"
+#include "engine/scene/check_context.h"
+#include "engine/scene/nearest.h"
+
+namespace burnish {
+
+void checkFormula(const CheckContext& c, const std::string& path, const FormulaText& text, bool constant) {
+  if (!c.clean(path) || !c.clean("definitions")) return;
+  try {
+    const Formula formula(text, c.scene.definitions);
+    for (const char* variable : {"X", "Y", "Z", "t"})
+      if (constant && formula.dependsOn(variable))
+        return c.report(
+            path, fmt::format("found \"{}\", which depends on {}; allowed: a number or a formula in the "
+                              "definitions alone.",
+                              text.text, variable));
+    if (c.dimensionIsKnown() && c.scene.dim() == 2 && formula.dependsOn("Z"))
+      c.report(path, fmt::format("found \"{}\", which depends on Z; allowed in two dimensions: X, Y and t.",
+                                 text.text));
+  } catch (const Error& problem) {
+    c.report(path, fmt::format("{}.", problem.what()));
+  }
+}
+
+void checkPatch(const CheckContext& c, const std::string& path, const std::string& patch) {
+  if (!c.clean(path) || !c.clean("geometry")) return;
+  const auto* several = std::get_if<PatchesSpec>(&c.scene.geometry.shape);
+  if (several == nullptr) {
+    if (!patch.empty())
+      c.report(path,
+               fmt::format("found {}, but the body has a single patch; allowed: leave the key out.", patch));
+    return;
+  }
+  std::vector<std::string> names;
+  for (const PatchSpec& spec : several->patches) names.push_back(spec.name);
+  if (std::find(names.begin(), names.end(), patch) == names.end())
+    c.report(path, fmt::format("{}; allowed: {}.{}", patch.empty() ? "missing" : "found " + patch,
+                               fmt::join(names, " | "), didYouMean(patch, names)));
+}
+
+void checkDefinitions(const CheckContext& c) {
+  std::vector<std::string> taken{"X", "Y", "Z", "t", "s"};
+  for (std::size_t k = 0; k < c.scene.definitions.size(); ++k) {
+    const auto& definition = c.scene.definitions[k];
+    const std::string path = fmt::format("definitions[{}]", k);
+    if (!c.clean(path)) continue;
+    if (std::find(taken.begin(), taken.end(), definition.name) != taken.end())
+      c.report(path + ".name",
+               fmt::format("found {}, which already has a meaning; allowed: another name.", definition.name));
+    taken.push_back(definition.name);
+    try {
+      static_cast<void>(Formula(
+          definition.formula,
+          {c.scene.definitions.begin(), c.scene.definitions.begin() + static_cast<std::ptrdiff_t>(k)}));
+    } catch (const Error& problem) {
+      c.report(path + ".formula", fmt::format("{}.", problem.what()));
+    }
+  }
+}
+
+}  // namespace burnish

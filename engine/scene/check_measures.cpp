@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "engine/scene/check_context.h"
+
+namespace burnish {
+namespace {
+
+void checkKind(const CheckContext& c, const std::string& path, const PointMeasureSpec& point) {
+  if (point.parameters.empty() == point.position.empty() && c.clean(path))
+    c.report(path, fmt::format("found {}; allowed: exactly one of parameters and position.",
+                               point.position.empty() ? "neither parameters nor position" : "both"));
+  if (!point.patch.empty() || point.position.empty()) checkPatch(c, path + ".patch", point.patch);
+  for (std::size_t k = 0; k < point.fields.size(); ++k)
+    if (point.fields[k] == "plastic_strain" && std::holds_alternative<NeoHookeanSpec>(c.scene.material))
+      c.report(fmt::format("{}.fields[{}]", path, k),
+               "found plastic_strain, but the material is elastic; allowed here: another field.");
+}
+
+void checkKind(const CheckContext& c, const std::string& path, const FaceMeasureSpec& face) {
+  checkFace(c, path, face.place);
+}
+
+void checkKind(const CheckContext& c, const std::string& path, const ErrorMeasureSpec& error) {
+  for (std::size_t d = 0; d < error.displacement.size(); ++d)
+    checkFormula(c, fmt::format("{}.displacement[{}]", path, d), error.displacement[d]);
+}
+
+void checkKind(const CheckContext& c, const std::string& path, const EllipseMeasureSpec& ellipse) {
+  checkFace(c, path, ellipse.place);
+}
+
+}  // namespace
+
+void checkMeasures(const CheckContext& c) {
+  std::set<std::string> names;
+  for (const auto& tool : c.scene.tools) names.insert(tool.name);
+  for (std::size_t k = 0; k < c.scene.measures.size(); ++k) {
+    const auto& measure = c.scene.measures[k];
+    const std::string path = fmt::format("measures[{}]", k);
+    if (c.clean(path + ".name") && !names.insert(measure.name).second)
+      c.report(path + ".name",
+               fmt::format("found {}, the name of another measure or tool; allowed: a name of its own.",
+                           measure.name));
+    if (c.clean(path + ".kind"))
+      std::visit([&](const auto& kind) { checkKind(c, path, kind); }, measure.kind);
+  }
+}
+
+}  // namespace burnish

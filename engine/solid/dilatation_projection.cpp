@@ -1,0 +1,103 @@
+#include "engine/solid/dilatation_projection.h"
+
+#include <map>
+#include <utility>
+
+namespace burnish {
+namespace {
+
+template <int Dim>
+TensorBasis<Dim> derivativeSpace(const TensorBasis<Dim>& basis) {
+  std::vector<UnivariateBasis> directions;
+  for (int d = 0; d < Dim; ++d) directions.push_back(basis.direction(d).derivativeSpace());
+  return TensorBasis<Dim>(std::move(directions));
+}
+
+/// Values of the functions of a span, first direction fastest.
+template <int Dim>
+Eigen::VectorXd functionValues(const TensorBasis<Dim>& basis, int span,
+                               const Eigen::Vector<double, Dim>& xi) {
+  const auto index = basis.spanIndex(span);
+  Eigen::VectorXd values = Eigen::VectorXd::Ones(1);
+  for (int d = 0; d < Dim; ++d) {
+    const Eigen::VectorXd along = basis.direction(d).evaluate(index[static_cast<std::size_t>(d)], xi(d), 0);
+    const Eigen::MatrixXd product = values * along.transpose();
+    values = product.reshaped();
+  }
+  return values;
+}
+
+}  // namespace
+
+template <int Dim>
+DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
+                                                const SpanQuadrature<Dim>& quadrature) {
+  std::vector<TensorBasis<Dim>> spaces;
+  std::vector<int> firstFunction;
+  for (const auto& patch : body.patches) {
+    firstFunction.push_back(numFunctions_);
+    spaces.push_back(derivativeSpace(patch.basis()));
+    numFunctions_ += spaces.back().numFunctions();
+  }
+
+  Eigen::VectorXd integrals = Eigen::VectorXd::Zero(numFunctions_);
+  for (const auto& source : quadrature.spans()) {
+    const auto patch = static_cast<std::size_t>(source.patch);
+    const auto& space = spaces[patch];
+    Span span;
+    span.functions = space.spanFunctions(source.number);
+    for (int& function : span.functions) function += firstFunction[patch];
+    span.N.resize(space.functionsPerSpan(), source.weights.size());
+    for (Eigen::Index q = 0; q < source.weights.size(); ++q)
+      span.N.col(q) = functionValues<Dim>(space, source.number, source.xi.col(q));
+    integrals(span.functions) += span.N * source.weights;
+    spans_.push_back(std::move(span));
+  }
+
+  for (std::size_t e = 0; e < spans_.size(); ++e) {
+    Span& span = spans_[e];
+    const auto& weights = quadrature.spans()[e].weights;
+    const Eigen::MatrixXd weighted = span.N * weights.asDiagonal();
+    const Eigen::VectorXd share = (span.N * weights).cwiseQuotient(integrals(span.functions));
+    span.L = share.asDiagonal() * (weighted * span.N.transpose()).ldlt().solve(weighted);
+  }
+  findNeighbours(quadrature);
+}
+
+template <int Dim>
+void DilatationProjection<Dim>::findNeighbours(const SpanQuadrature<Dim>& quadrature) {
+  std::vector<std::vector<std::pair<std::size_t, int>>> uses(static_cast<std::size_t>(numFunctions_));
+  for (std::size_t e = 0; e < spans_.size(); ++e)
+    for (std::size_t a = 0; a < spans_[e].functions.size(); ++a)
+      uses[static_cast<std::size_t>(spans_[e].functions[a])].emplace_back(e, static_cast<int>(a));
+
+  std::vector<int> place(static_cast<std::size_t>(quadrature.numNodes()), -1);
+  for (std::size_t e = 0; e < spans_.size(); ++e) {
+    Span& span = spans_[e];
+    std::map<std::size_t, std::vector<std::pair<int, int>>> shared;
+    for (std::size_t a = 0; a < span.functions.size(); ++a)
+      for (const auto& [other, b] : uses[static_cast<std::size_t>(span.functions[a])])
+        shared[other].emplace_back(static_cast<int>(a), b);
+
+    const auto placeOf = [&](int node) {
+      int& known = place[static_cast<std::size_t>(node)];
+      if (known < 0) {
+        known = static_cast<int>(span.nodes.size());
+        span.nodes.push_back(node);
+      }
+      return known;
+    };
+    for (const int node : quadrature.spans()[e].nodes) placeOf(node);
+    for (auto& [other, functions] : shared) {
+      Neighbour neighbour{other, {}, std::move(functions)};
+      for (const int node : quadrature.spans()[other].nodes) neighbour.places.push_back(placeOf(node));
+      span.neighbours.push_back(std::move(neighbour));
+    }
+    for (const int node : span.nodes) place[static_cast<std::size_t>(node)] = -1;
+  }
+}
+
+template class DilatationProjection<2>;
+template class DilatationProjection<3>;
+
+}  // namespace burnish

@@ -1,0 +1,108 @@
+#include "engine/solid/displacement_term.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "engine/solid/parallel_spans.h"
+#include "engine/solid/span_kernel.h"
+
+namespace burnish {
+namespace {
+
+template <int Dim>
+CouplingGroups spanGroups(const SpanQuadrature<Dim>& quadrature) {
+  CouplingGroups groups;
+  for (const auto& span : quadrature.spans()) groups.push_back(unknownsOf<Dim>(span.nodes));
+  return groups;
+}
+
+}  // namespace
+
+/// Buffers of one thread; sized at first use, so that the span loop does not allocate.
+template <int Dim>
+template <Kinematics K>
+struct DisplacementTerm<Dim>::Workspace {
+  Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
+  SpanKernel<K> kernel;
+  Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
+};
+
+template <int Dim>
+DisplacementTerm<Dim>::DisplacementTerm(const SpanQuadrature<Dim>& quadrature, Material material)
+    : BulkTerm<Dim>(quadrature, std::move(material), spanGroups(quadrature)) {}
+
+template <int Dim>
+template <Kinematics K, class Law>
+bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen::VectorXd& x,
+                                         Assembly& out, Workspace<K>& work) {
+  constexpr int C = kColumns<K>;
+  const auto& span = this->quadrature_.spans()[number];
+  const auto n = static_cast<Eigen::Index>(span.nodes.size());
+  const Eigen::Index Q = span.weights.size();
+  const bool wantTangent = out.system != nullptr;
+  gatherNodes<Dim>(x, span.nodes, work.u);
+  work.kernel.resize(n, Q, wantTangent);
+
+  BulkSummary summary;
+  MaterialResponse<Dim> response;
+  for (Eigen::Index q = 0; q < Q; ++q) {
+    const auto G = span.G.template middleCols<C>(C * q);
+    const Eigen::Matrix3d F = deformationGradient<K>(work.u, G);
+    const double J = volumeRatio<K>(F);
+    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    const double w = span.weights(q);
+    if (!(J > 0.0) || !this->respond(law, point, w, F, response, summary)) return false;
+    summary.minJ = std::min(summary.minJ, J);
+    this->J_[point] = J;
+    this->stress_[point] = response.tau;
+
+    pushForward<K>(G, F, work.kernel.gradients(q));
+    work.kernel.setStress(q, w * response.tau);
+    if (wantTangent) work.kernel.setModuli(q, w, response.tau, response.c, 0.0);
+  }
+  this->spanSummaries_[number] = summary;
+
+  work.kernel.multiply();
+  for (Eigen::Index a = 0; a < n; ++a)
+    out.force.segment<Dim>(Dim * span.nodes[static_cast<std::size_t>(a)]) += work.kernel.force(a);
+  if (!wantTangent) return true;
+
+  work.tangent.resize(Dim * n, Dim * n);
+  for (int i = 0; i < Dim; ++i)
+    for (int k = i; k < Dim; ++k) {
+      const auto block = work.kernel.tangentBlock(i, k);
+      work.tangent.block(i * n, k * n, n, n) = block;
+      if (i != k) work.tangent.block(k * n, i * n, n, n) = block.transpose();
+    }
+  out.system->add(out.term, number, work.tangent);
+  return true;
+}
+
+template <int Dim>
+template <Kinematics K, class Law>
+bool DisplacementTerm<Dim>::evaluateAll(const Law& law, const Eigen::VectorXd& x, Assembly& out) {
+  tbb::enumerable_thread_specific<Workspace<K>> workspaces;
+  return std::all_of(this->colours_.begin(), this->colours_.end(), [&](const auto& colour) {
+    return parallelAll(colour.size(), 8, [&](std::size_t k) {
+      return evaluateSpan<K>(law, static_cast<std::size_t>(colour[k]), x, out, workspaces.local());
+    });
+  });
+}
+
+template <int Dim>
+bool DisplacementTerm<Dim>::evaluate(double, const Eigen::VectorXd& x, Assembly& out) {
+  const bool admissible = withKinematics<Dim>(this->quadrature_.kinematics(), [&](auto kinematics) {
+    return std::visit([&](const auto& law) { return evaluateAll<decltype(kinematics)::value>(law, x, out); },
+                      this->material_);
+  });
+  if (admissible) this->summarise();
+  return admissible;
+}
+
+template class DisplacementTerm<2>;
+template class DisplacementTerm<3>;
+
+}  // namespace burnish

@@ -1,0 +1,26 @@
+#pragma once
+#include "engine/solid/bulk_term.h"
+
+namespace burnish {
+
+/// The pure displacement formulation: δΠ = ∫ P : ∇_X δu dV with the consistent tangent.
+template <int Dim>
+class DisplacementTerm final : public BulkTerm<Dim> {
+ public:
+  /// The quadrature must outlive the term.
+  DisplacementTerm(const SpanQuadrature<Dim>& quadrature, Material material);
+
+  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+
+ private:
+  template <Kinematics K>
+  struct Workspace;
+
+  template <Kinematics K, class Law>
+  bool evaluateAll(const Law& law, const Eigen::VectorXd& x, Assembly& out);
+  template <Kinematics K, class Law>
+  bool evaluateSpan(const Law& law, std::size_t number, const Eigen::VectorXd& x, Assembly& out,
+                    Workspace<K>& work);
+};
+
+}  // namespace burnish

@@ -1,0 +1,199 @@
+#include "engine/solid/face_match.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace burnish {
+namespace {
+
+/// Relative difference up to which knots and weights are the same.
+constexpr double kSame = 1e-10;
+
+/// Knots scaled to [0, 1], of the reversed direction if so wanted.
+std::vector<double> scaledKnots(const UnivariateBasis& basis, bool reversed) {
+  std::vector<double> knots = basis.knots();
+  const double begin = knots.front(), length = knots.back() - begin;
+  for (double& knot : knots) knot = (knot - begin) / length;
+  if (!reversed) return knots;
+  std::reverse(knots.begin(), knots.end());
+  for (double& knot : knots) knot = 1.0 - knot;
+  return knots;
+}
+
+bool sameKnots(const UnivariateBasis& first, const UnivariateBasis& second, bool reversed) {
+  const auto a = scaledKnots(first, false), b = scaledKnots(second, reversed);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return std::abs(x - y) <= kSame; });
+}
+
+std::optional<std::string> basisDifference(const UnivariateBasis& first, const UnivariateBasis& second,
+                                           bool reversed) {
+  if (first.degree() != second.degree())
+    return fmt::format("their degrees are {} and {}", first.degree(), second.degree());
+  if (first.numFunctions() != second.numFunctions())
+    return fmt::format("they have {} and {} basis functions", first.numFunctions(), second.numFunctions());
+  if (!sameKnots(first, second, reversed)) return "their knots differ";
+  return std::nullopt;
+}
+
+/// A function's number when its first direction runs fastest, from a rule for each direction.
+template <int P, class Rule>
+int functionBy(const TensorBasis<P>& basis, Rule&& rule) {
+  typename TensorBasis<P>::Index index{};
+  for (int d = 0; d < P; ++d) index[static_cast<std::size_t>(d)] = rule(d);
+  return basis.functionNumber(index);
+}
+
+/// The 2^P functions at the corners.
+template <int P>
+std::vector<int> cornerFunctions(const TensorBasis<P>& basis) {
+  std::vector<int> corners;
+  for (int corner = 0; corner < 1 << P; ++corner)
+    corners.push_back(functionBy(
+        basis, [&](int d) { return (corner >> d) % 2 == 0 ? 0 : basis.direction(d).numFunctions() - 1; }));
+  return corners;
+}
+
+/// Function of the second basis at the corner that lies where corner number `corner` of the first one does.
+template <int P>
+int cornerCounterpart(const TensorBasis<P>& second, int corner, const FaceOrientation<P>& orientation) {
+  typename TensorBasis<P>::Index index{};
+  for (int d = 0; d < P; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    const bool atEnd = ((corner >> d) % 2 != 0) != orientation.reversed[k];
+    const int along = orientation.along[k];
+    index[static_cast<std::size_t>(along)] = atEnd ? second.direction(along).numFunctions() - 1 : 0;
+  }
+  return second.functionNumber(index);
+}
+
+/// Parameters of a grid of n points per direction between the ends.
+template <int P>
+std::vector<Eigen::Vector<double, P>> innerGrid(const TensorBasis<P>& basis, int n) {
+  std::vector<Eigen::Vector<double, P>> grid;
+  const int count = P == 1 ? n : n * n;
+  for (int i = 0; i < count; ++i) {
+    Eigen::Vector<double, P> xi;
+    for (int d = 0; d < P; ++d) {
+      const auto& breakpoints = basis.direction(d).breakpoints();
+      const double s = ((d == 0 ? i % n : i / n) + 0.5) / n;
+      xi(d) = breakpoints.front() + s * (breakpoints.back() - breakpoints.front());
+    }
+    grid.push_back(xi);
+  }
+  return grid;
+}
+
+/// Distance of a point from a patch: Gauss-Newton steps from the closest point of a grid.
+template <int P, int S>
+double distance(const Patch<P, S>& patch, const Eigen::Vector<double, S>& point,
+                const std::vector<Eigen::Vector<double, P>>& grid) {
+  const auto away = [&](const Eigen::Vector<double, P>& xi) { return (point - patch.position(xi)).norm(); };
+  Eigen::Vector<double, P> xi = *std::min_element(
+      grid.begin(), grid.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+  double nearest = away(xi);
+  constexpr int kSteps = 5;
+  for (int step = 0; step < kSteps; ++step) {
+    const Eigen::Matrix<double, S, P> J = patch.jacobian(xi);
+    xi += J.completeOrthogonalDecomposition().solve(point - patch.position(xi));
+    for (int d = 0; d < P; ++d) {
+      const auto& breakpoints = patch.basis().direction(d).breakpoints();
+      xi(d) = std::clamp(xi(d), breakpoints.front(), breakpoints.back());
+    }
+    nearest = std::min(nearest, away(xi));
+  }
+  return nearest;
+}
+
+}  // namespace
+
+template <>
+std::vector<FaceOrientation<1>> faceOrientations() {
+  return {{{0}, {false}}, {{0}, {true}}};
+}
+
+template <>
+std::vector<FaceOrientation<2>> faceOrientations() {
+  std::vector<FaceOrientation<2>> all;
+  for (const auto& along : {std::array{0, 1}, std::array{1, 0}})
+    for (const bool first : {false, true})
+      for (const bool second : {false, true}) all.push_back({along, {first, second}});
+  return all;
+}
+
+template <int P, int S>
+bool cornersMeet(const Patch<P, S>& first, const Patch<P, S>& second, const FaceOrientation<P>& orientation,
+                 double tolerance) {
+  const auto corners = cornerFunctions(first.basis());
+  for (int corner = 0; corner < 1 << P; ++corner) {
+    const int other = cornerCounterpart(second.basis(), corner, orientation);
+    if ((first.points().col(corners[static_cast<std::size_t>(corner)]) - second.points().col(other)).norm() >
+        tolerance)
+      return false;
+  }
+  return true;
+}
+
+template <int P, int S>
+bool liesOn(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance) {
+  constexpr int kSamples = 7, kStarts = 15;
+  const auto samples = innerGrid(first.basis(), kSamples), starts = innerGrid(second.basis(), kStarts);
+  return std::all_of(samples.begin(), samples.end(), [&](const auto& xi) {
+    return distance<P, S>(second, first.position(xi), starts) <= tolerance;
+  });
+}
+
+template <int P>
+std::vector<int> counterparts(const TensorBasis<P>& first, const TensorBasis<P>& second,
+                              const FaceOrientation<P>& orientation) {
+  std::vector<int> result;
+  for (int a = 0; a < first.numFunctions(); ++a) {
+    const auto index = first.functionIndex(a);
+    typename TensorBasis<P>::Index other{};
+    for (std::size_t d = 0; d < P; ++d) {
+      const int last = first.direction(static_cast<int>(d)).numFunctions() - 1;
+      other[static_cast<std::size_t>(orientation.along[d])] =
+          orientation.reversed[d] ? last - index[d] : index[d];
+    }
+    result.push_back(second.functionNumber(other));
+  }
+  return result;
+}
+
+template <int P, int S>
+std::optional<std::string> faceDifference(const Patch<P, S>& first, const Patch<P, S>& second,
+                                          const FaceOrientation<P>& orientation, double tolerance) {
+  for (int d = 0; d < P; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    if (auto text = basisDifference(first.basis().direction(d),
+                                    second.basis().direction(orientation.along[k]), orientation.reversed[k]))
+      return text;
+  }
+  const auto other = counterparts(first.basis(), second.basis(), orientation);
+  const Eigen::VectorXd weights = second.weights()(other);
+  // The rational functions do not change when all weights grow by the same factor.
+  const double factor = weights.maxCoeff() / first.weights().maxCoeff();
+  if ((weights - factor * first.weights()).cwiseAbs().maxCoeff() > kSame * weights.maxCoeff())
+    return "their weights differ";
+  const double apart = (second.points()(Eigen::all, other) - first.points()).colwise().norm().maxCoeff();
+  if (apart > tolerance) return fmt::format("their control points are up to {:.3g} apart", apart);
+  return std::nullopt;
+}
+
+template bool cornersMeet(const Patch<1, 2>&, const Patch<1, 2>&, const FaceOrientation<1>&, double);
+template bool cornersMeet(const Patch<2, 3>&, const Patch<2, 3>&, const FaceOrientation<2>&, double);
+template bool liesOn(const Patch<1, 2>&, const Patch<1, 2>&, double);
+template bool liesOn(const Patch<2, 3>&, const Patch<2, 3>&, double);
+template std::optional<std::string> faceDifference(const Patch<1, 2>&, const Patch<1, 2>&,
+                                                   const FaceOrientation<1>&, double);
+template std::optional<std::string> faceDifference(const Patch<2, 3>&, const Patch<2, 3>&,
+                                                   const FaceOrientation<2>&, double);
+template std::vector<int> counterparts(const TensorBasis<1>&, const TensorBasis<1>&,
+                                       const FaceOrientation<1>&);
+template std::vector<int> counterparts(const TensorBasis<2>&, const TensorBasis<2>&,
+                                       const FaceOrientation<2>&);
+
+}  // namespace burnish

@@ -1,0 +1,22 @@
+#pragma once
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cstddef>
+
+namespace burnish {
+
+/// Calls f(i) for i in [0, count) on all threads, `grain` calls in a row on one; f returns false if the state
+/// is not admissible, and then no further calls are started. Returns whether all calls returned true.
+template <class F>
+bool parallelAll(std::size_t count, std::size_t grain, const F& f) {
+  std::atomic<bool> admissible{true};
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end() && admissible; ++i)
+      if (!f(i)) admissible = false;
+  });
+  return admissible;
+}
+
+}  // namespace burnish

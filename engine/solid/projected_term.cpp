@@ -1,0 +1,289 @@
+#include "engine/solid/projected_term.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "engine/core/blas.h"
+#include "engine/material/volume_change.h"
+#include "engine/solid/parallel_spans.h"
+#include "engine/solid/span_kernel.h"
+
+namespace burnish {
+namespace {
+
+template <int Dim>
+CouplingGroups spanGroups(const DilatationProjection<Dim>& projection) {
+  CouplingGroups groups;
+  for (const auto& span : projection.spans()) groups.push_back(unknownsOf<Dim>(span.nodes));
+  return groups;
+}
+
+/// D : T for the gradient D of every unknown of a span, component by component: Dim·n values.
+template <Kinematics K, class G, class Stress, class Out>
+void contract(const G& g, const Stress& T, Out&& out) {
+  const Eigen::Index n = g.rows();
+  for (int i = 0; i < kDimOf<K>; ++i) {
+    out.segment(i * n, n).setZero();
+    for (int j = 0; j < kColumns<K>; ++j)
+      if (gradientPlace<K>(i, j) >= 0) out.segment(i * n, n) += T(gradientPlace<K>(i, j)) * g.col(j);
+  }
+}
+
+/// Factors of the second variation at a point, split by the gradients D of the displacement and the relative
+/// changes η = δJ̄/J̄:  D : c : D + (D τ̄) : D + r tr(D D)  +  2 η (B : D)  +  e η².
+template <Kinematics K>
+struct PointModuli {
+  static constexpr int kDim = kDimOf<K>;
+  typename MaterialResponse<kDim>::Tangent c;
+  typename MaterialResponse<kDim>::Stress B;
+  double e;
+  double r;
+
+  /// p: mean stress of the law; projected: the one in equilibrium with the body, per J.
+  PointModuli(const MaterialResponse<kDim>& response, double p, double projected) {
+    constexpr double m = kColumns<K>;
+    const auto one = blockIdentity<K>();
+    const typename MaterialResponse<kDim>::Stress traced = response.c * one;
+    const double volumetric = one.dot(traced) / (m * m) + 2.0 * p / m;
+    const typename MaterialResponse<kDim>::Stress a = (traced + 2.0 * response.tau) / m;
+    B = a - volumetric * one;
+    c = response.c - one * a.transpose() - a * one.transpose() +
+        (volumetric + projected) * one * one.transpose();
+    e = volumetric - p;
+    r = p - projected;
+  }
+};
+
+}  // namespace
+
+/// Buffers of one thread.
+template <int Dim>
+template <Kinematics K>
+struct ProjectedTerm<Dim>::Workspace {
+  Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
+  Eigen::Matrix<double, Eigen::Dynamic, kColumns<K>> g;
+  Eigen::MatrixXd perPoint;  // Dim·n x Q: a value of every unknown at every point
+  SpanKernel<K> kernel;
+  Eigen::VectorXd e;         // Q: weighted factors of η²
+  Eigen::MatrixXd cross;     // Dim·n x m
+  Eigen::MatrixXd Z;         // unknowns of the group x m: derivatives of the coefficients of J̄
+  Eigen::MatrixXd Y;         // unknowns of the group x m: what Z is paired with
+  Eigen::MatrixXd tangent;   // unknowns of the group, squared
+  Eigen::MatrixXd coupling;  // unknowns of the group, squared
+};
+
+template <int Dim>
+ProjectedTerm<Dim>::ProjectedTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature,
+                                  Material material)
+    : ProjectedTerm(quadrature, std::move(material), DilatationProjection<Dim>(body, quadrature)) {}
+
+template <int Dim>
+ProjectedTerm<Dim>::ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Material material,
+                                  DilatationProjection<Dim> projection)
+    : BulkTerm<Dim>(quadrature, std::move(material), spanGroups(projection)),
+      projection_(std::move(projection)),
+      F_(static_cast<std::size_t>(quadrature.numPoints())),
+      responses_(F_.size()),
+      Jbar_(Eigen::VectorXd::Ones(quadrature.numPoints())),
+      dilatation_(Eigen::VectorXd::Zero(projection_.numFunctions())),
+      pressure_(Eigen::VectorXd::Zero(projection_.numFunctions())),
+      spanDilatations_(quadrature.spans().size()),
+      spanGradients_(quadrature.spans().size()) {}
+
+/// F, J, and what the span contributes to J̄ and its derivative; false where J is not positive.
+template <int Dim>
+template <Kinematics K>
+bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, bool wantTangent,
+                                 Workspace<K>& work) {
+  constexpr int C = kColumns<K>;
+  const auto& span = this->quadrature_.spans()[number];
+  const auto n = static_cast<Eigen::Index>(span.nodes.size());
+  const Eigen::Index Q = span.weights.size();
+  gatherNodes<Dim>(x, span.nodes, work.u);
+  work.g.resize(n, C);
+  work.perPoint.resize(Dim * n, wantTangent ? Q : 0);
+
+  BulkSummary summary;
+  Eigen::VectorXd dilatation(Q);
+  for (Eigen::Index q = 0; q < Q; ++q) {
+    const auto G = span.G.template middleCols<C>(C * q);
+    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    F_[point] = deformationGradient<K>(work.u, G);
+    const double J = volumeRatio<K>(F_[point]);
+    if (!(J > 0.0)) return false;
+    this->J_[point] = J;
+    summary.minJ = std::min(summary.minJ, J);
+    dilatation(q) = VolumeChange(F_[point] - Eigen::Matrix3d::Identity()).minusOne();
+    if (!wantTangent) continue;
+    pushForward<K>(G, F_[point], work.g);
+    contract<K>(work.g, J * blockIdentity<K>(), work.perPoint.col(q));
+  }
+  this->spanSummaries_[number] = summary;
+  const Eigen::MatrixXd& L = projection_.spans()[number].L;
+  spanDilatations_[number] = L * dilatation;
+  if (wantTangent) multiplyTransposed(work.perPoint, L, spanGradients_[number]);
+  return true;
+}
+
+/// J̄, one span after the other: the same sums with any number of threads.
+template <int Dim>
+void ProjectedTerm<Dim>::gatherDilatation() {
+  dilatation_.setZero();
+  for (std::size_t e = 0; e < spanDilatations_.size(); ++e)
+    dilatation_(projection_.spans()[e].functions) += spanDilatations_[e];
+}
+
+/// The law at F̄; false where J̄ is not positive or the law cannot answer.
+template <int Dim>
+template <Kinematics K, class Law>
+bool ProjectedTerm<Dim>::respondOnSpan(const Law& law, std::size_t number) {
+  constexpr int C = kColumns<K>;
+  const auto& span = this->quadrature_.spans()[number];
+  const auto& projected = projection_.spans()[number];
+  const Eigen::VectorXd dilatation = projected.N.transpose() * dilatation_(projected.functions);
+  for (Eigen::Index q = 0; q < dilatation.size(); ++q) {
+    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    const double J = this->J_[point];
+    const double Jbar = 1.0 + dilatation(q);
+    if (!(Jbar > 0.0)) return false;
+    Jbar_(span.firstPoint + q) = Jbar;
+    Eigen::Matrix3d Fbar = F_[point];
+    Fbar.topLeftCorner<C, C>() *= std::pow(Jbar / J, 1.0 / C);
+    if (!this->respond(law, point, span.weights(q), Fbar, responses_[point], this->spanSummaries_[number]))
+      return false;
+    this->stress_[point] = (J / Jbar) * responses_[point].tau;
+  }
+  return true;
+}
+
+/// Σ N w p/J̄, the force on the coefficients of J̄.
+template <int Dim>
+void ProjectedTerm<Dim>::gatherPressure() {
+  pressure_.setZero();
+  const int m = gradientColumns(this->quadrature_.kinematics());
+  for (std::size_t e = 0; e < projection_.spans().size(); ++e) {
+    const auto& span = this->quadrature_.spans()[e];
+    const auto& projected = projection_.spans()[e];
+    Eigen::VectorXd weighted =
+        span.weights.cwiseQuotient(Jbar_.segment(span.firstPoint, span.weights.size()));
+    for (Eigen::Index q = 0; q < weighted.size(); ++q)
+      weighted(q) *= responses_[static_cast<std::size_t>(span.firstPoint + q)].tau.head(m).mean();
+    pressure_(projected.functions) += projected.N * weighted;
+  }
+}
+
+template <int Dim>
+template <Kinematics K>
+void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K>& work) const {
+  constexpr int C = kColumns<K>;
+  const auto& span = this->quadrature_.spans()[number];
+  const auto& projected = projection_.spans()[number];
+  const auto n = static_cast<Eigen::Index>(span.nodes.size());
+  const Eigen::Index Q = span.weights.size();
+  const bool wantTangent = out.system != nullptr;
+  work.kernel.resize(n, Q, wantTangent);
+  work.perPoint.resize(Dim * n, wantTangent ? Q : 0);
+  work.e.resize(Q);
+
+  const Eigen::VectorXd pull = projected.L.transpose() * pressure_(projected.functions);
+  for (Eigen::Index q = 0; q < Q; ++q) {
+    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    const auto& response = responses_[point];
+    const double w = span.weights(q), Jbar = Jbar_(span.firstPoint + q);
+    const double p = response.tau.template head<C>().mean();
+    const double balanced = pull(q) * this->J_[point] / w;  // the mean stress that J̄ leaves to this point
+    auto g = work.kernel.gradients(q);
+    pushForward<K>(span.G.template middleCols<C>(C * q), F_[point], g);
+    work.kernel.setStress(q, w * (response.tau + (balanced - p) * blockIdentity<K>()));
+    if (!wantTangent) continue;
+    const PointModuli<K> moduli(response, p, balanced);
+    work.kernel.setModuli(q, w, response.tau, moduli.c, moduli.r);
+    contract<K>(g, (w / Jbar) * moduli.B, work.perPoint.col(q));
+    work.e(q) = w * moduli.e / (Jbar * Jbar);
+  }
+
+  work.kernel.multiply();
+  for (Eigen::Index a = 0; a < n; ++a)
+    out.force.segment<Dim>(Dim * span.nodes[static_cast<std::size_t>(a)]) += work.kernel.force(a);
+  if (!wantTangent) return;
+
+  addCoupling<K>(number, work);
+  const auto group = static_cast<Eigen::Index>(projected.nodes.size());
+  for (int i = 0; i < Dim; ++i)
+    for (int k = i; k < Dim; ++k) {
+      const auto block = work.kernel.tangentBlock(i, k);
+      work.tangent.block(i * group, k * group, n, n) += block;
+      if (i != k) work.tangent.block(k * group, i * group, n, n) += block.transpose();
+    }
+  out.system->add(out.term, number, work.tangent);
+}
+
+/// What couples the span's points to all unknowns that move J̄ there: Zᵀ(NᵀeN)Z + ZᵀN B + its transpose.
+template <int Dim>
+template <Kinematics K>
+void ProjectedTerm<Dim>::addCoupling(std::size_t number, Workspace<K>& work) const {
+  const auto& projected = projection_.spans()[number];
+  const auto group = static_cast<Eigen::Index>(projected.nodes.size());
+  const Eigen::Index m = projected.N.rows();
+  const auto n = static_cast<Eigen::Index>(this->quadrature_.spans()[number].nodes.size());
+
+  work.Z.setZero(Dim * group, m);
+  for (const auto& neighbour : projected.neighbours) {
+    const auto& gradients = spanGradients_[neighbour.span];
+    const auto size = static_cast<Eigen::Index>(neighbour.places.size());
+    for (const auto& [here, there] : neighbour.shared)
+      for (int d = 0; d < Dim; ++d)
+        for (Eigen::Index b = 0; b < size; ++b)
+          work.Z(d * group + neighbour.places[static_cast<std::size_t>(b)], here) +=
+              gradients(d * size + b, there);
+  }
+
+  const Eigen::MatrixXd mass = projected.N * (0.5 * work.e).asDiagonal() * projected.N.transpose();
+  multiplyTransposed(work.Z, mass, work.Y);
+  multiplyTransposed(work.perPoint, projected.N, work.cross);
+  for (int d = 0; d < Dim; ++d) work.Y.middleRows(d * group, n) += work.cross.middleRows(d * n, n);
+  multiplyTransposed(work.Z, work.Y, work.coupling);
+  work.tangent = work.coupling + work.coupling.transpose();
+}
+
+template <int Dim>
+template <Kinematics K>
+bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
+  const std::size_t spans = spanDilatations_.size();
+  const bool wantTangent = out.system != nullptr;
+  tbb::enumerable_thread_specific<Workspace<K>> workspaces;
+  if (!parallelAll(spans, 8,
+                   [&](std::size_t e) { return measure<K>(e, x, wantTangent, workspaces.local()); }))
+    return false;
+  gatherDilatation();
+  const bool responded = std::visit(
+      [&](const auto& law) {
+        return parallelAll(spans, 8, [&](std::size_t e) { return respondOnSpan<K>(law, e); });
+      },
+      this->material_);
+  if (!responded) return false;
+  gatherPressure();
+  for (const auto& colour : this->colours_)
+    parallelAll(colour.size(), 1, [&](std::size_t k) {
+      assemble<K>(static_cast<std::size_t>(colour[k]), out, workspaces.local());
+      return true;
+    });
+  this->summarise();
+  return true;
+}
+
+template <int Dim>
+bool ProjectedTerm<Dim>::evaluate(double, const Eigen::VectorXd& x, Assembly& out) {
+  return withKinematics<Dim>(this->quadrature_.kinematics(), [&](auto kinematics) {
+    return evaluateAll<decltype(kinematics)::value>(x, out);
+  });
+}
+
+template class ProjectedTerm<2>;
+template class ProjectedTerm<3>;
+
+}  // namespace burnish

@@ -1,0 +1,58 @@
+#pragma once
+#include <vector>
+
+#include "engine/solid/bulk_term.h"
+#include "engine/solid/dilatation_projection.h"
+
+namespace burnish {
+
+/// The F-bar formulation in its variational form: the law sees F̄ = (J̄/J)^{1/m} F with J̄ = Π J, where m counts
+/// the directions in which the volume can change (2 in plane strain, else 3), and
+///
+///     δΠ = Σ w [ (τ̄ − p 1) : ∇δu + p δJ̄/J̄ ],   p = tr τ̄ / m
+///
+/// follows from the energy of the law at F̄, so that the tangent is symmetric. History and energies are those
+/// at F̄, `jacobians()` those of the displacements, and σ = τ̄/J̄.
+template <int Dim>
+class ProjectedTerm final : public BulkTerm<Dim> {
+ public:
+  /// The quadrature, made from the same body, must outlive the term.
+  ProjectedTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature, Material material);
+
+  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+
+ private:
+  template <Kinematics K>
+  struct Workspace;
+
+  ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Material material,
+                DilatationProjection<Dim> projection);
+
+  template <Kinematics K>
+  bool evaluateAll(const Eigen::VectorXd& x, Assembly& out);
+  template <Kinematics K>
+  bool measure(std::size_t number, const Eigen::VectorXd& x, bool wantTangent, Workspace<K>& work);
+  template <Kinematics K, class Law>
+  bool respondOnSpan(const Law& law, std::size_t number);
+  template <Kinematics K>
+  void assemble(std::size_t number, Assembly& out, Workspace<K>& work) const;
+  template <Kinematics K>
+  void addCoupling(std::size_t number, Workspace<K>& work) const;
+  void gatherDilatation();
+  void gatherPressure();
+
+  DilatationProjection<Dim> projection_;
+
+  // The last evaluated state, at quadrature points, …
+  std::vector<Eigen::Matrix3d> F_;
+  std::vector<MaterialResponse<Dim>> responses_;
+  Eigen::VectorXd Jbar_;
+  // … as coefficients of Π's functions, …
+  Eigen::VectorXd dilatation_;  ///< J̄ − 1
+  Eigen::VectorXd pressure_;    ///< Σ N w p/J̄
+  // … and of spans.
+  std::vector<Eigen::VectorXd> spanDilatations_;  ///< share of the span in `dilatation_`
+  std::vector<Eigen::MatrixXd> spanGradients_;    ///< its derivative, Dim·n x m
+};
+
+}  // namespace burnish
