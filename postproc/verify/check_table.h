@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "postproc/study/markdown.h"
+#include "postproc/verify/judgement.h"
+
+namespace burnish {
+
+/// The checks of a case as a Markdown table: a row for each check and family, a column for each mesh. With
+/// `sources`, the names carry marks to where the expectations come from.
+std::string checkTable(const VerificationCase& verified, const std::vector<JudgedCheck>& judged,
+                       Footnotes* sources = nullptr);
+
+/// A line of a list for each row that could not be judged, with the reason; empty if there is none.
+std::string problemsText(const std::vector<JudgedCheck>& judged);
+
+/// How many of the checks hold.
+std::size_t numHolding(const std::vector<JudgedCheck>& judged);
+
+}  // namespace burnish
