@@ -1,6 +1,6 @@
-// Contour pictures of the ironing problem (49 x 25 functions, 4 x 4 cells per knot span) on one core: the
-// first of a process, which makes the GL context and compiles shaders, and further ones, alike or of another
-// size.
+// Contour pictures of the ironing problem (49 x 25 functions, 4 x 4 cells per knot span): the first of a
+// process, which makes the GL context and compiles shaders, and further ones, alike or of another size. Then
+// a block whose surface has a million triangles (42 x 22 x 42 functions, 9 x 9 cells per knot span).
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -11,27 +11,46 @@
 #include "engine/analysis/model.h"
 #include "engine/scene/reader.h"
 #include "postproc/draw/contour.h"
+#include "tests/unit/model_samples.h"
 
 namespace burnish {
 namespace {
 
-/// A bump of plastic strain in the undeformed slab: a picture takes as long for any field.
 struct Sample {
   ModelRecord model;
   FrameRecord frame;
-
-  Sample() {
-    const Scene scene = readScene(std::string(BURNISH_SOURCE_DIR) + "/scenes/paper/plastic.yaml");
-    model = makeModelRecord(scene, Model<2>(scene));
-    frame.displacement = Eigen::MatrixXd::Zero(2, model.numNodes);
-    frame.toolDisplacement = Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(model.tools.size()));
-    const auto x = model.patches.front().points.row(0).array();
-    frame.fields["plastic_strain"] = {{}, "", (-(x - 1.5).square()).exp().matrix()};
-  }
 };
 
-void contour(benchmark::State& state) {
-  static const Sample sample;
+/// A bump of plastic strain in the undeformed slab: a picture takes as long for any field.
+Sample slab() {
+  const Scene scene = readScene(std::string(BURNISH_SOURCE_DIR) + "/scenes/paper/plastic.yaml");
+  Sample sample{makeModelRecord(scene, Model<2>(scene)), {}};
+  sample.frame.displacement = Eigen::MatrixXd::Zero(2, sample.model.numNodes);
+  sample.frame.toolDisplacement =
+      Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(sample.model.tools.size()));
+  const auto x = sample.model.patches.front().points.row(0).array();
+  sample.frame.fields["plastic_strain"] = {{}, "", (-(x - 1.5).square()).exp().matrix()};
+  return sample;
+}
+
+/// A block with a dent below a ball; the strain is the deeper the dent.
+Sample block() {
+  const KnotVector wide = KnotVector::uniform(2, 40), high = KnotVector::uniform(2, 20);
+  Sample sample{samples::modelOf(refined(box({-2, -2, -2}, {4, 2, 4}), {wide, high, wide})), {}};
+  sample.model.title = "Block with a dent";
+  sample.model.tools = {{"ball", Sphere{{0.0, 0.6, 0.0}, 1.0}}};
+  sample.model.subdivision = 9;
+  const Eigen::MatrixXd& x = sample.model.patches.front().points;
+  const Eigen::RowVectorXd dent =
+      (-2.0 * x.colwise().squaredNorm().array() + 2.0 * x.row(1).array()).exp().matrix();
+  sample.frame.displacement = Eigen::MatrixXd::Zero(3, x.cols());
+  sample.frame.displacement.row(1) = -0.4 * dent;
+  sample.frame.toolDisplacement = Eigen::MatrixXd::Zero(3, 1);
+  sample.frame.fields["plastic_strain"] = {{}, "", dent};
+  return sample;
+}
+
+void contour(benchmark::State& state, const Sample& sample) {
   const auto file =
       std::filesystem::temp_directory_path() / ("burnish_bench_" + std::to_string(::getpid()) + ".png");
   ContourOptions options;
@@ -41,8 +60,19 @@ void contour(benchmark::State& state) {
   std::filesystem::remove(file);
 }
 
-BENCHMARK(contour)->Name("first")->Args({1600, 900})->Iterations(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(contour)->Name("further")->Args({1600, 900})->Args({960, 480})->Unit(benchmark::kMillisecond);
+void slabContour(benchmark::State& state) {
+  static const Sample sample = slab();
+  contour(state, sample);
+}
+
+void blockContour(benchmark::State& state) {
+  static const Sample sample = block();
+  contour(state, sample);
+}
+
+BENCHMARK(slabContour)->Name("first")->Args({1600, 900})->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(slabContour)->Name("further")->Args({1600, 900})->Args({960, 480})->Unit(benchmark::kMillisecond);
+BENCHMARK(blockContour)->Name("million_triangles")->Args({1600, 900})->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace burnish

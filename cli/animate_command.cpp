@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/picture_options.h"
 #include "engine/core/error.h"
+#include "postproc/draw/contour_series.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/export/video.h"
 
@@ -55,10 +56,8 @@ ExitCode animate(const AnimateArguments& arguments) {
   makeDirectoryOf(arguments.video);
   const ScratchDirectory scratch;
   std::vector<fs::path> pictures;
-  for (const int frame : frames) {
-    pictures.push_back(scratch.path() / fmt::format("{}.png", frame));
-    drawContour(result.model(), result.frame(frame), options, pictures.back());
-  }
+  for (const int frame : frames) pictures.push_back(scratch.path() / fmt::format("{}.png", frame));
+  drawSeries(result, frames, options, pictures);
   const fs::path written = write(pictures, arguments.framesPerSecond, arguments.video);
   if (written != arguments.video)
     fmt::print("ffmpeg is not in PATH: an animated PNG was written instead of a video\n");

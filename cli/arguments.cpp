@@ -8,10 +8,12 @@
 #include <string_view>
 #include <utility>
 
+#include "postproc/draw/color_name.h"
+
 namespace burnish {
 namespace {
 
-constexpr int kSmallestPicture = 200;
+constexpr int kSmallestPicture = 150;
 constexpr int kLargestPicture = 8000;
 constexpr int kMostBands = 256;
 
@@ -64,10 +66,12 @@ int frameIndex(const std::string& text, const std::vector<double>& times) {
     if (time && std::isfinite(*time)) return frameAtTime(*time, times);
   }
   const auto index = numberFrom<int>(text);
-  if (!index)
+  if (!index) {
+    const std::string word = text.substr(0, text.find_first_of("0123456789."));
     throw Error(
         fmt::format("--frame: found \"{}\"; expected a number, last, or time=T; or for several A-B, all.{}",
-                    text, didYouMean(text, {"last", "all"})));
+                    text, didYouMean(word, {"last", "all", "time="})));
+  }
   if (*index < 0 || *index > last)
     throw Error(fmt::format("--frame: there is no frame {}; the result has frames 0 to {}", *index, last));
   return *index;
@@ -152,18 +156,9 @@ int bandsFromText(const std::string& text) {
 }
 
 Color colorFromText(const char* option, const std::string& text) {
-  if (text.size() == 7 && text.front() == '#') {
-    unsigned value = 0;
-    const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
-    const auto channel = [&](int shift) { return static_cast<unsigned char>((value >> shift) & 255U); };
-    if (error == std::errc() && end == text.data() + 7) return {channel(16), channel(8), channel(0)};
-  }
-  static const std::vector<std::pair<std::string, Color>> names{
-      {"white", {255, 255, 255}}, {"black", {0, 0, 0}}, {"grey", {128, 128, 128}}};
-  for (const auto& [name, color] : names)
-    if (text == name) return color;
-  throw Error(fmt::format("{}: found \"{}\"; expected #rrggbb, white, black or grey.{}", option, text,
-                          didYouMean(text, {"white", "black", "grey"})));
+  if (const auto color = colorNamed(text)) return *color;
+  throw Error(fmt::format("{}: found \"{}\"; expected {}.{}", option, text, kColorWords,
+                          didYouMean(text, colorNames())));
 }
 
 void makeDirectoryOf(const std::filesystem::path& file) {

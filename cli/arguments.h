@@ -58,7 +58,7 @@ std::optional<Eigen::Vector3d> directionFromText(const std::string& text);
 /// `smooth` (0) or a number of bands.
 int bandsFromText(const std::string& text);
 
-/// `#rrggbb` or white, black, grey.
+/// As `colorNamed` has it.
 Color colorFromText(const char* option, const std::string& text);
 
 /// Creates the directory that a file given with -o goes to.

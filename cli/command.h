@@ -14,6 +14,7 @@ enum class ExitCode {
   Fine = 0,
   Internal = 1,       ///< a fault of the program
   Different = 1,      ///< compare: pictures differ from their baselines, as diff and cmp have it
+  ChecksFail = 1,     ///< verify: a check does not hold, or a run stopped
   BadInput = 2,       ///< a scene, study, result, file or option that cannot be used
   Stopped = 3,        ///< the run could not be brought to its end
   Incomplete = 4,     ///< runs or figures of a study failed
@@ -33,5 +34,6 @@ void addInfoCommand(CLI::App& app, Action& action);
 void addCompareCommand(CLI::App& app, Action& action);
 void addReportCommand(CLI::App& app, Action& action);
 void addFiguresCommand(CLI::App& app, Action& action);
+void addVerifyCommand(CLI::App& app, Action& action);
 
 }  // namespace burnish

@@ -2,13 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "engine/core/error.h"
 #include "postproc/compare/comparison.h"
@@ -31,9 +34,11 @@ struct CompareArguments {
   bool json = false;
 };
 
+constexpr std::array kMetrics{std::pair{"ssim", Metric::Ssim}, std::pair{"delta-e", Metric::DeltaE}};
+
 PictureRule ruleOf(const CompareArguments& arguments) {
   PictureRule rule;
-  rule.metric = arguments.metric == "ssim" ? Metric::Ssim : Metric::DeltaE;
+  rule.metric = chosen("--metric", arguments.metric, kMetrics);
   if (arguments.threshold) rule.threshold = *arguments.threshold;
   if (!(rule.threshold >= 0.0 && rule.threshold <= 1.0))
     throw Error(fmt::format("--threshold: found {}; expected a number from 0 to 1", rule.threshold));
@@ -128,7 +133,6 @@ void addCompareCommand(CLI::App& app, Action& action) {
       ->add_option("--metric", arguments->metric,
                    "ssim: structure and colours, or delta-e: colours alone, in the worst window of 13 x 13 "
                    "pixels [ssim]")
-      ->check(CLI::IsMember({"ssim", "delta-e"}))
       ->type_name("NAME");
   command
       ->add_option("--threshold", arguments->threshold,

@@ -17,7 +17,7 @@ using namespace burnish;
 /// Whether a command solves equations, itself or in processes that it starts: only then is it worth the time
 /// to load the program a second time.
 bool computes(const std::string& command) {
-  return command == "run" || command == "figures";
+  return command == "run" || command == "figures" || command == "verify";
 }
 
 ExitCode execute(int argc, char** argv) {
@@ -35,6 +35,7 @@ ExitCode execute(int argc, char** argv) {
   addCompareCommand(app, action);
   addReportCommand(app, action);
   addFiguresCommand(app, action);
+  addVerifyCommand(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {

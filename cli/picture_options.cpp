@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -22,11 +23,26 @@ constexpr std::array kArrowFields{std::pair{"none", ArrowField::None},
                                   std::pair{"displacement", ArrowField::Displacement},
                                   std::pair{"traction", ArrowField::Traction}};
 
+/// Components of a field of the frame, and `magnitude` if it has one.
+std::vector<std::string> componentsOf(const std::string& field, const FrameRecord& frame) {
+  std::vector<std::string> components;
+  for (const std::string& name : fieldNames(frame)) {
+    if (name.starts_with(field + ".")) components.push_back(name.substr(field.size() + 1));
+    if (name == field) components.emplace_back("magnitude");
+  }
+  return components;
+}
+
 /// As `drawContour` has it, which knows what there is.
 std::string fieldName(const PictureOptions& options, const FrameRecord& frame) {
   const std::string field = options.field.empty() ? fieldToShow(frame) : options.field;
-  const bool whole = options.component.empty() || options.component == "magnitude";
-  return whole ? field : field + "." + options.component;
+  if (options.component.empty()) return field;
+  const std::vector<std::string> components = componentsOf(field, frame);
+  if (components.size() > 1 &&
+      std::find(components.begin(), components.end(), options.component) == components.end())
+    throw Error(fmt::format("--component: found \"{}\"; {} has {}.{}", options.component, field,
+                            fmt::join(components, ", "), didYouMean(options.component, components)));
+  return options.component == "magnitude" ? field : field + "." + options.component;
 }
 
 void setSize(const PictureOptions& options, ContourOptions& contour) {
@@ -40,10 +56,15 @@ void setSize(const PictureOptions& options, ContourOptions& contour) {
   for (int& side : contour.size) side = static_cast<int>(std::lround(options.scale * side));
 }
 
-void setColors(const PictureOptions& options, ContourOptions& contour) {
-  contour.colormap = options.colormap;
-  contour.bands = bandsFromText(options.bands);
-  contour.theme = themeNamed(options.theme);
+void setLook(const PictureOptions& options, ContourOptions& contour) {
+  contour.theme = themeOf(options.look);
+  const PictureDefaults& defaults = contour.theme.picture;
+  contour.colormap = options.colormap.value_or(defaults.colormap);
+  contour.bands = options.bands ? bandsFromText(*options.bands) : defaults.bands;
+  contour.isolines = options.isolines.value_or(defaults.isolines);
+  contour.knots = options.knots.value_or(defaults.knots);
+  contour.undeformed = options.undeformed ? isOn("--undeformed", *options.undeformed) : defaults.undeformed;
+  contour.tools = options.tools ? isOn("--tools", *options.tools) : defaults.tools;
   contour.transparent = options.transparent;
   if (options.background.empty()) return;
   if (options.transparent) throw Error("--background and --transparent exclude each other");
@@ -83,14 +104,10 @@ void setRange(const PictureOptions& options, const ResultReader& result, const s
 ContourOptions contourOptions(const PictureOptions& options, const ResultReader& result,
                               const std::vector<int>& frames) {
   ContourOptions contour;
-  setColors(options, contour);
+  setLook(options, contour);
   setSize(options, contour);
   setView(options, result.model().dim, contour);
-  contour.isolines = options.isolines;
-  contour.knots = options.knots;
   contour.controlNet = options.controlNet;
-  contour.undeformed = isOn("--undeformed", options.undeformed);
-  contour.tools = isOn("--tools", options.tools);
   contour.arrows = chosen("--vectors", options.vectors, kArrowFields);
   contour.warp = options.warp;
   contour.title = options.title;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/look_options.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour.h"
 
@@ -20,17 +21,20 @@ struct PictureOptions {
   std::string field, component;
   std::string range = "auto";
   std::optional<double> clip;
-  std::string colormap = "viridis", bands = "smooth";
-  int isolines = 0;
-  bool knots = false, controlNet = false;
-  std::string undeformed = "on", tools = "on", vectors = "none";
+  /// What is not given is that of the theme.
+  std::optional<std::string> colormap, bands, undeformed, tools;
+  std::optional<int> isolines;
+  std::optional<bool> knots;
+  bool controlNet = false;
+  std::string vectors = "none";
   double warp = 1.0;
   std::string view = "auto", zoom;
   std::string size;
   double scale = 1.0;
   std::optional<double> textSize;
   int subdivision = 0;
-  std::string theme = "paper", background;
+  LookOptions look;
+  std::string background;
   bool transparent = false;
   std::optional<std::string> title;
 };

@@ -2,11 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 
 #include "cli/picture_options.h"
 #include "postproc/draw/color_scale.h"
 #include "postproc/draw/contour_view.h"
-#include "postproc/draw/theme.h"
 
 namespace burnish {
 namespace {
@@ -48,20 +48,24 @@ void addColors(CLI::App& command, PictureOptions& options) {
       ->type_name("P");
   command
       .add_option("--colormap", options.colormap,
-                  fmt::format("{} [viridis]", fmt::join(colormapNames(), ", ")))
+                  fmt::format("{} [that of the theme]", fmt::join(colormapNames(), ", ")))
       ->type_name("NAME");
-  command.add_option("--bands", options.bands, "Number of colour bands, or smooth [smooth]")
+  command.add_option("--bands", options.bands, "Number of colour bands, or smooth [as the theme has it]")
       ->type_name("N|smooth");
-  command.add_option("--isolines", options.isolines, "Number of lines of equal value [0]")
+  command.add_option("--isolines", options.isolines, "Number of lines of equal value [as the theme has it]")
       ->check(CLI::Range(0, 100));
 }
 
 void addThings(CLI::App& command, PictureOptions& options) {
-  command.add_flag("--knots", options.knots, "Draw the knot lines");
+  command.add_flag_function(
+      "--knots,!--no-knots", [&options](std::int64_t count) { options.knots = count > 0; },
+      "Draw the knot lines, or do not [as the theme has it]");
   command.add_flag("--control-net", options.controlNet, "Draw the control points and the lines between them");
-  command.add_option("--undeformed", options.undeformed, "Draw the outline of the undeformed body [on]")
+  command
+      .add_option("--undeformed", options.undeformed,
+                  "Draw the outline of the undeformed body [as the theme has it]")
       ->type_name("on|off");
-  command.add_option("--tools", options.tools, "Draw the tools [on]")->type_name("on|off");
+  command.add_option("--tools", options.tools, "Draw the tools [as the theme has it]")->type_name("on|off");
   command
       .add_option("--vectors", options.vectors,
                   "Draw arrows: displacement, or traction, that of the contact [none]")
@@ -90,8 +94,7 @@ void addView(CLI::App& command, PictureOptions& options) {
 void addLook(CLI::App& command, PictureOptions& options) {
   command.add_option("--title", options.title, "Title of the picture, empty for none [that of the scene]")
       ->type_name("TEXT");
-  command.add_option("--theme", options.theme, fmt::format("{} [paper]", fmt::join(themeNames(), ", ")))
-      ->type_name("NAME");
+  addLookOptions(command, options.look);
   command.add_option("--background", options.background, "Colour of the paper [that of the theme]")
       ->type_name("#rrggbb|NAME");
   command.add_flag("--transparent", options.transparent,

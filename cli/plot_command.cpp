@@ -1,87 +1,121 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
-#include <vector>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/plot_chart.h"
 #include "engine/core/error.h"
-#include "engine/results/history.h"
-#include "postproc/draw/chart.h"
-#include "postproc/study/expression.h"
+#include "postproc/draw/theme.h"
 
 namespace burnish {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct PlotArguments {
-  std::vector<fs::path> histories;
-  fs::path picture;
-  std::string x = "time", y = "strain_energy", where;
-  std::string title, xTitle, yTitle;
-  std::string log, size;
-  std::vector<std::string> labels;
-  fs::path csv;
+struct PlotOutputs {
+  std::filesystem::path picture;
+  std::string csv;  ///< a file, or - for standard output
 };
 
-/// DIR/history.csv for the directory of a run, else the file itself.
-fs::path historyFile(const fs::path& path) {
-  std::error_code status;
-  return fs::is_directory(path, status) ? path / "history.csv" : path;
+std::string differenceText(const LargestDifference& difference, const std::string& x) {
+  const CurveDifference& found = difference.found;
+  const std::string share = found.referenceMagnitude > 0.0
+                                ? fmt::format(" ({:.3g} %)", 100.0 * found.largest / found.referenceMagnitude)
+                                : "";
+  return fmt::format("{}: largest difference of {}: {:.6g}{} at {} = {:.6g}\n", difference.run, difference.y,
+                     found.largest, share, x, found.largestAt);
 }
 
-/// The name of the directory of a run, or of the file if it has another name than that of a run.
-std::string defaultLabel(const fs::path& history) {
-  if (history.filename() != "history.csv") return history.stem().string();
-  std::error_code status;
-  const std::string directory = fs::weakly_canonical(history, status).parent_path().filename().string();
-  return directory.empty() ? history.stem().string() : directory;
-}
-
-ChartCurve curveOf(const PlotArguments& arguments, std::size_t number) {
-  const HistoryTable history = readHistory(historyFile(arguments.histories[number]));
-  const std::vector<double> x = evaluate(history, arguments.x), y = evaluate(history, arguments.y);
-  ChartCurve curve;
-  curve.label = arguments.labels.empty() ? defaultLabel(history.path) : arguments.labels[number];
-  const std::vector<double> wanted =
-      arguments.where.empty() ? std::vector<double>(x.size(), 1.0) : evaluate(history, arguments.where);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    if (wanted[k] == 0.0 || std::isnan(wanted[k])) continue;
-    curve.x.push_back(x[k]);
-    curve.y.push_back(y[k]);
+ExitCode plot(const PlotArguments& arguments, const PlotOutputs& outputs) {
+  if (outputs.picture.empty() && outputs.csv.empty())
+    throw Error("-o: found no name of a chart; expected one that ends in .png, .svg or .pdf, or --csv FILE");
+  const PlottedChart plotted = chartOf(arguments);
+  if (!outputs.picture.empty()) {
+    makeDirectoryOf(outputs.picture);
+    drawChart(plotted.chart, outputs.picture);
   }
-  if (curve.x.empty())
-    throw Error(arguments.where.empty()
-                    ? fmt::format("{}: the history has no rows yet", history.path.string())
-                    : fmt::format("{}: no row with {}", history.path.string(), arguments.where));
-  return curve;
+  const bool printed = outputs.csv == "-";
+  if (printed)
+    fmt::print("{}", chartDataText(plotted.chart));
+  else if (!outputs.csv.empty())
+    writeChartData(plotted.chart, outputs.csv);
+  for (const LargestDifference& difference : plotted.differences)
+    fmt::print(printed ? stderr : stdout, "{}", differenceText(difference, arguments.x));
+  return ExitCode::Fine;
 }
 
-ExitCode plot(const PlotArguments& arguments) {
-  const std::size_t count = arguments.histories.size();
-  if (!arguments.labels.empty() && arguments.labels.size() != count)
-    throw Error(fmt::format("--label: found {} labels for {} histories; expected one for each",
-                            arguments.labels.size(), count));
-  Chart chart;
-  chart.title = arguments.title;
-  chart.x = {.title = arguments.xTitle.empty() ? arguments.x : arguments.xTitle,
-             .logarithmic = arguments.log.starts_with('x'),
-             .range = {}};
-  chart.y = {.title = arguments.yTitle.empty() ? arguments.y : arguments.yTitle,
-             .logarithmic = arguments.log.ends_with('y'),
-             .range = {}};
-  if (!arguments.size.empty()) chart.size = sizeFromText(arguments.size);
-  for (std::size_t k = 0; k < count; ++k) chart.curves.push_back(curveOf(arguments, k));
-  makeDirectoryOf(arguments.picture);
-  drawChart(chart, arguments.picture);
-  if (!arguments.csv.empty()) writeChartData(chart, arguments.csv);
-  return ExitCode::Fine;
+void addDataOptions(CLI::App& command, PlotArguments& arguments) {
+  command
+      .add_option("HISTORY", arguments.histories,
+                  "Directories of runs or CSV files, one curve each per formula")
+      ->required();
+  command
+      .add_option("--x", arguments.x,
+                  "Column or formula in columns along the x axis, such as \"time - 1\" [time]")
+      ->type_name("EXPR");
+  const auto addFormulas = [&](const char* name, std::vector<std::string>& formulas, const char* help) {
+    return command.add_option(name, formulas, help)->expected(1)->take_all()->type_name("EXPR");
+  };
+  addFormulas("--y", arguments.y, "The same along the y axis, once or several times [strain_energy]");
+  addFormulas("--y2", arguments.y2, "The same along a second y axis at the right [none]");
+  command
+      .add_option("--where", arguments.where,
+                  "Rows to draw: those where a formula such as \"time >= 1\" is true [all]")
+      ->type_name("EXPR");
+  CLI::Option* reference = command
+                               .add_option("--reference", arguments.reference,
+                                           "Draw the differences from this run, and print the largest [none]")
+                               ->type_name("HISTORY");
+  command
+      .add_option("--difference", arguments.difference,
+                  "absolute, or relative to the largest magnitude of the reference [absolute]")
+      ->needs(reference)
+      ->type_name("KIND");
+}
+
+void addAxisOptions(CLI::App& command, PlotArguments& arguments) {
+  CLI::Option* right = command.get_option("--y2");
+  const auto add = [&](const char* name, std::string& value, const char* help, const char* type) {
+    return command.add_option(name, value, help)->type_name(type);
+  };
+  add("--x-title", arguments.xTitle, "Title of the x axis [the formula]", "TEXT");
+  add("--y-title", arguments.yTitle, "Title of the y axis [the formulas]", "TEXT");
+  add("--y2-title", arguments.y2Title, "Title of the axis at the right [the formulas]", "TEXT")->needs(right);
+  add("--x-range", arguments.xRange, "Ends of the x axis [round values around the data]", "LO,HI");
+  add("--y-range", arguments.yRange, "Ends of the y axis [the same]", "LO,HI");
+  add("--y2-range", arguments.y2Range, "Ends of the axis at the right [the same]", "LO,HI")->needs(right);
+  command
+      .add_option("--log", arguments.logarithmic, "Logarithmic axes: x, y, xy, y2, or several: x,y2 [none]")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all()
+      ->check(CLI::IsMember({"x", "y", "xy", "y2"}))
+      ->type_name("AXES");
+}
+
+void addLookOptions(CLI::App& command, PlotArguments& arguments) {
+  command.add_option("--title", arguments.title, "Title of the chart [none]")->type_name("TEXT");
+  command
+      .add_option("--label", arguments.labels,
+                  "Name in the legend, once per history or once per curve [directory, formula or both]")
+      ->expected(1)
+      ->take_all()
+      ->type_name("TEXT");
+  command
+      .add_option("--markers", arguments.markers,
+                  "Points with a marker: some (all of a few), all, none [some]")
+      ->type_name("WHICH");
+  command
+      .add_option("--theme", arguments.theme,
+                  fmt::format("Paper, ink and size of texts: {}, or a file with a theme of your own [paper]",
+                              fmt::join(themeNames(), ", ")))
+      ->type_name("NAME|FILE.yaml");
+  command.add_option("--size", arguments.size, "Size in pixels, or in points for SVG and PDF [1200,900]")
+      ->type_name("W,H");
 }
 
 }  // namespace
@@ -89,37 +123,16 @@ ExitCode plot(const PlotArguments& arguments) {
 void addPlotCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("plot", "Draw a chart of histories");
   const auto arguments = std::make_shared<PlotArguments>();
-  command->add_option("HISTORY", arguments->histories, "Directories of runs or CSV files, one curve each")
-      ->required();
-  command
-      ->add_option("--x", arguments->x,
-                   "Column or formula in columns along the x axis, such as \"time - 1\" [time]")
-      ->type_name("EXPR");
-  command->add_option("--y", arguments->y, "The same along the y axis [strain_energy]")->type_name("EXPR");
-  command
-      ->add_option("--where", arguments->where,
-                   "Rows to draw: those where a formula such as \"time >= 1\" is true [all]")
-      ->type_name("EXPR");
-  command->add_option("--x-title", arguments->xTitle, "Title of the x axis [the formula]")->type_name("TEXT");
-  command->add_option("--y-title", arguments->yTitle, "Title of the y axis [the formula]")->type_name("TEXT");
-  command->add_option("--title", arguments->title, "Title of the chart [none]")->type_name("TEXT");
-  command->add_option("--log", arguments->log, "Logarithmic axes: x, y or xy [none]")
-      ->check(CLI::IsMember({"x", "y", "xy"}))
-      ->type_name("AXES");
-  command
-      ->add_option("--label", arguments->labels,
-                   "Name of a curve in the legend, once per history [name of the directory]")
-      ->expected(1)
-      ->take_all()
-      ->type_name("TEXT");
-  command->add_option("--csv", arguments->csv, "Write the drawn points to this file too")
-      ->type_name("FILE.csv");
-  command->add_option("--size", arguments->size, "Size in pixels, or in points for SVG and PDF [1200,900]")
-      ->type_name("W,H");
-  command->add_option("-o,--output", arguments->picture, "Name of the chart")
-      ->type_name("CHART.png|svg|pdf")
-      ->required();
-  command->callback([&action, arguments] { action = [arguments] { return plot(*arguments); }; });
+  const auto outputs = std::make_shared<PlotOutputs>();
+  addDataOptions(*command, *arguments);
+  addAxisOptions(*command, *arguments);
+  addLookOptions(*command, *arguments);
+  command->add_option("--csv", outputs->csv, "Write the drawn points to this file too, or print them: -")
+      ->type_name("FILE.csv|-");
+  command->add_option("-o,--output", outputs->picture, "Name of the chart")->type_name("CHART.png|svg|pdf");
+  command->callback([&action, arguments, outputs] {
+    action = [arguments, outputs] { return plot(*arguments, *outputs); };
+  });
 }
 
 }  // namespace burnish

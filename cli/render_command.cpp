@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/picture_options.h"
 #include "engine/core/error.h"
+#include "postproc/draw/contour_series.h"
 
 namespace burnish {
 namespace {
@@ -27,10 +28,8 @@ ExitCode render(const RenderArguments& arguments) {
   const std::vector<int> frames = frameIndices(arguments.options.frame, times);
   const auto names = pictureNames(arguments.picture, frames, times);
   const ContourOptions options = contourOptions(arguments.options, result, frames);
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    makeDirectoryOf(names[k]);
-    drawContour(result.model(), result.frame(frames[k]), options, names[k]);
-  }
+  for (const std::filesystem::path& name : names) makeDirectoryOf(name);
+  drawSeries(result, frames, options, names);
   if (names.size() > 1)
     fmt::print("{} pictures, {} to {}\n", names.size(), names.front().string(), names.back().string());
   return ExitCode::Fine;

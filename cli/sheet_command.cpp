@@ -11,6 +11,7 @@
 
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/look_options.h"
 #include "engine/core/error.h"
 
 namespace burnish {
@@ -22,6 +23,7 @@ struct SheetArguments {
   int columns = 0;  ///< 0: as many as rows
   std::vector<std::string> captions;
   int width = 1600;
+  LookOptions look;
 };
 
 ExitCode sheet(const SheetArguments& arguments) {
@@ -39,7 +41,7 @@ ExitCode sheet(const SheetArguments& arguments) {
                           ? arguments.columns
                           : static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
   makeDirectoryOf(arguments.sheet);
-  drawSheet(panels, columns, arguments.width, arguments.sheet);
+  drawSheet(panels, columns, arguments.width, arguments.sheet, themeOf(arguments.look));
   return ExitCode::Fine;
 }
 
@@ -58,6 +60,7 @@ void addSheetCommand(CLI::App& app, Action& action) {
       ->take_all()
       ->type_name("TEXT");
   command->add_option("--width", arguments->width, "Width of the sheet in pixels [1600]")->type_name("W");
+  addLookOptions(*command, arguments->look);
   command->add_option("-o,--output", arguments->sheet, "Name of the sheet")
       ->type_name("SHEET.png")
       ->required();

@@ -57,8 +57,8 @@ double numFunctions(const Scene& scene) {
   if (const auto* net = std::get_if<ControlNetSpec>(&scene.geometry.shape))
     return static_cast<double>(net->points.size());
   double product = 1.0;
-  for (const int n : scene.geometry.functions) product *= n;
-  for (const int n : scene.geometry.spans)
+  for (const int n : scene.geometry.mesh.functions) product *= n;
+  for (const int n : scene.geometry.mesh.spans)
     product *= scene.basis == BasisChoice::Nurbs ? n + scene.degree : n * scene.degree + 1;
   return product;
 }

@@ -46,7 +46,8 @@ void checkLogarithmic(const Chart& chart, std::size_t number) {
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     if (!std::isfinite(curve.x[k]) || !std::isfinite(curve.y[k])) continue;
     const bool inX = chart.x.logarithmic && curve.x[k] <= 0.0;
-    if (inX || (chart.y.logarithmic && curve.y[k] <= 0.0))
+    const ChartAxis& y = curve.onRight ? chart.y2 : chart.y;
+    if (inX || (y.logarithmic && curve.y[k] <= 0.0))
       throw Error(
           fmt::format("chart: point {} of \"{}\" has {} = {}; a logarithmic axis shows positive values only",
                       k + 1, curveName(chart, number), inX ? "x" : "y", inX ? curve.x[k] : curve.y[k]));
@@ -57,6 +58,7 @@ void check(const Chart& chart) {
   checkSize(chart.size);
   checkRange(chart.x, "x");
   checkRange(chart.y, "y");
+  checkRange(chart.y2, "y2");
   bool empty = true;
   for (std::size_t number = 0; number < chart.curves.size(); ++number) {
     const ChartCurve& curve = chart.curves[number];
@@ -80,17 +82,22 @@ std::string cell(const std::string& text) {
 
 }  // namespace
 
-void drawChart(const Chart& chart, const std::filesystem::path& file) {
-  check(chart);
-  writeSketch(sketchChart(layOutChart(chart), chart.size), file);
+bool Chart::hasRightAxis() const {
+  return std::any_of(curves.begin(), curves.end(), [](const ChartCurve& curve) { return curve.onRight; });
 }
 
-void writeChartData(const Chart& chart, const std::filesystem::path& csv) {
+void drawChart(const Chart& chart, const std::filesystem::path& file) {
+  check(chart);
+  writeSketch(sketchChart(layOutChart(chart), chart.size, chart.theme), file);
+}
+
+std::string chartDataText(const Chart& chart) {
   std::string text;
   std::size_t rows = 0;
   for (std::size_t number = 0; number < chart.curves.size(); ++number) {
-    const std::string name = curveName(chart, number);
-    text += fmt::format("{}{},{}", number == 0 ? "" : ",", cell(name + " x"), cell(name + " y"));
+    const std::string name = curveName(chart, number), axis = chart.curves[number].onRight ? "2" : "";
+    text +=
+        fmt::format("{}{},{}", number == 0 ? "" : ",", cell(name + " x" + axis), cell(name + " y" + axis));
     rows = std::max(rows, chart.curves[number].x.size());
   }
   text += '\n';
@@ -102,6 +109,11 @@ void writeChartData(const Chart& chart, const std::filesystem::path& csv) {
     }
     text += '\n';
   }
+  return text;
+}
+
+void writeChartData(const Chart& chart, const std::filesystem::path& csv) {
+  const std::string text = chartDataText(chart);
   writeFileAtomically(csv, std::as_bytes(std::span(text)));
 }
 

@@ -36,12 +36,11 @@ const auto& cyclic(const Container& container, int index) {
 }
 
 /// Runs of finite points in pixels.
-std::vector<Polyline> finiteRuns(const ChartCurve& curve,
-                                 const std::function<Eigen::Vector2d(double, double)>& pixel) {
+std::vector<Polyline> finiteRuns(const ChartCurve& curve, const PixelOf& pixel) {
   std::vector<Polyline> runs(1);
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     if (std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]))
-      runs.back().push_back(pixel(curve.x[k], curve.y[k]));
+      runs.back().push_back(pixel(curve.x[k], curve.y[k], curve.onRight));
     else if (!runs.back().empty())
       runs.emplace_back();
   }
@@ -92,8 +91,9 @@ Polyline spread(const Polyline& points, double phase) {
   return chosen;
 }
 
+/// most: more points than that get a few markers only.
 PlottedCurve plotCurve(const ChartCurve& curve, const CurveStyle& style, const PixelRect& plot,
-                       const std::function<Eigen::Vector2d(double, double)>& pixel, double phase) {
+                       const PixelOf& pixel, std::size_t most, double phase) {
   PlottedCurve plotted;
   plotted.style = style;
   Polyline visible;
@@ -103,14 +103,16 @@ PlottedCurve plotCurve(const ChartCurve& curve, const CurveStyle& style, const P
                  [&](const Eigen::Vector2d& point) { return contains(plot, point); });
   }
   if (style.marker >= 0 && !visible.empty())
-    plotted.markers = visible.size() <= kFewPoints ? visible : spread(visible, phase);
+    plotted.markers = visible.size() <= most ? visible : spread(visible, phase);
   return plotted;
 }
 
 }  // namespace
 
-Color curveColor(const CurveStyle& style) {
-  return cyclic(kPalette, style.color);
+Color curveColor(const CurveStyle& style, const Theme& theme) {
+  const Color& color = cyclic(kPalette, style.color);
+  const bool onDark = theme.paper[1] < theme.ink[1];
+  return onDark && color == Color{0, 0, 0} ? theme.ink : color;
 }
 
 const std::vector<double>& dashPattern(const CurveStyle& style) {
@@ -133,21 +135,23 @@ bool markerIsFilled(const CurveStyle& style) {
   return style.marker % 2 == 0;
 }
 
-CurveStyle defaultStyle(std::size_t number, std::size_t numCurves, std::size_t numPoints) {
+CurveStyle defaultStyle(const Chart& chart, std::size_t number) {
   const int index = static_cast<int>(number);
-  const bool marked = numCurves > 1 || numPoints <= kFewPoints;
+  const bool useful = chart.curves.size() > 1 || chart.curves[number].x.size() <= kFewPoints;
+  const bool marked = chart.markers == ChartMarkers::All || (chart.markers == ChartMarkers::Some && useful);
   return {index, index, marked ? index : -1};
 }
 
-std::vector<PlottedCurve> plotCurves(const Chart& chart, const PixelRect& plot,
-                                     const std::function<Eigen::Vector2d(double x, double y)>& pixel) {
+std::vector<PlottedCurve> plotCurves(const Chart& chart, const PixelRect& plot, const PixelOf& pixel) {
   std::vector<PlottedCurve> plotted;
   const std::size_t count = chart.curves.size();
   for (std::size_t k = 0; k < count; ++k) {
     const ChartCurve& curve = chart.curves[k];
-    const CurveStyle style = curve.style.value_or(defaultStyle(k, count, curve.x.size()));
+    const CurveStyle style = curve.style.value_or(defaultStyle(chart, k));
+    const bool all = chart.markers == ChartMarkers::All && !curve.style;
+    const std::size_t most = all ? curve.x.size() : kFewPoints;
     const double phase = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-    plotted.push_back(plotCurve(curve, style, plot, pixel, phase));
+    plotted.push_back(plotCurve(curve, style, plot, pixel, most, phase));
   }
   return plotted;
 }

@@ -12,8 +12,9 @@ namespace burnish {
 
 using Polyline = std::vector<Eigen::Vector2d>;
 
-/// The colour of a style: distinct for colour-blind people, neighbours also by their brightness in grey.
-Color curveColor(const CurveStyle& style);
+/// The colour of a style: distinct for colour-blind people, neighbours also by their brightness in grey. On
+/// dark paper, the theme's ink stands for black.
+Color curveColor(const CurveStyle& style, const Theme& theme = {});
 
 /// Lengths of a dash, a gap, a dash, …, in line widths; empty for a solid line.
 const std::vector<double>& dashPattern(const CurveStyle& style);
@@ -24,8 +25,9 @@ Polyline markerOutline(const CurveStyle& style, double halfWidth);
 /// A marker is filled, or a ring with white inside.
 bool markerIsFilled(const CurveStyle& style);
 
-/// The style of a curve that has none: all that tells curves apart changes with its number.
-CurveStyle defaultStyle(std::size_t number, std::size_t numCurves, std::size_t numPoints);
+/// The style of a curve that has none: all that tells curves apart changes with its number, so that twelve
+/// have different pairs of dashes and markers.
+CurveStyle defaultStyle(const Chart& chart, std::size_t number);
 
 /// A curve in pixels.
 struct PlottedCurve {
@@ -34,9 +36,11 @@ struct PlottedCurve {
   Polyline markers;              ///< centres, at points of the data: all of them, or some when there are many
 };
 
-/// The curves of a chart in the plot, a rectangle of pixels; `pixel` gives the place of a pair of values.
-std::vector<PlottedCurve> plotCurves(const Chart& chart, const PixelRect& plot,
-                                     const std::function<Eigen::Vector2d(double x, double y)>& pixel);
+/// The place in pixels of a pair of values; onRight: y is one of the axis at the right.
+using PixelOf = std::function<Eigen::Vector2d(double x, double y, bool onRight)>;
+
+/// The curves of a chart in the plot, a rectangle of pixels.
+std::vector<PlottedCurve> plotCurves(const Chart& chart, const PixelRect& plot, const PixelOf& pixel);
 
 /// The part of a segment that lies in a rectangle, or nothing.
 std::optional<std::array<Eigen::Vector2d, 2>> clipSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b,

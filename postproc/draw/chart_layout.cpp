@@ -48,24 +48,39 @@ bool within(double value, const ChartAxis& axis) {
   return !axis.range || (value >= (*axis.range)[0] && value <= (*axis.range)[1]);
 }
 
-/// Smallest and largest x and y of the points that can be seen, of all points if none can be.
-std::array<std::array<double, 2>, 2> dataRanges(const Chart& chart) {
+/// Smallest and largest value along x, y and y2.
+using DataRanges = std::array<std::array<double, 2>, 3>;
+
+/// Of the points that can be seen, or of all.
+DataRanges rangesOf(const Chart& chart, bool all) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto ranges = [&](bool all) {
-    std::array<std::array<double, 2>, 2> result{{{infinity, -infinity}, {infinity, -infinity}}};
-    for (const ChartCurve& curve : chart.curves) {
-      for (std::size_t k = 0; k < curve.x.size(); ++k) {
-        const std::array point{curve.x[k], curve.y[k]};
-        if (!std::isfinite(point[0]) || !std::isfinite(point[1])) continue;
-        if (!all && (!within(point[0], chart.x) || !within(point[1], chart.y))) continue;
-        for (std::size_t d = 0; d < 2; ++d)
-          result[d] = {std::min(result[d][0], point[d]), std::max(result[d][1], point[d])};
-      }
-    }
-    return result;
+  DataRanges ranges;
+  ranges.fill({infinity, -infinity});
+  const auto extend = [](std::array<double, 2>& range, double value) {
+    range = {std::min(range[0], value), std::max(range[1], value)};
   };
-  const auto seen = ranges(false);
-  return seen[0][0] <= seen[0][1] ? seen : ranges(true);
+  for (const ChartCurve& curve : chart.curves) {
+    const ChartAxis& axis = curve.onRight ? chart.y2 : chart.y;
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+      const double x = curve.x[k], y = curve.y[k];
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      if (!all && (!within(x, chart.x) || !within(y, axis))) continue;
+      extend(ranges[0], x);
+      extend(ranges[curve.onRight ? 2 : 1], y);
+    }
+  }
+  return ranges;
+}
+
+/// Of the points that can be seen, of all points if none can be, of nothing from 1 to 10.
+DataRanges dataRanges(const Chart& chart) {
+  DataRanges ranges = rangesOf(chart, false);
+  const DataRanges all = rangesOf(chart, true);
+  for (std::size_t d = 0; d < ranges.size(); ++d) {
+    if (ranges[d][0] > ranges[d][1]) ranges[d] = all[d];
+    if (ranges[d][0] > ranges[d][1]) ranges[d] = {1.0, 10.0};
+  }
+  return ranges;
 }
 
 /// Finds the plot's rectangle and the scales around the legend's part of the picture.
@@ -77,14 +92,15 @@ class Arrangement {
     placeHorizontally();
     checkRoom();
     placeTitles();
-    layout_.curves =
-        plotCurves(chart, layout.plot, [this](double x, double y) { return layout_.pixel(x, y); });
+    layout_.curves = plotCurves(chart, layout.plot, [this](double x, double y, bool onRight) {
+      return layout_.pixel(x, y, onRight);
+    });
   }
 
  private:
   void placeVertically(double reservedBelow) {
     // Whether a factor stands over the axis depends on the range alone, not on the room.
-    layout_.y = makeChartScale(chart_.y, ranges_[1], true, [](const ChartScale&) { return true; });
+    makeVerticalScales([](const ChartScale&) { return true; });
     layout_.x = makeChartScale(chart_.x, ranges_[0], false, [](const ChartScale&) { return true; });
     const bool lineBelow = !chart_.x.title.empty() || !layout_.x.factor.empty();
     titleLine_ = margin_ + reservedBelow + kHalfLine * size_;
@@ -93,9 +109,10 @@ class Arrangement {
     plot.y = std::round(layout_.xLabelsAt + kXLabelDrop * size_);
     double top = chart_.size[1] - margin_ - (kTitleSize * kHalfLine + kBelowTitle) * size_;
     if (chart_.title.empty()) top = chart_.size[1] - margin_ - kHalfLine * size_ / 2;
-    if (!layout_.y.factor.empty()) top -= (kFactorRise + kHalfLine / 2) * size_;
+    if (!layout_.y.factor.empty() || (layout_.y2 && !layout_.y2->factor.empty()))
+      top -= (kFactorRise + kHalfLine / 2) * size_;
     plot.height = std::round(top) - plot.y;
-    layout_.y = makeChartScale(chart_.y, ranges_[1], true, [this](const ChartScale& scale) {
+    makeVerticalScales([this](const ChartScale& scale) {
       for (std::size_t k = 1; k < scale.ticks.size(); ++k)
         if ((scale.share(scale.ticks[k]) - scale.share(scale.ticks[k - 1])) * layout_.plot.height <
             kRowOfTicks * size_)
@@ -104,12 +121,16 @@ class Arrangement {
     });
   }
 
+  void makeVerticalScales(const std::function<bool(const ChartScale&)>& fit) {
+    layout_.y = makeChartScale(chart_.y, ranges_[1], true, fit);
+    if (chart_.hasRightAxis()) layout_.y2 = makeChartScale(chart_.y2, ranges_[2], true, fit);
+  }
+
   void placeHorizontally() {
     PixelRect& plot = layout_.plot;
-    const double yTitle = chart_.y.title.empty() ? 0.0 : (kHalfLine + kYTitleGap) * size_;
-    plot.x = std::round(margin_ + yTitle + longest(layout_.y.labels, size_) + kYLabelGap * size_);
+    plot.x = std::round(margin_ + besidePlot(chart_.y, layout_.y));
     layout_.yLabelsEnd = plot.x - kYLabelGap * size_;
-    double overhang = 0.0;
+    double overhang = layout_.y2 ? besidePlot(chart_.y2, *layout_.y2) : 0.0;
     for (int pass = 0; pass < 2; ++pass) {  // the last label needs room that depends on the labels
       plot.width = std::round(chart_.size[0] - margin_ - overhang) - plot.x;
       layout_.x = makeChartScale(chart_.x, ranges_[0], false,
@@ -119,6 +140,13 @@ class Arrangement {
       overhang = std::max(overhang, end - plot.width);
     }
     plot.width = std::round(chart_.size[0] - margin_ - overhang) - plot.x;
+    layout_.y2LabelsStart = plot.right() + kYLabelGap * size_;
+  }
+
+  /// Width of the title and the labels of a vertical axis.
+  double besidePlot(const ChartAxis& axis, const ChartScale& scale) const {
+    const double title = axis.title.empty() ? 0.0 : (kHalfLine + kYTitleGap) * size_;
+    return title + longest(scale.labels, size_) + kYLabelGap * size_;
   }
 
   bool labelsFit(const ChartScale& scale) const {
@@ -156,29 +184,34 @@ class Arrangement {
     layout_.title = fitted(chart_.title, kTitleSize * size_, width - 2 * margin_);
     layout_.xTitle = fitted(chart_.x.title, size_, besideFactor);
     layout_.yTitle = fitted(chart_.y.title, size_, height - 2 * margin_);
+    if (layout_.y2) layout_.y2Title = fitted(chart_.y2.title, size_, height - 2 * margin_);
     layout_.titleAt = {middle(layout_.title, plot.center().x(), width),
                        height - margin_ - kTitleSize * kHalfLine * size_};
     layout_.xTitleAt = {middle(layout_.xTitle, plot.center().x(), width), titleLine_};
     layout_.yTitleAt = {margin_ + kHalfLine * size_, middle(layout_.yTitle, plot.center().y(), height)};
+    layout_.y2TitleAt = {width - margin_ - kHalfLine * size_,
+                         middle(layout_.y2Title, plot.center().y(), height)};
     layout_.xFactorAt = {plot.right(), titleLine_};
     layout_.yFactorAt = {plot.x, plot.top() + kFactorRise * size_};
+    layout_.y2FactorAt = {plot.right(), plot.top() + kFactorRise * size_};
   }
 
   const Chart& chart_;
   ChartLayout& layout_;
   double size_, margin_;
-  std::array<std::array<double, 2>, 2> ranges_ = dataRanges(chart_);
+  DataRanges ranges_ = dataRanges(chart_);
   double titleLine_ = 0.0;
 };
 
 }  // namespace
 
-Eigen::Vector2d ChartLayout::pixel(double xValue, double yValue) const {
-  return {plot.x + x.share(xValue) * plot.width, plot.y + y.share(yValue) * plot.height};
+Eigen::Vector2d ChartLayout::pixel(double xValue, double yValue, bool onRight) const {
+  const double height = onRight ? y2->share(yValue) : y.share(yValue);
+  return {plot.x + x.share(xValue) * plot.width, plot.y + height * plot.height};
 }
 
 ChartLayout layOutChart(const Chart& chart) {
-  const double size = chartTextSize(chart.size);
+  const double size = chart.theme.textSize * chartTextSize(chart.size);
   ChartLayout layout;
   layout.textSize = size;
   layout.legend = ChartLegend(chart, size, kWidestLabel * chart.size[0]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burnish {
 namespace {
@@ -46,9 +47,12 @@ ChartLegend::ChartLegend(const Chart& chart, double textSize, double widestLabel
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const std::string& label = chart.curves[k].label;
     if (label.empty()) continue;
-    entries_.push_back({k, fitText({{label}}, {.size = size_}, widestLabel, kSmallestLabel * size_)});
-    const FittedText& fitted = entries_.back().label;
+    const RichText side = chart.curves[k].onRight ? RichText{{" (right)"}} : RichText{};
+    FittedText fitted = fitText({{label}}, {.size = size_}, widestLabel - textWidth(side, {.size = size_}),
+                                kSmallestLabel * size_);
+    fitted.text.insert(fitted.text.end(), side.begin(), side.end());
     longestLabel_ = std::max(longestLabel_, textWidth(fitted.text, fitted.style));
+    entries_.push_back({k, std::move(fitted)});
   }
 }
 

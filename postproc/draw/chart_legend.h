@@ -19,7 +19,8 @@ class ChartLegend {
   /// Without entries.
   ChartLegend() = default;
 
-  /// Curves without a label are left out; labels are shortened to `widestLabel`.
+  /// Curves without a label are left out; labels are shortened to `widestLabel`, and those of the axis at
+  /// the right say so.
   ChartLegend(const Chart& chart, double textSize, double widestLabel);
 
   const std::vector<Entry>& entries() const { return entries_; }

@@ -12,10 +12,12 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPDFContextDevice2D.h>
 #include <vtkPDFExporter.h>
 #include <vtkPen.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSVGContextDevice2D.h>
 #include <vtkSVGExporter.h>
 #include <vtkTextProperty.h>
 
@@ -27,7 +29,6 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -42,7 +43,7 @@
 namespace burnish {
 namespace {
 
-constexpr Color kTextColor{25, 25, 25};
+constexpr double kPointsPerPixel = 0.75;  ///< of SVG
 
 /// Paints a sketch, `scale` times larger, in a scene of VTK, whatever that becomes: pixels, SVG or PDF.
 class SketchItem : public vtkContextItem {
@@ -50,11 +51,9 @@ class SketchItem : public vtkContextItem {
   static SketchItem* New();
   SketchItem() { movedByStrips_->VisibilityOff(); }
 
-  /// textAsPaths: draws the outlines of letters, as a PDF of VTK knows no letters beyond Latin-1.
-  void set(const ChartSketch& sketch, double scale, bool textAsPaths) {
+  void set(const ChartSketch& sketch, double scale) {
     sketch_ = &sketch;
     scale_ = scale;
-    textAsPaths_ = textAsPaths;
   }
 
   /// The canvas draws a picture in strips and moves flat actors down by what lies under a strip; a scene does
@@ -100,28 +99,44 @@ class SketchItem : public vtkContextItem {
     property->SetFontFamily(VTK_FONT_FILE);
     property->SetFontFile(fontFile(FontWeight::Regular).c_str());
     property->SetFontSize(static_cast<int>(std::lround(scale_ * text.size)));
-    property->SetColor(kTextColor[0] / 255.0, kTextColor[1] / 255.0, kTextColor[2] / 255.0);
+    property->SetColor(text.color[0] / 255.0, text.color[1] / 255.0, text.color[2] / 255.0);
     property->SetJustification(text.anchor == Overlay::Anchor::Start    ? VTK_TEXT_LEFT
                                : text.anchor == Overlay::Anchor::Middle ? VTK_TEXT_CENTERED
                                                                         : VTK_TEXT_RIGHT);
     property->SetVerticalJustificationToCentered();
     if (text.direction == Overlay::Direction::Up) property->SetOrientation(90.0);
-    if (textAsPaths_) return paintOutlines(painter, text, *property);
-    painter.ApplyTextProp(property);
     const std::vector<float> at = scaled({text.at}, shift);
-    painter.DrawString(at[0], at[1], text.text.c_str());
+    const auto draw = [&](const std::string& string) {
+      painter.ApplyTextProp(property);
+      painter.DrawString(at[0], at[1], string.c_str());
+    };
+    // A picture that looks the same everywhere has outlines of letters; text that can be selected lies over
+    // them, unseen.
+    if (auto* svg = vtkSVGContextDevice2D::SafeDownCast(painter.GetDevice())) {
+      draw(text.text);
+      property->SetOpacity(0.0);
+      property->SetFontSize(static_cast<int>(std::lround(kPointsPerPixel * scale_ * text.size)));
+      svg->SetTextAsPath(false);
+      draw(text.text);
+      svg->SetTextAsPath(true);
+    } else if (vtkPDFContextDevice2D::SafeDownCast(painter.GetDevice())) {
+      paintOutlines(painter, text, *property);
+      property->SetOpacity(0.0);
+      draw(asciiText(text.text));
+    } else {
+      draw(text.text);
+    }
   }
 
   void paintOutlines(vtkContext2D& painter, const SketchText& text, vtkTextProperty& property) const {
     for (Polyline& letter : glyphPolygons(text.text, property)) {
       for (Eigen::Vector2d& point : letter) point += text.at;
-      paint(painter, SketchArea{std::move(letter), kTextColor}, 0.0);
+      paint(painter, SketchArea{std::move(letter), text.color}, 0.0);
     }
   }
 
   const ChartSketch* sketch_ = nullptr;
   double scale_ = 1.0;
-  bool textAsPaths_ = false;
   vtkNew<vtkActor2D> movedByStrips_;
 };
 vtkStandardNewMacro(SketchItem)
@@ -140,15 +155,15 @@ vtkStandardNewMacro(SketchItem)
 };
 vtkStandardNewMacro(ExportActor)
 
-    /// A renderer that shows the sketch on white through an actor of the given type.
+    /// A renderer that shows the sketch through an actor of the given type.
     template <class Actor>
-    vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale, bool textAsPaths) {
+    vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale) {
   vtkNew<SketchItem> item;
-  item->set(sketch, scale, textAsPaths);
+  item->set(sketch, scale);
   vtkNew<Actor> actor;
   actor->GetScene()->AddItem(item);
   const auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->SetBackground(sketch.paper[0] / 255.0, sketch.paper[1] / 255.0, sketch.paper[2] / 255.0);
   renderer->SetBackgroundAlpha(1.0);
   renderer->AddActor2D(&item->movedByStrips());
   renderer->AddActor(actor);
@@ -157,7 +172,7 @@ vtkStandardNewMacro(ExportActor)
 
 void writePicture(const ChartSketch& sketch, const std::filesystem::path& file) {
   OffscreenCanvas canvas(sketch.size[0], sketch.size[1]);
-  canvas.window().AddRenderer(rendererOf<vtkContextActor>(sketch, canvas.supersampling(), false));
+  canvas.window().AddRenderer(rendererOf<vtkContextActor>(sketch, canvas.supersampling()));
   writePng(*canvas.capture(), file);
 }
 
@@ -175,7 +190,7 @@ void writeExport(const ChartSketch& sketch, const std::filesystem::path& file, s
   vtkNew<vtkGenericOpenGLRenderWindow> window;  // never rendered: it needs no context
   window->SetDPI(72);
   window->SetSize(sketch.size[0], sketch.size[1]);
-  window->AddRenderer(rendererOf<ExportActor>(sketch, 1.0, std::is_same_v<Exporter, vtkPDFExporter>));
+  window->AddRenderer(rendererOf<ExportActor>(sketch, 1.0));
   vtkNew<Exporter> exporter;
   exporter->SetRenderWindow(window);
   exporter->SetTitle("chart");

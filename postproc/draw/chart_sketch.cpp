@@ -12,7 +12,8 @@ namespace {
 using Anchor = Overlay::Anchor;
 using Direction = Overlay::Direction;
 
-constexpr Color kFrame{60, 60, 60}, kGrid{222, 222, 222}, kWhite{255, 255, 255};
+// How much ink is in the colours between paper and ink.
+constexpr double kFrameInk = 0.87, kGridInk = 0.147;
 
 // Parts of the text size.
 constexpr double kCurveWidth = 0.12;
@@ -22,11 +23,25 @@ constexpr double kTick = 0.3, kMinorTick = 0.17;
 constexpr double kMarker = 0.24;  ///< half the width
 constexpr double kMarkerRim = 0.07;
 
+Color mixed(const Theme& theme, double ink) {
+  Color result;
+  for (std::size_t c = 0; c < result.size(); ++c)
+    result[c] =
+        static_cast<unsigned char>(std::lround(theme.paper[c] + ink * (theme.ink[c] - theme.paper[c])));
+  return result;
+}
+
 class Sketcher {
  public:
-  Sketcher(const ChartLayout& layout, const std::array<int, 2>& size)
-      : layout_(layout), size_(layout.textSize) {
+  Sketcher(const ChartLayout& layout, const std::array<int, 2>& size, const Theme& theme)
+      : layout_(layout),
+        theme_(theme),
+        frame_(mixed(theme, kFrameInk)),
+        grid_(mixed(theme, kGridInk)),
+        size_(layout.textSize) {
     sketch_.size = size;
+    sketch_.paper = theme.paper;
+    if (theme.paper != Color{255, 255, 255}) addPaper();
     addGrid();
     addTicks();
     addFrame(layout.plot, kFrameWidth);
@@ -43,10 +58,17 @@ class Sketcher {
     sketch_.shapes.emplace_back(SketchLine{std::move(points), std::max(1.0, width * size_), color});
   }
 
+  /// A PDF has no other paper than white.
+  void addPaper() {
+    const double width = sketch_.size[0], height = sketch_.size[1];
+    sketch_.shapes.emplace_back(
+        SketchArea{{{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}}, theme_.paper});
+  }
+
   void addFrame(const PixelRect& r, double width) {
     const double out = width * size_ / 2;  // lines have blunt ends
-    for (const double x : {r.x, r.right()}) addLine({{x, r.y - out}, {x, r.top() + out}}, width, kFrame);
-    for (const double y : {r.y, r.top()}) addLine({{r.x - out, y}, {r.right() + out, y}}, width, kFrame);
+    for (const double x : {r.x, r.right()}) addLine({{x, r.y - out}, {x, r.top() + out}}, width, frame_);
+    for (const double y : {r.y, r.top()}) addLine({{r.x - out, y}, {r.right() + out, y}}, width, frame_);
   }
 
   double xOf(double value) const { return layout_.plot.x + layout_.x.share(value) * layout_.plot.width; }
@@ -55,21 +77,27 @@ class Sketcher {
   void addGrid() {
     const PixelRect& plot = layout_.plot;
     for (const double value : layout_.x.ticks)
-      addLine({{xOf(value), plot.y}, {xOf(value), plot.top()}}, kGridWidth, kGrid);
+      addLine({{xOf(value), plot.y}, {xOf(value), plot.top()}}, kGridWidth, grid_);
     for (const double value : layout_.y.ticks)
-      addLine({{plot.x, yOf(value)}, {plot.right(), yOf(value)}}, kGridWidth, kGrid);
+      addLine({{plot.x, yOf(value)}, {plot.right(), yOf(value)}}, kGridWidth, grid_);
   }
 
   void addTicks() {
-    const auto add = [&](const std::vector<double>& xs, const std::vector<double>& ys, double length) {
-      const PixelRect& plot = layout_.plot;
-      for (const double x : xs)
-        addLine({{xOf(x), plot.y}, {xOf(x), plot.y + length * size_}}, kFrameWidth, kFrame);
-      for (const double y : ys)
-        addLine({{plot.x, yOf(y)}, {plot.x + length * size_, yOf(y)}}, kFrameWidth, kFrame);
+    const PixelRect& plot = layout_.plot;
+    addTicks(layout_.x, {plot.x, plot.y}, {plot.width, 0.0}, {0.0, size_});
+    addTicks(layout_.y, {plot.x, plot.y}, {0.0, plot.height}, {size_, 0.0});
+    if (layout_.y2) addTicks(*layout_.y2, {plot.right(), plot.y}, {0.0, plot.height}, {-size_, 0.0});
+  }
+
+  /// inwards: as long as the text is high.
+  void addTicks(const ChartScale& scale, const Eigen::Vector2d& start, const Eigen::Vector2d& axis,
+                const Eigen::Vector2d& inwards) {
+    const auto add = [&](double value, double length) {
+      const Eigen::Vector2d at = start + scale.share(value) * axis;
+      addLine({at, at + length * inwards}, kFrameWidth, frame_);
     };
-    add(layout_.x.ticks, layout_.y.ticks, kTick);
-    add(layout_.x.minorTicks, layout_.y.minorTicks, kMinorTick);
+    for (const double value : scale.ticks) add(value, kTick);
+    for (const double value : scale.minorTicks) add(value, kMinorTick);
   }
 
   /// Solid lines first, so that they show in the gaps of dashed ones; then all markers.
@@ -102,7 +130,7 @@ class Sketcher {
 
   /// A line in the dashes of a style. start: the place in their period where it begins, in pixels.
   void addStroke(const Polyline& line, const CurveStyle& style, double start) {
-    const Color color = curveColor(style);
+    const Color color = curveColor(style, theme_);
     for (const Polyline& dash : dashes(line, dashLengths(style), start)) addRounded(dash, color);
   }
 
@@ -141,9 +169,9 @@ class Sketcher {
       for (Eigen::Vector2d& point : outline) point += at;
       sketch_.shapes.emplace_back(SketchArea{std::move(outline), color});
     };
-    add(kMarker + kMarkerRim, kWhite);
-    add(kMarker, curveColor(style));
-    if (!markerIsFilled(style)) add(kMarker / 2, kWhite);
+    add(kMarker + kMarkerRim, theme_.paper);
+    add(kMarker, curveColor(style, theme_));
+    if (!markerIsFilled(style)) add(kMarker / 2, theme_.paper);
   }
 
   /// A piece of line with the middle of a dash in its middle, and a marker.
@@ -160,8 +188,9 @@ class Sketcher {
     const ChartLegend& legend = layout_.legend;
     if (layout_.legendInside) {
       const PixelRect& box = layout_.legendBox;
-      sketch_.shapes.emplace_back(SketchArea{
-          {{box.x, box.y}, {box.right(), box.y}, {box.right(), box.top()}, {box.x, box.top()}}, kWhite});
+      sketch_.shapes.emplace_back(
+          SketchArea{{{box.x, box.y}, {box.right(), box.y}, {box.right(), box.top()}, {box.x, box.top()}},
+                     theme_.paper});
       addFrame(box, kGridWidth);
     }
     const auto starts = legend.entryStarts(layout_.legendBox, layout_.legendColumns);
@@ -181,7 +210,8 @@ class Sketcher {
 
   void addLabel(const std::string& label, const Eigen::Vector2d& at, double size, Anchor anchor,
                 Direction direction = Direction::Right) {
-    if (!label.empty()) sketch_.shapes.emplace_back(SketchText{label, at, size, anchor, direction});
+    if (!label.empty())
+      sketch_.shapes.emplace_back(SketchText{label, at, size, theme_.ink, anchor, direction});
   }
 
   void addTexts() {
@@ -189,6 +219,7 @@ class Sketcher {
       addLabel(layout_.x.labels[k], {xOf(layout_.x.ticks[k]), layout_.xLabelsAt}, size_, Anchor::Middle);
     for (std::size_t k = 0; k < layout_.y.ticks.size(); ++k)
       addLabel(layout_.y.labels[k], {layout_.yLabelsEnd, yOf(layout_.y.ticks[k])}, size_, Anchor::End);
+    if (layout_.y2) addRightTexts(*layout_.y2);
     addLabel(layout_.x.factor, layout_.xFactorAt, size_, Anchor::End);
     addLabel(layout_.y.factor, layout_.yFactorAt, size_, Anchor::Start);
     addText(layout_.title, layout_.titleAt, Anchor::Middle);
@@ -196,15 +227,26 @@ class Sketcher {
     addText(layout_.yTitle, layout_.yTitleAt, Anchor::Middle, Direction::Up);
   }
 
+  void addRightTexts(const ChartScale& scale) {
+    const PixelRect& plot = layout_.plot;
+    for (std::size_t k = 0; k < scale.ticks.size(); ++k)
+      addLabel(scale.labels[k], {layout_.y2LabelsStart, plot.y + scale.share(scale.ticks[k]) * plot.height},
+               size_, Anchor::Start);
+    addLabel(scale.factor, layout_.y2FactorAt, size_, Anchor::End);
+    addText(layout_.y2Title, layout_.y2TitleAt, Anchor::Middle, Direction::Up);
+  }
+
   const ChartLayout& layout_;
+  const Theme& theme_;
+  Color frame_, grid_;
   double size_;
   ChartSketch sketch_;
 };
 
 }  // namespace
 
-ChartSketch sketchChart(const ChartLayout& layout, const std::array<int, 2>& size) {
-  return Sketcher(layout, size).result();
+ChartSketch sketchChart(const ChartLayout& layout, const std::array<int, 2>& size, const Theme& theme) {
+  return Sketcher(layout, size, theme).result();
 }
 
 }  // namespace burnish

@@ -23,6 +23,7 @@ struct SketchText {
   std::string text;
   Eigen::Vector2d at;  ///< at half the height of the capitals
   double size;
+  Color color;
   Overlay::Anchor anchor = Overlay::Anchor::Middle;
   Overlay::Direction direction = Overlay::Direction::Right;
 };
@@ -30,9 +31,10 @@ struct SketchText {
 /// A chart as plain shapes, in the order in which they are painted; all lengths in pixels.
 struct ChartSketch {
   std::array<int, 2> size{};
+  Color paper{255, 255, 255};
   std::vector<std::variant<SketchLine, SketchArea, SketchText>> shapes;
 };
 
-ChartSketch sketchChart(const ChartLayout& layout, const std::array<int, 2>& size);
+ChartSketch sketchChart(const ChartLayout& layout, const std::array<int, 2>& size, const Theme& theme);
 
 }  // namespace burnish

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
 #include "engine/core/error.h"
 #include "postproc/draw/field_choice.h"
+#include "postproc/mesh/patch_geometry.h"
+#include "postproc/mesh/tensor_points.h"
+#include "postproc/mesh/tessellation.h"
 
 namespace burnish {
 namespace {
@@ -50,6 +54,51 @@ double quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& sizes, con
   return values(byValue.back());
 }
 
+/// A row cut into rows of `length` points or, the last one, fewer.
+std::vector<PointRow> parts(const PointRow& row, int length) {
+  std::vector<PointRow> parts;
+  const auto size = static_cast<int>(row.firstFunction.size());
+  for (int first = 0; first < size; first += length) {
+    const int count = std::min(length, size - first);
+    const auto begin = row.firstFunction.begin() + first;
+    parts.push_back({row.numFunctions, {begin, begin + count}, row.factors.middleCols(first, count)});
+  }
+  return parts;
+}
+
+/// The (100-p)th and the p-th percentile.
+std::array<double, 2> percentiles(const Tessellation& tessellation, const Eigen::MatrixXd& coefficients,
+                                  double p) {
+  const Eigen::VectorXd values = drawnScalars(tessellation.evaluate(coefficients));
+  std::vector<int> byValue(static_cast<std::size_t>(values.size()));
+  std::iota(byValue.begin(), byValue.end(), 0);
+  std::stable_sort(byValue.begin(), byValue.end(), [&](int a, int b) { return values(a) < values(b); });
+  const Eigen::VectorXd sizes = pointSizes(tessellation);
+  return {quantile(values, sizes, byValue, 1.0 - p / 100.0), quantile(values, sizes, byValue, p / 100.0)};
+}
+
+/// Smallest and largest value at the points of a tessellation; nothing if one is not finite. Goes through a
+/// patch span by span of its last direction: a body in space has more points than memory should hold.
+std::optional<std::array<double, 2>> extremes(const ModelRecord& model, const Eigen::MatrixXd& coefficients,
+                                              int subdivision) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> range{infinity, -infinity};
+  for (const PatchRecord& patch : model.patches) {
+    std::vector<PointRow> directions;
+    for (const DirectionRecord& direction : patch.directions) {
+      const UnivariateBasis basis = basisOf(direction);
+      directions.push_back(valuesAt(basis, subdividedSpans(basis, subdivision)));
+    }
+    for (const PointRow& part : parts(directions.back(), subdivision)) {
+      directions.back() = part;
+      const Eigen::VectorXd values = drawnScalars(TensorPoints(patch, directions).evaluate(coefficients));
+      if (!values.allFinite()) return std::nullopt;
+      range = {std::min(range[0], values.minCoeff()), std::max(range[1], values.maxCoeff())};
+    }
+  }
+  return range;
+}
+
 /// 1st, 2nd, 99th, 2.5th.
 std::string ordinal(double number) {
   const std::string digits = fmt::format("{:.6g}", number);
@@ -65,28 +114,27 @@ std::string ordinal(double number) {
 
 std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
                                  int subdivision, std::optional<double> clip) {
-  const Tessellation tessellation(model, subdivision);
-  const Eigen::VectorXd values = chooseField(model, frame, field).values(tessellation);
-  if (!values.allFinite())
-    throw Error(fmt::format("field {} of frame {} holds values that are not finite; it has no range", field,
-                            frame.index));
-  return valueRange(tessellation, values, clip);
+  return fieldRanges(model, frame, field, subdivision, clip).shown;
 }
 
-std::array<double, 2> valueRange(const Tessellation& tessellation, const Eigen::VectorXd& values,
-                                 std::optional<double> clip) {
+FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
+                       int subdivision, std::optional<double> clip) {
   if (clip && !(*clip > 50.0 && *clip <= 100.0))
     throw Error(fmt::format(
         "clip: found {}; expected a percentile above 50, at which the colours end, up to 100", *clip));
-  const std::array<double, 2> whole{values.minCoeff(), values.maxCoeff()};
-  if (!clip || *clip == 100.0) return whole;
-  std::vector<int> byValue(static_cast<std::size_t>(values.size()));
-  std::iota(byValue.begin(), byValue.end(), 0);
-  std::stable_sort(byValue.begin(), byValue.end(), [&](int a, int b) { return values(a) < values(b); });
-  const Eigen::VectorXd sizes = pointSizes(tessellation);
-  const std::array<double, 2> clipped{quantile(values, sizes, byValue, 1.0 - *clip / 100.0),
-                                      quantile(values, sizes, byValue, *clip / 100.0)};
-  return clipped[0] < clipped[1] ? clipped : whole;
+  const FieldChoice choice = chooseField(model, frame, field);
+  const std::optional<std::array<double, 2>> whole = extremes(model, choice.coefficients, subdivision);
+  if (!whole)
+    throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
+                            field, frame.index));
+  if (!clip || *clip == 100.0) return {*whole, *whole};
+  const auto clipped = percentiles(Tessellation(model, subdivision), choice.coefficients, *clip);
+  return {*whole, clipped[0] < clipped[1] ? clipped : *whole};
+}
+
+Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values) {
+  if (values.rows() == 1) return values.row(0).transpose();
+  return values.colwise().norm().transpose();
 }
 
 std::array<double, 2> widened(const std::array<double, 2>& range) {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "engine/results/result.h"
-#include "postproc/mesh/tessellation.h"
 
 namespace burnish {
 
@@ -17,9 +16,15 @@ namespace burnish {
 std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
                                  int subdivision, std::optional<double> clip = {});
 
-/// The same for values (one per point) on a tessellation.
-std::array<double, 2> valueRange(const Tessellation& tessellation, const Eigen::VectorXd& values,
-                                 std::optional<double> clip);
+/// Both, and what they are without `clip`.
+struct FieldRange {
+  std::array<double, 2> whole, shown;
+};
+FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
+                       int subdivision, std::optional<double> clip);
+
+/// The scalars that are drawn of values (components x points): a scalar itself, the magnitude of a vector.
+Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values);
 
 /// A range that a colour scale can have: a field that is constant gets a scale around it.
 std::array<double, 2> widened(const std::array<double, 2>& range);

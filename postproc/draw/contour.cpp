@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 #include <vtkActor.h>
 #include <vtkContourFilter.h>
-#include <vtkDoubleArray.h>
-#include <vtkGeometryFilter.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +16,9 @@
 
 #include "engine/core/error.h"
 #include "postproc/draw/color_range.h"
-#include "postproc/draw/contour_arrows.h"
 #include "postproc/draw/contour_layout.h"
+#include "postproc/draw/contour_parts.h"
 #include "postproc/draw/contour_transparency.h"
-#include "postproc/draw/contour_view.h"
 #include "postproc/draw/field_choice.h"
 #include "postproc/draw/flat_shapes.h"
 #include "postproc/draw/overlay.h"
@@ -31,10 +26,7 @@
 #include "postproc/draw/scalar_bar.h"
 #include "postproc/draw/space_actors.h"
 #include "postproc/draw/tool_drawing.h"
-#include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
-#include "postproc/mesh/tessellation.h"
-#include "postproc/mesh/vtk_arrays.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
@@ -47,14 +39,8 @@ constexpr int kMostIsolines = 100;
 
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
-/// Longest arrow as a part of the diagonal of what is seen of the body.
-constexpr double kArrowLength = 0.07;
-
-/// A tool is shown whole if it reaches no further than this beyond the body (part of the body's diagonal),
-/// else cut off at the smaller distance.
-constexpr double kToolReach = 0.4, kToolCut = 0.2;
-
-constexpr double kDotRoom = 0.005;  // for the dots of the control net, of the diagonal
+/// A plane or a cylinder is drawn this far beyond a body in space, as a part of the body's diagonal.
+constexpr double kToolReach = 0.2;
 
 /// Order in which things lie over each other in a 2D picture.
 enum Layer { kToolFill, kBody, kIsolines, kKnots, kNet, kUndeformed, kBodyOutline, kToolLines, kArrows };
@@ -77,24 +63,6 @@ void checkOptions(const ContourOptions& options) {
     throw Error("contact tractions belong to the true displacements; draw them without a warp");
 }
 
-/// What decides on the shape of things in a frame, with displacements times `warp`.
-FrameRecord shapeOf(const FrameRecord& frame, double warp) {
-  FrameRecord shape;
-  shape.displacement = warp * frame.displacement;
-  shape.toolDisplacement = warp * frame.toolDisplacement;
-  return shape;
-}
-
-Eigen::AlignedBox3d boxOf(vtkDataSet& data) {
-  const double* b = data.GetBounds();
-  return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
-}
-
-void extendByPoints(Eigen::AlignedBox2d& box, vtkDataSet& data, const ViewAxes& axes) {
-  for (vtkIdType k = 0; k < data.GetNumberOfPoints(); ++k)
-    box.extend(Eigen::Vector2d(axes * Eigen::Map<const Eigen::Vector3d>(data.GetPoint(k))));
-}
-
 /// The notes that there are, in one line.
 std::string joined(const std::vector<std::string>& notes) {
   std::string line;
@@ -110,99 +78,30 @@ class ContourPicture {
       : model_(model),
         frame_(frame),
         options_(options),
-        shape_(shapeOf(frame, options.warp)),
         textSize_(options.textSize.value_or(options.theme.textSize * textSizeFor(options.size))),
-        subdivision_(options.subdivision.value_or(model.subdivision)),
-        tessellation_(model, subdivision_),
         field_(chooseField(model, frame, options.field)),
-        values_(field_.values(tessellation_)),
-        axes_(options.axes.value_or(viewNamed("auto", model.dim))) {
-    if (!values_.allFinite())
-      throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
-                              options.field, frame.index));
-    makeBody();
-    if (options.arrows != ArrowField::None)
-      arrows_ = contourArrows(options.arrows, model, frame, *body_, axes_, arrowLength());
-  }
+        parts_(contourParts(model, frame, options)) {}
 
-  View draw(const std::filesystem::path& png) {
-    const std::array<double, 2> whole{values_.minCoeff(), values_.maxCoeff()};
-    const std::array<double, 2> shown =
-        options_.range.value_or(valueRange(tessellation_, values_, options_.clip));
+  ContourImage draw() const {
+    const auto [whole, unclipped] =
+        fieldRanges(model_, frame_, options_.field, subdivisionOf(model_, options_), options_.clip);
+    const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), options_.bands);
     const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1]}, textSize_, options_.theme);
-    const ContourLayout layout =
-        layOutContour(options_.size, textSize_, options_.window ? *options_.window : content(), axes_,
-                      caption(options_.clip && shown != whole), bar, options_.theme);
-    if (options_.transparent)
-      writePng(*withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
-               png);
-    else
-      writePng(*capture(options_.theme.paper, layout, bar, scale), png);
-    return layout.view;
-  }
-
-  /// The projected box that is to be seen.
-  Eigen::AlignedBox2d content() const {
-    Eigen::AlignedBox2d box;
-    extendByPoints(box, *body_, axes_);
-    if (undeformed_) extendByPoints(box, *undeformed_, axes_);
-    if (net_) {
-      extendByPoints(box, *net_, axes_);
-      const Eigen::Vector2d dot = Eigen::Vector2d::Constant(kDotRoom * box.diagonal().norm());
-      box.extend(Eigen::Vector2d(box.min() - dot)).extend(Eigen::Vector2d(box.max() + dot));
-    }
-    if (arrows_.edges) extendByPoints(box, *arrows_.edges, axes_);
-    const Eigen::AlignedBox2d bodyBox = box;
-    const auto grown = [&](double part) {
-      const Eigen::Vector2d margin = Eigen::Vector2d::Constant(part * bodyBox.diagonal().norm());
-      return Eigen::AlignedBox2d(bodyBox.min() - margin, bodyBox.max() + margin);
-    };
-    for (std::size_t k = 0; k < numTools(); ++k) {
-      Eigen::AlignedBox2d tool;
-      const Eigen::Matrix3Xd landmarks = toolLandmarks(model_.tools[k], toolShift(k), boxOf(*body_));
-      for (const auto& point : landmarks.colwise()) tool.extend(Eigen::Vector2d(axes_ * point));
-      const Eigen::AlignedBox2d seen = grown(grown(kToolReach).contains(tool) ? kToolReach : kToolCut);
-      if (seen.intersects(tool)) box.extend(seen.intersection(tool));
-    }
-    return box;
+    const ContourLayout layout = layOutContour(
+        options_.size, textSize_, options_.window ? *options_.window : contentOf(parts_, model_), parts_.axes,
+        caption(options_.clip && shown != whole), bar, options_.theme);
+    if (!options_.transparent) return {capture(options_.theme.paper, layout, bar, scale), layout.view};
+    return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
+            layout.view};
   }
 
  private:
-  void makeBody() {
-    const auto grid = makeGrid(tessellation_, shape_, true);
-    grid->GetPointData()->SetScalars(makeArray("drawn", values_.transpose(), {}));
-    if (options_.warp != 1.0)
-      grid->GetPointData()->AddArray(
-          makeArray("displacement", inSpace(tessellation_.evaluate(frame_.displacement)), kAxes));
-    vtkNew<vtkGeometryFilter> surface;
-    surface->SetInputData(grid);
-    surface->Update();
-    body_ = surface->GetOutput();
-    outline_ = bodyOutline(model_, shape_.displacement, subdivision_);
-    if (options_.undeformed) undeformed_ = bodyOutline(model_, {}, subdivision_);
-    if (options_.controlNet) net_ = controlNet(model_, shape_);
-  }
-
-  /// Parts of what is seen, so that it is the same for a body and for a part of it.
-  double arrowLength() const {
-    Eigen::AlignedBox2d box;
-    extendByPoints(box, *body_, axes_);
-    if (options_.window && options_.window->intersects(box)) box = options_.window->intersection(box);
-    return kArrowLength * box.diagonal().norm();
-  }
-
   ContourCaption caption(bool clipped) const {
     return {options_.title.value_or(model_.title),
             options_.time ? fmt::format("t = {:.6g}", frame_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
-                    arrows_.note, options_.note, clipped ? clipNote(*options_.clip, model_.dim) : ""})};
-  }
-
-  std::size_t numTools() const { return options_.tools ? model_.tools.size() : 0; }
-
-  Eigen::VectorXd toolShift(std::size_t tool) const {
-    return shape_.toolDisplacement.col(static_cast<Eigen::Index>(tool));
+                    parts_.arrows.note, options_.note, clipped ? clipNote(*options_.clip, model_.dim) : ""})};
   }
 
   vtkSmartPointer<vtkImageData> capture(const Color& background, const ContourLayout& layout,
@@ -234,9 +133,7 @@ class ContourPicture {
 
   /// Whether only a part of the body is seen.
   bool cutsBody() const {
-    Eigen::AlignedBox2d box;
-    extendByPoints(box, *body_, axes_);
-    return options_.window && !options_.window->contains(box);
+    return options_.window && !options_.window->contains(boxOf(*parts_.body, parts_.axes));
   }
 
   /// Round a part of the body, whose edges are not those of the body.
@@ -249,7 +146,7 @@ class ContourPicture {
   void drawSpace(vtkRenderer& renderer, int scale, const View& view, const ColorScale& colors) const {
     const bool shaded = model_.dim == 3;
     const double line = scale * std::max(0.8, textSize_ / 16.0);
-    const double depth = body_->GetLength() / (shaded ? 1000.0 : 100.0);
+    const double depth = parts_.body->GetLength() / (shaded ? 1000.0 : 100.0);
     const Eigen::Vector3d eye = view.towardsEye();
     const auto add = [&](vtkSmartPointer<vtkActor> actor, Layer layer) {
       const Eigen::Vector3d shift = static_cast<double>(layer) * depth * eye;
@@ -257,36 +154,38 @@ class ContourPicture {
       renderer.AddActor(actor);
     };
     const Theme& theme = options_.theme;
-    add(contourActor(*body_, colors, shaded), kBody);
+    add(contourActor(*parts_.body, colors, shaded), kBody);
     if (options_.isolines > 0)
       add(lineActor(*isolines(colors.range()), theme.outline, 0.7 * line, 1.0), kIsolines);
     if (options_.knots)
-      add(lineActor(*knotLines(model_, shape_.displacement, subdivision_), theme.knots, 0.5 * line, 0.5),
+      add(lineActor(*knotLines(model_, parts_.displacement, subdivisionOf(model_, options_)), theme.knots,
+                    0.5 * line, 0.5),
           kKnots);
-    if (net_) {
-      add(lineActor(*net_, theme.controlNet, 0.6 * line, 1.0), kNet);
-      add(pointActor(*net_, theme.controlNet, 4.0 * line), kNet);
+    if (parts_.net) {
+      add(lineActor(*parts_.net, theme.controlNet, 0.6 * line, 1.0), kNet);
+      add(pointActor(*parts_.net, theme.controlNet, 4.0 * line), kNet);
     }
-    if (undeformed_) add(lineActor(*undeformed_, theme.undeformed, 0.8 * line, 1.0), kUndeformed);
-    add(lineActor(*outline_, theme.outline, line, 1.0), kBodyOutline);
-    for (std::size_t k = 0; k < numTools(); ++k) {
-      const ToolDrawing tool = drawTool(model_.tools[k], toolShift(k), model_.dim, visibleBox(view),
-                                        textSize_ * 0.6 / view.pixelsPerLength);
+    if (parts_.undeformed) add(lineActor(*parts_.undeformed, theme.undeformed, 0.8 * line, 1.0), kUndeformed);
+    add(lineActor(*parts_.outline, theme.outline, line, 1.0), kBodyOutline);
+    for (Eigen::Index k = 0; k < parts_.toolDisplacement.cols(); ++k) {
+      const ToolDrawing tool =
+          drawTool(model_.tools[static_cast<std::size_t>(k)], parts_.toolDisplacement.col(k), model_.dim,
+                   visibleBox(view), textSize_ * 0.6 / view.pixelsPerLength);
       if (tool.surface)
         add(plainActor(*tool.surface, theme.tool, shaded, tool.hidesBody ? 0.4 : 1.0), kToolFill);
       if (tool.lines) add(lineActor(*tool.lines, theme.outline, 1.2 * line, 1.0), kToolLines);
     }
-    if (arrows_.areas) drawArrows(renderer, line, eye);
-    aim(renderer, view, options_.size, 10.0 * body_->GetLength());
+    if (parts_.arrows.areas) drawArrows(renderer, line, eye);
+    aim(renderer, view, options_.size, 10.0 * parts_.body->GetLength());
   }
 
   /// In front of everything: white with a dark edge, which is seen on every colour.
   void drawArrows(vtkRenderer& renderer, double line, const Eigen::Vector3d& eye) const {
-    const auto areas = plainActor(*arrows_.areas, kWhite, false, 1.0);
-    const auto edges = lineActor(*arrows_.edges, kBlack, 0.5 * line, 1.0);
+    const auto areas = plainActor(*parts_.arrows.areas, kWhite, false, 1.0);
+    const auto edges = lineActor(*parts_.arrows.edges, kBlack, 0.5 * line, 1.0);
     double nearness = model_.dim == 2 ? static_cast<double>(kArrows) / 100.0 : 2.0;
     for (const auto& actor : {areas, edges}) {
-      const Eigen::Vector3d shift = nearness * body_->GetLength() * eye;
+      const Eigen::Vector3d shift = nearness * parts_.body->GetLength() * eye;
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
       nearness += 0.005;
@@ -295,7 +194,7 @@ class ContourPicture {
 
   vtkSmartPointer<vtkPolyData> isolines(const std::array<double, 2>& range) const {
     vtkNew<vtkContourFilter> filter;
-    filter->SetInputData(body_);
+    filter->SetInputData(parts_.body);
     for (int k = 0; k < options_.isolines; ++k)
       filter->SetValue(k, std::lerp(range[0], range[1], (k + 1.0) / (options_.isolines + 1.0)));
     filter->Update();
@@ -305,8 +204,8 @@ class ContourPicture {
   /// A box that covers all that is seen.
   Eigen::AlignedBox3d visibleBox(const View& view) const {
     if (model_.dim == 3) {
-      Eigen::AlignedBox3d box = boxOf(*body_);
-      const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kToolCut * box.diagonal().norm());
+      Eigen::AlignedBox3d box = boxOf(*parts_.body);
+      const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kToolReach * box.diagonal().norm());
       return {box.min() - margin, box.max() + margin};
     }
     const Eigen::Vector2d half =
@@ -320,28 +219,28 @@ class ContourPicture {
   const ModelRecord& model_;
   const FrameRecord& frame_;
   const ContourOptions& options_;
-  FrameRecord shape_;
   double textSize_;
-  int subdivision_;
-  Tessellation tessellation_;
   FieldChoice field_;
-  Eigen::VectorXd values_;
-  ViewAxes axes_;
-  vtkSmartPointer<vtkPolyData> body_, outline_, undeformed_, net_;
-  ContourArrows arrows_;
+  ContourParts parts_;
 };
 
 }  // namespace
 
+ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+  checkOptions(options);
+  return ContourPicture(model, frame, options).draw();
+}
+
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                  const std::filesystem::path& png) {
-  checkOptions(options);
-  return ContourPicture(model, frame, options).draw(png);
+  const ContourImage image = contourImage(model, frame, options);
+  writePng(*image.picture, png);
+  return image.view;
 }
 
 Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,
                               const ContourOptions& options) {
-  return ContourPicture(model, frame, options).content();
+  return contentOf(contourParts(model, frame, options), model);
 }
 
 }  // namespace burnish

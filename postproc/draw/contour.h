@@ -1,4 +1,6 @@
 #pragma once
+#include <vtkSmartPointer.h>
+
 #include <Eigen/Geometry>
 #include <array>
 #include <filesystem>
@@ -8,6 +10,8 @@
 #include "engine/results/result.h"
 #include "postproc/draw/theme.h"
 #include "postproc/draw/view.h"
+
+class vtkImageData;
 
 namespace burnish {
 
@@ -41,6 +45,15 @@ struct ContourOptions {
   Theme theme;
   bool transparent = false;  ///< no paper: the picture has an alpha channel
 };
+
+/// A picture in memory, RGB or, transparent, RGBA, lowest row first.
+struct ContourImage {
+  vtkSmartPointer<vtkImageData> picture;
+  View view;  ///< how positions became pixels
+};
+
+/// Draws as `drawContour`, into memory.
+ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
 
 /// Draws a field on the deformed body, the tools, a colour scale and a caption into a PNG file, which appears
 /// under its name only when it is complete. Returns how positions became pixels. Throws `Error` for an

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataNormals.h>
 
 #include <algorithm>
 #include <vector>
@@ -23,15 +21,13 @@ constexpr double kDisplacementGap = 0.75, kTractionGap = 0.3;
 constexpr double kShortest = 0.18;  // nothing is drawn below
 constexpr double kHead = 0.3, kHeadHalfWidth = 0.12, kShaftHalfWidth = 0.035;
 
-/// Where vectors stand and what they are, 3 x n.
+/// Where vectors stand and what they are.
 struct VectorPoints {
-  Eigen::Matrix3Xd points, vectors;
+  std::vector<Eigen::Vector3d> points, vectors;
 
   void add(const Eigen::Vector3d& point, const Eigen::Vector3d& vector) {
-    points.conservativeResize(Eigen::NoChange, points.cols() + 1);
-    vectors.conservativeResize(Eigen::NoChange, points.cols());
-    points.rightCols<1>() = point;
-    vectors.rightCols<1>() = vector;
+    points.push_back(point);
+    vectors.push_back(vector);
   }
 };
 
@@ -39,21 +35,13 @@ Eigen::Vector3d tuple(vtkDataArray& array, vtkIdType k) {
   return Eigen::Map<const Eigen::Vector3d>(array.GetTuple3(k));
 }
 
-VectorPoints displacements(const ModelRecord& model, vtkPolyData& body, const Eigen::Vector3d& towardsEye) {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(&body);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  normals->AutoOrientNormalsOff();
-  normals->Update();
-  vtkPolyData& surface = *normals->GetOutput();
-  vtkDataArray& u = *surface.GetPointData()->GetArray("displacement");
+VectorPoints displacements(vtkPolyData& body, const Eigen::Vector3d& towardsEye) {
+  vtkDataArray& u = *body.GetPointData()->GetArray("displacement");
+  vtkDataArray* normals = body.GetPointData()->GetNormals();  // of a body in space
   VectorPoints result;
-  for (vtkIdType k = 0; k < surface.GetNumberOfPoints(); ++k) {
-    const bool faces =
-        model.dim == 2 || tuple(*surface.GetPointData()->GetNormals(), k).dot(towardsEye) > 0.1;
-    if (faces) result.add(Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(k)), tuple(u, k));
-  }
+  for (vtkIdType k = 0; k < body.GetNumberOfPoints(); ++k)
+    if (!normals || tuple(*normals, k).dot(towardsEye) > 0.1)
+      result.add(Eigen::Map<const Eigen::Vector3d>(body.GetPoint(k)), tuple(u, k));
   return result;
 }
 
@@ -69,13 +57,18 @@ VectorPoints tractions(const ModelRecord& model, const FrameRecord& frame) {
   return result;
 }
 
-/// Numbers of points, taken one after the other, none of which is closer than `gap` to one before it.
-std::vector<Eigen::Index> thinned(const Eigen::Matrix2Xd& points, double gap) {
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index k = 0; k < points.cols(); ++k)
-    if (std::none_of(kept.begin(), kept.end(),
-                     [&](Eigen::Index other) { return (points.col(k) - points.col(other)).norm() < gap; }))
-      kept.push_back(k);
+/// Numbers of points, taken one after the other, none of which is seen closer than `gap` to one before it.
+std::vector<std::size_t> thinned(const std::vector<Eigen::Vector3d>& points, const ViewAxes& axes,
+                                 double gap) {
+  std::vector<std::size_t> kept;
+  std::vector<Eigen::Vector2d> places;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Vector2d place = axes * points[k];
+    const auto isNear = [&](const Eigen::Vector2d& other) { return (place - other).norm() < gap; };
+    if (std::any_of(places.begin(), places.end(), isNear)) continue;
+    kept.push_back(k);
+    places.push_back(place);
+  }
   return kept;
 }
 
@@ -102,18 +95,19 @@ ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const Fr
   if (field == ArrowField::None) return {};
   const bool traction = field == ArrowField::Traction;
   const Eigen::Vector3d towardsEye = axes.row(0).cross(axes.row(1)).transpose();
-  const VectorPoints all = traction ? tractions(model, frame) : displacements(model, body, towardsEye);
-  const double largest = all.vectors.cols() == 0 ? 0.0 : all.vectors.colwise().norm().maxCoeff();
+  const VectorPoints all = traction ? tractions(model, frame) : displacements(body, towardsEye);
+  double largest = 0.0;
+  for (const Eigen::Vector3d& vector : all.vectors) largest = std::max(largest, vector.norm());
   const std::string name = traction ? "contact traction" : "displacement";
   if (largest == 0.0) return {nullptr, nullptr, fmt::format("no {}", name)};
 
   PolyBuilder areas, edges;
-  for (const Eigen::Index k :
-       thinned(axes * all.points, longest * (traction ? kTractionGap : kDisplacementGap))) {
-    const Eigen::Vector3d along = all.vectors.col(k) * (longest / largest);
+  for (const std::size_t k :
+       thinned(all.points, axes, longest * (traction ? kTractionGap : kDisplacementGap))) {
+    const Eigen::Vector3d along = all.vectors[k] * (longest / largest);
     const Eigen::Vector3d side = towardsEye.cross(along);
     if (side.norm() < kShortest * longest) continue;
-    addArrow(areas, edges, all.points.col(k) + (traction ? Eigen::Vector3d::Zero().eval() : along), along,
+    addArrow(areas, edges, all.points[k] + (traction ? Eigen::Vector3d::Zero().eval() : along), along,
              side.normalized(), longest);
   }
   const std::string& unit = traction ? model.stressUnit : model.lengthUnit;

@@ -19,8 +19,8 @@ struct ContourArrows {
 };
 
 /// Arrows that begin on the body (displacement) or end on its contact faces (traction). body: the drawn
-/// surface with the point data `displacement`; of a body in space only what faces the eye has arrows.
-/// longest: length of the longest arrow; arrows keep most of it as their distance.
+/// surface with the point data `displacement` and, in space, normals; of a body in space only what faces the
+/// eye has arrows. longest: length of the longest arrow; arrows keep most of it as their distance.
 ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const FrameRecord& frame,
                             vtkPolyData& body, const ViewAxes& axes, double longest);
 

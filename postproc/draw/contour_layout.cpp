@@ -34,37 +34,52 @@ double fit(const Eigen::Vector2d& extent, double width, double height) {
   return std::max(1e-12, std::min(width / extent.x(), height / extent.y()));
 }
 
+/// Width and height of the content in pixels.
+Eigen::Vector2d drawnSize(const Eigen::Vector2d& extent, double scale, double size) {
+  return {std::ceil(scale * extent.x() + 2.0 * kPadding * size),
+          std::ceil(scale * extent.y() + 2.0 * kPadding * size)};
+}
+
+/// As long as the content, unless that is too short for its labels.
+double barLength(const PixelRect& room, const Eigen::Vector2d& drawn, Direction direction, double size) {
+  if (direction == Direction::Up)
+    return std::clamp(drawn.y(), std::min(kShortestBar * size, room.height), room.height);
+  return std::clamp(drawn.x(), std::min(3 * kShortestBar * size, room.width), room.width);
+}
+
 /// The content as large as possible with the bar at its right (Up) or below (Right).
 Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const ScalarBar& bar,
                 Direction direction, double size) {
   const double padding = 2.0 * kPadding * size;
   Placement p;
   p.room = room;
-  p.barDepth = bar.depth(direction, direction == Direction::Up ? room.height : room.width);
-  const double taken = p.barDepth + kBarGap * size + padding;
-  p.scale = direction == Direction::Up ? fit(extent, room.width - taken, room.height - padding)
-                                       : fit(extent, room.width - padding, room.height - taken);
+  double depth = bar.depth(direction, direction == Direction::Up ? room.height : room.width);
+  // A shorter bar has other labels, and may need more room for them.
+  while (depth > p.barDepth) {
+    p.barDepth = depth;
+    const double taken = p.barDepth + kBarGap * size + padding;
+    p.scale = direction == Direction::Up ? fit(extent, room.width - taken, room.height - padding)
+                                         : fit(extent, room.width - padding, room.height - taken);
+    depth = bar.depth(direction, barLength(room, drawnSize(extent, p.scale, size), direction, size));
+  }
   return p;
 }
 
 /// Content and bar as one group in the middle of the room.
 void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& extent, double size) {
-  const double width = std::ceil(p.scale * extent.x() + 2.0 * kPadding * size);
-  const double height = std::ceil(p.scale * extent.y() + 2.0 * kPadding * size);
+  const Eigen::Vector2d drawn = drawnSize(extent, p.scale, size);
   const bool up = layout.barDirection == Direction::Up;
-  const double gap = kBarGap * size;
-  const double group = (up ? width : height) + gap + p.barDepth;
+  const double gap = kBarGap * size, length = barLength(p.room, drawn, layout.barDirection, size);
+  const double group = (up ? drawn.x() : drawn.y()) + gap + p.barDepth;
   const Eigen::Vector2d middle = p.room.center();
   if (up) {
     const double left = std::floor(middle.x() - group / 2);
-    const double length = std::clamp(height, std::min(kShortestBar * size, p.room.height), p.room.height);
-    layout.view.area = {left, std::floor(middle.y() - height / 2), width, height};
-    layout.bar = {left + width + gap, middle.y() - length / 2, p.barDepth, length};
+    layout.view.area = {left, std::floor(middle.y() - drawn.y() / 2), drawn.x(), drawn.y()};
+    layout.bar = {left + drawn.x() + gap, middle.y() - length / 2, p.barDepth, length};
   } else {
     const double bottom = std::floor(middle.y() - group / 2);
-    const double length = std::clamp(width, std::min(3 * kShortestBar * size, p.room.width), p.room.width);
-    layout.view.area = {std::floor(middle.x() - width / 2), std::ceil(bottom + p.barDepth + gap), width,
-                        height};
+    layout.view.area = {std::floor(middle.x() - drawn.x() / 2), std::ceil(bottom + p.barDepth + gap),
+                        drawn.x(), drawn.y()};
     layout.bar = {middle.x() - length / 2, bottom, length, p.barDepth};
   }
 }
@@ -73,7 +88,7 @@ void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& e
 void placeNote(ContourLayout& layout, double size, double margin) {
   if (layout.note.text.empty()) return;
   const double baseline =
-      std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.style.size);
+      std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.style);
   const double length = textWidth(layout.note.text, layout.note.style);
   layout.noteAt = layout.barDirection == Direction::Up
                       ? Eigen::Vector2d(std::max(layout.bar.right(), margin + length), baseline)
@@ -96,9 +111,9 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
 
   double top = height - margin;
   const auto addLine = [&](const std::string& text, double textHeight, double gap) {
-    const FittedText line =
-        fitText({{text}}, {textHeight, theme.ink}, width - 2 * margin, std::min(textHeight, kSmallestText));
-    const Eigen::Vector2d at(margin, top - capitalHeight(line.style.size));
+    const FittedText line = fitText({{text}}, {textHeight, theme.ink, theme.font}, width - 2 * margin,
+                                    std::min(textHeight, kSmallestText));
+    const Eigen::Vector2d at(margin, top - capitalHeight(line.style));
     top = at.y() - gap * size;
     return std::pair(line, at);
   };
@@ -111,9 +126,9 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
 
   double bottom = margin;
   if (!caption.note.empty()) {
-    layout.note =
-        fitText({{caption.note}}, {kNoteSize * size, theme.softInk}, width - 2 * margin, kSmallestNote);
-    bottom += kNoteGap * size + capitalHeight(layout.note.style.size);
+    layout.note = fitText({{caption.note}}, {kNoteSize * size, theme.softInk, theme.font}, width - 2 * margin,
+                          kSmallestNote);
+    bottom += kNoteGap * size + capitalHeight(layout.note.style);
   }
 
   const PixelRect room{margin, bottom, width - 2 * margin, top - bottom};

@@ -1,9 +1,13 @@
 #include "postproc/draw/contour_series.h"
 
+#include <vtkImageData.h>
+
 #include <algorithm>
+#include <future>
 #include <limits>
 
 #include "postproc/draw/color_range.h"
+#include "postproc/draw/png_file.h"
 
 namespace burnish {
 
@@ -25,6 +29,19 @@ Eigen::AlignedBox2d commonWindow(const ResultReader& result, const std::vector<i
   Eigen::AlignedBox2d window;
   for (const int k : frames) window.extend(contentOf(result.model(), result.frame(k), options));
   return window;
+}
+
+void drawSeries(const ResultReader& result, const std::vector<int>& frames, const ContourOptions& options,
+                const std::vector<std::filesystem::path>& names) {
+  vtkSmartPointer<vtkImageData> picture;  // outlives its writing
+  std::future<void> writing;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const ContourImage next = contourImage(result.model(), result.frame(frames[k]), options);
+    if (writing.valid()) writing.get();
+    picture = next.picture;
+    writing = std::async(std::launch::async, [&picture, &name = names[k]] { writePng(*picture, name); });
+  }
+  if (writing.valid()) writing.get();
 }
 
 }  // namespace burnish

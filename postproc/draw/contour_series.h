@@ -1,10 +1,11 @@
 #pragma once
+#include <filesystem>
 #include <vector>
 
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour.h"
 
-/// What the pictures of several frames share so that they can be compared.
+/// Pictures of several frames, and what they share so that they can be compared.
 namespace burnish {
 
 /// A range of colours for these frames: from the smallest to the largest value that one of them shows, or
@@ -15,5 +16,10 @@ std::array<double, 2> commonRange(const ResultReader& result, const std::vector<
 /// The window in which all of these frames are seen whole.
 Eigen::AlignedBox2d commonWindow(const ResultReader& result, const std::vector<int>& frames,
                                  const ContourOptions& options);
+
+/// Draws these frames as `drawContour` does, each into its file, one after the other. A picture is written
+/// while the next one is drawn. names: one per frame. Throws `Error` as `drawContour` does.
+void drawSeries(const ResultReader& result, const std::vector<int>& frames, const ContourOptions& options,
+                const std::vector<std::filesystem::path>& names);
 
 }  // namespace burnish

@@ -1,12 +1,40 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace burnish {
 
-enum class FontWeight { Regular, Bold };
+/// Has Greek letters, overbars and superscripts.
+inline constexpr const char* kDefaultFont = "DejaVu Sans";
 
-/// The DejaVu Sans font, which has Greek letters, overbars and superscripts, from the system's font
-/// directories. Throws `Error` that names the package if it is not installed.
-const std::string& fontFile(FontWeight weight);
+/// A scalable font, and what laying out its texts must know: parts of the font size.
+struct Font {
+  std::string file;
+  double capitals = 0.0;  ///< height of the capitals
+  double descent = 0.0;   ///< how far letters reach below the line
+};
+
+/// Whether a name is that of a file: with a slash or an ending of fonts.
+bool isFontFile(const std::string& name);
+
+/// A family that is installed, or a file. Throws `Error` with
+/// the nearest family, and for a file that is missing or holds no scalable font.
+const Font& fontNamed(const std::string& name);
+
+enum class FontWeight { Regular };
+
+/// File of the default font.
+inline const std::string& fontFile(FontWeight /*weight*/) {
+  return fontNamed(kDefaultFont).file;
+}
+
+/// A part of a text and the font that has its letters.
+struct FontPiece {
+  std::string text;
+  const Font* font;
+};
+
+/// The text in parts: what the font of this name has not, such as Greek letters, is in the default font.
+std::vector<FontPiece> fontPieces(const std::string& text, const std::string& name);
 
 }  // namespace burnish

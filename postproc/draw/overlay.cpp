@@ -25,9 +25,7 @@
 namespace burnish {
 namespace {
 
-// Proportions of DejaVu Sans, as parts of the font size.
-constexpr double kDescent = 0.236;
-constexpr double kCapitals = 0.729;
+// Parts of the font size.
 constexpr double kScriptSize = 0.7;
 constexpr double kSubDrop = 0.16;
 constexpr double kSuperRise = 0.36;
@@ -42,21 +40,20 @@ int fontSize(const TextStyle& style, double scale) {
   return std::max(1, static_cast<int>(std::lround(style.size * scale)));
 }
 
-void apply(const TextStyle& style, int size, vtkTextProperty& property) {
+void apply(const Font& font, int size, vtkTextProperty& property) {
   property.SetFontFamily(VTK_FONT_FILE);
-  property.SetFontFile(fontFile(style.weight).c_str());
+  property.SetFontFile(font.file.c_str());
   property.SetFontSize(size);
-  property.SetColor(style.color[0] / 255.0, style.color[1] / 255.0, style.color[2] / 255.0);
 }
 
 /// Width in pixels of the drawing; laying out a picture asks for the same texts again and again, and
 /// measuring loads every glyph.
-int boxWidth(const std::string& text, int fontSize, const TextStyle& style) {
-  thread_local std::map<std::tuple<std::string, int, FontWeight>, int> known;
-  const auto [entry, isNew] = known.try_emplace({text, fontSize, style.weight}, 0);
+int boxWidth(const std::string& text, int fontSize, const Font& font) {
+  thread_local std::map<std::tuple<std::string, int, const Font*>, int> known;
+  const auto [entry, isNew] = known.try_emplace({text, fontSize, &font}, 0);
   if (isNew) {
     vtkNew<vtkTextProperty> property;
-    apply(style, fontSize, *property);
+    apply(font, fontSize, *property);
     std::array<int, 4> box{};
     vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(text), box.data(), 72);
     entry->second = box[1] - box[0] + 1;
@@ -65,12 +62,13 @@ int boxWidth(const std::string& text, int fontSize, const TextStyle& style) {
 }
 
 /// Distance from the start of a text to the start of what follows it, blanks at its ends included.
-double advance(const std::string& text, const TextStyle& style) {
+double advance(const FontPiece& piece, const TextStyle& style) {
   // As large as it is drawn: letters are set at whole pixels, so their distances are not proportional to the
   // size.
   constexpr int scale = OffscreenCanvas::kSupersampling;
   const int size = fontSize(style, scale);
-  return static_cast<double>(boxWidth("|" + text + "|", size, style) - boxWidth("||", size, style)) / scale;
+  const int both = boxWidth("|" + piece.text + "|", size, *piece.font);
+  return static_cast<double>(both - boxWidth("||", size, *piece.font)) / scale;
 }
 
 /// Removes the last character (not byte) of a text.
@@ -85,7 +83,9 @@ void dropLast(RichText& text) {
 
 double textWidth(const RichText& text, const TextStyle& style) {
   double width = 0.0;
-  for (const TextRun& run : text) width += advance(run.text, runStyle(style, run.script));
+  for (const TextRun& run : text)
+    for (const FontPiece& piece : fontPieces(run.text, style.font))
+      width += advance(piece, runStyle(style, run.script));
   return width;
 }
 
@@ -104,8 +104,12 @@ FittedText fitText(RichText text, TextStyle style, double width, double smallest
   return {std::move(text), style};
 }
 
+double capitalHeight(const TextStyle& style) {
+  return fontNamed(style.font).capitals * style.size;
+}
+
 double capitalHeight(double size) {
-  return kCapitals * size;
+  return capitalHeight(TextStyle{.size = size});
 }
 
 void Overlay::addText(const RichText& text, const Eigen::Vector2d& at, const TextStyle& style, Anchor anchor,
@@ -120,19 +124,22 @@ void Overlay::addText(const RichText& text, const Eigen::Vector2d& at, const Tex
     const double lift = run.script == Script::Normal ? 0.0
                         : run.script == Script::Sub  ? -kSubDrop
                                                      : kSuperRise;
-    addRun(run.text, pen + lift * style.size * upwards, own, direction);
-    pen += advance(run.text, own) * along;
+    for (const FontPiece& piece : fontPieces(run.text, style.font)) {
+      addPiece(piece, pen + lift * style.size * upwards, own, direction);
+      pen += advance(piece, own) * along;
+    }
   }
 }
 
-void Overlay::addRun(const std::string& text, const Eigen::Vector2d& baseline, const TextStyle& style,
-                     Direction direction) {
+void Overlay::addPiece(const FontPiece& piece, const Eigen::Vector2d& baseline, const TextStyle& style,
+                       Direction direction) {
   vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
-  apply(style, fontSize(style, scale_), *actor->GetTextProperty());
+  actor->SetInput(piece.text.c_str());
+  apply(*piece.font, fontSize(style, scale_), *actor->GetTextProperty());
+  actor->GetTextProperty()->SetColor(style.color[0] / 255.0, style.color[1] / 255.0, style.color[2] / 255.0);
   actor->GetTextProperty()->SetJustificationToLeft();
   actor->GetTextProperty()->SetVerticalJustificationToBottom();
-  const double descent = kDescent * style.size;
+  const double descent = piece.font->descent * style.size;
   const bool up = direction == Direction::Up;
   if (up) actor->GetTextProperty()->SetOrientation(90.0);
   actor->SetPosition(std::round(scale_ * (baseline.x() + (up ? descent : 0.0))),

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <string>
 #include <vector>
 
 #include "postproc/draw/color_scale.h"
@@ -14,7 +15,7 @@ namespace burnish {
 struct TextStyle {
   double size = 12.0;  ///< height of the font in pixels of the picture
   Color color{0, 0, 0};
-  FontWeight weight = FontWeight::Regular;
+  std::string font = kDefaultFont;  ///< see `fontNamed`
 };
 
 /// Length of a line of text in pixels of the picture.
@@ -28,8 +29,9 @@ struct FittedText {
 };
 FittedText fitText(RichText text, TextStyle style, double width, double smallest);
 
-/// Height of the digits and capitals of a font of this size, in pixels.
-double capitalHeight(double size);
+/// Height of the digits and capitals, in pixels.
+double capitalHeight(const TextStyle& style);
+double capitalHeight(double size);  ///< in the default font
 
 /// What is drawn over a picture in pixels (see PixelRect), in a renderer that is `scale` times larger.
 class Overlay {
@@ -50,8 +52,8 @@ class Overlay {
   void addStripes(const PixelRect& rect, const std::vector<Color>& colors, Direction direction);
 
  private:
-  void addRun(const std::string& text, const Eigen::Vector2d& baseline, const TextStyle& style,
-              Direction direction);
+  void addPiece(const FontPiece& piece, const Eigen::Vector2d& baseline, const TextStyle& style,
+                Direction direction);
 
   vtkRenderer& renderer_;
   int scale_;

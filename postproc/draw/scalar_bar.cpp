@@ -50,9 +50,9 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
       title_(std::move(texts.title)),
       size_(textSize),
       ink_(theme.ink),
-      titleStyle_{textSize, theme.ink},
-      labelStyle_{kLabelSize * textSize, theme.ink},
-      endStyle_{kEndSize * textSize, theme.softInk} {
+      titleStyle_{textSize, theme.ink, theme.font},
+      labelStyle_{kLabelSize * textSize, theme.ink, theme.font},
+      endStyle_{kEndSize * textSize, theme.softInk, theme.font} {
   const int exponent = makeTicks(scale_.range(), kMostTicks).exponent;
   const RichText unit = unitText(exponent, texts.unit);
   title_.insert(title_.end(), unit.begin(), unit.end());
@@ -74,7 +74,7 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
 
 double ScalarBar::depth(Direction direction, double length) const {
   const double besideLabels = size_ * (kBarDepth + kTick + kGap + kTitleGap + kTitleDepth);
-  if (direction == Direction::Right) return besideLabels + capitalHeight(labelStyle_.size);
+  if (direction == Direction::Right) return besideLabels + capitalHeight(labelStyle_);
   const double withLabels = besideLabels + longestLabel(ticksUp(barLengthUp(length)));
   if (!reachesEnds(fitText(title_, titleStyle_, length, kSmallestTitle * size_), length))
     return std::max(withLabels, longestEnd());
@@ -98,13 +98,12 @@ void ScalarBar::draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& spac
 }
 
 void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
-  const double endText = size_ * kEndGap + capitalHeight(endStyle_.size);
+  const double endText = size_ * kEndGap + capitalHeight(endStyle_);
   const PixelRect bar = rounded({space.x, space.y + endText + (low_.passed ? kArrow * size_ : 0.0),
                                  kBarDepth * size_, barLengthUp(space.height)});
   const Ticks ticks = ticksUp(bar.height);
   drawFrameAndTicks(overlay, shapes, bar, Direction::Up, ticks);
-  const double labelStart = bar.right() + size_ * (kTick + kGap),
-               labelHeight = capitalHeight(labelStyle_.size);
+  const double labelStart = bar.right() + size_ * (kTick + kGap), labelHeight = capitalHeight(labelStyle_);
   for (std::size_t k = 0; k < ticks.values.size(); ++k)
     overlay.addText({{ticks.labels[k]}},
                     {labelStart, bar.y + along(ticks.values[k]) * bar.height - labelHeight / 2}, labelStyle_);
@@ -116,13 +115,13 @@ void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& sp
   const FittedText title = fitText(title_, titleStyle_, space.height, kSmallestTitle * size_);
   double labelEnd = labelStart + longestLabel(ticks);
   if (reachesEnds(title, space.height)) labelEnd = std::max(labelEnd, space.x + longestEnd());
-  const double baseline = labelEnd + size_ * kTitleGap + capitalHeight(title.style.size);
+  const double baseline = labelEnd + size_ * kTitleGap + capitalHeight(title.style);
   const double middle = bar.center().y() + (high_.passed ? arrow / 2 : 0.0) - (low_.passed ? arrow / 2 : 0.0);
   overlay.addText(title.text, {baseline, middle}, title.style, Anchor::Middle, Direction::Up);
   const double endGap = size_ * kEndGap;
   overlay.addText(high_.extreme, {bar.x, bar.top() + (high_.passed ? arrow : 0.0) + endGap}, endStyle_);
   overlay.addText(low_.extreme,
-                  {bar.x, bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_.size)},
+                  {bar.x, bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_)},
                   endStyle_);
 }
 
@@ -132,12 +131,12 @@ void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect
       {space.x + left, space.top() - kBarDepth * size_, space.width - left - right, kBarDepth * size_});
   const Ticks ticks = ticksAcross(bar.width);
   drawFrameAndTicks(overlay, shapes, bar, Direction::Right, ticks);
-  const double labelBase = bar.y - size_ * (kTick + kGap) - capitalHeight(labelStyle_.size);
+  const double labelBase = bar.y - size_ * (kTick + kGap) - capitalHeight(labelStyle_);
   for (std::size_t k = 0; k < ticks.values.size(); ++k)
     overlay.addText({{ticks.labels[k]}}, {bar.x + along(ticks.values[k]) * bar.width, labelBase}, labelStyle_,
                     Anchor::Middle);
   const FittedText title = fitText(title_, titleStyle_, space.width, kSmallestTitle * size_);
-  const double baseline = labelBase - size_ * kTitleGap - capitalHeight(title.style.size);
+  const double baseline = labelBase - size_ * kTitleGap - capitalHeight(title.style);
   overlay.addText(title.text, {space.center().x(), baseline}, title.style, Anchor::Middle);
   drawEndAcross(overlay, bar, false, space.x);
   drawEndAcross(overlay, bar, true, space.right());
@@ -147,7 +146,7 @@ void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect
 void ScalarBar::drawEndAcross(Overlay& overlay, const PixelRect& bar, bool high, double edge) const {
   const End& end = high ? high_ : low_;
   const Anchor anchor = high ? Anchor::End : Anchor::Start;
-  const double base = bar.center().y() - capitalHeight(endStyle_.size) / 2;
+  const double base = bar.center().y() - capitalHeight(endStyle_) / 2;
   if (end.passed) overlay.addText(end.limit, {edge, base}, endStyle_, anchor);
   overlay.addText(end.extreme, {edge, base - (end.passed ? kEndLine * size_ : 0.0)}, endStyle_, anchor);
 }
@@ -200,7 +199,7 @@ Ticks ScalarBar::ticksAcross(double barLength) const {
 
 double ScalarBar::barLengthUp(double length) const {
   const int arrows = (low_.passed ? 1 : 0) + (high_.passed ? 1 : 0);
-  return length - 2.0 * (size_ * kEndGap + capitalHeight(endStyle_.size)) - arrows * kArrow * size_;
+  return length - 2.0 * (size_ * kEndGap + capitalHeight(endStyle_)) - arrows * kArrow * size_;
 }
 
 /// Room that an end takes beside a bar across.

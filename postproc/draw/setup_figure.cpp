@@ -172,9 +172,10 @@ class SetupPicture {
         rooms_.at(-plane->normal.head<2>()) += SetupSymbols::kLoadDepth;
     }
     for (const SupportSpec& support : scene_.supports)
-      rooms_.at(normalOf(support.face)) +=
+      rooms_.at(normalOf(support.place.face)) +=
           SetupSymbols::kSupportDepth + (support.move ? SetupSymbols::kLoadDepth : 0.0);
-    for (const LoadSpec& load : scene_.loads) rooms_.at(normalOf(load.face)) += SetupSymbols::kLoadDepth;
+    for (const LoadSpec& load : scene_.loads)
+      rooms_.at(normalOf(load.place.face)) += SetupSymbols::kLoadDepth;
 
     const double left = rooms_.left + SetupSymbols::kDimensionDepth, right = rooms_.right + kMargin;
     const double lines = movers().empty() ? 0.0 : kTextLine;
@@ -233,7 +234,7 @@ class SetupPicture {
   }
 
   void drawSupport(SetupSymbols& symbols, const SupportSpec& support) const {
-    const FaceLine face = pixels(faceLine(patch_, support.face, model_.subdivision));
+    const FaceLine face = pixels(faceLine(patch_, support.place.face, model_.subdivision));
     const Vector2d normal = face.meanNormal();
     const std::string across = std::abs(normal.x()) > std::abs(normal.y()) ? "x" : "y";
     if (support.symmetry || (support.fix.size() == 1 && support.fix.front() == across))
@@ -246,8 +247,10 @@ class SetupPicture {
   }
 
   void drawLoad(SetupSymbols& symbols, const LoadSpec& load) const {
-    const FaceLine face = pixels(faceLine(patch_, load.face, model_.subdivision));
-    const Vector2d traction(load.traction[0], load.traction[1]);
+    const FaceLine face = pixels(faceLine(patch_, load.place.face, model_.subdivision));
+    if (load.traction.empty()) return;
+    const Vector2d traction(Formula(load.traction[0], scene_.definitions).constant(),
+                            Formula(load.traction[1], scene_.definitions).constant());
     if (traction.norm() > 0.0)
       symbols.addLoad(face.points, face.outward, traction.normalized(),
                       number(traction.norm(), model_.stressUnit));
@@ -298,9 +301,9 @@ class SetupPicture {
     for (const SupportSpec& support : scene_.supports) {
       const auto phases = support.move ? motionPhases(*support.move, end_) : std::vector<Vector2d>();
       if (phases.empty()) continue;
-      const FaceLine face = pixels(faceLine(patch_, support.face, model_.subdivision));
+      const FaceLine face = pixels(faceLine(patch_, support.place.face, model_.subdivision));
       const Vector2d middle = face.points[face.points.size() / 2];
-      result.push_back({support.face, middle + before * face.meanNormal(), phases, false});
+      result.push_back({support.place.face, middle + before * face.meanNormal(), phases, false});
     }
     return result;
   }

@@ -25,7 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kNarrowestPanel = 100, kLargestSide = 20000;
-constexpr Color kInk{30, 30, 30};
 
 constexpr double kPointsPerInch = 72.0, kMillimetresPerInch = 25.4;
 constexpr double kPrintedColumn = 80.0;  // mm
@@ -93,17 +92,18 @@ struct Sheet {
   std::vector<Tile> tiles;
 };
 
-int captionHeight(const std::vector<Tile>& tiles, std::size_t first, std::size_t last, double size) {
+int captionHeight(const std::vector<Tile>& tiles, std::size_t first, std::size_t last,
+                  const TextStyle& style) {
   std::size_t lines = 0;
   for (std::size_t k = first; k < last; ++k) lines = std::max(lines, tiles[k].caption.size());
   if (lines == 0) return 0;
-  return static_cast<int>(std::ceil(
-      (kAboveCaption + kLine * static_cast<double>(lines - 1) + kDescent) * size + capitalHeight(size)));
+  return static_cast<int>(
+      std::ceil((kAboveCaption + kLine * static_cast<double>(lines - 1) + kDescent) * style.size +
+                capitalHeight(style)));
 }
 
 /// Places the tiles from the top down; the pictures of a row stand on one line.
 void place(Sheet& sheet, int columns) {
-  const double size = sheet.style.size;
   const int gutter = sheet.width / columns - sheet.panelWidth;
   int top = -gutter / 2;  // from the upper edge, downwards negative, until the height is known
   for (std::size_t first = 0; first < sheet.tiles.size(); first += static_cast<std::size_t>(columns)) {
@@ -115,17 +115,17 @@ void place(Sheet& sheet, int columns) {
       sheet.tiles[k].left = static_cast<int>(k - first) * (sheet.width / columns) + gutter / 2;
       sheet.tiles[k].bottom = top - height;
     }
-    top -= height + captionHeight(sheet.tiles, first, last, size) + gutter;
+    top -= height + captionHeight(sheet.tiles, first, last, sheet.style) + gutter;
   }
   sheet.height = -top - gutter + gutter / 2;
   for (Tile& tile : sheet.tiles) tile.bottom += sheet.height;
 }
 
-Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width) {
+Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, const Theme& theme) {
   Sheet sheet;
   sheet.width = width;
   sheet.panelWidth = sheetPanelWidth(columns, width);
-  sheet.style = {sheetTextSize(sheet.panelWidth), kInk};
+  sheet.style = {theme.textSize * sheetTextSize(sheet.panelWidth), theme.ink, theme.font};
   for (const SheetPanel& panel : panels)
     sheet.tiles.push_back({resized(*readPicture(panel.picture), sheet.panelWidth),
                            wrapped(panel.caption, sheet.style, sheet.panelWidth)});
@@ -138,16 +138,16 @@ Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width) {
   return sheet;
 }
 
-/// White paper with the captions.
-vtkSmartPointer<vtkImageData> drawCaptions(const Sheet& sheet) {
+/// Paper with the captions.
+vtkSmartPointer<vtkImageData> drawCaptions(const Sheet& sheet, const Color& ground) {
   OffscreenCanvas canvas(sheet.width, sheet.height);
   vtkNew<vtkRenderer> paper;
   canvas.window().AddRenderer(paper);
-  paper->SetBackground(1.0, 1.0, 1.0);
+  paper->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
   Overlay overlay(*paper, canvas.supersampling());
   const double size = sheet.style.size;
   for (const Tile& tile : sheet.tiles) {
-    double baseline = tile.bottom - kAboveCaption * size - capitalHeight(size);
+    double baseline = tile.bottom - kAboveCaption * size - capitalHeight(sheet.style);
     for (const std::string& line : tile.caption) {
       const FittedText fitted = fitText({{line}}, sheet.style, sheet.panelWidth, 0.7 * size);
       overlay.addText(fitted.text, {tile.left + sheet.panelWidth / 2.0, baseline}, fitted.style,
@@ -175,11 +175,12 @@ double sheetTextSize(int panelWidth, double points) {
   return std::round(panelWidth * points * kMillimetresPerInch / kPointsPerInch / kPrintedColumn);
 }
 
-void drawSheet(const std::vector<SheetPanel>& panels, int columns, int width, const fs::path& png) {
+void drawSheet(const std::vector<SheetPanel>& panels, int columns, int width, const fs::path& png,
+               const Theme& theme) {
   if (panels.empty()) throw Error("sheet: found no panel; expected at least one");
-  const Sheet sheet = makeSheet(panels, columns, width);
+  const Sheet sheet = makeSheet(panels, columns, width, theme);
   vtkNew<vtkImageBlend> blend;
-  blend->AddInputData(drawCaptions(sheet));
+  blend->AddInputData(drawCaptions(sheet, theme.paper));
   for (const Tile& tile : sheet.tiles) {
     vtkNew<vtkImageTranslateExtent> shift;
     shift->SetInputData(tile.picture);

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "postproc/draw/theme.h"
+
 namespace burnish {
 
 /// A picture of a sheet and what stands under it.
@@ -13,10 +15,10 @@ struct SheetPanel {
 
 /// Lays pictures out in a grid, row by row, each with its caption below: the pictures of a column keep their
 /// proportions and get the column's width. `width`: of the whole sheet in pixels; caption text is sized for a
-/// column that is printed 80 mm wide. Throws `Error` for unreadable pictures, no panel, fewer than one
-/// column, and a file that cannot be written.
+/// column that is printed 80 mm wide, times that of the theme. Throws `Error` for unreadable pictures, no
+/// panel, fewer than one column, and a file that cannot be written.
 void drawSheet(const std::vector<SheetPanel>& panels, int columns, int width,
-               const std::filesystem::path& png);
+               const std::filesystem::path& png, const Theme& theme = {});
 
 /// Width in pixels that a panel of such a sheet has: a picture of this width is copied as it is, any other is
 /// resized. Throws `Error` for fewer than one column and a width that leaves no room.

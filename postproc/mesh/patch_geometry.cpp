@@ -9,15 +9,11 @@
 #include "engine/core/error.h"
 
 namespace burnish {
-namespace {
-
 UnivariateBasis basisOf(const DirectionRecord& direction) {
   return direction.family == BasisFamily::BSpline
              ? UnivariateBasis::bspline(KnotVector(direction.degree, direction.knots))
              : UnivariateBasis::lagrange(direction.degree, direction.knots);
 }
-
-}  // namespace
 
 template <int Dim>
 Patch<Dim> patchGeometry(const PatchRecord& record) {

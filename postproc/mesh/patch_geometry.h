@@ -7,6 +7,9 @@
 
 namespace burnish {
 
+/// The basis of one direction of a patch. Throws `Error` for knots that are none.
+UnivariateBasis basisOf(const DirectionRecord& direction);
+
 /// The patch of a record in its reference configuration. Throws `Error` if basis and control points disagree.
 template <int Dim>
 Patch<Dim> patchGeometry(const PatchRecord& record);

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Dense>
-#include <Eigen/Sparse>
 #include <array>
 #include <functional>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "engine/results/result.h"
 #include "postproc/mesh/index_box.h"
+#include "postproc/mesh/tensor_points.h"
 
 class vtkUnstructuredGrid;
 
@@ -32,8 +32,7 @@ struct PatchLattice {
   int point(const IndexBox::Index& span, const IndexBox::Index& local) const;
 };
 
-/// Points on a lattice over the knot spans of every patch. What they hold of a field is a fixed combination
-/// of its control-point coefficients, computed once. Patches do not share points.
+/// Points on a lattice over the knot spans of every patch. Patches do not share points.
 class SpanPoints {
  public:
   /// `steps`: how many per knot span of a direction; their degree for coefficients. Throws `Error` if a
@@ -47,19 +46,20 @@ class SpanPoints {
 
   /// What the points hold (components x points) of a field with these coefficients (components x nodes).
   /// Throws `Error` if the number of nodes does not fit.
-  Eigen::MatrixXd evaluate(const Eigen::MatrixXd& coefficients) const;
+  Eigen::MatrixXd evaluate(const Eigen::MatrixXd& coefficients) const {
+    return points_.evaluate(coefficients);
+  }
 
   /// What they hold of the reference positions, dim x points.
   const Eigen::MatrixXd& referencePoints() const { return referencePoints_; }
 
   /// Weights of the Bernstein polynomials, for coefficients only.
-  const Eigen::VectorXd& weights() const { return weights_; }
+  Eigen::VectorXd weights() const { return points_.weights(); }
 
  private:
   std::vector<PatchLattice> patches_;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> combination_;  ///< points x nodes
+  PointLattices points_;
   Eigen::MatrixXd referencePoints_;
-  Eigen::VectorXd weights_;
 };
 
 /// Gives a grid these points and what they hold of a frame: `displacement` (components X Y Z) and every field

@@ -1,10 +1,10 @@
 #include "postproc/mesh/tessellation.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <algorithm>
 #include <array>
 
 #include "postproc/mesh/vtk_arrays.h"
@@ -28,17 +28,6 @@ int addCells(const PatchLattice& lattice, int dim, std::vector<int>& corners) {
   return cells.size();
 }
 
-void insertCells(const Tessellation& tessellation, vtkUnstructuredGrid& grid) {
-  const Eigen::MatrixXi& cells = tessellation.cells();
-  const int type = tessellation.dim() == 2 ? VTK_QUAD : VTK_HEXAHEDRON;
-  std::array<vtkIdType, 8> corners{};
-  grid.AllocateExact(cells.cols(), cells.size());
-  for (const auto& cell : cells.colwise()) {
-    std::copy(cell.begin(), cell.end(), corners.begin());
-    grid.InsertNextCell(type, cells.rows(), corners.data());
-  }
-}
-
 }  // namespace
 
 Tessellation::Tessellation(const ModelRecord& model, int subdivision)
@@ -56,7 +45,7 @@ vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const Tessellation& tessellation, 
                                               bool deformed, const std::string& lengthUnit) {
   const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   setPoints(*grid, tessellation.points(), frame, deformed, lengthUnit);
-  insertCells(tessellation, *grid);
+  grid->SetCells(tessellation.dim() == 2 ? VTK_QUAD : VTK_HEXAHEDRON, makeCells(tessellation.cells()));
   grid->GetCellData()->AddArray(makeIntegers("patch", tessellation.patchOfCell()));
   return grid;
 }

@@ -1,8 +1,11 @@
 #include "postproc/mesh/vtk_arrays.h"
 
+#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
+#include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkTypeInt64Array.h>
 
 #include <algorithm>
 
@@ -12,8 +15,9 @@ vtkSmartPointer<vtkPoints> makePoints(const Eigen::MatrixXd& positions) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(positions.cols());
-  for (Eigen::Index i = 0; i < positions.cols(); ++i)
-    points->SetPoint(i, positions(0, i), positions(1, i), positions.rows() > 2 ? positions(2, i) : 0.0);
+  Eigen::Map<Eigen::MatrixXd> x(static_cast<double*>(points->GetVoidPointer(0)), 3, positions.cols());
+  x.topRows(positions.rows()) = positions;
+  x.bottomRows(3 - positions.rows()).setZero();
   return points;
 }
 
@@ -36,6 +40,17 @@ vtkSmartPointer<vtkIntArray> makeIntegers(const std::string& name, const std::ve
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
+}
+
+vtkSmartPointer<vtkCellArray> makeCells(const Eigen::MatrixXi& corners) {
+  vtkNew<vtkTypeInt64Array> offsets, points;
+  offsets->SetNumberOfValues(corners.cols() + 1);
+  for (Eigen::Index cell = 0; cell <= corners.cols(); ++cell) offsets->SetValue(cell, cell * corners.rows());
+  points->SetNumberOfValues(corners.size());
+  std::copy_n(corners.data(), corners.size(), points->GetPointer(0));
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, points);
+  return cells;
 }
 
 std::string labelled(const std::string& name, const std::string& unit) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+class vtkCellArray;
 class vtkDoubleArray;
 class vtkIntArray;
 class vtkPoints;
@@ -20,6 +21,9 @@ vtkSmartPointer<vtkDoubleArray> makeArray(const std::string& name, const Eigen::
 
 /// A named array with one integer per tuple.
 vtkSmartPointer<vtkIntArray> makeIntegers(const std::string& name, const std::vector<int>& values);
+
+/// Cells of equally many points. corners: numbers of the points of each cell x cells.
+vtkSmartPointer<vtkCellArray> makeCells(const Eigen::MatrixXi& corners);
 
 /// The name of an array with its unit: `stress [MPa]`, or the name alone without one.
 std::string labelled(const std::string& name, const std::string& unit);

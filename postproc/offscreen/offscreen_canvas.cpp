@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -96,6 +97,8 @@ class Context {
 
 #endif
 
+constexpr int kFactor = OffscreenCanvas::kSupersampling;
+
 /// Pixels that are drawn at once. A supersampled picture of 1600 x 900 at once would take 130 MB of buffers.
 constexpr int kPixelsAtOnce = 1'500'000;
 
@@ -103,8 +106,8 @@ constexpr int kPixelsAtOnce = 1'500'000;
 /// middle leaves the window, though half of their width may still be inside.
 constexpr int kOverlap = 16;
 
-int stripsFor(int width, int height, int supersampling) {
-  const double pixels = static_cast<double>(width) * height * supersampling * supersampling;
+int stripsFor(int width, int height) {
+  const double pixels = static_cast<double>(width) * height * kFactor * kFactor;
   return std::clamp(static_cast<int>(std::ceil(pixels / kPixelsAtOnce)), 1, height);
 }
 
@@ -156,24 +159,23 @@ class StripView {
   std::vector<Flat> flat_;
 };
 
-/// Averages blocks of `factor` x `factor` RGBA pixels into RGB pixels. A loop of our own: vtkImageShrink3D
-/// takes a fifth of the time of a whole picture.
-void average(const unsigned char* pixels, int width, int height, int factor, unsigned char* averages) {
-  const int block = factor * factor;
-  std::vector<unsigned char> mean(static_cast<std::size_t>(255 * block + 1));
-  for (std::size_t sum = 0; sum < mean.size(); ++sum)
-    mean[sum] = static_cast<unsigned char>(std::lround(static_cast<double>(sum) / block));
-  const auto rowSize = static_cast<std::size_t>(4 * width), blockSize = static_cast<std::size_t>(4 * factor);
-  std::vector<unsigned> columns(rowSize);  // sums over the rows of a block
-  for (int j = 0; j < height; j += factor) {
-    std::fill(columns.begin(), columns.end(), 0U);
-    for (int row = 0; row < factor; ++row, pixels += rowSize)
-      for (std::size_t k = 0; k < rowSize; ++k) columns[k] += pixels[k];
-    for (std::size_t k = 0; k < rowSize; k += blockSize)
+/// Averages blocks of `Factor` x `Factor` RGBA pixels into RGB pixels. A loop of our own: vtkImageShrink3D
+/// takes a fifth of the time of a whole picture. width and height: of the pixels.
+template <std::size_t Factor>
+void average(const unsigned char* pixels, int width, int height, unsigned char* averages) {
+  constexpr std::size_t block = Factor * Factor, blockSize = 4 * Factor;
+  const auto rowSize = static_cast<std::size_t>(4 * width);
+  std::vector<std::uint16_t> columns(rowSize);  // sums over the rows of a block
+  for (int j = 0; j < height; j += static_cast<int>(Factor)) {
+    std::fill(columns.begin(), columns.end(), std::uint16_t{0});
+    for (std::size_t row = 0; row < Factor; ++row, pixels += rowSize)
+      for (std::size_t k = 0; k < rowSize; ++k)
+        columns[k] = static_cast<std::uint16_t>(columns[k] + pixels[k]);
+    for (std::size_t k = 0; k < rowSize; k += blockSize, averages += 3)
       for (std::size_t c = 0; c < 3; ++c) {
-        unsigned sum = 0;
-        for (std::size_t i = c; i < blockSize; i += 4) sum += columns[k + i];
-        *averages++ = mean[sum];
+        unsigned sum = block / 2;
+        for (std::size_t i = 0; i < Factor; ++i) sum += columns[k + 4 * i + c];
+        averages[c] = static_cast<unsigned char>(sum / block);
       }
   }
 }
@@ -219,14 +221,13 @@ class OffscreenCanvas::Surface {
   vtkSmartPointer<vtkRenderWindow> window_;
 };
 
-OffscreenCanvas::OffscreenCanvas(int width, int height, int supersampling)
-    : supersampling_(supersampling),
-      height_(height),
-      strips_(stripsFor(width, height, supersampling)),
+OffscreenCanvas::OffscreenCanvas(int width, int height)
+    : height_(height),
+      strips_(stripsFor(width, height)),
       overlap_(strips_ == 1 ? 0 : kOverlap),
       surface_(Surface::idle() ? std::move(Surface::idle()) : std::make_unique<Surface>()) {
   surface_->makeCurrent();
-  window().SetSize(width * supersampling, rowsFor(height, strips_) * supersampling + 2 * overlap_);
+  window().SetSize(width * kFactor, rowsFor(height, strips_) * kFactor + 2 * overlap_);
 }
 
 OffscreenCanvas::~OffscreenCanvas() {
@@ -242,9 +243,9 @@ void OffscreenCanvas::captureStrip(int count, unsigned char* rows) {
   window().Render();
   const int* size = window().GetSize();
   // With alpha, as it lies in the framebuffer: quicker than leaving it out.
-  const int drawn = count * supersampling_;
+  const int drawn = count * kFactor;
   window().GetRGBACharPixelData(0, overlap_, size[0] - 1, overlap_ + drawn - 1, 0, pixels_);
-  average(pixels_->GetPointer(0), size[0], drawn, supersampling_, rows);
+  average<kFactor>(pixels_->GetPointer(0), size[0], drawn, rows);
 }
 
 vtkSmartPointer<vtkImageData> OffscreenCanvas::capture() {
@@ -255,15 +256,14 @@ vtkSmartPointer<vtkImageData> OffscreenCanvas::capture() {
   vtkCollectionSimpleIterator next;
   renderers->InitTraversal(next);
   while (vtkRenderer* renderer = renderers->GetNextRenderer(next))
-    views.emplace_back(*renderer, height_ * supersampling_);
+    views.emplace_back(*renderer, height_ * kFactor);
 
   const auto picture = vtkSmartPointer<vtkImageData>::New();
-  const int rowsPerStrip = stripHeight / supersampling_;
-  picture->SetDimensions(window().GetSize()[0] / supersampling_, height_, 1);
+  const int rowsPerStrip = stripHeight / kFactor;
+  picture->SetDimensions(window().GetSize()[0] / kFactor, height_, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   for (int row = 0; row < height_; row += rowsPerStrip) {
-    for (const StripView& view : views)
-      view.show(row * supersampling_ - overlap_, stripHeight + 2 * overlap_);
+    for (const StripView& view : views) view.show(row * kFactor - overlap_, stripHeight + 2 * overlap_);
     captureStrip(std::min(rowsPerStrip, height_ - row),
                  static_cast<unsigned char*>(picture->GetScalarPointer(0, row, 0)));
   }

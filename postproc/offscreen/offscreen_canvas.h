@@ -17,9 +17,9 @@ class OffscreenCanvas {
  public:
   static constexpr int kSupersampling = 2;
 
-  /// Renders `supersampling` times larger than width x height (pixels) and averages: antialiasing without
+  /// Renders `kSupersampling` times larger than width x height (pixels) and averages: antialiasing without
   /// multisamples. Throws `Error` if no GL context of this size can be had.
-  OffscreenCanvas(int width, int height, int supersampling = kSupersampling);
+  OffscreenCanvas(int width, int height);
   ~OffscreenCanvas();
   OffscreenCanvas(const OffscreenCanvas&) = delete;
   OffscreenCanvas& operator=(const OffscreenCanvas&) = delete;
@@ -28,7 +28,7 @@ class OffscreenCanvas {
   /// font size is a height in its own pixels.
   vtkRenderWindow& window();
 
-  int supersampling() const { return supersampling_; }
+  int supersampling() const { return kSupersampling; }
 
   /// Renders and returns the picture, width x height RGB bytes, lowest row first. Once per canvas: the
   /// cameras, which must be parallel, and the positions of flat actors are left at the last strip.
@@ -40,7 +40,6 @@ class OffscreenCanvas {
   /// Renders a strip and writes the averages of its lowest `count` rows to `rows`.
   void captureStrip(int count, unsigned char* rows);
 
-  int supersampling_;
   int height_;                           ///< of the picture
   int strips_;                           ///< the picture is drawn in horizontal strips, which saves memory
   int overlap_;                          ///< rows drawn beyond each edge of a strip

@@ -82,7 +82,7 @@ TEST_F(CompareCommand, UnusableInputIsRefused) {
   expectRefused("absent.png baseline/slab.png", "absent.png");
   expectRefused("actual baseline/slab.png", "baseline/slab.png: found a file; expected a directory");
   expectRefused("actual baseline --threshold 2", "--threshold: found 2");
-  expectRefused("actual baseline --metric mse", "--metric");
+  expectRefused("actual baseline --metric ssm", "Did you mean \"ssim\"?");
   expectRefused("actual baseline --diff diff.png", "--report");
   expectRefused("actual/slab.png baseline/slab.png --diff diff.jpg", "diff.jpg");
   expectRefused("actual baseline --accept slap.png", "Did you mean \"slab.png\"?");

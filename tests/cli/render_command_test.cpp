@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -132,7 +133,10 @@ TEST_F(RenderCommand, ComponentsAreChosenByName) {
   render("--field displacement --component y", "component.png");
   render("--field displacement.y", "whole_name.png");
   EXPECT_EQ(readText(dir() / "component.png"), readText(dir() / "whole_name.png"));
-  expectRefused("render run --field displacement --component z -o a.png", "Did you mean \"displacement.x\"?");
+  expectRefused("render run --field displacement --component z -o a.png",
+                "--component: found \"z\"; displacement has magnitude, x, y.");
+  expectRefused("render run --field displacement --component magnitud -o a.png",
+                "Did you mean \"magnitude\"?");
   expectRefused("render run --field plastic_strain --component xx -o a.png",
                 "found \"plastic_strain.xx\"; available");
   expectRefused("render run --field displacment --component x -o a.png", "Did you mean \"displacement.x\"?");
@@ -150,6 +154,12 @@ TEST_F(RenderCommand, AnswersWithTheNearestValidValue) {
       {"--colormap virids", "Did you mean \"viridis\"?"},
       {"--bands smoth", "Did you mean \"smooth\"?"},
       {"--theme drak", "Did you mean \"dark\"?"},
+      {"--theme drak.yaml", "drak.yaml: cannot be read"},
+      {"--font 'DejaVu San'", "Did you mean \"DejaVu Sans\"?"},
+      {"--font run/result.h5", "is not a font"},
+      {"--font absent.ttf", "absent.ttf\"; there is no such file"},
+      {"--frame lats", "Did you mean \"last\"?"},
+      {"--frame tim=1", "Did you mean \"time=\"?"},
       {"--vectors displacements", "Did you mean \"displacement\"?"},
       {"--tools offf", "Did you mean \"off\"?"},
       {"--background blck", "Did you mean \"black\"?"},
@@ -167,6 +177,52 @@ TEST_F(RenderCommand, AnswersWithTheNearestValidValue) {
       {"--framme 1", "Did you mean \"--frame\"?"}};
   for (const auto& [options, part] : cases) expectRefused("render run " + options + " -o refused.png", part);
   EXPECT_FALSE(fs::exists(dir() / "refused.png"));
+}
+
+TEST_F(RenderCommand, ThemeFileSaysHowPicturesLook) {
+  std::ofstream(dir() / "own.yaml") << "base: dark\n"
+                                       "paper: '#203040'\n"
+                                       "font: DejaVu Serif\n"
+                                       "picture: {colormap: turbo, bands: 6, knots: true, tools: false}\n";
+  render("--theme own.yaml", "themed.png");
+  render(
+      "--theme dark --background '#203040' --font 'DejaVu Serif' --colormap turbo --bands 6 --knots --tools "
+      "off",
+      "spelt_out.png");
+  EXPECT_EQ(readText(dir() / "themed.png"), readText(dir() / "spelt_out.png"));
+  EXPECT_EQ(readPicture(dir() / "themed.png").at({0.5, 0.5}), (Color{0x20, 0x30, 0x40}));
+
+  render(
+      "--theme own.yaml --font 'DejaVu Sans' --colormap viridis --bands smooth --no-knots --tools on "
+      "--background black",
+      "overruled.png");
+  render("--theme dark --background black", "dark.png");
+  EXPECT_EQ(readText(dir() / "overruled.png"), readText(dir() / "dark.png"));
+
+  std::ofstream(dir() / "wrong.yaml") << "base: dark\ncolourmap: turbo\npicture: {band: 3}\n";
+  expectRefused("render run --theme wrong.yaml -o a.png", "wrong.yaml:2:1: colourmap: found an unknown key");
+  expectRefused("render run --theme wrong.yaml -o a.png", "Did you mean \"bands\"?");
+}
+
+TEST_F(RenderCommand, FontIsAFamilyOrItsFile) {
+  render("", "sans.png");
+  render("--font 'DejaVu Serif'", "serif.png");
+  EXPECT_FALSE(alike("sans.png", "serif.png"));
+  fs::copy_file(fontNamed("DejaVu Serif").file, dir() / "letters.ttf");
+  render("--font letters.ttf", "file.png");
+  EXPECT_EQ(readText(dir() / "file.png"), readText(dir() / "serif.png"));
+}
+
+TEST_F(RenderCommand, SheetHasItsPaperAndLetters) {
+  render("", "for_dark.png");
+  EXPECT_EQ(burnish("sheet for_dark.png --caption letters --theme dark -o dark_sheet.png").code, 0);
+  EXPECT_EQ(readPicture(dir() / "dark_sheet.png").at({0.5, 0.5}), themeNamed("dark").paper);
+  EXPECT_EQ(
+      burnish("sheet for_dark.png --caption letters --theme dark --font 'DejaVu Serif' -o serif_sheet.png")
+          .code,
+      0);
+  EXPECT_NE(readText(dir() / "dark_sheet.png"), readText(dir() / "serif_sheet.png"));
+  expectRefused("sheet for_dark.png --theme drak -o a.png", "Did you mean \"dark\"?");
 }
 
 TEST_F(RenderCommand, SheetHasItsCaptionsAndColumns) {

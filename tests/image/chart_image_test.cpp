@@ -85,6 +85,15 @@ TEST_F(ChartImage, FewPointsOnLogarithmicAxes) {
   expectBaseline(errors(), "chart_errors");
 }
 
+TEST_F(ChartImage, TwoAxesOnDarkPaper) {
+  Chart chart = errors();
+  chart.x.logarithmic = false;
+  chart.y2 = {.title = "iterations", .logarithmic = false, .range = {{0.0, 10.0}}};
+  chart.curves.push_back({"degree 2", {0.25, 0.125, 0.0625}, {4, 5, 7}, {}, true});
+  chart.theme = themeNamed("dark");
+  expectBaseline(chart, "chart_two_axes");
+}
+
 /// Draws lone points and looks for them where the ticks of the axes, as they are drawn, say that they are:
 /// the position follows from ticks found in the picture, not from the layout.
 class ChartPositions : public ChartImage {

@@ -12,8 +12,11 @@
 
 #include "engine/core/error.h"
 #include "postproc/draw/chart.h"
+#include "postproc/draw/chart_difference.h"
+#include "postproc/draw/chart_glyphs.h"
 #include "postproc/draw/chart_layout.h"
 #include "postproc/draw/chart_scale.h"
+#include "postproc/draw/chart_sketch.h"
 #include "postproc/study/expression.h"
 
 namespace burnish {
@@ -144,6 +147,79 @@ TEST(ChartLegend, StandsBelowThePlotIfNoPlaceInItIsFree) {
   EXPECT_GE(layout.legendBox.y, 0.0);
 }
 
+/// Runs that fill the plot from corner to corner.
+Chart filledPlot(bool halfOnRight) {
+  Chart chart;
+  chart.x.title = "time";
+  chart.y.title = chart.y2.title = "force";
+  for (int c = 0; c < 10; ++c) {
+    ChartCurve curve{.label = "run " + std::to_string(c), .x = {}, .y = {}, .style = {}};
+    curve.onRight = halfOnRight && c % 2 == 1;
+    for (int k = 0; k <= 300; ++k) {
+      curve.x.push_back(k / 300.0);
+      curve.y.push_back((curve.onRight ? 1e-5 : 1.0) * (c + std::sin(0.05 * (c + 1) * k)));
+    }
+    chart.curves.push_back(curve);
+  }
+  return chart;
+}
+
+TEST(ChartLegend, LeavesAFullPlotAndAllTexts) {
+  for (const bool halfOnRight : {false, true}) {
+    for (const std::array<int, 2> size :
+         {std::array{1200, 900}, std::array{600, 600}, std::array{900, 500}}) {
+      Chart chart = filledPlot(halfOnRight);
+      chart.size = size;
+      const ChartLayout layout = layOutChart(chart);
+      EXPECT_EQ(layout.legend.entries().size(), 10U);
+      for (const PlottedCurve& curve : layout.curves) EXPECT_FALSE(covered(layout.legendBox, curve));
+      EXPECT_FALSE(layout.legendInside);
+      EXPECT_LT(layout.legendBox.top(), layout.xTitleAt.y() - 0.4 * layout.textSize);
+      EXPECT_GE(layout.legendBox.x, 0.0);
+      EXPECT_GE(layout.legendBox.y, 0.0);
+      EXPECT_LE(layout.legendBox.right(), size[0]);
+    }
+  }
+}
+
+TEST(ChartLegend, TellsWhichCurvesBelongToTheRight) {
+  Chart chart = chartOf({0, 1}, {0, 1});
+  chart.curves.push_back({"a name " + std::string(200, 'x'), {0, 1}, {1, 0}, {}, true});
+  const ChartLegend legend(chart, 20.0, 400.0);
+  ASSERT_EQ(legend.entries().size(), 2U);
+  EXPECT_EQ(legend.entries()[0].label.text.size(), 1U);
+  const FittedText& right = legend.entries()[1].label;
+  EXPECT_EQ(right.text.back().text, " (right)");
+  EXPECT_LE(textWidth(right.text, right.style), 401.0);
+}
+
+TEST(ChartRightAxis, HasAScaleOfItsOwn) {
+  Chart chart = chartOf({0, 1}, {0, 4});
+  chart.curves.push_back({"right", {0, 1, 2}, {1e-6, 1e-4, 1e-2}, {}, true});
+  chart.y2 = {.title = "y2", .logarithmic = true, .range = {}};
+  const ChartLayout layout = layOutChart(chart);
+  ASSERT_TRUE(layout.y2);
+  EXPECT_THAT(layout.y2->labels, ElementsAre("10⁻⁶", "10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²"));
+  EXPECT_THAT(layout.y.labels, ElementsAre("0", "1", "2", "3", "4", "5"));
+  const Polyline& piece = layout.curves[1].pieces.front();
+  EXPECT_NEAR(piece[1].y(), layout.plot.y + layout.y2->share(1e-4) * layout.plot.height, 1e-9);
+  EXPECT_NEAR(piece[1].x(), layout.plot.center().x(), 1e-9);  // x is one axis for all
+  EXPECT_LT(layout.plot.right(), layout.y2LabelsStart);
+  const double widest = textWidth({{layout.y2->labels.front()}}, {.size = layout.textSize});
+  EXPECT_LT(layout.y2LabelsStart + widest, layout.y2TitleAt.x());
+  chart.curves.pop_back();
+  EXPECT_FALSE(layOutChart(chart).y2);
+}
+
+TEST(ChartRightAxis, KeepsItsRange) {
+  Chart chart = chartOf({0, 1}, {0, 4});
+  chart.curves.push_back({"right", {0, 1}, {0, 100}, {}, true});
+  chart.y2.range = {{0.0, 50.0}};
+  const ChartLayout layout = layOutChart(chart);
+  EXPECT_EQ(layout.y2->range, (std::array{0.0, 50.0}));
+  EXPECT_LT((layout.curves[1].pieces.front().back() - layout.pixel(0.5, 50.0, true)).norm(), 1e-6);
+}
+
 TEST(ChartLayout, TicksNeverOverlap) {
   for (const std::array<int, 2> size : {std::array{200, 150}, std::array{400, 300}, std::array{300, 1200},
                                         std::array{1200, 900}, std::array{4000, 500}})
@@ -214,6 +290,100 @@ TEST(ChartCurves, DashesFollowThePattern) {
   EXPECT_THAT(parts[2], ElementsAre(Eigen::Vector2d(4, 5), Eigen::Vector2d(4, 6)));
 }
 
+TEST(ChartCurves, TwelveDifferWithoutColours) {
+  Chart chart;
+  std::set<std::pair<std::vector<double>, int>> looks;
+  for (int c = 0; c < 12; ++c) chart.curves.push_back({"", {0, 1}, {0, 1}, {}});
+  for (std::size_t c = 0; c < 12; ++c) {
+    const CurveStyle style = defaultStyle(chart, c);
+    looks.emplace(dashPattern(style), style.marker % 6);
+  }
+  EXPECT_EQ(looks.size(), 12U);
+}
+
+TEST(ChartCurves, MarkersStandWhereTheyAreWanted) {
+  Chart chart = chartOf({}, {});
+  for (int k = 0; k < 50; ++k) {
+    chart.curves[0].x.push_back(k);
+    chart.curves[0].y.push_back(k);
+  }
+  const auto count = [&](ChartMarkers markers) {
+    chart.markers = markers;
+    return layOutChart(chart).curves[0].markers.size();
+  };
+  EXPECT_EQ(count(ChartMarkers::Some), 0U);  // a lone curve needs none to be told apart
+  EXPECT_EQ(count(ChartMarkers::All), 50U);
+  chart.curves.push_back({"other", {0, 1}, {1, 0}, {}});
+  EXPECT_EQ(count(ChartMarkers::Some), 9U);
+  EXPECT_EQ(count(ChartMarkers::None), 0U);
+}
+
+TEST(ChartCurves, StandOutFromDarkPaper) {
+  const Theme& dark = themeNamed("dark");
+  for (int color = 0; color < 7; ++color) {
+    const Color c = curveColor({.color = color}, dark);
+    EXPECT_GT(0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2], 80.0) << color;
+  }
+  EXPECT_EQ(curveColor({.color = 2}), (Color{0, 0, 0}));
+}
+
+TEST(ChartSketch, HasThePaperOfItsTheme) {
+  const Chart chart = chartOf({0, 1}, {0, 1});
+  const auto bottom = [&](const char* name) {
+    const Theme& theme = themeNamed(name);
+    const ChartSketch sketch = sketchChart(layOutChart(chart), chart.size, theme);
+    EXPECT_EQ(sketch.paper, theme.paper);
+    const auto* area = std::get_if<SketchArea>(&sketch.shapes.front());
+    return area ? area->color : Color{};
+  };
+  EXPECT_EQ(bottom("dark"), themeNamed("dark").paper);
+  EXPECT_EQ(bottom("paper"), Color{});  // none: it may lie on any paper
+}
+
+TEST(ChartDifference, IsInterpolatedWhereBothHaveAValue) {
+  const ChartCurve reference{"reference", {0, 1, 2, 3}, {0, 10, 20, -40}, {}};
+  const ChartCurve curve{"curve", {-1, 0.25, 1, 2.5, 3 + 1e-12, 4}, {5, 3, 10, -12, -40, 5}, {}};
+  const CurveDifference absolute = differenceOf(curve, reference, DifferenceKind::Absolute);
+  EXPECT_THAT(absolute.curve.x, ElementsAre(0.25, 1, 2.5, 3 + 1e-12));
+  EXPECT_THAT(absolute.curve.y, ElementsAre(0.5, 0, -2, 0));
+  EXPECT_EQ(absolute.largest, 2.0);
+  EXPECT_EQ(absolute.largestAt, 2.5);
+  EXPECT_EQ(absolute.referenceMagnitude, 40.0);
+  EXPECT_THAT(differenceOf(curve, reference, DifferenceKind::Relative).curve.y,
+              ElementsAre(0.0125, 0, -0.05, 0));
+}
+
+TEST(ChartDifference, TakesFallingXAndGaps) {
+  const ChartCurve reference{"reference", {3, 2, 1, 0}, {30, kNone, 10, 0}, {}};
+  const ChartCurve curve{"curve", {0, 0.5, 1, 1.5, 3}, {1, 5, 10, 15, kNone}, {}};
+  const CurveDifference found = differenceOf(curve, reference, DifferenceKind::Absolute);
+  EXPECT_THAT(found.curve.x, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(found.curve.y, ElementsAre(1, 0, 0));
+}
+
+TEST(ChartDifference, RefusesWhatHasNone) {
+  const ChartCurve line{"line", {0, 1, 2}, {0, 1, 2}, {}};
+  const auto refuse = [&](const ChartCurve& curve, const ChartCurve& reference, DifferenceKind kind,
+                          const std::vector<std::string>& parts) {
+    expectError([&] { differenceOf(curve, reference, kind); }, parts);
+  };
+  const ChartCurve turning{"turning", {0, 2, 1}, {0, 1, 2}, {}}, twice{"twice", {0, 1, 1}, {0, 1, 2}, {}};
+  refuse(turning, line, DifferenceKind::Absolute, {"turning: x goes from 2 to 1 at point 3"});
+  refuse(line, turning, DifferenceKind::Absolute,
+         {"turning: x goes from 2 to 1", "only grows or only falls"});
+  refuse(line, twice, DifferenceKind::Absolute, {"twice: x goes from 1 to 1"});
+  refuse(line, {"falling", {2, 1, 1}, {0, 1, 2}, {}}, DifferenceKind::Absolute,
+         {"falling: x goes from 1 to 1"});
+  refuse(line, {"far", {5, 6}, {0, 1}, {}}, DifferenceKind::Absolute,
+         {"line: no x at which far has a value"});
+  refuse(line, {"zero", {0, 2}, {0, 0}, {}}, DifferenceKind::Relative, {"zero: all values are 0"});
+}
+
+TEST(ChartGlyphs, AsciiTextIsReadable) {
+  EXPECT_EQ(asciiText("×10⁻¹² and x² + 2"), "x10^-12 and x^2 + 2");
+  EXPECT_EQ(asciiText("−0.5 N·mm, ψ̄"), "-0.5 N*mm, ??");
+}
+
 TEST(ChartCurves, ColoursDifferInGreyPrint) {
   const auto grey = [](int color) {
     const Color c = curveColor({.color = color});
@@ -251,6 +421,8 @@ TEST_F(ChartFiles, DataAreWrittenExactly) {
             "curve x,curve y,\"a \"\"b\"\", c x\",\"a \"\"b\"\", c y\",curve 3 x,curve 3 y\n"
             "0.1,0.3333333333333333,7,8,9,nan\n"
             "1e-300,-2,,,,\n");
+  chart.curves = {{"left", {1}, {2}, {}}, {"right", {1}, {3}, {}, true}};
+  EXPECT_EQ(chartDataText(chart), "left x,left y,right x2,right y2\n1,2,1,3\n");
 }
 
 TEST_F(ChartFiles, MistakesAreRefusedWithTheCurve) {
@@ -266,6 +438,13 @@ TEST_F(ChartFiles, MistakesAreRefusedWithTheCurve) {
   chart = chartOf({1, 2}, {1, 2});
   chart.size = {100, 900};
   expectRefused(chart, {"size of 100 x 900", "200 x 150 to 8000 x 8000"});
+  chart.curves.push_back({"on the right", {1, 2}, {1, -1}, {}, true});
+  chart.size = {400, 300};
+  chart.y2.logarithmic = true;
+  expectRefused(chart, {"point 2 of \"on the right\" has y = -1"});
+  chart.y2 = {.title = "", .logarithmic = false, .range = {{3.0, 2.0}}};
+  expectRefused(chart, {"range 3, 2 of the y2 axis"});
+  chart.y2 = {};
   chart.size = {200, 150};
   for (int k = 0; k < 30; ++k) chart.curves.push_back({"one more", {0, 1, 0, 1}, {0, 1, 1, 0}, {}});
   expectRefused(chart, {"no room for the curves in 200 x 150"});

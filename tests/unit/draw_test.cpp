@@ -1,21 +1,46 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "engine/core/error.h"
 #include "postproc/compare/lab.h"
+#include "postproc/draw/color_name.h"
 #include "postproc/draw/color_scale.h"
+#include "postproc/draw/contour_layout.h"
 #include "postproc/draw/contour_view.h"
 #include "postproc/draw/field_choice.h"
+#include "postproc/draw/overlay.h"
+#include "postproc/draw/theme.h"
 #include "postproc/draw/ticks.h"
 
 namespace burnish {
 namespace {
 
+namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::Pointwise;
+
+std::string messageOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
 
 TEST(Ticks, AreRoundAndWithinTheRange) {
   const Ticks ticks = makeTicks({-0.0086, 0.39}, 9);
@@ -128,6 +153,162 @@ TEST(FieldNames, AreScalarsVectorsAndComponents) {
   frame.fields["pressure"] = {{}, "MPa", Eigen::MatrixXd::Zero(1, 4)};
   EXPECT_THAT(fieldNames(frame), ElementsAre("displacement", "displacement.x", "displacement.y", "pressure",
                                              "stress.xx", "stress.yy", "stress.xy", "stress.zz"));
+}
+
+/// A bar that is shorter than the picture has other labels, and may need more room.
+TEST(ContourLayout, HasRoomForTheTextsOfTheBarAtEverySize) {
+  const Theme theme;
+  for (const std::array<int, 2> size :
+       {std::array{200, 150}, {240, 160}, {240, 200}, {400, 300}, {400, 800}, {3000, 400}})
+    for (const double largest : {0.1318, 0.2146, 56.27, 7.1e4})
+      for (int k = 2; k <= 24; ++k) {
+        const double height = 0.05 * k;
+        const double text = textSizeFor(size);
+        const ScalarBar bar(ColorScale("viridis", {0.0, largest}, 0),
+                            {{{"von Mises stress σ"}, {"v", Script::Sub}}, "", 0.0, largest}, text, theme);
+        const ContourLayout layout =
+            layOutContour(size, text, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, height)},
+                          ViewAxes::Identity(), {"Title", "t = 2", ""}, bar, theme);
+        const bool up = layout.barDirection == Overlay::Direction::Up;
+        const double needed = bar.depth(layout.barDirection, up ? layout.bar.height : layout.bar.width);
+        EXPECT_LE(needed, (up ? layout.bar.width : layout.bar.height) + 1e-9)
+            << size[0] << " x " << size[1] << ", up to " << largest << ", height " << height;
+        EXPECT_LE(layout.bar.right(), size[0]);
+        EXPECT_GE(std::min(layout.view.area.x, layout.bar.y), 0.0);
+      }
+}
+
+TEST(ColorNames, AreDigitsOrThoseOfCss) {
+  EXPECT_EQ(colorNamed("#1e90FF"), (Color{30, 144, 255}));
+  EXPECT_EQ(colorNamed("grey"), (Color{128, 128, 128}));
+  EXPECT_EQ(colorNamed("white"), (Color{255, 255, 255}));
+  EXPECT_EQ(colorNamed("orange"), (Color{255, 165, 0}));
+  for (const char* text : {"", "#fff", "#12345g", "#1234567", "whit"})
+    EXPECT_EQ(colorNamed(text), std::nullopt) << text;
+}
+
+/// A theme file with this text, and what is read from it.
+class ThemeFile : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(file.parent_path()); }
+  void TearDown() override { fs::remove_all(file.parent_path()); }
+
+  Theme read(const std::string& yaml) const {
+    std::ofstream(file) << yaml;
+    return readTheme(file);
+  }
+  std::string mistake(const std::string& yaml) const {
+    return messageOf([&] { read(yaml); });
+  }
+
+  fs::path file = fs::temp_directory_path() / ("burnish_theme_" + std::to_string(::getpid())) / "own.yaml";
+};
+
+TEST_F(ThemeFile, StatesWhatDiffersFromItsBase) {
+  const Theme theme = read("base: dark\nink: '#ff0080'\npaper: navy\ntext_size: 1.2\npicture: {bands: 7}\n");
+  Theme expected = themeNamed("dark");
+  expected.ink = {255, 0, 128};
+  expected.paper = {0, 0, 128};
+  expected.textSize = 1.2;
+  expected.picture.bands = 7;
+  EXPECT_EQ(theme, expected);
+  EXPECT_EQ(themeFrom(file.string()), expected);
+  EXPECT_EQ(read("font: DejaVu Serif\n").font, "DejaVu Serif");
+  EXPECT_EQ(read("picture: {knots: true}\n").ink, Theme{}.ink);
+}
+
+TEST_F(ThemeFile, FontFileIsRelativeToTheTheme) {
+  fs::copy_file(fontNamed("DejaVu Serif").file, file.parent_path() / "journal.ttf");
+  const Theme theme = read("font: journal.ttf\n");
+  EXPECT_EQ(theme.font, (file.parent_path() / "journal.ttf").string());
+  EXPECT_EQ(fontNamed(theme.font).capitals, fontNamed("DejaVu Serif").capitals);
+}
+
+TEST_F(ThemeFile, MistakesAreToldWithTheirPlaceAndTheNearestWord) {
+  EXPECT_THAT(
+      mistake("base: paper\ninc: black\n"),
+      AllOf(HasSubstr("own.yaml:2:1: inc: found an unknown key"), HasSubstr("Did you mean \"ink\"?")));
+  EXPECT_THAT(mistake("base: drak\n"),
+              AllOf(HasSubstr("own.yaml:1:7: base: found drak"), HasSubstr("Did you mean \"dark\"?")));
+  EXPECT_THAT(mistake("ink: blak\n"),
+              AllOf(HasSubstr("own.yaml:1:6: ink: found \"blak\""), HasSubstr("Did you mean \"black\"?")));
+  EXPECT_THAT(mistake("ink: #000000\n"), AllOf(HasSubstr("own.yaml:1:"), HasSubstr("stands in quotes")));
+  EXPECT_THAT(mistake("picture: {colormap: virids}\n"),
+              AllOf(HasSubstr("picture.colormap"), HasSubstr("Did you mean \"viridis\"?")));
+  EXPECT_THAT(mistake("text_size: 9\n"), HasSubstr("allowed: a number from 0.25 to 4"));
+  EXPECT_THAT(mistake("font: DejaVu Serf\n"),
+              AllOf(HasSubstr("own.yaml:1:7: font: found"), HasSubstr("Did you mean \"DejaVu Serif\"?")));
+  EXPECT_THAT(mistake("font: absent.ttf\n"), HasSubstr("there is no such file"));
+  EXPECT_THAT(messageOf([&] { readTheme(file.parent_path() / "absent.yaml"); }), HasSubstr("absent.yaml"));
+}
+
+TEST(Themes, BuiltInOnesAreWhatTheirNamesSay) {
+  EXPECT_THAT(themeNames(), ElementsAre("paper", "dark", "slide", "complas"));
+  EXPECT_EQ(themeNamed("paper"), Theme{});
+  EXPECT_LT(toLab(themeNamed("dark").paper)[0], 15.0F);
+  EXPECT_GT(themeNamed("slide").textSize, 1.2);
+  EXPECT_EQ(themeNamed("complas").picture.colormap, "rainbow");
+  EXPECT_TRUE(themeNamed("complas").picture.knots);
+  EXPECT_THAT(messageOf([] { themeNamed("slides"); }), HasSubstr("Did you mean \"slide\"?"));
+}
+
+TEST(Themes, TextsStandOutFromThePaper) {
+  for (const std::string& name : themeNames()) {
+    const Theme& theme = themeNamed(name);
+    const float paper = toLab(theme.paper)[0];
+    EXPECT_GT(std::abs(toLab(theme.ink)[0] - paper), 70.0F) << name;
+    EXPECT_GT(std::abs(toLab(theme.softInk)[0] - paper), 50.0F) << name;
+  }
+}
+
+/// So that a copy of it is a list of all that can be changed.
+TEST(Themes, FileOfPaperStatesEveryKey) {
+  const fs::path paper = fs::path(BURNISH_SOURCE_DIR) / "postproc/draw/themes/paper.yaml";
+  std::ifstream stream(paper);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (const char* key :
+       {"paper", "ink", "soft_ink", "outline", "undeformed", "knots", "tool", "control_net", "font",
+        "text_size", "picture", "  colormap", "  bands", "  isolines", "  knots", "  undeformed", "  tools"})
+    EXPECT_THAT(text, HasSubstr("\n" + std::string(key) + ":")) << key;
+  EXPECT_EQ(readTheme(paper), Theme{});
+}
+
+TEST(Fonts, AreFamiliesOrFiles) {
+  const Font& font = fontNamed(kDefaultFont);
+  EXPECT_EQ(fs::path(font.file).filename(), "DejaVuSans.ttf");
+  EXPECT_NEAR(font.capitals, 0.729, 1e-3);
+  EXPECT_NEAR(font.descent, 0.236, 1e-3);
+  EXPECT_EQ(fontNamed(font.file).capitals, font.capitals);
+  EXPECT_EQ(fontNamed("dejavu serif").file, fontNamed("DejaVu Serif").file);
+}
+
+TEST(Fonts, MistakesAreTold) {
+  EXPECT_THAT(messageOf([] { fontNamed("DejaVu San"); }), HasSubstr("Did you mean \"DejaVu Sans\"?"));
+  EXPECT_THAT(messageOf([] { fontNamed("No Such Family"); }),
+              HasSubstr("expected a family that is installed"));
+  EXPECT_THAT(messageOf([] { fontNamed("/nowhere/a.ttf"); }), HasSubstr("/nowhere/a.ttf"));
+  EXPECT_THAT(messageOf([] { fontNamed(BURNISH_SOURCE_DIR "/README.md"); }), HasSubstr("is not a font"));
+}
+
+TEST(Fonts, LettersThatOneLacksComeFromTheDefault) {
+  const Font& own = fontNamed("DejaVu Serif");
+  const Font& other = fontNamed(kDefaultFont);
+  const std::string circumflex = "\xCD\x82";  // U+0342, which stands over the letter before it
+  const auto pieces = fontPieces("strain ε" + circumflex + "ℓ in ε", "DejaVu Serif");
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[0].text, "strain ");
+  EXPECT_EQ(pieces[1].text, "ε" + circumflex + "ℓ");
+  EXPECT_EQ(pieces[2].text, " in ε");
+  EXPECT_EQ(pieces[0].font, &own);
+  EXPECT_EQ(pieces[1].font, &other);
+  EXPECT_EQ(pieces[2].font, &own);
+  EXPECT_EQ(fontPieces("strain ε" + circumflex, kDefaultFont).size(), 1U);
+}
+
+TEST(Fonts, LettersThatNoneHasAndBrokenTextDoNoHarm) {
+  for (const char* text : {"漢字", "\xF0\x9F\x98\x80", "\xFF", "a\xE2\x82", "\xCC\x84"})
+    for (const char* font : {kDefaultFont, "DejaVu Serif"})
+      EXPECT_GE(textWidth({{text}}, {.size = 20.0, .font = font}), 0.0) << text;
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "engine/core/error.h"
+#include "postproc/draw/color_range.h"
+#include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/vtk_arrays.h"
@@ -180,6 +182,107 @@ TEST(Grid, DisplacementLeadsFromReferenceToCurrentPositions) {
       largest = std::max(largest, std::abs(u->GetComponent(i, c)));
     }
   EXPECT_GT(largest, 0.01);
+}
+
+/// A curved block of rational functions: part of a tube of degree 2, its wall 1 thick and its height 1.5.
+Patch<3> tubePart() {
+  return refined(cylinderSegment({0.0, 0.0, 0.0}, 1.0, 2.0, 0.2, 1.1, 1.5),
+                 {KnotVector::uniform(2, 2), KnotVector::uniform(2, 3), KnotVector::uniform(2, 2)});
+}
+
+TEST(Tessellation, FieldsInSpaceEqualTheirRationalSums) {
+  const Patch<3> tube = tubePart();
+  const ModelRecord model = modelOf(tube);
+  const Eigen::MatrixXd q = randomCoefficients(2, model.numNodes, 11);
+  const Eigen::MatrixXd values = Tessellation(model, 2).evaluate(q);
+  const auto at = [&](int d) { return subdividedSpans(tube.basis().direction(d), 2); };
+  Eigen::Index i = 0;
+  for (const double c : at(2))
+    for (const double b : at(1))
+      for (const double a : at(0)) {
+        const Eigen::Vector3d xi(a, b, c);
+        const int span = tube.findSpan(xi);
+        const Eigen::VectorXd expected =
+            q(Eigen::all, tube.basis().spanFunctions(span)) * tube.shape(span, xi).R;
+        ASSERT_LT((values.col(i++) - expected).norm(), 1e-14);
+      }
+  EXPECT_EQ(i, values.cols());
+}
+
+/// Volume inside a closed surface whose quadrilaterals go round counterclockwise seen from outside.
+double volume(vtkPolyData& surface) {
+  double sum = 0.0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < surface.GetNumberOfCells(); ++cell) {
+    surface.GetCellPoints(cell, ids);
+    const auto x = [&](vtkIdType k) { return pointOf(surface, ids->GetId(k)); };
+    sum += x(0).dot((x(2) - x(0)).cross(x(3) - x(1))) / 6.0;
+  }
+  return sum;
+}
+
+TEST(BodySurface, OfAPlaneBodyHasThePointsAndCellsOfTheTessellation) {
+  const ModelRecord model = modelOf(quarterRing());
+  const Tessellation mesh(model, 3);
+  const FrameRecord frame = frameOf(model, 0, 0.0);
+  const auto surface = BodySurface(model, 3).displaced(frame.displacement);
+  ASSERT_EQ(surface->GetNumberOfPoints(), mesh.numPoints());
+  ASSERT_EQ(surface->GetNumberOfCells(), mesh.numCells());
+  const Eigen::MatrixXd x = mesh.referencePoints() + mesh.evaluate(frame.displacement);
+  for (int i = 0; i < mesh.numPoints(); ++i)
+    EXPECT_LT((pointOf(*surface, i).head<2>() - x.col(i)).norm(), 1e-14);
+  vtkNew<vtkIdList> ids;
+  for (int cell = 0; cell < mesh.numCells(); ++cell) {
+    surface->GetCellPoints(cell, ids);
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(ids->GetId(c), mesh.cells()(c, cell));
+  }
+  EXPECT_EQ(surface->GetPointData()->GetNormals(), nullptr);
+}
+
+TEST(BodySurface, InSpaceIsClosedAndItsFacesLookOutwards) {
+  const Patch<3> block =
+      refined(box({1.0, 2.0, 3.0}, {2.0, 3.0, 1.0}),
+              {KnotVector::uniform(1, 2), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)});
+  const auto surface = BodySurface(modelOf(block), 2).displaced({});
+  EXPECT_EQ(surface->GetNumberOfCells(), 2 * (4 * 6 + 6 * 2 + 2 * 4));
+  EXPECT_NEAR(volume(*surface), 6.0, 1e-12);
+}
+
+TEST(BodySurface, NormalsOfATubeAreRadialAndItsEdgesSharp) {
+  const auto surface = BodySurface(modelOf(tubePart()), 20).displaced({});
+  int outside = 0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    const Eigen::Vector3d normal(surface->GetPointData()->GetNormals()->GetTuple3(i));
+    const Eigen::Vector3d radial = Eigen::Vector3d(pointOf(*surface, i).x(), pointOf(*surface, i).y(), 0.0);
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-14);
+    if (radial.norm() < 2.0 - 1e-12 || normal.dot(radial) < 1.0) continue;
+    ++outside;
+    EXPECT_GT(normal.dot(radial) / 2.0, 1.0 - 1e-4);
+  }
+  EXPECT_EQ(outside, 61 * 41);
+}
+
+TEST(BodySurface, RefusesWhatDoesNotFit) {
+  const ModelRecord model = modelOf(quarterRing());
+  EXPECT_THROW(BodySurface(model, 0), Error);
+  EXPECT_THROW(BodySurface(model, 2).displaced(Eigen::MatrixXd::Zero(3, model.numNodes)), Error);
+  EXPECT_THROW(BodySurface(model, 2).evaluate(Eigen::MatrixXd::Zero(1, model.numNodes + 1)), Error);
+}
+
+TEST(FieldRange, OfABodyInSpaceIncludesItsInside) {
+  const ModelRecord model = modelOf(tubePart());
+  FrameRecord frame = frameOf(model, 0, 0.0);
+  Eigen::MatrixXd& pressure = frame.fields["pressure"].values;
+  pressure.setZero();
+  pressure(0, 1 + 4 * (2 + 5 * 1)) = 3.0;  // a function that vanishes on all faces
+  for (const std::string field : {"pressure", "plastic_strain"}) {
+    const Eigen::MatrixXd values = Tessellation(model, 3).evaluate(frame.fields[field].values);
+    EXPECT_THAT(fieldRange(model, frame, field, 3),
+                testing::ElementsAre(testing::DoubleNear(values.minCoeff(), 1e-14),
+                                     testing::DoubleNear(values.maxCoeff(), 1e-14)));
+  }
+  EXPECT_GT(fieldRange(model, frame, "pressure", 3)[1], 0.5);
+  EXPECT_EQ(BodySurface(model, 3).evaluate(pressure).cwiseAbs().maxCoeff(), 0.0);
 }
 
 TEST(Outlines, OfARingAreFourLinesOnItsEdges) {
