@@ -10,6 +10,7 @@
 #include "cli/run_outputs.h"
 #include "cli/summary_text.h"
 #include "engine/scene/reader.h"
+#include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
 namespace {
@@ -34,6 +35,7 @@ ExitCode run(RunArguments arguments) {
   if (arguments.directory.empty())
     arguments.directory = std::filesystem::path("out") / arguments.scene.stem();
   const Scene scene = readScene(arguments.scene, arguments.overrides);
+  OffscreenCanvas::saveMemory();  // for the solver
   RunOutputs outputs(scene, arguments.directory, !arguments.quiet);
   const RunSummary summary = runScene(scene, arguments.directory, {.threads = arguments.threads}, outputs);
   outputs.finish();

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -99,8 +100,10 @@ class Context {
 
 constexpr int kFactor = OffscreenCanvas::kSupersampling;
 
-/// Pixels that are drawn at once. A supersampled picture of 1600 x 900 at once would take 130 MB of buffers.
-constexpr int kPixelsAtOnce = 1'500'000;
+/// Supersampled pixels that are drawn at once. A picture of 1600 x 900 in one piece takes 130 MB of buffers;
+/// in strips it takes a third more time.
+constexpr int kPixelsAtOnce = 6'000'000, kFewPixelsAtOnce = 1'500'000;
+std::atomic<int> pixelsAtOnce{kPixelsAtOnce};
 
 /// Rows (at most, supersampled) by which a strip is drawn beyond its edges: lines are cut off where their
 /// middle leaves the window, though half of their width may still be inside.
@@ -108,7 +111,7 @@ constexpr int kOverlap = 16;
 
 int stripsFor(int width, int height) {
   const double pixels = static_cast<double>(width) * height * kFactor * kFactor;
-  return std::clamp(static_cast<int>(std::ceil(pixels / kPixelsAtOnce)), 1, height);
+  return std::clamp(static_cast<int>(std::ceil(pixels / pixelsAtOnce)), 1, height);
 }
 
 /// Rows of a strip; the last strip may have fewer.
@@ -220,6 +223,10 @@ class OffscreenCanvas::Surface {
   Context context_;
   vtkSmartPointer<vtkRenderWindow> window_;
 };
+
+void OffscreenCanvas::saveMemory() {
+  pixelsAtOnce = kFewPixelsAtOnce;
+}
 
 OffscreenCanvas::OffscreenCanvas(int width, int height)
     : height_(height),

@@ -17,6 +17,10 @@ class OffscreenCanvas {
  public:
   static constexpr int kSupersampling = 2;
 
+  /// Makes this process draw its next pictures in narrow strips, for the sake of other things that need
+  /// memory.
+  static void saveMemory();
+
   /// Renders `kSupersampling` times larger than width x height (pixels) and averages: antialiasing without
   /// multisamples. Throws `Error` if no GL context of this size can be had.
   OffscreenCanvas(int width, int height);
