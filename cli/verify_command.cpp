@@ -14,6 +14,7 @@
 #include "cli/study_plan.h"
 #include "cli/study_progress.h"
 #include "engine/core/error.h"
+#include "postproc/study/text_file.h"
 #include "postproc/verify/check_table.h"
 #include "postproc/verify/verification_document.h"
 
@@ -31,12 +32,18 @@ struct VerifyArguments {
 };
 
 /// The scenes of a directory in the order of their names, or the file itself.
+/// Control nets may lie beside the scenes that name them; only scenes have a geometry.
+bool isScene(const fs::path& file) {
+  const std::string text = "\n" + readText(file);
+  return text.find("\ngeometry:") != std::string::npos;
+}
+
 std::vector<fs::path> scenesIn(const fs::path& path) {
   std::error_code status;
   if (!fs::is_directory(path, status)) return {path};
   std::vector<fs::path> scenes;
   for (const fs::directory_entry& entry : fs::directory_iterator(path, status))
-    if (entry.path().extension() == ".yaml") scenes.push_back(entry.path());
+    if (entry.path().extension() == ".yaml" && isScene(entry.path())) scenes.push_back(entry.path());
   if (status) throw Error(fmt::format("{}: cannot be read: {}", path.string(), status.message()));
   if (scenes.empty()) throw Error(fmt::format("{}: found no scene; expected *.yaml", path.string()));
   std::sort(scenes.begin(), scenes.end());
@@ -67,7 +74,7 @@ CaseOutcomes outcomesOf(const VerificationCase& verified, const fs::path& direct
 /// Prints a table for each case and a last line for all; whether all checks hold.
 bool printVerdicts(const std::vector<VerifiedCase>& cases) {
   std::size_t all = 0, holding = 0;
-  for (const auto& [verified, judged] : cases) {
+  for (const auto& [verified, outcomes, judged] : cases) {
     const std::string& title = verified->scene.title;
     fmt::print("\n{}{}\n{}{}", verified->name, title.empty() ? "" : ": " + title,
                checkTable(*verified, judged), problemsText(judged));
@@ -89,8 +96,11 @@ ExitCode verify(const VerifyArguments& arguments) {
     return signal == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated;
   }
   std::vector<VerifiedCase> verified;
-  for (const VerificationCase& one : cases)
-    verified.push_back({&one, judgeChecks(one, outcomesOf(one, arguments.directory))});
+  for (const VerificationCase& one : cases) {
+    CaseOutcomes outcomes = outcomesOf(one, arguments.directory);
+    auto judged = judgeChecks(one, outcomes);
+    verified.push_back({&one, std::move(outcomes), std::move(judged)});
+  }
   const bool allHold = printVerdicts(verified);
   if (!arguments.document.empty()) {
     const fs::path pictures = arguments.gallery.empty()

@@ -52,9 +52,16 @@ std::unique_ptr<Measure> Measures<Dim>::make(const PointMeasureSpec& spec) {
 
 template <int Dim>
 std::unique_ptr<Measure> Measures<Dim>::make(const FaceMeasureSpec& spec) {
-  return std::make_unique<FaceMeasure<Dim>>(
-      FaceQuadrature<Dim>(model_.body(), model_.faces().patch(spec.place.patch),
-                          faceFromName<Dim>(spec.place.face), 0, spec.place.part));
+  const int patch = model_.faces().patch(spec.place.patch);
+  std::vector<const LoadTerm*> elsewhere;
+  for (std::size_t k = 0; k < scene_.loads.size(); ++k) {
+    const LoadSpec& load = scene_.loads[k];
+    const bool here = load.bodyForce.empty() && load.place.face == spec.place.face &&
+                      model_.faces().patch(load.place.patch) == patch;
+    if (!here) elsewhere.push_back(model_.loads()[k].get());
+  }
+  FaceQuadrature<Dim> face(model_.body(), patch, faceFromName<Dim>(spec.place.face), 0, spec.place.part);
+  return std::make_unique<FaceMeasure<Dim>>(std::move(face), std::move(elsewhere));
 }
 
 template <int Dim>
@@ -75,7 +82,7 @@ std::unique_ptr<Measure> Measures<Dim>::make(const EllipseMeasureSpec& spec) {
       if (model_.tools()[pair.tool]->name == spec.tool && pair.patch == patch &&
           pair.faceName == spec.place.face)
         return std::make_unique<EllipseMeasure>(*pair.term, middle);
-    throw Error(fmt::format("tool '{}' and face '{}' are no pair of contact:", spec.tool, spec.place.face));
+    throw Error(fmt::format("tool '{}' and face '{}' are no pair of contact", spec.tool, spec.place.face));
   } else {
     throw Error("an ellipse is fitted to the contact of two-dimensional bodies only");
   }

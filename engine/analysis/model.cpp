@@ -97,7 +97,8 @@ void Model<Dim>::addLoads(const Scene& scene) {
     for (const auto& text : texts) result.emplace_back(text, scene.definitions);
     return result;
   };
-  for (const auto& load : scene.loads) {
+  for (std::size_t k = 0; k < scene.loads.size(); ++k) {
+    const auto& load = scene.loads[k];
     const Schedule factor = load.schedule.value_or(Schedule{});
     corners_.insert(corners_.end(), factor.times.begin(), factor.times.end());
     if (!load.bodyForce.empty()) {
@@ -106,6 +107,7 @@ void Model<Dim>::addLoads(const Scene& scene) {
           std::make_unique<DeadLoad<Dim>>(body_, *quadrature_, patch, formulas(load.bodyForce), factor));
       continue;
     }
+    faces_.requireOuter(load.place, fmt::format("loads[{}]", k));
     const int patch = faces_.patch(load.place.patch);
     const FaceId side = faceFromName<Dim>(load.place.face);
     FaceQuadrature<Dim> face(body_, patch, side, 0, load.place.part);
@@ -161,6 +163,7 @@ void Model<Dim>::addContacts(const Scene& scene) {
 template <int Dim>
 void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec) const {
   const std::string place = fmt::format("contact[{}]", contacts_.size());
+  faces_.requireOuter(spec.place, place);
   const NearestPoint nearest =
       nearestPoint(body_, faces_.patch(spec.place.patch), faceFromName<Dim>(spec.place.face), tool);
   if (-nearest.gap > kTouching * std::min(curvatureRadius(tool.shape), body_.size()))

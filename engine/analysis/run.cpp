@@ -91,7 +91,12 @@ class Run {
     {
       const Stopwatch stopwatch(summary_.timings.total);
       observer_.onStart(record_);
-      summary_.completed = approach() && walk();
+      try {
+        summary_.completed = approach() && walk();
+        if (!summary_.completed) noteFailure();
+      } catch (const FormulaError& error) {
+        summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", stepping_.state().time, error.what());
+      }
       if (!summary_.completed) keepLastState();
     }
     fillSummary();
@@ -195,14 +200,17 @@ class Run {
     observer_.onFrame(record_, frame);
   }
 
-  /// After a failed step: the last accepted state becomes the last frame.
-  void keepLastState() {
+  void noteFailure() {
     const auto& state = stepping_.state();
     const NewtonReport& failure = stepping_.lastFailure();
     summary_.stoppedBecause =
         fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
                     state.time, stepping_.lastFailedStep(), describe(failure.outcome), failure.residual);
-    if (summary_.frames > 0 && lastFrameTime_ == state.time) return;
+  }
+
+  /// After a failed step: the last accepted state becomes the last frame.
+  void keepLastState() {
+    if (summary_.frames > 0 && lastFrameTime_ == stepping_.state().time) return;
     static_cast<void>(evaluateHere());
     writeFrame();
   }

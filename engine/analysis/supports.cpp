@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -47,12 +48,38 @@ std::vector<std::size_t> functionsInPart(const TensorBasis<P>& trace, const std:
   return inside;
 }
 
+/// The chosen anchor that is nearest: a formula for a part of a face need not have values elsewhere.
+template <int P>
+Eigen::Vector<double, P> nearestOf(const std::vector<Eigen::Vector<double, P>>& anchors,
+                                   const std::vector<std::size_t>& chosen,
+                                   const Eigen::Vector<double, P>& anchor) {
+  const auto nearest = std::min_element(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) {
+    return (anchors[a] - anchor).squaredNorm() < (anchors[b] - anchor).squaredNorm();
+  });
+  return anchors[*nearest];
+}
+
 }  // namespace
 
 template <int Dim>
 int FaceFinder<Dim>::patch(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   return name.empty() || found == names_.end() ? 0 : static_cast<int>(found - names_.begin());
+}
+
+template <int Dim>
+void FaceFinder<Dim>::requireOuter(const FaceSpec& place, const std::string& key) const {
+  const auto own = static_cast<std::size_t>(patch(place.patch));
+  const auto onFace = nodes(place);
+  for (std::size_t other = 0; other < body_.patches.size(); ++other) {
+    const std::set<int> theirs(body_.nodes[other].begin(), body_.nodes[other].end());
+    if (other != own &&
+        std::all_of(onFace.begin(), onFace.end(), [&](int node) { return theirs.contains(node); }))
+      throw Error(
+          fmt::format("{}: face '{}' of patch '{}' is joined to patch '{}', so it lies inside the body; name "
+                      "an outer face",
+                      key, place.face, place.patch, names_[other]));
+  }
 }
 
 template <int Dim>
@@ -96,6 +123,7 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
                         const FaceFinder<Dim>& faces) {
   const auto& patch = faces.body().patches[static_cast<std::size_t>(faces.patch(spec.place.patch))];
   const auto trace = tracePatch(patch, faceFromName<Dim>(spec.place.face));
+  faces.requireOuter(spec.place, place);
   const auto nodes = faces.nodes(spec.place);
   const auto chosen = functionsInPart(trace.basis(), spec.place.part);
   if (chosen.empty())
@@ -155,7 +183,7 @@ typename Supports<Dim>::Motion Supports<Dim>::formulaMotion(const SupportSpec& s
     const auto functions = trace.basis().spanFunctions(span);
     for (std::size_t a = 0; a < functions.size(); ++a)
       collocation(k, functions[a]) = shape.R(static_cast<Eigen::Index>(a));
-    motion.places.col(k).template head<Dim>() = trace.position(anchor);
+    motion.places.col(k).template head<Dim>() = trace.position(nearestOf(anchors, chosen, anchor));
   }
   const Eigen::MatrixXd inverse = collocation.partialPivLu().inverse();
   motion.interpolation = inverse(chosen, Eigen::all);

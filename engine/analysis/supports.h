@@ -20,6 +20,9 @@ class FaceFinder {
 
   const Body<Dim>& body() const { return body_; }
 
+  /// Throws `Error` if the face is joined to another patch: it lies inside the body.
+  void requireOuter(const FaceSpec& place, const std::string& key) const;
+
   /// Functions of the patch on the face, and their nodes.
   std::vector<int> functions(const FaceSpec& place) const;
   std::vector<int> nodes(const FaceSpec& place) const;

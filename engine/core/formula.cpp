@@ -17,6 +17,21 @@
 
 namespace burnish {
 
+void requireSingleValue(const std::string& formula) {
+  const auto at = [&](std::size_t k) { return k < formula.size() ? formula[k] : ' '; };
+  int depth = 0;
+  for (std::size_t k = 0; k < formula.size(); ++k) {
+    depth += formula[k] == '(' ? 1 : formula[k] == ')' ? -1 : 0;
+    if (formula[k] == ',' && depth == 0)
+      throw Error(fmt::format(
+          "the formula \"{}\" has a comma outside of a function; write numbers with a point", formula));
+    const bool comparison =
+        at(k + 1) == '=' || (k > 0 && std::string("=<>!").find(formula[k - 1]) != std::string::npos);
+    if (formula[k] == '=' && !comparison)
+      throw Error(fmt::format("the formula \"{}\" assigns a value; write == to compare", formula));
+  }
+}
+
 /// The formula itself comes last, after the definitions that it needs.
 struct Formula::Parsers {
   struct Entry {
@@ -38,6 +53,7 @@ struct Formula::Parsers {
 Formula::Parsers::Entry& Formula::Parsers::add(const std::string& text,
                                                const std::vector<DefinitionSpec>& definitions,
                                                std::size_t known, std::map<std::string, double*>& values) {
+  requireSingleValue(text);
   try {
     mu::Parser probe;
     probe.SetExpr(text);
@@ -96,7 +112,7 @@ double Formula::at(std::span<const double> values) const {
     std::vector<std::string> place;
     for (std::size_t k = 0; k < values.size(); ++k)
       place.push_back(fmt::format("{} = {:.6g}", parsers_->variables[k], values[k]));
-    throw Error(
+    throw FormulaError(
         fmt::format("the formula \"{}\" has no finite value at {}", last.text, fmt::join(place, ", ")));
   }
   return last.value;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/error.h"
+
 namespace burnish {
 
 /// A number, or a formula in variables and in names that are defined elsewhere.
@@ -18,6 +20,16 @@ struct FormulaText {
 struct DefinitionSpec {
   std::string name;
   FormulaText formula;
+};
+
+/// Throws `Error` for what muparser takes and a formula may not have: assignments, and commas outside of
+/// functions, as in 0,5.
+void requireSingleValue(const std::string& formula);
+
+/// The value of a formula is not finite at a point that a run has come to.
+class FormulaError : public Error {
+ public:
+  using Error::Error;
 };
 
 /// A formula in the reference coordinates X, Y, Z and the time t, or in other variables, with the operators

@@ -1,15 +1,19 @@
 #pragma once
 #include "engine/fields/measure.h"
 #include "engine/solid/face_quadrature.h"
+#include "engine/solid/load_term.h"
 
 namespace burnish {
 
-/// Mean displacement of a face by reference area, and the resultant of the body's stresses on it: the force
-/// that a support or load applies there.
+/// Mean displacement of a face by reference area, and the resultant of the force that supports, contact and
+/// the face's own loads apply there: the nodal forces of the body's stresses, which balance all loads,
+/// without those of the loads that act elsewhere.
 template <int Dim>
 class FaceMeasure final : public Measure {
  public:
-  explicit FaceMeasure(FaceQuadrature<Dim> face) : face_(std::move(face)) {}
+  /// elsewhere: loads that do not act on the face; they must outlive the object. Throws `Error` for a face
+  /// without area (collapsed, or on the axis of revolution).
+  FaceMeasure(FaceQuadrature<Dim> face, std::vector<const LoadTerm*> elsewhere);
 
   /// ux, uy, (uz), fx, fy, (fz)
   std::vector<std::string> columns() const override;
@@ -17,6 +21,8 @@ class FaceMeasure final : public Measure {
 
  private:
   FaceQuadrature<Dim> face_;
+  std::vector<const LoadTerm*> elsewhere_;
+  double area_ = 0.0;
 };
 
 }  // namespace burnish

@@ -26,8 +26,8 @@ std::vector<std::string> PointMeasure<Dim>::columns() const {
   std::vector<std::string> columns;
   for (const auto& name : names_) {
     if (name == "displacement") {
-      for (const char* component : {"ux", "uy", "uz"})
-        if (std::ssize(columns) < Dim) columns.emplace_back(component);
+      columns.insert(columns.end(), {"ux", "uy"});
+      if (Dim == 3) columns.emplace_back("uz");
       continue;
     }
     const auto& components = fields_().at(name).components;

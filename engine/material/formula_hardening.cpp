@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/core/formula.h"
 
 namespace burnish {
 namespace {
@@ -14,6 +15,7 @@ std::shared_ptr<const PiecewiseChebyshev> interpolateFormula(const std::string& 
   double ep = 0.0;
   double initial = 0.0;
   mu::Parser parser;
+  requireSingleValue(formula);
   try {
     parser.DefineVar("ep", &ep);
     parser.SetExpr(formula);

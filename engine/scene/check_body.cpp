@@ -43,10 +43,13 @@ void checkFormula(const CheckContext& c, const std::string& formula) {
     parser.DefineVar("ep", &ep);
     parser.SetExpr(formula);
     const double yield = parser.Eval();
+    requireSingleValue(formula);
     if (!std::isfinite(yield) || yield <= 0.0)
       c.report(path,
                fmt::format("found a yield stress of {} at ep = 0; allowed: a formula that is positive there.",
                            yield));
+  } catch (const Error& e) {
+    c.report(path, fmt::format("{}.", e.what()));
   } catch (const mu::ParserError& e) {
     c.report(path, fmt::format("found \"{}\", which cannot be understood ({}); allowed: a formula in ep.",
                                formula, e.GetMsg()));
@@ -57,6 +60,12 @@ void checkFormula(const CheckContext& c, const std::string& formula) {
 
 void checkBody(const CheckContext& c) {
   checkGeometry(c);
+  if (c.dimensionIsKnown() && c.scene.dim() == 3 && c.scene.kinematics == KinematicsChoice::Axisymmetric)
+    c.report("kinematics", "found axisymmetric for a body of three dimensions; allowed: leave the key out.");
+  if (c.clean("quadrature_points") && c.clean("degree") && c.scene.quadraturePoints &&
+      *c.scene.quadraturePoints <= c.scene.degree)
+    c.report("quadrature_points", fmt::format("found {}; allowed: at least {}, the degree plus one.",
+                                              *c.scene.quadraturePoints, c.scene.degree + 1));
   checkMortarDegree(c);
   if (const auto* j2 = std::get_if<J2Spec>(&c.scene.material)) {
     if (const auto* table = std::get_if<TableHardeningSpec>(&j2->hardening)) checkTable(c, *table);

@@ -1,13 +1,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <muParser.h>
+
 #include <algorithm>
+#include <cctype>
 
 #include "engine/core/error.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/nearest.h"
 
 namespace burnish {
+namespace {
+
+/// Other names would be taken apart or for functions, without a word.
+bool isVariableName(const std::string& name) {
+  const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+         std::all_of(name.begin(), name.end(), isPart) && !mu::Parser().GetFunDef().contains(name);
+}
+
+}  // namespace
 
 void checkFormula(const CheckContext& c, const std::string& path, const FormulaText& text, bool constant) {
   if (!c.clean(path) || !c.clean("definitions")) return;
@@ -52,6 +65,11 @@ void checkDefinitions(const CheckContext& c) {
     if (std::find(taken.begin(), taken.end(), definition.name) != taken.end())
       c.report(path + ".name",
                fmt::format("found {}, which already has a meaning; allowed: another name.", definition.name));
+    if (!isVariableName(definition.name))
+      c.report(path + ".name",
+               fmt::format("found {}; allowed: a letter, then letters, digits and _, and not the name "
+                           "of a function such as min.",
+                           definition.name));
     taken.push_back(definition.name);
     try {
       static_cast<void>(Formula(

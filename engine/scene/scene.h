@@ -298,6 +298,12 @@ struct CheckSpec {
   std::string source;  ///< where the value comes from
 };
 
+/// A chart of `burnish verify`: a curve for every family and mesh.
+struct CurveChartSpec {
+  std::string x, y;            ///< formulas in the columns of the history
+  std::string xTitle, yTitle;  ///< the formulas when left out
+};
+
 struct UnitsSpec {
   std::string length, stress;  ///< labels only; empty: no unit is shown
 };
@@ -324,6 +330,7 @@ struct Scene {
   std::vector<SceneMeasureSpec> measures;
   std::optional<VariantsSpec> variants;
   std::vector<CheckSpec> checks;
+  std::vector<CurveChartSpec> charts;
 
   std::string source;  ///< file the scene was read from, for messages
   std::string

@@ -83,6 +83,7 @@ void describe(Visitor& v, Scene& s) {
   v.field("measures", s.measures, {}, "Columns of the history beside those that every run has.");
   v.field("variants", s.variants, {}, "Changed copies of the scene that `burnish verify` runs.");
   v.field("checks", s.checks, {}, "What the scene must produce, for `burnish verify`.");
+  v.field("charts", s.charts, {}, "Charts that `burnish verify` draws: a curve for every family and mesh.");
 }
 
 }  // namespace burnish

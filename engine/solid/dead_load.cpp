@@ -61,7 +61,8 @@ Eigen::VectorXd DeadLoad<Dim>::integrate(double t) const {
 }
 
 template <int Dim>
-bool DeadLoad<Dim>::evaluate(double t, const Eigen::VectorXd&, Assembly& out) {
+bool DeadLoad<Dim>::evaluate(double time, const Eigen::VectorXd&, Assembly& out) {
+  const double t = std::max(time, 0.0);  // lifted tools come down before
   if (varies_ && t != unitTime_) {
     unit_ = integrate(t);
     unitTime_ = t;

@@ -87,7 +87,12 @@ void DilatationProjection<Dim>::findNeighbours(const SpanQuadrature<Dim>& quadra
       }
       return known;
     };
-    for (const int node : quadrature.spans()[e].nodes) placeOf(node);
+    // The span's own nodes come first, in its order; on a collapsed edge a node stands there several times.
+    for (const int node : quadrature.spans()[e].nodes) {
+      int& known = place[static_cast<std::size_t>(node)];
+      if (known < 0) known = static_cast<int>(span.nodes.size());
+      span.nodes.push_back(node);
+    }
     for (auto& [other, functions] : shared) {
       Neighbour neighbour{other, {}, std::move(functions)};
       for (const int node : quadrature.spans()[other].nodes) neighbour.places.push_back(placeOf(node));

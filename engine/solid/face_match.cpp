@@ -9,6 +9,9 @@
 namespace burnish {
 namespace {
 
+/// Points per direction of a face that is compared with another one, and starts of the search on that one.
+constexpr int kSamples = 7, kStarts = 15;
+
 /// Relative difference up to which knots and weights are the same.
 constexpr double kSame = 1e-10;
 
@@ -139,9 +142,16 @@ bool cornersMeet(const Patch<P, S>& first, const Patch<P, S>& second, const Face
 
 template <int P, int S>
 bool liesOn(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance) {
-  constexpr int kSamples = 7, kStarts = 15;
   const auto samples = innerGrid(first.basis(), kSamples), starts = innerGrid(second.basis(), kStarts);
   return std::all_of(samples.begin(), samples.end(), [&](const auto& xi) {
+    return distance<P, S>(second, first.position(xi), starts) <= tolerance;
+  });
+}
+
+template <int P, int S>
+bool touches(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance) {
+  const auto samples = innerGrid(first.basis(), kSamples), starts = innerGrid(second.basis(), kStarts);
+  return std::any_of(samples.begin(), samples.end(), [&](const auto& xi) {
     return distance<P, S>(second, first.position(xi), starts) <= tolerance;
   });
 }
@@ -185,6 +195,8 @@ std::optional<std::string> faceDifference(const Patch<P, S>& first, const Patch<
 
 template bool cornersMeet(const Patch<1, 2>&, const Patch<1, 2>&, const FaceOrientation<1>&, double);
 template bool cornersMeet(const Patch<2, 3>&, const Patch<2, 3>&, const FaceOrientation<2>&, double);
+template bool touches(const Patch<1, 2>&, const Patch<1, 2>&, double);
+template bool touches(const Patch<2, 3>&, const Patch<2, 3>&, double);
 template bool liesOn(const Patch<1, 2>&, const Patch<1, 2>&, double);
 template bool liesOn(const Patch<2, 3>&, const Patch<2, 3>&, double);
 template std::optional<std::string> faceDifference(const Patch<1, 2>&, const Patch<1, 2>&,

@@ -29,6 +29,10 @@ bool cornersMeet(const Patch<P, S>& first, const Patch<P, S>& second, const Face
 template <int P, int S>
 bool liesOn(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance);
 
+/// Whether a point of the first face away from its edges lies on the second, of a grid of points.
+template <int P, int S>
+bool touches(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance);
+
 /// In words the first thing in which two faces differ: degrees, numbers of functions, knots (each scaled to
 /// [0, 1]), weights (up to a common factor) or control points. Empty if they match.
 template <int P, int S>

@@ -1,5 +1,6 @@
 #include "engine/solid/follower_load.h"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -86,7 +87,8 @@ typename FollowerLoad<Dim>::Matrix FollowerLoad<Dim>::derivative(const Tangents&
 }
 
 template <int Dim>
-bool FollowerLoad<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
+bool FollowerLoad<Dim>::evaluate(double time, const Eigen::VectorXd& x, Assembly& out) {
+  const double t = std::max(time, 0.0);  // lifted tools come down before
   const double factor = factor_.times.empty() ? 1.0 : factor_(t);
   forces_.setZero();
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -18,6 +20,9 @@ constexpr double kSame = 1e-10;
 /// A face lies on another one if it is closer than this share of its own size: far more than what Lagrange
 /// elements of different size miss of the same curve, far less than a gap that is meant.
 constexpr double kTouching = 0.01;
+
+/// Faces that are not joined are apart by more than this share of the smaller one's size.
+constexpr double kClose = 1e-3;
 
 /// Disjoint groups of numbers from 0 on.
 class Groups {
@@ -54,12 +59,13 @@ class Joiner {
     for (int p = 0; p < numPatches(); ++p)
       for (FaceId face = 0; face < 2 * Dim; ++face) addFace(p, face);
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t j = i + 1; j < faces_.size(); ++j) joinPair(faces_[i], faces_[j]);
+      for (std::size_t j = i + 1; j < faces_.size(); ++j) joinPair(static_cast<int>(i), static_cast<int>(j));
     for (int p = 1; p < numPatches(); ++p)
       if (joined_.leader(p) != joined_.leader(0))
         throw Error(fmt::format(
             "patch '{}' is not connected to patch '{}'; allowed: patches that all share whole faces", name(p),
             name(0)));
+    requireSealed();
     numberNodes();
   }
 
@@ -70,6 +76,7 @@ class Joiner {
     Patch<Dim - 1, Dim> trace;
     std::vector<int> functions;  ///< of all patches, counted on: those of the trace
     double size;
+    int partner = -1;  ///< number of the face that it is joined to
   };
 
   int numPatches() const { return static_cast<int>(body_.patches.size()); }
@@ -118,12 +125,24 @@ class Joiner {
     return all;
   }
 
-  void joinPair(const Face& a, const Face& b) {
+  Face& face(int number) { return faces_[static_cast<std::size_t>(number)]; }
+
+  void joinPair(int first, int second) {
+    Face &a = face(first), &b = face(second);
     std::optional<std::string> difference;
     for (const auto& orientation : faceOrientations<Dim - 1>()) {
       if (!cornersMeet(a.trace, b.trace, orientation, tolerance_)) continue;
       difference = faceDifference(a.trace, b.trace, orientation, tolerance_);
-      if (!difference) return merge(a, b, orientation);
+      if (difference) continue;
+      for (const Face* one : {&a, &b})
+        if (one->partner >= 0)
+          throw Error(
+              fmt::format("face '{}' of patch '{}' matches two other faces; allowed: one, a face has no more "
+                          "than two sides",
+                          faceName(one->id), name(one->patch)));
+      a.partner = second;
+      b.partner = first;
+      return merge(a, b, orientation);
     }
     // Two faces of one patch may enclose it and be close, in a thin lens.
     if (difference && a.patch != b.patch && liesOn(a.trace, b.trace, kTouching * a.size))
@@ -131,6 +150,29 @@ class Joiner {
           "face '{}' of patch '{}' and face '{}' of patch '{}' lie on each other but do not match: "
           "{}; allowed: the same degree, knots, weights and control points along both",
           faceName(a.id), name(a.patch), faceName(b.id), name(b.patch), *difference));
+  }
+
+  /// Faces of two patches that touch along a stretch without being joined would let the body open there.
+  void requireSealed() {
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      for (std::size_t j = 0; j < faces_.size(); ++j) {
+        const Face &a = faces_[i], &b = faces_[j];
+        const double close = kClose * std::min(a.size, b.size);
+        if (a.patch == b.patch || a.partner == static_cast<int>(j) || distanceOfBoxes(a, b) > close) continue;
+        if (touches(a.trace, b.trace, close))
+          throw Error(
+              fmt::format("face '{}' of patch '{}' and face '{}' of patch '{}' touch but are not joined; "
+                          "allowed: faces that match as a whole, with the same control points",
+                          faceName(a.id), name(a.patch), faceName(b.id), name(b.patch)));
+      }
+  }
+
+  static double distanceOfBoxes(const Face& a, const Face& b) {
+    const auto box = [](const Face& f) {
+      return Eigen::AlignedBox<double, Dim>(f.trace.points().rowwise().minCoeff(),
+                                            f.trace.points().rowwise().maxCoeff());
+    };
+    return box(a).exteriorDistance(box(b));
   }
 
   void merge(const Face& a, const Face& b, const FaceOrientation<Dim - 1>& orientation) {

@@ -43,7 +43,7 @@ std::string directoryName(const std::string& text) {
 std::vector<std::string> overridesOf(const FamilySpec& family, const MeshVariantSpec& mesh) {
   std::vector<std::string> overrides = family.set;
   overrides.insert(overrides.end(), mesh.set.begin(), mesh.set.end());
-  for (const char* nothing : {"pictures=[]", "output.vtu=false", "checks=[]", "variants=null"})
+  for (const char* nothing : {"pictures=[]", "output.vtu=false", "checks=[]", "charts=[]", "variants=null"})
     overrides.emplace_back(nothing);
   return overrides;
 }

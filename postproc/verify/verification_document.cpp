@@ -8,6 +8,7 @@
 #include "postproc/study/markdown.h"
 #include "postproc/study/text_file.h"
 #include "postproc/verify/check_table.h"
+#include "postproc/verify/history_chart.h"
 #include "postproc/verify/order_chart.h"
 
 namespace burnish {
@@ -28,7 +29,7 @@ std::string overview(const std::vector<VerifiedCase>& cases) {
   MarkdownColumn titles{"case", {}, false}, scenes{"scene", {}, false}, runs{"runs", {}},
       checks{"checks", {}}, hold{"hold", {}};
   std::size_t all = 0, holding = 0;
-  for (const auto& [verified, judged] : cases) {
+  for (const auto& [verified, outcomes, judged] : cases) {
     titles.cells.push_back(fmt::format("[{}](#{})", titleOf(*verified), verified->name));
     scenes.cells.push_back(verified->name + ".yaml");
     runs.cells.push_back(
@@ -49,7 +50,7 @@ fs::path linkTo(const fs::path& picture, const fs::path& document) {
 }
 
 std::string section(const VerifiedCase& verifiedCase, const fs::path& file, const fs::path& pictures) {
-  const auto& [verified, judged] = verifiedCase;
+  const auto& [verified, outcomes, judged] = verifiedCase;
   std::string text = fmt::format("<a id=\"{}\"></a>\n\n## {}\n\n", verified->name, titleOf(*verified));
   if (!verified->explanation.empty()) text += verified->explanation + "\n";
   Footnotes sources;
@@ -57,6 +58,8 @@ std::string section(const VerifiedCase& verifiedCase, const fs::path& file, cons
   for (const std::string& part : {problemsText(judged), sources.text()})
     if (!part.empty()) text += part + "\n";
   for (const fs::path& picture : drawOrderCharts(*verified, judged, pictures))
+    text += markdownPicture(linkTo(picture, file), "") + "\n";
+  for (const fs::path& picture : drawHistoryCharts(*verified, outcomes, pictures))
     text += markdownPicture(linkTo(picture, file), "") + "\n";
   return text;
 }

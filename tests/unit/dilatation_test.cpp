@@ -10,6 +10,7 @@
 #include "engine/solid/bulk_term.h"
 #include "engine/solid/dead_load.h"
 #include "engine/solid/dilatation_projection.h"
+#include "engine/solid/joined_body.h"
 #include "engine/solver/newton.h"
 #include "tests/unit/term_check.h"
 
@@ -236,6 +237,22 @@ double cooksRise(int degree, int spans, Formulation formulation) {
   Eigen::VectorXd x = held;
   EXPECT_EQ(newton.solve(1.0, held, x).outcome, NewtonOutcome::Converged);
   return x(size - 1);
+}
+
+/// A node of a collapsed edge stands several times in the spans beside it.
+TEST(ProjectedTerm, TangentIsRightWhereAnEdgeIsCollapsed) {
+  auto sector = annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.0);
+  Eigen::MatrixXd points = sector.points();
+  for (const int a : faceFunctions(sector.basis(), faceFromName<2>("left"))) points.col(a).setZero();
+  const Patch<2> coarse(sector.basis(), points, sector.weights());
+  for (const int spans : {1, 3}) {
+    const Body<2> body = joinedBody<2>(
+        {refined(coarse, {KnotVector::uniform(2, spans), KnotVector::uniform(2, spans)})}, {""});
+    ASSERT_LT(body.numNodes, body.patches[0].basis().numFunctions());
+    const SpanQuadrature<2> quadrature(body);
+    const auto term = makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.3), Formulation::ProjectedDilatation);
+    EXPECT_LT(test::tangentError(*term, 0.0, randomState(2 * body.numNodes, 0.01, 5), 1e-6), 1e-6);
+  }
 }
 
 TEST(ProjectedTerm, DoesNotLockInANearlyIncompressibleBody) {

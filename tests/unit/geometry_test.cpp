@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -334,6 +335,26 @@ double energyOf(const std::string& geometry, const char* left, const char* right
                   basis, geometry, left, right),
       "block.yaml");
   return test::run(scene, "joined").summary.end.strainEnergy;
+}
+
+TEST(JoinedPatches, MayNotTouchWithoutBeingJoined) {
+  const auto at = [](double x, double y, double width) { return rectangle({x, y}, {width, 1.0}); };
+  const std::vector<std::string> names{"a", "b", "c", "d"};
+  const auto messageOf = [&](std::vector<Patch<2>> patches) -> std::string {
+    try {
+      const std::vector<std::string> some(names.begin(), names.begin() + std::ssize(patches));
+      static_cast<void>(joinedBody<2>(std::move(patches), some));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(messageOf({at(0, 0, 1), at(1, 0, 1), at(0, 1, 1), at(1, 1, 1)}), "");
+  EXPECT_THAT(
+      messageOf({at(0, 0, 2), at(2, 0, 1), at(2, 1, 1), at(1, 1, 1)}),
+      testing::HasSubstr("face 'top' of patch 'a' and face 'bottom' of patch 'd' touch but are not joined"));
+  EXPECT_THAT(messageOf({at(0, 0, 1), at(1, 0, 1), at(1, 0, 1)}),
+              testing::HasSubstr("matches two other faces"));
 }
 
 TEST(JoinedPatches, SolveLikeOnePatchWithACrease) {

@@ -64,6 +64,20 @@ TEST(Formula, KnowsCoordinatesTimeAndDefinitions) {
   EXPECT_THROW(static_cast<void>(Formula(FormulaText{"ln(X)"})(Eigen::Vector3d::Zero(), 0.0)), Error);
 }
 
+TEST(Formula, RefusesWhatMuparserWouldTakeSilently) {
+  EXPECT_THROW(Formula(FormulaText{"0,5"}), Error);
+  EXPECT_THROW(Formula(FormulaText{"X = 3"}), Error);
+  EXPECT_DOUBLE_EQ(Formula(FormulaText{"min(3, 2) + (t >= 0) + (t == 0)"}).constant(), 4.0);
+}
+
+TEST(DeadLoad, StaysWhatItIsAtTheStartWhileToolsComeDown) {
+  const Body<2> body = quarterRing();
+  const FaceQuadrature<2> face(body, 0, faceFromName<2>("right"), 0);
+  DeadLoad<2> load(body, face, {Formula(FormulaText{"sqrt(t)"}), Formula(FormulaText{"2"})}, {});
+  static_cast<void>(test::forceOf(load, -0.5, Eigen::VectorXd::Zero(2 * body.numNodes)));
+  EXPECT_EQ(load.nodalForces()(0), 0.0);
+}
+
 TEST(DeadLoad, SumsToTractionTimesLengthAndSchedule) {
   const Body<2> body = quarterRing();
   const FaceQuadrature<2> face(body, 0, faceFromName<2>("right"), 8);

@@ -242,7 +242,8 @@ TEST_F(Verify, TheDocumentShowsAllMeshesAndDrawsTheOrders) {
   const VerificationCase verified = caseOf(
       kBlock + kThreeMeshes +
       "checks:\n- {name: tip, quantity: value, expect: value, value: half, absolute: 0.1, source: Euler}\n"
-      "- {name: error of the tip, quantity: value, expect: order, order: 2, limit: half}\n");
+      "- {name: error of the tip, quantity: value, expect: order, order: 2, limit: half}\n"
+      "charts:\n- {x: time, y: value / 2, y_title: half of it}\n");
   CaseOutcomes outcomes;
   for (const double factor : {1.0, 3.0}) {
     outcomes.emplace_back();
@@ -251,8 +252,9 @@ TEST_F(Verify, TheDocumentShowsAllMeshesAndDrawsTheOrders) {
   }
   const auto judged = judgeChecks(verified, outcomes);
   const fs::path file = scratch_.path() / "docs/verification.md";
-  writeVerification({{&verified, judged}}, file, scratch_.path() / "docs/images");
+  writeVerification({{&verified, outcomes, judged}}, file, scratch_.path() / "docs/images");
   const std::string text = readText(file);
+  EXPECT_THAT(text, HasSubstr("-curve-1.png)"));
   EXPECT_THAT(text, HasSubstr("1 of 2 checks hold."));
   EXPECT_THAT(text, HasSubstr("## Block\n\nA block.\n\nSecond paragraph.\n"));
   EXPECT_THAT(text, HasSubstr("| tip <sup>1</sup>"));
