@@ -149,11 +149,38 @@ bool liesOn(const Patch<P, S>& first, const Patch<P, S>& second, double toleranc
 }
 
 template <int P, int S>
-bool touches(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance) {
-  const auto samples = innerGrid(first.basis(), kSamples), starts = innerGrid(second.basis(), kStarts);
-  return std::any_of(samples.begin(), samples.end(), [&](const auto& xi) {
-    return distance<P, S>(second, first.position(xi), starts) <= tolerance;
-  });
+FaceSamples samplesOf(const Patch<P, S>& face) {
+  const auto positions = [&](const auto& grid) {
+    Eigen::MatrixXd points(S, static_cast<Eigen::Index>(grid.size()));
+    for (std::size_t k = 0; k < grid.size(); ++k)
+      points.col(static_cast<Eigen::Index>(k)) = face.position(grid[k]);
+    return points;
+  };
+  FaceSamples samples{positions(innerGrid(face.basis(), kSamples)),
+                      positions(innerGrid(face.basis(), kStarts)), 0.0};
+  // The diagonal's half is at most 0.71 of the longest step between neighbours, which stand one or kStarts
+  // apart.
+  for (Eigen::Index k = 0; k < samples.all.cols(); ++k)
+    for (const Eigen::Index step : {Eigen::Index{1}, Eigen::Index{kStarts}})
+      if (k + step < samples.all.cols() && (step == kStarts || (k + 1) % kStarts != 0))
+        if (P > 1 || step == 1)
+          samples.reach = std::max(samples.reach, (samples.all.col(k + step) - samples.all.col(k)).norm());
+  samples.reach *= P == 1 ? 0.55 : 0.75;
+  return samples;
+}
+
+template <int P, int S>
+bool touches(const FaceSamples& samples, const Patch<P, S>& face, const FaceSamples& ofFace,
+             double tolerance) {
+  const auto starts = innerGrid(face.basis(), kStarts);
+  for (Eigen::Index k = 0; k < samples.inside.cols(); ++k) {
+    const Eigen::Vector<double, S> point = samples.inside.col(k);
+    Eigen::Index nearest = 0;
+    const double away = (ofFace.all.colwise() - samples.inside.col(k)).colwise().norm().minCoeff(&nearest);
+    if (away > ofFace.reach + tolerance) continue;
+    if (distance<P, S>(face, point, {starts[static_cast<std::size_t>(nearest)]}) <= tolerance) return true;
+  }
+  return false;
 }
 
 template <int P>
@@ -195,8 +222,10 @@ std::optional<std::string> faceDifference(const Patch<P, S>& first, const Patch<
 
 template bool cornersMeet(const Patch<1, 2>&, const Patch<1, 2>&, const FaceOrientation<1>&, double);
 template bool cornersMeet(const Patch<2, 3>&, const Patch<2, 3>&, const FaceOrientation<2>&, double);
-template bool touches(const Patch<1, 2>&, const Patch<1, 2>&, double);
-template bool touches(const Patch<2, 3>&, const Patch<2, 3>&, double);
+template FaceSamples samplesOf(const Patch<1, 2>&);
+template FaceSamples samplesOf(const Patch<2, 3>&);
+template bool touches(const FaceSamples&, const Patch<1, 2>&, const FaceSamples&, double);
+template bool touches(const FaceSamples&, const Patch<2, 3>&, const FaceSamples&, double);
 template bool liesOn(const Patch<1, 2>&, const Patch<1, 2>&, double);
 template bool liesOn(const Patch<2, 3>&, const Patch<2, 3>&, double);
 template std::optional<std::string> faceDifference(const Patch<1, 2>&, const Patch<1, 2>&,

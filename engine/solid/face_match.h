@@ -29,9 +29,20 @@ bool cornersMeet(const Patch<P, S>& first, const Patch<P, S>& second, const Face
 template <int P, int S>
 bool liesOn(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance);
 
-/// Whether a point of the first face away from its edges lies on the second, of a grid of points.
+/// Points of a face on equal grids of parameters.
+struct FaceSamples {
+  Eigen::MatrixXd inside;  ///< away from its edges
+  Eigen::MatrixXd all;     ///< closer to each other
+  double reach = 0.0;      ///< no point of the face is farther from all of them
+};
+
 template <int P, int S>
-bool touches(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance);
+FaceSamples samplesOf(const Patch<P, S>& face);
+
+/// Whether a point of a face away from its edges, one of its samples, lies on another face.
+template <int P, int S>
+bool touches(const FaceSamples& samples, const Patch<P, S>& face, const FaceSamples& ofFace,
+             double tolerance);
 
 /// In words the first thing in which two faces differ: degrees, numbers of functions, knots (each scaled to
 /// [0, 1]), weights (up to a common factor) or control points. Empty if they match.

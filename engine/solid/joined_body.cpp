@@ -153,13 +153,15 @@ class Joiner {
   }
 
   /// Faces of two patches that touch along a stretch without being joined would let the body open there.
-  void requireSealed() {
+  void requireSealed() const {
+    std::vector<FaceSamples> samples;
+    for (const Face& face : faces_) samples.push_back(samplesOf(face.trace));
     for (std::size_t i = 0; i < faces_.size(); ++i)
       for (std::size_t j = 0; j < faces_.size(); ++j) {
         const Face &a = faces_[i], &b = faces_[j];
         const double close = kClose * std::min(a.size, b.size);
         if (a.patch == b.patch || a.partner == static_cast<int>(j) || distanceOfBoxes(a, b) > close) continue;
-        if (touches(a.trace, b.trace, close))
+        if (touches(samples[i], b.trace, samples[j], close))
           throw Error(
               fmt::format("face '{}' of patch '{}' and face '{}' of patch '{}' touch but are not joined; "
                           "allowed: faces that match as a whole, with the same control points",

@@ -96,7 +96,7 @@ TEST_F(Verify, RunsEveryFamilyOnEveryMesh) {
                                  "block/p-2/mesh-1", "block/p-2/mesh-2", "block/p-2/mesh-3"));
   EXPECT_THAT(verified.families[1].variants[2].run.overrides,
               ElementsAre("degree=2", "geometry.spans=[8, 4]", "pictures=[]", "output.vtu=false", "checks=[]",
-                          "variants=null"));
+                          "charts=[]", "variants=null"));
   EXPECT_EQ(verified.families[1].variants[2].size, 0.25);
   EXPECT_THROW(studyOf({verified, verified}), Error);
 }
@@ -254,7 +254,7 @@ TEST_F(Verify, TheDocumentShowsAllMeshesAndDrawsTheOrders) {
   const fs::path file = scratch_.path() / "docs/verification.md";
   writeVerification({{&verified, outcomes, judged}}, file, scratch_.path() / "docs/images");
   const std::string text = readText(file);
-  EXPECT_THAT(text, HasSubstr("-curve-1.png)"));
+  EXPECT_THAT(text, HasSubstr("-curve-1.png>)"));
   EXPECT_THAT(text, HasSubstr("1 of 2 checks hold."));
   EXPECT_THAT(text, HasSubstr("## Block\n\nA block.\n\nSecond paragraph.\n"));
   EXPECT_THAT(text, HasSubstr("| tip <sup>1</sup>"));
