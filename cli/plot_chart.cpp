@@ -15,7 +15,6 @@
 #include "cli/arguments.h"
 #include "engine/core/error.h"
 #include "engine/results/history.h"
-#include "postproc/draw/theme.h"
 #include "postproc/study/expression.h"
 
 namespace burnish {
@@ -146,7 +145,7 @@ class ChartMaker {
     chart.y2 = {axisTitle(arguments_.y2Title, arguments_.y2), isLogarithmic("y2"),
                 axisRange("--y2-range", arguments_.y2Range)};
     chart.markers = markersOf(arguments_.markers);
-    chart.theme = themeFrom(arguments_.theme);
+    chart.theme = themeOf(arguments_.look);
     if (!arguments_.size.empty()) chart.size = sizeFromText(arguments_.size);
   }
 

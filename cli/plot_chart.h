@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/look_options.h"
 #include "postproc/draw/chart.h"
 #include "postproc/draw/chart_difference.h"
 
@@ -20,7 +21,8 @@ struct PlotArguments {
   std::vector<std::string> labels;  ///< of the histories or of all curves
   std::vector<std::string> logarithmic;
   std::string xRange, yRange, y2Range;
-  std::string markers = "some", theme = "paper", size;
+  std::string markers = "some", size;
+  LookOptions look;
 };
 
 /// The largest difference of a run from the reference.

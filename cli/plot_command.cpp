@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -9,9 +8,9 @@
 
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/look_options.h"
 #include "cli/plot_chart.h"
 #include "engine/core/error.h"
-#include "postproc/draw/theme.h"
 
 namespace burnish {
 namespace {
@@ -97,7 +96,7 @@ void addAxisOptions(CLI::App& command, PlotArguments& arguments) {
       ->type_name("AXES");
 }
 
-void addLookOptions(CLI::App& command, PlotArguments& arguments) {
+void addDrawingOptions(CLI::App& command, PlotArguments& arguments) {
   command.add_option("--title", arguments.title, "Title of the chart [none]")->type_name("TEXT");
   command
       .add_option("--label", arguments.labels,
@@ -109,11 +108,7 @@ void addLookOptions(CLI::App& command, PlotArguments& arguments) {
       .add_option("--markers", arguments.markers,
                   "Points with a marker: some (all of a few), all, none [some]")
       ->type_name("WHICH");
-  command
-      .add_option("--theme", arguments.theme,
-                  fmt::format("Paper, ink and size of texts: {}, or a file with a theme of your own [paper]",
-                              fmt::join(themeNames(), ", ")))
-      ->type_name("NAME|FILE.yaml");
+  addLookOptions(command, arguments.look);
   command.add_option("--size", arguments.size, "Size in pixels, or in points for SVG and PDF [1200,900]")
       ->type_name("W,H");
 }
@@ -126,7 +121,7 @@ void addPlotCommand(CLI::App& app, Action& action) {
   const auto outputs = std::make_shared<PlotOutputs>();
   addDataOptions(*command, *arguments);
   addAxisOptions(*command, *arguments);
-  addLookOptions(*command, *arguments);
+  addDrawingOptions(*command, *arguments);
   command->add_option("--csv", outputs->csv, "Write the drawn points to this file too, or print them: -")
       ->type_name("FILE.csv|-");
   command->add_option("-o,--output", outputs->picture, "Name of the chart")->type_name("CHART.png|svg|pdf");

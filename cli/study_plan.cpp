@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <numeric>
@@ -18,6 +19,8 @@
 #include "engine/results/atomic_file.h"
 #include "engine/results/result_reader.h"
 #include "engine/results/summary_file.h"
+#include "engine/scene/dimension.h"
+#include "engine/scene/mesh_knots.h"
 #include "engine/scene/nearest.h"
 #include "engine/scene/reader.h"
 #include "postproc/study/figures.h"
@@ -53,23 +56,36 @@ bool isUpToDate(const fs::path& run, const Scene& scene) {
   }
 }
 
-double numFunctions(const Scene& scene) {
-  if (const auto* net = std::get_if<ControlNetSpec>(&scene.geometry.shape))
-    return static_cast<double>(net->points.size());
-  double product = 1.0;
-  for (const int n : scene.geometry.mesh.functions) product *= n;
-  for (const int n : scene.geometry.mesh.spans)
-    product *= scene.basis == BasisChoice::Nurbs ? n + scene.degree : n * scene.degree + 1;
-  return product;
+/// The knots of a shape before it is meshed. All named shapes have one span per direction.
+std::vector<KnotVector> shapeKnots(const ControlNetSpec& net) {
+  std::vector<KnotVector> knots;
+  for (std::size_t d = 0; d < net.degrees.size(); ++d) knots.emplace_back(net.degrees[d], net.knots[d]);
+  return knots;
+}
+template <class Shape>
+std::vector<KnotVector> shapeKnots(const Shape& shape) {
+  return std::vector<KnotVector>(static_cast<std::size_t>(dimensionOf(shape)), KnotVector::uniform(1, 1));
 }
 
-/// Unknowns times entries per unknown times steps.
-double expectedCost(const Scene& scene) {
-  const double perUnknown = scene.degree * scene.degree;
-  const int steps = std::accumulate(scene.steps.begin(), scene.steps.end(), 0,
-                                    [](int sum, const PhaseSpec& phase) { return sum + phase.count; });
-  return scene.dim() * numFunctions(scene) * perUnknown * steps;
-}
+/// Number of basis functions of a shape on its mesh, or of all patches.
+struct FunctionCount {
+  const Scene& scene;
+
+  template <class Shape>
+  double operator()(const Shape& shape, const MeshSpec& mesh) const {
+    double product = 1.0;
+    const std::vector<KnotVector> knots = shapeKnots(shape);
+    for (std::size_t d = 0; d < knots.size(); ++d)
+      product *= numFunctions(scene, meshKnots(scene, mesh, d, knots[d]));
+    return product;
+  }
+  double operator()(const PatchesSpec& body, const MeshSpec&) const {
+    double sum = 0.0;
+    for (const PatchSpec& patch : body.patches)
+      sum += std::visit([&](const auto& shape) { return (*this)(shape, patch.mesh); }, patch.shape);
+    return sum;
+  }
+};
 
 std::vector<std::string> partsOf(const FigureSpec& figure) {
   const auto* composite = std::get_if<CompositeSpec>(&figure.what);
@@ -204,6 +220,16 @@ const FigureSpec& findFigure(const Study& study, const std::string& name) {
   }
   throw Error(fmt::format("--only: {} has no figure {}; its figures are {}.{}", study.file.string(), name,
                           fmt::join(names, ", "), didYouMean(name, names)));
+}
+
+double expectedCost(const Scene& scene) {
+  const double functions =
+      std::visit([&](const auto& shape) { return FunctionCount{scene}(shape, scene.geometry.mesh); },
+                 scene.geometry.shape);
+  const double perUnknown = std::pow(scene.degree, scene.dim());
+  const int steps = std::accumulate(scene.steps.begin(), scene.steps.end(), 0,
+                                    [](int sum, const PhaseSpec& phase) { return sum + phase.count; });
+  return scene.dim() * functions * perUnknown * steps;
 }
 
 StudyPlan planStudy(const Study& study, const fs::path& directory, const std::vector<std::string>& only,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/job_pool.h"
+#include "engine/scene/scene.h"
 #include "postproc/study/study.h"
 
 namespace burnish {
@@ -29,6 +30,9 @@ struct StudyPlan {
   std::vector<PlannedFigure> figures;
   std::vector<Job> jobs;
 };
+
+/// What a run costs, in no unit: unknowns times entries per unknown times steps.
+double expectedCost(const Scene& scene);
 
 /// Looks at what is there. `only`: these figures and the runs that they need; everything when empty. A run
 /// gets its share of the processors when `atOnce` go on at a time. Throws `Error` for figures that do not

@@ -4,6 +4,9 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md")
+# Built in, but also what a theme of one's own starts from.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/postproc/draw/themes/" DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish/themes"
+  FILES_MATCHING PATTERN "*.yaml")
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake"

@@ -42,7 +42,7 @@ struct Chart {
   std::vector<ChartCurve> curves;
   std::array<int, 2> size{1200, 900};  ///< pixels (PNG) or points (SVG, PDF)
   ChartMarkers markers = ChartMarkers::Some;
-  Theme theme;  ///< its paper, ink and size of texts
+  Theme theme;  ///< its paper, ink, font and size of texts
 
   bool hasRightAxis() const;
 };

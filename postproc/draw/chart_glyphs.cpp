@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <string_view>
@@ -37,7 +38,20 @@ vtkSmartPointer<vtkPath> pathOf(const std::string& text, vtkTextProperty& proper
   return path;
 }
 
-/// The closed outlines of a path of lines and conic curves, which is what TrueType fonts have.
+/// The curve of Bernstein polynomials between the first and the last of three or four points, without the
+/// first.
+template <std::size_t N>
+void addCurve(const std::array<Eigen::Vector2d, N>& control, Polyline& line) {
+  for (int i = 1; i <= kCurveSteps; ++i) {
+    const double t = static_cast<double>(i) / kCurveSteps;
+    std::array<Eigen::Vector2d, N> points = control;
+    for (std::size_t left = N - 1; left > 0; --left)
+      for (std::size_t k = 0; k < left; ++k) points[k] += t * (points[k + 1] - points[k]);
+    line.push_back(points[0]);
+  }
+}
+
+/// The closed outlines of a path: conic curves come from TrueType fonts, cubic ones from PostScript.
 std::vector<Polyline> outlines(vtkPath& path) {
   std::vector<Polyline> result;
   const auto point = [&](vtkIdType k) {
@@ -49,12 +63,11 @@ std::vector<Polyline> outlines(vtkPath& path) {
     if (code == vtkPath::MOVE_TO) {
       result.push_back({point(k)});
     } else if (code == vtkPath::CONIC_CURVE) {
-      const Eigen::Vector2d from = result.back().back(), control = point(k), to = point(k + 1);
-      for (int i = 1; i <= kCurveSteps; ++i) {
-        const double t = static_cast<double>(i) / kCurveSteps;
-        result.back().push_back((1 - t) * (1 - t) * from + 2 * t * (1 - t) * control + t * t * to);
-      }
-      ++k;
+      addCurve<3>({result.back().back(), point(k), point(k + 1)}, result.back());
+      k += 1;
+    } else if (code == vtkPath::CUBIC_CURVE) {
+      addCurve<4>({result.back().back(), point(k), point(k + 1), point(k + 2)}, result.back());
+      k += 2;
     } else {
       result.back().push_back(point(k));
     }
@@ -129,9 +142,13 @@ bool continues(char byte) {
 }  // namespace
 
 std::vector<Polyline> glyphPolygons(const std::string& text, vtkTextProperty& property) {
-  std::vector<Polyline> letters, holes;
-  for (Polyline& outline : outlines(*pathOf(text, property))) {
-    const bool isHole = signedArea(outline) > 0.0;  // TrueType: outer outlines run clockwise
+  std::vector<Polyline> all = outlines(*pathOf(text, property)), letters, holes;
+  // Outer outlines run one way and holes the other; which one depends on the kind of font.
+  double largest = 0.0;
+  for (const Polyline& outline : all)
+    if (std::abs(signedArea(outline)) > std::abs(largest)) largest = signedArea(outline);
+  for (Polyline& outline : all) {
+    const bool isHole = signedArea(outline) * largest < 0.0;
     (isHole ? holes : letters).push_back(std::move(outline));
   }
   for (Polyline& hole : holes)

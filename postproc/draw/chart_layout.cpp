@@ -34,16 +34,6 @@ double chartTextSize(const std::array<int, 2>& size) {
   return std::max(smallest, std::round(std::min(0.031 * size[0], 0.0413 * size[1])));
 }
 
-double labelWidth(const std::string& label, double size) {
-  return textWidth({{label}}, {.size = size});
-}
-
-double longest(const std::vector<std::string>& labels, double size) {
-  double width = 0.0;
-  for (const std::string& label : labels) width = std::max(width, labelWidth(label, size));
-  return width;
-}
-
 bool within(double value, const ChartAxis& axis) {
   return !axis.range || (value >= (*axis.range)[0] && value <= (*axis.range)[1]);
 }
@@ -121,6 +111,16 @@ class Arrangement {
     });
   }
 
+  double labelWidth(const std::string& label) const {
+    return textWidth({{label}}, {.size = size_, .font = chart_.theme.font});
+  }
+
+  double longest(const std::vector<std::string>& labels) const {
+    double width = 0.0;
+    for (const std::string& label : labels) width = std::max(width, labelWidth(label));
+    return width;
+  }
+
   void makeVerticalScales(const std::function<bool(const ChartScale&)>& fit) {
     layout_.y = makeChartScale(chart_.y, ranges_[1], true, fit);
     if (chart_.hasRightAxis()) layout_.y2 = makeChartScale(chart_.y2, ranges_[2], true, fit);
@@ -135,8 +135,8 @@ class Arrangement {
       plot.width = std::round(chart_.size[0] - margin_ - overhang) - plot.x;
       layout_.x = makeChartScale(chart_.x, ranges_[0], false,
                                  [this](const ChartScale& scale) { return labelsFit(scale); });
-      const double end = layout_.x.share(layout_.x.ticks.back()) * plot.width +
-                         labelWidth(layout_.x.labels.back(), size_) / 2;
+      const double end =
+          layout_.x.share(layout_.x.ticks.back()) * plot.width + labelWidth(layout_.x.labels.back()) / 2;
       overhang = std::max(overhang, end - plot.width);
     }
     plot.width = std::round(chart_.size[0] - margin_ - overhang) - plot.x;
@@ -146,14 +146,14 @@ class Arrangement {
   /// Width of the title and the labels of a vertical axis.
   double besidePlot(const ChartAxis& axis, const ChartScale& scale) const {
     const double title = axis.title.empty() ? 0.0 : (kHalfLine + kYTitleGap) * size_;
-    return title + longest(scale.labels, size_) + kYLabelGap * size_;
+    return title + longest(scale.labels) + kYLabelGap * size_;
   }
 
   bool labelsFit(const ChartScale& scale) const {
     double end = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < scale.ticks.size(); ++k) {
       const double middle = scale.share(scale.ticks[k]) * layout_.plot.width;
-      const double half = labelWidth(scale.labels[k], size_) / 2;
+      const double half = labelWidth(scale.labels[k]) / 2;
       if (middle - half < end + kBetweenLabels * size_) return false;
       end = middle + half;
     }
@@ -171,7 +171,8 @@ class Arrangement {
     const double width = chart_.size[0], height = chart_.size[1];
     const PixelRect& plot = layout_.plot;
     const auto fitted = [&](const std::string& text, double size, double room) {
-      return text.empty() ? FittedText{} : fitText({{text}}, {.size = size}, room, kSmallestText * size_);
+      const TextStyle style{.size = size, .font = chart_.theme.font};
+      return text.empty() ? FittedText{} : fitText({{text}}, style, room, kSmallestText * size_);
     };
     // The middle of a text that stands at the middle of the plot unless it would leave the picture.
     const auto middle = [&](const FittedText& text, double wanted, double room) {
@@ -180,7 +181,7 @@ class Arrangement {
     };
     double besideFactor = width - 2 * margin_;
     if (!layout_.x.factor.empty())
-      besideFactor = plot.width - 2 * (labelWidth(layout_.x.factor, size_) + kBetweenLabels * size_);
+      besideFactor = plot.width - 2 * (labelWidth(layout_.x.factor) + kBetweenLabels * size_);
     layout_.title = fitted(chart_.title, kTitleSize * size_, width - 2 * margin_);
     layout_.xTitle = fitted(chart_.x.title, size_, besideFactor);
     layout_.yTitle = fitted(chart_.y.title, size_, height - 2 * margin_);

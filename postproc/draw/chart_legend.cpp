@@ -44,12 +44,13 @@ bool covers(const PixelRect& rect, const PlottedCurve& curve) {
 }  // namespace
 
 ChartLegend::ChartLegend(const Chart& chart, double textSize, double widestLabel) : size_(textSize) {
+  const TextStyle style{.size = size_, .font = chart.theme.font};
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const std::string& label = chart.curves[k].label;
     if (label.empty()) continue;
     const RichText side = chart.curves[k].onRight ? RichText{{" (right)"}} : RichText{};
-    FittedText fitted = fitText({{label}}, {.size = size_}, widestLabel - textWidth(side, {.size = size_}),
-                                kSmallestLabel * size_);
+    FittedText fitted =
+        fitText({{label}}, style, widestLabel - textWidth(side, style), kSmallestLabel * size_);
     fitted.text.insert(fitted.text.end(), side.begin(), side.end());
     longestLabel_ = std::max(longestLabel_, textWidth(fitted.text, fitted.style));
     entries_.push_back({k, std::move(fitted)});

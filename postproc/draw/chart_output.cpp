@@ -94,16 +94,39 @@ class SketchItem : public vtkContextItem {
     painter.GetDevice()->DrawPolygon(points.data(), static_cast<int>(area.corners.size()));
   }
 
+  /// In one piece, or in pieces from the start on if parts of the text need another font.
   void paint(vtkContext2D& painter, const SketchText& text, double shift) const {
+    const std::vector<FontPiece> pieces = fontPieces(text.text, text.style.font);
+    if (pieces.size() == 1) return paintPiece(painter, text, *pieces.front().font, VTK_TEXT_CENTERED, shift);
+    const bool up = text.direction == Overlay::Direction::Up;
+    const Eigen::Vector2d along(up ? 0.0 : 1.0, up ? 1.0 : 0.0), upwards(-along.y(), along.x());
+    const double before = text.anchor == Overlay::Anchor::Start    ? 0.0
+                          : text.anchor == Overlay::Anchor::Middle ? 0.5
+                                                                   : 1.0;
+    Eigen::Vector2d pen = text.at - before * textWidth({{text.text}}, text.style) * along -
+                          capitalHeight(text.style) / 2 * upwards;
+    SketchText part = text;
+    part.anchor = Overlay::Anchor::Start;
+    for (const FontPiece& piece : pieces) {
+      part.text = piece.text;
+      part.at = pen - piece.font->descent * text.style.size * upwards;
+      paintPiece(painter, part, *piece.font, VTK_TEXT_BOTTOM, shift);
+      pen += textWidth({{piece.text}}, text.style) * along;
+    }
+  }
+
+  void paintPiece(vtkContext2D& painter, const SketchText& text, const Font& font, int vertical,
+                  double shift) const {
+    const auto& [size, color, name] = text.style;
     vtkNew<vtkTextProperty> property;
     property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(fontFile(FontWeight::Regular).c_str());
-    property->SetFontSize(static_cast<int>(std::lround(scale_ * text.size)));
-    property->SetColor(text.color[0] / 255.0, text.color[1] / 255.0, text.color[2] / 255.0);
+    property->SetFontFile(font.file.c_str());
+    property->SetFontSize(static_cast<int>(std::lround(scale_ * size)));
+    property->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
     property->SetJustification(text.anchor == Overlay::Anchor::Start    ? VTK_TEXT_LEFT
                                : text.anchor == Overlay::Anchor::Middle ? VTK_TEXT_CENTERED
                                                                         : VTK_TEXT_RIGHT);
-    property->SetVerticalJustificationToCentered();
+    property->SetVerticalJustification(vertical);
     if (text.direction == Overlay::Direction::Up) property->SetOrientation(90.0);
     const std::vector<float> at = scaled({text.at}, shift);
     const auto draw = [&](const std::string& string) {
@@ -115,13 +138,14 @@ class SketchItem : public vtkContextItem {
     if (auto* svg = vtkSVGContextDevice2D::SafeDownCast(painter.GetDevice())) {
       draw(text.text);
       property->SetOpacity(0.0);
-      property->SetFontSize(static_cast<int>(std::lround(kPointsPerPixel * scale_ * text.size)));
+      property->SetFontSize(static_cast<int>(std::lround(kPointsPerPixel * scale_ * size)));
       svg->SetTextAsPath(false);
       draw(text.text);
       svg->SetTextAsPath(true);
     } else if (vtkPDFContextDevice2D::SafeDownCast(painter.GetDevice())) {
       paintOutlines(painter, text, *property);
       property->SetOpacity(0.0);
+      property->SetFontFile(fontNamed(kDefaultFont).file.c_str());  // a PDF cannot hold fonts of every kind
       draw(asciiText(text.text));
     } else {
       draw(text.text);
@@ -131,7 +155,7 @@ class SketchItem : public vtkContextItem {
   void paintOutlines(vtkContext2D& painter, const SketchText& text, vtkTextProperty& property) const {
     for (Polyline& letter : glyphPolygons(text.text, property)) {
       for (Eigen::Vector2d& point : letter) point += text.at;
-      paint(painter, SketchArea{std::move(letter), text.color}, 0.0);
+      paint(painter, SketchArea{std::move(letter), text.style.color}, 0.0);
     }
   }
 

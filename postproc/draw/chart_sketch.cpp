@@ -211,7 +211,7 @@ class Sketcher {
   void addLabel(const std::string& label, const Eigen::Vector2d& at, double size, Anchor anchor,
                 Direction direction = Direction::Right) {
     if (!label.empty())
-      sketch_.shapes.emplace_back(SketchText{label, at, size, theme_.ink, anchor, direction});
+      sketch_.shapes.emplace_back(SketchText{label, at, {size, theme_.ink, theme_.font}, anchor, direction});
   }
 
   void addTexts() {

@@ -22,8 +22,7 @@ struct SketchArea {
 struct SketchText {
   std::string text;
   Eigen::Vector2d at;  ///< at half the height of the capitals
-  double size;
-  Color color;
+  TextStyle style;
   Overlay::Anchor anchor = Overlay::Anchor::Middle;
   Overlay::Direction direction = Overlay::Direction::Right;
 };

@@ -96,10 +96,4 @@ FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, cons
                           fmt::join(names, ", "), didYouMean(name, names)));
 }
 
-Eigen::VectorXd FieldChoice::values(const Tessellation& tessellation) const {
-  const Eigen::MatrixXd values = tessellation.evaluate(coefficients);
-  if (values.rows() == 1) return values.row(0).transpose();
-  return values.colwise().norm().transpose();
-}
-
 }  // namespace burnish

@@ -5,7 +5,6 @@
 
 #include "engine/results/result.h"
 #include "postproc/draw/rich_text.h"
-#include "postproc/mesh/tessellation.h"
 
 namespace burnish {
 
@@ -22,9 +21,6 @@ struct FieldChoice {
   RichText title;                ///< readable name with symbol, without unit
   std::string unit;              ///< may be empty
   Eigen::MatrixXd coefficients;  ///< one row, or the components of a vector whose magnitude is meant
-
-  /// Values at the points of a tessellation.
-  Eigen::VectorXd values(const Tessellation& tessellation) const;
 };
 
 /// The field of a name of `fieldNames`. Throws `Error` that lists them and tells the nearest.

@@ -17,16 +17,9 @@ struct Font {
 /// Whether a name is that of a file: with a slash or an ending of fonts.
 bool isFontFile(const std::string& name);
 
-/// A family that is installed, or a file. Throws `Error` with
-/// the nearest family, and for a file that is missing or holds no scalable font.
+/// A family that is installed, or a file. Throws `Error` with the nearest family, and for a file that is
+/// missing or holds no scalable font.
 const Font& fontNamed(const std::string& name);
-
-enum class FontWeight { Regular };
-
-/// File of the default font.
-inline const std::string& fontFile(FontWeight /*weight*/) {
-  return fontNamed(kDefaultFont).file;
-}
 
 /// A part of a text and the font that has its letters.
 struct FontPiece {

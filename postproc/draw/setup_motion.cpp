@@ -16,6 +16,14 @@ bool sameDirection(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.normalized().dot(b.normalized()) > 1.0 - 1e-9;
 }
 
+Eigen::Vector2d displacement(const PrescribedSpec& formulas, const Eigen::Vector2d& X,
+                             const std::vector<DefinitionSpec>& definitions, double t) {
+  const auto value = [&](const std::optional<FormulaText>& text) {
+    return text ? Formula(*text, definitions)({X.x(), X.y(), 0.0}, t) : 0.0;
+  };
+  return {value(formulas.x), value(formulas.y)};
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector2d> motionPhases(const MotionSpec& motion, double end) {
@@ -33,6 +41,16 @@ std::vector<Eigen::Vector2d> motionPhases(const MotionSpec& motion, double end) 
       phases.push_back(phase);
   }
   return phases;
+}
+
+std::vector<Eigen::Vector2d> motionPhases(const SupportSpec& support, const Eigen::Vector2d& X,
+                                          const std::vector<DefinitionSpec>& definitions, double end) {
+  if (support.move) return motionPhases(*support.move, end);
+  if (!support.prescribe) return {};
+  const Eigen::Vector2d phase = displacement(*support.prescribe, X, definitions, end) -
+                                displacement(*support.prescribe, X, definitions, 0.0);
+  if (phase.norm() == 0.0) return {};
+  return {phase};
 }
 
 }  // namespace burnish

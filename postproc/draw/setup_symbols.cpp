@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "postproc/draw/chart_curves.h"
 
 namespace burnish {
 namespace {
@@ -11,7 +14,7 @@ using Eigen::Vector2d;
 using Points = SetupSymbols::Points;
 
 constexpr Color kInk{20, 20, 20};
-constexpr Color kFaint{150, 150, 150};
+constexpr Color kFaint{150, 150, 150}, kFaintText{110, 110, 110};
 
 // Measures as parts of the text size.
 constexpr double kThin = 0.045, kThick = 0.075;
@@ -20,14 +23,23 @@ constexpr double kHatch = 0.55, kHatchSpacing = 0.5;
 constexpr double kRoller = 0.42;
 constexpr double kRollerSpacing = 1.3;
 constexpr double kLoadArrow = 1.9, kLoadSpacing = 1.5;
+constexpr double kForceArrow = 3.0;
+constexpr double kBeside = 0.5, kArrowAlong = 1.25;  // from a line to arrows along it, and their length
+
+// Parts of the largest of a row of arrows: shorter ones are left out, or drawn longer to show their heads.
+constexpr double kSmallestLoad = 0.1, kShortestLoad = 0.4;
+constexpr double kAlong = 0.2;     // sine of the angle up to which an arrow goes along a line
+constexpr double kSlanted = 0.35;  // of the angle to both axes from which a line is neither flat nor upright
+
 constexpr double kExtension = 0.35;
 constexpr double kTextGap = 0.35;
 constexpr double kAxis = 1.7;
 constexpr double kDash = 0.4;
 
-/// A point of a polyline and the outward normal there.
+/// A place on a polyline, the outward normal there and the number of the next point.
 struct Station {
   Vector2d at, outward;
+  std::size_t point;
 };
 
 /// Stations at equal distances, half a distance from both ends.
@@ -42,7 +54,7 @@ std::vector<Station> stations(const Points& line, const Points& outward, double 
     const double wanted = length.back() * (i + 0.5) / count;
     while (piece + 1 < line.size() && length[piece] < wanted) ++piece;
     const double part = (wanted - length[piece - 1]) / (length[piece] - length[piece - 1]);
-    result.push_back({line[piece - 1] + part * (line[piece] - line[piece - 1]), outward[piece]});
+    result.push_back({line[piece - 1] + part * (line[piece] - line[piece - 1]), outward[piece], piece});
   }
   return result;
 }
@@ -69,8 +81,9 @@ Vector2d turned(const Vector2d& v) {
 
 }  // namespace
 
-SetupSymbols::SetupSymbols(vtkRenderer& renderer, int scale, double textSize)
-    : shapes_(renderer, scale),
+SetupSymbols::SetupSymbols(vtkRenderer& renderer, int scale, const std::array<int, 2>& size, double textSize)
+    : size_(size[0], size[1]),
+      shapes_(renderer, scale),
       overlay_(renderer, scale),
       text_{textSize, kInk},
       thin_(std::max(0.8, kThin * textSize)),
@@ -100,19 +113,53 @@ void SetupSymbols::addArrow(const Vector2d& tail, const Vector2d& tip) {
   addHead(tip, direction);
 }
 
-void SetupSymbols::addLoad(const Points& line, const Points& outward, const Vector2d& direction,
+void SetupSymbols::addLoad(const Points& line, const Points& outward, const Points& vectors,
                            const std::string& label) {
-  const double length = kLoadArrow * text_.size;
-  for (const Station& s : stations(line, outward, kLoadSpacing * text_.size)) {
-    const bool pushes = direction.dot(s.outward) < 0.0;
-    const Vector2d tail = s.at + (pushes ? -length : 0.15 * length) * direction;
-    addArrow(tail, tail + (pushes ? 0.95 : 1.0) * length * direction);
-  }
+  double largest = 0.0;
+  for (const Vector2d& vector : vectors) largest = std::max(largest, vector.norm());
+  if (largest == 0.0) return;
+  const std::vector<Station> row = stations(line, outward, kLoadSpacing * text_.size);
+  const bool isAlong = std::all_of(row.begin(), row.end(), [&](const Station& s) {
+    return std::abs(vectors[s.point].dot(s.outward)) <= kAlong * vectors[s.point].norm();
+  });
+  for (const Station& s : row) addLoadArrow(s.at, s.outward, vectors[s.point] / largest, isAlong);
   const Station middle = stations(line, outward, 1e9).front();
-  const Vector2d beyond = middle.at + (1.15 * length + 0.75 * text_.size) * middle.outward;
-  const bool sideways = std::abs(middle.outward.x()) > std::abs(middle.outward.y());
-  addText({{label}}, beyond, Overlay::Anchor::Middle,
+  addLoadText(label, middle.at, middle.outward);
+}
+
+void SetupSymbols::addLoadText(const std::string& label, const Vector2d& at, const Vector2d& outward) {
+  Vector2d middle = at + (1.15 * kLoadArrow + 0.75) * text_.size * outward;
+  const bool slanted = outward.cwiseAbs().minCoeff() > kSlanted;
+  const bool sideways = !slanted && std::abs(outward.x()) > std::abs(outward.y());
+  Vector2d half(textWidth({{label}}, text_) / 2, text_.size / 2);
+  if (slanted) middle.x() += std::copysign(half.x(), outward.x());
+  if (sideways) std::swap(half.x(), half.y());
+  half.array() += kTextGap * text_.size;
+  middle = middle.cwiseMin(size_ - half).cwiseMax(half);
+  addText({{label}}, middle, Overlay::Anchor::Middle,
           sideways ? Overlay::Direction::Up : Overlay::Direction::Right);
+}
+
+void SetupSymbols::addLoadArrow(const Vector2d& at, const Vector2d& outward, const Vector2d& vector,
+                                bool isAlong) {
+  const double share = vector.norm();
+  if (share < kSmallestLoad) return;
+  const Vector2d direction = vector / share;
+  const double against = -direction.dot(outward);
+  const double length = std::max(share, kShortestLoad) * (isAlong ? kArrowAlong : kLoadArrow) * text_.size;
+  Vector2d tail = at + 0.15 * length * direction;
+  if (isAlong)
+    tail = at + kBeside * text_.size * outward - length / 2 * direction;
+  else if (against > 0.0)
+    tail = at - length * direction;
+  addArrow(tail, tail + (!isAlong && against > 0.0 ? 0.95 : 1.0) * length * direction);
+}
+
+void SetupSymbols::addForce(const Vector2d& middle, const Vector2d& direction, const std::string& label) {
+  const Vector2d half = kForceArrow / 2 * text_.size * direction;
+  addArrow(middle - half, middle + half);
+  const double before = 0.6 * text_.size + std::abs(direction.x()) * textWidth({{label}}, text_) / 2;
+  addText({{label}}, middle - half - before * direction);
 }
 
 void SetupSymbols::addDimension(const Vector2d& begin, const Vector2d& end, const Vector2d& offset,
@@ -123,10 +170,18 @@ void SetupSymbols::addDimension(const Vector2d& begin, const Vector2d& end, cons
   shapes_.addSegments({begin + 0.25 * size * away, from + kExtension * size * away, end + 0.25 * size * away,
                        to + kExtension * size * away, from, to},
                       thin_, kInk);
-  addHead(from, -along);
-  addHead(to, along);
   const bool upright = std::abs(along.y()) > std::abs(along.x());
-  const double lift = kTextGap * size + capitalHeight(size) / 2;
+  const double length = (to - from).norm();
+  const bool isShort = length < 2.5 * kHead * size;  // heads from outside
+  if (isShort)
+    shapes_.addSegments({from - 1.5 * kHead * size * along, from, to, to + 1.5 * kHead * size * along}, thin_,
+                        kInk);
+  addHead(from, isShort ? along : Vector2d(-along));
+  addHead(to, isShort ? Vector2d(-along) : along);
+  const bool isLong = textWidth({{label}}, text_) > length;
+  if (isLong && !upright)
+    return addText({{label}}, to + (isShort ? 2.0 : 1.0) * kHead * size * along, Overlay::Anchor::Start);
+  const double lift = (kTextGap + (isLong ? kExtension : 0.0)) * size + capitalHeight(size) / 2;
   addText({{label}}, (from + to) / 2 + lift * (upright ? Vector2d(-1, 0) : Vector2d(0, 1)),
           Overlay::Anchor::Middle, upright ? Overlay::Direction::Up : Overlay::Direction::Right);
 }
@@ -150,30 +205,36 @@ void SetupSymbols::addAxes(const Vector2d& origin) {
 }
 
 void SetupSymbols::addDashes(const Points& line) {
-  const double dash = kDash * text_.size;
-  Points dashes;
-  double walked = 0.0;
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    const double length = (line[k] - line[k - 1]).norm();
-    const Vector2d along = (line[k] - line[k - 1]) / length;
-    for (double at = 0.0; at < length;) {
-      const bool drawn = std::fmod(walked + at, 2.0 * dash) < dash;
-      const double next = std::min(length, at + dash - std::fmod(walked + at, dash) + 1e-9 * dash);
-      if (drawn) dashes.insert(dashes.end(), {line[k - 1] + at * along, line[k - 1] + next * along});
-      at = next;
-    }
-    walked += length;
-  }
-  shapes_.addSegments(dashes, thin_, kFaint);
+  addDashed(line, {kDash, kDash}, kFaint);
+}
+
+void SetupSymbols::addAxisLine(const Vector2d& begin, const Vector2d& end, const std::string& label) {
+  addDashed({begin, end}, {4.0 * kDash, 0.6 * kDash, 0.4 * kDash, 0.6 * kDash}, kInk);
+  addText({{label}}, end - Vector2d(0.4, 0.4) * text_.size, Overlay::Anchor::End);
+}
+
+void SetupSymbols::addDashed(const Points& line, const std::vector<double>& pattern, const Color& color) {
+  std::vector<double> lengths = pattern;
+  for (double& length : lengths) length *= text_.size;
+  for (const Polyline& dash : dashes(line, lengths, 0.0)) shapes_.addPolyline(dash, thin_, color);
 }
 
 void SetupSymbols::addText(const RichText& text, const Vector2d& middle, Overlay::Anchor anchor,
                            Overlay::Direction direction) {
-  const double half = capitalHeight(text_.size) / 2;
+  addText(text, middle, text_, anchor, direction);
+}
+
+void SetupSymbols::addFaintText(const std::string& text, const Vector2d& middle) {
+  addText({{text}}, middle, {text_.size, kFaintText}, Overlay::Anchor::Middle, Overlay::Direction::Right);
+}
+
+void SetupSymbols::addText(const RichText& text, const Vector2d& middle, const TextStyle& style,
+                           Overlay::Anchor anchor, Overlay::Direction direction) {
+  const double half = capitalHeight(style.size) / 2;
   overlay_.addText(text,
                    direction == Overlay::Direction::Right ? Vector2d(middle - Vector2d(0, half))
                                                           : Vector2d(middle + Vector2d(half, 0)),
-                   text_, anchor, direction);
+                   style, anchor, direction);
 }
 
 void SetupSymbols::addHead(const Vector2d& tip, const Vector2d& direction) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <string>
+#include <vector>
 
 #include "postproc/draw/flat_shapes.h"
 #include "postproc/draw/overlay.h"
@@ -11,10 +13,15 @@ class SetupSymbols {
  public:
   using Points = FlatShapes::Points;
 
-  /// Depth that supports, rows of arrows and dimension lines take beside the body, in text sizes.
+  /// Depth that supports, rows of arrows, dimension lines take beside the body, in
+  /// text sizes.
   static constexpr double kSupportDepth = 1.1, kLoadDepth = 3.4, kDimensionDepth = 2.6;
 
-  SetupSymbols(vtkRenderer& renderer, int scale, double textSize);
+  /// Length that arrows of motions have at least, in text sizes.
+  static constexpr double kShortestMotion = 2.2;
+
+  /// size: of the picture, in which all texts of loads stay.
+  SetupSymbols(vtkRenderer& renderer, int scale, const std::array<int, 2>& size, double textSize);
 
   double textSize() const { return text_.size; }
 
@@ -26,10 +33,13 @@ class SetupSymbols {
 
   void addArrow(const Eigen::Vector2d& tail, const Eigen::Vector2d& tip);
 
-  /// Arrows in a direction (unit vector) spread over a line: tips on it if they push against the outward
-  /// normals, else tails.
-  void addLoad(const Points& line, const Points& outward, const Eigen::Vector2d& direction,
-               const std::string& label);
+  /// Arrows spread over a line with a vector at each of its points; the longest vector has an arrow of full
+  /// length. Tips on the line if they push against the outward normals, tails if they pull, beside it if they
+  /// all go along it.
+  void addLoad(const Points& line, const Points& outward, const Points& vectors, const std::string& label);
+
+  /// One arrow with its middle at a point and its text before its tail.
+  void addForce(const Eigen::Vector2d& middle, const Eigen::Vector2d& direction, const std::string& label);
 
   /// A dimension line from `begin` to `end`, moved by `offset` from the two points that it measures.
   void addDimension(const Eigen::Vector2d& begin, const Eigen::Vector2d& end, const Eigen::Vector2d& offset,
@@ -43,14 +53,28 @@ class SetupSymbols {
 
   void addDashes(const Points& line);
 
+  /// A line of dashes and dots, such as an axis, with a text at the left of its end.
+  void addAxisLine(const Eigen::Vector2d& begin, const Eigen::Vector2d& end, const std::string& label);
+
   /// Text whose middle lies at a point, or whose start or end does.
   void addText(const RichText& text, const Eigen::Vector2d& middle,
                Overlay::Anchor anchor = Overlay::Anchor::Middle,
                Overlay::Direction direction = Overlay::Direction::Right);
 
+  /// The same, standing back.
+  void addFaintText(const std::string& text, const Eigen::Vector2d& middle);
+
  private:
+  void addText(const RichText& text, const Eigen::Vector2d& middle, const TextStyle& style,
+               Overlay::Anchor anchor, Overlay::Direction direction);
+  void addLoadArrow(const Eigen::Vector2d& at, const Eigen::Vector2d& outward, const Eigen::Vector2d& vector,
+                    bool isAlong);
+  void addDashed(const Points& line, const std::vector<double>& pattern, const Color& color);
+  /// Beyond arrows at a point of a line.
+  void addLoadText(const std::string& label, const Eigen::Vector2d& at, const Eigen::Vector2d& outward);
   void addHead(const Eigen::Vector2d& tip, const Eigen::Vector2d& direction);
 
+  Eigen::Vector2d size_;
   FlatShapes shapes_;
   Overlay overlay_;
   TextStyle text_;

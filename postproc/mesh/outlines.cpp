@@ -2,9 +2,11 @@
 
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "postproc/mesh/patch_borders.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/tensor_points.h"
@@ -12,63 +14,98 @@
 namespace burnish {
 namespace {
 
-/// Lines along a direction of the points.
-void addLines(const IndexBox& points, std::size_t along, const std::vector<vtkIdType>& ids,
-              PolyBuilder& builder) {
-  IndexBox starts = points;
-  starts.extent[along] = 1;
-  for (int start = 0; start < starts.size(); ++start) {
-    IndexBox::Index index = starts.index(start);
-    std::vector<vtkIdType> line;
-    for (index[along] = 0; index[along] < points.extent[along]; ++index[along])
-      line.push_back(ids[static_cast<std::size_t>(points.number(index))]);
-    builder.addLine(line);
-  }
+/// Where the points of a lattice lie along a direction of a patch.
+enum class Along { Begin, End, Everywhere, BetweenSpans };
+
+std::vector<double> parametersAt(const UnivariateBasis& basis, Along along, int subdivision) {
+  const std::vector<double>& breakpoints = basis.breakpoints();
+  if (along == Along::Begin) return {breakpoints.front()};
+  if (along == Along::End) return {breakpoints.back()};
+  if (along == Along::Everywhere) return subdividedSpans(basis, subdivision);
+  return {breakpoints.begin() + 1, breakpoints.end() - 1};
 }
 
-/// Parameter lines of a patch along one direction. The other parameters lie at the ends of their domains, but
-/// for that of the direction `inside` (none: the direction itself), which lies between knot spans.
-void addParameterLines(const ModelRecord& model, const PatchRecord& patch,
-                       const Eigen::MatrixXd& displacement, std::size_t along, std::size_t inside,
-                       int subdivision, PolyBuilder& builder) {
-  std::vector<PointRow> directions;
-  for (std::size_t d = 0; d < patch.directions.size(); ++d) {
-    const UnivariateBasis basis = basisOf(patch.directions[d]);
-    const std::vector<double>& breakpoints = basis.breakpoints();
-    std::vector<double> parameters{breakpoints.front(), breakpoints.back()};
-    if (d == along)
-      parameters = subdividedSpans(basis, subdivision);
-    else if (d == inside)
-      parameters.assign(breakpoints.begin() + 1, breakpoints.end() - 1);
-    if (parameters.empty()) return;
-    directions.push_back(valuesAt(basis, parameters));
-  }
-  PointLattices points(model.numNodes);
-  points.add(TensorPoints(patch, std::move(directions)));
-  addLines(points.lattices().front().box(), along, builder.addPoints(points.positions(displacement)),
-           builder);
+std::vector<Along> placesOn(const PatchSide& side) {
+  std::vector<Along> places;
+  for (const PatchSide::End end : side.ends)
+    places.push_back(end == PatchSide::End::Begin ? Along::Begin
+                     : end == PatchSide::End::End ? Along::End
+                                                  : Along::Everywhere);
+  return places;
 }
+
+/// Draws lines on the patches of a body.
+class LineDrawer {
+ public:
+  LineDrawer(const ModelRecord& model, const Eigen::MatrixXd& displacement, int subdivision)
+      : model_(model), displacement_(displacement), subdivision_(subdivision) {}
+
+  void addEdge(const PatchSide& edge) { add(edge.patch, placesOn(edge)); }
+
+  /// The lines between the spans of a face, or of a plane patch.
+  void addKnotLines(const PatchSide& face) {
+    const std::vector<Along> all = placesOn(face);
+    for (std::size_t d = 0; d < all.size(); ++d) {
+      std::vector<Along> places = all;
+      if (std::exchange(places[d], Along::BetweenSpans) == Along::Everywhere) add(face.patch, places);
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> finish() const { return builder_.finish(); }
+
+ private:
+  /// Lines along the one direction whose points lie everywhere.
+  void add(std::size_t number, const std::vector<Along>& places) {
+    const PatchRecord& patch = model_.patches[number];
+    std::vector<PointRow> directions;
+    for (std::size_t d = 0; d < places.size(); ++d) {
+      const UnivariateBasis basis = basisOf(patch.directions[d]);
+      const std::vector<double> parameters = parametersAt(basis, places[d], subdivision_);
+      if (parameters.empty()) return;
+      directions.push_back(valuesAt(basis, parameters));
+    }
+    PointLattices points(model_.numNodes);
+    points.add(TensorPoints(patch, std::move(directions)));
+    const auto along = std::find(places.begin(), places.end(), Along::Everywhere) - places.begin();
+    addLines(points.lattices().front().box(), static_cast<std::size_t>(along),
+             builder_.addPoints(points.positions(displacement_)));
+  }
+
+  void addLines(const IndexBox& points, std::size_t along, const std::vector<vtkIdType>& ids) {
+    IndexBox starts = points;
+    starts.extent[along] = 1;
+    for (int start = 0; start < starts.size(); ++start) {
+      IndexBox::Index index = starts.index(start);
+      std::vector<vtkIdType> line;
+      for (index[along] = 0; index[along] < points.extent[along]; ++index[along])
+        line.push_back(ids[static_cast<std::size_t>(points.number(index))]);
+      builder_.addLine(line);
+    }
+  }
+
+  const ModelRecord& model_;
+  const Eigen::MatrixXd& displacement_;
+  int subdivision_;
+  PolyBuilder builder_;
+};
 
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> bodyOutline(const ModelRecord& model, const Eigen::MatrixXd& displacement,
                                          int subdivision) {
-  PolyBuilder builder;
-  for (const PatchRecord& patch : model.patches)
-    for (std::size_t along = 0; along < patch.directions.size(); ++along)
-      addParameterLines(model, patch, displacement, along, along, subdivision, builder);
-  return builder.finish();
+  LineDrawer drawer(model, displacement, subdivision);
+  const PatchBorders borders(model);
+  for (const PatchSide& edge : borders.outline()) drawer.addEdge(edge);
+  return drawer.finish();
 }
 
 vtkSmartPointer<vtkPolyData> knotLines(const ModelRecord& model, const Eigen::MatrixXd& displacement,
                                        int subdivision) {
-  PolyBuilder builder;
-  for (const PatchRecord& patch : model.patches)
-    for (std::size_t along = 0; along < patch.directions.size(); ++along)
-      for (std::size_t inside = 0; inside < patch.directions.size(); ++inside)
-        if (inside != along)
-          addParameterLines(model, patch, displacement, along, inside, subdivision, builder);
-  return builder.finish();
+  LineDrawer drawer(model, displacement, subdivision);
+  const PatchBorders borders(model);
+  for (const PatchSide& face : borders.surface()) drawer.addKnotLines(face);
+  for (const PatchSide& seam : borders.seams()) drawer.addEdge(seam);
+  return drawer.finish();
 }
 
 }  // namespace burnish

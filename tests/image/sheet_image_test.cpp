@@ -70,6 +70,28 @@ steps:
   - {until: 1, count: 20}
 )";
 
+constexpr const char* kTwoPatches = R"(
+title: Shaft with a collar
+kinematics: axisymmetric
+degree: 2
+units: {length: mm, stress: MPa}
+geometry:
+  shape: patches
+  patches:
+    - {name: lower, shape: rectangle, size: [3, 2], spans: [2, 2]}
+    - {name: upper, shape: rectangle, origin: [0, 2], size: [3, 1], spans: [2, 2]}
+material: {law: neo-hookean, E: 100, nu: 0.3}
+supports:
+  - {patch: lower, face: left, symmetry: true}
+  - {patch: upper, face: left, symmetry: true}
+  - {patch: lower, face: bottom, symmetry: true}
+  - {patch: upper, face: top, part: [0, 0.5], move: {times: [0, 1], y: [0, -0.1]}}
+loads:
+  - {patch: lower, face: right, pressure: 1 + Y}
+  - {patch: lower, body_force: [0, -2]}
+steps: [{until: 1, count: 1}]
+)";
+
 ModelRecord modelOf(const char* yaml) {
   const Scene scene = parseScene(yaml, "test");
   return makeModelRecord(scene, Model<2>(scene));
@@ -238,6 +260,11 @@ TEST_F(SheetImage, SetupOfIroning) {
 TEST_F(SheetImage, SetupOfARingWithLoadRollersAndPlate) {
   drawSetup(modelOf(kRing), {600, 600}, dir / "setup.png", true);
   expectBaseline(dir / "setup.png", "setup_ring");
+}
+
+TEST_F(SheetImage, SetupOfAnAxisymmetricBodyOfTwoPatches) {
+  drawSetup(modelOf(kTwoPatches), {600, 500}, dir / "setup.png");
+  expectBaseline(dir / "setup.png", "setup_two_patches");
 }
 
 TEST_F(SheetImage, SetupIsNotDrawnInThreeDimensions) {

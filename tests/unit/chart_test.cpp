@@ -327,6 +327,20 @@ TEST(ChartCurves, StandOutFromDarkPaper) {
   EXPECT_EQ(curveColor({.color = 2}), (Color{0, 0, 0}));
 }
 
+TEST(ChartSketch, HasTheFontOfItsTheme) {
+  Chart chart;
+  chart.curves = {{"a", {0.0, 1.0}, {0.0, 1.0}, {}}};
+  chart.theme.font = "DejaVu Serif";
+  const ChartSketch sketch = sketchChart(layOutChart(chart), chart.size, chart.theme);
+  int texts = 0;
+  for (const auto& shape : sketch.shapes)
+    if (const auto* text = std::get_if<SketchText>(&shape)) {
+      ++texts;
+      EXPECT_EQ(text->style.font, "DejaVu Serif") << text->text;
+    }
+  EXPECT_GT(texts, 5);
+}
+
 TEST(ChartSketch, HasThePaperOfItsTheme) {
   const Chart chart = chartOf({0, 1}, {0, 1});
   const auto bottom = [&](const char* name) {

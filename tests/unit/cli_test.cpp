@@ -6,9 +6,11 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/progress.h"
+#include "cli/study_plan.h"
 #include "cli/summary_text.h"
 #include "cli/usage_error.h"
 #include "engine/core/error.h"
+#include "engine/scene/reader.h"
 
 namespace burnish {
 namespace {
@@ -109,6 +111,25 @@ TEST(Usage, TakesOneValuePerSetAndNegativeRanges) {
   EXPECT_EQ(usage("run --set degree=3 --set basis=lagrange a.yaml"), "");
   EXPECT_EQ(usage("run --set degree=3 a.yaml"), "");
   EXPECT_EQ(usage("render out --range -1,1 -o a.png"), "");
+}
+
+TEST(ExpectedCost, GrowsWithTheFunctionsOfAllPatches) {
+  const auto cost = [](const std::string& geometry) {
+    return expectedCost(
+        parseScene("degree: 2\nmaterial: {law: neo-hookean, E: 1, nu: 0.3}\n"
+                   "supports: [{patch: a, face: left, fix: [x, y]}]\n"
+                   "steps: [{until: 1, count: 3}]\ngeometry: {shape: patches, patches: [" +
+                       geometry + "]}\n",
+                   "test"));
+  };
+  const std::string a = "{name: a, shape: rectangle, size: [1, 1], spans: [4, 2]}";
+  EXPECT_DOUBLE_EQ(cost(a + ", {name: b, shape: annulus, center: [9, 9], inner_radius: 1, outer_radius: 2, "
+                            "functions: [5, 7]}"),
+                   2.0 * (6 * 4 + 5 * 7) * 4 * 3);
+  EXPECT_DOUBLE_EQ(cost(a + ", {name: b, shape: control-net, degrees: [1, 1], knots: [[0, 0, 0.5, 1, 1], "
+                            "[0, 0, 1, 1]], points: [[1, 0], [2, 0], [3, 0], [1, 1], [2, 1], [3, 1]], "
+                            "refine: [2, 2]}"),
+                   2.0 * (6 * 4 + 7 * 4) * 4 * 3);
 }
 
 }  // namespace

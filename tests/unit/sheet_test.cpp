@@ -13,6 +13,7 @@
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "postproc/draw/color_range.h"
+#include "postproc/draw/setup_loads.h"
 #include "postproc/draw/setup_motion.h"
 #include "postproc/draw/sheet.h"
 #include "postproc/export/video.h"
@@ -158,6 +159,42 @@ TEST(MotionPhases, JoinWhatGoesTheSameWayAndLeaveOutRest) {
   ASSERT_EQ(phases.size(), 1U);
   EXPECT_LT((phases[0] - Eigen::Vector2d(0, 3)).norm(), 1e-15);
   EXPECT_TRUE(motionPhases({{0, 1}, {{4, 4}}, {}, {}}, 1.0).empty());
+}
+
+TEST(MotionPhases, OfAPrescribedSupportAreThoseOfItsFormulas) {
+  SupportSpec support;
+  support.prescribe = PrescribedSpec{FormulaText{"a*t*X"}, {}, {}};
+  const std::vector<DefinitionSpec> definitions{{"a", {"0.5"}}};
+  const auto phases = motionPhases(support, Eigen::Vector2d(3, 1), definitions, 2.0);
+  ASSERT_EQ(phases.size(), 1U);
+  EXPECT_LT((phases[0] - Eigen::Vector2d(3, 0)).norm(), 1e-15);
+  EXPECT_TRUE(motionPhases(support, Eigen::Vector2d(0, 1), definitions, 2.0).empty());
+}
+
+/// The top of a body of width 2, at rest.
+FaceLine topLine() {
+  return {{{0, 1}, {1, 1}, {2, 1}}, {{0, 1}, {0, 1}, {0, 1}}, {1, 1}};
+}
+
+TEST(FaceLoad, PressurePushesAgainstTheFaceAndShearGoesAlongIt) {
+  LoadSpec load;
+  load.pressure = FormulaText{"3"};
+  const FaceLoad pressure = faceLoad(load, topLine(), {}, 1.0);
+  EXPECT_EQ(pressure.vectors[2], Eigen::Vector2d(0, -3));
+  EXPECT_FALSE(pressure.varies);
+  load.pressure.reset();
+  load.shear = FormulaText{"-2"};
+  EXPECT_EQ(faceLoad(load, topLine(), {}, 1.0).vectors[0], Eigen::Vector2d(-2, 0));
+}
+
+TEST(FaceLoad, HasItsValueInTheMiddleWhenItIsLargest) {
+  LoadSpec load;
+  load.traction = {{"X"}, {"0"}};
+  load.schedule = Schedule{{0, 1, 2}, {0, 4, 0}};
+  const FaceLoad found = faceLoad(load, topLine(), {}, 2.0);
+  EXPECT_DOUBLE_EQ(found.middle, 4.0);
+  EXPECT_TRUE(found.varies);
+  EXPECT_EQ(found.vectors[2], Eigen::Vector2d(8, 0));
 }
 
 class Video : public testing::Test {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -13,6 +14,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "engine/core/error.h"
+#include "engine/solid/joined_body.h"
 #include "postproc/draw/color_range.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/outlines.h"
@@ -324,6 +326,57 @@ TEST(Outlines, OfABlockLieOnItsSurface) {
     const Eigen::Array3d x = pointOf(*lines, i);
     EXPECT_EQ((x * (1.0 - x)).minCoeff(), 0.0);
   }
+}
+
+/// A model of patches that share the nodes of control points at the same place.
+template <int Dim>
+ModelRecord joinedModel(const std::vector<Patch<Dim>>& patches) {
+  std::vector<std::string> names;
+  for (std::size_t p = 0; p < patches.size(); ++p) names.push_back(std::to_string(p));
+  const Body<Dim> body = joinedBody<Dim>(patches, names);
+  ModelRecord model;
+  model.dim = Dim;
+  model.numNodes = body.numNodes;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    model.patches.push_back(recordOf(patches[p]));
+    model.patches.back().nodes = body.nodes[p];
+  }
+  return model;
+}
+
+TEST(Outlines, FacesThatTwoPatchesShareAreSeams) {
+  const ModelRecord model = joinedModel<2>({rectangle({0, 0}, {1, 1}), rectangle({1, 0}, {2, 1})});
+  EXPECT_EQ(bodyOutline(model, {}, 1)->GetNumberOfLines(), 6);
+  const auto seam = knotLines(model, {}, 1);
+  ASSERT_EQ(seam->GetNumberOfLines(), 1);
+  for (vtkIdType i = 0; i < seam->GetNumberOfPoints(); ++i) EXPECT_EQ(pointOf(*seam, i).x(), 1.0);
+}
+
+TEST(Outlines, ARingClosedToItselfHasTwoEdges) {
+  ModelRecord model = modelOf(quarterRing());
+  PatchRecord& patch = model.patches[0];
+  const auto radial = static_cast<std::size_t>(basisOf(patch.directions[0]).numFunctions());
+  for (std::size_t a = 0; a < radial; ++a) patch.nodes[patch.nodes.size() - radial + a] = patch.nodes[a];
+  EXPECT_EQ(bodyOutline(model, {}, 1)->GetNumberOfLines(), 2);
+  EXPECT_EQ(knotLines(model, {}, 1)->GetNumberOfLines(), 2 + 3 + 1);
+}
+
+TEST(Outlines, TwoBoxesHaveTheEdgesOfOneAndFourSeams) {
+  const ModelRecord model = joinedModel<3>({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {1, 1, 1})});
+  EXPECT_EQ(bodyOutline(model, {}, 1)->GetNumberOfLines(), 8 + 2 * 4);
+  EXPECT_EQ(knotLines(model, {}, 1)->GetNumberOfLines(), 4);
+}
+
+TEST(Outlines, AnLOfThreeBoxesHasTheEdgeInItsCorner) {
+  const ModelRecord model =
+      joinedModel<3>({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {1, 1, 1}), box({0, 1, 0}, {1, 1, 1})});
+  const auto outline = bodyOutline(model, {}, 1);
+  int inCorner = 0;
+  for (vtkIdType k = 0; k < outline->GetNumberOfCells(); ++k) {
+    const double* b = outline->GetCell(k)->GetBounds();
+    inCorner += b[0] == 1.0 && b[1] == 1.0 && b[2] == 1.0 && b[3] == 1.0;
+  }
+  EXPECT_EQ(inCorner, 1);
 }
 
 const Eigen::AlignedBox3d kBox(Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(4.0, 2.0, 0.0));

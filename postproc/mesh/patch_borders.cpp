@@ -1,0 +1,106 @@
+#include "postproc/mesh/patch_borders.h"
+
+#include <algorithm>
+#include <map>
+
+#include "postproc/mesh/index_box.h"
+#include "postproc/mesh/patch_geometry.h"
+
+namespace burnish {
+namespace {
+
+using End = PatchSide::End;
+using Nodes = std::vector<int>;
+
+/// The sides that have these nodes.
+using SidesByNodes = std::map<Nodes, std::vector<PatchSide>>;
+
+/// All sides of a patch on which so many parameters have their first or last value.
+std::vector<PatchSide> sidesOf(std::size_t patch, std::size_t dim, std::ptrdiff_t fixed) {
+  std::vector<std::vector<End>> all{{}};
+  for (std::size_t d = 0; d < dim; ++d) {
+    std::vector<std::vector<End>> longer;
+    for (const std::vector<End>& ends : all)
+      for (const End end : {End::Begin, End::End, End::None}) {
+        longer.push_back(ends);
+        longer.back().push_back(end);
+      }
+    all = std::move(longer);
+  }
+  std::vector<PatchSide> sides;
+  for (std::vector<End>& ends : all)
+    if (std::ssize(ends) - std::count(ends.begin(), ends.end(), End::None) == fixed)
+      sides.push_back({patch, std::move(ends)});
+  return sides;
+}
+
+/// Sorted, each once.
+Nodes nodesOn(const ModelRecord& model, const PatchSide& side) {
+  const PatchRecord& patch = model.patches[side.patch];
+  IndexBox all, own;
+  for (std::size_t d = 0; d < side.ends.size(); ++d) {
+    all.extent[d] = basisOf(patch.directions[d]).numFunctions();
+    if (side.ends[d] == End::None) own.extent[d] = all.extent[d];
+  }
+  Nodes nodes;
+  for (int a = 0; a < own.size(); ++a) {
+    IndexBox::Index index = own.index(a);
+    for (std::size_t d = 0; d < side.ends.size(); ++d)
+      if (side.ends[d] == End::End) index[d] = all.extent[d] - 1;
+    nodes.push_back(patch.nodes[static_cast<std::size_t>(all.number(index))]);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+/// Without those that have collapsed to a point.
+SidesByNodes groupedSides(const ModelRecord& model, std::ptrdiff_t fixed) {
+  SidesByNodes groups;
+  for (std::size_t p = 0; p < model.patches.size(); ++p)
+    for (PatchSide& side : sidesOf(p, static_cast<std::size_t>(model.dim), fixed)) {
+      Nodes nodes = nodesOn(model, side);
+      if (nodes.size() > 1) groups[std::move(nodes)].push_back(std::move(side));
+    }
+  return groups;
+}
+
+/// The faces of a patch that meet at an edge of it.
+std::vector<PatchSide> facesAt(const PatchSide& edge) {
+  std::vector<PatchSide> faces;
+  for (std::size_t d = 0; d < edge.ends.size(); ++d) {
+    if (edge.ends[d] == End::None) continue;
+    faces.push_back({edge.patch, std::vector<End>(edge.ends.size(), End::None)});
+    faces.back().ends[d] = edge.ends[d];
+  }
+  return faces;
+}
+
+}  // namespace
+
+PatchBorders::PatchBorders(const ModelRecord& model) {
+  const SidesByNodes faces = groupedSides(model, 1);
+  const auto isFree = [&](const PatchSide& face) {
+    const auto group = faces.find(nodesOn(model, face));
+    return group != faces.end() && group->second.size() == 1;
+  };
+  for (const auto& [nodes, edges] : groupedSides(model, model.dim - 1)) {
+    std::ptrdiff_t most = 0, all = 0;  // free faces: of one of the patches, of all of them
+    for (const PatchSide& edge : edges) {
+      const std::vector<PatchSide> around = facesAt(edge);
+      const auto free = std::count_if(around.begin(), around.end(), isFree);
+      most = std::max(most, free);
+      all += free;
+    }
+    const bool isCorner = most == model.dim - 1, isAroundOthers = all > 0 && edges.size() > 2;
+    if (isCorner || isAroundOthers)
+      outline_.push_back(edges.front());
+    else if (model.dim == 2 || all > 0)
+      seams_.push_back(edges.front());
+  }
+  for (std::size_t p = 0; p < model.patches.size(); ++p)
+    for (PatchSide& side : sidesOf(p, static_cast<std::size_t>(model.dim), model.dim - 2))
+      if (model.dim == 2 || isFree(side)) surface_.push_back(std::move(side));
+}
+
+}  // namespace burnish

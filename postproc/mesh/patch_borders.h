@@ -1,0 +1,37 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "engine/results/result.h"
+
+namespace burnish {
+
+/// A patch where some of its parameters have their first or last value: a face, an edge; or all of it.
+struct PatchSide {
+  enum class End { Begin, End, None };
+
+  std::size_t patch = 0;
+  std::vector<End> ends;  ///< per direction
+};
+
+/// Which edges of the patches are edges of the body. Sides that have the same nodes are one: faces that two
+/// patches share lie inside the body, and so do the two ends of a patch that is closed to a ring.
+class PatchBorders {
+ public:
+  explicit PatchBorders(const ModelRecord& model);
+
+  /// The edges of the body, each once: where two free faces of a patch meet, or those of two patches around
+  /// others; in 2D the free faces.
+  const std::vector<PatchSide>& outline() const { return outline_; }
+
+  /// The edges, each once, at which patches go over into each other; in 3D those on the surface.
+  const std::vector<PatchSide>& seams() const { return seams_; }
+
+  /// What can be seen of the body: in 2D the patches, in 3D the free faces.
+  const std::vector<PatchSide>& surface() const { return surface_; }
+
+ private:
+  std::vector<PatchSide> outline_, seams_, surface_;
+};
+
+}  // namespace burnish
