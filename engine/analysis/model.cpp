@@ -9,6 +9,7 @@
 
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/materials.h"
+#include "engine/analysis/tool_shapes.h"
 #include "engine/analysis/tool_start.h"
 #include "engine/core/error.h"
 #include "engine/solid/dead_load.h"
@@ -18,28 +19,12 @@ namespace burnish {
 namespace {
 
 /// Schedules of a motion's components; empty ones for components that are left out.
-std::array<Schedule, 3> schedules(const MotionSpec& motion) {
+std::array<Schedule, 3> schedules(const ToolMotionSpec& motion) {
   std::array<Schedule, 3> result;
   const std::array<const std::optional<std::vector<double>>*, 3> components{&motion.x, &motion.y, &motion.z};
   for (std::size_t d = 0; d < 3; ++d)
     if (components[d]->has_value()) result[d] = {motion.times, **components[d]};
   return result;
-}
-
-Eigen::Vector3d padded(const std::vector<double>& values) {
-  Eigen::Vector3d result = Eigen::Vector3d::Zero();
-  for (std::size_t d = 0; d < values.size(); ++d) result(static_cast<Eigen::Index>(d)) = values[d];
-  return result;
-}
-
-RigidShape makeShape(const PlaneToolSpec& spec) {
-  return Plane{padded(spec.origin), padded(spec.normal)};
-}
-RigidShape makeShape(const CylinderToolSpec& spec) {
-  return Cylinder{padded(spec.center), padded(spec.axis), spec.radius};
-}
-RigidShape makeShape(const SphereToolSpec& spec) {
-  return Sphere{padded(spec.center), spec.radius};
 }
 
 Enforcement enforcementOf(ContactMethod method) {
@@ -128,7 +113,7 @@ void Model<Dim>::addTools(const Scene& scene) {
   for (const auto& spec : scene.tools) {
     auto tool = std::make_unique<Tool>();
     tool->name = spec.name;
-    tool->shape = std::visit([](const auto& shape) { return makeShape(shape); }, spec.shape);
+    tool->shape = makeShape(spec.shape);
     if (spec.motion) {
       tool->motion = schedules(*spec.motion);
       corners_.insert(corners_.end(), spec.motion->times.begin(), spec.motion->times.end());

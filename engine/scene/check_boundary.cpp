@@ -8,27 +8,11 @@
 #include <utility>
 
 #include "engine/scene/check_context.h"
+#include "engine/scene/check_motion.h"
 #include "engine/scene/nearest.h"
 
 namespace burnish {
 namespace {
-
-void checkLength(const CheckContext& c, const std::string& path, std::size_t values, std::size_t times) {
-  if (c.clean(path) && values != times)
-    c.report(path, fmt::format("found {} values for {} times; allowed: one value for each of the times.",
-                               values, times));
-}
-
-void checkMotion(const CheckContext& c, const std::string& path, const MotionSpec& motion) {
-  if (!motion.x && !motion.y && !motion.z && c.clean(path))
-    c.report(path, "found no displacement; allowed: one or more of x, y and z.");
-  for (const auto& [key, component] :
-       {std::pair{"x", &motion.x}, std::pair{"y", &motion.y}, std::pair{"z", &motion.z}})
-    if (*component && c.clean(path + ".times"))
-      checkLength(c, fmt::format("{}.{}", path, key), (*component)->size(), motion.times.size());
-  if (motion.z && c.dimensionIsKnown() && c.scene.dim() == 2)
-    c.report(path + ".z", "found a component of three-dimensional scenes; allowed here: x and y.");
-}
 
 void checkFixed(const CheckContext& c, const std::string& path, const std::vector<std::string>& fix) {
   std::set<std::string> seen;
@@ -42,21 +26,12 @@ void checkFixed(const CheckContext& c, const std::string& path, const std::vecto
   }
 }
 
-void checkPrescribed(const CheckContext& c, const std::string& path, const PrescribedSpec& prescribed) {
-  if (!prescribed.x && !prescribed.y && !prescribed.z && c.clean(path))
-    c.report(path, "found no displacement; allowed: one or more of x, y and z.");
-  for (const auto& [key, component] :
-       {std::pair{"x", &prescribed.x}, std::pair{"y", &prescribed.y}, std::pair{"z", &prescribed.z}})
-    if (*component) checkFormula(c, fmt::format("{}.{}", path, key), **component);
-  if (prescribed.z && c.dimensionIsKnown() && c.scene.dim() == 2)
-    c.report(path + ".z", "found a component of three-dimensional scenes; allowed here: x and y.");
-}
-
 void checkSupport(const CheckContext& c, const std::string& path, const SupportSpec& support) {
   checkFace(c, path, support.place);
   checkFixed(c, path + ".fix", support.fix);
-  if (support.move) checkMotion(c, path + ".move", *support.move);
-  if (support.prescribe) checkPrescribed(c, path + ".prescribe", *support.prescribe);
+  if (support.move)
+    checkTable(c, path + ".move", support.move->times, componentsOf(*support.move));
+  if (support.prescribe) checkFormulas(c, path + ".prescribe", componentsOf(*support.prescribe));
   std::vector<std::string> given;
   if (!support.fix.empty()) given.emplace_back("fix");
   if (support.move) given.emplace_back("move");
@@ -95,53 +70,7 @@ void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& l
   if (load.shear && c.dimensionIsKnown() && c.scene.dim() == 3)
     c.report(path + ".shear",
              "found a load of two-dimensional bodies; allowed here: traction, pressure and body_force.");
-  if (load.schedule && c.clean(path + ".schedule"))
-    checkLength(c, path + ".schedule.values", load.schedule->values.size(), load.schedule->times.size());
-}
-
-bool isZero(const std::vector<double>& vector) {
-  return std::all_of(vector.begin(), vector.end(), [](double v) { return v == 0.0; });
-}
-
-void checkAxis(const CheckContext& c, const std::string& path, const std::vector<double>& axis) {
-  if (!c.clean(path)) return;
-  if (isZero(axis))
-    c.report(path, fmt::format("found [{}]; allowed: a direction.", fmt::join(axis, ", ")));
-  else if (c.dimensionIsKnown() && c.scene.dim() == 2 && (axis[0] != 0.0 || axis[1] != 0.0))
-    c.report(path, fmt::format("found [{}]; allowed in two dimensions: [0, 0, 1].", fmt::join(axis, ", ")));
-}
-
-void checkTool(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
-  if (const auto* plane = std::get_if<PlaneToolSpec>(&tool.shape))
-    if (c.clean(path + ".normal") && c.clean(path + ".shape") && isZero(plane->normal))
-      c.report(path + ".normal",
-               "found a vector without length; allowed: a direction from the tool towards the body.");
-  if (const auto* cylinder = std::get_if<CylinderToolSpec>(&tool.shape))
-    checkAxis(c, path + ".axis", cylinder->axis);
-  if (std::holds_alternative<SphereToolSpec>(tool.shape) && c.dimensionIsKnown() && c.scene.dim() == 2)
-    c.report(path + ".shape",
-             "found sphere, which needs a three-dimensional body; allowed here: plane | cylinder.");
-  if (!tool.motion) return;
-  checkMotion(c, path + ".motion", *tool.motion);
-  if (c.scene.kinematics == KinematicsChoice::Axisymmetric && tool.motion->x)
-    c.report(path + ".motion.x",
-             "found a motion across the axis of revolution; allowed in axisymmetry: y alone.");
-}
-
-/// Names of all tools that could be read; a name given twice is reported.
-std::vector<std::string> checkToolNames(const CheckContext& c) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < c.scene.tools.size(); ++i) {
-    const std::string& name = c.scene.tools[i].name;
-    const std::string path = fmt::format("tools[{}].name", i);
-    if (!c.clean(path)) continue;
-    if (std::find(names.begin(), names.end(), name) != names.end())
-      c.report(
-          path,
-          fmt::format("found {}, the name of another tool; allowed: a name of its own for each tool.", name));
-    names.push_back(name);
-  }
-  return names;
+  if (load.schedule && c.clean(path + ".schedule")) checkSchedule(c, path + ".schedule", *load.schedule);
 }
 
 void checkContact(const CheckContext& c, const std::vector<std::string>& toolNames) {
@@ -197,9 +126,7 @@ void checkBoundary(const CheckContext& c) {
     checkSupport(c, fmt::format("supports[{}]", i), c.scene.supports[i]);
   for (std::size_t i = 0; i < c.scene.loads.size(); ++i)
     checkLoad(c, fmt::format("loads[{}]", i), c.scene.loads[i]);
-  for (std::size_t i = 0; i < c.scene.tools.size(); ++i)
-    checkTool(c, fmt::format("tools[{}]", i), c.scene.tools[i]);
-  checkContact(c, checkToolNames(c));
+  checkContact(c, checkTools(c));
 }
 
 }  // namespace burnish

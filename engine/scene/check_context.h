@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "engine/scene/scene.h"
 #include "engine/scene/yaml_tree.h"
@@ -44,6 +45,9 @@ void checkGeometry(const CheckContext& context);
 
 /// Geometry, basis and material.
 void checkBody(const CheckContext& context);
+
+/// Tools; returns the names of those that could be read.
+std::vector<std::string> checkTools(const CheckContext& context);
 
 /// Supports, loads, tools and contact.
 void checkBoundary(const CheckContext& context);

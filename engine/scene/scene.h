@@ -7,6 +7,7 @@
 
 #include "engine/core/formula.h"
 #include "engine/core/schedule.h"
+#include "engine/scene/tool_spec.h"
 
 /// A scene as a value: what a YAML file says, with every default filled in. Lengths, stresses and times are
 /// in the consistent units of the scene; vectors have as many entries as the scene has dimensions unless
@@ -113,13 +114,6 @@ struct J2Spec {
 
 using MaterialSpec = std::variant<NeoHookeanSpec, J2Spec>;
 
-/// Displacement components as piecewise linear functions of time, constant before the first and after the
-/// last time.
-struct MotionSpec {
-  std::vector<double> times;                   ///< strictly increasing
-  std::optional<std::vector<double>> x, y, z;  ///< one value per time; at least one component is given
-};
-
 /// A face of a patch, or a part of it.
 struct FaceSpec {
   std::string patch;         ///< name; may be left out for a body of one patch
@@ -150,26 +144,6 @@ struct LoadSpec {
   std::optional<FormulaText> shear;     ///< follows the face: force per current area along it (2D)
   std::vector<FormulaText> bodyForce;   ///< dead: force per reference volume
   std::optional<Schedule> schedule;
-};
-
-struct PlaneToolSpec {
-  std::vector<double> origin;
-  std::vector<double> normal;  ///< points away from the tool, towards the body
-};
-struct CylinderToolSpec {
-  std::vector<double> center;
-  double radius = 0.0;
-  std::vector<double> axis{0.0, 0.0, 1.0};  ///< 3D only
-};
-struct SphereToolSpec {
-  std::vector<double> center;
-  double radius = 0.0;
-};
-
-struct ToolSpec {
-  std::string name;
-  std::variant<PlaneToolSpec, CylinderToolSpec, SphereToolSpec> shape;
-  std::optional<MotionSpec> motion;  ///< at rest when left out, and so is a component that is left out
 };
 
 enum class ContactMethod { AugmentedLagrangian, Penalty, PointwisePenalty };

@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/scene/leaf.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/schema_tools.h"
 
 namespace burnish {
 
@@ -34,22 +35,6 @@ void describe(Visitor& v, FaceSpec& s) {
   v.field("part", s.part, {.atLeast = 0, .atMost = 1, .minEntries = 2, .maxEntries = 4},
           "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of the "
           "face.");
-}
-
-template <class Visitor>
-void describe(Visitor& v, Schedule& s) {
-  v.field("times", s.times, {.required = true, .increasing = true, .minEntries = 1, .unit = "time"},
-          "Points in time; the values are linear in between and constant outside.");
-  v.field("values", s.values, {.required = true, .minEntries = 1}, "One value for each of the times.");
-}
-
-template <class Visitor>
-void describe(Visitor& v, MotionSpec& s) {
-  v.field("times", s.times, {.required = true, .increasing = true, .minEntries = 1, .unit = "time"},
-          "Points in time; the displacements are linear in between and constant outside.");
-  v.field("x", s.x, {.unit = "length"}, "Displacement in x at each of the times.");
-  v.field("y", s.y, {.unit = "length"}, "Displacement in y at each of the times.");
-  v.field("z", s.z, {.unit = "length"}, "Displacement in z at each of the times (3D).");
 }
 
 template <class Visitor>
@@ -90,42 +75,6 @@ void describe(Visitor& v, LoadSpec& s) {
   v.field("body_force", s.bodyForce, {.perDimension = true, .unit = "stress per length"},
           "Force per undeformed volume, on all patches or the named one; needs no face.");
   v.field("schedule", s.schedule, {}, "Factor over time; 1 when left out.");
-}
-
-template <class Visitor>
-void describe(Visitor& v, PlaneToolSpec& s) {
-  v.field("origin", s.origin, {.required = true, .perDimension = true, .unit = "length"},
-          "A point of the plane.");
-  v.field("normal", s.normal, {.required = true, .perDimension = true},
-          "Direction from the tool towards the body, of any length.");
-}
-
-template <class Visitor>
-void describe(Visitor& v, CylinderToolSpec& s) {
-  v.field("center", s.center, {.required = true, .perDimension = true, .unit = "length"},
-          "A point of the axis.");
-  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
-  v.field("axis", s.axis, {.minEntries = 3, .maxEntries = 3},
-          "Direction of the axis; always z in two dimensions.");
-}
-
-template <class Visitor>
-void describe(Visitor& v, SphereToolSpec& s) {
-  v.field("center", s.center, {.required = true, .perDimension = true, .unit = "length"}, "Centre.");
-  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
-}
-
-template <class Visitor>
-void describe(Visitor& v, ToolSpec& s) {
-  v.field("name", s.name, {.required = true, .identifier = true},
-          "Name in contact pairs, file names and columns of the history; different for every tool.");
-  v.alternatives("shape", s.shape,
-                 {{{"plane", "The half space behind a plane."},
-                   {"cylinder", "A cylinder of infinite length; a disc in two dimensions."},
-                   {"sphere", "A sphere (3D)."}}},
-                 "Shape of the tool, at its position before the motion.");
-  v.field("motion", s.motion, {},
-          "Displacement over time; at rest when left out, and so is a component left out.");
 }
 
 template <class Visitor>

@@ -5,7 +5,7 @@
 namespace burnish {
 namespace {
 
-Eigen::Vector2d displacement(const MotionSpec& motion, double t) {
+Eigen::Vector2d displacement(const ToolMotionSpec& motion, double t) {
   const auto value = [&](const std::optional<std::vector<double>>& component) {
     return component ? Schedule{motion.times, *component}(t) : 0.0;
   };
@@ -26,7 +26,7 @@ Eigen::Vector2d displacement(const PrescribedSpec& formulas, const Eigen::Vector
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> motionPhases(const MotionSpec& motion, double end) {
+std::vector<Eigen::Vector2d> motionPhases(const ToolMotionSpec& motion, double end) {
   std::vector<double> times{0.0};
   for (const double t : motion.times)
     if (t > 0.0 && t < end) times.push_back(t);

@@ -1,0 +1,13 @@
+#pragma once
+#include "engine/contact/rigid_shape.h"
+#include "engine/scene/tool_spec.h"
+
+namespace burnish {
+
+/// The rigid surface of a tool at its reference position.
+RigidShape makeShape(const ToolShapeSpec& spec);
+
+/// A list of two or three coordinates as a point in space.
+Eigen::Vector3d inSpace(const std::vector<double>& coordinates);
+
+}  // namespace burnish

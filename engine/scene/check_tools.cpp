@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "engine/scene/check_context.h"
+#include "engine/scene/check_motion.h"
+
+namespace burnish {
+namespace {
+
+bool isZero(const std::vector<double>& vector) {
+  return std::all_of(vector.begin(), vector.end(), [](double v) { return v == 0.0; });
+}
+
+void checkAxis(const CheckContext& c, const std::string& path, const std::vector<double>& axis) {
+  if (!c.clean(path)) return;
+  if (isZero(axis))
+    c.report(path, fmt::format("found [{}]; allowed: a direction.", fmt::join(axis, ", ")));
+  else if (c.dimensionIsKnown() && c.scene.dim() == 2 && (axis[0] != 0.0 || axis[1] != 0.0))
+    c.report(path, fmt::format("found [{}]; allowed in two dimensions: [0, 0, 1].", fmt::join(axis, ", ")));
+}
+
+struct ShapeCheck {
+  const CheckContext& c;
+  const std::string& path;
+
+  void operator()(const PlaneToolSpec& plane) const {
+    if (c.clean(path + ".normal") && c.clean(path + ".shape") && isZero(plane.normal))
+      c.report(path + ".normal",
+               "found a vector without length; allowed: a direction from the tool towards the body.");
+  }
+  void operator()(const CylinderToolSpec& cylinder) const { checkAxis(c, path + ".axis", cylinder.axis); }
+  void operator()(const SphereToolSpec&) const {
+    if (c.dimensionIsKnown() && c.scene.dim() == 2)
+      c.report(path + ".shape",
+               "found sphere, which needs a three-dimensional body; allowed here: plane | cylinder.");
+  }
+};
+
+/// The ways in which a tool moves or carries a load: the three displacements and the turn, by key.
+template <class Spec, class T>
+Components<T> waysOf(const Spec& s, const char* turnKey, const std::optional<T>& turn) {
+  auto ways = componentsOf(s);
+  ways.emplace_back(turnKey, &turn);
+  return ways;
+}
+
+/// In axisymmetry a tool moves along the axis alone.
+template <class T>
+void checkAlongAxis(const CheckContext& c, const std::string& path, const Components<T>& ways) {
+  if (c.scene.kinematics != KinematicsChoice::Axisymmetric) return;
+  for (const auto& [key, way] : ways)
+    if (*way && std::string(key) != "y" && c.clean(fmt::format("{}.{}", path, key)))
+      c.report(fmt::format("{}.{}", path, key),
+               "found a motion across the axis of revolution; allowed in axisymmetry: y alone.");
+}
+
+void checkMotion(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
+  if (tool.motion) {
+    const auto ways = waysOf(*tool.motion, "angle", tool.motion->angle);
+    checkTable(c, path + ".motion", tool.motion->times, ways);
+    checkAlongAxis(c, path + ".motion", ways);
+  }
+  if (tool.prescribe) {
+    const auto ways = waysOf(*tool.prescribe, "angle", tool.prescribe->angle);
+    checkFormulas(c, path + ".prescribe", ways);
+    checkAlongAxis(c, path + ".prescribe", ways);
+  }
+  if (tool.motion && tool.prescribe && c.clean(path + ".prescribe"))
+    c.report(path + ".prescribe", "found beside motion; allowed: one of motion and prescribe.");
+}
+
+/// Whether a component of a prescribed motion is given, by the place of its key in x, y, z, turn.
+template <class Motion>
+bool isGiven(const std::optional<Motion>& motion, std::size_t way) {
+  return motion && waysOf(*motion, "angle", motion->angle)[way].second->has_value();
+}
+
+void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
+  if (!tool.carry) return;
+  const std::string place = path + ".carry";
+  const auto ways = waysOf(*tool.carry, "moment", tool.carry->moment);
+  checkFormulas(c, place, ways);
+  checkAlongAxis(c, place, ways);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const std::string key = fmt::format("{}.{}", place, ways[k].first);
+    if (ways[k].second->has_value() && c.clean(key) && (isGiven(tool.motion, k) || isGiven(tool.prescribe, k)))
+      c.report(key, "found although the motion in this way is prescribed; allowed: one of the two.");
+  }
+  if (tool.carry->schedule && c.clean(place + ".schedule"))
+    checkSchedule(c, place + ".schedule", *tool.carry->schedule);
+}
+
+void checkTool(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
+  std::visit(ShapeCheck{c, path}, tool.shape);
+  checkAxis(c, path + ".pivot_axis", tool.pivotAxis);
+  checkMotion(c, path, tool);
+  checkCarry(c, path, tool);
+}
+
+/// Names of all tools that could be read; a name given twice is reported.
+std::vector<std::string> checkToolNames(const CheckContext& c) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < c.scene.tools.size(); ++i) {
+    const std::string& name = c.scene.tools[i].name;
+    const std::string path = fmt::format("tools[{}].name", i);
+    if (!c.clean(path)) continue;
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      c.report(
+          path,
+          fmt::format("found {}, the name of another tool; allowed: a name of its own for each tool.", name));
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> checkTools(const CheckContext& c) {
+  for (std::size_t i = 0; i < c.scene.tools.size(); ++i)
+    checkTool(c, fmt::format("tools[{}]", i), c.scene.tools[i]);
+  return checkToolNames(c);
+}
+
+}  // namespace burnish

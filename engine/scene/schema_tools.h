@@ -1,0 +1,97 @@
+#pragma once
+#include "engine/scene/leaf.h"
+#include "engine/scene/tool_spec.h"
+
+namespace burnish {
+
+template <class Visitor>
+void describe(Visitor& v, Schedule& s) {
+  v.field("times", s.times, {.required = true, .increasing = true, .minEntries = 1, .unit = "time"},
+          "Points in time; the values are linear in between and constant outside.");
+  v.field("values", s.values, {.required = true, .minEntries = 1}, "One value for each of the times.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, MotionSpec& s) {
+  v.field("times", s.times, {.required = true, .increasing = true, .minEntries = 1, .unit = "time"},
+          "Points in time; the displacements are linear in between and constant outside.");
+  v.field("x", s.x, {.unit = "length"}, "Displacement in x at each of the times.");
+  v.field("y", s.y, {.unit = "length"}, "Displacement in y at each of the times.");
+  v.field("z", s.z, {.unit = "length"}, "Displacement in z at each of the times (3D).");
+}
+
+template <class Visitor>
+void describe(Visitor& v, PlaneToolSpec& s) {
+  v.field("origin", s.origin, {.required = true, .perDimension = true, .unit = "length"},
+          "A point of the plane.");
+  v.field("normal", s.normal, {.required = true, .perDimension = true},
+          "Direction from the tool towards the body, of any length.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, CylinderToolSpec& s) {
+  v.field("center", s.center, {.required = true, .perDimension = true, .unit = "length"},
+          "A point of the axis.");
+  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
+  v.field("axis", s.axis, {.minEntries = 3, .maxEntries = 3},
+          "Direction of the axis; always z in two dimensions.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, SphereToolSpec& s) {
+  v.field("center", s.center, {.required = true, .perDimension = true, .unit = "length"}, "Centre.");
+  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ToolMotionSpec& s) {
+  v.field("times", s.times, {.required = true, .increasing = true, .minEntries = 1, .unit = "time"},
+          "Points in time; the motion is linear in between and constant outside.");
+  v.field("x", s.x, {.unit = "length"}, "Displacement in x at each of the times.");
+  v.field("y", s.y, {.unit = "length"}, "Displacement in y at each of the times.");
+  v.field("z", s.z, {.unit = "length"}, "Displacement in z at each of the times (3D).");
+  v.field("angle", s.angle, {.unit = "degrees"},
+          "Turn about the axis through the pivot at each of the times; counter-clockwise where the axis "
+          "points at the reader.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ToolPrescribedSpec& s) {
+  v.field("x", s.x, {.unit = "length"}, "Displacement in x.");
+  v.field("y", s.y, {.unit = "length"}, "Displacement in y.");
+  v.field("z", s.z, {.unit = "length"}, "Displacement in z (3D).");
+  v.field("angle", s.angle, {.unit = "degrees"}, "Turn about the axis through the pivot.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ToolCarrySpec& s) {
+  v.field("x", s.x, {.unit = "force"}, "Force in x; per thickness in plane strain.");
+  v.field("y", s.y, {.unit = "force"}, "Force in y; on the whole ring in axisymmetry.");
+  v.field("z", s.z, {.unit = "force"}, "Force in z (3D).");
+  v.field("moment", s.moment, {.unit = "force times length"}, "Moment about the axis through the pivot.");
+  v.field("schedule", s.schedule, {}, "Factor over time; 1 when left out.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ToolSpec& s) {
+  v.field("name", s.name, {.required = true, .identifier = true},
+          "Name in contact pairs, file names and columns of the history; different for every tool.");
+  v.alternatives("shape", s.shape,
+                 {{{"plane", "The half space behind a plane."},
+                   {"cylinder", "A cylinder of infinite length; a disc in two dimensions."},
+                   {"sphere", "A sphere (3D)."}}},
+                 "Shape of the tool, at its position before the motion.");
+  v.field("pivot", s.pivot, {.perDimension = true, .unit = "length"},
+          "Point about which the tool turns and moments are taken; it moves with the tool. The middle of the "
+          "shape when left out.");
+  v.field("pivot_axis", s.pivotAxis, {.minEntries = 3, .maxEntries = 3},
+          "Direction of the axis about which the tool turns; always z in two dimensions.");
+  v.field("motion", s.motion, {},
+          "Motion over time as a table; at rest when left out, and so is a component left out.");
+  v.field("prescribe", s.prescribe, {}, "Motion as formulas in t, instead of a table.");
+  v.field("carry", s.carry, {},
+          "Forces and moment, formulas in t, that press the tool on the body; in these ways it is free to "
+          "move.");
+}
+
+}  // namespace burnish
