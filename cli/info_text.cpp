@@ -31,11 +31,14 @@ std::string patchText(const PatchRecord& patch) {
                      fmt::join(degrees, " x "), fmt::join(spans, " x "), patch.nodes.size());
 }
 
-std::string shapeText(const RigidShape& shape) {
+std::string shapeText(const RecordedShape& shape) {
   if (const auto* cylinder = std::get_if<Cylinder>(&shape))
     return fmt::format("cylinder of radius {}", cylinder->radius);
   if (const auto* sphere = std::get_if<Sphere>(&shape))
     return fmt::format("sphere of radius {}", sphere->radius);
+  if (const auto* mesh = std::get_if<SurfaceMesh>(&shape))
+    return fmt::format("surface of {} {}", mesh->cells.cols(),
+                       mesh->cells.rows() == 2 ? "segments" : "triangles");
   return "plane";
 }
 

@@ -8,6 +8,10 @@
 namespace burnish {
 namespace {
 
+RecordedShape recorded(const RigidShape& shape) {
+  return std::visit([](const auto& s) -> RecordedShape { return s; }, shape);
+}
+
 template <int Dim>
 QuadratureRecord quadratureRecord(const Model<Dim>& model, const Eigen::MatrixXd& currentNodes,
                                   const std::map<std::string, FieldRecord>& fields) {
@@ -38,6 +42,7 @@ ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pai
   record.quadraturePoints = pair.term->positions(x);
   record.quadraturePressure = state.pressure;
   record.quadratureGap = state.gap;
+  record.quadratureNormal = state.normal.template topRows<Dim>();
   return record;
 }
 
@@ -66,7 +71,9 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
     stored.nodes = model.body().nodes[p];
     record.patches.push_back(std::move(stored));
   }
-  for (const auto& tool : model.tools()) record.tools.push_back({tool->name, tool->shape});
+  for (const auto& tool : model.tools())
+    record.tools.push_back({tool->name, recorded(tool->shape), tool->pivot, tool->axis,
+                            curvatureRadius(tool->shape)});
   return record;
 }
 
@@ -83,9 +90,12 @@ FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model, const Project
 
   const auto tools = static_cast<Eigen::Index>(model.tools().size());
   frame.toolDisplacement.resize(Dim, tools);
-  for (Eigen::Index k = 0; k < tools; ++k)
-    frame.toolDisplacement.col(k) =
-        model.tools()[static_cast<std::size_t>(k)]->displacement(t).template head<Dim>();
+  frame.toolAngle.resize(tools);
+  for (Eigen::Index k = 0; k < tools; ++k) {
+    const ToolPose pose = model.tools()[static_cast<std::size_t>(k)]->pose(t, x);
+    frame.toolDisplacement.col(k) = pose.displacement.template head<Dim>();
+    frame.toolAngle(k) = pose.angle;
+  }
   for (const auto& pair : model.contacts()) frame.contact.push_back(contactRecord(model, pair, x));
 
   Eigen::MatrixXd current = frame.displacement;

@@ -9,23 +9,14 @@
 
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/materials.h"
-#include "engine/analysis/tool_shapes.h"
 #include "engine/analysis/tool_start.h"
+#include "engine/analysis/tools.h"
 #include "engine/core/error.h"
 #include "engine/solid/dead_load.h"
 #include "engine/solid/follower_load.h"
 
 namespace burnish {
 namespace {
-
-/// Schedules of a motion's components; empty ones for components that are left out.
-std::array<Schedule, 3> schedules(const ToolMotionSpec& motion) {
-  std::array<Schedule, 3> result;
-  const std::array<const std::optional<std::vector<double>>*, 3> components{&motion.x, &motion.y, &motion.z};
-  for (std::size_t d = 0; d < 3; ++d)
-    if (components[d]->has_value()) result[d] = {motion.times, **components[d]};
-  return result;
-}
 
 Enforcement enforcementOf(ContactMethod method) {
   switch (method) {
@@ -73,6 +64,8 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
   requireSupported();
   liftTools(scene);
+  start_ = Eigen::VectorXd::Zero(numUnknowns_);
+  placeFreeTools(scene);
 }
 
 template <int Dim>
@@ -110,21 +103,19 @@ void Model<Dim>::addLoads(const Scene& scene) {
 
 template <int Dim>
 void Model<Dim>::addTools(const Scene& scene) {
+  numForces_ = numDisplacements();
   for (const auto& spec : scene.tools) {
-    auto tool = std::make_unique<Tool>();
-    tool->name = spec.name;
-    tool->shape = makeShape(spec.shape);
-    if (spec.motion) {
-      tool->motion = schedules(*spec.motion);
-      corners_.insert(corners_.end(), spec.motion->times.begin(), spec.motion->times.end());
-    }
-    tools_.push_back(std::move(tool));
+    tools_.push_back(makeTool(spec, scene, numForces_, body_.size()));
+    numForces_ += static_cast<int>(tools_.back()->freeUnknowns().size());
+    if (auto load = makeToolLoad(spec, scene, *tools_.back())) toolLoads_.push_back(std::move(load));
+    const auto corners = cornersOf(spec);
+    corners_.insert(corners_.end(), corners.begin(), corners.end());
   }
 }
 
 template <int Dim>
 void Model<Dim>::addContacts(const Scene& scene) {
-  numUnknowns_ = numDisplacements();
+  numUnknowns_ = numForces_;
   for (const auto& spec : scene.contact) {
     const auto tool = static_cast<std::size_t>(
         std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t->name == spec.tool; }) -
@@ -174,20 +165,65 @@ void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec) con
 }
 
 template <int Dim>
+std::vector<ContactTerm<Dim>*> Model<Dim>::pairsOf(std::size_t tool) const {
+  std::vector<ContactTerm<Dim>*> pairs;
+  for (const auto& pair : contacts_)
+    if (pair.tool == tool) pairs.push_back(pair.term.get());
+  return pairs;
+}
+
+template <int Dim>
 void Model<Dim>::liftTools(const Scene& scene) {
   constexpr int kApproachSteps = 4;
   const double approachTime = kApproachSteps * scene.steps.front().until / scene.steps.front().count;
   for (std::size_t k = 0; k < tools_.size(); ++k) {
+    if (!tools_[k]->freeUnknowns().empty()) continue;  // finds its own height
     std::vector<const ContactTerm<Dim>*> pairs;
-    for (const auto& pair : contacts_)
-      if (pair.tool == k && pair.term->options().enforcement != Enforcement::PointwisePenalty)
-        pairs.push_back(pair.term.get());
+    for (const auto* pair : pairsOf(k))
+      if (pair->options().enforcement != Enforcement::PointwisePenalty) pairs.push_back(pair);
     if (pairs.empty()) continue;
     tools_[k]->lift = liftToSeparate<Dim>(pairs, *tools_[k], body_.size());
     if (tools_[k]->lift.isZero(0.0)) continue;
     tools_[k]->approachTime = approachTime;
     startTime_ = -approachTime;
   }
+}
+
+template <int Dim>
+void Model<Dim>::placeFreeTools(const Scene& scene) {
+  for (const auto& load : toolLoads_) {
+    const Tool& tool = load->tool();
+    const auto number = static_cast<std::size_t>(
+        std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t.get() == &tool; }) -
+        tools_.begin());
+    const auto pairs = pairsOf(number);
+    const std::string place = fmt::format("tools[{}].carry", number);
+    if (pairs.empty())
+      throw Error(fmt::format("{}: tool '{}' is free to move, but touches no face; name it under contact",
+                              place, tool.name));
+    pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
+    const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
+    if (!slides) continue;
+    const Eigen::Vector3d direction = firstDirection(*load, scene.steps.back().until);
+    if (direction.isZero(0.0))
+      throw Error(fmt::format("{}: tool '{}' carries no force at any time; give it one, or prescribe its "
+                              "motion",
+                              place, tool.name));
+    const Eigen::Vector3d shift =
+        shiftToTouch<Dim>({pairs.begin(), pairs.end()}, tool, direction, body_.size());
+    for (std::size_t way = 0; way < kTurn; ++way)
+      if (tool.isFree(way)) start_(tool.unknowns[way]) = shift(static_cast<Eigen::Index>(way));
+  }
+}
+
+template <int Dim>
+void Model<Dim>::requireTouch() const {
+  const double smallest = residualScales().forceFloor;
+  for (const auto& pair : contacts_)
+    if (pair.term->state().pull > smallest)
+      throw RunError(fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with "
+                                 "a free way has to be pressed on the body, or its motion prescribed",
+                                 tools_[pair.tool]->name));
 }
 
 template <int Dim>
@@ -229,6 +265,7 @@ std::vector<Term*> Model<Dim>::terms() const {
   std::vector<Term*> terms{bulk_.get()};
   for (const auto& pair : contacts_) terms.push_back(pair.term.get());
   for (const auto& load : loads_) terms.push_back(load.get());
+  for (const auto& load : toolLoads_) terms.push_back(load.get());
   return terms;
 }
 
@@ -243,7 +280,7 @@ template <int Dim>
 SteppingState Model<Dim>::startState() const {
   SteppingState start;
   start.time = startTime_;
-  start.x = Eigen::VectorXd::Zero(numUnknowns_);
+  start.x = start_;
   return start;
 }
 
@@ -251,15 +288,15 @@ template <int Dim>
 ResidualScales Model<Dim>::residualScales() const {
   const double L = body_.size();
   ResidualScales scales;
-  scales.numForces = numDisplacements();
+  scales.numForces = numForces_;
   scales.forceFloor = 1e-9 * youngsModulus(bulk_->material()) * std::pow(L, body_.axisymmetric ? 2 : Dim - 1);
-  scales.spanSizes = Eigen::VectorXd::Zero(numDisplacements());
+  scales.spanSizes = Eigen::VectorXd::Zero(numForces_);
   for (const auto& span : quadrature_->spans())
     for (const int node : span.nodes) {
       auto sizes = scales.spanSizes.segment<Dim>(Dim * node);
       sizes = sizes.cwiseMax(span.size);
     }
-  scales.constraints.resize(numUnknowns_ - numDisplacements());
+  scales.constraints.resize(numUnknowns_ - numForces_);
   Eigen::Index next = 0;
   for (const auto& pair : contacts_) {
     scales.constraints.segment(next, pair.term->numMultipliers()) =

@@ -7,6 +7,7 @@
 #include "engine/analysis/supports.h"
 #include "engine/contact/contact_term.h"
 #include "engine/contact/tool.h"
+#include "engine/contact/tool_load.h"
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
 #include "engine/solid/bulk_term.h"
@@ -27,7 +28,7 @@ struct ContactPair {
 };
 
 /// Everything that a scene describes, as terms and constraints over one numbering of unknowns: Dim
-/// displacement components per node, then the contact multipliers.
+/// displacement components per node, the free ways of tools, then the contact multipliers.
 template <int Dim>
 class Model {
  public:
@@ -46,7 +47,7 @@ class Model {
   const std::vector<std::unique_ptr<LoadTerm>>& loads() const { return loads_; }
   const FaceFinder<Dim>& faces() const { return faces_; }
 
-  /// Bulk, contacts, loads, in this order.
+  /// Bulk, contacts, loads, loads of tools, in this order.
   std::vector<Term*> terms() const;
 
   int numUnknowns() const { return numUnknowns_; }
@@ -59,6 +60,10 @@ class Model {
   Eigen::VectorXd target(double t) const;
 
   ResidualScales residualScales() const;
+
+  /// Throws `RunError` if a tool is pulled off the body by what it carries, in the state that the terms have
+  /// been evaluated at.
+  void requireTouch() const;
 
   /// Times at which a schedule has a corner.
   const std::vector<double>& corners() const { return corners_; }
@@ -75,6 +80,8 @@ class Model {
   void addContacts(const Scene& scene);
   void requireReachable(const Tool& tool, const ContactSpec& spec) const;
   void liftTools(const Scene& scene);
+  void placeFreeTools(const Scene& scene);
+  std::vector<ContactTerm<Dim>*> pairsOf(std::size_t tool) const;
   void requireSupported() const;
 
   explicit Model(const Scene& scene, NamedBody<Dim> body);
@@ -87,10 +94,13 @@ class Model {
   std::vector<std::unique_ptr<Tool>> tools_;
   std::vector<ContactPair<Dim>> contacts_;
   std::vector<std::unique_ptr<LoadTerm>> loads_;
+  std::vector<std::unique_ptr<ToolLoad>> toolLoads_;
   std::vector<bool> prescribed_;
   std::vector<double> corners_;
   int numUnknowns_ = 0;
+  int numForces_ = 0;  ///< unknowns before the multipliers
   double startTime_ = 0.0;
+  Eigen::VectorXd start_;  ///< unknowns of the undeformed body with its tools in place
 };
 
 }  // namespace burnish

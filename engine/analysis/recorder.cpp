@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -30,9 +31,13 @@ template <int Dim>
 std::vector<std::string> Recorder<Dim>::columns() const {
   constexpr std::array<const char*, 3> axes{"x", "y", "z"};
   std::vector<std::string> columns{"step", "time"};
-  for (const auto& tool : model_.tools())
+  for (const auto& tool : model_.tools()) {
     for (const char* quantity : {".u", ".f"})
       for (std::size_t d = 0; d < Dim; ++d) columns.push_back(tool->name + quantity + axes[d]);
+    if (model_.body().axisymmetric) continue;
+    for (std::size_t d = Dim == 2 ? 2 : 0; d < 3; ++d) columns.push_back(tool->name + ".m" + axes[d]);
+    columns.push_back(tool->name + ".angle");
+  }
   for (const char* name :
        {"strain_energy", "contact_energy", "external_work", "plastic_work", "max_plastic_strain",
         "max_plastic_strain_projected", "min_plastic_strain_projected", "active_control_points",
@@ -62,25 +67,42 @@ double Recorder<Dim>::workIncrement(const Eigen::VectorXd& x, const Eigen::Vecto
 }
 
 template <int Dim>
-void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force) {
-  const double t = state.time;
-  const Eigen::VectorXd& x = state.x;
-  StateQuantities next;
-  next.time = t;
-  next.externalWork = current_.externalWork + workIncrement(x, force);
-  for (const auto& tool : model_.tools()) next.toolDisplacements.push_back(tool->displacement(t));
+void Recorder<Dim>::addTools(const MeasuredState& state, StateQuantities& next) const {
+  for (const auto& tool : model_.tools()) next.toolPoses.push_back(tool->pose(state.time, state.x));
   next.toolForces.assign(model_.tools().size(), Eigen::Vector3d::Zero());
+  next.toolMoments = next.toolForces;
   for (const auto& pair : model_.contacts()) {
     const ContactState& contact = pair.term->state();
     next.toolForces[pair.tool] += contact.reaction;
+    next.toolMoments[pair.tool] += contact.moment;
     next.contactEnergy += contact.energy;
     next.activeControlPoints += contact.numActive();
     next.maxPenetration = std::max(next.maxPenetration, contact.largestPenetration());
   }
-  if (x_.size() > 0)
-    for (std::size_t k = 0; k < next.toolForces.size(); ++k)
-      next.externalWork -= 0.5 * (current_.toolForces[k] + next.toolForces[k])
-                                     .dot(next.toolDisplacements[k] - current_.toolDisplacements[k]);
+}
+
+/// Work of the tools on the body since the last state.
+template <int Dim>
+double Recorder<Dim>::toolWork(const StateQuantities& next) const {
+  double work = 0.0;
+  for (std::size_t k = 0; k < next.toolForces.size(); ++k) {
+    const ToolPose &from = current_.toolPoses[k], &to = next.toolPoses[k];
+    const double moment =
+        model_.tools()[k]->axis.dot(current_.toolMoments[k] + next.toolMoments[k]);
+    work -= 0.5 * (current_.toolForces[k] + next.toolForces[k]).dot(to.displacement - from.displacement) +
+            0.5 * moment * (to.angle - from.angle);
+  }
+  return work;
+}
+
+template <int Dim>
+void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force) {
+  const Eigen::VectorXd& x = state.x;
+  StateQuantities next;
+  next.time = state.time;
+  next.externalWork = current_.externalWork + workIncrement(x, force);
+  addTools(state, next);
+  if (x_.size() > 0) next.externalWork += toolWork(next);
 
   const BulkTerm<Dim>& bulk = model_.bulk();
   next.strainEnergy = bulk.summary().strainEnergy;
@@ -128,8 +150,11 @@ template <int Dim>
 std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
   std::vector<double> row{static_cast<double>(step), current_.time};
   for (std::size_t k = 0; k < current_.toolForces.size(); ++k) {
-    for (int d = 0; d < Dim; ++d) row.push_back(current_.toolDisplacements[k](d));
+    for (int d = 0; d < Dim; ++d) row.push_back(current_.toolPoses[k].displacement(d));
     for (int d = 0; d < Dim; ++d) row.push_back(current_.toolForces[k](d));
+    if (model_.body().axisymmetric) continue;
+    for (int d = Dim == 2 ? 2 : 0; d < 3; ++d) row.push_back(current_.toolMoments[k](d));
+    row.push_back(current_.toolPoses[k].angle * 180.0 / std::numbers::pi);
   }
   for (const double value :
        {current_.strainEnergy, current_.contactEnergy, current_.externalWork, current_.plasticWork,

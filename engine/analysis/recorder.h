@@ -20,8 +20,9 @@ struct Doubt {
 /// Quantities of one accepted state, in the units of the scene.
 struct StateQuantities {
   double time = 0.0;
-  std::vector<Eigen::Vector3d> toolDisplacements;  ///< per tool
-  std::vector<Eigen::Vector3d> toolForces;         ///< force of the body on each tool
+  std::vector<ToolPose> toolPoses;           ///< per tool
+  std::vector<Eigen::Vector3d> toolForces;   ///< force of the body on each tool
+  std::vector<Eigen::Vector3d> toolMoments;  ///< of that force about the tool's pivot
   double strainEnergy = 0.0;
   double contactEnergy = 0.0;
   double externalWork = 0.0;  ///< trapezoidal sum over the steps: tools, tractions, moved supports
@@ -61,6 +62,8 @@ class Recorder {
 
  private:
   double workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force) const;
+  double toolWork(const StateQuantities& next) const;
+  void addTools(const MeasuredState& state, StateQuantities& next) const;
   Eigen::VectorXd loadForces() const;
   void watch();
 

@@ -94,7 +94,7 @@ class Run {
       try {
         summary_.completed = approach() && walk();
         if (!summary_.completed) noteFailure();
-      } catch (const FormulaError& error) {
+      } catch (const RunError& error) {
         summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", stepping_.state().time, error.what());
       }
       if (!summary_.completed) keepLastState();
@@ -138,6 +138,7 @@ class Run {
     Eigen::VectorXd total = Eigen::VectorXd::Zero(model_.numUnknowns());
     for (std::size_t k = 0; k < terms_.size(); ++k) total += newton_.force(k);
     recorder_.update({step.time, stepping_.state().x, newton_.force(0)}, total);
+    model_.requireTouch();
   }
 
   /// Brings lifted tools down and records the state at t = 0.

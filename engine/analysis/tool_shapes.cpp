@@ -6,10 +6,10 @@ namespace burnish {
 namespace {
 
 RigidShape convert(const PlaneToolSpec& spec) {
-  return Plane{inSpace(spec.origin), inSpace(spec.normal)};
+  return Plane{inSpace(spec.origin), inSpace(spec.normal).normalized()};
 }
 RigidShape convert(const CylinderToolSpec& spec) {
-  return Cylinder{inSpace(spec.center), inSpace(spec.axis), spec.radius};
+  return Cylinder{inSpace(spec.center), inSpace(spec.axis).normalized(), spec.radius};
 }
 RigidShape convert(const SphereToolSpec& spec) {
   return Sphere{inSpace(spec.center), spec.radius};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/core/error.h"
@@ -51,6 +52,14 @@ Eigen::Vector<double, Dim> outwardNormal(const Patch<Dim>& patch, FaceId face,
   return sign * inverse.row(across).transpose().normalized();
 }
 
+/// Smallest averaged gap of undeformed faces.
+template <int Dim>
+double smallestGap(const std::vector<const ContactTerm<Dim>*>& pairs, const ToolPose& pose) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto* pair : pairs) smallest = std::min(smallest, pair->referenceGaps(pose).minCoeff());
+  return smallest;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -60,10 +69,11 @@ NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const T
   constexpr int kZooms = 8;
   using Parameter = Eigen::Vector<double, P>;
   const auto trace = tracePatch(body.patches[static_cast<std::size_t>(patch)], face);
+  const ToolPose pose = tool.pose(0.0);
   const auto query = [&](const Parameter& xi) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.template head<Dim>() = trace.position(xi);
-    return tool.query(0.0, x);
+    return tool.query(pose, x);
   };
   const auto gap = [&](const Parameter& xi) { return query(xi).gap; };
 
@@ -109,26 +119,23 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
                                double bodySize) {
   double worst = -kTouching * bodySize;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  ToolPose pose = tool.pose(0.0);
   for (const auto* pair : pairs) {
-    const Eigen::VectorXd gaps = pair->referenceGaps(tool, 0.0);
+    const Eigen::VectorXd gaps = pair->referenceGaps(pose);
     Eigen::Index A = 0;
     if (gaps.minCoeff(&A) >= worst) continue;
     worst = gaps(A);
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.template head<Dim>() = pair->face().points().col(A);
-    direction = -tool.query(0.0, x).normal;
+    direction = -tool.query(pose, x).normal;
   }
   if (direction.isZero(0.0)) return direction;
 
   constexpr double kMargin = 1.05;
-  Tool lifted = tool;
-  lifted.approachTime = 1.0;
+  const Eigen::Vector3d start = pose.displacement;
   for (double height = -kMargin * worst; height < bodySize; height *= kMargin) {
-    lifted.lift = height * direction;
-    const bool separated = std::all_of(pairs.begin(), pairs.end(), [&](const auto* pair) {
-      return pair->referenceGaps(lifted, -lifted.approachTime).minCoeff() > 0.0;
-    });
-    if (separated) return lifted.lift;
+    pose.displacement = start + height * direction;
+    if (smallestGap(pairs, pose) > 0.0) return height * direction;
   }
   throw Error(
       fmt::format("tools: '{}' cannot be lifted off the face that it touches, averaged gaps stay negative; "
@@ -136,9 +143,42 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
                   tool.name));
 }
 
+Eigen::Vector3d firstDirection(const ToolLoad& load, double end) {
+  constexpr int kSamples = 1000;
+  for (int k = 0; k <= kSamples; ++k) {
+    const Eigen::Vector3d force = load.force(end * k / kSamples);
+    if (!force.isZero(0.0)) return force.normalized();
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+template <int Dim>
+Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
+                             const Eigen::Vector3d& direction, double bodySize) {
+  constexpr int kMostSteps = 1000;
+  ToolPose pose = tool.pose(0.0);
+  const Eigen::Vector3d start = pose.displacement;
+  double way = 0.0;
+  for (int k = 0; k < kMostSteps; ++k) {
+    pose.displacement = start + way * direction;
+    const double gap = smallestGap(pairs, pose);
+    if (std::abs(gap) < kTouching * bodySize) return way * direction;
+    if (gap > 1e3 * bodySize) break;
+    way += gap;  // gaps fall by no more than the way, so that this does not go too far
+  }
+  throw Error(
+      fmt::format("tools: '{}' does not meet its face when it moves along the force that it carries; place "
+                  "it so that the force presses it on the body",
+                  tool.name));
+}
+
 template NearestPoint nearestPoint(const Body<2>&, int, FaceId, const Tool&);
 template NearestPoint nearestPoint(const Body<3>&, int, FaceId, const Tool&);
 template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<2>*>&, const Tool&, double);
 template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<3>*>&, const Tool&, double);
+template Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<2>*>&, const Tool&,
+                                      const Eigen::Vector3d&, double);
+template Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<3>*>&, const Tool&,
+                                      const Eigen::Vector3d&, double);
 
 }  // namespace burnish

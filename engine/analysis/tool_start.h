@@ -3,6 +3,7 @@
 
 #include "engine/contact/contact_term.h"
 #include "engine/contact/tool.h"
+#include "engine/contact/tool_load.h"
 #include "engine/solid/body.h"
 
 namespace burnish {
@@ -27,5 +28,14 @@ NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const T
 template <int Dim>
 Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
                                double bodySize);
+
+/// Direction of the first force, of all times up to `end`, that a tool carries; zero if there is none.
+Eigen::Vector3d firstDirection(const ToolLoad& load, double end);
+
+/// Displacement along a direction that brings a tool from its place at t = 0 to the undeformed body, so that
+/// its smallest averaged gap vanishes. Throws `Error` if the tool does not meet the body on this way.
+template <int Dim>
+Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
+                             const Eigen::Vector3d& direction, double bodySize);
 
 }  // namespace burnish

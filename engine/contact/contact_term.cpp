@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "engine/core/error.h"
 
@@ -20,10 +21,9 @@ double ContactState::largestPenetration() const {
 /// Integrals over the reference face at one state.
 template <int Dim>
 struct ContactTerm<Dim>::Mortar {
-  std::vector<GapQuery> points;    ///< quadrature points
+  std::vector<ToolGap> points;     ///< quadrature points
   Eigen::VectorXd G;               ///< ∫ R_A g dΓ
-  std::vector<Eigen::VectorXd> D;  ///< ∫ R_A N dΓ (29), over the displacement unknowns of A's support
-  Eigen::MatrixXd d;               ///< ∫ R_A n dΓ, 3 x functions
+  std::vector<Eigen::VectorXd> D;  ///< ∫ R_A N dΓ (29), over the unknowns of A's support and the free ways
 };
 
 namespace {
@@ -56,6 +56,8 @@ ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, con
       firstMultiplier_(firstMultiplier),
       axisymmetric_(body.axisymmetric),
       A_(Eigen::VectorXd::Zero(face_.numFunctions())) {
+  for (std::size_t way = 0; way < kToolWays; ++way)
+    if (tool.isFree(way)) ways_.push_back(way);
   std::vector<std::set<int>> supports(static_cast<std::size_t>(face_.numFunctions()));
   for (const auto& span : face_.spans()) {
     A_(span.functions) += span.R * span.weights;
@@ -90,10 +92,17 @@ int ContactTerm<Dim>::numMultipliers() const {
 }
 
 template <int Dim>
-std::vector<int> ContactTerm<Dim>::displacementUnknowns(const std::vector<int>& functions) const {
+void ContactTerm<Dim>::keepInTouch(std::vector<const ContactTerm*> others) {
+  keepsInTouch_ = true;
+  others_ = std::move(others);
+}
+
+template <int Dim>
+std::vector<int> ContactTerm<Dim>::unknownsOf(const std::vector<int>& functions) const {
   std::vector<int> unknowns;
   for (const int a : functions)
     for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * face_.nodes()[static_cast<std::size_t>(a)] + d);
+  for (const std::size_t way : ways_) unknowns.push_back(tool_.unknowns[way]);
   return unknowns;
 }
 
@@ -101,10 +110,10 @@ template <int Dim>
 CouplingGroups ContactTerm<Dim>::couplings() const {
   // Spans first, then (mortar only) one group per function: its support and, with multipliers, its own.
   CouplingGroups groups;
-  for (const auto& span : face_.spans()) groups.push_back(displacementUnknowns(span.functions));
+  for (const auto& span : face_.spans()) groups.push_back(unknownsOf(span.functions));
   if (options_.enforcement == Enforcement::PointwisePenalty) return groups;
   for (std::size_t a = 0; a < supports_.size(); ++a) {
-    auto group = displacementUnknowns(supports_[a]);
+    auto group = unknownsOf(supports_[a]);
     if (numMultipliers() > 0) group.push_back(firstMultiplier_ + static_cast<int>(a));
     groups.push_back(std::move(group));
   }
@@ -125,30 +134,33 @@ Eigen::MatrixXd ContactTerm<Dim>::positions(const Eigen::VectorXd& x) const {
 }
 
 template <int Dim>
-typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const Tool& tool, double t,
+typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& pose,
                                                               const Eigen::VectorXd& x) const {
+  const auto numWays = static_cast<Eigen::Index>(ways_.size());
   Mortar mortar;
   mortar.G = Eigen::VectorXd::Zero(face_.numFunctions());
-  mortar.d = Eigen::MatrixXd::Zero(3, face_.numFunctions());
   for (const auto& support : supports_)
-    mortar.D.push_back(Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(support.size())));
+    mortar.D.push_back(Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(support.size()) + numWays));
   const Eigen::MatrixXd current = positions(x);
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       Eigen::Vector3d point = Eigen::Vector3d::Zero();
       point.head<Dim>() = current.col(span.firstPoint + q);
-      const GapQuery query = tool.query(t, point);
-      mortar.points.push_back(query);
-      const Eigen::Vector<double, Dim> n = query.normal.head<Dim>();
+      auto& query = mortar.points.emplace_back();
+      if (ways_.empty())
+        query.point = tool_.query(pose, point);
+      else
+        query = tool_.queryWithWays(pose, point);
+      const Eigen::Vector<double, Dim> n = query.point.normal.template head<Dim>();
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
-        mortar.G(A) += wR * query.gap;
-        mortar.d.col(A) += wR * query.normal;
+        mortar.G(A) += wR * query.point.gap;
         auto& D = mortar.D[static_cast<std::size_t>(A)];
         for (std::size_t b = 0; b < span.functions.size(); ++b)
           D.template segment<Dim>(Dim * slots_[e][a][b]) += wR * span.R(static_cast<Eigen::Index>(b), q) * n;
+        D.tail(numWays) += wR * query.dWays(ways_);
       }
     }
   }
@@ -156,60 +168,86 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const Tool& tool, 
 }
 
 template <int Dim>
-Eigen::VectorXd ContactTerm<Dim>::referenceGaps(const Tool& tool, double t) const {
+Eigen::VectorXd ContactTerm<Dim>::referenceGaps(const ToolPose& pose) const {
   const int lastNode = *std::max_element(face_.nodes().begin(), face_.nodes().end());
-  return integrate(tool, t, Eigen::VectorXd::Zero(Dim * (lastNode + 1))).G.cwiseQuotient(A_);
+  return integrate(pose, Eigen::VectorXd::Zero(Dim * (lastNode + 1))).G.cwiseQuotient(A_);
 }
 
 template <int Dim>
 bool ContactTerm<Dim>::passesThrough(const Mortar& mortar) const {
   const double deepest = -kDeepestShare * curvatureRadius(tool_.shape);
   return std::any_of(mortar.points.begin(), mortar.points.end(),
-                     [&](const GapQuery& query) { return query.gap < deepest; });
+                     [&](const ToolGap& query) { return query.point.gap < deepest; });
+}
+
+template <int Dim>
+bool ContactTerm<Dim>::isAlone() const {
+  return std::none_of(others_.begin(), others_.end(), [](const ContactTerm* other) {
+    return other->state().pressure.size() > 0 && other->state().pressure.maxCoeff() > 0.0;
+  });
 }
 
 template <int Dim>
 bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
-  const Mortar mortar = integrate(tool_, t, x);
+  const ToolPose pose = tool_.pose(t, x);
+  const Mortar mortar = integrate(pose, x);
   if (passesThrough(mortar)) return false;
   state_ = {};
   state_.averageGap = mortar.G.cwiseQuotient(A_);
   state_.gap.resize(face_.numPoints());
-  for (Eigen::Index q = 0; q < state_.gap.size(); ++q)
-    state_.gap(q) = mortar.points[static_cast<std::size_t>(q)].gap;
+  state_.normal.resize(3, face_.numPoints());
+  for (Eigen::Index q = 0; q < state_.gap.size(); ++q) {
+    const GapQuery& point = mortar.points[static_cast<std::size_t>(q)].point;
+    state_.gap(q) = point.gap;
+    state_.normal.col(q) = point.normal;
+  }
   state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
   state_.lambdaHat = Eigen::VectorXd::Zero(face_.numFunctions());
   if (options_.enforcement == Enforcement::PointwisePenalty)
     evaluatePointwise(out, mortar);
   else
     evaluateMortar(x, out, mortar);
-  if (axisymmetric_) state_.reaction(0) = 0.0;  // radial forces around the ring balance one another
+  measureReaction(pose, x, mortar);
   if (out.system != nullptr) addGeometricTangent(out, mortar);
   return true;
+}
+
+template <int Dim>
+void ContactTerm<Dim>::chooseActive(const Eigen::VectorXd& x) {
+  for (int A = 0; A < face_.numFunctions(); ++A) {
+    const double lambda = numMultipliers() > 0 ? x(firstMultiplier_ + A) : 0.0;
+    state_.lambdaHat(A) = lambda + options_.parameter * state_.averageGap(A);
+  }
+  Eigen::Index nearest = 0;
+  const double lowest = state_.lambdaHat.minCoeff(&nearest);
+  state_.active.assign(supports_.size(), false);
+  for (std::size_t a = 0; a < supports_.size(); ++a)
+    state_.active[a] = state_.lambdaHat(static_cast<Eigen::Index>(a)) <= 0.0;
+  if (keepsInTouch_ && lowest > 0.0 && isAlone()) {
+    state_.active[static_cast<std::size_t>(nearest)] = true;
+    state_.pull = lowest * A_(nearest);
+  }
 }
 
 template <int Dim>
 void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar) {
   const double eps = options_.parameter;
   const bool hasMultipliers = numMultipliers() > 0;
-  state_.active.assign(supports_.size(), false);
+  chooseActive(x);
   for (int A = 0; A < face_.numFunctions(); ++A) {
     const auto a = static_cast<std::size_t>(A);
     const double lambda = hasMultipliers ? x(firstMultiplier_ + A) : 0.0;
-    const double lambdaHat = lambda + eps * state_.averageGap(A);
-    const bool active = lambdaHat <= 0.0;
-    state_.active[a] = active;
+    const bool active = state_.active[a];
     const std::size_t group = face_.spans().size() + a;
     const auto& D = mortar.D[a];
     const Eigen::Index n = D.size();
     if (active) {
-      state_.lambdaHat(A) = lambdaHat;
-      state_.reaction += lambdaHat * mortar.d.col(A);
       if (!hasMultipliers) state_.energy += 0.5 * eps * state_.averageGap(A) * mortar.G(A);
-      out.force(displacementUnknowns(supports_[a])) += lambdaHat * D;
+      out.force(unknownsOf(supports_[a])) += state_.lambdaHat(A) * D;
       if (hasMultipliers) out.force(firstMultiplier_ + A) += mortar.G(A);
-    } else if (hasMultipliers) {
-      out.force(firstMultiplier_ + A) -= lambda * A_(A) / eps;
+    } else {
+      state_.lambdaHat(A) = 0.0;
+      if (hasMultipliers) out.force(firstMultiplier_ + A) -= lambda * A_(A) / eps;
     }
     if (out.system == nullptr) continue;
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + (hasMultipliers ? 1 : 0), n + (hasMultipliers ? 1 : 0));
@@ -232,49 +270,83 @@ void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, c
 template <int Dim>
 void ContactTerm<Dim>::evaluatePointwise(Assembly& out, const Mortar& mortar) {
   const double eps = options_.parameter;
+  Eigen::Index nearest = -1;
+  if (keepsInTouch_ && state_.gap.minCoeff(&nearest) < 0.0) nearest = -1;
+  if (nearest >= 0 && !isAlone()) nearest = -1;
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
-    const auto unknowns = displacementUnknowns(span.functions);
+    const auto unknowns = unknownsOf(span.functions);
+    const Eigen::Index n = Dim * span.R.rows();
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(unknowns.size()),
                                               static_cast<Eigen::Index>(unknowns.size()));
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const GapQuery& query = mortar.points[static_cast<std::size_t>(span.firstPoint + q)];
-      if (!(query.gap < 0.0)) continue;
+      const ToolGap& query = mortar.points[static_cast<std::size_t>(span.firstPoint + q)];
+      const double gap = query.point.gap;
+      if (!(gap < 0.0) && span.firstPoint + q != nearest) continue;
       const double w = span.weights(q);
       Eigen::VectorXd N(K.rows());
       for (Eigen::Index a = 0; a < span.R.rows(); ++a)
-        N.segment<Dim>(Dim * a) = span.R(a, q) * query.normal.head<Dim>();
-      out.force(unknowns) += w * eps * query.gap * N;
+        N.segment<Dim>(Dim * a) = span.R(a, q) * query.point.normal.template head<Dim>();
+      N.tail(K.rows() - n) = query.dWays(ways_);
+      out.force(unknowns) += w * eps * gap * N;
       K += w * eps * N * N.transpose();
-      state_.pressure(span.firstPoint + q) = -eps * query.gap;
-      state_.reaction += w * eps * query.gap * query.normal;
-      state_.energy += 0.5 * w * eps * query.gap * query.gap;
+      state_.pressure(span.firstPoint + q) = -eps * gap;
+      state_.energy += 0.5 * w * eps * gap * gap;
+      if (span.firstPoint + q == nearest) state_.pull = w * eps * gap;
     }
     if (out.system != nullptr) out.system->add(out.term, e, K);
   }
 }
 
-/// ∫ λ̂_I R_a R_b ∂n/∂x dΓ with the pressure field λ̂_I of (37).
+/// ∫ λ̂_I R_a R_b ∂n/∂x dΓ with the pressure field λ̂_I of (37), and the same by the tool's ways.
 template <int Dim>
 void ContactTerm<Dim>::addGeometricTangent(Assembly& out, const Mortar& mortar) {
+  const auto numWays = static_cast<Eigen::Index>(ways_.size());
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     const Eigen::Index n = span.R.rows();
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(Dim * n, Dim * n);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(Dim * n + numWays, Dim * n + numWays);
     bool any = false;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const double pressure = state_.pressure(span.firstPoint + q);
       if (pressure == 0.0) continue;
       any = true;
-      const Eigen::Matrix<double, Dim, Dim> dn = mortar.points[static_cast<std::size_t>(span.firstPoint + q)]
-                                                     .dNormal.template topLeftCorner<Dim, Dim>();
+      const ToolGap& query = mortar.points[static_cast<std::size_t>(span.firstPoint + q)];
+      const double weighted = -span.weights(q) * pressure;
+      const Eigen::Matrix<double, Dim, Dim> dn = query.point.dNormal.template topLeftCorner<Dim, Dim>();
       for (Eigen::Index b = 0; b < n; ++b)
         for (Eigen::Index a = 0; a < n; ++a)
-          K.block<Dim, Dim>(Dim * a, Dim * b) -=
-              span.weights(q) * pressure * span.R(a, q) * span.R(b, q) * dn;
+          K.block<Dim, Dim>(Dim * a, Dim * b) += weighted * span.R(a, q) * span.R(b, q) * dn;
+      if (numWays == 0) continue;
+      const Eigen::MatrixXd byWays = query.dNormal.template topRows<Dim>()(Eigen::all, ways_);
+      for (Eigen::Index a = 0; a < n; ++a)
+        K.block(Dim * a, Dim * n, Dim, numWays) += weighted * span.R(a, q) * byWays;
+      K.bottomRightCorner(numWays, numWays) += weighted * query.d2(ways_, ways_);
     }
-    if (any) out.system->add(out.term, e, K);
+    if (!any) continue;
+    K.bottomLeftCorner(numWays, Dim * n) = K.topRightCorner(Dim * n, numWays).transpose();
+    out.system->add(out.term, e, K);
   }
+}
+
+template <int Dim>
+void ContactTerm<Dim>::measureReaction(const ToolPose& pose, const Eigen::VectorXd& x, const Mortar& mortar) {
+  const Eigen::MatrixXd current = positions(x);
+  const Eigen::Vector3d pivot = tool_.pivot + pose.displacement;
+  for (const auto& span : face_.spans())
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const Eigen::Index point = span.firstPoint + q;
+      if (state_.pressure(point) == 0.0) continue;
+      Eigen::Vector3d arm = -pivot;
+      arm.head<Dim>() += current.col(point);
+      const Eigen::Vector3d force = -span.weights(q) * state_.pressure(point) *
+                                    mortar.points[static_cast<std::size_t>(point)].point.normal;
+      state_.reaction += force;
+      state_.moment += arm.cross(force);
+    }
+  if (!axisymmetric_) return;
+  state_.reaction(0) = 0.0;  // radial forces around the ring balance one another, and so do all moments
+  state_.moment.setZero();
 }
 
 template class ContactTerm<2>;

@@ -21,9 +21,15 @@ struct ContactState {
   std::vector<bool> active;    ///< functions; empty for point-wise penalty
   Eigen::VectorXd gap;         ///< point-wise gap, quadrature points
   Eigen::VectorXd pressure;    ///< nominal contact pressure >= 0 in compression, quadrature points
+  Eigen::MatrixXd normal;      ///< of the tool, away from it, 3 x quadrature points
   Eigen::Vector3d reaction =
       Eigen::Vector3d::Zero();  ///< force of the body on the tool; whole rings in axisymmetry
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< of that force about the tool's pivot
   double energy = 0.0;
+
+  /// Force with which a tool that is free to move would have to be held back to stay in touch; > 0 where
+  /// its load pulls it off the body.
+  double pull = 0.0;
 
   int numActive() const;
   double largestPenetration() const;  ///< >= 0, over quadrature points
@@ -48,6 +54,11 @@ class ContactTerm final : public Term {
   /// Multipliers that this pair adds to the unknowns.
   int numMultipliers() const;
 
+  /// Makes this pair the one that keeps a tool with free ways in touch with the body, without which its place
+  /// is not determined: while nothing is active, here or in the tool's other pairs (which are evaluated
+  /// before), the nearest function (or point) counts as active.
+  void keepInTouch(std::vector<const ContactTerm*> others);
+
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
@@ -58,8 +69,8 @@ class ContactTerm final : public Term {
   /// A_A = ∫ R_A dΓ (32).
   const Eigen::VectorXd& weights() const { return A_; }
 
-  /// Averaged gaps g_A between the undeformed face and a tool at time t.
-  Eigen::VectorXd referenceGaps(const Tool& tool, double t) const;
+  /// Averaged gaps g_A between the undeformed face and the tool at a place.
+  Eigen::VectorXd referenceGaps(const ToolPose& pose) const;
 
   /// Current positions of the quadrature points, Dim x points.
   Eigen::MatrixXd positions(const Eigen::VectorXd& x) const;
@@ -67,15 +78,21 @@ class ContactTerm final : public Term {
  private:
   struct Mortar;
 
-  Mortar integrate(const Tool& tool, double t, const Eigen::VectorXd& x) const;
+  Mortar integrate(const ToolPose& pose, const Eigen::VectorXd& x) const;
   bool passesThrough(const Mortar& mortar) const;
+  bool isAlone() const;
+  void chooseActive(const Eigen::VectorXd& x);
   void evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
   void evaluatePointwise(Assembly& out, const Mortar& mortar);
   void addGeometricTangent(Assembly& out, const Mortar& mortar);
-  std::vector<int> displacementUnknowns(const std::vector<int>& functions) const;
+  void measureReaction(const ToolPose& pose, const Eigen::VectorXd& x, const Mortar& mortar);
+
+  /// Displacement components of functions, then the tool's free ways.
+  std::vector<int> unknownsOf(const std::vector<int>& functions) const;
 
   FaceQuadrature<Dim> face_;
   const Tool& tool_;
+  std::vector<std::size_t> ways_;  ///< free ones of the tool
   Options options_;
   int firstMultiplier_;
   bool axisymmetric_;
@@ -83,6 +100,8 @@ class ContactTerm final : public Term {
   std::vector<std::vector<int>> supports_;  ///< per function: functions that share a span with it, sorted
   std::vector<std::vector<std::vector<int>>>
       slots_;  ///< [span][a][b]: place of function b in the support of function a
+  bool keepsInTouch_ = false;
+  std::vector<const ContactTerm*> others_;
   ContactState state_;
 };
 

@@ -44,6 +44,15 @@ GapQuery queryGap(const RigidShape& shape, const Eigen::Vector3d& x) {
   return std::visit([&](const auto& s) { return s.query(x); }, shape);
 }
 
+Eigen::Vector3d middleOf(const RigidShape& shape) {
+  struct Middle {
+    Eigen::Vector3d operator()(const Plane& plane) const { return plane.origin; }
+    Eigen::Vector3d operator()(const Cylinder& cylinder) const { return cylinder.center; }
+    Eigen::Vector3d operator()(const Sphere& sphere) const { return sphere.center; }
+  };
+  return std::visit(Middle{}, shape);
+}
+
 double curvatureRadius(const RigidShape& shape) {
   if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return cylinder->radius;
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;

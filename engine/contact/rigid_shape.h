@@ -38,6 +38,9 @@ using RigidShape = std::variant<Plane, Cylinder, Sphere>;
 
 GapQuery queryGap(const RigidShape& shape, const Eigen::Vector3d& x);
 
+/// The point that stands for a shape: its centre, or where a plane was given.
+Eigen::Vector3d middleOf(const RigidShape& shape);
+
 /// Length that measures how coarse a penetration is: the radius; infinity for a plane.
 double curvatureRadius(const RigidShape& shape);
 

@@ -12,4 +12,10 @@ class Error : public std::runtime_error {
   explicit Error(const std::string& message) : std::runtime_error(message) {}
 };
 
+/// What a run meets under way and cannot go on with; its results so far are kept.
+class RunError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace burnish

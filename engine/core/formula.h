@@ -27,9 +27,9 @@ struct DefinitionSpec {
 void requireSingleValue(const std::string& formula);
 
 /// The value of a formula is not finite at a point that a run has come to.
-class FormulaError : public Error {
+class FormulaError : public RunError {
  public:
-  using Error::Error;
+  using RunError::RunError;
 };
 
 /// A formula in the reference coordinates X, Y, Z and the time t, or in other variables, with the operators

@@ -78,6 +78,12 @@ bool isSound(const Sphere& sphere) {
   return sphere.center.allFinite() && isRadius(sphere.radius);
 }
 
+bool isSound(const SurfaceMesh& mesh) {
+  return mesh.points.allFinite() && (mesh.cells.rows() == 2 || mesh.cells.rows() == 3) &&
+         (mesh.cells.size() == 0 ||
+          (mesh.cells.minCoeff() >= 0 && mesh.cells.maxCoeff() < mesh.points.cols()));
+}
+
 /// Names become the names of links in the file.
 bool isFieldName(const std::string& name) {
   return !name.empty() && name != "." && name.find('/') == std::string::npos &&
@@ -119,9 +125,10 @@ void checkContact(const ContactRecord& contact, const ModelRecord& model, const 
   const Eigen::Index points = contact.quadraturePoints.cols();
   require(arePoints(contact.quadraturePoints, model.dim), place,
           "its quadrature points are not points in {} dimensions", model.dim);
-  require(contact.quadraturePressure.size() == points && contact.quadratureGap.size() == points, place,
-          "{} quadrature points, but {} pressures and {} gaps", points, contact.quadraturePressure.size(),
-          contact.quadratureGap.size());
+  require(contact.quadraturePressure.size() == points && contact.quadratureGap.size() == points &&
+              contact.quadratureNormal.cols() == points && arePoints(contact.quadratureNormal, model.dim),
+          place, "{} quadrature points, but {} pressures, {} gaps and {} normals", points,
+          contact.quadraturePressure.size(), contact.quadratureGap.size(), contact.quadratureNormal.cols());
 }
 
 }  // namespace
@@ -133,12 +140,16 @@ void checkModel(const ModelRecord& model, const std::string& place) {
   require(!model.patches.empty(), place, "a model without patches");
   for (std::size_t i = 0; i < model.patches.size(); ++i)
     checkPatch(model.patches[i], model, fmt::format("{}, patch {}", place, i));
-  for (const ToolRecord& tool : model.tools)
+  for (const ToolRecord& tool : model.tools) {
     require(std::visit([](const auto& shape) { return isSound(shape); }, tool.shape), place,
             "the shape of the tool \"{}\" has a radius that is not positive, a direction that is not of "
-            "length 1, or a "
-            "coordinate that is not finite",
+            "length 1, a coordinate that is not finite, or a cell without its points",
             tool.name);
+    require(tool.pivot.allFinite() && isDirection(tool.axis) && tool.halfThickness > 0.0, place,
+            "the tool \"{}\" has a pivot that is not finite, an axis that is not of length 1, or a thickness "
+            "that is not positive",
+            tool.name);
+  }
 }
 
 void checkFrame(const FrameRecord& frame, const ModelRecord& model, const std::string& place) {
@@ -152,6 +163,10 @@ void checkFrame(const FrameRecord& frame, const ModelRecord& model, const std::s
               arePoints(frame.toolDisplacement, model.dim),
           place, "{} displacements of tools with {} components for {} tools in {} dimensions",
           frame.toolDisplacement.cols(), frame.toolDisplacement.rows(), model.tools.size(), model.dim);
+  require((frame.toolAngle.size() == 0 || count(frame.toolAngle.size()) == model.tools.size()) &&
+              frame.toolAngle.allFinite(),
+          place,
+          "{} angles for {} tools, or one that is not finite", frame.toolAngle.size(), model.tools.size());
   checkFields(frame.fields, model.numNodes, "nodes", place);
   for (std::size_t i = 0; i < frame.contact.size(); ++i)
     checkContact(frame.contact[i], model, fmt::format("{}, contact {}", place, i));

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-constexpr int kResultFormat = 1;
+constexpr int kResultFormat = 2;
 
 /// The attributes by which a file says what it is: `burnish_format`, `kind` ("model" or "frame") and `model`,
 /// the identity of the model that the frames of one run share.

@@ -43,6 +43,7 @@ void writeContact(const OutputGroup& group, const ContactRecord& contact) {
   group.dataset("quadrature_points", contact.quadraturePoints);
   group.dataset("quadrature_pressure", contact.quadraturePressure);
   group.dataset("quadrature_gap", contact.quadratureGap);
+  group.dataset("quadrature_normal", contact.quadratureNormal);
 }
 
 ContactRecord readContact(const InputGroup& group) {
@@ -55,7 +56,8 @@ ContactRecord readContact(const InputGroup& group) {
           .active = group.dataset("active").integers(),
           .quadraturePoints = group.dataset("quadrature_points").matrix(),
           .quadraturePressure = group.dataset("quadrature_pressure").vector(),
-          .quadratureGap = group.dataset("quadrature_gap").vector()};
+          .quadratureGap = group.dataset("quadrature_gap").vector(),
+          .quadratureNormal = group.dataset("quadrature_normal").matrix()};
 }
 
 InputGroup rootOfFrame(const hdf5::InputFile& file, const StoredModel& model) {
@@ -78,6 +80,7 @@ std::vector<std::byte> frameImage(const FrameRecord& frame, const std::string& m
     root.attribute("time", frame.time);
     root.dataset("displacement", frame.displacement);
     root.dataset("tool_displacement", frame.toolDisplacement);
+    root.dataset("tool_angle", frame.toolAngle);
     writeFields(root.group("fields"), frame.fields);
     const OutputGroup contacts = root.group("contact");
     for (std::size_t i = 0; i < frame.contact.size(); ++i)
@@ -98,6 +101,7 @@ FrameRecord readFrame(const std::filesystem::path& path, const StoredModel& mode
   frame.time = root.real("time");
   frame.displacement = root.dataset("displacement").matrix();
   frame.toolDisplacement = root.dataset("tool_displacement").matrix();
+  frame.toolAngle = root.dataset("tool_angle").vector();
   frame.fields = readFields(root.group("fields"));
   const InputGroup contacts = root.group("contact");
   for (std::size_t i = 0; i < contacts.names().size(); ++i)

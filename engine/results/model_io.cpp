@@ -68,15 +68,41 @@ struct ShapeWriter {
     group.attribute("center", sphere.center);
     group.attribute("radius", sphere.radius);
   }
+  void operator()(const SurfaceMesh& mesh) const {
+    group.attribute("shape", std::string("mesh"));
+    group.attribute("closed", mesh.closed ? 1 : 0);
+    group.attribute("points_per_cell", static_cast<int>(mesh.cells.rows()));
+    group.dataset("points", Eigen::MatrixXd(mesh.points));
+    group.dataset("cells", std::vector<int>(mesh.cells.data(), mesh.cells.data() + mesh.cells.size()));
+  }
 };
 
-RigidShape readShape(const InputGroup& group) {
+/// A mesh whose list of cells is no whole number of cells, or refers to points that do not exist, is refused
+/// later, with the other records.
+SurfaceMesh readMesh(const InputGroup& group) {
+  SurfaceMesh mesh;
+  const Eigen::MatrixXd points = group.dataset("points").matrix();
+  const std::vector<int> cells = group.dataset("cells").integers();
+  const int rows = group.integer("points_per_cell");
+  if (points.rows() != 3 || rows < 2 || rows > 3 || cells.size() % static_cast<std::size_t>(rows) != 0)
+    throw Error(fmt::format("{}: the mesh of a tool has points of {} coordinates and {} numbers of points "
+                            "for cells of {}",
+                            group.place(), points.rows(), cells.size(), rows));
+  mesh.points = points;
+  mesh.cells = Eigen::Map<const Eigen::MatrixXi>(cells.data(), rows,
+                                                 static_cast<Eigen::Index>(cells.size()) / rows);
+  mesh.closed = group.integer("closed") != 0;
+  return mesh;
+}
+
+RecordedShape readShape(const InputGroup& group) {
   const std::string shape = group.text("shape");
   if (shape == "plane") return Plane{group.vector3("origin"), group.vector3("normal")};
   if (shape == "cylinder")
     return Cylinder{group.vector3("center"), group.vector3("axis"), group.real("radius")};
   if (shape == "sphere") return Sphere{group.vector3("center"), group.real("radius")};
-  throw Error(fmt::format("{}: shape \"{}\" is none of plane, cylinder, sphere", group.place(), shape));
+  if (shape == "mesh") return readMesh(group);
+  throw Error(fmt::format("{}: shape \"{}\" is none of plane, cylinder, sphere, mesh", group.place(), shape));
 }
 
 /// FNV-1a, 64 bits.
@@ -113,6 +139,9 @@ std::vector<std::byte> modelImage(const StoredModel& model) {
     for (std::size_t i = 0; i < record.tools.size(); ++i) {
       const OutputGroup tool = tools.group(std::to_string(i));
       tool.attribute("name", record.tools[i].name);
+      tool.attribute("pivot", record.tools[i].pivot);
+      tool.attribute("axis", record.tools[i].axis);
+      tool.attribute("half_thickness", record.tools[i].halfThickness);
       std::visit(ShapeWriter{tool}, record.tools[i].shape);
     }
   }
@@ -138,7 +167,11 @@ StoredModel readModel(const std::filesystem::path& path) {
   const InputGroup tools = root.group("tools");
   for (std::size_t i = 0; i < tools.names().size(); ++i) {
     const InputGroup tool = tools.group(std::to_string(i));
-    record.tools.push_back({.name = tool.text("name"), .shape = readShape(tool)});
+    record.tools.push_back({.name = tool.text("name"),
+                            .shape = readShape(tool),
+                            .pivot = tool.vector3("pivot"),
+                            .axis = tool.vector3("axis"),
+                            .halfThickness = tool.real("half_thickness")});
   }
   checkModel(record, path.string());
   return model;

@@ -1,10 +1,13 @@
 #pragma once
 #include <Eigen/Dense>
+#include <limits>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/contact/rigid_shape.h"
+#include "engine/contact/surface_mesh.h"
 #include "engine/nurbs/univariate_basis.h"
 
 /// What a result holds, as plain values: the one place where engine and post-processor meet.
@@ -23,9 +26,16 @@ struct PatchRecord {
   std::vector<int> nodes;   ///< global node of each function; patches that share a face share nodes
 };
 
+/// What is kept of a tool's shape: the analytic ones as they are, others as they are drawn.
+using RecordedShape = std::variant<Plane, Cylinder, Sphere, SurfaceMesh>;
+
 struct ToolRecord {
   std::string name;
-  RigidShape shape;  ///< at its reference position
+  RecordedShape shape;  ///< at its reference position
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< through the pivot; the tool turns about it
+  /// How deep a point can be inside before the nearest surface is on another side; may be infinite.
+  double halfThickness = std::numeric_limits<double>::infinity();
 };
 
 /// A field of control-point coefficients: field(ξ) = Σ R_A(ξ) q_A.
@@ -48,6 +58,7 @@ struct ContactRecord {
   Eigen::MatrixXd quadraturePoints;    ///< dim x points: current positions
   Eigen::VectorXd quadraturePressure;  ///< contact pressure (nominal) at these points
   Eigen::VectorXd quadratureGap;       ///< point-wise gap at these points
+  Eigen::MatrixXd quadratureNormal;    ///< dim x points: of the tool, away from it
 };
 
 /// Raw values at the quadrature points of the volume.
@@ -76,7 +87,8 @@ struct FrameRecord {
   double time = 0.0;
   Eigen::MatrixXd displacement;               ///< dim x nodes
   std::map<std::string, FieldRecord> fields;  ///< plastic_strain, von_mises, stress, pressure
-  Eigen::MatrixXd toolDisplacement;           ///< dim x tools
+  Eigen::MatrixXd toolDisplacement;           ///< of the pivots, dim x tools
+  Eigen::VectorXd toolAngle;                  ///< turn about the axes, radians, one per tool; empty if none is turned
   std::vector<ContactRecord> contact;
   QuadratureRecord quadrature;
 };

@@ -89,7 +89,7 @@ class ContourPicture {
     const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), options_.bands);
     const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1]}, textSize_, options_.theme);
     const ContourLayout layout = layOutContour(
-        options_.size, textSize_, options_.window ? *options_.window : contentOf(parts_, model_), parts_.axes,
+        options_.size, textSize_, options_.window ? *options_.window : contentOf(parts_), parts_.axes,
         caption(options_.clip && shown != whole), bar, options_.theme);
     if (!options_.transparent) return {capture(options_.theme.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
@@ -167,10 +167,9 @@ class ContourPicture {
     }
     if (parts_.undeformed) add(lineActor(*parts_.undeformed, theme.undeformed, 0.8 * line, 1.0), kUndeformed);
     add(lineActor(*parts_.outline, theme.outline, line, 1.0), kBodyOutline);
-    for (Eigen::Index k = 0; k < parts_.toolDisplacement.cols(); ++k) {
+    for (const ToolRecord& record : parts_.tools) {
       const ToolDrawing tool =
-          drawTool(model_.tools[static_cast<std::size_t>(k)], parts_.toolDisplacement.col(k), model_.dim,
-                   visibleBox(view), textSize_ * 0.6 / view.pixelsPerLength);
+          drawTool(record, model_.dim, visibleBox(view), textSize_ * 0.6 / view.pixelsPerLength);
       if (tool.surface)
         add(plainActor(*tool.surface, theme.tool, shaded, tool.hidesBody ? 0.4 : 1.0), kToolFill);
       if (tool.lines) add(lineActor(*tool.lines, theme.outline, 1.2 * line, 1.0), kToolLines);
@@ -240,7 +239,7 @@ View drawContour(const ModelRecord& model, const FrameRecord& frame, const Conto
 
 Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,
                               const ContourOptions& options) {
-  return contentOf(contourParts(model, frame, options), model);
+  return contentOf(contourParts(model, frame, options));
 }
 
 }  // namespace burnish

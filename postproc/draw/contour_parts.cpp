@@ -62,8 +62,8 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.axes = options.axes.value_or(viewNamed("auto", model.dim));
   parts.displacement = options.warp * frame.displacement;
   if (options.tools)
-    parts.toolDisplacement =
-        options.warp * frame.toolDisplacement.leftCols(static_cast<Eigen::Index>(model.tools.size()));
+    for (std::size_t k = 0; k < model.tools.size(); ++k)
+      parts.tools.push_back(placedTool(model, frame, k, options.warp));
   parts.body = makeBody(model, frame, options);
   parts.outline = bodyOutline(model, parts.displacement, subdivision);
   if (options.undeformed) parts.undeformed = bodyOutline(model, {}, subdivision);
@@ -91,16 +91,14 @@ Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes) {
   return {projected.rowwise().minCoeff(), projected.rowwise().maxCoeff()};
 }
 
-Eigen::AlignedBox2d contentOf(const ContourParts& parts, const ModelRecord& model) {
+Eigen::AlignedBox2d contentOf(const ContourParts& parts) {
   Eigen::AlignedBox2d box = boxOf(*parts.body, parts.axes);
   if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes));
   if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes)), kDotRoom);
   if (parts.arrows.edges) box.extend(boxOf(*parts.arrows.edges, parts.axes));
   const Eigen::AlignedBox2d near = grown(box, kToolReach), cut = grown(box, kToolCut);
-  for (Eigen::Index k = 0; k < parts.toolDisplacement.cols(); ++k) {
-    const Eigen::Matrix2Xd landmarks =
-        parts.axes * toolLandmarks(model.tools[static_cast<std::size_t>(k)], parts.toolDisplacement.col(k),
-                                   boxOf(*parts.body));
+  for (const ToolRecord& record : parts.tools) {
+    const Eigen::Matrix2Xd landmarks = parts.axes * toolLandmarks(record, boxOf(*parts.body));
     const Eigen::AlignedBox2d tool(landmarks.rowwise().minCoeff(), landmarks.rowwise().maxCoeff());
     const Eigen::AlignedBox2d& seen = near.contains(tool) ? near : cut;
     if (seen.intersects(tool)) box.extend(seen.intersection(tool));

@@ -16,7 +16,7 @@ namespace burnish {
 struct ContourParts {
   ViewAxes axes;
   Eigen::MatrixXd displacement;       ///< of the body, dim x nodes
-  Eigen::MatrixXd toolDisplacement;   ///< of the tools that are shown, dim x tools
+  std::vector<ToolRecord> tools;      ///< those that are shown, where they stand
   vtkSmartPointer<vtkPolyData> body;  ///< its point scalars are the values that are drawn
   vtkSmartPointer<vtkPolyData> outline;
   vtkSmartPointer<vtkPolyData> undeformed, net;  ///< null where they are not shown
@@ -34,6 +34,6 @@ Eigen::AlignedBox3d boxOf(vtkPolyData& part);
 Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes);
 
 /// The projected box that is to be seen.
-Eigen::AlignedBox2d contentOf(const ContourParts& parts, const ModelRecord& model);
+Eigen::AlignedBox2d contentOf(const ContourParts& parts);
 
 }  // namespace burnish

@@ -78,7 +78,7 @@ class SetupPicture {
     add(lineActor(*outlineBesideAxis(), kInk, line, 1.0));
     for (const ToolRecord& record : model_.tools) {
       const ToolDrawing drawing =
-          drawTool(record, Vector2d(0, 0), 2, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
+          drawTool(record, 2, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
       if (drawing.surface) add(plainActor(*drawing.surface, kToolColor, false, 1.0));
       if (drawing.lines) add(lineActor(*drawing.lines, kInk, line, 1.0));
     }
@@ -152,7 +152,9 @@ class SetupPicture {
                       line.front() + 0.15 * (line.back() - line.front()) + 1.3 * textSize() * away);
       return;
     }
-    const double radius = curvatureRadius(tool.shape);
+    const auto* disc = std::get_if<Cylinder>(&tool.shape);
+    if (disc == nullptr) return;
+    const double radius = disc->radius;
     const Vector2d center = layout_.middleOf(k);
     const Vector2d middle = view().area.center();
     const Vector2d direction = Vector2d(center.x() < middle.x() ? 1.0 : -1.0, 1.0).normalized();

@@ -168,8 +168,12 @@ FaceLine SetupLayout::pixels(const FaceSpec& place) const {
   return line;
 }
 
+vtkSmartPointer<vtkPolyData> SetupLayout::outlineOf(std::size_t tool, const Vector2d& shift) const {
+  return toolOutline(movedTool(model_.tools[tool], {shift.x(), shift.y(), 0.0}, 0.0), 2, toolBox_);
+}
+
 std::vector<Vector2d> SetupLayout::toolPixels(std::size_t tool, const Vector2d& shift) const {
-  const auto outline = toolOutline(model_.tools[tool], shift, toolBox_);
+  const auto outline = outlineOf(tool, shift);
   std::vector<Vector2d> points;
   for (vtkIdType i = 0; i < outline->GetNumberOfPoints(); ++i)
     points.push_back(view_.pixel(Eigen::Vector3d(outline->GetPoint(i))));
@@ -178,21 +182,20 @@ std::vector<Vector2d> SetupLayout::toolPixels(std::size_t tool, const Vector2d& 
 }
 
 Vector2d SetupLayout::middleOf(std::size_t tool) const {
-  const double* b = toolOutline(model_.tools[tool], Vector2d(0, 0), toolBox_)->GetBounds();
+  const double* b = outlineOf(tool, Vector2d(0, 0))->GetBounds();
   return view_.pixel(Vector2d((b[0] + b[1]) / 2, (b[2] + b[3]) / 2));
 }
 
 /// What is to be seen of a tool: all that is not far away.
 Eigen::AlignedBox2d SetupLayout::toolBounds(std::size_t tool, const Vector2d& shift) const {
-  const double* b = toolOutline(model_.tools[tool], shift, toolBox_)->GetBounds();
+  const double* b = outlineOf(tool, shift)->GetBounds();
   const Vector2d margin = Vector2d::Constant(kReach * box_.diagonal().norm());
   const Eigen::AlignedBox2d body = flat(box_), seen(body.min() - margin, body.max() + margin);
   return seen.intersection(Eigen::AlignedBox2d(Vector2d(b[0], b[2]), Vector2d(b[1], b[3])));
 }
 
 std::vector<Vector2d> SetupLayout::phasesOf(std::size_t tool) const {
-  const auto& motion = scene_.tools[tool].motion;
-  return motion ? motionPhases(*motion, end_) : std::vector<Vector2d>();
+  return motionPhases(scene_.tools[tool], scene_.definitions, end_);
 }
 
 Vector2d SetupLayout::endOf(std::size_t tool) const {

@@ -1,4 +1,6 @@
 #pragma once
+#include <vtkSmartPointer.h>
+
 #include <Eigen/Geometry>
 #include <array>
 #include <optional>
@@ -10,6 +12,8 @@
 #include "postproc/draw/rich_text.h"
 #include "postproc/draw/setup_faces.h"
 #include "postproc/draw/view.h"
+
+class vtkPolyData;
 
 namespace burnish {
 
@@ -78,6 +82,7 @@ class SetupLayout {
   static RichText phaseName(std::size_t count, std::size_t phase);
 
  private:
+  vtkSmartPointer<vtkPolyData> outlineOf(std::size_t tool, const Eigen::Vector2d& shift) const;
   /// Room beside the body in text sizes, on the side to which a normal points.
   struct Rooms {
     double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;

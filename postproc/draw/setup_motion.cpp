@@ -5,7 +5,7 @@
 namespace burnish {
 namespace {
 
-Eigen::Vector2d displacement(const ToolMotionSpec& motion, double t) {
+Eigen::Vector2d displacement(const MotionSpec& motion, double t) {
   const auto value = [&](const std::optional<std::vector<double>>& component) {
     return component ? Schedule{motion.times, *component}(t) : 0.0;
   };
@@ -16,7 +16,8 @@ bool sameDirection(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.normalized().dot(b.normalized()) > 1.0 - 1e-9;
 }
 
-Eigen::Vector2d displacement(const PrescribedSpec& formulas, const Eigen::Vector2d& X,
+template <class Formulas>
+Eigen::Vector2d displacement(const Formulas& formulas, const Eigen::Vector2d& X,
                              const std::vector<DefinitionSpec>& definitions, double t) {
   const auto value = [&](const std::optional<FormulaText>& text) {
     return text ? Formula(*text, definitions)({X.x(), X.y(), 0.0}, t) : 0.0;
@@ -24,9 +25,19 @@ Eigen::Vector2d displacement(const PrescribedSpec& formulas, const Eigen::Vector
   return {value(formulas.x), value(formulas.y)};
 }
 
+/// From begin to end in one; nothing for a point that does not move.
+template <class Formulas>
+std::vector<Eigen::Vector2d> wholeMotion(const Formulas& formulas, const Eigen::Vector2d& X,
+                                         const std::vector<DefinitionSpec>& definitions, double end) {
+  const Eigen::Vector2d phase =
+      displacement(formulas, X, definitions, end) - displacement(formulas, X, definitions, 0.0);
+  if (phase.norm() == 0.0) return {};
+  return {phase};
+}
+
 }  // namespace
 
-std::vector<Eigen::Vector2d> motionPhases(const ToolMotionSpec& motion, double end) {
+std::vector<Eigen::Vector2d> motionPhases(const MotionSpec& motion, double end) {
   std::vector<double> times{0.0};
   for (const double t : motion.times)
     if (t > 0.0 && t < end) times.push_back(t);
@@ -43,14 +54,18 @@ std::vector<Eigen::Vector2d> motionPhases(const ToolMotionSpec& motion, double e
   return phases;
 }
 
+std::vector<Eigen::Vector2d> motionPhases(const ToolSpec& tool, const std::vector<DefinitionSpec>& definitions,
+                                          double end) {
+  if (const auto& table = tool.motion) return motionPhases({table->times, table->x, table->y, table->z}, end);
+  return tool.prescribe ? wholeMotion(*tool.prescribe, {0.0, 0.0}, definitions, end)
+                        : std::vector<Eigen::Vector2d>();
+}
+
 std::vector<Eigen::Vector2d> motionPhases(const SupportSpec& support, const Eigen::Vector2d& X,
                                           const std::vector<DefinitionSpec>& definitions, double end) {
   if (support.move) return motionPhases(*support.move, end);
-  if (!support.prescribe) return {};
-  const Eigen::Vector2d phase = displacement(*support.prescribe, X, definitions, end) -
-                                displacement(*support.prescribe, X, definitions, 0.0);
-  if (phase.norm() == 0.0) return {};
-  return {phase};
+  return support.prescribe ? wholeMotion(*support.prescribe, X, definitions, end)
+                           : std::vector<Eigen::Vector2d>();
 }
 
 }  // namespace burnish

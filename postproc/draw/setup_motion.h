@@ -7,7 +7,11 @@
 namespace burnish {
 
 /// The straight parts of a motion in the plane until the time `end`, in their order: displacement of each.
-std::vector<Eigen::Vector2d> motionPhases(const ToolMotionSpec& motion, double end);
+std::vector<Eigen::Vector2d> motionPhases(const MotionSpec& motion, double end);
+
+/// The same for a tool, where formulas have the part from begin to end.
+std::vector<Eigen::Vector2d> motionPhases(const ToolSpec& tool, const std::vector<DefinitionSpec>& definitions,
+                                          double end);
 
 /// The same for a support at a point X of the body, where formulas have the part from begin to end; none if
 /// it does not move there.

@@ -12,19 +12,12 @@
 namespace burnish {
 namespace {
 
-Eigen::Vector3d inSpace(const Eigen::VectorXd& v) {
-  Eigen::Vector3d x = Eigen::Vector3d::Zero();
-  x.head(v.size()) = v;
-  return x;
-}
-
 struct Landmarks {
-  Eigen::Vector3d shift;
   const Eigen::AlignedBox3d& body;
 
   Eigen::Matrix3Xd operator()(const Plane& plane) const {
     const Eigen::Vector3d n = plane.normal.normalized();
-    const double height = (body.center() - plane.origin - shift).dot(n);
+    const double height = (body.center() - plane.origin).dot(n);
     constexpr double hatchRoom = 0.04;
     Eigen::Matrix3Xd points(3, 2);
     points.col(0) = body.center() - height * n;
@@ -36,9 +29,15 @@ struct Landmarks {
   }
   Eigen::Matrix3Xd operator()(const Sphere& sphere) const { return corners(sphere.center, sphere.radius); }
 
+  Eigen::Matrix3Xd operator()(const SurfaceMesh& mesh) const {
+    return corners(Eigen::AlignedBox3d(mesh.points.rowwise().minCoeff(), mesh.points.rowwise().maxCoeff()));
+  }
+
   Eigen::Matrix3Xd corners(const Eigen::Vector3d& center, double radius) const {
     const Eigen::Vector3d r = Eigen::Vector3d::Constant(radius);
-    const Eigen::AlignedBox3d box(center + shift - r, center + shift + r);
+    return corners(Eigen::AlignedBox3d(center - r, center + r));
+  }
+  Eigen::Matrix3Xd corners(const Eigen::AlignedBox3d& box) const {
     Eigen::Matrix3Xd points(3, 8);
     for (int k = 0; k < 8; ++k) points.col(k) = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
     return points;
@@ -77,19 +76,19 @@ vtkSmartPointer<vtkPolyData> filled(vtkPolyData& outline) {
 
 }  // namespace
 
-Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::VectorXd& displacement,
-                               const Eigen::AlignedBox3d& body) {
-  return std::visit(Landmarks{inSpace(displacement), body}, tool.shape);
+Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::AlignedBox3d& body) {
+  return std::visit(Landmarks{body}, tool.shape);
 }
 
-ToolDrawing drawTool(const ToolRecord& tool, const Eigen::VectorXd& displacement, int dim,
-                     const Eigen::AlignedBox3d& visible, double stroke) {
-  const auto outline = toolOutline(tool, displacement, visible);
+ToolDrawing drawTool(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& visible, double stroke) {
+  const auto outline = toolOutline(tool, dim, visible);
   const Plane* plane = std::get_if<Plane>(&tool.shape);
   if (dim == 3) return {outline, nullptr, plane != nullptr};
   if (plane)
     return {nullptr, hatchedSegment(Eigen::Vector3d(outline->GetPoint(0)),
                                     Eigen::Vector3d(outline->GetPoint(1)), plane->normal, stroke)};
+  const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape);
+  if (mesh && !mesh->closed) return {nullptr, outline};
   return {filled(*outline), outline};
 }
 

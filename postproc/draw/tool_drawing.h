@@ -10,9 +10,8 @@ class vtkPolyData;
 namespace burnish {
 
 /// Points (3 x n) that should be seen so that one understands where a tool is, given the box of the body: the
-/// corners of the box of a disc, a cylinder or a sphere, or the foot of the body's centre on a plane.
-Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::VectorXd& displacement,
-                               const Eigen::AlignedBox3d& body);
+/// corners of the box of what is finite, or the foot of the body's centre on a plane.
+Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::AlignedBox3d& body);
 
 /// What is drawn of a tool; either part may be null.
 struct ToolDrawing {
@@ -23,7 +22,6 @@ struct ToolDrawing {
 
 /// In 2D a filled disc with its outline, or a line with hatches on the side of the tool; in 3D a surface.
 /// visible: the box that is seen; stroke: length of a hatch.
-ToolDrawing drawTool(const ToolRecord& tool, const Eigen::VectorXd& displacement, int dim,
-                     const Eigen::AlignedBox3d& visible, double stroke);
+ToolDrawing drawTool(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& visible, double stroke);
 
 }  // namespace burnish

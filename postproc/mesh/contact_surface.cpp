@@ -68,23 +68,12 @@ void addCells(const FacePoints& face, const std::vector<vtkIdType>& ids, PolyBui
       builder.addPolygon({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
 }
 
-/// What the tool does to the body: the pressure along the tool's normal.
-Eigen::MatrixXd tractionOf(const ContactRecord& contact, const ToolRecord& tool,
-                           const Eigen::VectorXd& toolDisplacement) {
-  const Eigen::MatrixXd x = inSpace(contact.quadraturePoints.colwise() - toolDisplacement);
-  Eigen::MatrixXd traction(3, x.cols());
-  for (Eigen::Index q = 0; q < x.cols(); ++q)
-    traction.col(q) = contact.quadraturePressure(q) * queryGap(tool.shape, x.col(q)).normal;
-  return traction;
-}
-
-/// Rows: pressure, gap, three components of the traction; a column per point.
-Eigen::MatrixXd valuesOf(const ContactRecord& contact, const ToolRecord& tool,
-                         const Eigen::VectorXd& toolDisplacement) {
+/// Rows: pressure, gap, three components of the traction, what the tool does to the body; a column per point.
+Eigen::MatrixXd valuesOf(const ContactRecord& contact) {
   Eigen::MatrixXd values(5, contact.quadraturePoints.cols());
   if (values.cols() == 0) return values;
   values << contact.quadraturePressure.transpose(), contact.quadratureGap.transpose(),
-      tractionOf(contact, tool, toolDisplacement);
+      inSpace(contact.quadratureNormal * contact.quadraturePressure.asDiagonal());
   return values;
 }
 
@@ -99,7 +88,7 @@ vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const Fram
     if (contact.tool != record.name) continue;
     const FacePoints face = model.dim == 2 ? facePoints<2>(model, contact) : facePoints<3>(model, contact);
     addCells(face, builder.addPoints(contact.quadraturePoints), builder);
-    const auto added = valuesOf(contact, record, frame.toolDisplacement.col(static_cast<Eigen::Index>(tool)));
+    const auto added = valuesOf(contact);
     values.conservativeResize(Eigen::NoChange, values.cols() + added.cols());
     values.rightCols(added.cols()) = added;
   }

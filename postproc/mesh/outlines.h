@@ -21,10 +21,16 @@ vtkSmartPointer<vtkPolyData> bodyOutline(const ModelRecord& model, const Eigen::
 vtkSmartPointer<vtkPolyData> knotLines(const ModelRecord& model, const Eigen::MatrixXd& displacement,
                                        int subdivision);
 
-/// A tool moved by `displacement` (2 or 3 components). In 2D one polyline: a plane is a segment that passes
-/// the whole of `box`, a cylinder or a sphere a closed circle whose points in their order are also its
-/// polygon. In 3D polygons, planes and cylinders cut off outside the box.
-vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, const Eigen::VectorXd& displacement,
-                                         const Eigen::AlignedBox3d& box);
+/// A tool that is turned about its axis, then displaced.
+ToolRecord movedTool(const ToolRecord& tool, const Eigen::Vector3d& displacement, double angle);
+
+/// A tool as it stands in a frame, its motion scaled by `warp`: turned and displaced.
+ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::size_t tool,
+                      double warp = 1.0);
+
+/// The surface of a tool. In 2D one polyline: a plane is a segment that passes the whole of `box`, a cylinder
+/// or a sphere a closed circle whose points in their order are also its polygon; of other shapes segments.
+/// In 3D polygons, planes and cylinders cut off outside the box.
+vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box);
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -39,19 +40,31 @@ double reach(const Eigen::AlignedBox3d& box) {
   return 0.6 * box.diagonal().norm();
 }
 
-/// The point of the displaced plane that is nearest to the middle of the box.
-Eigen::Vector3d nearestPoint(const Plane& plane, const Eigen::Vector3d& displacement,
-                             const Eigen::AlignedBox3d& box) {
-  const GapQuery query = plane.query(box.center() - displacement);
+/// The point of the plane that is nearest to the middle of the box.
+Eigen::Vector3d nearestPoint(const Plane& plane, const Eigen::AlignedBox3d& box) {
+  const GapQuery query = plane.query(box.center());
   return box.center() - query.gap * query.normal;
 }
 
+vtkSmartPointer<vtkPolyData> cellsOf(const SurfaceMesh& mesh) {
+  PolyBuilder builder;
+  const auto points = builder.addPoints(mesh.points);
+  for (Eigen::Index k = 0; k < mesh.cells.cols(); ++k) {
+    std::vector<vtkIdType> cell;
+    for (const int point : mesh.cells.col(k)) cell.push_back(points[static_cast<std::size_t>(point)]);
+    if (cell.size() == 2)
+      builder.addLine(cell);
+    else
+      builder.addPolygon(cell);
+  }
+  return builder.finish();
+}
+
 struct PlanarOutline {
-  Eigen::Vector3d displacement;
-  Eigen::AlignedBox3d box;
+  const Eigen::AlignedBox3d& box;
 
   vtkSmartPointer<vtkPolyData> operator()(const Plane& plane) const {
-    const Eigen::Vector3d foot = nearestPoint(plane, displacement, box);
+    const Eigen::Vector3d foot = nearestPoint(plane, box);
     const Eigen::Vector3d a =
         reach(box) * Eigen::Vector3d(plane.normal.y(), -plane.normal.x(), 0.0).normalized();
     Eigen::Matrix<double, 3, 2> ends;
@@ -61,19 +74,19 @@ struct PlanarOutline {
     return builder.finish();
   }
   vtkSmartPointer<vtkPolyData> operator()(const Cylinder& cylinder) const {
-    return closedCircle(cylinder.center + displacement, cylinder.radius);
+    return closedCircle(cylinder.center, cylinder.radius);
   }
   vtkSmartPointer<vtkPolyData> operator()(const Sphere& sphere) const {
-    return closedCircle(sphere.center + displacement, sphere.radius);
+    return closedCircle(sphere.center, sphere.radius);
   }
+  vtkSmartPointer<vtkPolyData> operator()(const SurfaceMesh& mesh) const { return cellsOf(mesh); }
 };
 
 struct SpatialOutline {
-  Eigen::Vector3d displacement;
-  Eigen::AlignedBox3d box;
+  const Eigen::AlignedBox3d& box;
 
   vtkSmartPointer<vtkPolyData> operator()(const Plane& plane) const {
-    const Eigen::Vector3d foot = nearestPoint(plane, displacement, box);
+    const Eigen::Vector3d foot = nearestPoint(plane, box);
     const Eigen::Vector3d a = reach(box) * plane.normal.unitOrthogonal();
     const Eigen::Vector3d b = plane.normal.normalized().cross(a);
     Eigen::Matrix<double, 3, 4> corners;
@@ -87,7 +100,7 @@ struct SpatialOutline {
     const Eigen::Vector3d axis = cylinder.axis.normalized();
     const Eigen::Vector3d a = axis.unitOrthogonal();
     const Eigen::Vector3d b = axis.cross(a);
-    const Eigen::Vector3d center = cylinder.center + displacement;
+    const Eigen::Vector3d center = cylinder.center;
     const Eigen::Vector3d middle = center + axis.dot(box.center() - center) * axis;
     PolyBuilder builder;
     const auto lower = builder.addPoints(circlePoints(middle - reach(box) * axis, cylinder.radius, a, b));
@@ -100,7 +113,7 @@ struct SpatialOutline {
   }
 
   vtkSmartPointer<vtkPolyData> operator()(const Sphere& sphere) const {
-    const Eigen::Vector3d center = sphere.center + displacement;
+    const Eigen::Vector3d center = sphere.center;
     const auto source = vtkSmartPointer<vtkSphereSource>::New();
     source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     source->SetCenter(center.x(), center.y(), center.z());
@@ -113,17 +126,52 @@ struct SpatialOutline {
     surface->SetPolys(source->GetOutput()->GetPolys());
     return surface;
   }
+
+  vtkSmartPointer<vtkPolyData> operator()(const SurfaceMesh& mesh) const { return cellsOf(mesh); }
+};
+
+/// Moves a shape by a rigid motion.
+struct Placement {
+  const Eigen::Isometry3d& motion;
+
+  RecordedShape operator()(const Plane& plane) const {
+    return Plane{motion * plane.origin, motion.linear() * plane.normal};
+  }
+  RecordedShape operator()(const Cylinder& cylinder) const {
+    return Cylinder{motion * cylinder.center, motion.linear() * cylinder.axis, cylinder.radius};
+  }
+  RecordedShape operator()(const Sphere& sphere) const {
+    return Sphere{motion * sphere.center, sphere.radius};
+  }
+  RecordedShape operator()(const SurfaceMesh& mesh) const {
+    SurfaceMesh moved = mesh;
+    moved.points = motion * mesh.points;
+    return moved;
+  }
 };
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, const Eigen::VectorXd& displacement,
-                                         const Eigen::AlignedBox3d& box) {
-  const bool planar = displacement.size() == 2;
-  Eigen::Vector3d u = Eigen::Vector3d::Zero();
-  u.head(displacement.size()) = displacement;
-  return planar ? std::visit(PlanarOutline{u, box}, tool.shape)
-                : std::visit(SpatialOutline{u, box}, tool.shape);
+ToolRecord movedTool(const ToolRecord& tool, const Eigen::Vector3d& displacement, double angle) {
+  const Eigen::Isometry3d motion = Eigen::Translation3d(tool.pivot + displacement) *
+                                   Eigen::AngleAxisd(angle, tool.axis) * Eigen::Translation3d(-tool.pivot);
+  ToolRecord moved = tool;
+  moved.shape = std::visit(Placement{motion}, tool.shape);
+  moved.pivot += displacement;
+  return moved;
+}
+
+ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::size_t tool, double warp) {
+  const auto k = static_cast<Eigen::Index>(tool);
+  const double angle = frame.toolAngle.size() > k ? warp * frame.toolAngle(k) : 0.0;
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
+  displacement.head(frame.toolDisplacement.rows()) = warp * frame.toolDisplacement.col(k);
+  return movedTool(model.tools.at(tool), displacement, angle);
+}
+
+vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box) {
+  return dim == 2 ? std::visit(PlanarOutline{box}, tool.shape)
+                  : std::visit(SpatialOutline{box}, tool.shape);
 }
 
 }  // namespace burnish

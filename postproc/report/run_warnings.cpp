@@ -37,7 +37,7 @@ double largestSoundPenetration(const ResultReader& result) {
     limit = std::min(limit, kDoubtfulSpanShare * (model.dim == 2 ? smallestSpan<2>(model, contact)
                                                                  : smallestSpan<3>(model, contact)));
   for (const ToolRecord& tool : model.tools)
-    limit = std::min(limit, kDoubtfulRadiusShare * curvatureRadius(tool.shape));
+    limit = std::min(limit, kDoubtfulRadiusShare * tool.halfThickness);
   return limit;
 }
 

@@ -21,13 +21,21 @@ Body<2> block(int degree, BasisFamily family) {
 }
 
 Tool disc() {
-  return {"disc", Cylinder{{0.4, 0.5 + 0.24, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}, {}};
+  return {"disc", Cylinder{{0.4, 0.5 + 0.24, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}};
 }
 
 Eigen::VectorXd randomState(Eigen::Index size, double amplitude, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
   return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(generator); });
+}
+
+/// A tool that is turned and displaced, and free in all its ways; its unknowns follow the displacements.
+Tool freeTool(Tool tool, int firstUnknown) {
+  tool.pivot = {0.3, 0.8, 0.1};
+  for (std::size_t way = 0; way < kToolWays; ++way) tool.unknowns[way] = firstUnknown + static_cast<int>(way);
+  tool.turnLength = 1.7;
+  return tool;
 }
 
 struct Case {
@@ -48,6 +56,82 @@ TEST_P(ContactTangent, AgreesWithCentralDifferences) {
   EXPECT_GT(term.state().reaction(1), 0.0);
 }
 
+TEST_P(ContactTangent, AgreesWithCentralDifferencesIfTheToolIsFree) {
+  const auto [enforcement, family, degree] = GetParam();
+  const Body<2> body = block(degree, family);
+  const Tool tool = freeTool(disc(), 2 * body.numNodes);
+  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, firstMultiplier);
+  const Eigen::VectorXd x = randomState(firstMultiplier + term.numMultipliers(), 2e-3, 7);
+  EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
+  EXPECT_GT(term.state().reaction(1), 0.0);
+}
+
+TEST_P(ContactTangent, ReactionAndMomentAreTheForcesOnTheFreeTool) {
+  const auto [enforcement, family, degree] = GetParam();
+  const Body<2> body = block(degree, family);
+  const Tool tool = freeTool(disc(), 2 * body.numNodes);
+  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, firstMultiplier);
+  const Eigen::VectorXd x = randomState(firstMultiplier + term.numMultipliers(), 2e-3, 7);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
+  Assembly out{force};
+  ASSERT_TRUE(term.evaluate(0.0, x, out));
+  const ContactState& state = term.state();
+  EXPECT_NEAR((force.segment<3>(2 * body.numNodes) + state.reaction).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(force(2 * body.numNodes + 3), -state.moment.z() / tool.turnLength, 1e-15);
+  EXPECT_GT(std::abs(state.moment.z()), 1e-4);
+}
+
+/// A rigid motion of body and tool together changes neither gaps nor pressures, and turns the reaction.
+TEST(FreeTool, MovesWithTheBody) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool tool = freeTool({"plate", Plane{{0.0, 0.495, 0.0}, {0.1, -1.0, 0.0}}}, 2 * body.numNodes);
+  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0, 0},
+                      firstMultiplier);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(firstMultiplier), force = x;
+  Assembly out{force};
+  ASSERT_TRUE(term.evaluate(0.0, x, out));
+  const ContactState before = term.state();
+
+  const double angle = 0.7;
+  const Eigen::Vector2d shift(0.2, -0.4), pivot = tool.pivot.head<2>();
+  const Eigen::Rotation2Dd R(angle);
+  for (int a = 0; a < body.numNodes; ++a) {
+    const Eigen::Vector2d X = body.nodePositions().col(a);
+    x.segment<2>(2 * a) = R * (X - pivot) + pivot + shift - X;
+  }
+  x.segment<2>(2 * body.numNodes) = shift;
+  x(2 * body.numNodes + 3) = angle * tool.turnLength;
+  force.setZero();
+  ASSERT_TRUE(term.evaluate(0.0, x, out));
+  EXPECT_NEAR((term.state().gap - before.gap).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((term.state().reaction.head<2>() - R * before.reaction.head<2>()).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((term.state().moment - before.moment).norm(), 0.0, 1e-14);
+}
+
+/// A tool that nothing touches would have no stiffness; the nearest function holds it and says with what.
+TEST(FreeTool, StaysInTouchWithTheNearestFunction) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool tool = freeTool({"plate", Plane{{0.0, 0.6, 0.0}, {0.1, -1.0, 0.0}}}, 2 * body.numNodes);
+  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
+  for (const auto enforcement :
+       {Enforcement::AugmentedLagrangian, Enforcement::MortarPenalty, Enforcement::PointwisePenalty}) {
+    ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, firstMultiplier);
+    const Eigen::VectorXd x = Eigen::VectorXd::Zero(firstMultiplier + term.numMultipliers());
+    Eigen::VectorXd force = x;
+    Assembly out{force};
+    ASSERT_TRUE(term.evaluate(0.0, x, out));
+    EXPECT_EQ(term.state().pull, 0.0);
+    EXPECT_TRUE(force.isZero(0.0));
+    term.keepInTouch({});
+    EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
+    EXPECT_GT(term.state().pull, 0.0);
+    EXPECT_LT(term.state().reaction(1), 0.0) << "the body pulls the tool";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ContactTangent,
                          testing::Values(Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 2},
                                          Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 3},
@@ -58,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(All, ContactTangent,
 
 TEST(ContactTangentOfOtherTools, AgreesWithCentralDifferences) {
   const Body<2> body = block(2, BasisFamily::BSpline);
-  const Tool plate{"plate", Plane{{0.0, 0.48, 0.0}, {0.1, -1.0, 0.0}}, {}};
+  const Tool plate{"plate", Plane{{0.0, 0.48, 0.0}, {0.1, -1.0, 0.0}}};
   ContactTerm<2> term(body, 0, faceFromName<2>("top"), plate, {Enforcement::AugmentedLagrangian, 10.0, 0},
                       2 * body.numNodes);
   EXPECT_LT(
@@ -71,8 +155,8 @@ TEST(ContactTangentInThreeDimensions, AgreesWithCentralDifferences) {
   const Body<3> body =
       makeBody(refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}),
                        {KnotVector::uniform(2, 3), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)}));
-  const std::array<Tool, 2> tools{Tool{"ball", Sphere{{0.45, 0.55, 0.5 + 0.7}, 0.8}, {}},
-                                  Tool{"roller", Cylinder{{0.5, 0.5, 0.5 + 0.24}, {1.0, 0.2, 0.0}, 0.3}, {}}};
+  const std::array<Tool, 2> tools{Tool{"ball", Sphere{{0.45, 0.55, 0.5 + 0.7}, 0.8}},
+                                  Tool{"roller", Cylinder{{0.5, 0.5, 0.5 + 0.24}, {1.0, 0.2, 0.0}, 0.3}}};
   for (const Tool& tool : tools)
     for (const auto enforcement : {Enforcement::AugmentedLagrangian, Enforcement::PointwisePenalty}) {
       ContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, {enforcement, 10.0, 0}, 3 * body.numNodes);

@@ -107,7 +107,12 @@ ModelRecord sampleModel(int n = 4, const std::string& title = "sample") {
   }
   model.tools = {{.name = "cylinder", .shape = Cylinder{{0.5, 1.5, 0.0}, {0.0, 0.0, 1.0}, 0.5}},
                  {.name = "ball", .shape = Sphere{{1.0, 2.0, 3.0}, 0.25}},
-                 {.name = "plate", .shape = Plane{{0.0, 1.0, 0.0}, {0.6, -0.8, 0.0}}}};
+                 {.name = "plate", .shape = Plane{{0.0, 1.0, 0.0}, {0.6, -0.8, 0.0}}},
+                 {.name = "key",
+                  .shape = SurfaceMesh{numbers(3, 4, 6), Eigen::MatrixXi{{0, 1, 2}, {1, 2, 3}}, false},
+                  .pivot = {1.0, 2.0, 0.0},
+                  .axis = {0.0, 0.6, 0.8},
+                  .halfThickness = 0.25}};
   return model;
 }
 
@@ -118,7 +123,8 @@ FrameRecord sampleFrame(const ModelRecord& model, int index, int quadraturePoint
                     .time = index / 7.0,
                     .displacement = numbers(2, nodes, index),
                     .fields = {},
-                    .toolDisplacement = numbers(2, 3, index + 1),
+                    .toolDisplacement = numbers(2, 4, index + 1),
+                    .toolAngle = numbers(1, 4, index + 4).transpose(),
                     .contact = {},
                     .quadrature = {}};
   frame.fields["plastic_strain"] = {.components = {}, .unit = "", .values = numbers(1, nodes, index + 2)};
@@ -133,7 +139,8 @@ FrameRecord sampleFrame(const ModelRecord& model, int index, int quadraturePoint
                            .active = {1, 0, 1},
                            .quadraturePoints = numbers(2, 5, index + 6),
                            .quadraturePressure = numbers(5, 1, index + 7),
-                           .quadratureGap = numbers(5, 1, index + 8)});
+                           .quadratureGap = numbers(5, 1, index + 8),
+                           .quadratureNormal = numbers(2, 5, index + 11)});
   frame.quadrature.positions = numbers(2, quadraturePoints, index + 9);
   frame.quadrature.fields["pressure"] = {
       .components = {}, .unit = "MPa", .values = numbers(1, quadraturePoints, index + 10)};
@@ -151,12 +158,12 @@ bool same(const ContactRecord& a, const ContactRecord& b) {
   return a.tool == b.tool && a.face == b.face && a.patch == b.patch && a.nodes == b.nodes &&
          a.pressure == b.pressure && a.averageGap == b.averageGap && a.active == b.active &&
          a.quadraturePoints == b.quadraturePoints && a.quadraturePressure == b.quadraturePressure &&
-         a.quadratureGap == b.quadratureGap;
+         a.quadratureGap == b.quadratureGap && a.quadratureNormal == b.quadratureNormal;
 }
 
 bool same(const FrameRecord& a, const FrameRecord& b) {
   return a.index == b.index && a.step == b.step && a.time == b.time && a.displacement == b.displacement &&
-         same(a.fields, b.fields) && a.toolDisplacement == b.toolDisplacement &&
+         same(a.fields, b.fields) && a.toolDisplacement == b.toolDisplacement && a.toolAngle == b.toolAngle &&
          std::equal(a.contact.begin(), a.contact.end(), b.contact.begin(), b.contact.end(),
                     [](const ContactRecord& x, const ContactRecord& y) { return same(x, y); }) &&
          a.quadrature.positions == b.quadrature.positions && same(a.quadrature.fields, b.quadrature.fields);
@@ -170,12 +177,16 @@ bool same(const PatchRecord& a, const PatchRecord& b) {
                     });
 }
 
-bool same(const RigidShape& a, const RigidShape& b) {
+bool same(const RecordedShape& a, const RecordedShape& b) {
   if (a.index() != b.index()) return false;
   if (const auto* plane = std::get_if<Plane>(&a))
     return plane->origin == std::get<Plane>(b).origin && plane->normal == std::get<Plane>(b).normal;
   if (const auto* sphere = std::get_if<Sphere>(&a))
     return sphere->center == std::get<Sphere>(b).center && sphere->radius == std::get<Sphere>(b).radius;
+  if (const auto* mesh = std::get_if<SurfaceMesh>(&a)) {
+    const auto& other = std::get<SurfaceMesh>(b);
+    return mesh->points == other.points && mesh->cells == other.cells && mesh->closed == other.closed;
+  }
   const auto &x = std::get<Cylinder>(a), &y = std::get<Cylinder>(b);
   return x.center == y.center && x.axis == y.axis && x.radius == y.radius;
 }
@@ -188,7 +199,8 @@ bool same(const ModelRecord& a, const ModelRecord& b) {
                     [](const PatchRecord& x, const PatchRecord& y) { return same(x, y); }) &&
          std::equal(a.tools.begin(), a.tools.end(), b.tools.begin(), b.tools.end(),
                     [](const ToolRecord& x, const ToolRecord& y) {
-                      return x.name == y.name && same(x.shape, y.shape);
+                      return x.name == y.name && same(x.shape, y.shape) && x.pivot == y.pivot &&
+                             x.axis == y.axis && x.halfThickness == y.halfThickness;
                     });
 }
 
@@ -436,11 +448,11 @@ TEST_F(Results, AnotherFormatIsRefused) {
   writeSample(dir, 0);
   const hid_t file = H5Fopen((dir / "result.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   const hid_t attribute = H5Aopen(file, "burnish_format", H5P_DEFAULT);
-  const int format = 2;
+  const int format = 3;
   ASSERT_GE(H5Awrite(attribute, H5T_NATIVE_INT, &format), 0);
   H5Aclose(attribute);
   H5Fclose(file);
-  expectError([&] { ResultReader reader(dir); }, "has result format 2, but this program reads format 1");
+  expectError([&] { ResultReader reader(dir); }, "has result format 3, but this program reads format 2");
 }
 
 TEST_F(Results, FramesOfAnotherRunAreRefused) {

@@ -145,7 +145,7 @@ TEST(Sheet, RefusesNoPanelAndPicturesThatAreNone) {
 }
 
 TEST(MotionPhases, AreTheStraightPartsUntilTheEnd) {
-  ToolMotionSpec motion{{0, 1, 2, 3}, {{0, 0, 2, 2}}, {{0, -0.075, -0.075, 9}}, {}};
+  MotionSpec motion{{0, 1, 2, 3}, {{0, 0, 2, 2}}, {{0, -0.075, -0.075, 9}}, {}};
   const auto phases = motionPhases(motion, 2.0);
   ASSERT_EQ(phases.size(), 2U);
   EXPECT_LT((phases[0] - Eigen::Vector2d(0, -0.075)).norm(), 1e-15);
@@ -154,7 +154,7 @@ TEST(MotionPhases, AreTheStraightPartsUntilTheEnd) {
 }
 
 TEST(MotionPhases, JoinWhatGoesTheSameWayAndLeaveOutRest) {
-  const ToolMotionSpec motion{{0, 1, 2, 3}, {}, {{0, 1, 1, 3}}, {}};
+  const MotionSpec motion{{0, 1, 2, 3}, {}, {{0, 1, 1, 3}}, {}};
   const auto phases = motionPhases(motion, 3.0);
   ASSERT_EQ(phases.size(), 1U);
   EXPECT_LT((phases[0] - Eigen::Vector2d(0, 3)).norm(), 1e-15);

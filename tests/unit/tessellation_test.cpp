@@ -383,7 +383,7 @@ const Eigen::AlignedBox3d kBox(Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(4
 
 TEST(ToolOutline, OfACylinderIsAClosedCircle) {
   const ToolRecord tool{"roller", Cylinder{{1.0, 2.0, 0.0}, Eigen::Vector3d::UnitZ(), 0.7}};
-  const auto circle = toolOutline(tool, Eigen::Vector2d(0.5, -0.25), kBox);
+  const auto circle = toolOutline(movedTool(tool, {0.5, -0.25, 0.0}, 0.0), 2, kBox);
   ASSERT_EQ(circle->GetNumberOfLines(), 1);
   EXPECT_GE(circle->GetNumberOfPoints(), 256);
   for (vtkIdType i = 0; i < circle->GetNumberOfPoints(); ++i)
@@ -396,7 +396,7 @@ TEST(ToolOutline, OfACylinderIsAClosedCircle) {
 
 TEST(ToolOutline, OfAPlanePassesTheWholeBox) {
   const ToolRecord tool{"table", Plane{{100.0, -1.0, 0.0}, {0.0, 2.0, 0.0}}};
-  const auto segment = toolOutline(tool, Eigen::Vector2d(0.0, 0.25), kBox);
+  const auto segment = toolOutline(movedTool(tool, {0.0, 0.25, 0.0}, 0.0), 2, kBox);
   ASSERT_EQ(segment->GetNumberOfPoints(), 2);
   const Eigen::Vector3d a = pointOf(*segment, 0), b = pointOf(*segment, 1);
   EXPECT_NEAR(a.y(), -0.75, 1e-14);
@@ -405,17 +405,42 @@ TEST(ToolOutline, OfAPlanePassesTheWholeBox) {
   EXPECT_GT(std::max(a.x(), b.x()), 4.0);
 }
 
+double gapTo(const RecordedShape& shape, const Eigen::Vector3d& x) {
+  struct Gap {
+    const Eigen::Vector3d& x;
+    double operator()(const Plane& plane) const { return plane.query(x).gap; }
+    double operator()(const Cylinder& cylinder) const { return cylinder.query(x).gap; }
+    double operator()(const Sphere& sphere) const { return sphere.query(x).gap; }
+    double operator()(const SurfaceMesh&) const { return HUGE_VAL; }
+  };
+  return std::visit(Gap{x}, shape);
+}
+
 TEST(ToolOutline, InSpaceLiesOnTheTool) {
   const Eigen::AlignedBox3d box(Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(4.0, 2.0, 3.0));
   const Eigen::Vector3d shift(0.1, 0.2, 0.3);
-  const std::vector<RigidShape> shapes{Plane{{0.0, -1.0, 0.0}, {1.0, 2.0, 0.5}},
+  const std::vector<RecordedShape> shapes{Plane{{0.0, -1.0, 0.0}, {1.0, 2.0, 0.5}},
                                        Cylinder{{1.0, 3.0, 0.0}, {1.0, 0.0, 2.0}, 0.8},
                                        Sphere{{1.0, 3.0, 1.0}, 0.6}};
-  for (const RigidShape& shape : shapes) {
-    const auto surface = toolOutline({"tool", shape}, shift, box);
+  for (const RecordedShape& shape : shapes) {
+    const auto surface = toolOutline(movedTool({"tool", shape}, shift, 0.0), 3, box);
     EXPECT_GT(surface->GetNumberOfPolys(), 0);
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-      EXPECT_NEAR(queryGap(shape, pointOf(*surface, i) - shift).gap, 0.0, 1e-13);
+      EXPECT_NEAR(gapTo(shape, pointOf(*surface, i) - shift), 0.0, 1e-13);
+  }
+}
+
+TEST(ToolOutline, OfATurnedMeshKeepsItsDistanceFromTheAxis) {
+  SurfaceMesh mesh{Eigen::Matrix3Xd::Random(3, 3), Eigen::MatrixXi{{0, 1}, {1, 2}}, false};
+  mesh.points.row(2).setZero();
+  ToolRecord tool{"key", mesh};
+  tool.pivot = {0.2, 0.3, 0.0};
+  const auto lines = toolOutline(movedTool(tool, {1.0, 2.0, 0.0}, std::numbers::pi / 2), 2, kBox);
+  ASSERT_EQ(lines->GetNumberOfLines(), 2);
+  for (vtkIdType i = 0; i < 3; ++i) {
+    const Eigen::Vector3d before = mesh.points.col(i) - tool.pivot;
+    const Eigen::Vector3d after = pointOf(*lines, i) - tool.pivot - Eigen::Vector3d(1.0, 2.0, 0.0);
+    EXPECT_NEAR((after - Eigen::Vector3d(-before.y(), before.x(), 0.0)).norm(), 0.0, 1e-14);
   }
 }
 

@@ -71,10 +71,13 @@ ContactRecord contactOn(const ModelRecord& model, const char* faceName, const Fr
   contact.quadraturePoints = Eigen::Map<const Eigen::MatrixXd>(
       coordinates.data(), Dim, static_cast<Eigen::Index>(coordinates.size()) / Dim);
   contact.quadratureGap.resize(contact.quadraturePoints.cols());
+  contact.quadratureNormal.resize(Dim, contact.quadraturePoints.cols());
   for (Eigen::Index q = 0; q < contact.quadratureGap.size(); ++q) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.head<Dim>() = contact.quadraturePoints.col(q) - frame.toolDisplacement.col(0);
-    contact.quadratureGap(q) = queryGap(model.tools[0].shape, x).gap;
+    const GapQuery query = std::get<Plane>(model.tools[0].shape).query(x);
+    contact.quadratureGap(q) = query.gap;
+    contact.quadratureNormal.col(q) = query.normal.head<Dim>();
   }
   contact.quadraturePressure = (-100.0 * contact.quadratureGap).cwiseMax(0.0);
   return contact;
@@ -165,6 +168,7 @@ TEST_F(VtuParts, ContactThatDoesNotFitItsFaceIsRefused) {
   contact.quadraturePoints.conservativeResize(2, 11);
   contact.quadratureGap.conservativeResize(11);
   contact.quadraturePressure.conservativeResize(11);
+  contact.quadratureNormal.conservativeResize(2, 11);
   VtuSeriesWriter writer(directory_, model);
   EXPECT_THROW(writer.write(frame), Error);
   EXPECT_FALSE(std::filesystem::exists(directory_ / "frames.pvd"));

@@ -1,0 +1,78 @@
+#include "engine/analysis/tools.h"
+
+#include <array>
+#include <numbers>
+#include <optional>
+
+#include "engine/analysis/tool_shapes.h"
+
+namespace burnish {
+namespace {
+
+using TimeFunction = std::function<double(double)>;
+using Ways = std::array<TimeFunction, kToolWays>;
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+
+/// Values over the same times; empty functions for components that are left out.
+Ways tables(const ToolMotionSpec& motion) {
+  Ways ways;
+  const std::array components{&motion.x, &motion.y, &motion.z, &motion.angle};
+  for (std::size_t way = 0; way < kToolWays; ++way)
+    if (components[way]->has_value()) ways[way] = Schedule{motion.times, **components[way]};
+  return ways;
+}
+
+Ways formulas(const std::array<const std::optional<FormulaText>*, kToolWays>& components,
+              const std::vector<DefinitionSpec>& definitions) {
+  Ways ways;
+  for (std::size_t way = 0; way < kToolWays; ++way)
+    if (components[way]->has_value())
+      ways[way] = [formula = Formula(**components[way], definitions)](double t) {
+        return formula(Eigen::Vector3d::Zero(), t);
+      };
+  return ways;
+}
+
+}  // namespace
+
+std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int firstUnknown, double bodySize) {
+  auto tool = std::make_unique<Tool>();
+  tool->name = spec.name;
+  tool->shape = makeShape(spec.shape);
+  tool->pivot = spec.pivot.empty() ? middleOf(tool->shape) : inSpace(spec.pivot);
+  tool->axis = inSpace(spec.pivotAxis).normalized();
+  tool->turnLength = bodySize;
+  if (spec.motion) tool->motion = tables(*spec.motion);
+  if (const auto& p = spec.prescribe)
+    tool->motion = formulas({&p->x, &p->y, &p->z, &p->angle}, scene.definitions);
+  if (tool->motion[kTurn])
+    tool->motion[kTurn] = [degrees = tool->motion[kTurn]](double t) { return kRadians * degrees(t); };
+  if (const auto& carry = spec.carry) {
+    const std::array isFree{carry->x.has_value(), carry->y.has_value(), carry->z.has_value(),
+                            carry->moment.has_value()};
+    for (std::size_t way = 0; way < kToolWays; ++way)
+      if (isFree[way]) tool->unknowns[way] = firstUnknown++;
+  }
+  return tool;
+}
+
+std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene, const Tool& tool) {
+  if (!spec.carry) return nullptr;
+  const auto& carry = *spec.carry;
+  Ways loads = formulas({&carry.x, &carry.y, &carry.z, &carry.moment}, scene.definitions);
+  if (carry.schedule)
+    for (auto& load : loads)
+      if (load) load = [load, factor = *carry.schedule](double t) { return factor(t) * load(t); };
+  return std::make_unique<ToolLoad>(tool, std::move(loads));
+}
+
+std::vector<double> cornersOf(const ToolSpec& spec) {
+  std::vector<double> times;
+  if (spec.motion) times = spec.motion->times;
+  if (spec.carry && spec.carry->schedule)
+    times.insert(times.end(), spec.carry->schedule->times.begin(), spec.carry->schedule->times.end());
+  return times;
+}
+
+}  // namespace burnish

@@ -1,0 +1,21 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "engine/contact/tool.h"
+#include "engine/contact/tool_load.h"
+#include "engine/scene/scene.h"
+
+namespace burnish {
+
+/// The tool of a scene. Its free ways are numbered from `firstUnknown` on; bodySize scales the unknown of a
+/// free turn.
+std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int firstUnknown, double bodySize);
+
+/// What the tool carries; null for a tool without free ways.
+std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene, const Tool& tool);
+
+/// Times at which a motion or a load of the tool has a corner.
+std::vector<double> cornersOf(const ToolSpec& spec);
+
+}  // namespace burnish

@@ -1,0 +1,13 @@
+#pragma once
+#include <Eigen/Dense>
+
+namespace burnish {
+
+/// A tool's surface as polylines (2D) or triangles (3D), for drawing.
+struct SurfaceMesh {
+  Eigen::Matrix3Xd points;
+  Eigen::MatrixXi cells;  ///< 2 x segments or 3 x triangles: numbers of points
+  bool closed = false;    ///< encloses the tool; otherwise the tool is on one side
+};
+
+}  // namespace burnish

@@ -1,0 +1,30 @@
+#pragma once
+#include <Eigen/Dense>
+#include <array>
+#include <functional>
+
+#include "engine/contact/tool.h"
+#include "engine/solver/term.h"
+
+namespace burnish {
+
+/// Forces and the moment that a tool carries in its free ways.
+class ToolLoad final : public Term {
+ public:
+  /// load: per way, in time; empty for ways that are prescribed. The tool must outlive the term.
+  ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolWays> load);
+
+  CouplingGroups couplings() const override { return {}; }
+  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+
+  /// Force that the tool carries at time t, zero in prescribed ways.
+  Eigen::Vector3d force(double t) const;
+
+  const Tool& tool() const { return tool_; }
+
+ private:
+  const Tool& tool_;
+  std::array<std::function<double(double)>, kToolWays> load_;
+};
+
+}  // namespace burnish
