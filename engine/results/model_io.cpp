@@ -140,7 +140,7 @@ std::vector<std::byte> modelImage(const StoredModel& model) {
       const OutputGroup tool = tools.group(std::to_string(i));
       tool.attribute("name", record.tools[i].name);
       tool.attribute("pivot", record.tools[i].pivot);
-      tool.attribute("axis", record.tools[i].axis);
+      tool.attribute("pivot_axis", record.tools[i].axis);
       tool.attribute("half_thickness", record.tools[i].halfThickness);
       std::visit(ShapeWriter{tool}, record.tools[i].shape);
     }
@@ -170,7 +170,7 @@ StoredModel readModel(const std::filesystem::path& path) {
     record.tools.push_back({.name = tool.text("name"),
                             .shape = readShape(tool),
                             .pivot = tool.vector3("pivot"),
-                            .axis = tool.vector3("axis"),
+                            .axis = tool.vector3("pivot_axis"),
                             .halfThickness = tool.real("half_thickness")});
   }
   checkModel(record, path.string());
