@@ -66,9 +66,8 @@ std::unique_ptr<Measure> Measures<Dim>::make(const FaceMeasureSpec& spec) {
 
 template <int Dim>
 std::unique_ptr<Measure> Measures<Dim>::make(const ErrorMeasureSpec& spec) {
-  std::vector<Formula> exact;
-  for (const auto& text : spec.displacement) exact.emplace_back(text, scene_.definitions);
-  return std::make_unique<ErrorMeasure<Dim>>(model_.body(), std::move(exact));
+  return std::make_unique<ErrorMeasure<Dim>>(model_.body(),
+                                             makeFormulas(spec.displacement, scene_.definitions));
 }
 
 template <int Dim>

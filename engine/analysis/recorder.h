@@ -60,7 +60,8 @@ class Recorder {
   double projectionSeconds() const { return projectionSeconds_; }
 
  private:
-  double workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force) const;
+  double workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force,
+                       const Eigen::VectorXd& loads) const;
   Eigen::VectorXd loadForces() const;
   void watch();
 
