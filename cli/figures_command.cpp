@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -79,10 +78,7 @@ ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
     StudyProgress progress(plan, stdout);
     result = runJobs(plan.jobs, arguments.jobs, progress);
   }
-  if (result.signal != 0) {
-    fmt::print(stderr, "burnish: interrupted; what is finished is kept, the same command does the rest\n");
-    return result.signal == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated;
-  }
+  if (result.signal != 0) return interrupted(result.signal);
   printResults(plan, result.jobs, arguments.directory);
   if (arguments.only.empty()) {
     const std::string csv = runsCsv(plan, result.jobs);

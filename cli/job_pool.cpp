@@ -1,5 +1,6 @@
 #include "cli/job_pool.h"
 
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
 
@@ -9,7 +10,6 @@
 #include <thread>
 
 #include "cli/child_process.h"
-#include "cli/command.h"
 
 namespace burnish {
 namespace {
@@ -138,6 +138,11 @@ class Pool {
 
 PoolResult runJobs(const std::vector<Job>& jobs, int atOnce, JobObserver& observer) {
   return Pool(jobs, observer).work(atOnce);
+}
+
+ExitCode interrupted(int signal) {
+  fmt::print(stderr, "burnish: interrupted; what is finished is kept, the same command does the rest\n");
+  return signal == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated;
 }
 
 }  // namespace burnish

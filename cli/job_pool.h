@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/command.h"
+
 namespace burnish {
 
 /// A run of this very program in a process of its own.
@@ -43,5 +45,8 @@ struct PoolResult {
 /// the others, but those that need them are skipped. On SIGINT or SIGTERM the processes are told to end and
 /// waited for. Throws `Error` if a log cannot be written or a process cannot be started.
 PoolResult runJobs(const std::vector<Job>& jobs, int atOnce, JobObserver& observer);
+
+/// Says on standard error that a signal has ended the work of a pool; the exit code of a command for it.
+ExitCode interrupted(int signal);
 
 }  // namespace burnish

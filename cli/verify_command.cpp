@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -31,13 +30,13 @@ struct VerifyArguments {
   fs::path gallery;
 };
 
-/// The scenes of a directory in the order of their names, or the file itself.
 /// Control nets may lie beside the scenes that name them; only scenes have a geometry.
 bool isScene(const fs::path& file) {
   const std::string text = "\n" + readText(file);
   return text.find("\ngeometry:") != std::string::npos;
 }
 
+/// The scenes of a directory in the order of their names, or the file itself.
 std::vector<fs::path> scenesIn(const fs::path& path) {
   std::error_code status;
   if (!fs::is_directory(path, status)) return {path};
@@ -91,10 +90,7 @@ ExitCode verify(const VerifyArguments& arguments) {
     for (const fs::path& scene : scenesIn(path)) cases.push_back(readCase(scene));
   const DirectoryLock lock(arguments.directory);
   const int signal = computeRuns(cases, arguments);
-  if (signal != 0) {
-    fmt::print(stderr, "burnish: interrupted; what is finished is kept, the same command does the rest\n");
-    return signal == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated;
-  }
+  if (signal != 0) return interrupted(signal);
   std::vector<VerifiedCase> verified;
   for (const VerificationCase& one : cases) {
     CaseOutcomes outcomes = outcomesOf(one, arguments.directory);

@@ -37,12 +37,9 @@ std::unique_ptr<Measure> Measures<Dim>::make(const PointMeasureSpec& spec) {
     std::tie(patch, xi) = findPoint<Dim>(body, patch, Eigen::Map<const Vector>(spec.position.data()));
   } else {
     patch = std::max(patch, 0);
-    for (int d = 0; d < Dim; ++d) {
-      const auto& breakpoints =
-          body.patches[static_cast<std::size_t>(patch)].basis().direction(d).breakpoints();
-      xi(d) = breakpoints.front() +
-              spec.parameters[static_cast<std::size_t>(d)] * (breakpoints.back() - breakpoints.front());
-    }
+    const auto& basis = body.patches[static_cast<std::size_t>(patch)].basis();
+    for (int d = 0; d < Dim; ++d)
+      xi(d) = basis.direction(d).parameterAt(spec.parameters[static_cast<std::size_t>(d)]);
   }
   auto names = spec.fields.empty() ? std::vector<std::string>{"displacement"} : spec.fields;
   return std::make_unique<PointMeasure<Dim>>(
@@ -66,9 +63,8 @@ std::unique_ptr<Measure> Measures<Dim>::make(const FaceMeasureSpec& spec) {
 
 template <int Dim>
 std::unique_ptr<Measure> Measures<Dim>::make(const ErrorMeasureSpec& spec) {
-  std::vector<Formula> exact;
-  for (const auto& text : spec.displacement) exact.emplace_back(text, scene_.definitions);
-  return std::make_unique<ErrorMeasure<Dim>>(model_.body(), std::move(exact));
+  return std::make_unique<ErrorMeasure<Dim>>(model_.body(),
+                                             makeFormulas(spec.displacement, scene_.definitions));
 }
 
 template <int Dim>

@@ -36,17 +36,10 @@ double defaultParameter(Enforcement enforcement, double E, double L) {
   return (enforcement == Enforcement::AugmentedLagrangian ? 1.0 : 100.0) * E / L;
 }
 
-template <int Dim>
-NamedBody<Dim> bodyOf(const Scene& scene) {
-  auto named = makeBody<Dim>(scene);
-  named.body.axisymmetric = Dim == 2 && scene.kinematics == KinematicsChoice::Axisymmetric;
-  return named;
-}
-
 }  // namespace
 
 template <int Dim>
-Model<Dim>::Model(const Scene& scene) : Model(scene, bodyOf<Dim>(scene)) {}
+Model<Dim>::Model(const Scene& scene) : Model(scene, makeBody<Dim>(scene)) {}
 
 template <int Dim>
 Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
@@ -70,19 +63,14 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
 
 template <int Dim>
 void Model<Dim>::addLoads(const Scene& scene) {
-  const auto formulas = [&](const std::vector<FormulaText>& texts) {
-    std::vector<Formula> result;
-    for (const auto& text : texts) result.emplace_back(text, scene.definitions);
-    return result;
-  };
   for (std::size_t k = 0; k < scene.loads.size(); ++k) {
     const auto& load = scene.loads[k];
     const Schedule factor = load.schedule.value_or(Schedule{});
     corners_.insert(corners_.end(), factor.times.begin(), factor.times.end());
     if (!load.bodyForce.empty()) {
       const int patch = load.place.patch.empty() ? -1 : faces_.patch(load.place.patch);
-      loads_.push_back(
-          std::make_unique<DeadLoad<Dim>>(body_, *quadrature_, patch, formulas(load.bodyForce), factor));
+      loads_.push_back(std::make_unique<DeadLoad<Dim>>(
+          body_, *quadrature_, patch, makeFormulas(load.bodyForce, scene.definitions), factor));
       continue;
     }
     faces_.requireOuter(load.place, fmt::format("loads[{}]", k));
@@ -90,7 +78,8 @@ void Model<Dim>::addLoads(const Scene& scene) {
     const FaceId side = faceFromName<Dim>(load.place.face);
     FaceQuadrature<Dim> face(body_, patch, side, 0, load.place.part);
     if (!load.traction.empty()) {
-      loads_.push_back(std::make_unique<DeadLoad<Dim>>(body_, face, formulas(load.traction), factor));
+      loads_.push_back(std::make_unique<DeadLoad<Dim>>(
+          body_, face, makeFormulas(load.traction, scene.definitions), factor));
       continue;
     }
     const auto direction =

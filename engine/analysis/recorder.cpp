@@ -56,13 +56,14 @@ Eigen::VectorXd Recorder<Dim>::loadForces() const {
 }
 
 template <int Dim>
-double Recorder<Dim>::workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force) const {
+double Recorder<Dim>::workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force,
+                                    const Eigen::VectorXd& loads) const {
   if (x_.size() == 0) return 0.0;
   double work = 0.0;
   const Eigen::VectorXd increment = x - x_;
   for (Eigen::Index i = 0; i < model_.numDisplacements(); ++i)
     if (model_.prescribed()[static_cast<std::size_t>(i)]) work += 0.5 * (force_(i) + force(i)) * increment(i);
-  if (loads_.size() > 0) work += 0.5 * (loads_ + loadForces()).dot(increment.head(model_.numDisplacements()));
+  if (loads_.size() > 0) work += 0.5 * (loads_ + loads).dot(increment.head(model_.numDisplacements()));
   return work;
 }
 
@@ -98,9 +99,10 @@ double Recorder<Dim>::toolWork(const StateQuantities& next) const {
 template <int Dim>
 void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force) {
   const Eigen::VectorXd& x = state.x;
+  Eigen::VectorXd loads = loadForces();
   StateQuantities next;
   next.time = state.time;
-  next.externalWork = current_.externalWork + workIncrement(x, force);
+  next.externalWork = current_.externalWork + workIncrement(x, force, loads);
   addTools(state, next);
   if (x_.size() > 0) next.externalWork += toolWork(next);
 
@@ -118,7 +120,7 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
   current_ = std::move(next);
   x_ = x;
   force_ = force;
-  loads_ = loadForces();
+  loads_ = std::move(loads);
   watch();
 }
 

@@ -61,7 +61,8 @@ class Recorder {
   double projectionSeconds() const { return projectionSeconds_; }
 
  private:
-  double workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force) const;
+  double workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force,
+                       const Eigen::VectorXd& loads) const;
   double toolWork(const StateQuantities& next) const;
   void addTools(const MeasuredState& state, StateQuantities& next) const;
   Eigen::VectorXd loadForces() const;

@@ -38,9 +38,8 @@ std::vector<std::size_t> functionsInPart(const TensorBasis<P>& trace, const std:
   for (std::size_t a = 0; a < anchors.size(); ++a) {
     bool isInside = true;
     for (std::size_t d = 0; 2 * d + 1 < part.size(); ++d) {
-      const auto& breakpoints = trace.direction(static_cast<int>(d)).breakpoints();
-      const double share = (anchors[a](static_cast<Eigen::Index>(d)) - breakpoints.front()) /
-                           (breakpoints.back() - breakpoints.front());
+      const double share =
+          trace.direction(static_cast<int>(d)).shareOf(anchors[a](static_cast<Eigen::Index>(d)));
       isInside = isInside && share >= part[2 * d] - kRounding && share <= part[2 * d + 1] + kRounding;
     }
     if (isInside) inside.push_back(a);
@@ -99,11 +98,11 @@ std::vector<int> FaceFinder<Dim>::nodes(const FaceSpec& place) const {
 template <int Dim>
 Eigen::VectorXd Supports<Dim>::Motion::values(double t) const {
   const double time = std::max(t, 0.0);  // lifted tools come down before
-  if (formulas.empty())
-    return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(unknowns.size()), schedule(time));
-  Eigen::VectorXd atAnchors(places.cols());
-  for (Eigen::Index k = 0; k < places.cols(); ++k) atAnchors(k) = formulas.front()(places.col(k), time);
-  return interpolation * atAnchors;
+  if (!formula) return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(unknowns.size()), schedule(time));
+  const Eigen::Matrix3Xd& places = interpolation->places;
+  Eigen::VectorXd atPlaces(places.cols());
+  for (Eigen::Index k = 0; k < places.cols(); ++k) atPlaces(k) = (*formula)(places.col(k), time);
+  return interpolation->matrix * atPlaces;
 }
 
 template <int Dim>
@@ -149,32 +148,34 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
   std::array<const std::optional<std::vector<double>>*, 3> schedules{};
   if (spec.move) schedules = {&spec.move->x, &spec.move->y, &spec.move->z};
   std::array<const std::optional<FormulaText>*, 3> formulas{};
-  if (spec.prescribe) formulas = {&spec.prescribe->x, &spec.prescribe->y, &spec.prescribe->z};
+  std::shared_ptr<const Interpolation> interpolation;
+  if (spec.prescribe) {
+    formulas = {&spec.prescribe->x, &spec.prescribe->y, &spec.prescribe->z};
+    interpolation = std::make_shared<const Interpolation>(interpolationOn(trace, chosen));
+  }
   for (int d = 0; d < Dim; ++d) {
     const auto k = static_cast<std::size_t>(d);
     Motion motion;
-    if (spec.move && schedules[k]->has_value())
+    if (spec.move && schedules[k]->has_value()) {
       motion.schedule = {spec.move->times, **schedules[k]};
-    else if (spec.prescribe && formulas[k]->has_value())
-      motion = formulaMotion(spec, Formula(**formulas[k], scene.definitions), faces, chosen);
-    else if (!held[k])
+    } else if (spec.prescribe && formulas[k]->has_value()) {
+      motion.formula = Formula(**formulas[k], scene.definitions);
+      motion.interpolation = interpolation;
+    } else if (!held[k]) {
       continue;
+    }
     for (const std::size_t a : chosen) motion.unknowns.push_back(Dim * nodes[a] + d);
     append(std::move(motion), place, spec.place.face, d);
   }
 }
 
 template <int Dim>
-typename Supports<Dim>::Motion Supports<Dim>::formulaMotion(const SupportSpec& spec, const Formula& formula,
-                                                            const FaceFinder<Dim>& faces,
-                                                            const std::vector<std::size_t>& chosen) const {
-  const auto& patch = faces.body().patches[static_cast<std::size_t>(faces.patch(spec.place.patch))];
-  const auto trace = tracePatch(patch, faceFromName<Dim>(spec.place.face));
+typename Supports<Dim>::Interpolation Supports<Dim>::interpolationOn(const Patch<Dim - 1, Dim>& trace,
+                                                                     const std::vector<std::size_t>& chosen) {
   const auto anchors = anchorsOf(trace.basis());
   const auto n = static_cast<Eigen::Index>(anchors.size());
-  Motion motion;
-  motion.formulas.push_back(formula);
-  motion.places = Eigen::Matrix3Xd::Zero(3, n);
+  Interpolation interpolation;
+  interpolation.places = Eigen::Matrix3Xd::Zero(3, n);
   Eigen::MatrixXd collocation = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const auto& anchor = anchors[static_cast<std::size_t>(k)];
@@ -183,11 +184,11 @@ typename Supports<Dim>::Motion Supports<Dim>::formulaMotion(const SupportSpec& s
     const auto functions = trace.basis().spanFunctions(span);
     for (std::size_t a = 0; a < functions.size(); ++a)
       collocation(k, functions[a]) = shape.R(static_cast<Eigen::Index>(a));
-    motion.places.col(k).template head<Dim>() = trace.position(nearestOf(anchors, chosen, anchor));
+    interpolation.places.col(k).template head<Dim>() = trace.position(nearestOf(anchors, chosen, anchor));
   }
   const Eigen::MatrixXd inverse = collocation.partialPivLu().inverse();
-  motion.interpolation = inverse(chosen, Eigen::all);
-  return motion;
+  interpolation.matrix = inverse(chosen, Eigen::all);
+  return interpolation;
 }
 
 template <int Dim>

@@ -1,5 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,21 +55,26 @@ class Supports {
   const std::vector<double>& corners() const { return corners_; }
 
  private:
+  /// How the trace of the basis interpolates on a part of a face.
+  struct Interpolation {
+    Eigen::Matrix3Xd places;  ///< reference positions of the whole face's anchors
+    Eigen::MatrixXd matrix;   ///< coefficients of the part's control points from values at the places
+  };
+
   /// Values of one component on the control points of one face over time.
   struct Motion {
     std::vector<int> unknowns;
-    Schedule schedule;              ///< the same for all; or, if there are formulas,
-    std::vector<Formula> formulas;  ///< at most one, interpolated at
-    Eigen::Matrix3Xd places;        ///< reference positions of the whole face's anchors,
-    Eigen::MatrixXd interpolation;  ///< unknowns x anchors, by this matrix
+    Schedule schedule;               ///< the same for all; or, if there is one,
+    std::optional<Formula> formula;  ///< interpolated
+    std::shared_ptr<const Interpolation> interpolation;
 
     Eigen::VectorXd values(double t) const;
   };
 
   void add(const SupportSpec& spec, const std::string& place, const Scene& scene,
            const FaceFinder<Dim>& faces);
-  Motion formulaMotion(const SupportSpec& spec, const Formula& formula, const FaceFinder<Dim>& faces,
-                       const std::vector<std::size_t>& chosen) const;
+  static Interpolation interpolationOn(const Patch<Dim - 1, Dim>& trace,
+                                       const std::vector<std::size_t>& chosen);
   void append(Motion motion, const std::string& place, const std::string& face, int component);
 
   std::vector<bool> prescribed_;

@@ -122,4 +122,11 @@ bool Formula::dependsOn(const std::string& variable) const {
   return parsers_->used.contains(variable);
 }
 
+std::vector<Formula> makeFormulas(const std::vector<FormulaText>& texts,
+                                  const std::vector<DefinitionSpec>& definitions) {
+  std::vector<Formula> formulas;
+  for (const FormulaText& text : texts) formulas.emplace_back(text, definitions);
+  return formulas;
+}
+
 }  // namespace burnish

@@ -58,4 +58,8 @@ class Formula {
   std::shared_ptr<Parsers> parsers_;
 };
 
+/// One formula in X, Y, Z and t per text. Throws as the constructor does.
+std::vector<Formula> makeFormulas(const std::vector<FormulaText>& texts,
+                                  const std::vector<DefinitionSpec>& definitions);
+
 }  // namespace burnish

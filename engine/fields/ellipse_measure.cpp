@@ -23,12 +23,11 @@ std::pair<Eigen::VectorXd, double> EllipseMeasure::arcLengths(const Eigen::Vecto
   return {s, length + (corner(face.numFunctions() - 1) - last).norm()};
 }
 
-std::vector<double> EllipseMeasure::values(const MeasuredState& state) const {
+HalfEllipse fittedHalfEllipse(const Eigen::VectorXd& s, const Eigen::VectorXd& p,
+                              std::optional<double> knownMiddle) {
   constexpr double kLowest = 0.2, kInside = 0.9;
-  const auto [s, length] = arcLengths(state.x);
-  const Eigen::VectorXd& p = contact_.state().pressure;
   const auto count = static_cast<Eigen::Index>((p.array() > kLowest * p.maxCoeff()).count());
-  if (count < 5) return {0.0, 0.0, 0.0, 0.0};
+  if (count < 5) return {};
   Eigen::VectorXd places(count), squares(count);
   for (Eigen::Index q = 0, k = 0; q < p.size(); ++q) {
     if (!(p(q) > kLowest * p.maxCoeff())) continue;
@@ -37,17 +36,17 @@ std::vector<double> EllipseMeasure::values(const MeasuredState& state) const {
   }
 
   // p² = c0 + c1 r² (+ c2 r), r from the origin in units of the chosen points' extent
-  const double origin = middle_ == Middle::Free ? places(0) : middle_ == Middle::Begin ? 0.0 : length;
+  const double origin = knownMiddle.value_or(places(0));
   const double unit = (places.array() - origin).abs().maxCoeff();
   const Eigen::VectorXd r = (places.array() - origin) / unit;
-  Eigen::MatrixXd powers(count, middle_ == Middle::Free ? 3 : 2);
+  Eigen::MatrixXd powers(count, knownMiddle ? 2 : 3);
   powers.col(0).setOnes();
   powers.col(1) = r.cwiseAbs2();
-  if (middle_ == Middle::Free) powers.col(2) = r;
+  if (!knownMiddle) powers.col(2) = r;
   const Eigen::VectorXd c = powers.colPivHouseholderQr().solve(squares);
-  const double shift = middle_ == Middle::Free ? -0.5 * c(2) / c(1) : 0.0;
+  const double shift = knownMiddle ? 0.0 : -0.5 * c(2) / c(1);
   const double peakSquared = c(0) - c(1) * shift * shift;
-  if (!(c(1) < 0.0) || !(peakSquared > 0.0)) return {0.0, 0.0, 0.0, 0.0};
+  if (!(c(1) < 0.0) || !(peakSquared > 0.0)) return {};
   const double peak = std::sqrt(peakSquared), halfWidth = unit * std::sqrt(-peakSquared / c(1));
   const double middle = origin + shift * unit;
 
@@ -58,6 +57,14 @@ std::vector<double> EllipseMeasure::values(const MeasuredState& state) const {
       deviation = std::max(deviation, std::abs(p(q) - peak * std::sqrt(1.0 - share * share)));
   }
   return {peak, halfWidth, middle, deviation / peak};
+}
+
+std::vector<double> EllipseMeasure::values(const MeasuredState& state) const {
+  const auto [s, length] = arcLengths(state.x);
+  std::optional<double> middle;
+  if (middle_ != Middle::Free) middle = middle_ == Middle::Begin ? 0.0 : length;
+  const HalfEllipse ellipse = fittedHalfEllipse(s, contact_.state().pressure, middle);
+  return {ellipse.peak, ellipse.halfWidth, ellipse.middle, ellipse.deviation};
 }
 
 }  // namespace burnish

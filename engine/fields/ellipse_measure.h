@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Dense>
+#include <optional>
 #include <utility>
 
 #include "engine/contact/contact_term.h"
@@ -6,9 +8,21 @@
 
 namespace burnish {
 
-/// The half ellipse p = p_0 (1 - (s - m)²/a²)^½ of the Hertz theory that fits a contact pressure best: least
-/// squares of p² over the points above a fifth of the highest pressure, s the arc length of the deformed
-/// face.
+/// The half ellipse p = p_0 (1 - (s - m)²/a²)^½ of the Hertz theory.
+struct HalfEllipse {
+  double peak = 0.0;       ///< p_0
+  double halfWidth = 0.0;  ///< a
+  double middle = 0.0;     ///< m
+  double deviation = 0.0;  ///< largest |p - ellipse| over p_0 within nine tenths of the half width
+};
+
+/// The half ellipse that fits pressures at the arc lengths s best: least squares of p² over the points above
+/// a fifth of the highest pressure. `middle`: m, if it is known. All is zero for less than five such points
+/// and where p² is not concave.
+HalfEllipse fittedHalfEllipse(const Eigen::VectorXd& s, const Eigen::VectorXd& pressure,
+                              std::optional<double> middle);
+
+/// The half ellipse that fits a contact pressure best, s the arc length of the deformed face.
 class EllipseMeasure final : public Measure {
  public:
   enum class Middle { Free, Begin, End };
@@ -16,9 +30,7 @@ class EllipseMeasure final : public Measure {
   /// middle: where m is, if symmetry says so. The term must outlive the object.
   EllipseMeasure(const ContactTerm<2>& contact, Middle middle) : contact_(contact), middle_(middle) {}
 
-  /// peak p_0, half_width a, middle m (measured from the begin of the face), and deviation: the largest
-  /// |p - ellipse| over p_0 within nine tenths of the half width. All are zero until five points carry
-  /// pressure and where p² is not concave.
+  /// Those of the half ellipse; the middle is measured from the begin of the face.
   std::vector<std::string> columns() const override { return {"peak", "half_width", "middle", "deviation"}; }
   std::vector<double> values(const MeasuredState& state) const override;
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/nurbs/closest_point.h"
 
 namespace burnish {
 
@@ -53,62 +54,21 @@ std::vector<double> PointMeasure<Dim>::values(const MeasuredState& state) const 
   return result;
 }
 
-namespace {
-
-/// The parameters of a patch, from 0 to 1 in each direction, as those of its knots.
-template <int Dim>
-Eigen::Vector<double, Dim> clampedTo(const Patch<Dim>& patch, Eigen::Vector<double, Dim> xi) {
-  for (int d = 0; d < Dim; ++d) {
-    const auto& breakpoints = patch.basis().direction(d).breakpoints();
-    xi(d) = std::min(std::max(xi(d), breakpoints.front()), breakpoints.back());
-  }
-  return xi;
-}
-
-template <int Dim>
-Eigen::Vector<double, Dim> nearestParameters(const Patch<Dim>& patch,
-                                             const Eigen::Vector<double, Dim>& position) {
-  using Vector = Eigen::Vector<double, Dim>;
-  constexpr int kGrid = 20, kIterations = 50;
-  Vector best = Vector::Zero();
-  double nearest = std::numeric_limits<double>::infinity();
-  int total = 1;
-  for (int d = 0; d < Dim; ++d) total *= kGrid + 1;
-  for (int k = 0; k < total; ++k) {
-    Vector xi;
-    for (int d = 0, rest = k; d < Dim; ++d, rest /= kGrid + 1) {
-      const auto& breakpoints = patch.basis().direction(d).breakpoints();
-      xi(d) = breakpoints.front() + (breakpoints.back() - breakpoints.front()) * (rest % (kGrid + 1)) / kGrid;
-    }
-    const double distance = (patch.position(xi) - position).norm();
-    if (distance < nearest) {
-      nearest = distance;
-      best = xi;
-    }
-  }
-  for (int k = 0; k < kIterations; ++k) {
-    const Vector step = patch.jacobian(best).fullPivLu().solve(position - patch.position(best));
-    const Vector next = clampedTo<Dim>(patch, best + step);
-    if (next == best) break;
-    best = next;
-  }
-  return best;
-}
-
-}  // namespace
-
 template <int Dim>
 std::pair<int, Eigen::Vector<double, Dim>> findPoint(const Body<Dim>& body, int patch,
                                                      const Eigen::Vector<double, Dim>& position) {
+  constexpr int kIntervals = 20, kSteps = 50;
+  std::vector<double> shares;
+  for (int k = 0; k <= kIntervals; ++k) shares.push_back(static_cast<double>(k) / kIntervals);
   std::pair<int, Eigen::Vector<double, Dim>> best{0, Eigen::Vector<double, Dim>::Zero()};
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < body.patches.size(); ++p) {
     if (patch >= 0 && patch != static_cast<int>(p)) continue;
-    const auto xi = nearestParameters(body.patches[p], position);
-    const double distance = (body.patches[p].position(xi) - position).norm();
-    if (distance < nearest) {
-      nearest = distance;
-      best = {static_cast<int>(p), xi};
+    const auto starts = parameterGrid(body.patches[p].basis(), shares);
+    const auto closest = closestPoint(body.patches[p], position, starts, kSteps);
+    if (closest.distance < nearest) {
+      nearest = closest.distance;
+      best = {static_cast<int>(p), closest.xi};
     }
   }
   if (!(nearest <= 1e-6 * body.size()))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -127,6 +128,14 @@ Eigen::MatrixXd bernstein(int degree, double a, double b, double x, int derivati
     result.col(k) = B;
   }
   return result;
+}
+
+double UnivariateBasis::parameterAt(double share) const {
+  return std::lerp(breakpoints_.front(), breakpoints_.back(), share);
+}
+
+double UnivariateBasis::shareOf(double xi) const {
+  return (xi - breakpoints_.front()) / (breakpoints_.back() - breakpoints_.front());
 }
 
 Eigen::MatrixXd UnivariateBasis::evaluate(int span, double xi, int derivatives) const {

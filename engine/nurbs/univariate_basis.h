@@ -37,6 +37,10 @@ class UnivariateBasis {
   double spanBegin(int span) const { return breakpoints_[static_cast<std::size_t>(span)]; }
   double spanEnd(int span) const { return breakpoints_[static_cast<std::size_t>(span) + 1]; }
 
+  /// Parameter at a share of the range, from its begin (0) to its end (1), and the share of a parameter.
+  double parameterAt(double share) const;
+  double shareOf(double xi) const;
+
   /// Global index of the first of the p+1 consecutive functions of a span.
   int firstFunction(int span) const { return firstFunction_[static_cast<std::size_t>(span)]; }
 

@@ -22,6 +22,9 @@ inline constexpr const char* kFaceSentence =
     "the "
     "third.";
 
+inline constexpr const char* kPartSentence =
+    "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of the face.";
+
 /// A whole face.
 template <class Visitor>
 void describeFace(Visitor& v, FaceSpec& s) {
@@ -30,11 +33,8 @@ void describeFace(Visitor& v, FaceSpec& s) {
 }
 
 template <class Visitor>
-void describe(Visitor& v, FaceSpec& s) {
-  describeFace(v, s);
-  v.field("part", s.part, {.atLeast = 0, .atMost = 1, .minEntries = 2, .maxEntries = 4},
-          "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of the "
-          "face.");
+void describePart(Visitor& v, FaceSpec& s, const char* sentence = kPartSentence) {
+  v.field("part", s.part, {.atLeast = 0, .atMost = 1, .minEntries = 2, .maxEntries = 4}, sentence);
 }
 
 template <class Visitor>
@@ -46,7 +46,12 @@ void describe(Visitor& v, PrescribedSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, SupportSpec& s) {
-  describe(v, s.place);
+  describeFace(v, s.place);
+  describePart(
+      v, s.place,
+      "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of "
+      "the face; it holds the control points whose Greville abscissae (nodes of a Lagrange basis) lie "
+      "in it.");
   v.field("fix", s.fix, {.minEntries = 1, .choices = {"x", "y", "z"}},
           "Displacement components that are held.");
   v.field("move", s.move, {}, "Displacement components that follow a schedule; those left out are free.");
@@ -61,9 +66,7 @@ template <class Visitor>
 void describe(Visitor& v, LoadSpec& s) {
   v.field("patch", s.place.patch, {.identifier = true}, kPatchSentence);
   v.field("face", s.place.face, {.choices = faceNames()}, kFaceSentence);
-  v.field("part", s.place.part, {.atLeast = 0, .atMost = 1, .minEntries = 2, .maxEntries = 4},
-          "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of the "
-          "face.");
+  describePart(v, s.place);
   v.field("traction", s.traction, {.perDimension = true, .unit = "stress"},
           "Force per area of the undeformed face, which stays what it is while the face moves; in X, Y, Z "
           "and t.");

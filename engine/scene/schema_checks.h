@@ -45,7 +45,8 @@ void describe(Visitor& v, PointMeasureSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, FaceMeasureSpec& s) {
-  describe(v, s.place);
+  describeFace(v, s.place);
+  describePart(v, s.place);
 }
 
 template <class Visitor>
@@ -71,8 +72,8 @@ void describe(Visitor& v, SceneMeasureSpec& s) {
       "kind", s.kind,
       {{{"point", "Displacement and projected fields at a material point: NAME.ux, NAME.stress_xx, ..."},
         {"face",
-         "Mean displacement of a face and the resultant of the body's stresses there, which a support "
-         "or load holds: NAME.ux, NAME.fx, ..."},
+         "Mean displacement of a face by undeformed area, and the force that its supports, tools and loads "
+         "apply to the body, summed over its control points: NAME.ux, NAME.fx, ..."},
         {"error",
          "Errors against an exact displacement, relative to its norm: NAME.L2, and NAME.H1 of the "
          "gradient."},

@@ -6,11 +6,16 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/nurbs/closest_point.h"
+
 namespace burnish {
 namespace {
 
 /// Points per direction of a face that is compared with another one, and starts of the search on that one.
 constexpr int kSamples = 7, kStarts = 15;
+
+/// Steps of that search: enough where faces meet, and elsewhere only the answer no is of interest.
+constexpr int kSteps = 5;
 
 /// Relative difference up to which knots and weights are the same.
 constexpr double kSame = 1e-10;
@@ -76,39 +81,9 @@ int cornerCounterpart(const TensorBasis<P>& second, int corner, const FaceOrient
 /// Parameters of a grid of n points per direction between the ends.
 template <int P>
 std::vector<Eigen::Vector<double, P>> innerGrid(const TensorBasis<P>& basis, int n) {
-  std::vector<Eigen::Vector<double, P>> grid;
-  const int count = P == 1 ? n : n * n;
-  for (int i = 0; i < count; ++i) {
-    Eigen::Vector<double, P> xi;
-    for (int d = 0; d < P; ++d) {
-      const auto& breakpoints = basis.direction(d).breakpoints();
-      const double s = ((d == 0 ? i % n : i / n) + 0.5) / n;
-      xi(d) = breakpoints.front() + s * (breakpoints.back() - breakpoints.front());
-    }
-    grid.push_back(xi);
-  }
-  return grid;
-}
-
-/// Distance of a point from a patch: Gauss-Newton steps from the closest point of a grid.
-template <int P, int S>
-double distance(const Patch<P, S>& patch, const Eigen::Vector<double, S>& point,
-                const std::vector<Eigen::Vector<double, P>>& grid) {
-  const auto away = [&](const Eigen::Vector<double, P>& xi) { return (point - patch.position(xi)).norm(); };
-  Eigen::Vector<double, P> xi = *std::min_element(
-      grid.begin(), grid.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
-  double nearest = away(xi);
-  constexpr int kSteps = 5;
-  for (int step = 0; step < kSteps; ++step) {
-    const Eigen::Matrix<double, S, P> J = patch.jacobian(xi);
-    xi += J.completeOrthogonalDecomposition().solve(point - patch.position(xi));
-    for (int d = 0; d < P; ++d) {
-      const auto& breakpoints = patch.basis().direction(d).breakpoints();
-      xi(d) = std::clamp(xi(d), breakpoints.front(), breakpoints.back());
-    }
-    nearest = std::min(nearest, away(xi));
-  }
-  return nearest;
+  std::vector<double> shares;
+  for (int i = 0; i < n; ++i) shares.push_back((i + 0.5) / n);
+  return parameterGrid(basis, shares);
 }
 
 }  // namespace
@@ -144,7 +119,7 @@ template <int P, int S>
 bool liesOn(const Patch<P, S>& first, const Patch<P, S>& second, double tolerance) {
   const auto samples = innerGrid(first.basis(), kSamples), starts = innerGrid(second.basis(), kStarts);
   return std::all_of(samples.begin(), samples.end(), [&](const auto& xi) {
-    return distance<P, S>(second, first.position(xi), starts) <= tolerance;
+    return closestPoint(second, first.position(xi), starts, kSteps).distance <= tolerance;
   });
 }
 
@@ -174,11 +149,12 @@ bool touches(const FaceSamples& samples, const Patch<P, S>& face, const FaceSamp
              double tolerance) {
   const auto starts = innerGrid(face.basis(), kStarts);
   for (Eigen::Index k = 0; k < samples.inside.cols(); ++k) {
-    const Eigen::Vector<double, S> point = samples.inside.col(k);
     Eigen::Index nearest = 0;
     const double away = (ofFace.all.colwise() - samples.inside.col(k)).colwise().norm().minCoeff(&nearest);
     if (away > ofFace.reach + tolerance) continue;
-    if (distance<P, S>(face, point, {starts[static_cast<std::size_t>(nearest)]}) <= tolerance) return true;
+    const auto closest =
+        closestPoint<P, S>(face, samples.inside.col(k), {starts[static_cast<std::size_t>(nearest)]}, kSteps);
+    if (closest.distance <= tolerance) return true;
   }
   return false;
 }

@@ -23,10 +23,9 @@ template <int P>
 ParameterBox<P> clipped(ParameterBox<P> box, const TensorBasis<P>& basis, const std::vector<double>& part) {
   for (std::size_t d = 0; 2 * d + 1 < part.size(); ++d) {
     const auto i = static_cast<Eigen::Index>(d);
-    const auto& breakpoints = basis.direction(static_cast<int>(d)).breakpoints();
-    const double length = breakpoints.back() - breakpoints.front();
-    box.begin(i) = std::max(box.begin(i), breakpoints.front() + part[2 * d] * length);
-    box.end(i) = std::min(box.end(i), breakpoints.front() + part[2 * d + 1] * length);
+    const auto& direction = basis.direction(static_cast<int>(d));
+    box.begin(i) = std::max(box.begin(i), direction.parameterAt(part[2 * d]));
+    box.end(i) = std::min(box.end(i), direction.parameterAt(part[2 * d + 1]));
   }
   return box;
 }

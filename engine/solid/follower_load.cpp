@@ -28,11 +28,8 @@ template <int Dim>
 double outwardSign(const Patch<Dim>& patch, FaceId side) {
   const int across = side / 2;
   Eigen::Vector<double, Dim> middle;
-  for (int d = 0; d < Dim; ++d) {
-    const auto& breakpoints = patch.basis().direction(d).breakpoints();
-    middle(d) = 0.5 * (breakpoints.front() + breakpoints.back());
-    if (d == across) middle(d) = side % 2 == 0 ? breakpoints.front() : breakpoints.back();
-  }
+  for (int d = 0; d < Dim; ++d)
+    middle(d) = patch.basis().direction(d).parameterAt(d == across ? side % 2 : 0.5);
   const Eigen::Matrix<double, Dim, Dim> jacobian = patch.jacobian(middle);
   Eigen::Matrix<double, Dim, Dim - 1> tangents;
   for (int d = 0, column = 0; d < Dim; ++d)

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "postproc/mesh/patch_geometry.h"
@@ -18,8 +17,7 @@ std::vector<double> parametersOf(const UnivariateBasis& basis, const std::vector
                                  int subdivision) {
   const std::vector<double> all = subdividedSpans(basis, subdivision);
   if (part.empty()) return all;
-  const double begin = std::lerp(all.front(), all.back(), part[0]),
-               end = std::lerp(all.front(), all.back(), part[1]);
+  const double begin = basis.parameterAt(part[0]), end = basis.parameterAt(part[1]);
   std::vector<double> parameters{begin};
   for (const double parameter : all)
     if (parameter > begin && parameter < end) parameters.push_back(parameter);
@@ -44,9 +42,8 @@ FaceLine SetupFaces::line(const FaceSpec& place) const {
   const Patch<2>& patch = patchNamed(place.patch);
   const FaceId id = faceFromName<2>(place.face);
   const int fixed = id / 2, along = 1 - fixed;
-  const auto& across = patch.basis().direction(fixed).breakpoints();
   Patch<2>::Parameter xi;
-  xi(fixed) = id % 2 == 0 ? across.front() : across.back();
+  xi(fixed) = patch.basis().direction(fixed).parameterAt(id % 2);
   const auto parameters = parametersOf(patch.basis().direction(along), place.part, subdivision_);
   FaceLine line;
   for (const double parameter : parameters) {
@@ -65,10 +62,7 @@ FaceLine SetupFaces::line(const FaceSpec& place) const {
 Vector2d SetupFaces::middleOf(const std::string& patch) const {
   const Patch<2>& found = patch.empty() ? patches_[patches_.size() / 2] : patchNamed(patch);
   Patch<2>::Parameter xi;
-  for (int d = 0; d < 2; ++d) {
-    const auto& breakpoints = found.basis().direction(d).breakpoints();
-    xi(d) = std::midpoint(breakpoints.front(), breakpoints.back());
-  }
+  for (int d = 0; d < 2; ++d) xi(d) = found.basis().direction(d).parameterAt(0.5);
   return found.position(xi);
 }
 

@@ -68,6 +68,16 @@ TEST_P(Basis, IsAsSmoothAcrossABreakpointAsItsKnotsSay) {
   }
 }
 
+TEST(UnivariateBasis, SharesOfTheRangeEndExactlyAtItsEnds) {
+  const auto basis = UnivariateBasis::lagrange(1, {-0.1, 0.25, 0.7});
+  EXPECT_EQ(basis.parameterAt(0.0), -0.1);
+  EXPECT_EQ(basis.parameterAt(1.0), 0.7);
+  EXPECT_NEAR(basis.parameterAt(0.25), 0.1, 1e-15);
+  EXPECT_EQ(basis.shareOf(-0.1), 0.0);
+  EXPECT_EQ(basis.shareOf(0.7), 1.0);
+  EXPECT_NEAR(basis.shareOf(0.1), 0.25, 1e-15);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Basis,
                          testing::Combine(testing::Values(BasisFamily::BSpline, BasisFamily::Lagrange),
                                           testing::Range(1, 6)));

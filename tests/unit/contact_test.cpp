@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <random>
 
 #include "engine/contact/contact_term.h"
 #include "engine/nurbs/refinement.h"
@@ -22,12 +21,6 @@ Body<2> block(int degree, BasisFamily family) {
 
 Tool disc() {
   return {"disc", Cylinder{{0.4, 0.5 + 0.24, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}};
-}
-
-Eigen::VectorXd randomState(Eigen::Index size, double amplitude, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
-  return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(generator); });
 }
 
 /// A tool that is turned and displaced, and free in all its ways; its unknowns follow the displacements.
@@ -51,7 +44,7 @@ TEST_P(ContactTangent, AgreesWithCentralDifferences) {
   const Body<2> body = block(degree, family);
   const Tool tool = disc();
   ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, 2 * body.numNodes);
-  Eigen::VectorXd x = randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 7);
+  Eigen::VectorXd x = test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 7);
   EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
   EXPECT_GT(term.state().reaction(1), 0.0);
 }
@@ -62,7 +55,7 @@ TEST_P(ContactTangent, AgreesWithCentralDifferencesIfTheToolIsFree) {
   const Tool tool = freeTool(disc(), 2 * body.numNodes);
   const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
   ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, firstMultiplier);
-  const Eigen::VectorXd x = randomState(firstMultiplier + term.numMultipliers(), 2e-3, 7);
+  const Eigen::VectorXd x = test::randomState(firstMultiplier + term.numMultipliers(), 2e-3, 7);
   EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
   EXPECT_GT(term.state().reaction(1), 0.0);
 }
@@ -73,7 +66,7 @@ TEST_P(ContactTangent, ReactionAndMomentAreTheForcesOnTheFreeTool) {
   const Tool tool = freeTool(disc(), 2 * body.numNodes);
   const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
   ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, firstMultiplier);
-  const Eigen::VectorXd x = randomState(firstMultiplier + term.numMultipliers(), 2e-3, 7);
+  const Eigen::VectorXd x = test::randomState(firstMultiplier + term.numMultipliers(), 2e-3, 7);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
   Assembly out{force};
   ASSERT_TRUE(term.evaluate(0.0, x, out));
@@ -145,9 +138,9 @@ TEST(ContactTangentOfOtherTools, AgreesWithCentralDifferences) {
   const Tool plate{"plate", Plane{{0.0, 0.48, 0.0}, {0.1, -1.0, 0.0}}};
   ContactTerm<2> term(body, 0, faceFromName<2>("top"), plate, {Enforcement::AugmentedLagrangian, 10.0, 0},
                       2 * body.numNodes);
-  EXPECT_LT(
-      test::tangentError(term, 0.0, randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 8), 1e-6),
-      1e-6);
+  EXPECT_LT(test::tangentError(term, 0.0,
+                               test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 8), 1e-6),
+            1e-6);
   EXPECT_GT(term.state().reaction(1), 0.0);
 }
 
@@ -160,7 +153,7 @@ TEST(ContactTangentInThreeDimensions, AgreesWithCentralDifferences) {
   for (const Tool& tool : tools)
     for (const auto enforcement : {Enforcement::AugmentedLagrangian, Enforcement::PointwisePenalty}) {
       ContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, {enforcement, 10.0, 0}, 3 * body.numNodes);
-      const Eigen::VectorXd x = randomState(3 * body.numNodes + term.numMultipliers(), 2e-3, 9);
+      const Eigen::VectorXd x = test::randomState(3 * body.numNodes + term.numMultipliers(), 2e-3, 9);
       EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6) << tool.name;
       EXPECT_GT(term.state().reaction(2), 0.0) << tool.name;
     }

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <random>
-
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/bulk_term.h"
@@ -16,21 +14,6 @@
 
 namespace burnish {
 namespace {
-
-Eigen::VectorXd randomState(Eigen::Index size, double amplitude, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
-  return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(generator); });
-}
-
-/// Rational; the radial direction has a double knot from degree 2 on.
-Body<2> ring(int degree) {
-  KnotVector radial = KnotVector::uniform(degree, 3);
-  if (degree > 1) radial = withKnots(radial, {radial.breakpoints()[1]});
-  const Patch<2> shape = annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.0);
-  if (degree > 1) return makeBody(refined(shape, {radial, KnotVector::uniform(degree, 2)}));
-  return makeBody(lagrangeInterpolant(shape, 1, {radial.breakpoints(), {0.0, 0.5, 1.0}}));
-}
 
 Body<2> lagrangeRing(int degree) {
   return makeBody(lagrangeInterpolant(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.0), degree,
@@ -59,7 +42,7 @@ Material metal() {
 /// A stretch along the first axis with a disturbance, far beyond yield for the metal.
 template <int Dim>
 Eigen::VectorXd stretched(const Body<Dim>& body, double stretch, double disturbance) {
-  Eigen::VectorXd x = randomState(Dim * body.numNodes, disturbance, 4);
+  Eigen::VectorXd x = test::randomState(Dim * body.numNodes, disturbance, 4);
   for (int a = 0; a < body.numNodes; ++a) x(Dim * a) += stretch * body.patches[0].points()(0, a);
   return x;
 }
@@ -69,7 +52,7 @@ template <int Dim>
 void expectConsistentTangent(const Body<Dim>& body, Formulation formulation) {
   const SpanQuadrature<Dim> quadrature(body);
   const auto elastic = makeBulkTerm(body, quadrature, rubber(), formulation);
-  const Eigen::VectorXd x = randomState(Dim * body.numNodes, 0.03, 1);
+  const Eigen::VectorXd x = test::randomState(Dim * body.numNodes, 0.03, 1);
   EXPECT_LT(test::tangentError(*elastic, 0.0, x, 1e-6), 1e-7);
   EXPECT_LT(test::asymmetry(test::tangentOf(*elastic, 0.0, x)), 1e-13);
 
@@ -85,12 +68,13 @@ void expectConsistentTangent(const Body<Dim>& body, Formulation formulation) {
 class BulkTangent : public testing::TestWithParam<Formulation> {};
 
 TEST_P(BulkTangent, AgreesWithCentralDifferencesInThePlane) {
-  for (int degree = 1; degree <= 3; ++degree) expectConsistentTangent(ring(degree), GetParam());
+  for (int degree = 1; degree <= 3; ++degree) expectConsistentTangent(test::ring(degree), GetParam());
   expectConsistentTangent(lagrangeRing(2), GetParam());
 }
 
 TEST_P(BulkTangent, AgreesWithCentralDifferencesInAxisymmetry) {
-  for (int degree = 1; degree <= 3; ++degree) expectConsistentTangent(axisymmetric(ring(degree)), GetParam());
+  for (int degree = 1; degree <= 3; ++degree)
+    expectConsistentTangent(axisymmetric(test::ring(degree)), GetParam());
   expectConsistentTangent(axisymmetric(lagrangeRing(2)), GetParam());
 }
 
@@ -100,11 +84,11 @@ TEST_P(BulkTangent, AgreesWithCentralDifferencesInThreeDimensions) {
 }
 
 TEST_P(BulkTangent, ForceIsTheDerivativeOfTheStoredEnergy) {
-  for (const Body<2>& body : {ring(2), axisymmetric(ring(3))}) {
+  for (const Body<2>& body : {test::ring(2), axisymmetric(test::ring(3))}) {
     const SpanQuadrature<2> quadrature(body);
     const auto term = makeBulkTerm(body, quadrature, rubber(), GetParam());
-    const Eigen::VectorXd x = randomState(2 * body.numNodes, 0.03, 5),
-                          direction = randomState(x.size(), 1.0, 6);
+    const Eigen::VectorXd x = test::randomState(2 * body.numNodes, 0.03, 5),
+                          direction = test::randomState(x.size(), 1.0, 6);
     const auto energy = [&](double s) {
       static_cast<void>(test::forceOf(*term, 0.0, x + s * direction));
       return term->summary().strainEnergy;
@@ -115,10 +99,10 @@ TEST_P(BulkTangent, ForceIsTheDerivativeOfTheStoredEnergy) {
 }
 
 TEST_P(BulkTangent, HasTheSameBitsWithAnyNumberOfThreads) {
-  const Body<2> body = ring(3);
+  const Body<2> body = test::ring(3);
   const SpanQuadrature<2> quadrature(body);
   const auto term = makeBulkTerm(body, quadrature, rubber(), GetParam());
-  const Eigen::VectorXd x = randomState(2 * body.numNodes, 0.03, 9);
+  const Eigen::VectorXd x = test::randomState(2 * body.numNodes, 0.03, 9);
   const Eigen::MatrixXd several = test::tangentOf(*term, 0.0, x);
   const Eigen::VectorXd force = test::forceOf(*term, 0.0, x);
   const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
@@ -150,11 +134,12 @@ Eigen::VectorXd project(const DilatationProjection<2>& projection, const SpanQua
 }
 
 TEST(DilatationProjection, KeepsSplinesOfOneDegreeLessAndAllIntegrals) {
-  for (const Body<2>& body : {ring(1), ring(2), ring(3), axisymmetric(ring(3)), lagrangeRing(3)}) {
+  for (const Body<2>& body :
+       {test::ring(1), test::ring(2), test::ring(3), axisymmetric(test::ring(3)), lagrangeRing(3)}) {
     const SpanQuadrature<2> quadrature(body);
     const DilatationProjection<2> projection(body, quadrature);
     Eigen::VectorXd weights(quadrature.numPoints()), spline(weights.size());
-    const Eigen::VectorXd coefficients = randomState(projection.numFunctions(), 1.0, 7);
+    const Eigen::VectorXd coefficients = test::randomState(projection.numFunctions(), 1.0, 7);
     for (std::size_t e = 0; e < projection.spans().size(); ++e) {
       const auto& span = quadrature.spans()[e];
       weights.segment(span.firstPoint, span.weights.size()) = span.weights;
@@ -162,7 +147,7 @@ TEST(DilatationProjection, KeepsSplinesOfOneDegreeLessAndAllIntegrals) {
           projection.spans()[e].N.transpose() * coefficients(projection.spans()[e].functions);
     }
     EXPECT_LT((project(projection, quadrature, spline) - spline).cwiseAbs().maxCoeff(), 1e-12);
-    const Eigen::VectorXd field = randomState(weights.size(), 1.0, 8);
+    const Eigen::VectorXd field = test::randomState(weights.size(), 1.0, 8);
     EXPECT_NEAR(weights.dot(project(projection, quadrature, field)), weights.dot(field), 1e-12);
     EXPECT_GT((project(projection, quadrature, field) - field).norm(), 0.1 * field.norm());
   }
@@ -192,7 +177,7 @@ TEST(ProjectedTerm, RefusesAStateThatIsInsideOut) {
 }
 
 TEST(ProjectedTerm, StoresTheCauchyStressOfTheLaw) {
-  const Body<2> body = ring(2);
+  const Body<2> body = test::ring(2);
   const SpanQuadrature<2> quadrature(body);
   const auto projected =
       makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.45), Formulation::ProjectedDilatation);
@@ -211,7 +196,7 @@ TEST(ProjectedTerm, StoresTheCauchyStressOfTheLaw) {
   Eigen::VectorXd uniform(2 * body.numNodes);
   for (int a = 0; a < body.numNodes; ++a) uniform.segment<2>(2 * a) = 0.1 * body.patches[0].points().col(a);
   EXPECT_LT(largestDifference(uniform), 1e-13) << "J is constant, so J̄ = J";
-  EXPECT_GT(largestDifference(uniform + randomState(uniform.size(), 0.02, 3)), 0.01);
+  EXPECT_GT(largestDifference(uniform + test::randomState(uniform.size(), 0.02, 3)), 0.01);
 }
 
 /// Cook's membrane, 48 x (44 … 60), clamped at the left and lightly sheared on the right: rise of its upper
@@ -251,7 +236,7 @@ TEST(ProjectedTerm, TangentIsRightWhereAnEdgeIsCollapsed) {
     ASSERT_LT(body.numNodes, body.patches[0].basis().numFunctions());
     const SpanQuadrature<2> quadrature(body);
     const auto term = makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.3), Formulation::ProjectedDilatation);
-    EXPECT_LT(test::tangentError(*term, 0.0, randomState(2 * body.numNodes, 0.01, 5), 1e-6), 1e-6);
+    EXPECT_LT(test::tangentError(*term, 0.0, test::randomState(2 * body.numNodes, 0.01, 5), 1e-6), 1e-6);
   }
 }
 

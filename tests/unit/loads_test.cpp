@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <random>
 
 #include "engine/core/error.h"
 #include "engine/core/formula.h"
@@ -15,12 +14,6 @@ namespace burnish {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-Eigen::VectorXd randomState(Eigen::Index size, double amplitude, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
-  return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(generator); });
-}
 
 Body<2> quarterRing() {
   return makeBody(refined(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 0.5 * kPi),
@@ -111,7 +104,7 @@ TEST(DeadLoad, IntegratesABodyForceOverTheVolume) {
 
 TEST(FollowerLoad, PressureOfAClosedSurfaceHasNoResultant) {
   const Body<2> body = quarterRing();
-  const Eigen::VectorXd x = randomState(2 * body.numNodes, 0.1, 3);
+  const Eigen::VectorXd x = test::randomState(2 * body.numNodes, 0.1, 3);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const char* face : {"left", "right", "bottom", "top"}) {
     auto load = follower<2>(body, face, "1.7", FollowerLoad<2>::Direction::Pressure, 12);
@@ -120,7 +113,7 @@ TEST(FollowerLoad, PressureOfAClosedSurfaceHasNoResultant) {
   EXPECT_LT(sum.norm(), 1e-12);
 
   const Body<3> shell = quarterShell();
-  const Eigen::VectorXd y = randomState(3 * shell.numNodes, 0.05, 4);
+  const Eigen::VectorXd y = test::randomState(3 * shell.numNodes, 0.05, 4);
   Eigen::Vector3d sum3 = Eigen::Vector3d::Zero();
   for (const char* face : {"left", "right", "bottom", "top", "back", "front"}) {
     auto load = follower<3>(shell, face, "1.7", FollowerLoad<3>::Direction::Pressure, 12);
@@ -147,7 +140,7 @@ TEST(FollowerLoad, ShearIsTheChordTimesItsIntensity) {
 
 TEST(FollowerLoad, TangentAgreesWithCentralDifferences) {
   Body<2> body = quarterRing();
-  const Eigen::VectorXd x = randomState(2 * body.numNodes, 0.1, 5);
+  const Eigen::VectorXd x = test::randomState(2 * body.numNodes, 0.1, 5);
   for (const bool axisymmetric : {false, true})
     for (const auto direction : {FollowerLoad<2>::Direction::Pressure, FollowerLoad<2>::Direction::Shear}) {
       body.axisymmetric = axisymmetric;
@@ -157,7 +150,7 @@ TEST(FollowerLoad, TangentAgreesWithCentralDifferences) {
     }
   const Body<3> shell = quarterShell();
   auto load = follower<3>(shell, "right", "1 + X - Z", FollowerLoad<3>::Direction::Pressure);
-  EXPECT_LT(test::tangentError(load, 0.5, randomState(3 * shell.numNodes, 0.05, 6), 1e-6), 1e-8);
+  EXPECT_LT(test::tangentError(load, 0.5, test::randomState(3 * shell.numNodes, 0.05, 6), 1e-6), 1e-8);
 }
 
 TEST(FollowerLoad, AxisymmetricPressureActsOnTheWholeRing) {

@@ -1,10 +1,31 @@
 #pragma once
 #include <Eigen/Dense>
 #include <algorithm>
+#include <random>
 
+#include "engine/nurbs/refinement.h"
+#include "engine/nurbs/shapes.h"
+#include "engine/solid/body.h"
 #include "engine/solver/term.h"
 
 namespace burnish::test {
+
+/// Entries between -amplitude and amplitude.
+inline Eigen::VectorXd randomState(Eigen::Index size, double amplitude, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
+  return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(generator); });
+}
+
+/// A sector of opening 1 between the radii 1 and 2. Rational; the radial direction has a double knot from
+/// degree 2 on.
+inline Body<2> ring(int degree) {
+  KnotVector radial = KnotVector::uniform(degree, 3);
+  if (degree > 1) radial = withKnots(radial, {radial.breakpoints()[1]});
+  const Patch<2> shape = annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.0);
+  if (degree > 1) return makeBody(refined(shape, {radial, KnotVector::uniform(degree, 2)}));
+  return makeBody(lagrangeInterpolant(shape, 1, {radial.breakpoints(), {0.0, 0.5, 1.0}}));
+}
 
 /// Force of one term at (t, x).
 inline Eigen::VectorXd forceOf(Term& term, double t, const Eigen::VectorXd& x, bool* admissible = nullptr) {
