@@ -156,7 +156,7 @@ class Run {
       });
       stepping_.forgetIncrement();
     }
-    history_.append(recorder_.row(0, 0));
+    append(0, 0);
     if (arrived) writeFrame();
     return arrived;
   }
@@ -170,7 +170,7 @@ class Run {
         noteResiduals(step);
         summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
         step_ = step.step - stepsBefore;
-        history_.append(recorder_.row(step_, step.iterations));
+        append(step_, step.iterations);
         for (std::size_t k = 0; k < step.newton.history.size(); ++k)
           convergence_.append(
               {static_cast<double>(step_), step.time, static_cast<double>(k), step.newton.history[k]});
@@ -209,9 +209,15 @@ class Run {
                     state.time, stepping_.lastFailedStep(), describe(failure.outcome), failure.residual);
   }
 
-  /// After a failed step: the last accepted state becomes the last frame.
+  void append(int step, int iterations) {
+    history_.append(recorder_.row(step, iterations));
+    lastRowTime_ = recorder_.current().time;
+  }
+
+  /// After a failed step: the last accepted state becomes the last frame, unless it was refused.
   void keepLastState() {
-    if (summary_.frames > 0 && lastFrameTime_ == stepping_.state().time) return;
+    const double time = stepping_.state().time;
+    if (time != lastRowTime_ || (summary_.frames > 0 && time == lastFrameTime_)) return;
     static_cast<void>(evaluateHere());
     writeFrame();
   }
@@ -263,6 +269,7 @@ class Run {
   RunSummary summary_;
   int step_ = 0;
   double lastFrameTime_ = 0.0;
+  double lastRowTime_ = 0.0;
 };
 
 /// The model of a scene; what is wrong with it is said with the scene's file.

@@ -1,0 +1,239 @@
+// Tools that are given in several ways, or that are driven by displacements and by forces, press a block in the
+// same way.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/verification/run_scene.h"
+
+namespace burnish {
+namespace {
+
+/// A block of 2 x 1 below tools that touch its upper face at y = 1.
+Scene block(const std::string& tools, const std::string& contact = "{tool: tool, face: top}",
+            int steps = 4) {
+  return parseScene(fmt::format(R"(
+degree: 2
+geometry: {{shape: rectangle, size: [2.0, 1.0], spans: [16, 6]}}
+material: {{law: neo-hookean, E: 10.0, nu: 0.3}}
+supports:
+  - {{face: bottom, fix: [x, y]}}
+tools:
+{}
+contact:
+  - {}
+steps: [{{until: 1, count: {}}}]
+)",
+                                tools, contact, steps),
+                    "block");
+}
+
+/// The same in space, 1 x 1 wide and 0.5 high.
+Scene cube(const std::string& tool) {
+  return parseScene(fmt::format(R"(
+degree: 2
+geometry: {{shape: box, size: [1.0, 0.5, 1.0], spans: [4, 2, 4]}}
+material: {{law: neo-hookean, E: 10.0, nu: 0.3}}
+supports:
+  - {{face: bottom, fix: [x, y, z]}}
+tools:
+{}
+contact:
+  - {{tool: tool, face: top}}
+steps: [{{until: 1, count: 2}}]
+)",
+                                tool),
+                    "cube");
+}
+
+const char* const kDown = "motion: {times: [0, 1], y: [0, -0.1]}";
+
+std::string circle(double radius, double x, double y) {
+  const double s = std::sqrt(0.5);
+  std::vector<std::string> points, weights;
+  for (int k = 0; k <= 8; ++k) {
+    const double angle = k * std::numbers::pi / 4.0, r = k % 2 == 0 ? radius : radius / s;
+    points.push_back(fmt::format("[{}, {}]", x + r * std::cos(angle), y + r * std::sin(angle)));
+    weights.push_back(k % 2 == 0 ? "1" : fmt::format("{}", s));
+  }
+  points.back() = points.front();
+  return fmt::format("shape: nurbs, degrees: [2], knots: [[0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4]], "
+                     "points: [{}], weights: [{}]",
+                     fmt::join(points, ", "), fmt::join(weights, ", "));
+}
+
+std::string circleOfSegments(double radius, double x, double y, int segments) {
+  std::vector<std::string> points;
+  for (int k = 0; k < segments; ++k) {
+    const double angle = 2.0 * k * std::numbers::pi / segments;
+    points.push_back(fmt::format("[{}, {}]", x + radius * std::cos(angle), y + radius * std::sin(angle)));
+  }
+  return fmt::format("shape: polyline, points: [{}]", fmt::join(points, ", "));
+}
+
+test::Outcome runWith(const std::string& shape) {
+  return test::run(block(fmt::format("  - {{name: tool, {}, {}}}", shape, kDown)), "tool");
+}
+
+/// Largest difference of the displacements, over the largest displacement.
+double difference(const test::Outcome& a, const test::Outcome& b) {
+  return (a.lastFrame.displacement - b.lastFrame.displacement).cwiseAbs().maxCoeff() /
+         b.lastFrame.displacement.cwiseAbs().maxCoeff();
+}
+
+TEST(ToolsTest, ATiltedPlateIsTheSameAsPlaneCurveAndPolyline) {
+  const auto plane = runWith("shape: plane, origin: [0, 1], normal: [0.05, -1]");
+  ASSERT_TRUE(plane.summary.completed);
+  for (const char* shape : {"shape: nurbs, degrees: [1], knots: [[0, 0, 1, 1]], points: [[-4, 0.8], [6, 1.3]]",
+                            "shape: polyline, closed: false, points: [[-4, 0.8], [6, 1.3]]"}) {
+    const auto other = runWith(shape);
+    ASSERT_TRUE(other.summary.completed) << shape;
+    EXPECT_LT(difference(other, plane), 1e-8) << shape;
+  }
+}
+
+TEST(ToolsTest, APlateInSpaceIsTheSameAsPlaneSurfaceAndMesh) {
+  const test::ScratchDirectory directory("mesh");
+  std::filesystem::create_directories(directory.path());
+  const auto file = directory.path() / "plate.off";
+  std::ofstream(file) << "OFF\n4 2 0\n-4 0.5 -4\n6 0.5 -4\n6 0.5 6\n-4 0.5 6\n3 0 1 2\n3 0 2 3\n";
+  const auto with = [](const std::string& shape) {
+    return test::run(cube(fmt::format("  - {{name: tool, {}, {}}}", shape, kDown)), "tool");
+  };
+  const auto plane = with("shape: plane, origin: [0, 0.5, 0], normal: [0, -1, 0]");
+  ASSERT_TRUE(plane.summary.completed);
+  for (const std::string& shape :
+       {std::string("shape: nurbs, degrees: [1, 1], knots: [[0, 0, 1, 1], [0, 0, 1, 1]], "
+                    "points: [[-4, 0.5, -4], [6, 0.5, -4], [-4, 0.5, 6], [6, 0.5, 6]]"),
+        fmt::format("shape: mesh, open: true, file: {}", file.string())}) {
+    const auto other = with(shape);
+    ASSERT_TRUE(other.summary.completed) << shape;
+    EXPECT_LT(difference(other, plane), 1e-8) << shape;
+  }
+}
+
+TEST(ToolsTest, ADiscIsTheSameAsCylinderAndRationalCircleAndNearlyAsPolyline) {
+  const auto disc = runWith("shape: cylinder, center: [1, 1.5], radius: 0.5");
+  ASSERT_TRUE(disc.summary.completed);
+  const auto spline = runWith(circle(0.5, 1, 1.5));
+  ASSERT_TRUE(spline.summary.completed);
+  EXPECT_LT(difference(spline, disc), 1e-8);
+  const auto polyline = runWith(circleOfSegments(0.5, 1, 1.5, 200));
+  ASSERT_TRUE(polyline.summary.completed);
+  EXPECT_LT(difference(polyline, disc), 1e-4);
+  EXPECT_LE(polyline.summary.iterations, disc.summary.iterations + disc.summary.steps);
+}
+
+TEST(ToolsTest, AForceGivesTheStateOfTheDisplacementThatItBelongsTo) {
+  const auto byDisplacement = runWith("shape: cylinder, center: [1, 1.5], radius: 0.5");
+  const double force = byDisplacement.history.column("tool.fy").back();
+  // The tool starts above the block and comes down to it by itself.
+  const auto byForce = test::run(
+      block(fmt::format("  - {{name: tool, shape: cylinder, center: [1, 1.8], radius: 0.5, carry: {{y: "
+                        "'-{:.17g}*t'}}}}",
+                        force)),
+      "force");
+  ASSERT_TRUE(byForce.summary.completed);
+  EXPECT_NEAR(byForce.history.column("tool.fy").back(), force, 1e-10 * force);
+  EXPECT_NEAR(byForce.history.column("tool.uy").back(), -0.4, 1e-8);
+  EXPECT_LT(difference(byForce, byDisplacement), 1e-8);
+  EXPECT_NEAR(byForce.history.column("tool.fy")[2] / force, 0.5, 1e-10);
+}
+
+TEST(ToolsTest, APlateWithForceAndMomentIsInEquilibrium) {
+  const auto outcome = test::run(block("  - {name: tool, shape: plane, origin: [0, 1], normal: [0, -1], "
+                                       "pivot: [0.9, 1.2], carry: {y: '-4*t', moment: '0.2*t'}}"),
+                                 "moment");
+  ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+  EXPECT_NEAR(outcome.history.column("tool.fy").back(), 4.0, 1e-9);
+  EXPECT_NEAR(outcome.history.column("tool.mz").back(), -0.2, 1e-9);
+  // The pressure lies off the pivot by moment over force, and the plate tilts towards it.
+  EXPECT_GT(std::abs(outcome.history.column("tool.angle").back()), 0.1);
+  // Work of force and moment against the stored energy, with the error of four steps.
+  const auto& end = outcome.summary.end;
+  EXPECT_NEAR(end.externalWork, end.strainEnergy, 0.01 * end.strainEnergy);
+}
+
+TEST(ToolsTest, ATurnedBoxIsTheSameAsABoxWithTurnedAxes) {
+  const double angle = 20.0 * std::numbers::pi / 180.0;
+  const auto axes = runWith(fmt::format(
+      "shape: box, center: [1, 1.7], size: [0.8, 0.8], radius: 0.1, axes: [[{}, {}]]", std::cos(angle),
+      std::sin(angle)));
+  ASSERT_TRUE(axes.summary.completed);
+  const auto turned = test::run(
+      block("  - {name: tool, shape: box, center: [1, 1.7], size: [0.8, 0.8], radius: 0.1, motion: {times: "
+            "[0, 1], angle: [20, 20], y: [0, -0.1]}}"),
+      "turned");
+  ASSERT_TRUE(turned.summary.completed);
+  EXPECT_GT(axes.history.column("tool.fy").back(), 0.01);
+  EXPECT_LT(difference(turned, axes), 1e-10);
+}
+
+TEST(ToolsTest, WorkOfATurningToolBalancesTheStoredEnergy) {
+  // A bar that turns about its middle presses its end into the block.
+  const auto outcome = test::run(
+      block("  - {name: tool, shape: box, center: [0.2, 1.3], size: [1.4, 0.5], radius: 0.2, prescribe: "
+            "{angle: '-14*t'}}",
+            "{tool: tool, face: top}", 24),
+      "turning");
+  ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+  const auto& end = outcome.summary.end;
+  EXPECT_GT(end.strainEnergy, 1e-4);
+  EXPECT_NEAR(end.externalWork, end.strainEnergy, 0.02 * end.strainEnergy);
+}
+
+TEST(ToolsTest, ACylinderOnAStripBetweenSmoothWallsIsPlaneStrain) {
+  const std::string rest = R"(
+material:
+  law: j2
+  E: 70000
+  nu: 0.3
+  hardening: {law: voce, sigma0: 79.66, sigma_inf: 171.26, beta: 17.8}
+contact: [{tool: tool, face: top}]
+steps: [{until: 1, count: 4}, {until: 2, count: 2}]
+)";
+  const auto plane = test::run(parseScene("geometry: {shape: rectangle, size: [2, 1], spans: [10, 4]}\n"
+                                          "supports: [{face: bottom, fix: [x, y]}]\n"
+                                          "tools: [{name: tool, shape: cylinder, center: [0.7, 1.5], radius: "
+                                          "0.5, motion: {times: [0, 1, 2], x: [0, 0, 0.05], y: [0, -0.02, "
+                                          "-0.02]}}]" +
+                                              rest,
+                                          "plane"),
+                               "plane");
+  const auto strip = test::run(parseScene("geometry: {shape: box, size: [2, 1, 0.5], spans: [10, 4, 1]}\n"
+                                          "supports: [{face: bottom, fix: [x, y]}, {face: back, symmetry: "
+                                          "true}, {face: front, symmetry: true}]\n"
+                                          "tools: [{name: tool, shape: cylinder, center: [0.7, 1.5, 0], "
+                                          "radius: 0.5, motion: {times: [0, 1, 2], x: [0, 0, 0.05], y: [0, "
+                                          "-0.02, -0.02]}}]" +
+                                              rest,
+                                          "strip"),
+                               "strip");
+  ASSERT_TRUE(plane.summary.completed);
+  ASSERT_TRUE(strip.summary.completed);
+  for (const char* column : {"tool.fx", "tool.fy"})
+    for (std::size_t k = 1; k < plane.history.column(column).size(); ++k)
+      EXPECT_NEAR(strip.history.column(column)[k], 0.5 * plane.history.column(column)[k],
+                  1e-8 * plane.history.column("tool.fy")[k])
+          << column << " in step " << k;
+}
+
+TEST(ToolsTest, AToolThatIsPulledOffStopsTheRunAndSaysSo) {
+  const auto outcome = test::run(
+      block("  - {name: tool, shape: cylinder, center: [1, 1.5], radius: 0.5, carry: {y: 't < 0.6 ? -0.5*t : "
+            "0.1'}}"),
+      "pulled");
+  EXPECT_FALSE(outcome.summary.completed);
+  EXPECT_NE(outcome.summary.stoppedBecause.find("pulled off"), std::string::npos)
+      << outcome.summary.stoppedBecause;
+  EXPECT_NEAR(outcome.history.column("time").back(), 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace burnish
