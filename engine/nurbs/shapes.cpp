@@ -70,6 +70,26 @@ Eigen::Matrix3d frameAlong(const Eigen::Vector3d& axis) {
   return frame;
 }
 
+/// Between two spheres about `center`: longitudes count from the first vector of the frame, latitudes to its
+/// third one.
+Patch<3> shell(const Eigen::Vector3d& center, const Eigen::Matrix3d& frame, double innerRadius,
+               double outerRadius, const UnitArc& around, const UnitArc& upward) {
+  Eigen::MatrixXd points(3, 18);
+  Eigen::VectorXd weights(18);
+  for (int k = 0; k < 3; ++k) {
+    const double rho = upward.points(0, k), z = upward.points(1, k);
+    for (int j = 0; j < 3; ++j) {
+      const Eigen::Vector3d direction =
+          frame * Eigen::Vector3d(rho * around.points(0, j), rho * around.points(1, j), z);
+      const int first = 2 * (j + 3 * k);
+      points.col(first) = center + innerRadius * direction;
+      points.col(first + 1) = center + outerRadius * direction;
+      weights.segment(first, 2).setConstant(around.weights(j) * upward.weights(k));
+    }
+  }
+  return {TensorBasis<3>({oneSpan(1), oneSpan(2), oneSpan(2)}), points, weights};
+}
+
 }  // namespace
 
 Patch<2> rectangle(const Eigen::Vector2d& origin, const Eigen::Vector2d& size) {
@@ -155,35 +175,16 @@ Patch<3> sphereSegment(const Eigen::Vector3d& center, double innerRadius, double
   requireRadii(innerRadius, outerRadius);
   const UnitArc around = unitArc(longitudes(0), longitudes(1) - longitudes(0));
   const UnitArc upward = unitArc(latitudes(0), latitudes(1) - latitudes(0));
-  Eigen::MatrixXd points(3, 18);
-  Eigen::VectorXd weights(18);
-  for (int k = 0; k < 3; ++k) {
-    const double rho = upward.points(0, k), z = upward.points(1, k);
-    for (int j = 0; j < 3; ++j) {
-      const Eigen::Vector3d direction(rho * around.points(0, j), rho * around.points(1, j), z);
-      const int first = 2 * (j + 3 * k);
-      points.col(first) = center + innerRadius * direction;
-      points.col(first + 1) = center + outerRadius * direction;
-      weights.segment(first, 2).setConstant(around.weights(j) * upward.weights(k));
-    }
-  }
-  return {TensorBasis<3>({oneSpan(1), oneSpan(2), oneSpan(2)}), points, weights};
+  return shell(center, Eigen::Matrix3d::Identity(), innerRadius, outerRadius, around, upward);
 }
 
 Patch<3> ballOctant(const Eigen::Vector3d& center, double radius, const Eigen::Vector3d& pole) {
-  const Patch<2> quarter = discSector({0.0, 0.0}, radius, 0.0, std::numbers::pi / 2);
-  const UnitArc turn = unitArc(0.0, std::numbers::pi / 2);
-  const Eigen::Matrix3d frame = frameAlong(pole);
-  const Eigen::Index n = quarter.points().cols();
-  Eigen::MatrixXd points(3, 3 * n);
-  Eigen::VectorXd weights(3 * n);
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d outward = turn.points(0, k) * frame.col(2) + turn.points(1, k) * frame.col(0);
-    points.middleCols(k * n, n) = (frame.col(1) * quarter.points().row(0)).colwise() + center;
-    points.middleCols(k * n, n) += outward * quarter.points().row(1);
-    weights.segment(k * n, n) = turn.weights(k) * quarter.weights();
-  }
-  return {TensorBasis<3>({oneSpan(2), oneSpan(2), oneSpan(2)}), points, weights};
+  requireRadius(radius);
+  const Eigen::Matrix3d along = frameAlong(pole);
+  Eigen::Matrix3d frame;
+  frame << along.col(2), along.col(0), along.col(1);
+  const UnitArc quarter = unitArc(0.0, std::numbers::pi / 2);
+  return shell(center, frame, 0.0, radius, quarter, quarter);
 }
 
 }  // namespace burnish

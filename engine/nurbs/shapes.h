@@ -36,12 +36,11 @@ Patch<3> cylinderSegment(const Eigen::Vector3d& center, double innerRadius, doub
 Patch<3> sphereSegment(const Eigen::Vector3d& center, double innerRadius, double outerRadius,
                        const Eigen::Vector2d& longitudes, const Eigen::Vector2d& latitudes);
 
-/// An eighth of a ball: half of it, with its `pole` in the middle, cut by two planes of symmetry. Parameters
-/// 1 and 2 are those of a quarter disc that turns with parameter 3 about a diameter normal to the pole, away
-/// from it: `left` and `back` are the planes of symmetry, which meet at the pole, `front` is the plane
-/// through the centre, `bottom` collapses to the diameter; `top`, with the pole at a corner, and `right` are
-/// the sphere's zones below and above a latitude of 45 degrees from the plane `left`. `back` has the
-/// directions of the pole and of the x axis of `swept`. Degrees 2, 2 and 2.
+/// An eighth of a ball: half of it, with its `pole` in the middle, cut by two planes of symmetry. Radius,
+/// longitude and latitude about a diameter normal to the pole: the sphere is the face `right`, with the pole
+/// at a corner where the map is regular; `bottom` and `back` are the planes of symmetry, `top` is the plane
+/// through the centre, with the direction of the x axis of `swept`; `left` collapses to the centre, `front`
+/// to the diameter. Degrees 1, 2 and 2.
 Patch<3> ballOctant(const Eigen::Vector3d& center, double radius, const Eigen::Vector3d& pole);
 
 }  // namespace burnish

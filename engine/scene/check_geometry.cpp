@@ -85,7 +85,7 @@ void PatchCheck::operator()(const CylinderSpec& cylinder) {
 void PatchCheck::operator()(const BallOctantSpec& ball) {
   checkDirection("pole", ball.pole);
   checkArcDegree("a ball");
-  checkNamed({2, 2, 2});
+  checkNamed({1, 2, 2});
 }
 
 void PatchCheck::checkRadii(double inner, double outer) const {

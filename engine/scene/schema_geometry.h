@@ -70,10 +70,9 @@ template <class Visitor>
 void describe(Visitor& v, BallOctantSpec& s) {
   v.field("center", s.center, {.perDimension = true, .unit = "length"}, "Centre of the ball.");
   v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
-  v.field(
-      "pole", s.pole, {.perDimension = true},
-      "Direction from the centre to the middle of the half ball. The planes of symmetry `left` and `back` "
-      "meet there, at a corner of the spherical face `top`; `front` is the plane through the centre.");
+  v.field("pole", s.pole, {.perDimension = true},
+          "Direction from the centre to the middle of the half ball. The planes of symmetry `bottom` and "
+          "`back` meet there, at a corner of the sphere `right`; `top` is the plane through the centre.");
 }
 
 template <class Visitor>

@@ -127,7 +127,7 @@ TEST(RoundBodies, HaveTheirVolumes) {
 
 TEST(RoundBodies, ShareTheNodesOfACollapsedEdge) {
   const auto ball = bodyOf<3>("{shape: ball-octant, radius: 2, spans: [2, 2, 2]}").body;
-  EXPECT_EQ(ball.numNodes, 4 * 4 * 4 - 4 * 3) << "three of four nodes around each of four on the diameter";
+  EXPECT_EQ(ball.numNodes, 1 + 3 * (4 * 3 + 1)) << "one in the centre, one for each radius on the diameter";
 }
 
 TEST(ControlNet, IsTakenAsGivenWithoutADegree) {

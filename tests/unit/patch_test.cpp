@@ -111,13 +111,15 @@ TEST(Shapes, TheAxisSaysWhereAnglesBegin) {
 TEST(Shapes, BallOctantHasItsPoleAtARegularCornerOfTheSphere) {
   const Eigen::Vector3d center(1.0, 2.0, 3.0);
   const auto ball = ballOctant(center, 1.0, {0.0, 0.0, -5.0});
-  for (const char* face : {"right", "top"}) EXPECT_LT(distanceFromRound(ball, face, center), 1e-14) << face;
+  EXPECT_LT(distanceFromRound(ball, "right", center), 1e-14);
   EXPECT_GT(smallestDeterminant(ball), 0.0);
-  EXPECT_LT((ball.position({0.0, 1.0, 0.0}) - center + Eigen::Vector3d::UnitZ()).norm(), 1e-15);
-  EXPECT_LT((ball.position({0.5, 1.0, 1.0}) - center)(2), 1e-15) << "front is the plane through the centre";
-  const Eigen::Matrix3d atPole = ball.jacobian({0.0, 1.0, 0.0});
-  EXPECT_NEAR(atPole.col(0).normalized().dot(atPole.col(2).normalized()), 0.0, 1e-14);
-  EXPECT_GT(std::min(atPole.col(0).norm(), atPole.col(2).norm()), 0.7);
+  EXPECT_LT((ball.position({1.0, 0.0, 0.0}) - center + Eigen::Vector3d::UnitZ()).norm(), 1e-15);
+  EXPECT_NEAR((ball.position({0.5, 1.0, 0.5}) - center)(2), 0.0, 1e-15)
+      << "top is the plane through the centre";
+  const Eigen::Matrix3d atPole = ball.jacobian({1.0, 0.0, 0.0});
+  EXPECT_NEAR(atPole.col(1).normalized().dot(atPole.col(2).normalized()), 0.0, 1e-14);
+  EXPECT_NEAR(atPole.col(1).norm(), std::sqrt(2.0), 1e-14);
+  EXPECT_NEAR(atPole.col(2).norm(), std::sqrt(2.0), 1e-14);
 }
 
 TEST(Shapes, ImpossibleOnesAreRefused) {
