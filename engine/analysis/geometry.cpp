@@ -41,6 +41,24 @@ template <>
 Patch<3> coarse<3>(const BoxSpec& spec) {
   return box(vector<3>(spec.origin), vector<3>(spec.size));
 }
+template <>
+Patch<3> coarse<3>(const TubeSpec& spec) {
+  const Patch<2> ring = annulus({0.0, 0.0}, spec.innerRadius, spec.outerRadius, radians(spec.startAngle),
+                                radians(spec.openingAngle));
+  return swept(ring, vector<3>(spec.center), vector<3>(spec.axis), spec.length);
+}
+template <>
+Patch<3> coarse<3>(const CylinderSpec& spec) {
+  const double start = radians(spec.startAngle);
+  const Patch<2> base = spec.openingAngle == 360.0
+                            ? disc({0.0, 0.0}, spec.radius, start)
+                            : discSector({0.0, 0.0}, spec.radius, start, radians(spec.openingAngle));
+  return swept(base, vector<3>(spec.center), vector<3>(spec.axis), spec.length);
+}
+template <>
+Patch<3> coarse<3>(const BallOctantSpec& spec) {
+  return ballOctant(vector<3>(spec.center), spec.radius, vector<3>(spec.pole));
+}
 
 template <int Dim>
 Patch<Dim> controlNet(const ControlNetSpec& spec) {

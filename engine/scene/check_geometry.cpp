@@ -26,6 +26,9 @@ class PatchCheck {
   void operator()(const RectangleSpec&) { checkNamed({1, 1}); }
   void operator()(const BoxSpec&) { checkNamed({1, 1, 1}); }
   void operator()(const AnnulusSpec& ring);
+  void operator()(const TubeSpec& tube);
+  void operator()(const CylinderSpec& cylinder);
+  void operator()(const BallOctantSpec& ball);
   void operator()(const ControlNetSpec& net);
   void operator()(const PatchesSpec&) {}
 
@@ -40,6 +43,9 @@ class PatchCheck {
     c_.report(fmt::format("{}.{}[{}]", at_, name, entry), problem);
   }
 
+  void checkRadii(double inner, double outer) const;
+  void checkDirection(const char* name, const std::vector<double>& direction) const;
+  void checkArcDegree(const char* shape) const;
   void checkNamed(const std::vector<int>& degrees);
   void checkNumberOfFunctions(std::size_t direction) const;
   std::optional<std::vector<KnotVector>> netKnots(const ControlNetSpec& net) const;
@@ -54,16 +60,51 @@ class PatchCheck {
 };
 
 void PatchCheck::operator()(const AnnulusSpec& ring) {
-  if (clean("inner_radius") && clean("outer_radius") && ring.outerRadius <= ring.innerRadius)
-    report("outer_radius", fmt::format("found {}; allowed: a number above the inner radius {}.",
-                                       ring.outerRadius, ring.innerRadius));
-  if (c_.scene.basis == BasisChoice::Nurbs && c_.scene.degree < 2 && c_.clean("degree"))
-    c_.report(
-        "degree",
-        fmt::format("found {}; allowed for an annulus in NURBS: at least 2, a circular arc is a rational "
-                    "curve of degree 2.",
-                    c_.scene.degree));
+  checkRadii(ring.innerRadius, ring.outerRadius);
+  checkArcDegree("an annulus");
   checkNamed({1, 2});
+}
+
+void PatchCheck::operator()(const TubeSpec& tube) {
+  checkRadii(tube.innerRadius, tube.outerRadius);
+  checkDirection("axis", tube.axis);
+  checkArcDegree("a tube");
+  checkNamed({1, 2, 1});
+}
+
+void PatchCheck::operator()(const CylinderSpec& cylinder) {
+  if (const double angle = cylinder.openingAngle; clean("opening_angle") && angle >= 180.0 && angle != 360.0)
+    report("opening_angle", fmt::format("found {}; allowed: a number above 0 and below 180, or 360 for the "
+                                        "whole cylinder.",
+                                        angle));
+  checkDirection("axis", cylinder.axis);
+  checkArcDegree("a cylinder");
+  checkNamed({2, 2, 1});
+}
+
+void PatchCheck::operator()(const BallOctantSpec& ball) {
+  checkDirection("pole", ball.pole);
+  checkArcDegree("a ball");
+  checkNamed({1, 2, 2});
+}
+
+void PatchCheck::checkRadii(double inner, double outer) const {
+  if (clean("inner_radius") && clean("outer_radius") && outer <= inner)
+    report("outer_radius",
+           fmt::format("found {}; allowed: a number above the inner radius {}.", outer, inner));
+}
+
+void PatchCheck::checkDirection(const char* name, const std::vector<double>& direction) const {
+  if (clean(name) && std::all_of(direction.begin(), direction.end(), [](double d) { return d == 0.0; }))
+    report(name, "found a vector of length 0; allowed: a direction, such as [0, 0, 1].");
+}
+
+void PatchCheck::checkArcDegree(const char* shape) const {
+  if (c_.scene.basis == BasisChoice::Nurbs && c_.scene.degree < 2 && c_.clean("degree"))
+    c_.report("degree",
+              fmt::format("found {}; allowed for {} in NURBS: at least 2, a circular arc is a rational "
+                          "curve of degree 2.",
+                          c_.scene.degree, shape));
 }
 
 void PatchCheck::checkNumberOfFunctions(std::size_t direction) const {

@@ -15,6 +15,15 @@ inline int dimensionOf(const AnnulusSpec&) {
 inline int dimensionOf(const BoxSpec&) {
   return 3;
 }
+inline int dimensionOf(const TubeSpec&) {
+  return 3;
+}
+inline int dimensionOf(const CylinderSpec&) {
+  return 3;
+}
+inline int dimensionOf(const BallOctantSpec&) {
+  return 3;
+}
 inline int dimensionOf(const ControlNetSpec& net) {
   return static_cast<int>(net.degrees.size());
 }

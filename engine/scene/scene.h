@@ -37,6 +37,35 @@ struct BoxSpec {
   std::vector<double> size;
 };
 
+/// Part of a tube: radius (inner to outer), angle, axis. Angles count from the coordinate axis that follows
+/// the largest component of `axis`.
+struct TubeSpec {
+  std::vector<double> center{0.0, 0.0, 0.0};  ///< begin of the axis
+  std::vector<double> axis{0.0, 0.0, 1.0};    ///< direction of any length
+  double innerRadius = 0.0;
+  double outerRadius = 0.0;
+  double length = 0.0;
+  double startAngle = 0.0;     ///< degrees
+  double openingAngle = 90.0;  ///< degrees, (0, 180)
+};
+
+/// A solid cylinder, whole or a sector of it; angles as those of a tube.
+struct CylinderSpec {
+  std::vector<double> center{0.0, 0.0, 0.0};  ///< begin of the axis
+  std::vector<double> axis{0.0, 0.0, 1.0};    ///< direction of any length
+  double radius = 0.0;
+  double length = 0.0;
+  double startAngle = 0.0;      ///< degrees
+  double openingAngle = 360.0;  ///< degrees, (0, 180), or 360 for the whole cylinder
+};
+
+/// Half a ball cut by two planes of symmetry that meet at its pole.
+struct BallOctantSpec {
+  std::vector<double> center{0.0, 0.0, 0.0};
+  double radius = 0.0;
+  std::vector<double> pole{0.0, 0.0, -1.0};  ///< direction of any length from the centre
+};
+
 /// Control points, weights and knot vectors given in the scene, or in a YAML file of the same keys.
 /// `degrees`, `knots` one entry per direction; points with the first direction fastest; weights may be left
 /// out (all 1).
@@ -63,7 +92,8 @@ struct MeshSpec {
 /// One of several patches.
 struct PatchSpec {
   std::string name;
-  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, ControlNetSpec> shape;
+  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, TubeSpec, CylinderSpec, BallOctantSpec, ControlNetSpec>
+      shape;
   MeshSpec mesh;
 };
 
@@ -73,7 +103,9 @@ struct PatchesSpec {
 };
 
 struct GeometrySpec {
-  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, ControlNetSpec, PatchesSpec> shape;
+  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, TubeSpec, CylinderSpec, BallOctantSpec, ControlNetSpec,
+               PatchesSpec>
+      shape;
   MeshSpec mesh;  ///< unused with several patches, which have their own
 };
 

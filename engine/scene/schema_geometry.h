@@ -33,6 +33,49 @@ void describe(Visitor& v, BoxSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, TubeSpec& s) {
+  v.field("center", s.center, {.perDimension = true, .unit = "length"}, "Begin of the axis.");
+  v.field("axis", s.axis, {.perDimension = true},
+          "Direction of the axis, from the face `back` to the face `front`.");
+  v.field("inner_radius", s.innerRadius, {.required = true, .above = 0, .unit = "length"},
+          "Radius of the face `left`.");
+  v.field("outer_radius", s.outerRadius, {.required = true, .above = 0, .unit = "length"},
+          "Radius of the face `right`; greater than the inner radius.");
+  v.field("length", s.length, {.required = true, .above = 0, .unit = "length"}, "Length of the axis.");
+  v.field("start_angle", s.startAngle, {.atLeast = -360, .atMost = 360, .unit = "degrees"},
+          "Angle of the face `bottom` about the axis, from the coordinate axis that follows the largest "
+          "component of `axis`: x for an axis along z, y along x, z along y.");
+  v.field("opening_angle", s.openingAngle, {.above = 0, .below = 180, .unit = "degrees"},
+          "Angle from the face `bottom` to the face `top`.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, CylinderSpec& s) {
+  v.field("center", s.center, {.perDimension = true, .unit = "length"}, "Begin of the axis.");
+  v.field("axis", s.axis, {.perDimension = true},
+          "Direction of the axis, from the face `back` to the face `front`.");
+  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
+  v.field("length", s.length, {.required = true, .above = 0, .unit = "length"}, "Length of the axis.");
+  v.field(
+      "start_angle", s.startAngle, {.atLeast = -360, .atMost = 360, .unit = "degrees"},
+      "Angle about the axis of the face `bottom` of a sector, of the middle of the face `right` of a whole "
+      "cylinder; counted as that of a tube.");
+  v.field("opening_angle", s.openingAngle, {.above = 0, .atMost = 360, .unit = "degrees"},
+          "360: the whole cylinder, with the faces `right`, `top`, `left` and `bottom` around its surface. "
+          "Below 180: the angle of a sector from the plane face `bottom` to the plane face `left`, with the "
+          "faces `right` and `top` along its surface.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, BallOctantSpec& s) {
+  v.field("center", s.center, {.perDimension = true, .unit = "length"}, "Centre of the ball.");
+  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
+  v.field("pole", s.pole, {.perDimension = true},
+          "Direction from the centre to the middle of the half ball. The planes of symmetry `bottom` and "
+          "`back` meet there, at a corner of the sphere `right`; `top` is the plane through the centre.");
+}
+
+template <class Visitor>
 void describe(Visitor& v, ControlNetSpec& s) {
   v.field("file", s.file, {},
           "YAML file that holds the other keys of the control net, beside the scene; instead of giving them "
@@ -69,6 +112,9 @@ void describe(Visitor& v, PatchSpec& s) {
                  {{{"rectangle", "A rectangle along the axes."},
                    {"annulus", "Part of a ring: radius first, then angle."},
                    {"box", "A box along the axes."},
+                   {"tube", "Part of a tube: radius first, then angle, then axis."},
+                   {"cylinder", "A solid cylinder, whole or a sector of it; third direction along the axis."},
+                   {"ball-octant", "An eighth of a ball: half of it, cut by two planes of symmetry."},
                    {"control-net", "Control points, weights and knots."}}},
                  "Kind of patch.");
   describe(v, s.mesh);
@@ -86,6 +132,9 @@ void describe(Visitor& v, GeometrySpec& s) {
                  {{{"rectangle", "A rectangle along the axes."},
                    {"annulus", "Part of a ring: radius first, then angle."},
                    {"box", "A box along the axes."},
+                   {"tube", "Part of a tube: radius first, then angle, then axis."},
+                   {"cylinder", "A solid cylinder, whole or a sector of it; third direction along the axis."},
+                   {"ball-octant", "An eighth of a ball: half of it, cut by two planes of symmetry."},
                    {"control-net", "Control points, weights and knots; needs no functions or spans."},
                    {"patches", "Several patches, joined at common faces; each has its own mesh."}}},
                  "Kind of body.");

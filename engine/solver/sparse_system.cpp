@@ -1,50 +1,19 @@
 #include "engine/solver/sparse_system.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace burnish {
 namespace {
 
-/// Rows of every column, sorted, without repetition.
-std::vector<std::vector<int>> columnPattern(std::size_t numUnknowns,
-                                            const std::vector<CouplingGroups>& termGroups) {
-  std::vector<std::vector<int>> columns(numUnknowns);
-  const auto tidy = [](std::vector<int>& rows) {
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  };
-  std::vector<std::size_t> tidied(numUnknowns, 64);
-  for (const auto& groups : termGroups)
-    for (const auto& group : groups)
-      for (const int column : group) {
-        auto& rows = columns[static_cast<std::size_t>(column)];
-        rows.insert(rows.end(), group.begin(), group.end());
-        auto& limit = tidied[static_cast<std::size_t>(column)];
-        if (rows.size() > limit) {  // keeps the lists short while they grow
-          tidy(rows);
-          limit = std::max<std::size_t>(64, 4 * rows.size());
-        }
-      }
-  for (std::size_t c = 0; c < numUnknowns; ++c) {
-    columns[c].push_back(static_cast<int>(c));
-    tidy(columns[c]);
-  }
-  return columns;
-}
-
-Eigen::SparseMatrix<double> zeroMatrix(const std::vector<std::vector<int>>& columns) {
-  const auto n = static_cast<Eigen::Index>(columns.size());
+/// A square matrix of zeros from the begins of its columns and their rows.
+Eigen::SparseMatrix<double> zeroMatrix(const std::vector<int>& begins, const std::vector<int>& rows) {
+  const auto n = static_cast<Eigen::Index>(begins.size()) - 1;
   Eigen::SparseMatrix<double> matrix(n, n);
-  std::size_t entries = 0;
-  for (const auto& rows : columns) entries += rows.size();
-  matrix.resizeNonZeros(static_cast<Eigen::Index>(entries));
-  int next = 0;
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    matrix.outerIndexPtr()[c] = next;
-    for (const int row : columns[c]) matrix.innerIndexPtr()[next++] = row;
-  }
-  matrix.outerIndexPtr()[columns.size()] = next;
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+  std::copy(begins.begin(), begins.end(), matrix.outerIndexPtr());
+  std::copy(rows.begin(), rows.end(), matrix.innerIndexPtr());
   matrix.coeffs().setZero();
   return matrix;
 }
@@ -52,8 +21,67 @@ Eigen::SparseMatrix<double> zeroMatrix(const std::vector<std::vector<int>>& colu
 }  // namespace
 
 SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups)
-    : prescribed_(std::move(prescribed)),
-      tangent_(zeroMatrix(columnPattern(prescribed_.size(), termGroups))) {
+    : prescribed_(std::move(prescribed)) {
+  for (const auto& groups : termGroups) {
+    auto& sorted = groups_.emplace_back();
+    for (const auto& group : groups) sorted.push_back(sortedGroup(group));
+  }
+  tangent_ = patternOf(prescribed_.size(), groups_);
+  findFreeEntries();
+  for (std::size_t term = 0; term < groups_.size(); ++term)
+    for (std::size_t group = 0; group < groups_[term].size(); ++group)
+      findStarts(termGroups[term][group], groups_[term][group]);
+}
+
+SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) {
+  const auto at = [&](int place) { return unknowns[static_cast<std::size_t>(place)]; };
+  Group group;
+  group.order.resize(unknowns.size());
+  std::iota(group.order.begin(), group.order.end(), 0);
+  std::stable_sort(group.order.begin(), group.order.end(), [&](int a, int b) { return at(a) < at(b); });
+  for (const int place : group.order) {
+    auto& runs = group.runs;
+    if (runs.empty() || at(place) != runs.back().first + runs.back().length)
+      runs.push_back({at(place), 0});  // also where an unknown stands in the group a second time
+    ++runs.back().length;
+  }
+  return group;
+}
+
+/// Every unknown is coupled with itself and with all others of its groups.
+Eigen::SparseMatrix<double> SparseSystem::patternOf(std::size_t numUnknowns,
+                                                    const std::vector<std::vector<Group>>& terms) {
+  std::vector<std::vector<const Group*>> groupsOf(numUnknowns);
+  for (const auto& groups : terms)
+    for (const auto& group : groups)
+      for (const Run& run : group.runs)
+        for (int k = 0; k < run.length; ++k)
+          groupsOf[static_cast<std::size_t>(run.first + k)].push_back(&group);
+
+  std::vector<int> begins{0}, rows;
+  std::vector<char> isCoupled(numUnknowns, 0);
+  for (std::size_t c = 0; c < numUnknowns; ++c) {
+    if (c > 0 && !groupsOf[c].empty() && groupsOf[c] == groupsOf[c - 1]) {  // directions of one node
+      const int begin = begins[c - 1], end = begins[c];
+      for (int k = begin; k < end; ++k) rows.push_back(rows[static_cast<std::size_t>(k)]);
+    } else {
+      auto first = isCoupled.begin() + static_cast<std::ptrdiff_t>(c), last = first + 1;
+      *first = 1;
+      for (const Group* group : groupsOf[c]) {
+        for (const Run& run : group->runs) std::fill_n(isCoupled.begin() + run.first, run.length, char{1});
+        first = std::min(first, isCoupled.begin() + group->runs.front().first);
+        last = std::max(last, isCoupled.begin() + group->runs.back().first + group->runs.back().length);
+      }
+      for (auto it = first; it != last; ++it)
+        if (*it != 0) rows.push_back(static_cast<int>(it - isCoupled.begin()));
+      std::fill(first, last, char{0});
+    }
+    begins.push_back(static_cast<int>(rows.size()));
+  }
+  return zeroMatrix(begins, rows);
+}
+
+void SparseSystem::findFreeEntries() {
   std::vector<int> equation(prescribed_.size(), -1);
   for (std::size_t i = 0; i < prescribed_.size(); ++i)
     if (!prescribed_[i]) {
@@ -61,38 +89,41 @@ SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<Coupl
       free_.push_back(static_cast<int>(i));
     }
 
-  std::vector<std::vector<int>> freeColumns(free_.size());
-  for (std::size_t c = 0; c < free_.size(); ++c)
-    for (int k = tangent_.outerIndexPtr()[free_[c]]; k < tangent_.outerIndexPtr()[free_[c] + 1]; ++k) {
+  std::vector<int> begins{0}, rows;
+  for (const int column : free_) {
+    for (int k = tangent_.outerIndexPtr()[column]; k < tangent_.outerIndexPtr()[column + 1]; ++k) {
       const int row = equation[static_cast<std::size_t>(tangent_.innerIndexPtr()[k])];
       if (row < 0) continue;
-      freeColumns[c].push_back(row);
+      rows.push_back(row);
       freeEntries_.push_back(k);
     }
-  freeTangent_ = zeroMatrix(freeColumns);
+    begins.push_back(static_cast<int>(rows.size()));
+  }
+  freeTangent_ = zeroMatrix(begins, rows);
+}
 
-  for (const auto& groups : termGroups) {
-    Places places;
-    for (const auto& group : groups) {
-      places.offsets.push_back(places.entries.size());
-      for (const int column : group) {
-        const int* begin = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column];
-        const int* end = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column + 1];
-        for (const int row : group)
-          places.entries.push_back(
-              static_cast<int>(std::lower_bound(begin, end, row) - tangent_.innerIndexPtr()));
-      }
-    }
-    places_.push_back(std::move(places));
+void SparseSystem::findStarts(const std::vector<int>& unknowns, Group& group) const {
+  group.starts.reserve(unknowns.size() * group.runs.size());
+  for (const int column : unknowns) {
+    const int* begin = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column];
+    const int* end = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column + 1];
+    for (const Run& run : group.runs)
+      group.starts.push_back(
+          static_cast<int>(std::lower_bound(begin, end, run.first) - tangent_.innerIndexPtr()));
   }
 }
 
-void SparseSystem::add(std::size_t term, std::size_t group, const Eigen::Ref<const Eigen::MatrixXd>& K) {
-  const auto& places = places_[term];
-  const int* entry = places.entries.data() + places.offsets[group];
-  double* values = tangent_.valuePtr();
-  for (Eigen::Index c = 0; c < K.cols(); ++c)
-    for (Eigen::Index r = 0; r < K.rows(); ++r) values[*entry++] += K(r, c);
+void SparseSystem::add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K) {
+  const Group& group = groups_[term][number];
+  const int* start = group.starts.data();
+  for (Eigen::Index c = 0; c < K.cols(); ++c) {
+    const double* column = K.col(c).data();
+    const int* row = group.order.data();
+    for (const Run& run : group.runs) {
+      double* entry = tangent_.valuePtr() + *start++;
+      for (int k = 0; k < run.length; ++k) entry[k] += column[*row++];
+    }
+  }
 }
 
 const Eigen::SparseMatrix<double>& SparseSystem::freeTangent() {

@@ -10,8 +10,9 @@ namespace burnish {
 using CouplingGroups = std::vector<std::vector<int>>;
 
 /// The tangent matrix over all unknowns, on a sparsity pattern that is fixed once, with a precomputed place
-/// for every entry of every group. Prescribed unknowns take part in the assembly (their rows give reactions,
-/// their columns the effect of a prescribed increment) and are left out of the matrix that is factorised.
+/// for every run of consecutive unknowns in every column of every group. Prescribed unknowns take part in the
+/// assembly (their rows give reactions, their columns the effect of a prescribed increment) and are left out
+/// of the matrix that is factorised.
 class SparseSystem {
  public:
   /// One list of groups per term. `prescribed`: one flag per unknown.
@@ -23,9 +24,9 @@ class SparseSystem {
 
   void setZero() { tangent_.coeffs().setZero(); }
 
-  /// Adds a group's dense tangent (unknowns in the order of the group). Safe to call at the same time for
+  /// Adds the dense tangent of a group of a term (unknowns in the order of the group). Safe to call at the same time for
   /// groups that have no unknown in common.
-  void add(std::size_t term, std::size_t group, const Eigen::Ref<const Eigen::MatrixXd>& K);
+  void add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
   /// Tangent over all unknowns.
   const Eigen::SparseMatrix<double>& tangent() const { return tangent_; }
@@ -40,19 +41,29 @@ class SparseSystem {
   Eigen::VectorXd expandFromFree(const Eigen::VectorXd& free) const;
 
  private:
+  /// Consecutive unknowns of a group: entries that follow each other in every column of the tangent.
+  struct Run {
+    int first;
+    int length;
+  };
+  struct Group {
+    std::vector<int> order;   ///< the group's places, by ascending unknown
+    std::vector<Run> runs;    ///< all unknowns, ascending
+    std::vector<int> starts;  ///< entry of `tangent_` where each run starts, column by column
+  };
+
+  static Group sortedGroup(const std::vector<int>& unknowns);
+  static Eigen::SparseMatrix<double> patternOf(std::size_t numUnknowns,
+                                               const std::vector<std::vector<Group>>& terms);
+  void findFreeEntries();
+  void findStarts(const std::vector<int>& unknowns, Group& group) const;
+
   std::vector<bool> prescribed_;
   std::vector<int> free_;
+  std::vector<std::vector<Group>> groups_;  ///< per term
   Eigen::SparseMatrix<double> tangent_;
   Eigen::SparseMatrix<double> freeTangent_;
   std::vector<int> freeEntries_;  ///< entry of `tangent_` behind each entry of `freeTangent_`
-
-  /// Places of a group's entries in `tangent_`, column by column; one list per term, groups one after the
-  /// other.
-  struct Places {
-    std::vector<int> entries;
-    std::vector<std::size_t> offsets;
-  };
-  std::vector<Places> places_;
 };
 
 /// A partition of groups into classes whose members share no unknown: inside a class, groups may be assembled

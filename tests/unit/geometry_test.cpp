@@ -110,6 +110,26 @@ TEST(MeshOfAShape, ACreaseIsABreakpointWhereTheBasisIsContinuousOnly) {
   EXPECT_EQ(lagrange.basis().direction(0).breakpoints(), (std::vector<double>{0, 0.5, 0.6, 1}));
 }
 
+TEST(RoundBodies, HaveTheirVolumes) {
+  const auto volume = [](const std::string& shape, int points) {
+    return SpanQuadrature<3>(bodyOf<3>(shape).body, points).volume();
+  };
+  const std::string tube =
+      "{shape: tube, center: [1, 2, 3], axis: [1, 1, 0], inner_radius: 1, outer_radius: 2, length: 3, "
+      "start_angle: 20, opening_angle: 100, spans: [2, 3, 2]}";
+  EXPECT_NEAR(volume(tube, 10) / (kPi * 3.0 * 3.0 * 100.0 / 360.0), 1.0, 1e-13);
+  const std::string cylinder = "{shape: cylinder, axis: [1, 0, 0], radius: 2, length: 3, spans: [4, 4, 2]";
+  EXPECT_NEAR(volume(cylinder + "}", 10) / (kPi * 4.0 * 3.0), 1.0, 1e-13);
+  EXPECT_NEAR(volume(cylinder + ", opening_angle: 120}", 10) / (kPi * 4.0), 1.0, 1e-13);
+  EXPECT_NEAR(volume("{shape: ball-octant, radius: 2, spans: [3, 3, 3]}", 10) / (kPi * 4.0 / 3.0), 1.0,
+              1e-13);
+}
+
+TEST(RoundBodies, ShareTheNodesOfACollapsedEdge) {
+  const auto ball = bodyOf<3>("{shape: ball-octant, radius: 2, spans: [2, 2, 2]}").body;
+  EXPECT_EQ(ball.numNodes, 1 + 3 * (4 * 3 + 1)) << "one in the centre, one for each radius on the diameter";
+}
+
 TEST(ControlNet, IsTakenAsGivenWithoutADegree) {
   const auto shape = refined(quarterRing, {KnotVector::uniform(1, 2), KnotVector::uniform(2, 3)});
   const auto patch = patchOf<2>("{" + netOf(shape) + "}");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -60,7 +61,72 @@ TEST(Shapes, CylinderAndSphereSegmentsAreExact) {
   }
 }
 
+/// Smallest determinant of the map over random parameters.
+double smallestDeterminant(const Patch<3>& patch) {
+  std::mt19937 generator(4);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 2000; ++k)
+    smallest = std::min(smallest, patch.jacobian(randomParameter<3>(generator)).determinant());
+  return smallest;
+}
+
+/// Largest distance of a face from the sphere or, with a unit axis, from the cylinder of radius 1 about
+/// `center`.
+double distanceFromRound(const Patch<3>& patch, const char* face, const Eigen::Vector3d& center,
+                         const Eigen::Vector3d& axis = Eigen::Vector3d::Zero()) {
+  const auto trace = tracePatch(patch, faceFromName<3>(face));
+  std::mt19937 generator(5);
+  double largest = 0.0;
+  for (int k = 0; k < 100; ++k) {
+    const Eigen::Vector3d v = trace.position(randomParameter<2>(generator)) - center;
+    largest = std::max(largest, std::abs((v - v.dot(axis) * axis).norm() - 1.0));
+  }
+  return largest;
+}
+
+TEST(Shapes, SolidCylindersAreRoundAndNowhereFolded) {
+  const Eigen::Vector3d begin(1.0, 2.0, 3.0), axis = Eigen::Vector3d(1.0, -2.0, 0.5).normalized();
+  const auto whole = swept(disc({0.0, 0.0}, 1.0, 0.3), begin, 4.0 * axis, 2.0);
+  for (const char* face : {"left", "right", "bottom", "top"})
+    EXPECT_LT(distanceFromRound(whole, face, begin, axis), 1e-14) << face;
+  EXPECT_GT(smallestDeterminant(whole), 0.0);
+  EXPECT_NEAR((whole.position({0.5, 0.5, 1.0}) - begin - 2.0 * axis).norm(), 0.0, 1e-14);
+  for (const double opening : {0.2, kPi / 2, 3.0}) {
+    const auto sector = swept(discSector({0.0, 0.0}, 1.0, 0.3, opening), begin, axis, 2.0);
+    for (const char* face : {"right", "top"})
+      EXPECT_LT(distanceFromRound(sector, face, begin, axis), 1e-14) << face;
+    EXPECT_GT(smallestDeterminant(sector), 0.0) << opening;
+  }
+}
+
+TEST(Shapes, TheAxisSaysWhereAnglesBegin) {
+  const Patch<2> ring = annulus({0.0, 0.0}, 1.0, 2.0, 0.0, kPi / 2);
+  for (int d = 0; d < 3; ++d) {
+    const auto tube = swept(ring, Eigen::Vector3d::Zero(), 3.0 * Eigen::Vector3d::Unit(d), 1.0);
+    EXPECT_LT((tube.position({0.0, 0.0, 0.0}) - Eigen::Vector3d::Unit((d + 1) % 3)).norm(), 1e-15);
+    EXPECT_LT((tube.position({0.0, 1.0, 0.0}) - Eigen::Vector3d::Unit((d + 2) % 3)).norm(), 1e-15);
+  }
+}
+
+TEST(Shapes, BallOctantHasItsPoleAtARegularCornerOfTheSphere) {
+  const Eigen::Vector3d center(1.0, 2.0, 3.0);
+  const auto ball = ballOctant(center, 1.0, {0.0, 0.0, -5.0});
+  EXPECT_LT(distanceFromRound(ball, "right", center), 1e-14);
+  EXPECT_GT(smallestDeterminant(ball), 0.0);
+  EXPECT_LT((ball.position({1.0, 0.0, 0.0}) - center + Eigen::Vector3d::UnitZ()).norm(), 1e-15);
+  EXPECT_NEAR((ball.position({0.5, 1.0, 0.5}) - center)(2), 0.0, 1e-15)
+      << "top is the plane through the centre";
+  const Eigen::Matrix3d atPole = ball.jacobian({1.0, 0.0, 0.0});
+  EXPECT_NEAR(atPole.col(1).normalized().dot(atPole.col(2).normalized()), 0.0, 1e-14);
+  EXPECT_NEAR(atPole.col(1).norm(), std::sqrt(2.0), 1e-14);
+  EXPECT_NEAR(atPole.col(2).norm(), std::sqrt(2.0), 1e-14);
+}
+
 TEST(Shapes, ImpossibleOnesAreRefused) {
+  EXPECT_THROW(disc({0, 0}, 0.0, 0.0), Error);
+  EXPECT_THROW(discSector({0, 0}, -1.0, 0.0, 1.0), Error);
+  EXPECT_THROW(swept(disc({0, 0}, 1.0, 0.0), {0, 0, 0}, {0, 0, 1}, 0.0), Error);
+  EXPECT_THROW(ballOctant({0, 0, 0}, 1.0, {0, 0, 0}), Error);
   EXPECT_THROW(annulus({0, 0}, 0.0, 1.0, 0.0, 1.0), Error);
   EXPECT_THROW(annulus({0, 0}, 2.0, 1.0, 0.0, 1.0), Error);
   EXPECT_THROW(annulus({0, 0}, 1.0, 2.0, 0.0, kPi), Error);

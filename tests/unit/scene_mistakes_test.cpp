@@ -60,6 +60,11 @@ std::string nameOf(const testing::TestParamInfo<Mistake>& test) {
   return test.param.name;
 }
 
+const std::string solid =
+    "degree: 2\ngeometry: {shape: box, size: [1, 1, 1], spans: [2, 2, 2]}\n"
+    "material: {law: neo-hookean, E: 1, nu: 0.3}\nsteps: [{until: 1, count: 1}]\n";
+const std::string kBox = "shape: box, size: [1, 1, 1]";
+
 TEST_P(SceneMistake, isReportedWithPlaceKeyAndRemedy) {
   const Mistake& m = GetParam();
   const std::string yaml = replaced(*m.scene, m.from, m.to);
@@ -182,6 +187,24 @@ INSTANTIATE_TEST_SUITE_P(
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
+    RoundBody, SceneMistake,
+    testing::Values(
+        Mistake{"tube", &solid, kBox, "shape: tube, inner_radius: 2, outer_radius: 1, length: 3", "1, length",
+                "geometry.outer_radius", "found 1; allowed: a number above the inner radius 2."},
+        Mistake{"axis", &solid, kBox, "shape: cylinder, radius: 1, length: 3, axis: [0, 0, 0]", "[0, 0, 0]",
+                "geometry.axis", "found a vector of length 0; allowed: a direction, such as [0, 0, 1]."},
+        Mistake{"opening", &solid, kBox, "shape: cylinder, radius: 1, length: 3, opening_angle: 180", "180",
+                "geometry.opening_angle",
+                "found 180; allowed: a number above 0 and below 180, or 360 for the whole cylinder."},
+        Mistake{"pole", &solid, kBox, "shape: ball-octant, radius: 1, pole: [0, 0]", "[0, 0]",
+                "geometry.pole",
+                "found a list of 2; allowed: a list of 3, one entry per dimension of the body."},
+        Mistake{"linearBall", &solid, "degree: 2\ngeometry: {shape: box, size: [1, 1, 1]",
+                "degree: 1\ngeometry: {shape: ball-octant, radius: 1", "1", "degree",
+                "found 1; allowed for a ball in NURBS: at least 2"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
     ControlNet, SceneMistake,
     testing::Values(
         Mistake{"weight", &net, "[1, 1, 0.7", "[1, -1, 0.7", "-1", "geometry.weights[1]",
@@ -258,7 +281,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "found a, the name of another patch; allowed: a name of its own for each patch."},
         Mistake{"shape", &pair, "shape: rectangle, origin", "shape: patches, origin", "patches",
                 "geometry.patches[1].shape",
-                "found patches; allowed: rectangle | annulus | box | control-net."},
+                "found patches; allowed: rectangle | annulus | box | tube | cylinder | "
+                "ball-octant | control-net."},
         Mistake{"dimension", &pair, "rectangle, origin: [1, 0], size: [1, 1], spans: [2, 2]",
                 "box, size: [1, 1, 1], spans: [2, 2, 2]", "{name: b", "geometry.patches[1]",
                 "found a shape of 3 dimensions; allowed: 2 dimensions, as the first patch has."},

@@ -56,6 +56,29 @@ ResidualScales scalesFor(int size) {
   return {size, 1e-9, Eigen::VectorXd::Zero(size), Eigen::VectorXd()};
 }
 
+TEST(SparseSystem, AddsGroupsInAnyOrderWithGapsAndRepetitions) {
+  const std::vector<CouplingGroups> groups{{{4, 0, 1}, {5, 2, 2, 3}}, {{1, 4}}};
+  SparseSystem system({false, true, false, false, false, false, false}, groups);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(7, 7);
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (std::size_t term = 0; term < groups.size(); ++term)
+    for (std::size_t g = 0; g < groups[term].size(); ++g) {
+      const auto& unknowns = groups[term][g];
+      const auto n = static_cast<Eigen::Index>(unknowns.size());
+      const Eigen::MatrixXd K = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return uniform(generator); });
+      system.add(term, g, K);
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j)
+          expected(unknowns[static_cast<std::size_t>(i)], unknowns[static_cast<std::size_t>(j)]) += K(i, j);
+    }
+  EXPECT_LT((Eigen::MatrixXd(system.tangent()) - expected).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_EQ(system.tangent().nonZeros(), 9 + 9 + 1) << "two groups of three unknowns, one in none";
+  const std::vector<int> isFree{0, 2, 3, 4, 5, 6};
+  EXPECT_EQ(system.freeUnknowns(), isFree);
+  EXPECT_EQ(Eigen::MatrixXd(system.freeTangent()), Eigen::MatrixXd(system.tangent())(isFree, isFree));
+}
+
 TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {
   Chain chain(6, 10.0);
   Newton newton({&chain}, endsHeld(6), scalesFor(6), {});

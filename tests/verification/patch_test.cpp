@@ -9,6 +9,7 @@
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/bulk_term.h"
+#include "engine/solid/joined_body.h"
 #include "engine/solver/newton.h"
 
 namespace burnish {
@@ -42,14 +43,17 @@ PatchError solvePatch(const Body<Dim>& body, const Material& material, double st
   std::vector<bool> prescribed(static_cast<std::size_t>(size), false);
   const auto& patch = body.patches.front();
   for (int face = 0; face < 2 * Dim; ++face)
-    for (const int a : faceFunctions(patch.basis(), face))
-      for (int d = 0; d < Dim; ++d) prescribed[static_cast<std::size_t>(Dim * a + d)] = true;
+    for (const int a : faceFunctions(patch.basis(), face)) {
+      const int node = body.nodes.front()[static_cast<std::size_t>(a)];
+      for (int d = 0; d < Dim; ++d) prescribed[static_cast<std::size_t>(Dim * node + d)] = true;
+    }
 
   Eigen::Matrix<double, Dim, Dim> H = Eigen::Matrix<double, Dim, Dim>::Zero();
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) H(i, j) = strain * (1.0 + i - 0.7 * j);
   Eigen::VectorXd exact(size);
-  for (int a = 0; a < body.numNodes; ++a) exact.segment<Dim>(Dim * a) = H * patch.points().col(a);
+  const Eigen::MatrixXd positions = body.nodePositions();
+  for (int a = 0; a < body.numNodes; ++a) exact.segment<Dim>(Dim * a) = H * positions.col(a);
 
   Newton newton({bulk.get()}, prescribed, {size, 1e-12, Eigen::VectorXd::Zero(size), {}},
                 {.tolerance = 1e-12});
@@ -134,6 +138,23 @@ TEST(PatchTest, DistortedPatchesAreExactWithTheProjectedDilatation) {
       refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.6, {0.0, 1.0}, {-0.3, 0.8}),
               {KnotVector::uniform(2, 2), KnotVector::uniform(2, 2), KnotVector::uniform(2, 2)});
   solve(distorted(shell, 0.02, false), kRubber, 0.05, 4);
+}
+
+TEST(PatchTest, RoundBodiesAreExactInBothFormulations) {
+  const Patch<2> section = discSector({0.0, 0.0}, 1.0, 0.3, 2.0);
+  const std::vector<Patch<3>> shapes{
+      swept(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.5), {0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, 1.0),
+      swept(disc({0.0, 0.0}, 1.0, 0.3), {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 1.0),
+      swept(section, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 1.0),
+      ballOctant({0.0, 0.0, 0.0}, 1.0, {0.0, 0.0, -1.0})};
+  const KnotVector knots = KnotVector::uniform(2, 2);
+  for (const Patch<3>& shape : shapes) {
+    const Body<3> body = joinedBody<3>({refined(shape, {knots, knots, knots})}, {""});
+    for (const auto formulation : {Formulation::Displacement, Formulation::ProjectedDilatation}) {
+      expectExact(solvePatch(body, kRubber, 0.05, 10, formulation));
+      expectExact(solvePatch(body, kMetal, 0.01, 10, formulation));
+    }
+  }
 }
 
 }  // namespace
