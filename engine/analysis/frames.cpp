@@ -1,15 +1,28 @@
 #include "engine/analysis/frames.h"
 
 #include <string>
+#include <type_traits>
 
+#include "engine/contact/shape_outline.h"
 #include "engine/core/version.h"
 #include "engine/fields/body_fields.h"
 
 namespace burnish {
 namespace {
 
-RecordedShape recorded(const RigidShape& shape) {
-  return std::visit([](const auto& s) -> RecordedShape { return s; }, shape);
+/// Half the length that is drawn of an infinite tool, in sizes of the body.
+constexpr double kDrawnSizes = 3.0;
+
+/// Shapes that a result holds as they are, and the outlines of others.
+RecordedShape recorded(const RigidShape& shape, int dim, double bodySize) {
+  return std::visit(
+      [&]<class Shape>(const Shape& s) -> RecordedShape {
+        if constexpr (std::is_constructible_v<RecordedShape, Shape>)
+          return s;
+        else
+          return outlineOf(shape, dim, kDrawnSizes * bodySize);
+      },
+      shape);
 }
 
 template <int Dim>
@@ -72,8 +85,8 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
     record.patches.push_back(std::move(stored));
   }
   for (const auto& tool : model.tools())
-    record.tools.push_back({tool->name, recorded(tool->shape), tool->pivot, tool->axis,
-                            curvatureRadius(tool->shape)});
+    record.tools.push_back({tool->name, recorded(tool->shape, Dim, model.body().size()), tool->pivot,
+                            tool->axis, halfThickness(tool->shape)});
   return record;
 }
 

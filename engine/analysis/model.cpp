@@ -131,7 +131,7 @@ void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec) con
   faces_.requireOuter(spec.place, place);
   const NearestPoint nearest =
       nearestPoint(body_, faces_.patch(spec.place.patch), faceFromName<Dim>(spec.place.face), tool);
-  if (-nearest.gap > kTouching * std::min(curvatureRadius(tool.shape), body_.size()))
+  if (-nearest.gap > kTouching * std::min(halfThickness(tool.shape), body_.size()))
     throw Error(
         fmt::format("{}: tool '{}' overlaps face '{}' by {:.3g} at the start; move it away by at least "
                     "that much (touching is fine)",

@@ -131,7 +131,7 @@ void Recorder<Dim>::watch() {
 
   bool penetrates = false;
   for (const auto& pair : model_.contacts()) {
-    const double radius = curvatureRadius(model_.tools()[pair.tool]->shape);
+    const double radius = halfThickness(model_.tools()[pair.tool]->shape);
     for (const auto& span : pair.term->face().spans()) {
       const double penetration =
           -pair.term->state().gap.segment(span.firstPoint, span.weights.size()).minCoeff();

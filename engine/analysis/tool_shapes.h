@@ -4,8 +4,9 @@
 
 namespace burnish {
 
-/// The rigid surface of a tool at its reference position.
-RigidShape makeShape(const ToolShapeSpec& spec);
+/// The rigid surface of a tool at its reference position. Throws `Error` if a file cannot be read or does not
+/// hold a surface.
+RigidShape makeShape(const ToolSpec& spec);
 
 /// A list of two or three coordinates as a point in space.
 Eigen::Vector3d inSpace(const std::vector<double>& coordinates);

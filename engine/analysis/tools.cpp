@@ -39,7 +39,7 @@ Ways formulas(const std::array<const std::optional<FormulaText>*, kToolWays>& co
 std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int firstUnknown, double bodySize) {
   auto tool = std::make_unique<Tool>();
   tool->name = spec.name;
-  tool->shape = makeShape(spec.shape);
+  tool->shape = makeShape(spec);
   tool->pivot = spec.pivot.empty() ? middleOf(tool->shape) : inSpace(spec.pivot);
   tool->axis = inSpace(spec.pivotAxis).normalized();
   tool->turnLength = bodySize;

@@ -175,7 +175,7 @@ Eigen::VectorXd ContactTerm<Dim>::referenceGaps(const ToolPose& pose) const {
 
 template <int Dim>
 bool ContactTerm<Dim>::passesThrough(const Mortar& mortar) const {
-  const double deepest = -kDeepestShare * curvatureRadius(tool_.shape);
+  const double deepest = -kDeepestShare * halfThickness(tool_.shape);
   return std::any_of(mortar.points.begin(), mortar.points.end(),
                      [&](const ToolGap& query) { return query.point.gap < deepest; });
 }

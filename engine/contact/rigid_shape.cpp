@@ -1,43 +1,99 @@
 #include "engine/contact/rigid_shape.h"
 
+#include <algorithm>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace burnish {
 namespace {
 
-/// Gap to a surface at distance R from a point or an axis, eq. (27); `v` leads from there to x and lies in
-/// the range of the projector I_⊥. On the axis itself any direction is as good as another; the curvature term
-/// is left at zero.
-GapQuery roundGap(const Eigen::Vector3d& v, const Eigen::Matrix3d& projector, double radius) {
-  GapQuery answer;
-  const double distance = v.norm();
-  answer.gap = distance - radius;
-  if (distance == 0.0) {
-    answer.normal = projector.col(1).normalized();
-    return answer;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double thicknessAround(const AnyShape& solid);
+
+double thicknessOf(const Plane&) {
+  return kInfinity;
+}
+double thicknessOf(const Cylinder& cylinder) {
+  return cylinder.radius;
+}
+double thicknessOf(const Sphere& sphere) {
+  return sphere.radius;
+}
+double thicknessOf(const Edge&) {
+  return kInfinity;
+}
+double thicknessOf(const Cone&) {
+  return kInfinity;
+}
+double thicknessOf(const Torus& torus) {
+  return torus.tubeRadius;
+}
+double thicknessOf(const RoundedBox& box) {
+  return 0.5 * box.size.minCoeff();
+}
+template <int P>
+double thicknessOf(const NurbsShape<P>& shape) {
+  return halfThicknessOf(shape);
+}
+double thicknessOf(const FacetedShape& shape) {
+  return halfThicknessOf(shape);
+}
+double thicknessOf(const Die& die) {
+  return thicknessAround(*die.solid);
+}
+
+double thicknessOf(const Union& joined) {
+  double smallest = kInfinity;
+  for (const auto& part : joined.parts) smallest = std::min(smallest, halfThickness(part->shape));
+  return smallest;
+}
+
+Eigen::Vector3d middleOfBox(const Eigen::Matrix3Xd& points) {
+  return 0.5 * (points.rowwise().minCoeff() + points.rowwise().maxCoeff());
+}
+
+struct Middle {
+  Eigen::Vector3d operator()(const Plane& plane) const { return plane.origin; }
+  Eigen::Vector3d operator()(const Cylinder& cylinder) const { return cylinder.center; }
+  Eigen::Vector3d operator()(const Sphere& sphere) const { return sphere.center; }
+  Eigen::Vector3d operator()(const Edge& edge) const { return edge.tip; }
+  Eigen::Vector3d operator()(const Cone& cone) const { return cone.tip; }
+  Eigen::Vector3d operator()(const Torus& torus) const { return torus.center; }
+  Eigen::Vector3d operator()(const RoundedBox& box) const { return box.center; }
+  Eigen::Vector3d operator()(const NurbsCurve& curve) const { return middleOfBox(outlineOf(curve).points); }
+  Eigen::Vector3d operator()(const NurbsSurface& surface) const {
+    return middleOfBox(outlineOf(surface).points);
   }
-  answer.normal = v / distance;
-  answer.dNormal = (projector - answer.normal * answer.normal.transpose()) / distance;
-  return answer;
+  Eigen::Vector3d operator()(const FacetedShape& shape) const { return middleOfBox(outlineOf(shape).points); }
+  Eigen::Vector3d operator()(const Die& die) const { return middleOf(die.solid->shape); }
+  Eigen::Vector3d operator()(const Union& joined) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto& part : joined.parts) sum += middleOf(part->shape);
+    return sum / static_cast<double>(joined.parts.size());
+  }
+};
+
+/// Of the die around a solid.
+double thicknessAround(const AnyShape& solid) {
+  if (const auto* torus = std::get_if<Torus>(&solid.shape)) return torus->radius - torus->tubeRadius;
+  if (const auto* inner = std::get_if<Die>(&solid.shape)) return halfThickness(inner->solid->shape);
+  return kInfinity;
 }
 
 }  // namespace
 
-GapQuery Plane::query(const Eigen::Vector3d& x) const {
-  GapQuery answer;
-  answer.normal = normal.normalized();
-  answer.gap = (x - origin).dot(answer.normal);
-  return answer;
+Die dieOf(RigidShape solid) {
+  return {std::make_shared<const AnyShape>(AnyShape{std::move(solid)})};
 }
 
-GapQuery Cylinder::query(const Eigen::Vector3d& x) const {
-  const Eigen::Vector3d a = axis.normalized();
-  const Eigen::Matrix3d projector = Eigen::Matrix3d::Identity() - a * a.transpose();
-  return roundGap(projector * (x - center), projector, radius);
-}
-
-GapQuery Sphere::query(const Eigen::Vector3d& x) const {
-  return roundGap(x - center, Eigen::Matrix3d::Identity(), radius);
+Union unionOf(const std::vector<RigidShape>& parts, double blend) {
+  Union joined;
+  for (const RigidShape& part : parts)
+    joined.parts.push_back(std::make_shared<const AnyShape>(AnyShape{part}));
+  joined.blend = blend;
+  return joined;
 }
 
 GapQuery queryGap(const RigidShape& shape, const Eigen::Vector3d& x) {
@@ -45,18 +101,11 @@ GapQuery queryGap(const RigidShape& shape, const Eigen::Vector3d& x) {
 }
 
 Eigen::Vector3d middleOf(const RigidShape& shape) {
-  struct Middle {
-    Eigen::Vector3d operator()(const Plane& plane) const { return plane.origin; }
-    Eigen::Vector3d operator()(const Cylinder& cylinder) const { return cylinder.center; }
-    Eigen::Vector3d operator()(const Sphere& sphere) const { return sphere.center; }
-  };
   return std::visit(Middle{}, shape);
 }
 
-double curvatureRadius(const RigidShape& shape) {
-  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return cylinder->radius;
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  return std::numeric_limits<double>::infinity();
+double halfThickness(const RigidShape& shape) {
+  return std::visit([](const auto& s) { return thicknessOf(s); }, shape);
 }
 
 }  // namespace burnish

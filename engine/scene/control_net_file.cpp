@@ -11,6 +11,7 @@
 
 #include "engine/core/error.h"
 #include "engine/scene/nearest.h"
+#include "engine/scene/tool_files.h"
 #include "engine/scene/yaml_document.h"
 
 namespace burnish {
@@ -82,11 +83,11 @@ void insertFile(YamlNode& shape, const std::string& path, const std::filesystem:
   std::move(net->children.begin(), net->children.end(), std::back_inserter(shape.children));
 }
 
-/// A shape that may be a control net, at a path.
+/// A shape that may be a control net (`name`: what it is called there), at a path.
 void complete(YamlNode& shape, const std::string& path, const std::filesystem::path& directory,
-              Diagnostics& errors) {
+              Diagnostics& errors, const char* name = "control-net") {
   const YamlNode* kind = shape.find("shape");
-  if (kind == nullptr || kind->text != "control-net") return;
+  if (kind == nullptr || kind->text != name) return;
   const YamlNode* file = shape.find("file");
   if (file == nullptr || (file->kind == YamlNode::Kind::Scalar && file->text.empty()))
     requireKeys(shape, path, ", or a file that holds them", errors);
@@ -97,6 +98,9 @@ void complete(YamlNode& shape, const std::string& path, const std::filesystem::p
 }  // namespace
 
 void insertControlNetFiles(YamlNode& root, const std::filesystem::path& directory, Diagnostics& errors) {
+  forEachToolShape(root, [&](YamlNode& tool, const std::string& path) {
+    complete(tool, path, directory, errors, "nurbs");
+  });
   YamlNode* geometry = child(root, "geometry");
   if (geometry == nullptr) return;
   complete(*geometry, "geometry", directory, errors);

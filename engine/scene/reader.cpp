@@ -10,6 +10,7 @@
 #include "engine/scene/mapping_reader.h"
 #include "engine/scene/overrides.h"
 #include "engine/scene/schema.h"
+#include "engine/scene/tool_files.h"
 #include "engine/scene/writer.h"
 #include "engine/scene/yaml_document.h"
 
@@ -18,14 +19,16 @@ namespace {
 
 const DocumentKind kSceneKind{.name = "scene", .keys = "geometry, material and steps"};
 
-/// The scene's tree with all overrides applied and the files of control nets put in; what is wrong so far is
-/// in `errors`.
+/// The scene's tree with all overrides applied and the files of control nets put in, those of tools found;
+/// what is wrong so far is in `errors`.
 YamlNode readTree(const std::string& yaml, const std::string& name, const std::vector<std::string>& overrides,
                   Diagnostics& errors) {
   YamlNode root = parseDocument(yaml, kSceneKind, errors);
   for (std::size_t i = 0; i < overrides.size(); ++i)
     applyOverride(root, overrides[i], static_cast<int>(i) + 1, errors);
-  insertControlNetFiles(root, std::filesystem::path(name).parent_path(), errors);
+  const std::filesystem::path directory = std::filesystem::path(name).parent_path();
+  insertControlNetFiles(root, directory, errors);
+  resolveToolFiles(root, directory);
   return root;
 }
 

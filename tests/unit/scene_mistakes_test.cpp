@@ -87,7 +87,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unknownInside", &block, "nu: 0.3", "nu: 0.3, poisson: 1", "poisson", "material.poisson",
                 "found an unknown key; allowed: law, E, nu, volumetric."},
         Mistake{"ofAnotherAlternative", &block, "origin: [0, 2]", "origin: [0, 2], radius: 1", "radius",
-                "tools[1].radius", "found an unknown key; allowed: name, shape, origin, normal, motion."},
+                "tools[1].radius",
+                "found an unknown key; allowed: name, shape, origin, normal, inside, pivot, pivot_axis, "
+                "motion, prescribe, "
+                "carry."},
         Mistake{"duplicate", &block, "nu: 0.3", "nu: 0.3, E: 2", "E: 2", "material.E",
                 "the key is already given in line 4"},
         Mistake{"missing", &block, "radius: 0.5, ", "", "{name: cylinder", "tools[0].radius",
@@ -337,7 +340,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "{face: bottom, fix: [x, y], symmetry: true}", "{", "supports[0]",
                 "found fix and symmetry; allowed: exactly one of"},
         Mistake{"emptyMove", &block, "fix: [x, y]", "move: {times: [0, 1]}", "{times", "supports[0].move",
-                "found no displacement; allowed: one or more of x, y and z."},
+                "found no component; allowed: one or more of x, y, z."},
         Mistake{"timesNotIncreasing", &block, "times: [0, 1, 2]", "times: [0, 2, 1]", "1]",
                 "tools[0].motion.times[2]", "found 1 after 2; allowed: numbers that increase"},
         Mistake{"motionLength", &block, "x: [0, 0, 2]", "x: [0, 2]", "[", "tools[0].motion.x",
@@ -358,7 +361,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"axis", &block, "radius: 0.5", "radius: 0.5, axis: [1, 0, 0]", "[", "tools[0].axis",
                 "found [1, 0, 0]; allowed in two dimensions: [0, 0, 1]."},
         Mistake{"sphere", &block, "shape: cylinder", "shape: sphere", "sphere", "tools[0].shape",
-                "found sphere, which needs a three-dimensional body; allowed here: plane | cylinder."},
+                "found sphere, which needs a three-dimensional body; allowed here: plane | cylinder | edge | "
+                "box | "
+                "nurbs | polyline | union."},
         Mistake{"sameToolName", &block, "name: plate", "name: cylinder", "cylinder", "tools[1].name",
                 "found cylinder, the name of another tool; allowed: a name of its own for each tool."},
         Mistake{"unknownTool", &block, "tool: cylinder", "tool: cylindre", "cylindre", "contact[0].tool",

@@ -1,0 +1,162 @@
+#include "engine/contact/surface_file.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Face = Mesh::Face_index;
+using Polygons = std::vector<std::vector<std::size_t>>;
+
+/// Number of places that an error names.
+constexpr std::size_t kNamed = 3;
+
+/// "3 triangles without area, at (0, 0, 1), ...".
+std::string countedAt(std::size_t count, const char* noun, const char* rest,
+                      const std::vector<Point>& places) {
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < std::min(places.size(), kNamed); ++k)
+    texts.push_back(fmt::format("({:.6g}, {:.6g}, {:.6g})", places[k].x(), places[k].y(), places[k].z()));
+  return fmt::format("{} {}{}{}, at {}{}", count, noun, count == 1 ? "" : "s", rest, fmt::join(texts, ", "),
+                     count > texts.size() ? ", ..." : "");
+}
+
+Point middleOf(const Mesh& mesh, Face face) {
+  std::vector<Point> corners;
+  for (const auto v : mesh.vertices_around_face(mesh.halfedge(face))) corners.push_back(mesh.point(v));
+  return CGAL::centroid(corners.begin(), corners.end());
+}
+
+std::vector<Point> middlesOf(const Mesh& mesh, const std::vector<Face>& faces) {
+  std::vector<Point> places;
+  for (const Face face : faces) places.push_back(middleOf(mesh, face));
+  return places;
+}
+
+std::vector<Point> rimOf(const Mesh& mesh) {
+  std::vector<Point> places;
+  for (const auto h : mesh.halfedges())
+    if (mesh.is_border(h))
+      places.push_back(CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+  return places;
+}
+
+/// Points that differ by rounding alone become the same point.
+void snap(std::vector<Point>& points) {
+  constexpr double kRounding = 1e-8;
+  const auto box = CGAL::bbox_3(points.begin(), points.end());
+  const double tolerance =
+      kRounding * std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+  if (tolerance == 0.0) return;
+  using Cell = std::array<std::int64_t, 3>;
+  std::map<Cell, Point> known;
+  for (Point& p : points) {
+    Cell at{};
+    for (int d = 0; d < 3; ++d)
+      at[static_cast<std::size_t>(d)] = static_cast<std::int64_t>(std::floor(p[d] / (2.0 * tolerance)));
+    bool isNew = true;
+    for (int k = 0; k < 27 && isNew; ++k) {
+      const auto near = known.find({at[0] + k % 3 - 1, at[1] + k / 3 % 3 - 1, at[2] + k / 9 - 1});
+      isNew = near == known.end() || CGAL::squared_distance(near->second, p) > tolerance * tolerance;
+      if (!isNew) p = near->second;
+    }
+    if (isNew) known.emplace(at, p);
+  }
+}
+
+/// A mesh without coincident points, its faces oriented alike.
+Mesh meshOf(const std::filesystem::path& file, double scale) {
+  std::vector<Point> points;
+  Polygons polygons;
+  if (!std::filesystem::is_regular_file(file)) throw Error("there is no such file");
+  if (!CGAL::IO::read_polygon_soup(file.string(), points, polygons) || polygons.empty())
+    throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
+  for (Point& p : points) p = Point(scale * p.x(), scale * p.y(), scale * p.z());
+  snap(points);
+  pmp::merge_duplicate_points_in_polygon_soup(points, polygons);
+  pmp::merge_duplicate_polygons_in_polygon_soup(points, polygons);
+  const std::size_t known = points.size();
+  if (!pmp::orient_polygon_soup(points, polygons))
+    throw Error(countedAt(points.size() - known, "non-manifold point", "",
+                          {points.begin() + static_cast<std::ptrdiff_t>(known), points.end()}));
+  Mesh mesh;
+  pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  return mesh;
+}
+
+void requireSound(const Mesh& mesh, bool open) {
+  std::vector<Face> degenerate;
+  for (const Face face : mesh.faces())
+    if (pmp::is_degenerate_triangle_face(face, mesh)) degenerate.push_back(face);
+  if (!degenerate.empty())
+    throw Error(countedAt(degenerate.size(), "triangle", " without area", middlesOf(mesh, degenerate)));
+  if (const auto rim = rimOf(mesh); !rim.empty() && !open)
+    throw Error(countedAt(rim.size(), "edge", " on a rim", rim) +
+                "; allowed: a closed surface, or open: true for a tool behind its triangles");
+  std::vector<std::pair<Face, Face>> crossings;
+  pmp::self_intersections(mesh, std::back_inserter(crossings));
+  if (crossings.empty()) return;
+  std::vector<Face> first;
+  for (const auto& [one, other] : crossings) first.push_back(one);
+  throw Error(countedAt(crossings.size(), "pair", " of triangles that intersect", middlesOf(mesh, first)));
+}
+
+SurfaceMesh exported(const Mesh& mesh) {
+  SurfaceMesh surface;
+  surface.closed = CGAL::is_closed(mesh);
+  surface.points.resize(3, static_cast<Eigen::Index>(mesh.number_of_vertices()));
+  surface.cells.resize(3, static_cast<Eigen::Index>(mesh.number_of_faces()));
+  for (const auto v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    surface.points.col(static_cast<Eigen::Index>(v.idx())) << p.x(), p.y(), p.z();
+  }
+  for (const Face face : mesh.faces()) {
+    Eigen::Index k = 0;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
+      surface.cells(k++, static_cast<Eigen::Index>(face.idx())) = static_cast<int>(v.idx());
+  }
+  return surface;
+}
+
+}  // namespace
+
+SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool open) {
+  try {
+    Mesh mesh = meshOf(file, scale);
+    pmp::triangulate_faces(mesh);
+    requireSound(mesh, open);
+    if (CGAL::is_closed(mesh)) pmp::orient_to_bound_a_volume(mesh);
+    mesh.collect_garbage();
+    return exported(mesh);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+}  // namespace burnish

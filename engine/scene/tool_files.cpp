@@ -1,0 +1,15 @@
+#include "engine/scene/tool_files.h"
+
+namespace burnish {
+
+void resolveToolFiles(YamlNode& root, const std::filesystem::path& directory) {
+  forEachToolShape(root, [&](YamlNode& tool, const std::string&) {
+    const YamlNode* shape = tool.find("shape");
+    if (shape == nullptr || (shape->text != "mesh" && shape->text != "polyline")) return;
+    for (YamlNode& file : tool.children)
+      if (file.key == "file" && file.kind == YamlNode::Kind::Scalar && !file.text.empty())
+        file.text = std::filesystem::absolute(directory / file.text).lexically_normal().string();
+  });
+}
+
+}  // namespace burnish

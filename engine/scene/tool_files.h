@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+
+#include "engine/scene/yaml_tree.h"
+
+namespace burnish {
+
+/// Makes the names of the files of meshes and polylines in a scene's tree, which are relative to `directory`,
+/// absolute: a run is resumed from its result file, wherever that is.
+void resolveToolFiles(YamlNode& root, const std::filesystem::path& directory);
+
+/// Calls `act(shape, path)` for every shape of the tools in a scene's tree, parts of unions included.
+template <class Act>
+void forEachToolShape(YamlNode& root, const Act& act) {
+  const auto forEach = [](YamlNode& holder, const std::string& key, const std::string& path,
+                          const auto& visit) {
+    for (YamlNode& list : holder.children)
+      if (list.key == key && list.kind == YamlNode::Kind::Sequence)
+        for (std::size_t i = 0; i < list.children.size(); ++i)
+          visit(list.children[i], path + "[" + std::to_string(i) + "]");
+  };
+  forEach(root, "tools", "tools", [&](YamlNode& tool, const std::string& path) {
+    act(tool, path);
+    forEach(tool, "parts", path + ".parts", act);
+  });
+}
+
+}  // namespace burnish
