@@ -36,7 +36,7 @@ struct Tool {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
 
   /// Prescribed ways from t = 0 on, the turn in radians; at rest where empty.
-  std::array<std::function<double(double)>, kToolWays> motion;
+  std::array<std::function<double(double)>, kToolWays> motion{};
 
   /// Numbers of the unknowns of the free ways; -1 for prescribed ones. The unknown of the turn is the angle
   /// times `turnLength`, so that all unknowns are lengths and their residuals forces.
