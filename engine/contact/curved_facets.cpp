@@ -68,39 +68,40 @@ Eigen::Vector3d CurvedFacets::cornerNormal(Eigen::Index cell, int corner) const 
   return a.cross(b) / (a.squaredNorm() * b.squaredNorm());
 }
 
+/// Sum over the fan of pieces around a corner, both ways up to a crease or a rim.
+Eigen::Vector3d CurvedFacets::fanNormal(Eigen::Index cell, int corner) const {
+  const int vertex = surface_.cells(corner, cell);
+  Eigen::Vector3d sum = cornerNormal(cell, corner);
+  for (int way = 0; way < corners_ - 1; ++way) {
+    Eigen::Index at = cell;
+    int k = corner;
+    while (true) {
+      const Eigen::Index next = neighbours_(way == 0 ? k : (k + 2) % 3, at);
+      if (next < 0 || isCrease(at, next)) break;
+      if (next == cell) return sum;
+      const auto points = surface_.cells.col(next);
+      k = static_cast<int>(std::find(points.begin(), points.end(), vertex) - points.begin());
+      sum += cornerNormal(next, k);
+      at = next;
+      if (corners_ == 2) break;
+    }
+  }
+  return sum;
+}
+
 void CurvedFacets::findNormals() {
   const Eigen::Index cells = surface_.cells.cols();
   normals_.assign(static_cast<std::size_t>(cells), Eigen::Matrix3d::Zero());
   means_.assign(static_cast<std::size_t>(surface_.points.cols()), Eigen::Vector3d::Zero());
   for (Eigen::Index c = 0; c < cells; ++c)
     for (int k = 0; k < corners_; ++k) {
-      const int vertex = surface_.cells(k, c);
-      // The fan of pieces around the corner, both ways up to a crease, a rim or the piece itself.
-      Eigen::Vector3d sum = cornerNormal(c, k);
-      bool goesAround = false;
-      for (int way = 0; way < (corners_ == 2 ? 1 : 2) && !goesAround; ++way) {
-        Eigen::Index cell = c;
-        int corner = k;
-        while (true) {
-          const int edge = corners_ == 2 ? corner : (way == 0 ? corner : (corner + 2) % 3);
-          const Eigen::Index next = neighbours_(edge, cell);
-          if (next < 0 || isCrease(cell, next)) break;
-          goesAround = next == c;
-          if (goesAround) break;
-          const auto corners = surface_.cells.col(next);
-          corner = static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-          sum += cornerNormal(next, corner);
-          cell = next;
-          if (corners_ == 2) break;
-        }
-      }
-      normals_[static_cast<std::size_t>(c)].col(k) = sum.normalized();
-      const Eigen::Vector3d a =
-          surface_.points.col(surface_.cells((k + 1) % corners_, c)) - surface_.points.col(vertex);
-      const Eigen::Vector3d b =
-          surface_.points.col(surface_.cells((k + 2) % corners_, c)) - surface_.points.col(vertex);
+      normals_[static_cast<std::size_t>(c)].col(k) = fanNormal(c, k).normalized();
+      const auto at = [&](int corner) -> Eigen::Vector3d {
+        return surface_.points.col(surface_.cells(corner % corners_, c));
+      };
+      const Eigen::Vector3d a = at(k + 1) - at(k), b = at(k + 2) - at(k);
       const double angle = corners_ == 2 ? 1.0 : std::atan2(a.cross(b).norm(), a.dot(b));
-      means_[static_cast<std::size_t>(vertex)] += angle * facetNormal(c);
+      means_[static_cast<std::size_t>(surface_.cells(k, c))] += angle * facetNormal(c);
     }
 }
 

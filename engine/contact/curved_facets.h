@@ -34,6 +34,7 @@ class CurvedFacets {
 
   Eigen::Vector3d facetNormal(Eigen::Index cell) const;
   Eigen::Vector3d cornerNormal(Eigen::Index cell, int corner) const;
+  Eigen::Vector3d fanNormal(Eigen::Index cell, int corner) const;
   void findNeighbours();
   void findNormals();
   void findBends();

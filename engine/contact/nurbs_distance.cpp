@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/contact/outline_parts.h"
 #include "engine/core/error.h"
 
 namespace burnish {
@@ -14,11 +15,9 @@ constexpr double kTiny = 1e-13;
 /// Two points that are closer than this share of the size are the same control point.
 constexpr double kSame = 1e-10;
 
-/// Number of straight pieces in which a knot span of degree p is drawn and searched: 5 degrees each for a
-/// quarter of a circle.
-int cutsOf(int degree) {
-  return degree == 1 ? 1 : 9 * degree;
-}
+/// A knot span of degree p > 1 is cut into this many times p pieces to be drawn and searched: 5 degrees each
+/// for a quarter of a circle.
+constexpr int kCutsPerDegree = 9;
 
 }  // namespace
 
@@ -81,75 +80,49 @@ std::vector<int> NurbsDistance<P>::faceLayer(FaceId face) const {
   return functions;
 }
 
+/// Parameters at which an interval of a direction is cut.
+template <int P>
+std::vector<double> NurbsDistance<P>::cutsOf(int direction, const Interval& interval) const {
+  const UnivariateBasis& basis = patch_.basis().direction(direction);
+  const int cuts = basis.degree() == 1 ? 1 : kCutsPerDegree * basis.degree();
+  std::vector<double> values{interval.begin};
+  for (int e = interval.first; e <= interval.last; ++e)
+    for (int k = 1; k <= cuts; ++k)
+      values.push_back(basis.spanBegin(e) + (basis.spanEnd(e) - basis.spanBegin(e)) * k / cuts);
+  return values;
+}
+
 template <int P>
 void NurbsDistance<P>::tessellate() {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<std::array<int, P + 1>> cells;
-  const auto addCell = [&](const Index& piece, std::array<int, P + 1> cell) {
-    const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(cell[k])]; };
-    if constexpr (P == 1) {
-      if ((at(1) - at(0)).norm() <= kTiny * size_) return;
-    } else {
-      if ((at(1) - at(0)).cross(at(2) - at(0)).norm() <= kTiny * size_ * size_) return;
+  std::vector<SurfaceMesh> meshes;
+  const std::size_t across = intervals_[0].size(), pieces = across * intervals_[P - 1].size();
+  for (std::size_t k = 0; k < (P == 1 ? across : pieces); ++k) {
+    Index piece{};
+    piece[0] = static_cast<int>(k % across);
+    std::vector<double> seconds{0.0};
+    if constexpr (P == 2) {
+      piece[1] = static_cast<int>(k / across);
+      seconds = cutsOf(1, intervals_[1][k / across]);
     }
-    cells.push_back(cell);
-    cellPieces_.push_back(piece);
-  };
-  const auto steps = [&](int d, const Interval& interval) {
-    const UnivariateBasis& basis = patch_.basis().direction(d);
-    const int cuts = cutsOf(basis.degree());
-    std::vector<double> values{interval.begin};
-    for (int e = interval.first; e <= interval.last; ++e)
-      for (int k = 1; k <= cuts; ++k)
-        values.push_back(basis.spanBegin(e) + (basis.spanEnd(e) - basis.spanBegin(e)) * k / cuts);
-    return values;
-  };
-  const auto addPoint = [&](const Index& piece, const Parameter& xi) {
-    points.push_back(evaluate(piece, xi).y);
-    parameters_.push_back(xi);
-  };
-  const std::vector<Interval> single{{0, 0, 0.0, 0.0}};
-  const auto& second = P == 2 ? intervals_[P - 1] : single;
-  for (int j = 0; j < static_cast<int>(second.size()); ++j)
-    for (int i = 0; i < static_cast<int>(intervals_[0].size()); ++i) {
-      Index piece{};
-      piece[0] = i;
-      if constexpr (P == 2) piece[1] = j;
-      const int base = static_cast<int>(points.size());
-      const auto us = steps(0, intervals_[0][static_cast<std::size_t>(i)]);
-      const int n = static_cast<int>(us.size());
-      if constexpr (P == 1) {
-        for (const double u : us) addPoint(piece, Parameter(u));
-        for (int k = 0; k + 1 < n; ++k) addCell(piece, {base + k, base + k + 1});
-      } else {
-        const auto vs = steps(1, second[static_cast<std::size_t>(j)]);
-        for (const double v : vs)
-          for (const double u : us) addPoint(piece, Parameter(u, v));
-        for (int l = 0; l + 1 < static_cast<int>(vs.size()); ++l)
-          for (int k = 0; k + 1 < n; ++k) {
-            const int a = base + l * n + k;
-            addCell(piece, {a, a + 1, a + n + 1});
-            addCell(piece, {a, a + n + 1, a + n});
-          }
+    std::vector<std::vector<Eigen::Vector3d>> rows;
+    for (const double v : seconds) {
+      rows.emplace_back();
+      for (const double u : cutsOf(0, intervals_[0][k % across])) {
+        Parameter xi = Parameter::Constant(v);
+        xi(0) = u;
+        parameters_.push_back(xi);
+        rows.back().push_back(evaluate(piece, xi).y);
       }
     }
-  mesh_.points.resize(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t k = 0; k < points.size(); ++k) mesh_.points.col(static_cast<Eigen::Index>(k)) = points[k];
-  mesh_.cells.resize(P + 1, static_cast<Eigen::Index>(cells.size()));
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    for (int k = 0; k <= P; ++k)
-      mesh_.cells(k, static_cast<Eigen::Index>(c)) = cells[c][static_cast<std::size_t>(k)];
+    meshes.push_back(P == 1 ? line(rows.front(), false) : strips(rows, false, false));
+    cellPieces_.insert(cellPieces_.end(), static_cast<std::size_t>(meshes.back().cells.cols()), piece);
+  }
+  mesh_ = together(meshes);
 }
 
 template <int P>
 SurfaceMesh NurbsDistance<P>::outline() const {
-  SurfaceMesh mesh = mesh_;
-  if (side_ < 0.0) {
-    const Eigen::RowVectorXi first = mesh.cells.row(0);
-    mesh.cells.row(0) = mesh.cells.row(1);
-    mesh.cells.row(1) = first;
-  }
-  return mesh;
+  return side_ < 0.0 ? turnedOver(mesh_) : mesh_;
 }
 
 template <int P>

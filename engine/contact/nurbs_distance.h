@@ -53,6 +53,7 @@ class NurbsDistance {
   };
 
   void findIntervals();
+  std::vector<double> cutsOf(int direction, const Interval& interval) const;
   void tessellate();
   bool isJoined(int direction) const;
   bool isCollapsed(FaceId face) const;

@@ -50,6 +50,17 @@ Points wedge(const Vector3d& tip, const Vector3d& front, const Vector3d& across,
   return points;
 }
 
+/// The point of a common surface near x. Where the normals of two parts cancel there may be none.
+Vector3d onSurface(const Union& joined, Vector3d x) {
+  constexpr double kFlattest = 0.1;
+  for (int step = 0; step < 4; ++step) {
+    const GapQuery query = joined.query(x);
+    if (query.normal.norm() < kFlattest) break;
+    x -= query.gap * query.normal / query.normal.squaredNorm();
+  }
+  return x;
+}
+
 class Outline {
  public:
   Outline(int dim, double reach) : dim_(dim), reach_(reach) {}
@@ -193,12 +204,9 @@ SurfaceMesh Outline::operator()(const Union& joined) const {
     };
     const double finest = joined.blend > 0.0 ? std::min(reach_ / 40.0, joined.blend / 4.0) : reach_ / 40.0;
     SurfaceMesh outline = clipped(refined(std::visit(*this, part->shape), finest), others);
-    for (int step = 0; step < 4; ++step)
-      for (auto point : outline.points.colwise()) {
-        const GapQuery query = joined.query(point);
-        point -= query.gap * query.normal / query.normal.squaredNorm();
-      }
-    outlines.push_back(std::move(outline));
+    for (auto point : outline.points.colwise()) point = onSurface(joined, point);
+    const auto offSurface = [&](const Vector3d& x) { return 0.1 * finest - std::abs(joined.query(x).gap); };
+    outlines.push_back(clipped(outline, offSurface));
   }
   return together(outlines);
 }
