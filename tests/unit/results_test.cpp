@@ -258,6 +258,7 @@ TEST_F(Results, ModelWithoutToolsFieldsAndTitlesReadsBack) {
   frame.fields.clear();
   frame.contact.clear();
   frame.toolDisplacement.resize(2, 0);
+  frame.toolAngle.resize(0);
   ResultWriter(dir, model).append(frame);
   EXPECT_TRUE(same(ResultReader(dir).model(), model));
   EXPECT_TRUE(same(ResultReader(dir).frame(0), frame));
@@ -571,7 +572,7 @@ TEST_F(Results, ContradictoryFramesAreRefused) {
   refused([](auto& f) { f.contact[0].tool = "hammer"; }, "the tool \"hammer\" is none of the model's");
   refused([](auto& f) { f.contact[0].patch = 2; }, "patch 2 of 2");
   refused([](auto& f) { f.contact[0].quadratureGap.conservativeResize(4); },
-          "5 quadrature points, but 5 pressures and 4");
+          "5 quadrature points, but 5 pressures, 4 gaps");
   refused([](auto& f) { f.quadrature.positions.conservativeResize(2, 3); },
           "12 values for 3 quadrature points");
   EXPECT_EQ(ResultReader(dir).numFrames(), 0);
