@@ -206,13 +206,14 @@ void Model<Dim>::placeFreeTools(const Scene& scene) {
 }
 
 template <int Dim>
-void Model<Dim>::requireTouch() const {
+std::string Model<Dim>::pulledTool() const {
   const double smallest = residualScales().forceFloor;
   for (const auto& pair : contacts_)
     if (pair.term->state().pull > smallest)
-      throw RunError(fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with "
-                                 "a free way has to be pressed on the body, or its motion prescribed",
-                                 tools_[pair.tool]->name));
+      return fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a free "
+                         "way has to be pressed on the body, or its motion prescribed",
+                         tools_[pair.tool]->name);
+  return {};
 }
 
 template <int Dim>

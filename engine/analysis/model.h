@@ -61,9 +61,9 @@ class Model {
 
   ResidualScales residualScales() const;
 
-  /// Throws `RunError` if a tool is pulled off the body by what it carries, in the state that the terms have
-  /// been evaluated at.
-  void requireTouch() const;
+  /// A sentence on the tool that is pulled off the body by what it carries, in the state that the terms have
+  /// been evaluated at; empty if there is none.
+  std::string pulledTool() const;
 
   /// Times at which a schedule has a corner.
   const std::vector<double>& corners() const { return corners_; }

@@ -138,7 +138,7 @@ class Run {
     Eigen::VectorXd total = Eigen::VectorXd::Zero(model_.numUnknowns());
     for (std::size_t k = 0; k < terms_.size(); ++k) total += newton_.force(k);
     recorder_.update({step.time, stepping_.state().x, newton_.force(0)}, total);
-    model_.requireTouch();
+    if (const std::string pulled = model_.pulledTool(); !pulled.empty()) throw RunError(pulled);
   }
 
   /// Brings lifted tools down and records the state at t = 0.
@@ -207,6 +207,8 @@ class Run {
     summary_.stoppedBecause =
         fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
                     state.time, stepping_.lastFailedStep(), describe(failure.outcome), failure.residual);
+    if (const std::string pulled = model_.pulledTool(); !pulled.empty())
+      summary_.stoppedBecause += "; " + pulled;
   }
 
   void append(int step, int iterations) {

@@ -161,7 +161,7 @@ TEST(Ironing, OfThePapersElastoplasticSlabReachesTheEndOfTheSlide) {
   const auto outcome = test::run(fullScene("plastic", {}), "plastic_full");
   ASSERT_TRUE(outcome.summary.completed);
   const auto& end = outcome.summary.end;
-  EXPECT_EQ(end.toolDisplacements.front()(0), 2.0);
+  EXPECT_EQ(end.toolPoses.front().displacement(0), 2.0);
   EXPECT_LT(outcome.summary.worstResidual, 1e-9);
   EXPECT_NEAR(end.externalWork, end.strainEnergy + end.plasticWork, 0.01 * end.externalWork);
   EXPECT_FALSE(outcome.summary.doubts.empty()) << "the plough loses its resolution and the run has to say so";
@@ -182,8 +182,8 @@ TEST(Ironing, ALagrangeToolThatMerelyTouchesComesDownFromALiftedPosition) {
   const auto scene = coarseScene("plastic", {"basis=lagrange", "steps=[{until: 0.2, count: 2}]"});
   const Model<2> model(scene);
   EXPECT_LT(model.startTime(), 0.0);
-  EXPECT_GT(model.tools().front()->displacement(model.startTime())(1), 0.0);
-  EXPECT_EQ(model.tools().front()->displacement(0.0).norm(), 0.0);
+  EXPECT_GT(model.tools().front()->pose(model.startTime()).displacement(1), 0.0);
+  EXPECT_EQ(model.tools().front()->pose(0.0).displacement.norm(), 0.0);
   const auto outcome = test::run(scene, "lifted");
   ASSERT_TRUE(outcome.summary.completed);
   EXPECT_EQ(outcome.history.column("time").front(), 0.0);
