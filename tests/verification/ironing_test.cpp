@@ -90,7 +90,10 @@ TEST(Ironing, NurbsAndLagrangeOfDegreeOneAreTheSame) {
                b = test::run(coarseScene(scene, lagrange), "p1l");
     ASSERT_EQ(a.history.numRows(), b.history.numRows());
     for (std::size_t c = 0; c < a.history.columns.size(); ++c) {
-      const double scale = std::max(1e-300, largest(a.history.values[c]));
+      // The moment about the cylinder's axis vanishes up to rounding of the forces.
+      const bool isMoment = a.history.columns[c] == "cylinder.mz";
+      const double scale =
+          std::max(1e-300, largest(isMoment ? a.history.column("cylinder.fy") : a.history.values[c]));
       for (std::size_t k = 0; k < a.history.numRows(); ++k)
         EXPECT_NEAR(a.history.values[c][k], b.history.values[c][k], 1e-12 * scale) << a.history.columns[c];
     }

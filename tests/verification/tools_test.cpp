@@ -130,6 +130,60 @@ TEST(ToolsTest, ADiscIsTheSameAsCylinderAndRationalCircleAndNearlyAsPolyline) {
   EXPECT_LE(polyline.summary.iterations, disc.summary.iterations + disc.summary.steps);
 }
 
+/// An OFF file of a sphere about the origin, of 2 n (n - 1) triangles for n parallels and n meridians.
+void writeSphere(const std::filesystem::path& file, int n) {
+  std::ofstream out(file);
+  out << fmt::format("OFF\n{} {} 0\n0 1 0\n0 -1 0\n", 2 + n * (n - 1), 2 * n * (n - 1));
+  for (int i = 1; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double polar = i * std::numbers::pi / n, angle = 2.0 * j * std::numbers::pi / n;
+      out << fmt::format("{} {} {}\n", std::sin(polar) * std::cos(angle), std::cos(polar),
+                         std::sin(polar) * std::sin(angle));
+    }
+  const auto at = [n](int i, int j) { return 2 + (i - 1) * n + j % n; };
+  for (int j = 0; j < n; ++j)
+    out << fmt::format("3 0 {} {}\n3 1 {} {}\n", at(1, j + 1), at(1, j), at(n - 1, j), at(n - 1, j + 1));
+  for (int i = 1; i + 1 < n; ++i)
+    for (int j = 0; j < n; ++j)
+      out << fmt::format("3 {} {} {}\n3 {} {} {}\n", at(i, j), at(i, j + 1), at(i + 1, j), at(i, j + 1),
+                         at(i + 1, j + 1), at(i + 1, j));
+}
+
+TEST(ToolsTest, ABallOfFiftyThousandTrianglesPressesLikeASphere) {
+  const test::ScratchDirectory directory("ball_mesh");
+  std::filesystem::create_directories(directory.path());
+  const auto file = directory.path() / "ball.off";
+  writeSphere(file, 160);
+  // A quarter of a block; the pole of the mesh is off the contact, where triangles are neither small nor regular.
+  const auto with = [](const std::string& shape) {
+    return test::run(
+        parseScene(fmt::format(R"(
+degree: 2
+geometry: {{shape: box, origin: [0, -0.8, 0], size: [0.8, 0.8, 0.8], spans: [8, 4, 8], grading: [s^1.5, 1-(1-s)^1.5, s^1.5]}}
+material: {{law: neo-hookean, E: 10.0, nu: 0.3}}
+supports:
+  - {{face: bottom, fix: [x, y, z]}}
+  - {{face: left, symmetry: true}}
+  - {{face: back, symmetry: true}}
+tools:
+  - {{name: tool, {}, pivot: [0, 0, 0], motion: {{times: [0, 1], y: [1.001, 0.98], angle: [60, 60]}}}}
+contact: [{{tool: tool, face: top}}]
+steps: [{{until: 1, count: 4}}]
+)",
+                               shape),
+                   "ball"),
+        "ball");
+  };
+  const auto sphere = with("shape: sphere, center: [0, 0, 0], radius: 1");
+  const auto mesh = with(fmt::format("shape: mesh, file: {}", file.string()));
+  ASSERT_TRUE(sphere.summary.completed);
+  ASSERT_TRUE(mesh.summary.completed) << mesh.summary.stoppedBecause;
+  const double force = sphere.history.column("tool.fy").back();
+  EXPECT_GT(force, 0.0);
+  EXPECT_NEAR(mesh.history.column("tool.fy").back(), force, 5e-4 * force);
+  EXPECT_LE(mesh.summary.iterations, sphere.summary.iterations + sphere.summary.steps);
+}
+
 TEST(ToolsTest, AForceGivesTheStateOfTheDisplacementThatItBelongsTo) {
   const auto byDisplacement = runWith("shape: cylinder, center: [1, 1.5], radius: 0.5");
   const double force = byDisplacement.history.column("tool.fy").back();
