@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -86,11 +87,16 @@ struct SpatialOutline {
   const Eigen::AlignedBox3d& box;
 
   vtkSmartPointer<vtkPolyData> operator()(const Plane& plane) const {
-    const Eigen::Vector3d foot = nearestPoint(plane, box);
-    const Eigen::Vector3d a = reach(box) * plane.normal.unitOrthogonal();
-    const Eigen::Vector3d b = plane.normal.normalized().cross(a);
+    const Eigen::Vector3d n = plane.normal.normalized(), foot = nearestPoint(plane, box);
+    Eigen::Index least = 0;
+    n.cwiseAbs().minCoeff(&least);
+    const Eigen::Vector3d a = n.cross(Eigen::Vector3d::Unit(least)).normalized(), b = n.cross(a);
+    const auto [a0, a1] = extentAlong(a);
+    const auto [b0, b1] = extentAlong(b);
+    const Eigen::Vector3d onPlane = n.dot(foot) * n;
     Eigen::Matrix<double, 3, 4> corners;
-    corners << foot - a - b, foot + a - b, foot + a + b, foot - a + b;
+    corners << a0 * a + b0 * b, a1 * a + b0 * b, a1 * a + b1 * b, a0 * a + b1 * b;
+    corners.colwise() += onPlane;
     PolyBuilder builder;
     builder.addPolygon(builder.addPoints(corners));
     return builder.finish();
@@ -100,15 +106,17 @@ struct SpatialOutline {
     const Eigen::Vector3d axis = cylinder.axis.normalized();
     const Eigen::Vector3d a = axis.unitOrthogonal();
     const Eigen::Vector3d b = axis.cross(a);
-    const Eigen::Vector3d center = cylinder.center;
-    const Eigen::Vector3d middle = center + axis.dot(box.center() - center) * axis;
+    const Eigen::Vector3d foot = cylinder.center - axis.dot(cylinder.center) * axis;
+    const auto [begin, end] = extentAlong(axis);
     PolyBuilder builder;
-    const auto lower = builder.addPoints(circlePoints(middle - reach(box) * axis, cylinder.radius, a, b));
-    const auto upper = builder.addPoints(circlePoints(middle + reach(box) * axis, cylinder.radius, a, b));
+    const auto lower = builder.addPoints(circlePoints(foot + begin * axis, cylinder.radius, a, b));
+    const auto upper = builder.addPoints(circlePoints(foot + end * axis, cylinder.radius, a, b));
     for (std::size_t i = 0; i < lower.size(); ++i) {
       const std::size_t next = (i + 1) % lower.size();
       builder.addPolygon({lower[i], lower[next], upper[next], upper[i]});
     }
+    builder.addPolygon(upper);
+    builder.addPolygon({lower.rbegin(), lower.rend()});
     return builder.finish();
   }
 
@@ -128,6 +136,14 @@ struct SpatialOutline {
   }
 
   vtkSmartPointer<vtkPolyData> operator()(const SurfaceMesh& mesh) const { return cellsOf(mesh); }
+
+ private:
+  /// From where to where the box reaches along a direction, and a little further.
+  std::pair<double, double> extentAlong(const Eigen::Vector3d& direction) const {
+    const double middle = direction.dot(box.center());
+    const double half = direction.cwiseAbs().dot(box.sizes()) / 2.0 + 0.1 * box.diagonal().norm();
+    return {middle - half, middle + half};
+  }
 };
 
 /// Moves a shape by a rigid motion.
@@ -170,8 +186,7 @@ ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::s
 }
 
 vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box) {
-  return dim == 2 ? std::visit(PlanarOutline{box}, tool.shape)
-                  : std::visit(SpatialOutline{box}, tool.shape);
+  return dim == 2 ? std::visit(PlanarOutline{box}, tool.shape) : std::visit(SpatialOutline{box}, tool.shape);
 }
 
 }  // namespace burnish
