@@ -1,7 +1,10 @@
 #include "postproc/draw/setup_layout.h"
 
 #include <fmt/format.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkStripper.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,18 +175,43 @@ vtkSmartPointer<vtkPolyData> SetupLayout::outlineOf(std::size_t tool, const Vect
   return toolOutline(movedTool(model_.tools[tool], {shift.x(), shift.y(), 0.0}, 0.0), 2, toolBox_);
 }
 
-std::vector<Vector2d> SetupLayout::toolPixels(std::size_t tool, const Vector2d& shift) const {
-  const auto outline = outlineOf(tool, shift);
-  std::vector<Vector2d> points;
-  for (vtkIdType i = 0; i < outline->GetNumberOfPoints(); ++i)
-    points.push_back(view_.pixel(Eigen::Vector3d(outline->GetPoint(i))));
-  if (!std::holds_alternative<Plane>(model_.tools[tool].shape)) points.push_back(points.front());
-  return points;
+std::vector<std::vector<Vector2d>> SetupLayout::toolPixels(std::size_t tool, const Vector2d& shift) const {
+  vtkNew<vtkStripper> joined;
+  joined->SetInputData(outlineOf(tool, shift));
+  joined->JoinContiguousSegmentsOn();
+  joined->Update();
+  std::vector<std::vector<Vector2d>> lines;
+  vtkNew<vtkIdList> ids;
+  vtkPolyData& outline = *joined->GetOutput();
+  for (vtkIdType line = 0; line < outline.GetNumberOfCells(); ++line) {
+    outline.GetCellPoints(line, ids);
+    lines.emplace_back();
+    for (const vtkIdType id : *ids)
+      lines.back().push_back(view_.pixel(Eigen::Vector3d(outline.GetPoint(id))));
+  }
+  return lines;
 }
 
 Vector2d SetupLayout::middleOf(std::size_t tool) const {
+  if (std::holds_alternative<SurfaceMesh>(model_.tools[tool].shape))
+    return view_.pixel(toolBounds(tool, Vector2d(0, 0)).center());
   const double* b = outlineOf(tool, Vector2d(0, 0))->GetBounds();
   return view_.pixel(Vector2d((b[0] + b[1]) / 2, (b[2] + b[3]) / 2));
+}
+
+/// A stress times a power of a length.
+std::string SetupLayout::forceUnit(int lengths) const {
+  if (model_.stressUnit.empty() || model_.lengthUnit.empty()) return "";
+  const std::array powers{"", "", "²", "³"};
+  return model_.stressUnit + "·" + model_.lengthUnit + powers[static_cast<std::size_t>(lengths)];
+}
+
+std::string SetupLayout::forceText(double force) const {
+  return "F = " + number(force, forceUnit(scene_.kinematics == KinematicsChoice::Axisymmetric ? 2 : 1));
+}
+
+std::string SetupLayout::momentText(double moment) const {
+  return "M = " + number(moment, forceUnit(scene_.kinematics == KinematicsChoice::Axisymmetric ? 3 : 2));
 }
 
 /// What is to be seen of a tool: all that is not far away.
