@@ -78,7 +78,7 @@ class SetupPicture {
     add(plainActor(*body, kBodyColor, false, 1.0));
     if (knots_) add(lineActor(*knotLines(model_, {}, layout_.subdivision()), kKnotColor, 0.5 * line, 1.0));
     add(lineActor(*outlineBesideAxis(), kInk, line, 1.0));
-    for (const ToolRecord& record : model_.tools) {
+    for (const ToolRecord& record : layout_.tools()) {
       const ToolDrawing drawing =
           drawPlaneTool(record, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
       if (drawing.area) add(plainActor(*drawing.area, kToolColor, false, 1.0));
@@ -153,7 +153,7 @@ class SetupPicture {
   }
 
   void nameTool(SetupSymbols& symbols, std::size_t k) const {
-    const ToolRecord& tool = model_.tools[k];
+    const ToolRecord& tool = layout_.tools()[k];
     const Vector2d center = layout_.middleOf(k);
     if (const auto* plane = std::get_if<Plane>(&tool.shape)) {
       const Points line = layout_.toolPixels(k, Vector2d(0, 0)).front();
@@ -166,33 +166,38 @@ class SetupPicture {
       symbols.addRadius(center, center + disc->radius * view().pixelsPerLength * direction,
                         "R = " + layout_.length(disc->radius));
     } else if (const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape)) {
-      symbols.addText({{tool.name}}, mesh->closed ? center : besideMesh(*mesh));
+      if (mesh->closed)
+        symbols.addText({{tool.name}}, center + Vector2d(0.0, 0.9 * textSize()));
+      else if (mesh->cells.size() > 0)
+        nameOpenTool(symbols, tool.name, *mesh);
     }
   }
 
-  /// On the side of the tool, beside the middle of its longest segment.
-  Vector2d besideMesh(const SurfaceMesh& mesh) const {
+  /// On the side of the tool, at a quarter of its longest segment.
+  void nameOpenTool(SetupSymbols& symbols, const std::string& name, const SurfaceMesh& mesh) const {
     Vector2d at(0.0, 0.0), along(0.0, 0.0);
     for (const auto& cell : mesh.cells.colwise()) {
       const Vector2d begin = view().pixel(mesh.points.col(cell(0))),
                      end = view().pixel(mesh.points.col(cell(1)));
       if ((end - begin).norm() <= along.norm()) continue;
       along = end - begin;
-      at = (begin + end) / 2;
+      at = (begin.x() < end.x() ? begin : end) + (begin.x() < end.x() ? 0.25 : -0.25) * along;
     }
-    return at + 1.3 * textSize() * Vector2d(-along.y(), along.x()).normalized();
+    const Vector2d side = Vector2d(-along.y(), along.x()).normalized();
+    const double half = textWidth({{name}}, {.size = textSize()}) / 2.0;
+    symbols.addText({{name}}, at + (1.4 * textSize() + std::abs(side.x()) * half) * side);
   }
 
   void drawTurn(SetupSymbols& symbols, std::size_t k) const {
     const double turn = turnOf(scene().tools[k], scene().definitions, layout_.endTime());
     if (turn != 0.0)
-      symbols.addTurn(view().pixel(model_.tools[k].pivot), turnRadius(k), turn > 0.0,
+      symbols.addTurn(view().pixel(layout_.tools()[k].pivot), turnRadius(k), turn > 0.0,
                       "φ = " + numberText(std::abs(turn), 4) + "°");
   }
 
   /// Just inside a disc, and small for what has no radius.
   double turnRadius(std::size_t k) const {
-    const auto* disc = std::get_if<Cylinder>(&model_.tools[k].shape);
+    const auto* disc = std::get_if<Cylinder>(&layout_.tools()[k].shape);
     return disc ? 0.8 * disc->radius * view().pixelsPerLength : 2.0 * textSize();
   }
 
@@ -200,9 +205,9 @@ class SetupPicture {
     const ToolLoad load = toolLoad(*scene().tools[k].carry, scene(), layout_.endTime());
     const Vector2d middle = layout_.middleOf(k);
     if (load.force.norm() > 0.0)
-      symbols.addForce(middle, load.force.normalized(), layout_.forceText(load.force.norm()));
+      symbols.addForceTo(middle, load.force.normalized(), layout_.forceText(load.force.norm()));
     if (load.moment != 0.0)
-      symbols.addTurn(view().pixel(model_.tools[k].pivot), turnRadius(k), load.moment > 0.0,
+      symbols.addTurn(view().pixel(layout_.tools()[k].pivot), turnRadius(k), load.moment > 0.0,
                       layout_.momentText(std::abs(load.moment)));
   }
 

@@ -33,6 +33,8 @@ class SetupLayout {
   SetupLayout(const ModelRecord& model, const std::array<int, 2>& size);
 
   const Scene& scene() const { return scene_; }
+  /// Those of the model; what is no closed shape only near the body.
+  const std::vector<ToolRecord>& tools() const { return tools_; }
   const SetupFaces& faces() const { return faces_; }
   const View& view() const { return view_; }
   /// Cells per knot span and direction that draw curves smoothly.
@@ -101,7 +103,9 @@ class SetupLayout {
   Eigen::Vector2d arrowStart(const Eigen::Vector2d& at, const Eigen::Vector2d& normal,
                              const Eigen::Vector2d& phase) const;
   void findBoxes();
+  void findTools();
   void findRooms();
+  void findRoomsOfTools();
   void findView();
   bool axisIsNear() const;
 
@@ -113,6 +117,8 @@ class SetupLayout {
   double textSize_;
   double end_;  ///< of the run
   Eigen::AlignedBox3d box_, toolBox_;
+  double lowest_ = 0.0;  ///< y of the lowest of body and tools
+  std::vector<ToolRecord> tools_;
   Rooms rooms_;
   View view_;
 };

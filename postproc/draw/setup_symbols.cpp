@@ -161,6 +161,10 @@ void SetupSymbols::addForce(const Vector2d& middle, const Vector2d& direction, c
   addText({{label}}, middle - half - before * direction);
 }
 
+void SetupSymbols::addForceTo(const Vector2d& tip, const Vector2d& direction, const std::string& label) {
+  addForce(tip - kForceArrow / 2 * text_.size * direction, direction, label);
+}
+
 void SetupSymbols::addTurn(const Vector2d& center, double radius, bool counterclockwise,
                            const std::string& label) {
   constexpr double kBegin = 100.0, kEnd = 190.0, kStep = 3.0;  // degrees

@@ -41,6 +41,9 @@ class SetupSymbols {
   /// One arrow with its middle at a point and its text before its tail.
   void addForce(const Eigen::Vector2d& middle, const Eigen::Vector2d& direction, const std::string& label);
 
+  /// The same with its tip at the point.
+  void addForceTo(const Eigen::Vector2d& tip, const Eigen::Vector2d& direction, const std::string& label);
+
   /// Part of a circle with a head, and its text beyond the circle at the upper left.
   void addTurn(const Eigen::Vector2d& center, double radius, bool counterclockwise, const std::string& label);
 

@@ -1,7 +1,9 @@
+#include <vtkBox.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -183,6 +185,30 @@ ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::s
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
   displacement.head(frame.toolDisplacement.rows()) = warp * frame.toolDisplacement.col(k);
   return movedTool(model.tools.at(tool), displacement, angle);
+}
+
+SurfaceMesh segmentsIn(const SurfaceMesh& mesh, const Eigen::AlignedBox3d& box) {
+  const Eigen::Vector3d low = box.min(), high = box.max();
+  const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), -1.0, 1.0};
+  SurfaceMesh inside{Eigen::Matrix3Xd(3, mesh.cells.size()), Eigen::MatrixXi(2, mesh.cells.cols()),
+                     mesh.closed};
+  int count = 0;
+  for (const auto& cell : mesh.cells.colwise()) {
+    const Eigen::Vector3d begin = mesh.points.col(cell(0)), end = mesh.points.col(cell(1));
+    Eigen::Vector3d first, last;
+    double t1 = 0.0, t2 = 0.0;
+    int side1 = 0, side2 = 0;
+    if (!vtkBox::IntersectWithLine(bounds.data(), begin.data(), end.data(), t1, t2, first.data(), last.data(),
+                                   side1, side2))
+      continue;
+    inside.points.col(2 * count) = first;
+    inside.points.col(2 * count + 1) = last;
+    inside.cells.col(count) << 2 * count, 2 * count + 1;
+    ++count;
+  }
+  inside.points.conservativeResize(Eigen::NoChange, 2 * count);
+  inside.cells.conservativeResize(Eigen::NoChange, count);
+  return inside;
 }
 
 vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box) {
