@@ -240,7 +240,7 @@ Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
   if (parts.arrows.edges) box.extend(boxOf(*parts.arrows.edges, parts.axes));
   const Eigen::AlignedBox2d near = grown(box, kToolReach), cut = grown(box, kToolCut);
   for (const ShownTool& tool : parts.tools) {
-    const bool asPoints = dim == 3 || std::holds_alternative<SurfaceMesh>(tool.record.shape);
+    const bool asPoints = dim == 2 && std::holds_alternative<SurfaceMesh>(tool.record.shape);
     const Eigen::AlignedBox2d seen = seenOf(landmarksOf(tool.record, parts, dim), asPoints, near, cut);
     if (!seen.isEmpty()) box.extend(seen);
   }

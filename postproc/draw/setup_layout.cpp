@@ -209,6 +209,7 @@ std::vector<std::vector<Vector2d>> SetupLayout::toolPixels(std::size_t tool, con
   vtkNew<vtkStripper> joined;
   joined->SetInputData(outlineOf(tool, shift));
   joined->JoinContiguousSegmentsOn();
+  joined->SetMaximumLength(100000);  // all that VTK allows
   joined->Update();
   std::vector<std::vector<Vector2d>> lines;
   vtkNew<vtkIdList> ids;

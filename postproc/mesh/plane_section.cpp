@@ -9,9 +9,13 @@
 #include <vtkNonMergingPointLocator.h>
 #include <vtkPlane.h>
 #include <vtkPolyData.h>
+#include <vtkStripper.h>
 
 namespace burnish {
 namespace {
+
+/// The most points of a line that VTK allows.
+constexpr int kLongestLine = 100000;
 
 vtkNew<vtkPlane> functionOf(const CutPlane& plane) {
   vtkNew<vtkPlane> function;
@@ -49,8 +53,12 @@ vtkSmartPointer<vtkPolyData> enclosedAreas(vtkPolyData& segments) {
   joined->SetInputData(&segments);
   joined->SetTolerance(1e-9);
   joined->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkStripper> loops;  // also of segments that do not all go round the same way
+  loops->SetInputConnection(joined->GetOutputPort());
+  loops->JoinContiguousSegmentsOn();
+  loops->SetMaximumLength(kLongestLine);
   vtkNew<vtkContourTriangulator> triangulator;
-  triangulator->SetInputConnection(joined->GetOutputPort());
+  triangulator->SetInputConnection(loops->GetOutputPort());
   triangulator->Update();
   return triangulator->GetOutput();
 }

@@ -144,6 +144,39 @@ TEST_F(SpaceImage, MistakesAreTold) {
   expectRefused(samples::ring(), options, "only one in space can be cut");
 }
 
+/// A pyramid that stands on its tip in the middle of the cube's upper face.
+SurfaceMesh pyramid() {
+  SurfaceMesh mesh;
+  mesh.points.resize(3, 5);
+  mesh.points << 0.5, 0.1, 0.9, 0.9, 0.1,  //
+      1.0, 1.5, 1.5, 1.5, 1.5,             //
+      0.5, 0.1, 0.1, 0.9, 0.9;
+  mesh.cells.resize(3, 6);
+  mesh.cells << 0, 0, 0, 0, 1, 1,  //
+      1, 2, 3, 4, 4, 3,            //
+      2, 3, 4, 1, 3, 2;
+  mesh.closed = true;
+  return mesh;
+}
+
+TEST_F(SpaceImage, ToolOfTrianglesHasItsEdgesAndSections) {
+  Sample sample = samples::cube();
+  sample.model.tools = {{"pyramid", pyramid()}};
+  ContourOptions options = small("pressure");
+  options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  const Picture section = drawn(sample, options);
+  expectColor(section, Eigen::Vector3d(0.5, 1.3, 0.5), options.theme.tool);
+  expectColor(section, Eigen::Vector3d(0.7, 1.4, 0.5), options.theme.tool);
+  expectColor(section, Eigen::Vector3d(0.75, 1.2, 0.5), options.theme.paper);
+
+  options.slice.reset();
+  const Picture whole = expectBaseline(sample, options, "cube_pyramid");
+  for (const double s : {0.3, 0.7}) {
+    const Eigen::Vector3d edge(0.5 + 0.4 * s, 1.0 + 0.5 * s, 0.5 + 0.4 * s);
+    EXPECT_LT(whole.at(view.pixel(edge))[0], 150) << s;
+  }
+}
+
 /// The tool of the slab as segments in no order, the tool on their left: a frame of x0 ... x1, y0 ... y1.
 SurfaceMesh frameMesh(bool closed) {
   SurfaceMesh mesh;
