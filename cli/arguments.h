@@ -12,6 +12,8 @@
 #include "engine/core/error.h"
 #include "engine/scene/nearest.h"
 #include "postproc/draw/color_scale.h"
+#include "postproc/mesh/mirror.h"
+#include "postproc/mesh/plane_section.h"
 
 /// Values of options that are more than a number or a word. All throw `Error` with the option, what was found
 /// and what is expected.
@@ -54,6 +56,12 @@ Eigen::AlignedBox2d windowFromText(const std::string& text);
 
 /// `X,Y,Z`, or nothing if it is not three numbers.
 std::optional<Eigen::Vector3d> directionFromText(const std::string& text);
+
+/// `x=V`, `y=V` or `z=V`, or `X,Y,Z,NX,NY,NZ`: a point and a normal.
+CutPlane cutPlaneFromText(const char* option, const std::string& text);
+
+/// Axes, each with the place of the plane behind it if that is not 0: `x,z=2.5`.
+std::vector<MirrorPlane> mirrorFromText(const std::string& text);
 
 /// `smooth` (0) or a number of bands.
 int bandsFromText(const std::string& text);

@@ -76,8 +76,18 @@ void setView(const PictureOptions& options, int dim, ContourOptions& contour) {
   if (direction && dim == 2)
     throw Error(
         fmt::format("--view: found {}; a plane body is only seen in its plane: auto or xy", options.view));
-  contour.axes = direction ? viewFrom(*direction) : viewNamed(options.view, dim);
+  if (direction)
+    contour.axes = viewFrom(*direction);
+  else if (options.view != "auto")
+    contour.axes = viewNamed(options.view, dim);
   if (!options.zoom.empty()) contour.window = windowFromText(options.zoom);
+}
+
+void setPlanes(const PictureOptions& options, ContourOptions& contour) {
+  if (!options.mirror.empty()) contour.mirror = mirrorFromText(options.mirror);
+  if (!options.cut.empty()) contour.cut = cutPlaneFromText("--cut", options.cut);
+  if (!options.slice.empty()) contour.slice = cutPlaneFromText("--slice", options.slice);
+  if (options.toolOpacity) contour.toolOpacity = *options.toolOpacity;
 }
 
 void setRange(const PictureOptions& options, const ResultReader& result, const std::vector<int>& frames,
@@ -107,6 +117,7 @@ ContourOptions contourOptions(const PictureOptions& options, const ResultReader&
   setLook(options, contour);
   setSize(options, contour);
   setView(options, result.model().dim, contour);
+  setPlanes(options, contour);
   contour.controlNet = options.controlNet;
   contour.arrows = chosen("--vectors", options.vectors, kArrowFields);
   contour.warp = options.warp;

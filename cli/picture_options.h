@@ -29,6 +29,8 @@ struct PictureOptions {
   std::string vectors = "none";
   double warp = 1.0;
   std::string view = "auto", zoom;
+  std::string cut, slice, mirror;
+  std::optional<double> toolOpacity;
   std::string size;
   double scale = 1.0;
   std::optional<double> textSize;

@@ -67,6 +67,10 @@ void addThings(CLI::App& command, PictureOptions& options) {
       ->type_name("on|off");
   command.add_option("--tools", options.tools, "Draw the tools [as the theme has it]")->type_name("on|off");
   command
+      .add_option("--tool-opacity", options.toolOpacity,
+                  "Of the tools in space, up to 1, which hides what is behind [0.3]")
+      ->type_name("A");
+  command
       .add_option("--vectors", options.vectors,
                   "Draw arrows: displacement, or traction, that of the contact [none]")
       ->type_name("FIELD");
@@ -81,6 +85,21 @@ void addView(CLI::App& command, PictureOptions& options) {
       .add_option("--zoom", options.zoom,
                   "Corners of what is seen, in the plane of the view: coordinates of a plane body [all]")
       ->type_name("X0,Y0,X1,Y1");
+  command
+      .add_option("--cut", options.cut,
+                  "Leave out what is on the eye's side of this plane: z=V, or a point and a normal; the "
+                  "section shows the field inside [no]")
+      ->type_name("z=V|X,Y,Z,NX,NY,NZ");
+  command
+      .add_option("--slice", options.slice,
+                  "Draw only the section of body and tools with this plane, seen against its normal [no]")
+      ->type_name("z=V|X,Y,Z,NX,NY,NZ");
+  command
+      .add_option(
+          "--mirror", options.mirror,
+          "Draw also the images of a symmetric part beyond these planes: x, or x,z=V where one is not "
+          "at 0 [no]")
+      ->type_name("x[=V],...");
   command.add_option("--size", options.size, "Size of the picture in pixels [1600,900]")->type_name("W,H");
   command
       .add_option("--scale", options.scale,

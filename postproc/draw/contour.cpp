@@ -1,6 +1,7 @@
 #include "postproc/draw/contour.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vtkActor.h>
 #include <vtkContourFilter.h>
 #include <vtkImageData.h>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "postproc/draw/axes_triad.h"
 #include "postproc/draw/color_range.h"
 #include "postproc/draw/contour_layout.h"
 #include "postproc/draw/contour_parts.h"
@@ -24,9 +26,9 @@
 #include "postproc/draw/overlay.h"
 #include "postproc/draw/png_file.h"
 #include "postproc/draw/scalar_bar.h"
+#include "postproc/draw/shape_lines.h"
 #include "postproc/draw/space_actors.h"
 #include "postproc/draw/tool_drawing.h"
-#include "postproc/mesh/outlines.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
@@ -39,11 +41,19 @@ constexpr int kMostIsolines = 100;
 
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
-/// A plane or a cylinder is drawn this far beyond a body in space, as a part of the body's diagonal.
-constexpr double kToolReach = 0.2;
-
 /// Order in which things lie over each other in a 2D picture.
-enum Layer { kToolFill, kBody, kIsolines, kKnots, kNet, kUndeformed, kBodyOutline, kToolLines, kArrows };
+enum Layer {
+  kBehindBody = -1,
+  kToolFill,
+  kBody,
+  kIsolines,
+  kKnots,
+  kNet,
+  kUndeformed,
+  kBodyOutline,
+  kToolLines,
+  kArrows
+};
 
 void checkOptions(const ContourOptions& options) {
   const auto [width, height] = options.size;
@@ -61,6 +71,22 @@ void checkOptions(const ContourOptions& options) {
     throw Error(fmt::format("warp: found {}; expected a number", options.warp));
   if (options.arrows == ArrowField::Traction && options.warp != 1.0)
     throw Error("contact tractions belong to the true displacements; draw them without a warp");
+}
+
+void checkPlanes(const ContourOptions& options, int dim) {
+  if (!(options.toolOpacity > 0.0 && options.toolOpacity <= 1.0))
+    throw Error(fmt::format("tool opacity: found {}; expected more than 0, up to 1", options.toolOpacity));
+  if (!options.cut && !options.slice) return;
+  if (options.cut && options.slice) throw Error("cut and slice exclude each other; give one of them");
+  const char* option = options.cut ? "cut" : "slice";
+  const CutPlane& plane = options.cut ? *options.cut : *options.slice;
+  if (dim == 2) throw Error(fmt::format("{}: the body is plane; only one in space can be cut", option));
+  if (!plane.point.allFinite() || !plane.normal.allFinite() || plane.normal.norm() == 0.0)
+    throw Error(fmt::format("{}: expected a point and a normal that is not 0,0,0", option));
+  if (options.controlNet)
+    throw Error(fmt::format("{}: the control net belongs to the whole body; draw it without", option));
+  if (options.arrows == ArrowField::Traction)
+    throw Error(fmt::format("{}: contact tractions act on the whole body; draw them without", option));
 }
 
 /// The notes that there are, in one line.
@@ -89,8 +115,8 @@ class ContourPicture {
     const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), options_.bands);
     const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1]}, textSize_, options_.theme);
     const ContourLayout layout = layOutContour(
-        options_.size, textSize_, options_.window ? *options_.window : contentOf(parts_), parts_.axes,
-        caption(options_.clip && shown != whole), bar, options_.theme);
+        options_.size, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim),
+        parts_.axes, caption(options_.clip && shown != whole), bar, options_.theme);
     if (!options_.transparent) return {capture(options_.theme.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
             layout.view};
@@ -101,7 +127,19 @@ class ContourPicture {
     return {options_.title.value_or(model_.title),
             options_.time ? fmt::format("t = {:.6g}", frame_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
-                    parts_.arrows.note, options_.note, clipped ? clipNote(*options_.clip, model_.dim) : ""})};
+                    parts_.arrows.note, sectionNote(), options_.note,
+                    clipped ? clipNote(*options_.clip, model_.dim) : ""}),
+            model_.dim == 3};
+  }
+
+  /// Where the section of a slice lies; a cut is seen to be one.
+  std::string sectionNote() const {
+    if (!options_.slice) return "";
+    const Eigen::Vector3d normal = options_.slice->normal.normalized(), &point = options_.slice->point;
+    for (Eigen::Index d = 0; d < 3; ++d)
+      if (std::abs(normal(d)) > 1.0 - 1e-12) return fmt::format("section {} = {:.6g}", "xyz"[d], point(d));
+    return fmt::format("section through ({:.6g}) across ({:.3g})", fmt::join(point, ", "),
+                       fmt::join(normal, ", "));
   }
 
   vtkSmartPointer<vtkImageData> capture(const Color& background, const ContourLayout& layout,
@@ -129,6 +167,8 @@ class ContourPicture {
     FlatShapes shapes(renderer, scale);
     bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody()) drawFrame(shapes, layout.view.area);
+    if (model_.dim == 3)
+      drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, options_.theme);
   }
 
   /// Whether only a part of the body is seen.
@@ -143,46 +183,58 @@ class ContourPicture {
                        std::max(1.0, textSize_ / 24.0), options_.theme.softInk);
   }
 
+  /// Whether what is drawn lies in a plane.
+  bool isFlat() const { return model_.dim == 2 || options_.slice; }
+
   void drawSpace(vtkRenderer& renderer, int scale, const View& view, const ColorScale& colors) const {
-    const bool shaded = model_.dim == 3;
     const double line = scale * std::max(0.8, textSize_ / 16.0);
-    const double depth = parts_.body->GetLength() / (shaded ? 1000.0 : 100.0);
+    const double depth = parts_.body->GetLength() / (isFlat() ? 100.0 : 1000.0);
     const Eigen::Vector3d eye = view.towardsEye();
-    const auto add = [&](vtkSmartPointer<vtkActor> actor, Layer layer) {
+    const auto add = [&](const vtkSmartPointer<vtkActor>& actor, Layer layer) {
       const Eigen::Vector3d shift = static_cast<double>(layer) * depth * eye;
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
     };
     const Theme& theme = options_.theme;
-    add(contourActor(*parts_.body, colors, shaded), kBody);
-    if (options_.isolines > 0)
-      add(lineActor(*isolines(colors.range()), theme.outline, 0.7 * line, 1.0), kIsolines);
-    if (options_.knots)
-      add(lineActor(*knotLines(model_, parts_.displacement, subdivisionOf(model_, options_)), theme.knots,
-                    0.5 * line, 0.5),
-          kKnots);
+    add(contourActor(*parts_.body, colors, !isFlat()), kBody);
+    if (parts_.section) add(contourActor(*parts_.section, colors, false), kBody);
+    for (const auto& part : {parts_.body, parts_.section})
+      if (part && options_.isolines > 0)
+        add(lineActor(*isolines(*part, colors.range()), theme.outline, 0.7 * line, 1.0), kIsolines);
+    if (parts_.knots) add(lineActor(*parts_.knots, theme.knots, 0.5 * line, 0.5), kKnots);
     if (parts_.net) {
       add(lineActor(*parts_.net, theme.controlNet, 0.6 * line, 1.0), kNet);
       add(pointActor(*parts_.net, theme.controlNet, 4.0 * line), kNet);
     }
-    if (parts_.undeformed) add(lineActor(*parts_.undeformed, theme.undeformed, 0.8 * line, 1.0), kUndeformed);
+    if (parts_.undeformed)
+      add(lineActor(*parts_.undeformed, theme.undeformed, 0.8 * line, 1.0),
+          isFlat() ? kUndeformed : kBehindBody);
     add(lineActor(*parts_.outline, theme.outline, line, 1.0), kBodyOutline);
-    for (const ToolRecord& record : parts_.tools) {
-      const ToolDrawing tool =
-          drawTool(record, model_.dim, visibleBox(view), textSize_ * 0.6 / view.pixelsPerLength);
-      if (tool.surface)
-        add(plainActor(*tool.surface, theme.tool, shaded, tool.hidesBody ? 0.4 : 1.0), kToolFill);
-      if (tool.lines) add(lineActor(*tool.lines, theme.outline, 1.2 * line, 1.0), kToolLines);
+    if (!isFlat()) add(lineActor(*silhouetteOf(*parts_.body, eye), theme.outline, line, 1.0), kBodyOutline);
+    for (const ShownTool& tool : parts_.tools) {
+      const ToolDrawing drawing = drawTool(tool, view);
+      if (drawing.area) add(plainActor(*drawing.area, theme.tool, false, 1.0), kToolFill);
+      if (drawing.surface)
+        add(plainActor(*drawing.surface, theme.tool, true, options_.toolOpacity), kToolFill);
+      if (drawing.lines) add(lineActor(*drawing.lines, theme.outline, 1.2 * line, 1.0), kToolLines);
     }
     if (parts_.arrows.areas) drawArrows(renderer, line, eye);
     aim(renderer, view, options_.size, 10.0 * parts_.body->GetLength());
+  }
+
+  ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
+    const Eigen::AlignedBox3d visible = visibleBox(view);
+    const double stroke = textSize_ * 0.6 / view.pixelsPerLength;
+    if (model_.dim == 2) return drawPlaneTool(tool.record, visible, stroke, tool.turn);
+    if (options_.slice) return drawToolSection(tool.record, visible, *parts_.plane, stroke);
+    return drawSpaceTool(tool.record, visible, view.towardsEye(), parts_.plane);
   }
 
   /// In front of everything: white with a dark edge, which is seen on every colour.
   void drawArrows(vtkRenderer& renderer, double line, const Eigen::Vector3d& eye) const {
     const auto areas = plainActor(*parts_.arrows.areas, kWhite, false, 1.0);
     const auto edges = lineActor(*parts_.arrows.edges, kBlack, 0.5 * line, 1.0);
-    double nearness = model_.dim == 2 ? static_cast<double>(kArrows) / 100.0 : 2.0;
+    double nearness = isFlat() ? static_cast<double>(kArrows) / 100.0 : 2.0;
     for (const auto& actor : {areas, edges}) {
       const Eigen::Vector3d shift = nearness * parts_.body->GetLength() * eye;
       actor->SetPosition(shift.x(), shift.y(), shift.z());
@@ -191,22 +243,18 @@ class ContourPicture {
     }
   }
 
-  vtkSmartPointer<vtkPolyData> isolines(const std::array<double, 2>& range) const {
+  vtkSmartPointer<vtkPolyData> isolines(vtkPolyData& part, const std::array<double, 2>& range) const {
     vtkNew<vtkContourFilter> filter;
-    filter->SetInputData(parts_.body);
+    filter->SetInputData(&part);
     for (int k = 0; k < options_.isolines; ++k)
       filter->SetValue(k, std::lerp(range[0], range[1], (k + 1.0) / (options_.isolines + 1.0)));
     filter->Update();
     return filter->GetOutput();
   }
 
-  /// A box that covers all that is seen.
+  /// A box that covers all that is seen of the body.
   Eigen::AlignedBox3d visibleBox(const View& view) const {
-    if (model_.dim == 3) {
-      Eigen::AlignedBox3d box = boxOf(*parts_.body);
-      const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kToolReach * box.diagonal().norm());
-      return {box.min() - margin, box.max() + margin};
-    }
+    if (model_.dim == 3) return parts_.box;
     const Eigen::Vector2d half =
         Eigen::Vector2d(view.area.width, view.area.height) / (2.0 * view.pixelsPerLength);
     Eigen::Vector3d low(0, 0, 0), high(0, 0, 0);
@@ -227,7 +275,10 @@ class ContourPicture {
 
 ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   checkOptions(options);
-  return ContourPicture(model, frame, options).draw();
+  checkPlanes(options, model.dim);
+  if (options.mirror.empty()) return ContourPicture(model, frame, options).draw();
+  const ModelFrame whole = mirrored(model, frame, options.mirror);
+  return ContourPicture(whole.model, whole.frame, options).draw();
 }
 
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
@@ -239,7 +290,9 @@ View drawContour(const ModelRecord& model, const FrameRecord& frame, const Conto
 
 Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,
                               const ContourOptions& options) {
-  return contentOf(contourParts(model, frame, options));
+  if (options.mirror.empty()) return contentOf(contourParts(model, frame, options), model.dim);
+  const ModelFrame whole = mirrored(model, frame, options.mirror);
+  return contentOf(contourParts(whole.model, whole.frame, options), model.dim);
 }
 
 }  // namespace burnish

@@ -6,10 +6,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/results/result.h"
 #include "postproc/draw/theme.h"
 #include "postproc/draw/view.h"
+#include "postproc/mesh/mirror.h"
+#include "postproc/mesh/plane_section.h"
 
 class vtkImageData;
 
@@ -33,6 +36,10 @@ struct ContourOptions {
   bool controlNet = false;             ///< draw the control points and the lines between them
   bool undeformed = true;              ///< draw the outline of the undeformed body
   bool tools = true;
+  double toolOpacity = 0.3;         ///< of the tools in space, 1: hides what is behind
+  std::vector<MirrorPlane> mirror;  ///< planes of symmetry, beyond which the images are drawn too
+  std::optional<CutPlane> cut;      ///< in space: what is on the eye's side of it is left out
+  std::optional<CutPlane> slice;    ///< in space: only the section, seen against its normal
   ArrowField arrows = ArrowField::None;
   double warp = 1.0;                 ///< factor on the displacements of body and tools; values keep theirs
   std::optional<std::string> title;  ///< instead of the model's; empty: none
@@ -41,7 +48,7 @@ struct ContourOptions {
   std::optional<double> textSize;    ///< in pixels, [6, 200]; follows from the picture's size when left out
   std::optional<Eigen::AlignedBox2d> window;  ///< of the view's plane, that must be seen; see `contentOf`
   std::optional<int> subdivision;             ///< cells per knot span and direction, instead of the model's
-  std::optional<ViewAxes> axes;               ///< instead of `viewNamed("auto")`
+  std::optional<ViewAxes> axes;  ///< instead of `viewNamed("auto")`, of a slice: instead of along its normal
   Theme theme;
   bool transparent = false;  ///< no paper: the picture has an alpha channel
 };
@@ -57,8 +64,8 @@ ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, co
 
 /// Draws a field on the deformed body, the tools, a colour scale and a caption into a PNG file, which appears
 /// under its name only when it is complete. Returns how positions became pixels. Throws `Error` for an
-/// unknown field, option values out of range or that exclude each other, a field that is not finite, a
-/// missing font and a file that cannot be written.
+/// unknown field, option values out of range or that exclude each other, a plane that is none of symmetry or
+/// misses the body, a field that is not finite, a missing font and a file that cannot be written.
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                  const std::filesystem::path& png);
 

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "postproc/draw/axes_triad.h"
+
 namespace burnish {
 namespace {
 
@@ -131,7 +133,9 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
     bottom += kNoteGap * size + capitalHeight(layout.note.style);
   }
 
-  const PixelRect room{margin, bottom, width - 2 * margin, top - bottom};
+  const double left = margin + (caption.triad ? kTriadRoom * size : 0.0);
+  layout.triadAt = {margin, margin};
+  const PixelRect room{left, bottom, width - margin - left, top - bottom};
   const Eigen::Vector2d extent = content.sizes().cwiseMax(1e-9 * content.sizes().maxCoeff());
   const Placement up = place(room, extent, bar, Direction::Up, size);
   const Placement across = place(room, extent, bar, Direction::Right, size);

@@ -24,11 +24,14 @@ struct ContourLayout {
   PixelRect bar;
   Overlay::Direction barDirection;
   View view;
+  Eigen::Vector2d triadAt;  ///< lower left corner of the axes, of which there is room if the caption asks
 };
 
-/// What stands above the body, and small below it and its colour scale; each may be empty.
+/// What stands above the body, and small below it and its colour scale; each may be empty. triad: there is
+/// room for the axes at the lower left.
 struct ContourCaption {
   std::string title, time, note;
+  bool triad = false;
 };
 
 /// textSize: of ordinary text, in pixels. content: the projected box that must be seen. axes: see `View`.

@@ -2,6 +2,8 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
+#include <optional>
+#include <vector>
 
 #include "engine/results/result.h"
 #include "postproc/draw/contour.h"
@@ -12,18 +14,27 @@ class vtkPolyData;
 
 namespace burnish {
 
+/// A tool that is shown, where it stands.
+struct ShownTool {
+  ToolRecord record;
+  std::optional<double> turn;  ///< of one that has turned, in radians
+};
+
 /// What a contour picture shows in space, where it stands in the frame: displacements times the warp.
 struct ContourParts {
   ViewAxes axes;
-  Eigen::MatrixXd displacement;       ///< of the body, dim x nodes
-  std::vector<ToolRecord> tools;      ///< those that are shown, where they stand
-  vtkSmartPointer<vtkPolyData> body;  ///< its point scalars are the values that are drawn
+  Eigen::AlignedBox3d box;       ///< of the body before it is cut
+  Eigen::MatrixXd displacement;  ///< of the body, dim x nodes
+  std::vector<ShownTool> tools;
+  vtkSmartPointer<vtkPolyData> body;     ///< its point scalars are the values that are drawn
+  vtkSmartPointer<vtkPolyData> section;  ///< the same, of a cut; null without one
   vtkSmartPointer<vtkPolyData> outline;
-  vtkSmartPointer<vtkPolyData> undeformed, net;  ///< null where they are not shown
+  vtkSmartPointer<vtkPolyData> knots, undeformed, net;  ///< null where they are not shown
+  std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye
   ContourArrows arrows;
 };
 
-/// Throws `Error` for an unknown field or view.
+/// Throws `Error` for an unknown field, and for a plane that misses the body or is seen edge-on.
 ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
 
 /// Cells per knot span and direction.
@@ -33,7 +44,7 @@ int subdivisionOf(const ModelRecord& model, const ContourOptions& options);
 Eigen::AlignedBox3d boxOf(vtkPolyData& part);
 Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes);
 
-/// The projected box that is to be seen.
-Eigen::AlignedBox2d contentOf(const ContourParts& parts);
+/// The projected box that is to be seen, of a body in so many dimensions.
+Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim);
 
 }  // namespace burnish

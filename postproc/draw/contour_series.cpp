@@ -10,6 +10,17 @@
 #include "postproc/draw/png_file.h"
 
 namespace burnish {
+namespace {
+
+/// Components of a field may have another sign in a mirror.
+std::array<double, 2> rangeOf(const ModelRecord& model, const FrameRecord& frame,
+                              const ContourOptions& options, int subdivision) {
+  if (options.mirror.empty()) return fieldRange(model, frame, options.field, subdivision, options.clip);
+  const ModelFrame whole = mirrored(model, frame, options.mirror);
+  return fieldRange(whole.model, whole.frame, options.field, subdivision, options.clip);
+}
+
+}  // namespace
 
 std::array<double, 2> commonRange(const ResultReader& result, const std::vector<int>& frames,
                                   const ContourOptions& options) {
@@ -17,8 +28,7 @@ std::array<double, 2> commonRange(const ResultReader& result, const std::vector<
   std::array<double, 2> range{infinity, -infinity};
   const int subdivision = options.subdivision.value_or(result.model().subdivision);
   for (const int k : frames) {
-    const auto [low, high] =
-        fieldRange(result.model(), result.frame(k), options.field, subdivision, options.clip);
+    const auto [low, high] = rangeOf(result.model(), result.frame(k), options, subdivision);
     range = {std::min(range[0], low), std::max(range[1], high)};
   }
   return widened(range);

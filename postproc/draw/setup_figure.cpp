@@ -15,8 +15,10 @@
 #include "postproc/draw/png_file.h"
 #include "postproc/draw/setup_layout.h"
 #include "postproc/draw/setup_loads.h"
+#include "postproc/draw/setup_motion.h"
 #include "postproc/draw/setup_symbols.h"
 #include "postproc/draw/space_actors.h"
+#include "postproc/draw/ticks.h"
 #include "postproc/draw/tool_drawing.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/outlines.h"
@@ -76,10 +78,10 @@ class SetupPicture {
     add(plainActor(*body, kBodyColor, false, 1.0));
     if (knots_) add(lineActor(*knotLines(model_, {}, layout_.subdivision()), kKnotColor, 0.5 * line, 1.0));
     add(lineActor(*outlineBesideAxis(), kInk, line, 1.0));
-    for (const ToolRecord& record : model_.tools) {
+    for (const ToolRecord& record : layout_.tools()) {
       const ToolDrawing drawing =
-          drawTool(record, 2, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
-      if (drawing.surface) add(plainActor(*drawing.surface, kToolColor, false, 1.0));
+          drawPlaneTool(record, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
+      if (drawing.area) add(plainActor(*drawing.area, kToolColor, false, 1.0));
       if (drawing.lines) add(lineActor(*drawing.lines, kInk, line, 1.0));
     }
     aim(renderer, view(), size_, 10.0 * body->GetLength());
@@ -142,24 +144,71 @@ class SetupPicture {
   }
 
   void drawToolTexts(SetupSymbols& symbols, std::size_t k) const {
-    const ToolRecord& tool = model_.tools[k];
     const Vector2d end = layout_.endOf(k);
-    if (end.norm() > 0.0) symbols.addDashes(layout_.toolPixels(k, end));
+    if (end.norm() > 0.0)
+      for (const Points& line : layout_.toolPixels(k, end)) symbols.addDashes(line);
+    nameTool(symbols, k);
+    drawTurn(symbols, k);
+    if (scene().tools[k].carry) drawCarried(symbols, k);
+  }
+
+  void nameTool(SetupSymbols& symbols, std::size_t k) const {
+    const ToolRecord& tool = layout_.tools()[k];
+    const Vector2d center = layout_.middleOf(k);
     if (const auto* plane = std::get_if<Plane>(&tool.shape)) {
-      const Points line = layout_.toolPixels(k, Vector2d(0, 0));
+      const Points line = layout_.toolPixels(k, Vector2d(0, 0)).front();
       const Vector2d away = -plane->normal.head<2>().normalized();
       symbols.addText({{tool.name}},
                       line.front() + 0.15 * (line.back() - line.front()) + 1.3 * textSize() * away);
-      return;
+    } else if (const auto* disc = std::get_if<Cylinder>(&tool.shape)) {
+      const Vector2d direction =
+          Vector2d(center.x() < view().area.center().x() ? 1.0 : -1.0, 1.0).normalized();
+      symbols.addRadius(center, center + disc->radius * view().pixelsPerLength * direction,
+                        "R = " + layout_.length(disc->radius));
+    } else if (const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape)) {
+      if (mesh->closed)
+        symbols.addText({{tool.name}}, center + Vector2d(0.0, 0.9 * textSize()));
+      else if (mesh->cells.size() > 0)
+        nameOpenTool(symbols, tool.name, *mesh);
     }
-    const auto* disc = std::get_if<Cylinder>(&tool.shape);
-    if (disc == nullptr) return;
-    const double radius = disc->radius;
-    const Vector2d center = layout_.middleOf(k);
-    const Vector2d middle = view().area.center();
-    const Vector2d direction = Vector2d(center.x() < middle.x() ? 1.0 : -1.0, 1.0).normalized();
-    symbols.addRadius(center, center + radius * view().pixelsPerLength * direction,
-                      "R = " + layout_.length(radius));
+  }
+
+  /// On the side of the tool, at a quarter of its longest segment.
+  void nameOpenTool(SetupSymbols& symbols, const std::string& name, const SurfaceMesh& mesh) const {
+    Vector2d at(0.0, 0.0), along(0.0, 0.0);
+    for (const auto& cell : mesh.cells.colwise()) {
+      const Vector2d begin = view().pixel(mesh.points.col(cell(0))),
+                     end = view().pixel(mesh.points.col(cell(1)));
+      if ((end - begin).norm() <= along.norm()) continue;
+      along = end - begin;
+      at = (begin.x() < end.x() ? begin : end) + (begin.x() < end.x() ? 0.25 : -0.25) * along;
+    }
+    const Vector2d side = Vector2d(-along.y(), along.x()).normalized();
+    const double half = textWidth({{name}}, {.size = textSize()}) / 2.0;
+    symbols.addText({{name}}, at + (1.4 * textSize() + std::abs(side.x()) * half) * side);
+  }
+
+  void drawTurn(SetupSymbols& symbols, std::size_t k) const {
+    const double turn = turnOf(scene().tools[k], scene().definitions, layout_.endTime());
+    if (turn != 0.0)
+      symbols.addTurn(view().pixel(layout_.tools()[k].pivot), turnRadius(k), turn > 0.0,
+                      "φ = " + numberText(std::abs(turn), 4) + "°");
+  }
+
+  /// Just inside a disc, and small for what has no radius.
+  double turnRadius(std::size_t k) const {
+    const auto* disc = std::get_if<Cylinder>(&layout_.tools()[k].shape);
+    return disc ? 0.8 * disc->radius * view().pixelsPerLength : 2.0 * textSize();
+  }
+
+  void drawCarried(SetupSymbols& symbols, std::size_t k) const {
+    const ToolLoad load = toolLoad(*scene().tools[k].carry, scene(), layout_.endTime());
+    const Vector2d middle = layout_.middleOf(k);
+    if (load.force.norm() > 0.0)
+      symbols.addForceTo(middle, load.force.normalized(), layout_.forceText(load.force.norm()));
+    if (load.moment != 0.0)
+      symbols.addTurn(view().pixel(layout_.tools()[k].pivot), turnRadius(k), load.moment > 0.0,
+                      layout_.momentText(std::abs(load.moment)));
   }
 
   /// The amounts stand below the picture.

@@ -1,17 +1,22 @@
 #include "postproc/draw/setup_layout.h"
 
 #include <fmt/format.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkStripper.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
 #include "postproc/draw/overlay.h"
+#include "postproc/draw/setup_loads.h"
 #include "postproc/draw/setup_motion.h"
 #include "postproc/draw/setup_symbols.h"
 #include "postproc/draw/sheet.h"
@@ -29,6 +34,7 @@ using Eigen::Vector2d;
 constexpr double kMargin = 0.5;
 constexpr double kAxesRoom = 4.2;
 constexpr double kTextLine = 1.8;
+constexpr double kAboveTool = 2.0;    // for the force on a small one
 constexpr double kBeforeArrow = 1.3;  // from a plane or a face to its arrow
 constexpr double kBeyondAxis = 1.2;   // what the axis is longer than the body, at both ends
 
@@ -77,6 +83,7 @@ SetupLayout::SetupLayout(const ModelRecord& model, const std::array<int, 2>& siz
       textSize_(sheetTextSize(size[0])),
       end_(scene_.steps.empty() ? 0.0 : scene_.steps.back().until) {
   findBoxes();
+  findTools();
   findRooms();
   findView();
 }
@@ -87,6 +94,17 @@ void SetupLayout::findBoxes() {
   box_ = {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
   const Eigen::Vector3d half(box_.sizes().maxCoeff() / 2, 0.0, 0.0);
   toolBox_ = {box_.center() - half, box_.center() + half};
+}
+
+void SetupLayout::findTools() {
+  constexpr double kNear = 0.15;  // of the body's diagonal
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kNear * box_.diagonal().norm());
+  tools_ = model_.tools;
+  for (ToolRecord& tool : tools_)
+    if (auto* mesh = std::get_if<SurfaceMesh>(&tool.shape); mesh && !mesh->closed)
+      if (SurfaceMesh near = segmentsIn(*mesh, {box_.min() - margin, box_.max() + margin});
+          near.cells.size() > 0)
+        *mesh = std::move(near);
 }
 
 void SetupLayout::findRooms() {
@@ -110,19 +128,34 @@ void SetupLayout::findRooms() {
   }
   for (const LoadSpec& load : scene_.loads)
     if (load.bodyForce.empty()) add(load.place, SetupSymbols::kLoadDepth);
-  for (std::size_t k = 0; k < model_.tools.size(); ++k)
-    if (const auto* plane = std::get_if<Plane>(&model_.tools[k].shape); plane && !phasesOf(k).empty())
-      rooms_.at(awayFromBody(*plane)) += SetupSymbols::kLoadDepth;
+  findRoomsOfTools();
   if (!axisIsNear()) return;
   rooms_.bottom = std::max(rooms_.bottom, kBeyondAxis);
   rooms_.top = std::max(rooms_.top, kBeyondAxis);
 }
 
+void SetupLayout::findRoomsOfTools() {
+  for (std::size_t k = 0; k < tools_.size(); ++k)
+    if (const auto* plane = std::get_if<Plane>(&tools_[k].shape); plane && !phasesOf(k).empty())
+      rooms_.at(awayFromBody(*plane)) += SetupSymbols::kLoadDepth;
+  for (const ToolSpec& tool : scene_.tools) {
+    if (!tool.carry) continue;
+    const Vector2d force = toolLoad(*tool.carry, scene_, end_).force;
+    if (force.norm() > 0.0) rooms_.at(-force) = std::max(rooms_.at(-force), kAboveTool);
+  }
+  const auto isOpenBelow = [&](const ToolRecord& tool) {
+    const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape);
+    return mesh && !mesh->closed && mesh->points.row(1).minCoeff() < box_.min().y();
+  };
+  if (std::any_of(tools_.begin(), tools_.end(), isOpenBelow)) rooms_.bottom += kTextLine;  // for their names
+}
+
 void SetupLayout::findView() {
   Eigen::AlignedBox2d content = flat(box_);
-  for (std::size_t k = 0; k < model_.tools.size(); ++k)
+  for (std::size_t k = 0; k < tools_.size(); ++k)
     for (const Vector2d& shift : {Vector2d(0, 0), endOf(k)}) content.extend(toolBounds(k, shift));
   if (axisIsNear()) content.extend(Vector2d(0.0, content.center().y()));
+  lowest_ = content.min().y();
 
   const double left = rooms_.left + SetupSymbols::kDimensionDepth, right = rooms_.right + kMargin;
   const double lines = kTextLine * static_cast<double>(amounts().size());
@@ -169,21 +202,47 @@ FaceLine SetupLayout::pixels(const FaceSpec& place) const {
 }
 
 vtkSmartPointer<vtkPolyData> SetupLayout::outlineOf(std::size_t tool, const Vector2d& shift) const {
-  return toolOutline(movedTool(model_.tools[tool], {shift.x(), shift.y(), 0.0}, 0.0), 2, toolBox_);
+  return toolOutline(movedTool(tools_[tool], {shift.x(), shift.y(), 0.0}, 0.0), 2, toolBox_);
 }
 
-std::vector<Vector2d> SetupLayout::toolPixels(std::size_t tool, const Vector2d& shift) const {
-  const auto outline = outlineOf(tool, shift);
-  std::vector<Vector2d> points;
-  for (vtkIdType i = 0; i < outline->GetNumberOfPoints(); ++i)
-    points.push_back(view_.pixel(Eigen::Vector3d(outline->GetPoint(i))));
-  if (!std::holds_alternative<Plane>(model_.tools[tool].shape)) points.push_back(points.front());
-  return points;
+std::vector<std::vector<Vector2d>> SetupLayout::toolPixels(std::size_t tool, const Vector2d& shift) const {
+  vtkNew<vtkStripper> joined;
+  joined->SetInputData(outlineOf(tool, shift));
+  joined->JoinContiguousSegmentsOn();
+  joined->SetMaximumLength(100000);  // all that VTK allows
+  joined->Update();
+  std::vector<std::vector<Vector2d>> lines;
+  vtkNew<vtkIdList> ids;
+  vtkPolyData& outline = *joined->GetOutput();
+  for (vtkIdType line = 0; line < outline.GetNumberOfCells(); ++line) {
+    outline.GetCellPoints(line, ids);
+    lines.emplace_back();
+    for (const vtkIdType id : *ids)
+      lines.back().push_back(view_.pixel(Eigen::Vector3d(outline.GetPoint(id))));
+  }
+  return lines;
 }
 
 Vector2d SetupLayout::middleOf(std::size_t tool) const {
+  if (std::holds_alternative<SurfaceMesh>(tools_[tool].shape))
+    return view_.pixel(toolBounds(tool, Vector2d(0, 0)).center());
   const double* b = outlineOf(tool, Vector2d(0, 0))->GetBounds();
   return view_.pixel(Vector2d((b[0] + b[1]) / 2, (b[2] + b[3]) / 2));
+}
+
+/// A stress times a power of a length.
+std::string SetupLayout::forceUnit(int lengths) const {
+  if (model_.stressUnit.empty() || model_.lengthUnit.empty()) return "";
+  const std::array powers{"", "", "²", "³"};
+  return model_.stressUnit + "·" + model_.lengthUnit + powers[static_cast<std::size_t>(lengths)];
+}
+
+std::string SetupLayout::forceText(double force) const {
+  return "F = " + number(force, forceUnit(scene_.kinematics == KinematicsChoice::Axisymmetric ? 2 : 1));
+}
+
+std::string SetupLayout::momentText(double moment) const {
+  return "M = " + number(moment, forceUnit(scene_.kinematics == KinematicsChoice::Axisymmetric ? 3 : 2));
 }
 
 /// What is to be seen of a tool: all that is not far away.
@@ -211,13 +270,13 @@ Vector2d SetupLayout::arrowStart(const Vector2d& at, const Vector2d& normal, con
 
 std::vector<Mover> SetupLayout::movers() const {
   std::vector<Mover> result;
-  for (std::size_t k = 0; k < model_.tools.size(); ++k) {
+  for (std::size_t k = 0; k < tools_.size(); ++k) {
     const auto phases = phasesOf(k);
     if (phases.empty()) continue;
-    const auto* plane = std::get_if<Plane>(&model_.tools[k].shape);
+    const auto* plane = std::get_if<Plane>(&tools_[k].shape);
     const Vector2d middle = middleOf(k);
     const Vector2d start = plane ? arrowStart(middle, awayFromBody(*plane), phases.front()) : middle;
-    result.push_back({model_.tools[k].name, start, phases, !plane, false});
+    result.push_back({tools_[k].name, start, phases, !plane, false});
   }
   for (const SupportSpec& support : scene_.supports) {
     const FaceLine face = faces_.line(support.place);
@@ -269,7 +328,8 @@ Vector2d SetupLayout::amountsAt(const RichText& line) const {
 }
 
 Vector2d SetupLayout::belowBody() const {
-  return {0.0, -textSize_ * (rooms_.bottom + 0.85 * SetupSymbols::kDimensionDepth)};
+  const double tools = view_.pixelsPerLength * (box_.min().y() - lowest_);
+  return {0.0, -tools - textSize_ * (rooms_.bottom + 0.85 * SetupSymbols::kDimensionDepth)};
 }
 
 Vector2d SetupLayout::besideBody() const {

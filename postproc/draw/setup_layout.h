@@ -33,6 +33,8 @@ class SetupLayout {
   SetupLayout(const ModelRecord& model, const std::array<int, 2>& size);
 
   const Scene& scene() const { return scene_; }
+  /// Those of the model; what is no closed shape only near the body.
+  const std::vector<ToolRecord>& tools() const { return tools_; }
   const SetupFaces& faces() const { return faces_; }
   const View& view() const { return view_; }
   /// Cells per knot span and direction that draw curves smoothly.
@@ -53,11 +55,16 @@ class SetupLayout {
   /// A face with its points in pixels.
   FaceLine pixels(const FaceSpec& place) const;
 
-  /// Outline of a tool in pixels, closed if it is a disc.
-  std::vector<Eigen::Vector2d> toolPixels(std::size_t tool, const Eigen::Vector2d& shift) const;
+  /// Lines of the outline of a tool in pixels; those that are closed end where they begin.
+  std::vector<std::vector<Eigen::Vector2d>> toolPixels(std::size_t tool, const Eigen::Vector2d& shift) const;
 
-  /// Of a disc, or the point of a plane that is nearest to the body's middle; in pixels.
+  /// Of the part of a tool that is seen, or the point of a plane that is nearest to the body's middle; in
+  /// pixels.
   Eigen::Vector2d middleOf(std::size_t tool) const;
+
+  /// "F = 2.0 MPa·mm" of a force per thickness, or of one on a ring; "M = ..." of a moment.
+  std::string forceText(double force) const;
+  std::string momentText(double moment) const;
 
   /// Displacement of a tool at the end.
   Eigen::Vector2d endOf(std::size_t tool) const;
@@ -91,11 +98,14 @@ class SetupLayout {
   };
 
   std::vector<Eigen::Vector2d> phasesOf(std::size_t tool) const;
+  std::string forceUnit(int lengths) const;
   Eigen::AlignedBox2d toolBounds(std::size_t tool, const Eigen::Vector2d& shift) const;
   Eigen::Vector2d arrowStart(const Eigen::Vector2d& at, const Eigen::Vector2d& normal,
                              const Eigen::Vector2d& phase) const;
   void findBoxes();
+  void findTools();
   void findRooms();
+  void findRoomsOfTools();
   void findView();
   bool axisIsNear() const;
 
@@ -107,6 +117,8 @@ class SetupLayout {
   double textSize_;
   double end_;  ///< of the run
   Eigen::AlignedBox3d box_, toolBox_;
+  double lowest_ = 0.0;  ///< y of the lowest of body and tools
+  std::vector<ToolRecord> tools_;
   Rooms rooms_;
   View view_;
 };

@@ -54,11 +54,22 @@ std::vector<Eigen::Vector2d> motionPhases(const MotionSpec& motion, double end) 
   return phases;
 }
 
-std::vector<Eigen::Vector2d> motionPhases(const ToolSpec& tool, const std::vector<DefinitionSpec>& definitions,
-                                          double end) {
+std::vector<Eigen::Vector2d> motionPhases(const ToolSpec& tool,
+                                          const std::vector<DefinitionSpec>& definitions, double end) {
   if (const auto& table = tool.motion) return motionPhases({table->times, table->x, table->y, table->z}, end);
   return tool.prescribe ? wholeMotion(*tool.prescribe, {0.0, 0.0}, definitions, end)
                         : std::vector<Eigen::Vector2d>();
+}
+
+double turnOf(const ToolSpec& tool, const std::vector<DefinitionSpec>& definitions, double end) {
+  if (tool.motion && tool.motion->angle) {
+    const Schedule angle{tool.motion->times, *tool.motion->angle};
+    return angle(end) - angle(0.0);
+  }
+  if (!tool.prescribe || !tool.prescribe->angle) return 0.0;
+  const Formula angle(*tool.prescribe->angle, definitions);
+  const Eigen::Vector3d nowhere = Eigen::Vector3d::Zero();
+  return angle(nowhere, end) - angle(nowhere, 0.0);
 }
 
 std::vector<Eigen::Vector2d> motionPhases(const SupportSpec& support, const Eigen::Vector2d& X,

@@ -1,7 +1,6 @@
 #include "postproc/draw/setup_symbols.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -160,6 +159,26 @@ void SetupSymbols::addForce(const Vector2d& middle, const Vector2d& direction, c
   addArrow(middle - half, middle + half);
   const double before = 0.6 * text_.size + std::abs(direction.x()) * textWidth({{label}}, text_) / 2;
   addText({{label}}, middle - half - before * direction);
+}
+
+void SetupSymbols::addForceTo(const Vector2d& tip, const Vector2d& direction, const std::string& label) {
+  addForce(tip - kForceArrow / 2 * text_.size * direction, direction, label);
+}
+
+void SetupSymbols::addTurn(const Vector2d& center, double radius, bool counterclockwise,
+                           const std::string& label) {
+  constexpr double kBegin = 100.0, kEnd = 190.0, kStep = 3.0;  // degrees
+  Points arc;
+  for (double angle = kBegin; angle <= kEnd; angle += kStep) {
+    const double a = angle * std::numbers::pi / 180.0;
+    arc.push_back(center + radius * Vector2d(std::cos(a), std::sin(a)));
+  }
+  if (!counterclockwise) std::reverse(arc.begin(), arc.end());
+  const Vector2d tip = arc.back(), direction = (tip - arc[arc.size() - 2]).normalized();
+  shapes_.addPolyline({arc.begin(), arc.end() - 1}, thick_, kInk);
+  addHead(tip + 0.5 * kHead * text_.size * direction, direction);
+  const Vector2d beyond = center + (radius + kTextGap * text_.size) * Vector2d(-1.0, 1.0).normalized();
+  addText({{label}}, beyond + Vector2d(-0.2, 0.4) * text_.size, Overlay::Anchor::End);
 }
 
 void SetupSymbols::addDimension(const Vector2d& begin, const Vector2d& end, const Vector2d& offset,

@@ -41,6 +41,12 @@ class SetupSymbols {
   /// One arrow with its middle at a point and its text before its tail.
   void addForce(const Eigen::Vector2d& middle, const Eigen::Vector2d& direction, const std::string& label);
 
+  /// The same with its tip at the point.
+  void addForceTo(const Eigen::Vector2d& tip, const Eigen::Vector2d& direction, const std::string& label);
+
+  /// Part of a circle with a head, and its text beyond the circle at the upper left.
+  void addTurn(const Eigen::Vector2d& center, double radius, bool counterclockwise, const std::string& label);
+
   /// A dimension line from `begin` to `end`, moved by `offset` from the two points that it measures.
   void addDimension(const Eigen::Vector2d& begin, const Eigen::Vector2d& end, const Eigen::Vector2d& offset,
                     const std::string& label);

@@ -6,7 +6,6 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
@@ -28,15 +27,6 @@ void paint(vtkActor& actor, const Color& color, double opacity) {
   actor.GetProperty()->SetOpacity(opacity);
 }
 
-/// The surface with normals, so that its polygons are not seen; edges stay sharp.
-vtkSmartPointer<vtkPolyData> smooth(vtkPolyData& surface) {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(&surface);
-  normals->ConsistencyOff();
-  normals->Update();
-  return normals->GetOutput();
-}
-
 void shade(vtkActor& actor) {
   actor.GetProperty()->LightingOn();
   actor.GetProperty()->SetAmbient(0.6);
@@ -46,7 +36,7 @@ void shade(vtkActor& actor) {
 }  // namespace
 
 vtkSmartPointer<vtkActor> plainActor(vtkPolyData& surface, const Color& color, bool shaded, double opacity) {
-  const auto actor = makeActor(shaded ? *smooth(surface) : surface);
+  const auto actor = makeActor(surface);
   paint(*actor, color, opacity);
   if (shaded) shade(*actor);
   return actor;

@@ -3,11 +3,14 @@
 #include <vtkCellArray.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
+#include <vector>
 
+#include "postproc/draw/shape_lines.h"
 #include "postproc/mesh/outlines.h"
-#include "postproc/mesh/vtk_arrays.h"
+#include "postproc/mesh/poly_builder.h"
 
 namespace burnish {
 namespace {
@@ -18,10 +21,9 @@ struct Landmarks {
   Eigen::Matrix3Xd operator()(const Plane& plane) const {
     const Eigen::Vector3d n = plane.normal.normalized();
     const double height = (body.center() - plane.origin).dot(n);
-    constexpr double hatchRoom = 0.04;
     Eigen::Matrix3Xd points(3, 2);
     points.col(0) = body.center() - height * n;
-    points.col(1) = points.col(0) - hatchRoom * body.diagonal().norm() * n;
+    points.col(1) = points.col(0) - hatchRoom() * n;
     return points;
   }
   Eigen::Matrix3Xd operator()(const Cylinder& cylinder) const {
@@ -29,9 +31,34 @@ struct Landmarks {
   }
   Eigen::Matrix3Xd operator()(const Sphere& sphere) const { return corners(sphere.center, sphere.radius); }
 
+  /// Ends of the edges and points along what of them is near the body. A line needs room for hatches at its
+  /// left.
   Eigen::Matrix3Xd operator()(const SurfaceMesh& mesh) const {
-    return corners(Eigen::AlignedBox3d(mesh.points.rowwise().minCoeff(), mesh.points.rowwise().maxCoeff()));
+    const bool hatched = mesh.cells.rows() == 2 && !mesh.closed;
+    std::vector<Eigen::Vector3d> points;
+    for (const auto& cell : mesh.cells.colwise()) {
+      const Eigen::Vector3d begin = mesh.points.col(cell(0)), along = mesh.points.col(cell(1)) - begin;
+      if (along.norm() == 0.0) continue;
+      const Eigen::Vector3d left = hatchRoom() * Eigen::Vector3d::UnitZ().cross(along).normalized();
+      for (const double share : sharesNearBody(begin, along)) {
+        points.emplace_back(begin + share * along);
+        if (hatched) points.emplace_back(points.back() + left);
+      }
+    }
+    return Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, std::ssize(points));
   }
+
+  std::vector<double> sharesNearBody(const Eigen::Vector3d& begin, const Eigen::Vector3d& along) const {
+    constexpr int kPoints = 65;
+    const double reach = 2.0 * body.diagonal().norm() / along.norm();
+    const double middle = (body.center() - begin).dot(along) / along.squaredNorm();
+    const double first = std::clamp(middle - reach, 0.0, 1.0), last = std::clamp(middle + reach, 0.0, 1.0);
+    std::vector<double> shares{0.0, 1.0};
+    for (int k = 0; k < kPoints; ++k) shares.push_back(std::lerp(first, last, k / (kPoints - 1.0)));
+    return shares;
+  }
+
+  double hatchRoom() const { return 0.04 * body.diagonal().norm(); }
 
   Eigen::Matrix3Xd corners(const Eigen::Vector3d& center, double radius) const {
     const Eigen::Vector3d r = Eigen::Vector3d::Constant(radius);
@@ -44,24 +71,59 @@ struct Landmarks {
   }
 };
 
-/// A segment with slanted strokes on the side opposite to `normal`.
-vtkSmartPointer<vtkPolyData> hatchedSegment(const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
-                                            const Eigen::Vector3d& normal, double stroke) {
-  const Eigen::Vector3d along = (end - begin).normalized();
-  const Eigen::Vector3d slant = stroke * (-normal.normalized() - along).normalized();
-  const int strokes = static_cast<int>((end - begin).norm() / (0.6 * stroke));
-  Eigen::Matrix3Xd points(3, 2 * (strokes + 1));
-  points.leftCols<2>() << begin, end;
-  for (int k = 1; k <= strokes; ++k) {
-    points.col(2 * k) = begin + 0.6 * stroke * k * along;
-    points.col(2 * k + 1) = points.col(2 * k) + slant;
+/// Lines with slanted strokes on one side of them.
+class Hatching {
+ public:
+  explicit Hatching(double stroke) : stroke_(stroke) {}
+
+  /// side: unit vector across the segment. Strokes of segments that follow one another are equally far apart.
+  void addSegment(const Eigen::Vector3d& begin, const Eigen::Vector3d& end, const Eigen::Vector3d& side) {
+    addLine(begin, end);
+    const double length = (end - begin).norm(), gap = kGap * stroke_;
+    if (length == 0.0) return;
+    if ((begin - end_).norm() > kJoined * stroke_) next_ = gap;
+    const Eigen::Vector3d along = (end - begin) / length;
+    const Eigen::Vector3d slant = stroke_ * (side - along).normalized();
+    for (; next_ <= length; next_ += gap) {
+      const Eigen::Vector3d foot = begin + next_ * along;
+      addLine(foot, foot + slant);
+    }
+    next_ -= length;
+    end_ = end;
   }
-  vtkNew<vtkCellArray> lines;
-  for (vtkIdType k = 0; k <= strokes; ++k) lines->InsertNextCell({2 * k, 2 * k + 1});
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(makePoints(points));
-  data->SetLines(lines);
-  return data;
+
+  vtkSmartPointer<vtkPolyData> finish() const { return builder_.finish(); }
+
+ private:
+  static constexpr double kGap = 0.6, kJoined = 1e-6;
+
+  void addLine(const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
+    Eigen::Matrix<double, 3, 2> ends;
+    ends << begin, end;
+    builder_.addLine(builder_.addPoints(ends));
+  }
+
+  double stroke_;
+  double next_ = 0.0;  ///< from the end of the last segment to the next stroke
+  Eigen::Vector3d end_ = Eigen::Vector3d::Constant(HUGE_VAL);
+  PolyBuilder builder_;
+};
+
+vtkSmartPointer<vtkPolyData> hatchedLine(vtkPolyData& segment, const Eigen::Vector3d& normal, double stroke) {
+  Hatching hatching(stroke);
+  hatching.addSegment(Eigen::Vector3d(segment.GetPoint(0)), Eigen::Vector3d(segment.GetPoint(1)),
+                      -normal.normalized());
+  return hatching.finish();
+}
+
+/// The tool lies at the left of every segment.
+vtkSmartPointer<vtkPolyData> hatchedMesh(const SurfaceMesh& mesh, double stroke) {
+  Hatching hatching(stroke);
+  for (const auto& cell : mesh.cells.colwise()) {
+    const Eigen::Vector3d begin = mesh.points.col(cell(0)), end = mesh.points.col(cell(1));
+    hatching.addSegment(begin, end, Eigen::Vector3d::UnitZ().cross(end - begin).normalized());
+  }
+  return hatching.finish();
 }
 
 vtkSmartPointer<vtkPolyData> filled(vtkPolyData& outline) {
@@ -74,22 +136,67 @@ vtkSmartPointer<vtkPolyData> filled(vtkPolyData& outline) {
   return data;
 }
 
+/// The lines and the radius of a disc that has turned from upright.
+vtkSmartPointer<vtkPolyData> withRadius(vtkPolyData& circle, const RecordedShape& shape, double turn) {
+  Eigen::Matrix<double, 3, 2> ends;
+  const Eigen::Vector3d upright(-std::sin(turn), std::cos(turn), 0.0);
+  if (const auto* disc = std::get_if<Cylinder>(&shape))
+    ends << disc->center, disc->center + disc->radius * upright;
+  else if (const auto* ball = std::get_if<Sphere>(&shape))
+    ends << ball->center, ball->center + ball->radius * upright;
+  else
+    return &circle;
+  PolyBuilder builder;
+  builder.addLine(builder.addPoints(ends));
+  return together(circle, *builder.finish());
+}
+
 }  // namespace
 
 Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::AlignedBox3d& body) {
   return std::visit(Landmarks{body}, tool.shape);
 }
 
-ToolDrawing drawTool(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& visible, double stroke) {
-  const auto outline = toolOutline(tool, dim, visible);
-  const Plane* plane = std::get_if<Plane>(&tool.shape);
-  if (dim == 3) return {outline, nullptr, plane != nullptr};
-  if (plane)
-    return {nullptr, hatchedSegment(Eigen::Vector3d(outline->GetPoint(0)),
-                                    Eigen::Vector3d(outline->GetPoint(1)), plane->normal, stroke)};
-  const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape);
-  if (mesh && !mesh->closed) return {nullptr, outline};
-  return {filled(*outline), outline};
+ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, double stroke,
+                          std::optional<double> turn) {
+  const auto outline = toolOutline(tool, 2, visible);
+  ToolDrawing drawing;
+  if (const auto* plane = std::get_if<Plane>(&tool.shape)) {
+    drawing.lines = hatchedLine(*outline, plane->normal, stroke);
+  } else if (const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape)) {
+    if (mesh->closed) drawing.area = enclosedAreas(*outline);
+    drawing.lines = mesh->closed ? outline : hatchedMesh(*mesh, stroke);
+  } else {
+    drawing.area = filled(*outline);
+    drawing.lines = turn ? withRadius(*outline, tool.shape, *turn) : outline;
+  }
+  return drawing;
+}
+
+ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible,
+                          const Eigen::Vector3d& towardsEye, const std::optional<CutPlane>& cut) {
+  const auto shape = toolOutline(tool, 3, visible);
+  ToolDrawing drawing;
+  drawing.surface = withNormals(*shape);
+  drawing.lines = together(*edgesOf(*shape), *silhouetteOf(*drawing.surface, towardsEye));
+  if (!cut) return drawing;
+  const auto section = sectionOf(*shape, *cut);
+  drawing.area = enclosedAreas(*section);
+  drawing.surface = behind(*drawing.surface, *cut);
+  drawing.lines = together(*behind(*drawing.lines, *cut), *section);
+  return drawing;
+}
+
+ToolDrawing drawToolSection(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const CutPlane& plane,
+                            double stroke) {
+  const auto section = sectionOf(*toolOutline(tool, 3, visible), plane);
+  if (section->GetNumberOfCells() == 0) return {};
+  if (const auto* flat = std::get_if<Plane>(&tool.shape)) {
+    const Eigen::Vector3d across = plane.normal.normalized();
+    const Eigen::Vector3d normal = flat->normal - flat->normal.dot(across) * across;
+    return {nullptr, nullptr, hatchedLine(*section, normal, stroke)};
+  }
+  return {enclosedAreas(*section), nullptr, section};
 }
 
 }  // namespace burnish

@@ -2,26 +2,40 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "engine/results/result.h"
+#include "postproc/mesh/plane_section.h"
 
 class vtkPolyData;
 
 namespace burnish {
 
 /// Points (3 x n) that should be seen so that one understands where a tool is, given the box of the body: the
-/// corners of the box of what is finite, or the foot of the body's centre on a plane.
+/// corners of the box of what is finite, the foot of the body's centre on a plane, points along the surface
+/// of a shape that is given by its mesh.
 Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::AlignedBox3d& body);
 
-/// What is drawn of a tool; either part may be null.
+/// What is drawn of a tool; each part may be null.
 struct ToolDrawing {
-  vtkSmartPointer<vtkPolyData> surface;
+  vtkSmartPointer<vtkPolyData> area;     ///< flat: the tool in the plane, or in a section
+  vtkSmartPointer<vtkPolyData> surface;  ///< in space, with normals
   vtkSmartPointer<vtkPolyData> lines;
-  bool hidesBody = false;  ///< the surface stands between eye and body and must be drawn transparent
 };
 
-/// In 2D a filled disc with its outline, or a line with hatches on the side of the tool; in 3D a surface.
-/// visible: the box that is seen; stroke: length of a hatch.
-ToolDrawing drawTool(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& visible, double stroke);
+/// In the plane: what is closed as an area with its outline, else a line with hatches on the side of the
+/// tool. visible: the box that is seen; stroke: length of a hatch; turn: of a disc, which then has a radius
+/// that shows it, in radians.
+ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, double stroke,
+                          std::optional<double> turn = {});
+
+/// In space: the surface, its edges and where it turns away from the eye. With `cut` only what lies behind
+/// it, and the section.
+ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible,
+                          const Eigen::Vector3d& towardsEye, const std::optional<CutPlane>& cut = {});
+
+/// The section of a tool in space, drawn as one in the plane.
+ToolDrawing drawToolSection(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const CutPlane& plane,
+                            double stroke);
 
 }  // namespace burnish

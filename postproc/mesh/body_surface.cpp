@@ -33,28 +33,51 @@ Eigen::Matrix3Xd normalsOf(const Eigen::Matrix3Xd& x, const Eigen::Map<const Cor
 
 }  // namespace
 
-BodySurface::BodySurface(const ModelRecord& model, int subdivision) : points_(model.numNodes) {
+BodySurface::BodySurface(const ModelRecord& model, int subdivision, Faces faces) : points_(model.numNodes) {
   checkModel(model, "model");
-  for (const PatchRecord& patch : model.patches) addPatch(patch, subdivision);
+  if (faces == Faces::OfSpans) {
+    for (const PatchRecord& patch : model.patches) addFacesOfSpans(patch, subdivision);
+  } else {
+    const PatchBorders borders(model);
+    for (const PatchSide& side : borders.surface())
+      addSide(model.patches[side.patch], side.ends, subdivision);
+  }
   cells_ = makeCells(Eigen::Map<const Corners>(corners_.data(), 4, std::ssize(corners_) / 4));
 }
 
-void BodySurface::addPatch(const PatchRecord& patch, int subdivision) {
+void BodySurface::addSide(const PatchRecord& patch, const std::vector<PatchSide::End>& ends,
+                          int subdivision) {
+  std::vector<PointRow> directions;
+  bool clockwise = false;
+  for (std::size_t d = 0; d < ends.size(); ++d) {
+    const UnivariateBasis basis = basisOf(patch.directions[d]);
+    const bool atEnd = ends[d] == PatchSide::End::End;
+    if (ends[d] == PatchSide::End::None) {
+      directions.push_back(valuesAt(basis, subdividedSpans(basis, subdivision)));
+      continue;
+    }
+    directions.push_back(valuesAt(basis, {atEnd ? basis.breakpoints().back() : basis.breakpoints().front()}));
+    // Rows and columns of the second direction's faces are the first and the third direction, whose cross
+    // product points backwards.
+    clockwise = atEnd == (d == 1);
+  }
+  add(TensorPoints(patch, std::move(directions)), clockwise);
+}
+
+void BodySurface::addFacesOfSpans(const PatchRecord& patch, int subdivision) {
   std::vector<PointRow> directions;
   for (const DirectionRecord& direction : patch.directions) {
     const UnivariateBasis basis = basisOf(direction);
     directions.push_back(valuesAt(basis, subdividedSpans(basis, subdivision)));
   }
-  if (directions.size() == 2) return add(TensorPoints(patch, std::move(directions)), false);
-  for (std::size_t d = 0; d < directions.size(); ++d)
-    for (const bool atEnd : {false, true}) {
+  for (std::size_t d = 0; d < directions.size(); ++d) {
+    const UnivariateBasis basis = basisOf(patch.directions[d]);
+    for (const double breakpoint : basis.breakpoints()) {
       std::vector<PointRow> face = directions;
-      const UnivariateBasis basis = basisOf(patch.directions[d]);
-      face[d] = valuesAt(basis, {atEnd ? basis.breakpoints().back() : basis.breakpoints().front()});
-      // Rows and columns of the second direction's faces are the first and the third direction, whose cross
-      // product points backwards.
-      add(TensorPoints(patch, std::move(face)), atEnd == (d == 1));
+      face[d] = valuesAt(basis, {breakpoint});
+      add(TensorPoints(patch, std::move(face)), false);
     }
+  }
 }
 
 void BodySurface::add(TensorPoints points, bool clockwise) {

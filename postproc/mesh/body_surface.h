@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "engine/results/result.h"
+#include "postproc/mesh/patch_borders.h"
 #include "postproc/mesh/tensor_points.h"
 
 class vtkCellArray;
@@ -12,12 +13,15 @@ class vtkPolyData;
 namespace burnish {
 
 /// What can be seen of the body, cut into quadrilaterals, `subdivision` per knot span and direction: a plane
-/// body itself, of one in space the faces of its patches. Patches and faces do not share points, so that
-/// edges stay sharp. The quadrilaterals go round counterclockwise for who looks at them from outside.
+/// body itself, of one in space the faces that no two patches share. Patches and faces do not share points,
+/// so that edges stay sharp. The quadrilaterals go round counterclockwise for who looks at them from outside.
 class BodySurface {
  public:
+  /// Which faces: those that can be seen, or of a body in space those between and around its knot spans.
+  enum class Faces { Outside, OfSpans };
+
   /// Throws `Error` if `subdivision` < 1 or the model is inconsistent.
-  BodySurface(const ModelRecord& model, int subdivision);
+  BodySurface(const ModelRecord& model, int subdivision, Faces faces = Faces::Outside);
 
   int numPoints() const { return points_.size(); }
 
@@ -32,7 +36,10 @@ class BodySurface {
   vtkSmartPointer<vtkPolyData> displaced(const Eigen::MatrixXd& displacement) const;
 
  private:
-  void addPatch(const PatchRecord& patch, int subdivision);
+  /// All of a plane patch, or a face.
+  void addSide(const PatchRecord& patch, const std::vector<PatchSide::End>& ends, int subdivision);
+
+  void addFacesOfSpans(const PatchRecord& patch, int subdivision);
 
   /// Adds points, which have one row and column, and the quadrilaterals between them.
   void add(TensorPoints points, bool clockwise);

@@ -28,9 +28,12 @@ ToolRecord movedTool(const ToolRecord& tool, const Eigen::Vector3d& displacement
 ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::size_t tool,
                       double warp = 1.0);
 
+/// The parts of the segments of a plane shape that lie in a box, whose depth does not count.
+SurfaceMesh segmentsIn(const SurfaceMesh& mesh, const Eigen::AlignedBox3d& box);
+
 /// The surface of a tool. In 2D one polyline: a plane is a segment that passes the whole of `box`, a cylinder
 /// or a sphere a closed circle whose points in their order are also its polygon; of other shapes segments.
-/// In 3D polygons, planes and cylinders cut off outside the box.
+/// In 3D polygons, planes and cylinders cut off a little outside the box.
 vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box);
 
 }  // namespace burnish

@@ -1,9 +1,12 @@
+#include <vtkBox.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -86,11 +89,16 @@ struct SpatialOutline {
   const Eigen::AlignedBox3d& box;
 
   vtkSmartPointer<vtkPolyData> operator()(const Plane& plane) const {
-    const Eigen::Vector3d foot = nearestPoint(plane, box);
-    const Eigen::Vector3d a = reach(box) * plane.normal.unitOrthogonal();
-    const Eigen::Vector3d b = plane.normal.normalized().cross(a);
+    const Eigen::Vector3d n = plane.normal.normalized(), foot = nearestPoint(plane, box);
+    Eigen::Index least = 0;
+    n.cwiseAbs().minCoeff(&least);
+    const Eigen::Vector3d a = n.cross(Eigen::Vector3d::Unit(least)).normalized(), b = n.cross(a);
+    const auto [a0, a1] = extentAlong(a);
+    const auto [b0, b1] = extentAlong(b);
+    const Eigen::Vector3d onPlane = n.dot(foot) * n;
     Eigen::Matrix<double, 3, 4> corners;
-    corners << foot - a - b, foot + a - b, foot + a + b, foot - a + b;
+    corners << a0 * a + b0 * b, a1 * a + b0 * b, a1 * a + b1 * b, a0 * a + b1 * b;
+    corners.colwise() += onPlane;
     PolyBuilder builder;
     builder.addPolygon(builder.addPoints(corners));
     return builder.finish();
@@ -100,15 +108,17 @@ struct SpatialOutline {
     const Eigen::Vector3d axis = cylinder.axis.normalized();
     const Eigen::Vector3d a = axis.unitOrthogonal();
     const Eigen::Vector3d b = axis.cross(a);
-    const Eigen::Vector3d center = cylinder.center;
-    const Eigen::Vector3d middle = center + axis.dot(box.center() - center) * axis;
+    const Eigen::Vector3d foot = cylinder.center - axis.dot(cylinder.center) * axis;
+    const auto [begin, end] = extentAlong(axis);
     PolyBuilder builder;
-    const auto lower = builder.addPoints(circlePoints(middle - reach(box) * axis, cylinder.radius, a, b));
-    const auto upper = builder.addPoints(circlePoints(middle + reach(box) * axis, cylinder.radius, a, b));
+    const auto lower = builder.addPoints(circlePoints(foot + begin * axis, cylinder.radius, a, b));
+    const auto upper = builder.addPoints(circlePoints(foot + end * axis, cylinder.radius, a, b));
     for (std::size_t i = 0; i < lower.size(); ++i) {
       const std::size_t next = (i + 1) % lower.size();
       builder.addPolygon({lower[i], lower[next], upper[next], upper[i]});
     }
+    builder.addPolygon(upper);
+    builder.addPolygon({lower.rbegin(), lower.rend()});
     return builder.finish();
   }
 
@@ -128,6 +138,14 @@ struct SpatialOutline {
   }
 
   vtkSmartPointer<vtkPolyData> operator()(const SurfaceMesh& mesh) const { return cellsOf(mesh); }
+
+ private:
+  /// From where to where the box reaches along a direction, and a little further.
+  std::pair<double, double> extentAlong(const Eigen::Vector3d& direction) const {
+    const double middle = direction.dot(box.center());
+    const double half = direction.cwiseAbs().dot(box.sizes()) / 2.0 + 0.1 * box.diagonal().norm();
+    return {middle - half, middle + half};
+  }
 };
 
 /// Moves a shape by a rigid motion.
@@ -169,9 +187,32 @@ ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::s
   return movedTool(model.tools.at(tool), displacement, angle);
 }
 
+SurfaceMesh segmentsIn(const SurfaceMesh& mesh, const Eigen::AlignedBox3d& box) {
+  const Eigen::Vector3d low = box.min(), high = box.max();
+  const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), -1.0, 1.0};
+  SurfaceMesh inside{Eigen::Matrix3Xd(3, mesh.cells.size()), Eigen::MatrixXi(2, mesh.cells.cols()),
+                     mesh.closed};
+  int count = 0;
+  for (const auto& cell : mesh.cells.colwise()) {
+    const Eigen::Vector3d begin = mesh.points.col(cell(0)), end = mesh.points.col(cell(1));
+    Eigen::Vector3d first, last;
+    double t1 = 0.0, t2 = 0.0;
+    int side1 = 0, side2 = 0;
+    if (!vtkBox::IntersectWithLine(bounds.data(), begin.data(), end.data(), t1, t2, first.data(), last.data(),
+                                   side1, side2))
+      continue;
+    inside.points.col(2 * count) = first;
+    inside.points.col(2 * count + 1) = last;
+    inside.cells.col(count) << 2 * count, 2 * count + 1;
+    ++count;
+  }
+  inside.points.conservativeResize(Eigen::NoChange, 2 * count);
+  inside.cells.conservativeResize(Eigen::NoChange, count);
+  return inside;
+}
+
 vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box) {
-  return dim == 2 ? std::visit(PlanarOutline{box}, tool.shape)
-                  : std::visit(SpatialOutline{box}, tool.shape);
+  return dim == 2 ? std::visit(PlanarOutline{box}, tool.shape) : std::visit(SpatialOutline{box}, tool.shape);
 }
 
 }  // namespace burnish

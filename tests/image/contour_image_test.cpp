@@ -17,8 +17,7 @@
 #include "engine/results/result_writer.h"
 #include "postproc/draw/contour.h"
 #include "postproc/draw/contour_view.h"
-#include "tests/image/picture.h"
-#include "tests/image/sample_records.h"
+#include "tests/image/contour_fixture.h"
 
 /// Contour pictures against pictures that were looked at (images/baseline) and, since a baseline may be wrong
 /// too, against colours that follow from the fields. A run with BURNISH_WRITE_BASELINES=1 in the environment
@@ -29,57 +28,17 @@ namespace {
 namespace fs = std::filesystem;
 using samples::Sample;
 
-constexpr int kColorTolerance = 6;  // of 255: interpolation between two colours of a fine scale
-
 std::string bytesOf(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
 }
 
-class ContourImage : public testing::Test {
- protected:
-  void SetUp() override {
-    dir = fs::temp_directory_path() / ("burnish_image_" + std::to_string(::getpid()));
-    fs::create_directories(dir);
-  }
-  void TearDown() override { fs::remove_all(dir); }
-
-  static ContourOptions small(const std::string& field) {
-    ContourOptions options;
-    options.field = field;
-    options.size = {400, 300};
-    return options;
-  }
-
-  Picture drawn(const Sample& sample, const ContourOptions& options) {
-    view = drawContour(sample.model, sample.frame, options, dir / "drawn.png");
-    return readPicture(dir / "drawn.png");
-  }
-
-  /// Draws, then compares with images/baseline/NAME.png.
-  Picture expectBaseline(const Sample& sample, const ContourOptions& options, const std::string& name) {
-    Picture picture = drawn(sample, options);
-    burnish::expectBaseline(dir / "drawn.png", name);
-    return picture;
-  }
-
-  void expectColor(const Picture& picture, const Eigen::VectorXd& position, const Color& expected) const {
-    const Color found = picture.at(view.pixel(position));
-    EXPECT_LE(difference(found, expected), kColorTolerance)
-        << "at " << position.transpose() << ": found " << testing::PrintToString(found) << ", expected "
-        << testing::PrintToString(expected);
-  }
-
-  fs::path dir;
-  View view;
-};
-
 Eigen::Vector2d deformedSlab(double s, double t) {
   return {3.0 * s, t - 0.6 * s * (1.0 - s) * t};
 }
 
-TEST_F(ContourImage, SlabUnderADiscHasTheColoursOfItsField) {
+TEST_F(ContourPictures, SlabUnderADiscHasTheColoursOfItsField) {
   const Picture picture = expectBaseline(samples::slab(), small("plastic_strain"), "slab");
   const ColorScale scale("viridis", {0.0, 1.0}, 0);
   for (const double s : {0.07, 0.21, 0.36, 0.5, 0.83})
@@ -89,7 +48,7 @@ TEST_F(ContourImage, SlabUnderADiscHasTheColoursOfItsField) {
   expectColor(picture, Eigen::Vector2d(0.4, 1.35), {255, 255, 255});
 }
 
-TEST_F(ContourImage, BandsOfARingAreCrispCircles) {
+TEST_F(ContourPictures, BandsOfARingAreCrispCircles) {
   ContourOptions options = small("von_mises");
   options.bands = 5;
   options.knots = true;
@@ -111,7 +70,7 @@ TEST_F(ContourImage, BandsOfARingAreCrispCircles) {
   }
 }
 
-TEST_F(ContourImage, ShearedSquareOfLagrangeElementsUnderAPlate) {
+TEST_F(ContourPictures, ShearedSquareOfLagrangeElementsUnderAPlate) {
   ContourOptions options = small("pressure");
   options.colormap = "coolwarm";
   options.range = {-1e-5, 1e-5};
@@ -122,30 +81,30 @@ TEST_F(ContourImage, ShearedSquareOfLagrangeElementsUnderAPlate) {
       expectColor(picture, Eigen::Vector2d(x + 0.2 * y, y), scale.color(1e-5 * (x * x * x - y)));
 }
 
-TEST_F(ContourImage, ComponentOfATensorIsDrawnByName) {
+TEST_F(ContourPictures, ComponentOfATensorIsDrawnByName) {
   const Picture picture = drawn(samples::square(), small("stress.xx"));
   const ColorScale scale("viridis", {-1e5, 0.0}, 0);
   expectColor(picture, Eigen::Vector2d(0.3 + 0.2 * 0.4, 0.4), scale.color(-0.3e5));
 }
 
-TEST_F(ContourImage, VectorAloneIsItsMagnitude) {
+TEST_F(ContourPictures, VectorAloneIsItsMagnitude) {
   const Picture picture = drawn(samples::square(), small("displacement"));
   const ColorScale scale("viridis", {0.0, 0.2}, 0);
   expectColor(picture, Eigen::Vector2d(0.3 + 0.2 * 0.4, 0.4), scale.color(0.08));
 }
 
-TEST_F(ContourImage, FieldThatIsZeroEverywhere) {
+TEST_F(ContourPictures, FieldThatIsZeroEverywhere) {
   Sample sample = samples::slab();
   sample.frame.fields["plastic_strain"].values.setZero();
   const Picture picture = expectBaseline(sample, small("plastic_strain"), "zero");
   expectColor(picture, deformedSlab(0.3, 0.5), ColorScale("viridis", {0.0, 1.0}, 0).color(0.0));
 }
 
-TEST_F(ContourImage, CubeUnderABall) {
+TEST_F(ContourPictures, CubeUnderABall) {
   expectBaseline(samples::cube(), small("pressure"), "cube_ball");
 }
 
-TEST_F(ContourImage, ValuesOutsideAGivenRangeHaveTheColoursOfItsEnds) {
+TEST_F(ContourPictures, ValuesOutsideAGivenRangeHaveTheColoursOfItsEnds) {
   ContourOptions options = small("plastic_strain");
   options.range = {0.3, 0.6};
   const Picture picture = drawn(samples::slab(), options);
@@ -154,7 +113,7 @@ TEST_F(ContourImage, ValuesOutsideAGivenRangeHaveTheColoursOfItsEnds) {
   expectColor(picture, deformedSlab(0.5, 0.93), scale.colors().back());
 }
 
-TEST_F(ContourImage, EveryPictureFromTinyToLargeKeepsItsTextsInside) {
+TEST_F(ContourPictures, EveryPictureFromTinyToLargeKeepsItsTextsInside) {
   for (const std::array<int, 2> size : {std::array{200, 150}, std::array{400, 300}, std::array{2000, 300},
                                         std::array{300, 2000}, std::array{1600, 900}}) {
     ContourOptions options = small("plastic_strain");
@@ -171,7 +130,7 @@ TEST_F(ContourImage, EveryPictureFromTinyToLargeKeepsItsTextsInside) {
   }
 }
 
-TEST_F(ContourImage, SameBytesEveryTime) {
+TEST_F(ContourPictures, SameBytesEveryTime) {
   const Sample sample = samples::slab();
   drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "first.png");
   drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "second.png");
@@ -179,7 +138,7 @@ TEST_F(ContourImage, SameBytesEveryTime) {
   EXPECT_EQ(bytesOf(dir / "first.png"), bytesOf(dir / "second.png"));
 }
 
-TEST_F(ContourImage, CommandDrawsTheSameInAnEmptyEnvironment) {
+TEST_F(ContourPictures, CommandDrawsTheSameInAnEmptyEnvironment) {
   const Sample sample = samples::slab();
   ResultWriter(dir / "result", sample.model).append(sample.frame);
   const std::string child = (dir / "child.png").string();
@@ -190,7 +149,7 @@ TEST_F(ContourImage, CommandDrawsTheSameInAnEmptyEnvironment) {
   EXPECT_EQ(bytesOf(child), bytesOf(dir / "own.png"));
 }
 
-TEST_F(ContourImage, ArrowsIsolinesAndKnotsOnADarkGround) {
+TEST_F(ContourPictures, ArrowsIsolinesAndKnotsOnADarkGround) {
   ContourOptions options = small("plastic_strain");
   options.theme = themeNamed("dark");
   options.bands = 6;
@@ -201,7 +160,7 @@ TEST_F(ContourImage, ArrowsIsolinesAndKnotsOnADarkGround) {
   EXPECT_EQ(picture.at({0.5, 0.5}), options.theme.paper);
 }
 
-TEST_F(ContourImage, ControlNetInAWindow) {
+TEST_F(ContourPictures, ControlNetInAWindow) {
   ContourOptions options = small("von_mises");
   options.controlNet = true;
   options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.2, 0.8), Eigen::Vector2d(1.6, 2.1));
@@ -221,7 +180,7 @@ TEST_F(ContourImage, ControlNetInAWindow) {
   EXPECT_GT(seen, 3);
 }
 
-TEST_F(ContourImage, IsolinesLieWhereTheFieldHasTheirValues) {
+TEST_F(ContourPictures, IsolinesLieWhereTheFieldHasTheirValues) {
   ContourOptions options = small("von_mises");
   options.isolines = 3;
   options.size = {1600, 1200};
@@ -237,7 +196,7 @@ TEST_F(ContourImage, IsolinesLieWhereTheFieldHasTheirValues) {
     }
 }
 
-TEST_F(ContourImage, WarpMovesTheBodyAndKeepsItsValues) {
+TEST_F(ContourPictures, WarpMovesTheBodyAndKeepsItsValues) {
   ContourOptions options = small("plastic_strain");
   options.warp = 3.0;
   options.tools = false;
@@ -248,7 +207,7 @@ TEST_F(ContourImage, WarpMovesTheBodyAndKeepsItsValues) {
                 scale.color(4.0 * s * (1.0 - s) * 0.64));
 }
 
-TEST_F(ContourImage, ToolsCanBeLeftOut) {
+TEST_F(ContourPictures, ToolsCanBeLeftOut) {
   ContourOptions options = small("plastic_strain");
   const double with = (drawn(samples::slab(), options), view.pixelsPerLength);
   options.tools = false;
@@ -257,7 +216,7 @@ TEST_F(ContourImage, ToolsCanBeLeftOut) {
   expectColor(picture, Eigen::Vector2d(1.5, 0.95), options.theme.paper);
 }
 
-TEST_F(ContourImage, CubeFromAGivenSide) {
+TEST_F(ContourPictures, CubeFromAGivenSide) {
   ContourOptions options = small("pressure");
   options.axes = viewNamed("xz", 3);
   const Picture picture = drawn(samples::cube(), options);
@@ -269,7 +228,7 @@ TEST_F(ContourImage, CubeFromAGivenSide) {
   EXPECT_LE(difference(high, scale.color(1.8)), 12);
 }
 
-TEST_F(ContourImage, WithoutPaperThePictureOnWhiteIsTheSame) {
+TEST_F(ContourPictures, WithoutPaperThePictureOnWhiteIsTheSame) {
   const Sample sample = samples::slab();
   ContourOptions options = small("plastic_strain");
   const Picture opaque = drawn(sample, options);
@@ -289,7 +248,7 @@ TEST_F(ContourImage, WithoutPaperThePictureOnWhiteIsTheSame) {
   EXPECT_EQ(image.GetScalarComponentAsDouble(inside.x(), inside.y(), 0, 3), 255.0);
 }
 
-class ContourMistakes : public ContourImage {
+class ContourMistakes : public ContourPictures {
  protected:
   void expectRefused(const Sample& sample, const ContourOptions& options,
                      const std::vector<std::string>& parts) {

@@ -92,6 +92,37 @@ loads:
 steps: [{until: 1, count: 1}]
 )";
 
+constexpr const char* kTools = R"(
+title: Wheel, punch and support
+degree: 2
+units: {length: mm, stress: MPa}
+geometry: {shape: rectangle, size: [4, 1.6], spans: [4, 2]}
+material: {law: neo-hookean, E: 100, nu: 0.3}
+supports:
+  - {face: left, fix: [x, y]}
+tools:
+  - {name: wheel, shape: cylinder, center: [1, 2.3], radius: 0.7, carry: {y: -3}, motion: {times: [0, 1], angle: [0, -90]}}
+  - {name: punch, shape: cylinder, center: [3, 2.1], radius: 0.5, motion: {times: [0, 1], y: [0, -0.4]}}
+  - {name: support, shape: cylinder, center: [2, -0.5], radius: 0.5}
+contact:
+  - {tool: wheel, face: top}
+  - {tool: punch, face: top}
+  - {tool: support, face: bottom}
+steps: [{until: 1, count: 1}]
+)";
+
+/// Lines from point to point.
+SurfaceMesh polyline(const Eigen::Matrix2Xd& points, bool closed) {
+  const auto count = static_cast<int>(points.cols());
+  SurfaceMesh mesh;
+  mesh.closed = closed;
+  mesh.points = Eigen::Matrix3Xd::Zero(3, count);
+  mesh.points.topRows<2>() = points;
+  mesh.cells.resize(2, closed ? count : count - 1);
+  for (int k = 0; k < mesh.cells.cols(); ++k) mesh.cells.col(k) << k, (k + 1) % count;
+  return mesh;
+}
+
 ModelRecord modelOf(const char* yaml) {
   const Scene scene = parseScene(yaml, "test");
   return makeModelRecord(scene, Model<2>(scene));
@@ -265,6 +296,16 @@ TEST_F(SheetImage, SetupOfARingWithLoadRollersAndPlate) {
 TEST_F(SheetImage, SetupOfAnAxisymmetricBodyOfTwoPatches) {
   drawSetup(modelOf(kTwoPatches), {600, 500}, dir / "setup.png");
   expectBaseline(dir / "setup.png", "setup_two_patches");
+}
+
+TEST_F(SheetImage, SetupOfToolsThatCarryTurnAndHaveAnyOutline) {
+  ModelRecord model = modelOf(kTools);
+  model.tools[1].shape =
+      polyline(Eigen::Matrix<double, 2, 5>{{3.0, 3.45, 3.9, 3.9, 3.0}, {1.9, 1.6, 1.9, 3.0, 3.0}}, true);
+  model.tools[2].shape =
+      polyline(Eigen::Matrix<double, 2, 4>{{30.0, 4.2, -0.2, -30.0}, {2.0, -0.2, -0.2, 2.0}}, false);
+  drawSetup(model, {800, 650}, dir / "setup.png");
+  expectBaseline(dir / "setup.png", "setup_tools");
 }
 
 TEST_F(SheetImage, SetupIsNotDrawnInThreeDimensions) {

@@ -11,14 +11,18 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTriangle.h>
 #include <vtkUnstructuredGrid.h>
 
 #include "engine/core/error.h"
+#include "engine/results/check_records.h"
 #include "engine/solid/joined_body.h"
 #include "postproc/draw/color_range.h"
 #include "postproc/mesh/body_surface.h"
+#include "postproc/mesh/mirror.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/patch_geometry.h"
+#include "postproc/mesh/plane_section.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "tests/unit/model_samples.h"
 
@@ -264,6 +268,74 @@ TEST(BodySurface, NormalsOfATubeAreRadialAndItsEdgesSharp) {
   EXPECT_EQ(outside, 61 * 41);
 }
 
+TEST(BodySurface, OfJoinedPatchesHasNoFacesInside) {
+  const KnotVector knots = KnotVector::uniform(2, 2);
+  const Patch<3> block = refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), {knots, knots, knots});
+  const FrameRecord frame = frameOf(modelOf(block), 0, 0.0);
+  FrameRecord still = frame;
+  still.displacement.setZero();
+  const ModelFrame whole = mirrored(modelOf(block), still, {{0, 1.0}, {1, 0.0}});
+  ASSERT_EQ(whole.model.patches.size(), 4U);
+  const auto surface = BodySurface(whole.model, 1).displaced({});
+  EXPECT_EQ(surface->GetNumberOfCells(), 4 * 4 * 4);  // of 24 faces 8 lie inside
+  EXPECT_NEAR(volume(*surface), 4.0, 1e-12);
+  EXPECT_EQ(bodyOutline(whole.model, {}, 1)->GetNumberOfLines(), 4 * 4 + 4);
+}
+
+TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
+  ModelRecord model = modelOf(quarterRing());
+  model.tools = {{"plate", Plane{{0.0, 5.0, 0.0}, {0.6, -0.8, 0.0}}},
+                 {"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}}};
+  FrameRecord frame = frameOf(model, 0, 0.0);
+  const Eigen::RowVectorXd x = model.patches.front().points.row(0);
+  frame.displacement.row(0) = 0.1 * x;  // nothing on the plane
+  frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "", randomCoefficients(4, model.numNodes, 3)};
+  frame.fields["stress"].values.row(2).array() *= x.array();  // nothing on the plane either
+  frame.toolDisplacement = Eigen::Matrix2d{{0.0, 0.0}, {-0.5, -0.25}};
+  frame.toolAngle = Eigen::Vector2d(0.0, 0.3);
+  const ModelFrame whole = mirrored(model, frame, {{0, 0.0}});
+
+  const Tessellation mesh(whole.model, 4);
+  const int half = mesh.numPoints() / 2;
+  EXPECT_EQ(mesh.numPoints(), 2 * half);
+  EXPECT_GT(area(mesh), 0.0);  // of every cell
+  const Eigen::MatrixXd& X = mesh.referencePoints();
+  const Eigen::MatrixXd u = mesh.evaluate(whole.frame.displacement),
+                        stress = mesh.evaluate(whole.frame.fields.at("stress").values);
+  const int row = 4 * quarterRing().basis().direction(0).numSpans() + 1;
+  for (int i = 0; i < half; ++i) {
+    const int other = half + i - i % row + row - 1 - i % row;
+    EXPECT_LT((X.col(other) - Eigen::Vector2d(-X(0, i), X(1, i))).norm(), 1e-13);
+    EXPECT_LT((u.col(other) - Eigen::Vector2d(-u(0, i), u(1, i))).norm(), 1e-13);
+    EXPECT_NEAR(stress(0, other), stress(0, i), 1e-13);
+    EXPECT_NEAR(stress(2, other), -stress(2, i), 1e-13);
+  }
+
+  ASSERT_EQ(whole.model.tools.size(), 3U);  // the disc is its own image
+  const auto& plate = std::get<Plane>(whole.model.tools[2].shape);
+  EXPECT_LT((plate.normal - Eigen::Vector3d(-0.6, -0.8, 0.0)).norm(), 1e-14);
+  EXPECT_EQ(whole.frame.toolDisplacement.col(2), Eigen::Vector2d(0.0, -0.5));
+  EXPECT_NO_THROW(checkModel(whole.model, "mirrored"));
+}
+
+TEST(PlaneSection, OfABallIsACircleWithItsArea) {
+  const auto ball = toolOutline({"ball", Sphere{{1.0, 2.0, 3.0}, 2.0}}, 3, {});
+  const CutPlane plane{{1.0, 2.0, 4.0}, {0.0, 0.0, 3.0}};
+  const auto circle = sectionOf(*ball, plane);
+  for (vtkIdType i = 0; i < circle->GetNumberOfPoints(); ++i) {
+    EXPECT_NEAR(pointOf(*circle, i).z(), 4.0, 1e-12);
+    EXPECT_NEAR((pointOf(*circle, i) - Eigen::Vector3d(1.0, 2.0, 4.0)).norm(), std::sqrt(3.0), 5e-3);
+  }
+  const auto disc = enclosedAreas(*circle);
+  double sum = 0.0;
+  for (vtkIdType k = 0; k < disc->GetNumberOfCells(); ++k)
+    sum += vtkTriangle::SafeDownCast(disc->GetCell(k))->ComputeArea();
+  EXPECT_NEAR(sum, 3.0 * std::numbers::pi, 0.02 * sum);
+  const auto below = behind(*ball, plane);
+  EXPECT_NEAR(below->GetBounds()[5], 4.0, 1e-9);
+  EXPECT_NEAR(below->GetBounds()[4], 1.0, 1e-12);
+}
+
 TEST(BodySurface, RefusesWhatDoesNotFit) {
   const ModelRecord model = modelOf(quarterRing());
   EXPECT_THROW(BodySurface(model, 0), Error);
@@ -420,8 +492,8 @@ TEST(ToolOutline, InSpaceLiesOnTheTool) {
   const Eigen::AlignedBox3d box(Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(4.0, 2.0, 3.0));
   const Eigen::Vector3d shift(0.1, 0.2, 0.3);
   const std::vector<RecordedShape> shapes{Plane{{0.0, -1.0, 0.0}, {1.0, 2.0, 0.5}},
-                                       Cylinder{{1.0, 3.0, 0.0}, {1.0, 0.0, 2.0}, 0.8},
-                                       Sphere{{1.0, 3.0, 1.0}, 0.6}};
+                                          Cylinder{{1.0, 3.0, 0.0}, {1.0, 0.0, 2.0}, 0.8},
+                                          Sphere{{1.0, 3.0, 1.0}, 0.6}};
   for (const RecordedShape& shape : shapes) {
     const auto surface = toolOutline(movedTool({"tool", shape}, shift, 0.0), 3, box);
     EXPECT_GT(surface->GetNumberOfPolys(), 0);

@@ -75,7 +75,9 @@ ContactRecord contactOn(const ModelRecord& model, const char* faceName, const Fr
   for (Eigen::Index q = 0; q < contact.quadratureGap.size(); ++q) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.head<Dim>() = contact.quadraturePoints.col(q) - frame.toolDisplacement.col(0);
-    const GapQuery query = std::get<Plane>(model.tools[0].shape).query(x);
+    const RecordedShape& shape = model.tools[0].shape;
+    const auto* plane = std::get_if<Plane>(&shape);
+    const GapQuery query = plane ? plane->query(x) : std::get<Sphere>(shape).query(x);
     contact.quadratureGap(q) = query.gap;
     contact.quadratureNormal.col(q) = query.normal.head<Dim>();
   }

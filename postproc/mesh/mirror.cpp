@@ -1,0 +1,257 @@
+#include "postproc/mesh/mirror.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <variant>
+
+#include "engine/core/error.h"
+#include "postproc/mesh/patch_geometry.h"
+
+namespace burnish {
+namespace {
+
+/// Lengths that are rounding, as a part of the size of the body; displacements on a plane of symmetry.
+constexpr double kRounding = 1e-9, kStaysOnPlane = 1e-6;
+
+char nameOf(const MirrorPlane& plane) {
+  return "xyz"[plane.axis];
+}
+
+/// Points as columns.
+Eigen::MatrixXd image(Eigen::MatrixXd points, const MirrorPlane& plane) {
+  points.row(plane.axis) = (2.0 * plane.at - points.row(plane.axis).array()).matrix();
+  return points;
+}
+
+/// Vectors as columns.
+Eigen::MatrixXd imageOfVectors(Eigen::MatrixXd vectors, const MirrorPlane& plane) {
+  if (vectors.cols() > 0) vectors.row(plane.axis) *= -1.0;
+  return vectors;
+}
+
+struct ShapeImage {
+  const MirrorPlane& mirror;
+
+  Eigen::Vector3d point(const Eigen::Vector3d& x) const { return image(x, mirror); }
+  Eigen::Vector3d vector(const Eigen::Vector3d& v) const { return imageOfVectors(v, mirror); }
+
+  RecordedShape operator()(const Plane& plane) const {
+    return Plane{point(plane.origin), vector(plane.normal)};
+  }
+  RecordedShape operator()(const Cylinder& cylinder) const {
+    return Cylinder{point(cylinder.center), vector(cylinder.axis), cylinder.radius};
+  }
+  RecordedShape operator()(const Sphere& sphere) const { return Sphere{point(sphere.center), sphere.radius}; }
+  RecordedShape operator()(const SurfaceMesh& mesh) const {
+    // The other direction of its cells has the tool on the same side of them again.
+    return SurfaceMesh{image(mesh.points, mirror), mesh.cells.colwise().reverse(), mesh.closed};
+  }
+};
+
+/// Whether two shapes of one kind and size are the same up to a length.
+struct SameShape {
+  double length;
+
+  bool operator()(const Plane& a, const Plane& b) const {
+    return isParallel(a.normal, b.normal) && std::abs((a.origin - b.origin).dot(a.normal)) <= length;
+  }
+  bool operator()(const Cylinder& a, const Cylinder& b) const {
+    return std::abs(std::abs(a.axis.dot(b.axis)) - 1.0) <= kRounding &&
+           (a.center - b.center).cross(a.axis).norm() <= length;
+  }
+  bool operator()(const Sphere& a, const Sphere& b) const { return (a.center - b.center).norm() <= length; }
+  bool operator()(const SurfaceMesh& a, const SurfaceMesh& b) const {
+    return (a.points.rowwise().minCoeff() - b.points.rowwise().minCoeff()).norm() <= length &&
+           (a.points.rowwise().maxCoeff() - b.points.rowwise().maxCoeff()).norm() <= length;
+  }
+  template <class A, class B>
+  bool operator()(const A&, const B&) const {
+    return false;
+  }
+
+  static bool isParallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.dot(b) >= 1.0 - kRounding;
+  }
+};
+
+/// Adds the image of a model in one plane.
+class Mirror {
+ public:
+  Mirror(ModelFrame& whole, const MirrorPlane& plane) : whole_(whole), plane_(plane) {
+    check(plane.axis >= 0 && plane.axis < whole.model.dim && std::isfinite(plane.at),
+          fmt::format("the model has {} dimensions", whole.model.dim));
+    findSize();
+    numberImages();
+  }
+
+  void addImages() {
+    addPatches();
+    addToNodes();
+    addContact();
+    addTools();
+  }
+
+ private:
+  void check(bool holds, const std::string& what) const {
+    if (!holds)
+      throw Error(fmt::format("mirror: found the plane {} = {:.6g}; {}", nameOf(plane_), plane_.at, what));
+  }
+
+  void findSize() {
+    Eigen::AlignedBox3d box;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const PatchRecord& patch : whole_.model.patches)
+      for (const auto& point : patch.points.colwise()) {
+        Eigen::Vector3d x = Eigen::Vector3d::Zero();
+        x.head(point.size()) = point;
+        box.extend(x);
+        low = std::min(low, point(plane_.axis));
+        high = std::max(high, point(plane_.axis));
+      }
+    size_ = box.diagonal().norm();
+    const double rounding = kRounding * size_;
+    check(std::abs(low - plane_.at) <= rounding || std::abs(high - plane_.at) <= rounding,
+          fmt::format(
+              "the undeformed body goes from {0} = {1:.6g} to {0} = {2:.6g}; expected one of these ends",
+              nameOf(plane_), low, high));
+  }
+
+  /// A node on the plane is its own image.
+  void numberImages() {
+    ModelRecord& model = whole_.model;
+    image_.resize(static_cast<std::size_t>(model.numNodes));
+    std::iota(image_.begin(), image_.end(), model.numNodes);
+    const Eigen::MatrixXd& u = whole_.frame.displacement;
+    for (const PatchRecord& patch : model.patches)
+      for (std::size_t a = 0; a < patch.nodes.size(); ++a) {
+        const int node = patch.nodes[a];
+        if (std::abs(patch.points(plane_.axis, static_cast<Eigen::Index>(a)) - plane_.at) > kRounding * size_)
+          continue;
+        check(std::abs(u(plane_.axis, node)) <= kStaysOnPlane * size_,
+              fmt::format("the body leaves it in frame {}, so that it is no plane of symmetry",
+                          whole_.frame.index));
+        image_[static_cast<std::size_t>(node)] = node;
+      }
+    int next = model.numNodes;
+    for (std::size_t node = 0; node < image_.size(); ++node)
+      if (image_[node] >= model.numNodes) {
+        image_[node] = next++;
+        originals_.push_back(static_cast<int>(node));
+      }
+    model.numNodes = next;
+  }
+
+  /// With the first direction reversed, so that the image is not inside out.
+  PatchRecord imageOf(const PatchRecord& patch) const {
+    PatchRecord result = patch;
+    DirectionRecord& first = result.directions.front();
+    const double sum = first.knots.front() + first.knots.back();
+    std::reverse(first.knots.begin(), first.knots.end());
+    for (double& knot : first.knots) knot = sum - knot;
+    const int row = basisOf(first).numFunctions();
+    const Eigen::MatrixXd points = image(patch.points, plane_);
+    for (Eigen::Index a = 0; a < points.cols(); ++a) {
+      const Eigen::Index from = a - a % row + row - 1 - a % row;
+      result.points.col(a) = points.col(from);
+      result.weights(a) = patch.weights(from);
+      result.nodes[static_cast<std::size_t>(a)] =
+          image_[static_cast<std::size_t>(patch.nodes[static_cast<std::size_t>(from)])];
+    }
+    return result;
+  }
+
+  void addPatches() {
+    std::vector<PatchRecord>& patches = whole_.model.patches;
+    const std::size_t count = patches.size();
+    for (std::size_t p = 0; p < count; ++p) patches.push_back(imageOf(patches[p]));
+  }
+
+  /// Values at nodes with those of their images. signs: one per component.
+  Eigen::MatrixXd withImages(const Eigen::MatrixXd& values, const Eigen::VectorXd& signs) const {
+    Eigen::MatrixXd all(values.rows(), whole_.model.numNodes);
+    all << values, signs.asDiagonal() * values(Eigen::all, originals_);
+    return all;
+  }
+
+  /// A component changes its sign if the axis is in its name an odd number of times.
+  Eigen::VectorXd signsOf(const FieldRecord& field) const {
+    Eigen::VectorXd signs = Eigen::VectorXd::Ones(field.values.rows());
+    for (std::size_t c = 0; c < field.components.size(); ++c) {
+      const std::string& name = field.components[c];
+      if (std::count(name.begin(), name.end(), nameOf(plane_)) % 2 == 1)
+        signs(static_cast<Eigen::Index>(c)) = -1.0;
+    }
+    return signs;
+  }
+
+  void addToNodes() {
+    FrameRecord& frame = whole_.frame;
+    Eigen::VectorXd signs = Eigen::VectorXd::Ones(frame.displacement.rows());
+    signs(plane_.axis) = -1.0;
+    frame.displacement = withImages(frame.displacement, signs);
+    for (auto& [name, field] : frame.fields) field.values = withImages(field.values, signsOf(field));
+  }
+
+  void addContact() {
+    std::vector<ContactRecord>& contact = whole_.frame.contact;
+    const std::size_t count = contact.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      ContactRecord copy = contact[k];
+      for (int& node : copy.nodes) node = image_[static_cast<std::size_t>(node)];
+      copy.quadraturePoints = image(copy.quadraturePoints, plane_);
+      copy.quadratureNormal = imageOfVectors(copy.quadratureNormal, plane_);
+      contact.push_back(std::move(copy));
+    }
+  }
+
+  void addTools() {
+    std::vector<ToolRecord>& tools = whole_.model.tools;
+    FrameRecord& frame = whole_.frame;
+    const std::size_t count = tools.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      ToolRecord copy = tools[k];
+      copy.shape = std::visit(ShapeImage{plane_}, tools[k].shape);
+      const Eigen::Vector3d axis = imageOfVectors(tools[k].axis, plane_);
+      copy.pivot = image(tools[k].pivot, plane_);
+      copy.axis = -axis;  // a turn goes round the other way in a mirror
+      if (std::visit(SameShape{kRounding * size_}, tools[k].shape, copy.shape)) continue;
+      const auto tool = static_cast<Eigen::Index>(k), last = frame.toolDisplacement.cols();
+      frame.toolDisplacement.conservativeResize(Eigen::NoChange, last + 1);
+      frame.toolDisplacement.col(last) = imageOfVectors(frame.toolDisplacement.col(tool), plane_);
+      if (frame.toolAngle.size() > 0) {
+        frame.toolAngle.conservativeResize(last + 1);
+        frame.toolAngle(last) = frame.toolAngle(tool);
+      }
+      tools.push_back(std::move(copy));
+    }
+  }
+
+  ModelFrame& whole_;
+  MirrorPlane plane_;
+  double size_ = 0.0;           ///< of the body
+  std::vector<int> image_;      ///< of each node
+  std::vector<int> originals_;  ///< the nodes that have another node for an image, in its order
+};
+
+}  // namespace
+
+ModelFrame mirrored(const ModelRecord& model, const FrameRecord& frame,
+                    const std::vector<MirrorPlane>& planes) {
+  ModelFrame whole{model, {}};
+  whole.frame.index = frame.index;
+  whole.frame.step = frame.step;
+  whole.frame.time = frame.time;
+  whole.frame.displacement = frame.displacement;
+  whole.frame.fields = frame.fields;
+  whole.frame.toolDisplacement = frame.toolDisplacement;
+  whole.frame.toolAngle = frame.toolAngle;
+  whole.frame.contact = frame.contact;
+  for (const MirrorPlane& plane : planes) Mirror(whole, plane).addImages();
+  return whole;
+}
+
+}  // namespace burnish

@@ -1,0 +1,31 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Dense>
+
+class vtkDataSet;
+class vtkPolyData;
+
+namespace burnish {
+
+/// A plane that cuts through what is drawn.
+struct CutPlane {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of any length but 0
+};
+
+/// Where a plane cuts cells, with the point data there: polygons of volumes, segments of surfaces, points of
+/// lines. What lies in the plane itself is not cut.
+vtkSmartPointer<vtkPolyData> sectionOf(vtkDataSet& cells, const CutPlane& plane);
+
+/// The part of polygons and lines to which the normal does not point, with its point data.
+vtkSmartPointer<vtkPolyData> behind(vtkPolyData& parts, const CutPlane& plane);
+
+/// The areas that segments enclose in their common plane, in any order: a loop inside another one that goes
+/// round the other way is a hole. Without cells where no loop is closed.
+vtkSmartPointer<vtkPolyData> enclosedAreas(vtkPolyData& segments);
+
+/// All cells in one data set, with the point data that all of them have.
+vtkSmartPointer<vtkPolyData> together(vtkPolyData& one, vtkPolyData& other);
+
+}  // namespace burnish
