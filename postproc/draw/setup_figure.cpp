@@ -166,7 +166,7 @@ class SetupPicture {
       symbols.addRadius(center, center + disc->radius * view().pixelsPerLength * direction,
                         "R = " + layout_.length(disc->radius));
     } else if (const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape)) {
-      if (mesh->closed)
+      if (isSolid(*mesh))
         symbols.addText({{tool.name}}, center + Vector2d(0.0, 0.9 * textSize()));
       else if (mesh->cells.size() > 0)
         nameOpenTool(symbols, tool.name, *mesh);

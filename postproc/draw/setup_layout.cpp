@@ -19,6 +19,7 @@
 #include "postproc/draw/setup_loads.h"
 #include "postproc/draw/setup_motion.h"
 #include "postproc/draw/setup_symbols.h"
+#include "postproc/draw/shape_lines.h"
 #include "postproc/draw/sheet.h"
 #include "postproc/draw/ticks.h"
 #include "postproc/mesh/body_surface.h"
@@ -101,7 +102,7 @@ void SetupLayout::findTools() {
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kNear * box_.diagonal().norm());
   tools_ = model_.tools;
   for (ToolRecord& tool : tools_)
-    if (auto* mesh = std::get_if<SurfaceMesh>(&tool.shape); mesh && !mesh->closed)
+    if (auto* mesh = std::get_if<SurfaceMesh>(&tool.shape); mesh && !isSolid(*mesh))
       if (SurfaceMesh near = segmentsIn(*mesh, {box_.min() - margin, box_.max() + margin});
           near.cells.size() > 0)
         *mesh = std::move(near);
@@ -145,7 +146,7 @@ void SetupLayout::findRoomsOfTools() {
   }
   const auto isOpenBelow = [&](const ToolRecord& tool) {
     const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape);
-    return mesh && !mesh->closed && mesh->points.row(1).minCoeff() < box_.min().y();
+    return mesh && !isSolid(*mesh) && mesh->points.row(1).minCoeff() < box_.min().y();
   };
   if (std::any_of(tools_.begin(), tools_.end(), isOpenBelow)) rooms_.bottom += kTextLine;  // for their names
 }
@@ -207,7 +208,7 @@ vtkSmartPointer<vtkPolyData> SetupLayout::outlineOf(std::size_t tool, const Vect
 
 std::vector<std::vector<Vector2d>> SetupLayout::toolPixels(std::size_t tool, const Vector2d& shift) const {
   vtkNew<vtkStripper> joined;
-  joined->SetInputData(outlineOf(tool, shift));
+  joined->SetInputData(withoutSeams(*outlineOf(tool, shift)));
   joined->JoinContiguousSegmentsOn();
   joined->SetMaximumLength(100000);  // all that VTK allows
   joined->Update();

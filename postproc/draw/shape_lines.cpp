@@ -1,5 +1,6 @@
 #include "postproc/draw/shape_lines.h"
 
+#include <vtkCleanPolyData.h>
 #include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkFeatureEdges.h>
@@ -11,6 +12,17 @@
 #include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
+
+vtkSmartPointer<vtkPolyData> withoutSeams(vtkPolyData& surface) {
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(&surface);
+  clean->SetTolerance(1e-6);
+  clean->ConvertPolysToLinesOff();
+  clean->ConvertLinesToPointsOff();
+  clean->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  clean->Update();
+  return clean->GetOutput();
+}
 
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData& surface) {
   vtkNew<vtkPolyDataNormals> normals;

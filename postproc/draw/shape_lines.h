@@ -8,6 +8,9 @@ class vtkPolyData;
 /// Lines that show the shape of a surface in space.
 namespace burnish {
 
+/// The surface with one point where several coincide.
+vtkSmartPointer<vtkPolyData> withoutSeams(vtkPolyData& surface);
+
 /// The surface with normals at its points, for smooth shading and `silhouetteOf`; edges stay sharp.
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData& surface);
 

@@ -34,7 +34,7 @@ struct Landmarks {
   /// Ends of the edges and points along what of them is near the body. A line needs room for hatches at its
   /// left.
   Eigen::Matrix3Xd operator()(const SurfaceMesh& mesh) const {
-    const bool hatched = mesh.cells.rows() == 2 && !mesh.closed;
+    const bool hatched = mesh.cells.rows() == 2 && !isSolid(mesh);
     std::vector<Eigen::Vector3d> points;
     for (const auto& cell : mesh.cells.colwise()) {
       const Eigen::Vector3d begin = mesh.points.col(cell(0)), along = mesh.points.col(cell(1)) - begin;
@@ -151,6 +151,12 @@ vtkSmartPointer<vtkPolyData> withRadius(vtkPolyData& circle, const RecordedShape
   return together(circle, *builder.finish());
 }
 
+/// Whether a plane cuts areas out of a shape.
+bool hasSections(const RecordedShape& shape) {
+  const auto* mesh = std::get_if<SurfaceMesh>(&shape);
+  return mesh ? isSolid(*mesh) : !std::holds_alternative<Plane>(shape);
+}
+
 }  // namespace
 
 Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::AlignedBox3d& body) {
@@ -164,8 +170,8 @@ ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& vis
   if (const auto* plane = std::get_if<Plane>(&tool.shape)) {
     drawing.lines = hatchedLine(*outline, plane->normal, stroke);
   } else if (const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape)) {
-    if (mesh->closed) drawing.area = enclosedAreas(*outline);
-    drawing.lines = mesh->closed ? outline : hatchedMesh(*mesh, stroke);
+    if (isSolid(*mesh)) drawing.area = enclosedAreas(*outline);
+    drawing.lines = drawing.area ? outline : hatchedMesh(*mesh, stroke);
   } else {
     drawing.area = filled(*outline);
     drawing.lines = turn ? withRadius(*outline, tool.shape, *turn) : outline;
@@ -175,13 +181,13 @@ ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& vis
 
 ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible,
                           const Eigen::Vector3d& towardsEye, const std::optional<CutPlane>& cut) {
-  const auto shape = toolOutline(tool, 3, visible);
+  const auto shape = withoutSeams(*toolOutline(tool, 3, visible));
   ToolDrawing drawing;
   drawing.surface = withNormals(*shape);
   drawing.lines = together(*edgesOf(*shape), *silhouetteOf(*drawing.surface, towardsEye));
   if (!cut) return drawing;
   const auto section = sectionOf(*shape, *cut);
-  drawing.area = enclosedAreas(*section);
+  if (hasSections(tool.shape)) drawing.area = enclosedAreas(*section);
   drawing.surface = behind(*drawing.surface, *cut);
   drawing.lines = together(*behind(*drawing.lines, *cut), *section);
   return drawing;
@@ -196,7 +202,7 @@ ToolDrawing drawToolSection(const ToolRecord& tool, const Eigen::AlignedBox3d& v
     const Eigen::Vector3d normal = flat->normal - flat->normal.dot(across) * across;
     return {nullptr, nullptr, hatchedLine(*section, normal, stroke)};
   }
-  return {enclosedAreas(*section), nullptr, section};
+  return {hasSections(tool.shape) ? enclosedAreas(*section) : nullptr, nullptr, section};
 }
 
 }  // namespace burnish

@@ -14,6 +14,9 @@
 namespace burnish {
 namespace {
 
+/// Gaps that are closed, as a part of the whole: outlines of unions have them at their seams.
+constexpr double kGap = 1e-4;
+
 /// The most points of a line that VTK allows.
 constexpr int kLongestLine = 100000;
 
@@ -51,7 +54,7 @@ vtkSmartPointer<vtkPolyData> behind(vtkPolyData& parts, const CutPlane& plane) {
 vtkSmartPointer<vtkPolyData> enclosedAreas(vtkPolyData& segments) {
   vtkNew<vtkCleanPolyData> joined;
   joined->SetInputData(&segments);
-  joined->SetTolerance(1e-9);
+  joined->SetTolerance(kGap);
   joined->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   vtkNew<vtkStripper> loops;  // also of segments that do not all go round the same way
   loops->SetInputConnection(joined->GetOutputPort());

@@ -224,6 +224,27 @@ TEST_F(SpaceImage, OpenToolIsHatchedOnItsSide) {
   EXPECT_GT(inkAlong({-0.25, 0.2}, {-0.25, 1.3}), 5);
 }
 
+TEST_F(SpaceImage, DieIsHatchedAroundTheBody) {
+  Sample sample = samples::slab();
+  SurfaceMesh die;  // clockwise, each segment with points of its own
+  die.points = Eigen::Matrix<double, 3, 8>{{-0.5, -0.5, -0.5, 3.5, 3.5, 3.5, 3.5, -0.5},
+                                           {-0.3, 1.4, 1.4, 1.4, 1.4, -0.3, -0.3, -0.3},
+                                           {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}};
+  die.cells = Eigen::Matrix<int, 2, 4>{{0, 2, 4, 6}, {1, 3, 5, 7}};
+  die.closed = true;
+  sample.model.tools.front().shape = die;
+  sample.frame.toolDisplacement.setZero();
+  const ContourOptions options = small("plastic_strain");
+  const Picture picture = drawn(sample, options);
+  expectColor(picture, Eigen::Vector2d(-0.25, 0.5), options.theme.paper);
+  for (const double y : {-0.33, 1.43}) {
+    int ink = 0;
+    for (double x = 0.0; x <= 3.0; x += 0.01)
+      ink += picture.at(view.pixel(Eigen::Vector2d(x, y)))[0] < 225 ? 1 : 0;
+    EXPECT_GT(ink, 10) << y;
+  }
+}
+
 TEST_F(SpaceImage, DiscThatHasTurnedShowsItsRadius) {
   Sample sample = samples::slab();
   sample.model.tools.front().pivot = {1.5, 1.5, 0.0};
