@@ -61,6 +61,7 @@ inline void writeRun(const std::filesystem::path& directory, const std::function
   contact.quadraturePressure =
       (0.25 - (contact.quadraturePoints.row(0).array() - 1.5).square()).max(0.0).matrix().transpose();
   contact.quadratureGap = contact.quadraturePoints.row(0).transpose();
+  contact.quadratureNormal = Eigen::Vector2d::UnitY().replicate(1, contact.quadraturePoints.cols());
   frame.contact = {contact};
   const std::vector<double> times{0.0, std::min(1.0, end), std::min(2.0, end)};
   for (frame.index = 0; frame.index < 3; ++frame.index) {
