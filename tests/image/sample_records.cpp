@@ -80,7 +80,9 @@ Sample slab() {
   sample.frame.time = 1.5;
   sample.frame.displacement.row(1) = -0.6 * product(bump, linearCoefficients(t));
   sample.frame.fields["plastic_strain"] = {{}, "", 4.0 * product(bump, squareCoefficients(t))};
-  addTool(sample, {"cylinder", Cylinder{{1.5, 1.5, 0.0}, {0.0, 0.0, 1.0}, 0.5}}, Eigen::Vector2d(0.0, -0.15));
+  ToolRecord cylinder{"cylinder", Cylinder{{1.5, 1.5, 0.0}, {0.0, 0.0, 1.0}, 0.5}};
+  cylinder.halfThickness = 0.5;
+  addTool(sample, cylinder, Eigen::Vector2d(0.0, -0.15));
   return sample;
 }
 
