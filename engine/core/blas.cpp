@@ -44,11 +44,17 @@ void pinLibrariesToOneThread() {
 }
 
 void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C) {
-  assert(A.cols() == B.cols());
   C.resize(A.rows(), B.rows());
+  multiplyTransposedInto(A, B, C);
+}
+
+void multiplyTransposedInto(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                            const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> C) {
+  assert(A.cols() == B.cols() && C.rows() == A.rows() && C.cols() == B.rows());
   const auto size = [](Eigen::Index n) { return static_cast<blasint>(n); };
   cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, size(A.rows()), size(B.rows()), size(A.cols()), 1.0,
-              A.data(), size(A.rows()), B.data(), size(B.rows()), 0.0, C.data(), size(C.rows()));
+              A.data(), size(A.outerStride()), B.data(), size(B.outerStride()), 0.0, C.data(),
+              size(C.outerStride()));
 }
 
 }  // namespace burnish

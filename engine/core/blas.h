@@ -16,4 +16,8 @@ void pinLibrariesToOneThread();
 /// C = A Bᵀ by BLAS, which is faster than the compiler's code from about 30 x 10 on. C is resized.
 void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C);
 
+/// The same for views; C has the right size already.
+void multiplyTransposedInto(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                            const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> C);
+
 }  // namespace burnish

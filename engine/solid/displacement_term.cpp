@@ -3,11 +3,13 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
 #include "engine/solid/parallel_spans.h"
 #include "engine/solid/span_kernel.h"
+#include "engine/solid/tensor_kernel.h"
 
 namespace burnish {
 namespace {
@@ -26,7 +28,7 @@ template <int Dim>
 template <Kinematics K>
 struct DisplacementTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
-  SpanKernel<K> kernel;
+  std::conditional_t<K == Kinematics::Solid, TensorKernel, SpanKernel<K>> kernel;
   Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
 };
 
@@ -44,7 +46,7 @@ bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, con
   const Eigen::Index Q = span.weights.size();
   const bool wantTangent = out.system != nullptr;
   gatherNodes<Dim>(x, span.nodes, work.u);
-  work.kernel.resize(n, Q, wantTangent);
+  work.kernel.start(span, wantTangent);
 
   BulkSummary summary;
   MaterialResponse<Dim> response;
@@ -59,7 +61,7 @@ bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, con
     this->J_[point] = J;
     this->stress_[point] = response.tau;
 
-    pushForward<K>(G, F, work.kernel.gradients(q));
+    work.kernel.setGradients(q, F);
     work.kernel.setStress(q, w * response.tau);
     if (wantTangent) work.kernel.setModuli(q, w, response.tau, response.c, 0.0);
   }

@@ -185,7 +185,7 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
   const auto n = static_cast<Eigen::Index>(span.nodes.size());
   const Eigen::Index Q = span.weights.size();
   const bool wantTangent = out.system != nullptr;
-  work.kernel.resize(n, Q, wantTangent);
+  work.kernel.start(span, wantTangent);
   work.perPoint.resize(Dim * n, wantTangent ? Q : 0);
   work.e.resize(Q);
 

@@ -3,8 +3,19 @@
 
 #include "engine/core/blas.h"
 #include "engine/solid/kinematics.h"
+#include "engine/solid/span_quadrature.h"
 
 namespace burnish {
+
+/// c_ijkl + δ_ik τ_jl between gradient columns j of component i and l of component k.
+template <Kinematics K, class Stress, class Tangent>
+double modulus(int i, int j, int k, int l, const Stress& tau, const Tangent& c) {
+  const int first = gradientPlace<K>(i, j), second = gradientPlace<K>(k, l);
+  if (first < 0 || second < 0) return 0.0;
+  // Axisymmetry: τ has no component that couples the plane with the third direction.
+  if (K == Kinematics::Axisymmetric && (j == 2) != (l == 2)) return c(first, second);
+  return c(first, second) + (i == k ? tau(voigtPlace(j, l)) : 0.0);
+}
 
 /// Forces and tangent of one span, Σ_q g τ and Σ_q g (c + δτ) gᵀ, by one matrix product over all its
 /// quadrature points. Buffers keep their memory from span to span.
@@ -15,8 +26,10 @@ class SpanKernel {
   using Stress = Eigen::Vector<double, kVoigt<kDim>>;
   using Tangent = Eigen::Matrix<double, kVoigt<kDim>, kVoigt<kDim>>;
 
-  /// For n functions and Q points.
-  void resize(Eigen::Index n, Eigen::Index Q, bool wantTangent) {
+  /// Begins a span, which must outlive the work on it.
+  void start(const typename SpanQuadrature<kDim>::Span& span, bool wantTangent) {
+    span_ = &span;
+    const Eigen::Index n = span.G.rows(), Q = span.weights.size();
     n_ = n;
     stressRow_ = wantTangent ? kPairs * n : 0;
     g_.resize(n, kC * Q);
@@ -25,6 +38,11 @@ class SpanKernel {
 
   /// Spatial gradients at point q, n x columns; to be set first.
   auto gradients(Eigen::Index q) { return g_.template middleCols<kC>(kC * q); }
+
+  /// Sets them from the deformation gradient.
+  void setGradients(Eigen::Index q, const Eigen::Matrix3d& F) {
+    pushForward<K>(span_->G.template middleCols<kC>(kC * q), F, gradients(q));
+  }
 
   /// Stress that makes the forces, times the weight.
   void setStress(Eigen::Index q, const Stress& weighted) {
@@ -41,7 +59,7 @@ class SpanKernel {
       for (int k = i; k < kDim; ++k, ++pair) {
         Eigen::Matrix<double, kC, kC> moduli = Eigen::Matrix<double, kC, kC>::Zero();
         for (int j = 0; j < kC; ++j)
-          for (int l = 0; l < kC; ++l) moduli(j, l) = w * modulus(i, j, k, l, tau, c);
+          for (int l = 0; l < kC; ++l) moduli(j, l) = w * modulus<K>(i, j, k, l, tau, c);
         moduli(k, i) += w * r;
         if (K == Kinematics::Axisymmetric && k == 0) moduli(2, 2) += w * r;
         h_.template block<Eigen::Dynamic, kC>(pair * n_, kC * q, n_, kC).noalias() = g * moduli;
@@ -67,15 +85,7 @@ class SpanKernel {
   /// Pairs (i, k) of directions with i <= k.
   static constexpr int kPairs = kDim * (kDim + 1) / 2;
 
-  /// c_ijkl + δ_ik τ_jl between gradient columns j of component i and l of component k.
-  static double modulus(int i, int j, int k, int l, const Stress& tau, const Tangent& c) {
-    const int first = gradientPlace<K>(i, j), second = gradientPlace<K>(k, l);
-    if (first < 0 || second < 0) return 0.0;
-    // Axisymmetry: τ has no component that couples the plane with the third direction.
-    if (K == Kinematics::Axisymmetric && (j == 2) != (l == 2)) return c(first, second);
-    return c(first, second) + (i == k ? tau(voigtPlace(j, l)) : 0.0);
-  }
-
+  const typename SpanQuadrature<kDim>::Span* span_ = nullptr;
   Eigen::Index n_ = 0, stressRow_ = 0;
   Eigen::MatrixXd g_;  ///< n x columns·Q
   /// kPairs·n + Dim rows x columns·Q: gradients times the weighted moduli, one block per pair (i, k), then

@@ -61,6 +61,26 @@ void requireSound(const Body<Dim>& body, std::size_t patch, const Eigen::Vector<
                     patch + 1, X(0), X(1)));
 }
 
+/// Functions and weights of a span, with room for the map.
+TensorFactors tensorFactors(const Patch<3>& patch, int span, const SpanRule<3>& rule,
+                            int pointsPerDirection) {
+  const auto index = patch.basis().spanIndex(span);
+  TensorFactors factors;
+  std::size_t stride = 1;
+  for (std::size_t d = 0; d < 3; ++d, stride *= static_cast<std::size_t>(pointsPerDirection)) {
+    const auto& univariate = patch.basis().direction(static_cast<int>(d));
+    auto& N = factors.N[d];
+    N.resize(univariate.degree() + 1, 2 * pointsPerDirection);
+    for (int q = 0; q < pointsPerDirection; ++q) {
+      const double xi = rule.points[stride * static_cast<std::size_t>(q)](static_cast<Eigen::Index>(d));
+      N(Eigen::all, {q, pointsPerDirection + q}) = univariate.evaluate(index[d], xi, 1);
+    }
+  }
+  factors.weights = patch.weights()(patch.basis().spanFunctions(span));
+  factors.map.resize(4, 3 * static_cast<Eigen::Index>(rule.points.size()));
+  return factors;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -94,9 +114,11 @@ typename SpanQuadrature<Dim>::Span SpanQuadrature<Dim>::makeSpan(const Body<Dim>
             Eigen::MatrixXd(n, Q),
             Eigen::MatrixXd(n, columns * Q),
             Eigen::VectorXd(Q),
-            0.0};
+            0.0,
+            {}};
   for (const int a : functions) span.nodes.push_back(body.nodes[p][static_cast<std::size_t>(a)]);
   const Eigen::MatrixXd points = patch.points()(Eigen::all, functions);
+  if constexpr (Dim == 3) span.factors = tensorFactors(patch, number, rule, pointsPerDirection);
   for (Eigen::Index q = 0; q < Q; ++q) {
     const auto& xi = rule.points[static_cast<std::size_t>(q)];
     const auto shape = patch.shape(number, xi);
@@ -106,7 +128,15 @@ typename SpanQuadrature<Dim>::Span SpanQuadrature<Dim>::makeSpan(const Body<Dim>
     requireSound(body, p, X, det);
     span.xi.col(q) = xi;
     span.R.col(q) = shape.R;
-    span.G.middleCols(columns * q, Dim) = shape.dR * jacobian.inverse();
+    const Eigen::Matrix<double, Dim, Dim> inverse = jacobian.inverse();
+    span.G.middleCols(columns * q, Dim) = shape.dR * inverse;
+    if constexpr (Dim == 3) {
+      // The univariate functions sum to one, so that 1/W = Σ R_a/w_a with W = Σ w_a N_a.
+      const Eigen::RowVectorXd reciprocals = span.factors.weights.cwiseInverse().transpose();
+      auto map = span.factors.map.template middleCols<3>(3 * q);
+      map.template topRows<3>() = reciprocals.dot(shape.R) * inverse;
+      map.row(3) = reciprocals * span.G.template middleCols<3>(3 * q);
+    }
     if (body.axisymmetric) span.G.col(columns * q + 2) = shape.R / X(0);
     span.size += rule.weights[static_cast<std::size_t>(q)] * det;
     span.weights(q) = rule.weights[static_cast<std::size_t>(q)] * det * body.circumference(X);

@@ -1,10 +1,20 @@
 #pragma once
 #include <Eigen/Dense>
+#include <array>
 #include <vector>
 
 #include "engine/solid/body.h"
 
 namespace burnish {
+
+/// What makes the gradients of a span with three directions of univariate functions, with `points` in each:
+/// ∇_X R_a = w_a Σ_m D_m N_a map_m, where D_m N_a is the product of the univariate functions with the one in
+/// direction m differentiated, and without derivatives for m = 3.
+struct TensorFactors {
+  std::array<Eigen::MatrixXd, 3> N;              ///< per direction p+1 x 2·points: values, then derivatives
+  Eigen::VectorXd weights;                       ///< n weights w_a
+  Eigen::Matrix<double, 4, Eigen::Dynamic> map;  ///< 4 x 3·Q, columns 3·q + d
+};
 
 /// The quadrature of a body, with everything the total Lagrangian form freezes: basis values, reference
 /// gradients and weights at all Gauss-Legendre points of all knot spans.
@@ -22,6 +32,7 @@ class SpanQuadrature {
     Eigen::MatrixXd G;       ///< n x C·Q reference gradients ∇_X R_a, columns C·q + d with C = `kColumns`
     Eigen::VectorXd weights;  ///< Q: weight times det(∂X/∂ξ), and times 2πR in axisymmetry
     double size = 0.0;        ///< square root of its area (2D) or cube root of its volume
+    TensorFactors factors;    ///< Dim 3 only, else empty
   };
 
   /// p+1 points per direction and span unless `pointsPerDirection` is positive.

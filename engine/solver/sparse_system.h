@@ -24,8 +24,8 @@ class SparseSystem {
 
   void setZero() { tangent_.coeffs().setZero(); }
 
-  /// Adds the dense tangent of a group of a term (unknowns in the order of the group). Safe to call at the same time for
-  /// groups that have no unknown in common.
+  /// Adds the dense tangent of a group of a term (unknowns in the order of the group). Safe to call at the
+  /// same time for groups that have no unknown in common.
   void add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
   /// Tangent over all unknowns.
@@ -57,6 +57,7 @@ class SparseSystem {
                                                const std::vector<std::vector<Group>>& terms);
   void findFreeEntries();
   void findStarts(const std::vector<int>& unknowns, Group& group) const;
+  void fetchAhead(const Group& group, const int* start);
 
   std::vector<bool> prescribed_;
   std::vector<int> free_;

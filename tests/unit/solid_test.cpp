@@ -8,6 +8,8 @@
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/displacement_term.h"
+#include "engine/solid/span_kernel.h"
+#include "engine/solid/tensor_kernel.h"
 #include "tests/unit/term_check.h"
 
 namespace burnish {
@@ -16,6 +18,39 @@ namespace {
 Body<3> shell() {
   return makeBody(refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.5, {0.0, 1.0}, {0.0, 1.0}),
                           {KnotVector::uniform(1, 1), KnotVector::uniform(2, 1), KnotVector::uniform(2, 2)}));
+}
+
+/// A block with uneven faces and another weight at every control point; a double knot in the second
+/// direction, where the degree allows it, and one degree more in the third.
+Body<3> uneven(int degree) {
+  const KnotVector plain = KnotVector::uniform(degree, 2);
+  const KnotVector kinked = degree > 1 ? withKnots(plain, {plain.breakpoints()[1]}) : plain;
+  const Patch<3> block =
+      refined(box({0.0, 0.0, 0.0}, {1.0, 2.0, 1.5}), {plain, kinked, KnotVector::uniform(degree + 1, 1)});
+  const Eigen::Index n = block.weights().size();
+  return makeBody(Patch<3>(block.basis(), block.points() + test::randomState(3 * n, 0.03, 11).reshaped(3, n),
+                           Eigen::VectorXd::Ones(n) + test::randomState(n, 0.3, 12)));
+}
+
+/// Sets both kernels to the same stress, moduli and deformation at all points of a span and multiplies.
+void fillAlike(SpanKernel<Kinematics::Solid>& dense, TensorKernel& factorised,
+               const SpanQuadrature<3>::Span& span, unsigned seed) {
+  dense.start(span, true);
+  factorised.start(span, true);
+  for (Eigen::Index q = 0; q < span.weights.size(); ++q, seed += 3) {
+    const Eigen::Matrix3d F = Eigen::Matrix3d::Identity() + test::randomState(9, 0.2, seed).reshaped(3, 3);
+    const TensorKernel::Stress tau = test::randomState(6, 1.0, seed + 1);
+    const TensorKernel::Tangent half = test::randomState(36, 1.0, seed + 2).reshaped(6, 6);
+    const auto fill = [&](auto& kernel) {
+      kernel.setGradients(q, F);
+      kernel.setStress(q, span.weights(q) * tau);
+      kernel.setModuli(q, span.weights(q), tau, half + half.transpose(), 0.4);
+    };
+    fill(dense);
+    fill(factorised);
+  }
+  dense.multiply();
+  factorised.multiply();
 }
 
 Material elastic() {
@@ -48,6 +83,27 @@ TEST(DisplacementTerm, TangentAgreesWithCentralDifferences) {
   const SpanQuadrature<3> solidQuadrature(solid);
   DisplacementTerm<3> rubber3(solidQuadrature, elastic());
   EXPECT_LT(test::tangentError(rubber3, 0.0, test::randomState(3 * solid.numNodes, 0.03, 2), 1e-6), 1e-7);
+}
+
+TEST(TensorKernel, AgreesWithTheDenseProducts) {
+  for (int degree = 1; degree <= 4; ++degree) {
+    const Body<3> body = uneven(degree);
+    const SpanQuadrature<3> quadrature(body);
+    SpanKernel<Kinematics::Solid> dense;
+    TensorKernel factorised;
+    for (const auto& span : quadrature.spans()) {
+      fillAlike(dense, factorised, span, 7);
+      for (int i = 0; i < 3; ++i)
+        for (int k = i; k < 3; ++k) {
+          const Eigen::MatrixXd block = dense.tangentBlock(i, k);
+          EXPECT_LT((factorised.tangentBlock(i, k) - block).cwiseAbs().maxCoeff(),
+                    1e-12 * block.cwiseAbs().maxCoeff())
+              << "degree " << degree << ", span " << span.number << ", block " << i << k;
+        }
+      for (Eigen::Index a = 0; a < span.G.rows(); ++a)
+        EXPECT_LT((factorised.force(a) - dense.force(a)).norm(), 1e-13) << "degree " << degree;
+    }
+  }
 }
 
 TEST(DisplacementTerm, PlasticTangentAgreesWithCentralDifferences) {
