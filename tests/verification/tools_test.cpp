@@ -149,6 +149,51 @@ void writeSphere(const std::filesystem::path& file, int n) {
                          at(i + 1, j + 1), at(i + 1, j));
 }
 
+/// Orders log(r2/r1)/log(r1/r0) of the last three residuals of each step that are neither far from the solution nor
+/// at round-off; the best of them.
+double bestOrder(const Scene& scene) {
+  const test::ScratchDirectory directory("order");
+  RunObserver silent;
+  if (!runScene(scene, directory.path(), {}, silent).completed) return 0.0;
+  const HistoryTable table = readHistory(directory.path() / "convergence.csv");
+  const auto& steps = table.column("step");
+  const auto& residuals = table.column("residual");
+  double best = 0.0;
+  for (std::size_t k = 2; k < residuals.size(); ++k) {
+    const double r0 = residuals[k - 2], r1 = residuals[k - 1], r2 = residuals[k];
+    if (steps[k - 2] == steps[k] && r0 < 0.5 && r0 > r1 && r1 > r2 && r2 > 1e-13)
+      best = std::max(best, std::log(r2 / r1) / std::log(r1 / r0));
+  }
+  return best;
+}
+
+TEST(ToolsTest, NewtonConvergesQuadraticallyWithEveryShapeInThePlane) {
+  for (const std::string& shape :
+       {std::string("shape: plane, origin: [0, 1], normal: [0.05, -1]"),
+        std::string("shape: cylinder, center: [1, 1.5], radius: 0.5"),
+        std::string("shape: cylinder, center: [1, -4.1], radius: 5.2, inside: true"),
+        std::string("shape: edge, tip: [1, 1], direction: [0, -1], angle: 120, radius: 0.3"),
+        std::string("shape: box, center: [1, 1.4], size: [0.8, 0.8], radius: 0.2"), circle(0.5, 1, 1.5),
+        circleOfSegments(0.5, 1, 1.5, 200),
+        std::string("shape: union, blend: 0.1, parts: [{shape: cylinder, center: [0.8, 1.5], radius: 0.5}, "
+                    "{shape: cylinder, center: [1.2, 1.5], radius: 0.5}]")})
+    EXPECT_GT(bestOrder(block(fmt::format("  - {{name: tool, {}, {}}}", shape, kDown))), 1.7) << shape;
+  EXPECT_GT(bestOrder(block("  - {name: tool, shape: cylinder, center: [1, 1.8], radius: 0.5, carry: {y: "
+                            "'-0.5*t'}}")),
+            1.7)
+      << "force";
+}
+
+TEST(ToolsTest, NewtonConvergesQuadraticallyWithEveryShapeInSpace) {
+  for (const char* shape :
+       {"shape: sphere, center: [0.5, 1.1, 0.5], radius: 0.6",
+        "shape: cylinder, center: [0.5, 1.1, 0.5], radius: 0.6, axis: [1, 0, 0.3]",
+        "shape: cone, tip: [0.5, 0.5, 0.5], direction: [0, -1, 0], half_angle: 70, radius: 0.3",
+        "shape: torus, center: [0.5, 0.7, 0.5], axis: [0, 1, 0], radius: 0.3, tube_radius: 0.2",
+        "shape: box, center: [0.5, 0.9, 0.5], size: [0.7, 0.8, 0.7], radius: 0.2"})
+    EXPECT_GT(bestOrder(cube(fmt::format("  - {{name: tool, {}, {}}}", shape, kDown))), 1.7) << shape;
+}
+
 TEST(ToolsTest, ABallOfFiftyThousandTrianglesPressesLikeASphere) {
   const test::ScratchDirectory directory("ball_mesh");
   std::filesystem::create_directories(directory.path());
