@@ -65,6 +65,8 @@ std::vector<std::string> warnings(const RunSummary& summary) {
     texts.push_back(fmt::format(
         "{}: first at t = {:.5g}, in {:.1f} % of the steps; do not trust the results from there on",
         doubt.what, doubt.firstTime, std::min(100.0, 100.0 * doubt.steps / std::max(1, summary.steps))));
+  for (const std::string& tool : summary.idleTools)
+    texts.push_back(fmt::format("tool '{}' has never touched the body", tool));
   return texts;
 }
 

@@ -192,7 +192,10 @@ void Model<Dim>::placeFreeTools(const Scene& scene) {
                               place, tool.name));
     pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
     const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
-    if (!slides) continue;
+    if (!slides) {
+      requireTouch<Dim>({pairs.begin(), pairs.end()}, tool, body_.size());
+      continue;
+    }
     const Eigen::Vector3d direction = firstDirection(*load, scene.steps.back().until);
     if (direction.isZero(0.0))
       throw Error(fmt::format("{}: tool '{}' carries no force at any time; give it one, or prescribe its "
@@ -210,9 +213,7 @@ std::string Model<Dim>::pulledTool() const {
   const double smallest = residualScales().forceFloor;
   for (const auto& pair : contacts_)
     if (pair.term->state().pull > smallest)
-      return fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a free "
-                         "way has to be pressed on the body, or its motion prescribed",
-                         tools_[pair.tool]->name);
+      return tools_[pair.tool]->name;
   return {};
 }
 

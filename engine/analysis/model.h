@@ -61,8 +61,8 @@ class Model {
 
   ResidualScales residualScales() const;
 
-  /// A sentence on the tool that is pulled off the body by what it carries, in the state that the terms have
-  /// been evaluated at; empty if there is none.
+  /// Name of a tool that has to be held by what it carries to stay in touch with the body, in the state that
+  /// the terms have been evaluated at; empty if there is none.
   std::string pulledTool() const;
 
   /// Times at which a schedule has a corner.

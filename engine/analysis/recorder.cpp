@@ -24,8 +24,12 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
       projection_(projection),
       extremes_(model.body()),
       measures_(scene, model, projection),
+      toolWatch_(model),
       doubts_{{"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
-              {"smallest J below 0.05"}} {}
+              {"smallest J below 0.05"}},
+      touched_(model.tools().size(), false) {
+  for (auto& sentence : toolWatch_.sentences()) doubts_.push_back({std::move(sentence)});
+}
 
 template <int Dim>
 std::vector<std::string> Recorder<Dim>::columns() const {
@@ -146,6 +150,23 @@ void Recorder<Dim>::watch() {
   };
   note(doubts_[0], penetrates);
   note(doubts_[1], current_.minJ < kDoubtfulJ);
+  const auto reached = toolWatch_.reached(current_.toolPoses, x_);
+  for (std::size_t k = 0; k < reached.size(); ++k) note(doubts_[2 + k], reached[k]);
+
+  for (const auto& pair : model_.contacts())
+    if (pair.term->state().pressure.maxCoeff() > 0.0) touched_[pair.tool] = true;
+}
+
+template <int Dim>
+std::vector<std::string> Recorder<Dim>::idleTools() const {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < touched_.size(); ++k) {
+    const auto& contacts = model_.contacts();
+    const bool paired =
+        std::any_of(contacts.begin(), contacts.end(), [&](const auto& pair) { return pair.tool == k; });
+    if (paired && !touched_[k]) names.push_back(model_.tools()[k]->name);
+  }
+  return names;
 }
 
 template <int Dim>

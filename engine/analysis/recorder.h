@@ -5,6 +5,7 @@
 
 #include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
+#include "engine/analysis/tool_watch.h"
 #include "engine/fields/projection.h"
 #include "engine/fields/span_extremes.h"
 
@@ -57,6 +58,9 @@ class Recorder {
 
   const std::vector<Doubt>& doubts() const { return doubts_; }
 
+  /// Names of the tools with contact pairs that nothing has touched so far.
+  std::vector<std::string> idleTools() const;
+
   /// Seconds spent in projections.
   double projectionSeconds() const { return projectionSeconds_; }
 
@@ -72,12 +76,14 @@ class Recorder {
   const Projection<Dim>& projection_;
   SpanExtremes<Dim> extremes_;
   Measures<Dim> measures_;
+  ToolWatch<Dim> toolWatch_;
   StateQuantities current_;
   std::vector<double> measured_;       ///< of the current state
   Eigen::VectorXd x_, force_, loads_;  ///< of the last state; empty before the first
   double smallestJ_ = 1.0;
   double largestPenetration_ = 0.0;
   std::vector<Doubt> doubts_;
+  std::vector<bool> touched_;  ///< per tool
   double projectionSeconds_ = 0.0;
 };
 

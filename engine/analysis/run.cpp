@@ -138,7 +138,10 @@ class Run {
     Eigen::VectorXd total = Eigen::VectorXd::Zero(model_.numUnknowns());
     for (std::size_t k = 0; k < terms_.size(); ++k) total += newton_.force(k);
     recorder_.update({step.time, stepping_.state().x, newton_.force(0)}, total);
-    if (const std::string pulled = model_.pulledTool(); !pulled.empty()) throw RunError(pulled);
+    if (const std::string pulled = model_.pulledTool(); !pulled.empty())
+      throw RunError(fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a "
+                                 "free way has to be pressed on the body, or its motion prescribed",
+                                 pulled));
   }
 
   /// Brings lifted tools down and records the state at t = 0.
@@ -208,7 +211,10 @@ class Run {
         fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
                     state.time, stepping_.lastFailedStep(), describe(failure.outcome), failure.residual);
     if (const std::string pulled = model_.pulledTool(); !pulled.empty())
-      summary_.stoppedBecause += "; " + pulled;
+      summary_.stoppedBecause += fmt::format(
+          "; tool '{}' had lost the body: the load that it carries may have pulled it off, or does not determine "
+          "its place",
+          pulled);
   }
 
   void append(int step, int iterations) {
@@ -244,6 +250,7 @@ class Run {
     summary_.largestPenetration = recorder_.largestPenetration();
     for (const Doubt& doubt : recorder_.doubts())
       if (doubt.steps > 0) summary_.doubts.push_back(doubt);
+    summary_.idleTools = recorder_.idleTools();
     for (std::size_t k = 0; k < timings.terms.size(); ++k) {
       const bool isContact = k >= 1 && k <= model_.contacts().size();
       (isContact ? summary_.timings.contact : summary_.timings.assembly) += timings.terms[k];

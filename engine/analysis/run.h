@@ -60,7 +60,8 @@ struct RunSummary {
   StateQuantities end;            ///< the last state
   double smallestJ = 1.0;
   double largestPenetration = 0.0;
-  std::vector<Doubt> doubts;  ///< those that held
+  std::vector<Doubt> doubts;           ///< those that held
+  std::vector<std::string> idleTools;  ///< with contact pairs, but never in touch
   int frames = 0;
   RunTimings timings;
   long factorNonZeros = 0;

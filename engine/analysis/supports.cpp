@@ -67,18 +67,25 @@ int FaceFinder<Dim>::patch(const std::string& name) const {
 }
 
 template <int Dim>
-void FaceFinder<Dim>::requireOuter(const FaceSpec& place, const std::string& key) const {
+std::optional<std::string> FaceFinder<Dim>::neighbour(const FaceSpec& place) const {
   const auto own = static_cast<std::size_t>(patch(place.patch));
   const auto onFace = nodes(place);
   for (std::size_t other = 0; other < body_.patches.size(); ++other) {
     const std::set<int> theirs(body_.nodes[other].begin(), body_.nodes[other].end());
     if (other != own &&
         std::all_of(onFace.begin(), onFace.end(), [&](int node) { return theirs.contains(node); }))
-      throw Error(
-          fmt::format("{}: face '{}' of patch '{}' is joined to patch '{}', so it lies inside the body; name "
-                      "an outer face",
-                      key, place.face, place.patch, names_[other]));
+      return names_[other];
   }
+  return std::nullopt;
+}
+
+template <int Dim>
+void FaceFinder<Dim>::requireOuter(const FaceSpec& place, const std::string& key) const {
+  if (const auto other = neighbour(place))
+    throw Error(
+        fmt::format("{}: face '{}' of patch '{}' is joined to patch '{}', so it lies inside the body; name "
+                    "an outer face",
+                    key, place.face, place.patch, *other));
 }
 
 template <int Dim>

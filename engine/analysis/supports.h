@@ -22,6 +22,11 @@ class FaceFinder {
 
   const Body<Dim>& body() const { return body_; }
 
+  const std::string& patchName(int patch) const { return names_[static_cast<std::size_t>(patch)]; }
+
+  /// Name of the patch that the face is joined to; none for an outer face.
+  std::optional<std::string> neighbour(const FaceSpec& place) const;
+
   /// Throws `Error` if the face is joined to another patch: it lies inside the body.
   void requireOuter(const FaceSpec& place, const std::string& key) const;
 

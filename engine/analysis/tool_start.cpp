@@ -52,11 +52,14 @@ Eigen::Vector<double, Dim> outwardNormal(const Patch<Dim>& patch, FaceId face,
   return sign * inverse.row(across).transpose().normalized();
 }
 
-/// Smallest averaged gap of undeformed faces.
+/// An averaged gap of this share of the body's size is no touch.
+constexpr double kNearlyTouching = 1e-6;
+
+/// Smallest gap of undeformed faces, as the method of each pair takes it.
 template <int Dim>
 double smallestGap(const std::vector<const ContactTerm<Dim>*>& pairs, const ToolPose& pose) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto* pair : pairs) smallest = std::min(smallest, pair->referenceGaps(pose).minCoeff());
+  for (const auto* pair : pairs) smallest = std::min(smallest, pair->smallestReferenceGap(pose));
   return smallest;
 }
 
@@ -172,10 +175,21 @@ Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<Dim>*>& pairs, 
                   tool.name));
 }
 
+template <int Dim>
+void requireTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool, double bodySize) {
+  if (smallestGap(pairs, tool.pose(0.0)) > kNearlyTouching * bodySize)
+    throw Error(
+        fmt::format("tools: '{}' is free to turn, but does not touch its face at the start; place it on the "
+                    "face, or let it carry a force too",
+                    tool.name));
+}
+
 template NearestPoint nearestPoint(const Body<2>&, int, FaceId, const Tool&);
 template NearestPoint nearestPoint(const Body<3>&, int, FaceId, const Tool&);
 template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<2>*>&, const Tool&, double);
 template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<3>*>&, const Tool&, double);
+template void requireTouch(const std::vector<const ContactTerm<2>*>&, const Tool&, double);
+template void requireTouch(const std::vector<const ContactTerm<3>*>&, const Tool&, double);
 template Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<2>*>&, const Tool&,
                                       const Eigen::Vector3d&, double);
 template Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<3>*>&, const Tool&,

@@ -38,4 +38,8 @@ template <int Dim>
 Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
                              const Eigen::Vector3d& direction, double bodySize);
 
+/// Throws `Error` if no gap between the undeformed faces and a tool at t = 0 vanishes.
+template <int Dim>
+void requireTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool, double bodySize);
+
 }  // namespace burnish

@@ -13,7 +13,9 @@ GapQuery roundGap(const Eigen::Vector3d& v, const Eigen::Matrix3d& projector, do
   const double distance = v.norm();
   answer.gap = distance - radius;
   if (distance == 0.0) {
-    answer.normal = projector.col(1).normalized();
+    Eigen::Index longest = 0;
+    projector.colwise().norm().maxCoeff(&longest);
+    answer.normal = projector.col(longest).normalized();
     return answer;
   }
   answer.normal = v / distance;

@@ -16,7 +16,7 @@ struct Die {
 };
 
 /// Several shapes as one: the smallest gap wins. With a blend the minimum is a C² function that is lower
-/// where two gaps differ by less than `blend`, by blend/6 at most: a fillet along the seam.
+/// where two gaps differ by less than `blend`, by blend/6 at most for two parts: a fillet along the seam.
 struct Union {
   std::vector<std::shared_ptr<const AnyShape>> parts;
   double blend = 0.0;

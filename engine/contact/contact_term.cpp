@@ -168,9 +168,23 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
 }
 
 template <int Dim>
-Eigen::VectorXd ContactTerm<Dim>::referenceGaps(const ToolPose& pose) const {
+typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrateReference(const ToolPose& pose) const {
   const int lastNode = *std::max_element(face_.nodes().begin(), face_.nodes().end());
-  return integrate(pose, Eigen::VectorXd::Zero(Dim * (lastNode + 1))).G.cwiseQuotient(A_);
+  return integrate(pose, Eigen::VectorXd::Zero(Dim * (lastNode + 1)));
+}
+
+template <int Dim>
+Eigen::VectorXd ContactTerm<Dim>::referenceGaps(const ToolPose& pose) const {
+  return integrateReference(pose).G.cwiseQuotient(A_);
+}
+
+template <int Dim>
+double ContactTerm<Dim>::smallestReferenceGap(const ToolPose& pose) const {
+  if (options_.enforcement != Enforcement::PointwisePenalty) return referenceGaps(pose).minCoeff();
+  const Mortar mortar = integrateReference(pose);
+  return std::min_element(mortar.points.begin(), mortar.points.end(),
+                          [](const ToolGap& a, const ToolGap& b) { return a.point.gap < b.point.gap; })
+      ->point.gap;
 }
 
 template <int Dim>

@@ -72,6 +72,10 @@ class ContactTerm final : public Term {
   /// Averaged gaps g_A between the undeformed face and the tool at a place.
   Eigen::VectorXd referenceGaps(const ToolPose& pose) const;
 
+  /// Smallest gap between the undeformed face and the tool at a place, of those that the method closes:
+  /// averaged ones, or those of the quadrature points.
+  double smallestReferenceGap(const ToolPose& pose) const;
+
   /// Current positions of the quadrature points, Dim x points.
   Eigen::MatrixXd positions(const Eigen::VectorXd& x) const;
 
@@ -79,6 +83,7 @@ class ContactTerm final : public Term {
   struct Mortar;
 
   Mortar integrate(const ToolPose& pose, const Eigen::VectorXd& x) const;
+  Mortar integrateReference(const ToolPose& pose) const;
   bool passesThrough(const Mortar& mortar) const;
   bool isAlone() const;
   void chooseActive(const Eigen::VectorXd& x);

@@ -8,8 +8,9 @@
 namespace burnish {
 namespace {
 
-/// Farther from the surface than this many grid spacings the distance is not smoothed.
-constexpr double kFar = 8.0;
+/// Farther from the surface than this many grid spacings the distance is not smoothed: far beyond the reach of
+/// basis functions that touch, so that gap, normal and curvature belong together wherever pressure acts.
+constexpr double kFar = 64.0;
 
 double medianEdge(const SurfaceMesh& surface) {
   std::vector<double> lengths;
@@ -24,10 +25,11 @@ double medianEdge(const SurfaceMesh& surface) {
 }
 
 double defaultSpacing(const SurfaceMesh& surface) {
-  const double edge = medianEdge(surface);
-  if (!surface.closed) return edge;
   const Eigen::Vector3d extent = surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff();
-  return std::min(edge, extent.head(surface.cells.rows()).minCoeff() / 32.0);
+  // The extent of an open surface says little about the size of what presses: it may go far beyond the body.
+  const double size = surface.closed ? extent.head(surface.cells.rows()).minCoeff() / 32.0
+                                     : extent.maxCoeff() / 256.0;
+  return std::min(medianEdge(surface), size);
 }
 
 /// The four cubic B-splines on a unit interval: rows value, first and second derivative.

@@ -101,6 +101,7 @@ Mesh meshOf(const std::filesystem::path& file, double scale) {
   snap(points);
   pmp::merge_duplicate_points_in_polygon_soup(points, polygons);
   pmp::merge_duplicate_polygons_in_polygon_soup(points, polygons);
+  pmp::remove_isolated_points_in_polygon_soup(points, polygons);
   const std::size_t known = points.size();
   if (!pmp::orient_polygon_soup(points, polygons))
     throw Error(countedAt(points.size() - known, "non-manifold point", "",

@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <functional>
+#include <optional>
 
 #include "engine/contact/tool.h"
 #include "engine/solver/term.h"
@@ -15,9 +16,14 @@ class ToolLoad final : public Term {
   ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolWays> load);
 
   CouplingGroups couplings() const override { return {}; }
+
+  /// Not admissible where a free way has moved so far since the last accepted state that Newton's linearisation
+  /// says nothing about the place it has come to.
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
-  /// Force that the tool carries at time t, zero in prescribed ways.
+  void accept() override { accepted_ = last_; }
+
+  /// Force that the tool carries at time t, zero in prescribed ways; that of t = 0 before.
   Eigen::Vector3d force(double t) const;
 
   const Tool& tool() const { return tool_; }
@@ -25,6 +31,7 @@ class ToolLoad final : public Term {
  private:
   const Tool& tool_;
   std::array<std::function<double(double)>, kToolWays> load_;
+  std::optional<std::array<double, kToolWays>> accepted_, last_;  ///< values of the free unknowns
 };
 
 }  // namespace burnish

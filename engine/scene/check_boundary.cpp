@@ -31,7 +31,10 @@ void checkSupport(const CheckContext& c, const std::string& path, const SupportS
   checkFixed(c, path + ".fix", support.fix);
   if (support.move)
     checkTable(c, path + ".move", support.move->times, componentsOf(*support.move));
-  if (support.prescribe) checkFormulas(c, path + ".prescribe", componentsOf(*support.prescribe));
+  if (support.prescribe) checkFormulas(c, path + ".prescribe", componentsOf(*support.prescribe),
+                  [](const auto& context, const std::string& key, const FormulaText& text) {
+                    checkFormula(context, key, text);
+                  });
   std::vector<std::string> given;
   if (!support.fix.empty()) given.emplace_back("fix");
   if (support.move) given.emplace_back("move");

@@ -34,6 +34,9 @@ void checkFace(const CheckContext& context, const std::string& path, const FaceS
 void checkFormula(const CheckContext& context, const std::string& path, const FormulaText& formula,
                   bool constant = false);
 
+/// A formula in t and the definitions.
+void checkTimeFormula(const CheckContext& context, const std::string& path, const FormulaText& formula);
+
 /// Names and formulas of the definitions.
 void checkDefinitions(const CheckContext& context);
 

@@ -40,6 +40,16 @@ void checkFormula(const CheckContext& c, const std::string& path, const FormulaT
   }
 }
 
+void checkTimeFormula(const CheckContext& c, const std::string& path, const FormulaText& text) {
+  checkFormula(c, path, text);
+  if (!c.clean(path) || !c.clean("definitions")) return;
+  const Formula formula(text, c.scene.definitions);
+  for (const char* variable : {"X", "Y", "Z"})
+    if (formula.dependsOn(variable))
+      return c.report(path, fmt::format("found \"{}\", which depends on {}; allowed: t and the definitions.",
+                                        text.text, variable));
+}
+
 void checkPatch(const CheckContext& c, const std::string& path, const std::string& patch) {
   if (!c.clean(path) || !c.clean("geometry")) return;
   const auto* several = std::get_if<PatchesSpec>(&c.scene.geometry.shape);

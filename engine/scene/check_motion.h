@@ -58,12 +58,13 @@ inline void checkTable(const CheckContext& c, const std::string& path, const std
       checkLength(c, fmt::format("{}.{}", path, key), (*component)->size(), times.size());
 }
 
-/// Components as formulas.
-inline void checkFormulas(const CheckContext& c, const std::string& path,
-                          const Components<FormulaText>& components) {
+/// Components as formulas, each judged by `check`.
+template <class Check>
+void checkFormulas(const CheckContext& c, const std::string& path, const Components<FormulaText>& components,
+                   const Check& check) {
   checkPresence(c, path, components);
   for (const auto& [key, component] : components)
-    if (*component) checkFormula(c, fmt::format("{}.{}", path, key), **component);
+    if (*component) check(c, fmt::format("{}.{}", path, key), **component);
 }
 
 }  // namespace burnish

@@ -211,7 +211,7 @@ void checkMotion(const CheckContext& c, const std::string& path, const ToolSpec&
   }
   if (tool.prescribe) {
     const auto ways = waysOf(*tool.prescribe, "angle", tool.prescribe->angle);
-    checkFormulas(c, path + ".prescribe", ways);
+    checkFormulas(c, path + ".prescribe", ways, checkTimeFormula);
     checkAlongAxis(c, path + ".prescribe", ways);
   }
   if (tool.motion && tool.prescribe && c.clean(path + ".prescribe"))
@@ -228,7 +228,7 @@ void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& 
   if (!tool.carry) return;
   const std::string place = path + ".carry";
   const auto ways = waysOf(*tool.carry, "moment", tool.carry->moment);
-  checkFormulas(c, place, ways);
+  checkFormulas(c, place, ways, checkTimeFormula);
   checkAlongAxis(c, place, ways);
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const std::string key = fmt::format("{}.{}", place, ways[k].first);

@@ -6,7 +6,7 @@
 namespace burnish {
 
 /// Makes the names of the files of meshes and polylines in a scene's tree, which are relative to `directory`,
-/// absolute: a run is resumed from its result file, wherever that is.
+/// absolute, so that the resolved scene, which results keep, can be run from anywhere.
 void resolveToolFiles(YamlNode& root, const std::filesystem::path& directory);
 
 /// Calls `act(shape, path)` for every shape of the tools in a scene's tree, parts of unions included.

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <variant>
 
 #include "engine/core/error.h"
@@ -65,12 +68,20 @@ struct SameShape {
   }
   bool operator()(const Sphere& a, const Sphere& b) const { return (a.center - b.center).norm() <= length; }
   bool operator()(const SurfaceMesh& a, const SurfaceMesh& b) const {
-    return (a.points.rowwise().minCoeff() - b.points.rowwise().minCoeff()).norm() <= length &&
-           (a.points.rowwise().maxCoeff() - b.points.rowwise().maxCoeff()).norm() <= length;
+    return places(a) == places(b);
   }
   template <class A, class B>
   bool operator()(const A&, const B&) const {
     return false;
+  }
+
+  /// The points of a mesh up to the length, whatever their order.
+  std::set<std::array<std::int64_t, 3>> places(const SurfaceMesh& mesh) const {
+    std::set<std::array<std::int64_t, 3>> result;
+    const double cell = std::max(length, std::numeric_limits<double>::min());
+    for (const auto& x : mesh.points.colwise())
+      result.insert({std::llround(x.x() / cell), std::llround(x.y() / cell), std::llround(x.z() / cell)});
+    return result;
   }
 
   static bool isParallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

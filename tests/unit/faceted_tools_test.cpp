@@ -142,7 +142,7 @@ TEST(MeshTool, HasTheDerivativesOfItsGapAlsoOverEdges) {
   EXPECT_EQ(check.astray, 0);
   const RoundedBox box{{0.5, 0.5, 0.5}, Vector3d::Ones()};
   EXPECT_NEAR(mesh.query({0.4, 0.6, 1.03}).gap, 0.03, 1e-12) << "plane faces stay plane";
-  EXPECT_NEAR(mesh.query({1.5, 1.5, 1.6}).gap, box.query({1.5, 1.5, 1.6}).gap, 1e-12) << "far away";
+  EXPECT_NEAR(mesh.query({15.0, 15.0, 16.0}).gap, box.query({15.0, 15.0, 16.0}).gap, 1e-12) << "far away";
   EXPECT_NEAR(mesh.query({1.01, 1.01, 0.5}).gap, box.query({1.01, 1.01, 0.5}).gap, 0.02) << "at an edge";
   EXPECT_NEAR(halfThickness(mesh), 0.5, 1e-12);
 }

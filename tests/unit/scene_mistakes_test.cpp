@@ -345,6 +345,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "tools[0].motion.times[2]", "found 1 after 2; allowed: numbers that increase"},
         Mistake{"motionLength", &block, "x: [0, 0, 2]", "x: [0, 2]", "[", "tools[0].motion.x",
                 "found 2 values for 3 times; allowed: one value for each of the times."},
+        Mistake{"motionInSpace", &block, "motion: {times: [0, 1, 2], x: [0, 0, 2]", "prescribe: {x: 2*X", "2*X",
+                "tools[0].prescribe.x", "found \"2*X\", which depends on X; allowed: t and the definitions."},
         Mistake{"motion3d", &block, "x: [0, 0, 2]", "z: [0, 0, 2]", "[", "tools[0].motion.z",
                 "found a component of three-dimensional scenes; allowed here: x and y."},
         Mistake{"scheduleLength", &block, "values: [0, 1]", "values: [0, 1, 2]", "[",

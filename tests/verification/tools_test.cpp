@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -323,13 +324,77 @@ steps: [{until: 1, count: 4}, {until: 2, count: 2}]
           << column << " in step " << k;
 }
 
+TEST(ToolsTest, AToolThatSlidesOverTheEndOfItsFaceIsNoticed) {
+  const auto outcome = test::run(
+      block("  - {name: tool, shape: cylinder, center: [1.7, 1.5], radius: 0.5, motion: {times: [0, 0.2, 1], x: "
+            "[0, 0.6, 0.6], y: [0, 0, -0.5]}}",
+            "{tool: tool, face: top}", 20),
+      "over_the_end");
+  const auto& doubts = outcome.summary.doubts;
+  const auto inside = std::find_if(doubts.begin(), doubts.end(), [](const Doubt& doubt) {
+    return doubt.what == "tool 'tool' is inside the body at face 'right', which it has no contact with";
+  });
+  ASSERT_NE(inside, doubts.end());
+  EXPECT_GT(inside->firstTime, 0.2);
+}
+
+TEST(ToolsTest, AFreeTurnNeverGoesRoundAndRound) {
+  // A box on the round of which one control point alone holds it at first: its turn is next to undetermined.
+  for (const int spans : {8, 16}) {
+    Scene scene = block("  - {name: tool, shape: box, center: [1, 1.4], size: [0.8, 0.8], radius: 0.1, carry: {y: "
+                        "'-0.5*t', moment: 0}}");
+    scene.geometry.mesh.spans = {spans, 4};
+    const auto outcome = test::run(scene, "free_turn");
+    for (const double angle : outcome.history.column("tool.angle")) EXPECT_LT(std::abs(angle), 5.0);
+    if (outcome.summary.completed) {
+      EXPECT_NEAR(outcome.summary.end.externalWork, outcome.summary.end.strainEnergy,
+                  0.05 * outcome.summary.end.strainEnergy);
+    }
+  }
+}
+
+TEST(ToolsTest, PointwisePenaltyStartsWithoutAForceAndItsWorkIsStored) {
+  const auto outcome = test::run(
+      block("  - {name: tool, shape: cylinder, center: [1, 1.6], radius: 0.5, carry: {y: '-0.5*t'}}",
+            "{tool: tool, face: top, method: pointwise-penalty}", 10),
+      "pointwise_force");
+  ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+  EXPECT_LT(std::abs(outcome.history.column("tool.fy").front()), 1e-4);
+  const auto& end = outcome.summary.end;
+  EXPECT_NEAR(end.externalWork, end.strainEnergy + end.contactEnergy, 0.1 * end.strainEnergy);
+}
+
+TEST(ToolsTest, AFileMayHaveUnusedPoints) {
+  const test::ScratchDirectory directory("unused_points");
+  std::filesystem::create_directories(directory.path());
+  const auto file = directory.path() / "pyramid.off";
+  std::ofstream(file) << "OFF\n5 4 0\n0 0.6 0\n2 0.6 0\n1 0.6 2\n1 2.6 0.6\n9 9 9\n3 0 1 2\n3 0 3 1\n3 1 3 2\n"
+                         "3 2 3 0\n";
+  const auto outcome = test::run(
+      cube(fmt::format("  - {{name: tool, shape: mesh, file: {}, motion: {{times: [0, 1], y: [0, -0.2]}}}}",
+                       file.string())),
+      "unused");
+  EXPECT_TRUE(outcome.summary.completed);
+  EXPECT_GT(outcome.history.column("tool.fy").back(), 0.0);
+}
+
+TEST(ToolsTest, AToolThatNeverTouchesIsNamed) {
+  const auto away = test::run(block("  - {name: tool, shape: cylinder, center: [1, 1.6], radius: 0.5}"), "away");
+  EXPECT_EQ(away.summary.idleTools, std::vector<std::string>{"tool"});
+  const auto pressed = runWith("shape: cylinder, center: [1, 1.5], radius: 0.5");
+  EXPECT_TRUE(pressed.summary.idleTools.empty());
+  EXPECT_TRUE(std::none_of(pressed.summary.doubts.begin(), pressed.summary.doubts.end(), [](const Doubt& doubt) {
+    return doubt.what.find("inside the body") != std::string::npos;
+  }));
+}
+
 TEST(ToolsTest, AToolThatIsPulledOffStopsTheRunAndSaysSo) {
   const auto outcome = test::run(
       block("  - {name: tool, shape: cylinder, center: [1, 1.5], radius: 0.5, carry: {y: 't < 0.6 ? -0.5*t : "
             "0.1'}}"),
       "pulled");
   EXPECT_FALSE(outcome.summary.completed);
-  EXPECT_NE(outcome.summary.stoppedBecause.find("pulled off"), std::string::npos)
+  EXPECT_NE(outcome.summary.stoppedBecause.find("tool 'tool'"), std::string::npos)
       << outcome.summary.stoppedBecause;
   EXPECT_LT(outcome.history.column("time").back(), 0.6);
 }

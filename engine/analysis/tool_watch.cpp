@@ -1,0 +1,72 @@
+#include "engine/analysis/tool_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+constexpr double kDeepSpanShare = 0.1;
+
+template <int Dim>
+bool hasPair(const Model<Dim>& model, std::size_t tool, int patch, const std::string& face) {
+  return std::any_of(model.contacts().begin(), model.contacts().end(), [&](const ContactPair<Dim>& pair) {
+    return pair.tool == tool && pair.patch == patch && pair.faceName == face;
+  });
+}
+
+}  // namespace
+
+template <int Dim>
+ToolWatch<Dim>::ToolWatch(const Model<Dim>& model) : model_(model) {
+  const auto numPatches = static_cast<int>(model.body().patches.size());
+  for (int patch = 0; patch < numPatches; ++patch)
+    for (FaceId side = 0; side < 2 * Dim; ++side) {
+      const FaceSpec place{model.faces().patchName(patch), faceName(side), {}};
+      if (model.faces().neighbour(place)) continue;
+      for (std::size_t tool = 0; tool < model.tools().size(); ++tool)
+        if (!hasPair(model, tool, patch, place.face))
+          faces_.push_back({tool,
+                            numPatches == 1 ? fmt::format("'{}'", place.face)
+                                            : fmt::format("'{}' of patch '{}'", place.face, place.patch),
+                            FaceQuadrature<Dim>(model.body(), patch, side, 1)});
+    }
+}
+
+template <int Dim>
+std::vector<std::string> ToolWatch<Dim>::sentences() const {
+  std::vector<std::string> sentences;
+  for (const Face& face : faces_)
+    sentences.push_back(fmt::format("tool '{}' is inside the body at face {}, which it has no contact with",
+                                    model_.tools()[face.tool]->name, face.name));
+  return sentences;
+}
+
+template <int Dim>
+std::vector<bool> ToolWatch<Dim>::reached(const std::vector<ToolPose>& poses,
+                                          const Eigen::VectorXd& x) const {
+  std::vector<bool> answers;
+  for (const Face& face : faces_) answers.push_back(isReached(face, poses[face.tool], x));
+  return answers;
+}
+
+template <int Dim>
+bool ToolWatch<Dim>::isReached(const Face& face, const ToolPose& pose, const Eigen::VectorXd& x) const {
+  const Tool& tool = *model_.tools()[face.tool];
+  return std::any_of(face.middles.spans().begin(), face.middles.spans().end(), [&](const auto& span) {
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    for (std::size_t a = 0; a < span.functions.size(); ++a) {
+      const int function = span.functions[a];
+      const int node = face.middles.nodes()[static_cast<std::size_t>(function)];
+      point.head<Dim>() += span.R(static_cast<Eigen::Index>(a), 0) *
+                           (face.middles.points().col(function) + x.template segment<Dim>(Dim * node));
+    }
+    return tool.query(pose, point).gap < -kDeepSpanShare * span.size;
+  });
+}
+
+template class ToolWatch<2>;
+template class ToolWatch<3>;
+
+}  // namespace burnish
