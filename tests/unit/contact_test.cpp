@@ -49,30 +49,36 @@ TEST_P(ContactTangent, AgreesWithCentralDifferences) {
   EXPECT_GT(term.state().reaction(1), 0.0);
 }
 
+/// The block under a disc that is free in all its ways, in a random state near the reference.
+struct BlockUnderFreeDisc {
+  Body<2> body;
+  Tool tool;
+  ContactTerm<2> term;
+  Eigen::VectorXd x;
+
+  explicit BlockUnderFreeDisc(const Case& c)
+      : body(block(c.degree, c.family)),
+        tool(freeTool(disc(), 2 * body.numNodes)),
+        term(body, 0, faceFromName<2>("top"), tool, {c.enforcement, 10.0, 0},
+             2 * body.numNodes + static_cast<int>(kToolWays)),
+        x(test::randomState(2 * body.numNodes + static_cast<int>(kToolWays) + term.numMultipliers(), 2e-3, 7)) {}
+};
+
 TEST_P(ContactTangent, AgreesWithCentralDifferencesIfTheToolIsFree) {
-  const auto [enforcement, family, degree] = GetParam();
-  const Body<2> body = block(degree, family);
-  const Tool tool = freeTool(disc(), 2 * body.numNodes);
-  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, firstMultiplier);
-  const Eigen::VectorXd x = test::randomState(firstMultiplier + term.numMultipliers(), 2e-3, 7);
-  EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
-  EXPECT_GT(term.state().reaction(1), 0.0);
+  BlockUnderFreeDisc free(GetParam());
+  EXPECT_LT(test::tangentError(free.term, 0.0, free.x, 1e-6), 1e-6);
+  EXPECT_GT(free.term.state().reaction(1), 0.0);
 }
 
 TEST_P(ContactTangent, ReactionAndMomentAreTheForcesOnTheFreeTool) {
-  const auto [enforcement, family, degree] = GetParam();
-  const Body<2> body = block(degree, family);
-  const Tool tool = freeTool(disc(), 2 * body.numNodes);
-  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, firstMultiplier);
-  const Eigen::VectorXd x = test::randomState(firstMultiplier + term.numMultipliers(), 2e-3, 7);
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
+  BlockUnderFreeDisc free(GetParam());
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(free.x.size());
   Assembly out{force};
-  ASSERT_TRUE(term.evaluate(0.0, x, out));
-  const ContactState& state = term.state();
-  EXPECT_NEAR((force.segment<3>(2 * body.numNodes) + state.reaction).norm(), 0.0, 1e-15);
-  EXPECT_NEAR(force(2 * body.numNodes + 3), -state.moment.z() / tool.turnLength, 1e-15);
+  ASSERT_TRUE(free.term.evaluate(0.0, free.x, out));
+  const ContactState& state = free.term.state();
+  const int first = 2 * free.body.numNodes;
+  EXPECT_NEAR((force.segment<3>(first) + state.reaction).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(force(first + 3), -state.moment.z() / free.tool.turnLength, 1e-15);
   EXPECT_GT(std::abs(state.moment.z()), 1e-4);
 }
 
