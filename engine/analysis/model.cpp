@@ -198,9 +198,10 @@ void Model<Dim>::placeFreeTools(const Scene& scene) {
     }
     const Eigen::Vector3d direction = firstDirection(*load, scene.steps.back().until);
     if (direction.isZero(0.0))
-      throw Error(fmt::format("{}: tool '{}' carries no force at any time; give it one, or prescribe its "
-                              "motion",
-                              place, tool.name));
+      throw Error(
+          fmt::format("{}: tool '{}' carries no force at any time; give it one, or prescribe its "
+                      "motion",
+                      place, tool.name));
     const Eigen::Vector3d shift =
         shiftToTouch<Dim>({pairs.begin(), pairs.end()}, tool, direction, body_.size());
     for (std::size_t way = 0; way < kTurn; ++way)
@@ -210,10 +211,9 @@ void Model<Dim>::placeFreeTools(const Scene& scene) {
 
 template <int Dim>
 std::string Model<Dim>::pulledTool() const {
-  const double smallest = residualScales().forceFloor;
+  const double smallest = forceFloor();
   for (const auto& pair : contacts_)
-    if (pair.term->state().pull > smallest)
-      return tools_[pair.tool]->name;
+    if (pair.term->state().pull > smallest) return tools_[pair.tool]->name;
   return {};
 }
 
@@ -276,11 +276,16 @@ SteppingState Model<Dim>::startState() const {
 }
 
 template <int Dim>
+double Model<Dim>::forceFloor() const {
+  return 1e-9 * youngsModulus(bulk_->material()) * std::pow(body_.size(), body_.axisymmetric ? 2 : Dim - 1);
+}
+
+template <int Dim>
 ResidualScales Model<Dim>::residualScales() const {
   const double L = body_.size();
   ResidualScales scales;
   scales.numForces = numForces_;
-  scales.forceFloor = 1e-9 * youngsModulus(bulk_->material()) * std::pow(L, body_.axisymmetric ? 2 : Dim - 1);
+  scales.forceFloor = forceFloor();
   scales.spanSizes = Eigen::VectorXd::Zero(numForces_);
   for (const auto& span : quadrature_->spans())
     for (const int node : span.nodes) {

@@ -84,6 +84,9 @@ class Model {
   std::vector<ContactTerm<Dim>*> pairsOf(std::size_t tool) const;
   void requireSupported() const;
 
+  /// Smallest force that counts: 1e-9 E L (E L² in 3D and axisymmetry).
+  double forceFloor() const;
+
   explicit Model(const Scene& scene, NamedBody<Dim> body);
 
   Body<Dim> body_;

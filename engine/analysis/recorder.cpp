@@ -92,8 +92,7 @@ double Recorder<Dim>::toolWork(const StateQuantities& next) const {
   double work = 0.0;
   for (std::size_t k = 0; k < next.toolForces.size(); ++k) {
     const ToolPose &from = current_.toolPoses[k], &to = next.toolPoses[k];
-    const double moment =
-        model_.tools()[k]->axis.dot(current_.toolMoments[k] + next.toolMoments[k]);
+    const double moment = model_.tools()[k]->axis.dot(current_.toolMoments[k] + next.toolMoments[k]);
     work -= 0.5 * (current_.toolForces[k] + next.toolForces[k]).dot(to.displacement - from.displacement) +
             0.5 * moment * (to.angle - from.angle);
   }

@@ -139,9 +139,10 @@ class Run {
     for (std::size_t k = 0; k < terms_.size(); ++k) total += newton_.force(k);
     recorder_.update({step.time, stepping_.state().x, newton_.force(0)}, total);
     if (const std::string pulled = model_.pulledTool(); !pulled.empty())
-      throw RunError(fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a "
-                                 "free way has to be pressed on the body, or its motion prescribed",
-                                 pulled));
+      throw RunError(
+          fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a "
+                      "free way has to be pressed on the body, or its motion prescribed",
+                      pulled));
   }
 
   /// Brings lifted tools down and records the state at t = 0.
@@ -212,7 +213,8 @@ class Run {
                     state.time, stepping_.lastFailedStep(), describe(failure.outcome), failure.residual);
     if (const std::string pulled = model_.pulledTool(); !pulled.empty())
       summary_.stoppedBecause += fmt::format(
-          "; tool '{}' had lost the body: the load that it carries may have pulled it off, or does not determine "
+          "; tool '{}' had lost the body: the load that it carries may have pulled it off, or does not "
+          "determine "
           "its place",
           pulled);
   }

@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-/// Watches whether tools reach into outer faces of the body that they have no contact with, for instance where
-/// one slides over the end of its face: nothing holds them there.
+/// Watches whether tools reach into outer faces of the body that they have no contact with, for instance
+/// where one slides over the end of its face: nothing holds them there.
 template <int Dim>
 class ToolWatch {
  public:
@@ -20,7 +20,8 @@ class ToolWatch {
   /// A sentence for every tool and face that is watched.
   std::vector<std::string> sentences() const;
 
-  /// For each of them whether the tool is deeper in the face than a tenth of a knot span in the middle of one.
+  /// For each of them whether the tool is deeper in the face than a tenth of a knot span in the middle of
+  /// one.
   std::vector<bool> reached(const std::vector<ToolPose>& poses, const Eigen::VectorXd& x) const;
 
  private:

@@ -21,6 +21,7 @@ double ContactState::largestPenetration() const {
 /// Integrals over the reference face at one state.
 template <int Dim>
 struct ContactTerm<Dim>::Mortar {
+  Eigen::MatrixXd positions;       ///< current, Dim x quadrature points
   std::vector<ToolGap> points;     ///< quadrature points
   Eigen::VectorXd G;               ///< ∫ R_A g dΓ
   std::vector<Eigen::VectorXd> D;  ///< ∫ R_A N dΓ (29), over the unknowns of A's support and the free ways
@@ -141,12 +142,12 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
   mortar.G = Eigen::VectorXd::Zero(face_.numFunctions());
   for (const auto& support : supports_)
     mortar.D.push_back(Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(support.size()) + numWays));
-  const Eigen::MatrixXd current = positions(x);
+  mortar.positions = positions(x);
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       Eigen::Vector3d point = Eigen::Vector3d::Zero();
-      point.head<Dim>() = current.col(span.firstPoint + q);
+      point.head<Dim>() = mortar.positions.col(span.firstPoint + q);
       auto& query = mortar.points.emplace_back();
       if (ways_.empty())
         query.point = tool_.query(pose, point);
@@ -221,7 +222,7 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
     evaluatePointwise(out, mortar);
   else
     evaluateMortar(x, out, mortar);
-  measureReaction(pose, x, mortar);
+  measureReaction(pose, mortar);
   if (out.system != nullptr) addGeometricTangent(out, mortar);
   return true;
 }
@@ -344,15 +345,14 @@ void ContactTerm<Dim>::addGeometricTangent(Assembly& out, const Mortar& mortar) 
 }
 
 template <int Dim>
-void ContactTerm<Dim>::measureReaction(const ToolPose& pose, const Eigen::VectorXd& x, const Mortar& mortar) {
-  const Eigen::MatrixXd current = positions(x);
+void ContactTerm<Dim>::measureReaction(const ToolPose& pose, const Mortar& mortar) {
   const Eigen::Vector3d pivot = tool_.pivot + pose.displacement;
   for (const auto& span : face_.spans())
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const Eigen::Index point = span.firstPoint + q;
       if (state_.pressure(point) == 0.0) continue;
       Eigen::Vector3d arm = -pivot;
-      arm.head<Dim>() += current.col(point);
+      arm.head<Dim>() += mortar.positions.col(point);
       const Eigen::Vector3d force = -span.weights(q) * state_.pressure(point) *
                                     mortar.points[static_cast<std::size_t>(point)].point.normal;
       state_.reaction += force;

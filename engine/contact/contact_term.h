@@ -90,7 +90,7 @@ class ContactTerm final : public Term {
   void evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
   void evaluatePointwise(Assembly& out, const Mortar& mortar);
   void addGeometricTangent(Assembly& out, const Mortar& mortar);
-  void measureReaction(const ToolPose& pose, const Eigen::VectorXd& x, const Mortar& mortar);
+  void measureReaction(const ToolPose& pose, const Mortar& mortar);
 
   /// Displacement components of functions, then the tool's free ways.
   std::vector<int> unknownsOf(const std::vector<int>& functions) const;

@@ -8,8 +8,8 @@
 namespace burnish {
 namespace {
 
-/// Farther from the surface than this many grid spacings the distance is not smoothed: far beyond the reach of
-/// basis functions that touch, so that gap, normal and curvature belong together wherever pressure acts.
+/// Farther from the surface than this many grid spacings the distance is not smoothed: far beyond the reach
+/// of basis functions that touch, so that gap, normal and curvature belong together wherever pressure acts.
 constexpr double kFar = 64.0;
 
 double medianEdge(const SurfaceMesh& surface) {
@@ -27,8 +27,8 @@ double medianEdge(const SurfaceMesh& surface) {
 double defaultSpacing(const SurfaceMesh& surface) {
   const Eigen::Vector3d extent = surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff();
   // The extent of an open surface says little about the size of what presses: it may go far beyond the body.
-  const double size = surface.closed ? extent.head(surface.cells.rows()).minCoeff() / 32.0
-                                     : extent.maxCoeff() / 256.0;
+  const double size =
+      surface.closed ? extent.head(surface.cells.rows()).minCoeff() / 32.0 : extent.maxCoeff() / 256.0;
   return std::min(medianEdge(surface), size);
 }
 

@@ -17,8 +17,8 @@ class ToolLoad final : public Term {
 
   CouplingGroups couplings() const override { return {}; }
 
-  /// Not admissible where a free way has moved so far since the last accepted state that Newton's linearisation
-  /// says nothing about the place it has come to.
+  /// Not admissible where a free way has moved so far since the last accepted state that Newton's
+  /// linearisation says nothing about the place it has come to.
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
   void accept() override { accepted_ = last_; }

@@ -165,8 +165,8 @@ void checkFrame(const FrameRecord& frame, const ModelRecord& model, const std::s
           frame.toolDisplacement.cols(), frame.toolDisplacement.rows(), model.tools.size(), model.dim);
   require((frame.toolAngle.size() == 0 || count(frame.toolAngle.size()) == model.tools.size()) &&
               frame.toolAngle.allFinite(),
-          place,
-          "{} angles for {} tools, or one that is not finite", frame.toolAngle.size(), model.tools.size());
+          place, "{} angles for {} tools, or one that is not finite", frame.toolAngle.size(),
+          model.tools.size());
   checkFields(frame.fields, model.numNodes, "nodes", place);
   for (std::size_t i = 0; i < frame.contact.size(); ++i)
     checkContact(frame.contact[i], model, fmt::format("{}, contact {}", place, i));

@@ -88,7 +88,7 @@ struct FrameRecord {
   Eigen::MatrixXd displacement;               ///< dim x nodes
   std::map<std::string, FieldRecord> fields;  ///< plastic_strain, von_mises, stress, pressure
   Eigen::MatrixXd toolDisplacement;           ///< of the pivots, dim x tools
-  Eigen::VectorXd toolAngle;                  ///< turn about the axes, radians, one per tool; empty if none is turned
+  Eigen::VectorXd toolAngle;  ///< turn about the axes, radians, one per tool; empty if none is turned
   std::vector<ContactRecord> contact;
   QuadratureRecord quadrature;
 };

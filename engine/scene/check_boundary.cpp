@@ -29,9 +29,9 @@ void checkFixed(const CheckContext& c, const std::string& path, const std::vecto
 void checkSupport(const CheckContext& c, const std::string& path, const SupportSpec& support) {
   checkFace(c, path, support.place);
   checkFixed(c, path + ".fix", support.fix);
-  if (support.move)
-    checkTable(c, path + ".move", support.move->times, componentsOf(*support.move));
-  if (support.prescribe) checkFormulas(c, path + ".prescribe", componentsOf(*support.prescribe),
+  if (support.move) checkTable(c, path + ".move", support.move->times, componentsOf(*support.move));
+  if (support.prescribe)
+    checkFormulas(c, path + ".prescribe", componentsOf(*support.prescribe),
                   [](const auto& context, const std::string& key, const FormulaText& text) {
                     checkFormula(context, key, text);
                   });

@@ -50,8 +50,10 @@ inline constexpr const char* kTipSentence = "Foremost point of the rounded tip."
 inline constexpr const char* kFrontSentence = "Direction from the tool to the front, of any length.";
 inline constexpr const char* kRoundingSentence = "Radius of the rounding; sharp when 0.";
 inline constexpr const char* kSmoothingSentence =
-    "Spacing of the grid on which the distance is made smooth, and about the radius that sharp edges get; when "
-    "left out the typical length of an edge, at most 1/32 of the smallest extent, of an open surface 1/256 of "
+    "Spacing of the grid on which the distance is made smooth, and about the radius that sharp edges get; "
+    "when "
+    "left out the typical length of an edge, at most 1/32 of the smallest extent, of an open surface 1/256 "
+    "of "
     "the largest.";
 
 template <class Visitor>

@@ -145,7 +145,8 @@ void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) cons
       return writeVtkFile(*std::visit(BodyGrid{frame, model_.lengthUnit}, cells_), frame.time, path);
     case ExportPart::Tools: {
       const Eigen::AlignedBox3d box = boxOf(model_, frame.displacement);
-      return writeVtkFile(*toolOutline(placedTool(model_, frame, part.tool), model_.dim, box), frame.time, path);
+      return writeVtkFile(*toolOutline(placedTool(model_, frame, part.tool), model_.dim, box), frame.time,
+                          path);
     }
     case ExportPart::Contact:
       return writeVtkFile(*contactSurface(model_, frame, part.tool), frame.time, path);

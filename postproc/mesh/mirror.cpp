@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "engine/core/error.h"
+#include "postproc/mesh/outlines.h"
 #include "postproc/mesh/patch_geometry.h"
 
 namespace burnish {
@@ -36,24 +37,12 @@ Eigen::MatrixXd imageOfVectors(Eigen::MatrixXd vectors, const MirrorPlane& plane
   return vectors;
 }
 
-struct ShapeImage {
-  const MirrorPlane& mirror;
-
-  Eigen::Vector3d point(const Eigen::Vector3d& x) const { return image(x, mirror); }
-  Eigen::Vector3d vector(const Eigen::Vector3d& v) const { return imageOfVectors(v, mirror); }
-
-  RecordedShape operator()(const Plane& plane) const {
-    return Plane{point(plane.origin), vector(plane.normal)};
-  }
-  RecordedShape operator()(const Cylinder& cylinder) const {
-    return Cylinder{point(cylinder.center), vector(cylinder.axis), cylinder.radius};
-  }
-  RecordedShape operator()(const Sphere& sphere) const { return Sphere{point(sphere.center), sphere.radius}; }
-  RecordedShape operator()(const SurfaceMesh& mesh) const {
-    // The other direction of its cells has the tool on the same side of them again.
-    return SurfaceMesh{image(mesh.points, mirror), mesh.cells.colwise().reverse(), mesh.closed};
-  }
-};
+Eigen::Affine3d mapOf(const MirrorPlane& plane) {
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  map.linear()(plane.axis, plane.axis) = -1.0;
+  map.translation()(plane.axis) = 2.0 * plane.at;
+  return map;
+}
 
 /// Whether two shapes of one kind and size are the same up to a length.
 struct SameShape {
@@ -67,9 +56,7 @@ struct SameShape {
            (a.center - b.center).cross(a.axis).norm() <= length;
   }
   bool operator()(const Sphere& a, const Sphere& b) const { return (a.center - b.center).norm() <= length; }
-  bool operator()(const SurfaceMesh& a, const SurfaceMesh& b) const {
-    return places(a) == places(b);
-  }
+  bool operator()(const SurfaceMesh& a, const SurfaceMesh& b) const { return places(a) == places(b); }
   template <class A, class B>
   bool operator()(const A&, const B&) const {
     return false;
@@ -225,7 +212,7 @@ class Mirror {
     const std::size_t count = tools.size();
     for (std::size_t k = 0; k < count; ++k) {
       ToolRecord copy = tools[k];
-      copy.shape = std::visit(ShapeImage{plane_}, tools[k].shape);
+      copy.shape = mappedShape(tools[k].shape, mapOf(plane_));
       const Eigen::Vector3d axis = imageOfVectors(tools[k].axis, plane_);
       copy.pivot = image(tools[k].pivot, plane_);
       copy.axis = -axis;  // a turn goes round the other way in a mirror

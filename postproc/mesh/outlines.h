@@ -21,6 +21,9 @@ vtkSmartPointer<vtkPolyData> bodyOutline(const ModelRecord& model, const Eigen::
 vtkSmartPointer<vtkPolyData> knotLines(const ModelRecord& model, const Eigen::MatrixXd& displacement,
                                        int subdivision);
 
+/// A shape moved by a rigid motion or mirrored; the tool stays on its side of the cells of a mesh.
+RecordedShape mappedShape(const RecordedShape& shape, const Eigen::Affine3d& map);
+
 /// A tool that is turned about its axis, then displaced.
 ToolRecord movedTool(const ToolRecord& tool, const Eigen::Vector3d& displacement, double angle);
 

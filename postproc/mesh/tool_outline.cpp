@@ -148,33 +148,37 @@ struct SpatialOutline {
   }
 };
 
-/// Moves a shape by a rigid motion.
-struct Placement {
-  const Eigen::Isometry3d& motion;
+/// Maps a shape so that lengths stay.
+struct ShapeMap {
+  const Eigen::Affine3d& map;
 
   RecordedShape operator()(const Plane& plane) const {
-    return Plane{motion * plane.origin, motion.linear() * plane.normal};
+    return Plane{map * plane.origin, map.linear() * plane.normal};
   }
   RecordedShape operator()(const Cylinder& cylinder) const {
-    return Cylinder{motion * cylinder.center, motion.linear() * cylinder.axis, cylinder.radius};
+    return Cylinder{map * cylinder.center, map.linear() * cylinder.axis, cylinder.radius};
   }
-  RecordedShape operator()(const Sphere& sphere) const {
-    return Sphere{motion * sphere.center, sphere.radius};
-  }
+  RecordedShape operator()(const Sphere& sphere) const { return Sphere{map * sphere.center, sphere.radius}; }
   RecordedShape operator()(const SurfaceMesh& mesh) const {
-    SurfaceMesh moved = mesh;
-    moved.points = motion * mesh.points;
-    return moved;
+    SurfaceMesh mapped = mesh;
+    mapped.points = map * mesh.points;
+    // The image in a mirror has the tool on the other side of its cells, unless these go the other way round.
+    if (map.linear().determinant() < 0.0) mapped.cells = mesh.cells.colwise().reverse();
+    return mapped;
   }
 };
 
 }  // namespace
 
+RecordedShape mappedShape(const RecordedShape& shape, const Eigen::Affine3d& map) {
+  return std::visit(ShapeMap{map}, shape);
+}
+
 ToolRecord movedTool(const ToolRecord& tool, const Eigen::Vector3d& displacement, double angle) {
-  const Eigen::Isometry3d motion = Eigen::Translation3d(tool.pivot + displacement) *
-                                   Eigen::AngleAxisd(angle, tool.axis) * Eigen::Translation3d(-tool.pivot);
+  const Eigen::Affine3d motion(Eigen::Translation3d(tool.pivot + displacement) *
+                               Eigen::AngleAxisd(angle, tool.axis) * Eigen::Translation3d(-tool.pivot));
   ToolRecord moved = tool;
-  moved.shape = std::visit(Placement{motion}, tool.shape);
+  moved.shape = mappedShape(tool.shape, motion);
   moved.pivot += displacement;
   return moved;
 }

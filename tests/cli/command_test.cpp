@@ -91,8 +91,8 @@ TEST_F(Command, DescribesASceneSoThatItCanBeRunAgain) {
 
 TEST_F(Command, QuietPrintsNothingWhenAllIsWell) {
   // Fine enough for the small depth that the penetration between control points is small too.
-  const Outcome run = burnish(
-      "run --quiet scene.yaml --set tools[0].motion.y=[0,-0.004,0] --set geometry.functions=[40,8]");
+  const Outcome run =
+      burnish("run --quiet scene.yaml --set tools[0].motion.y=[0,-0.004,0] --set geometry.functions=[40,8]");
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.out + run.err, "");
   EXPECT_TRUE(fs::exists(dir / "out/scene/result.h5"));

@@ -61,7 +61,8 @@ struct BlockUnderFreeDisc {
         tool(freeTool(disc(), 2 * body.numNodes)),
         term(body, 0, faceFromName<2>("top"), tool, {c.enforcement, 10.0, 0},
              2 * body.numNodes + static_cast<int>(kToolWays)),
-        x(test::randomState(2 * body.numNodes + static_cast<int>(kToolWays) + term.numMultipliers(), 2e-3, 7)) {}
+        x(test::randomState(2 * body.numNodes + static_cast<int>(kToolWays) + term.numMultipliers(), 2e-3,
+                            7)) {}
 };
 
 TEST_P(ContactTangent, AgreesWithCentralDifferencesIfTheToolIsFree) {

@@ -9,8 +9,8 @@
 namespace burnish {
 namespace {
 
-/// Radius and peak of the half ellipsoid p^2 = p_0^2 (1 - r^2/a^2) that fits the pressure best where it is above a
-/// fifth of its largest value; r is the distance from the y axis.
+/// Radius and peak of the half ellipsoid p^2 = p_0^2 (1 - r^2/a^2) that fits the pressure best where it is
+/// above a fifth of its largest value; r is the distance from the y axis.
 struct HalfEllipsoid {
   double radius = 0.0, peak = 0.0;
 
@@ -21,8 +21,8 @@ struct HalfEllipsoid {
     Eigen::Vector2d b = Eigen::Vector2d::Zero();
     for (Eigen::Index q = 0; q < p.size(); ++q) {
       if (p(q) < 0.2 * largest) continue;
-      const Eigen::Vector2d row(1.0, std::pow(contact.quadraturePoints(0, q), 2) +
-                                         std::pow(contact.quadraturePoints(2, q), 2));
+      const Eigen::Vector2d row(
+          1.0, std::pow(contact.quadraturePoints(0, q), 2) + std::pow(contact.quadraturePoints(2, q), 2));
       A += row * row.transpose();
       b += row * p(q) * p(q);
     }

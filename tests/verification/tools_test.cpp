@@ -1,5 +1,5 @@
-// Tools that are given in several ways, or that are driven by displacements and by forces, press a block in the
-// same way.
+// Tools that are given in several ways, or that are driven by displacements and by forces, press a block in
+// the same way.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -17,8 +17,7 @@ namespace burnish {
 namespace {
 
 /// A block of 2 x 1 below tools that touch its upper face at y = 1.
-Scene block(const std::string& tools, const std::string& contact = "{tool: tool, face: top}",
-            int steps = 4) {
+Scene block(const std::string& tools, const std::string& contact = "{tool: tool, face: top}", int steps = 4) {
   return parseScene(fmt::format(R"(
 degree: 2
 geometry: {{shape: rectangle, size: [2.0, 1.0], spans: [16, 6]}}
@@ -64,9 +63,10 @@ std::string circle(double radius, double x, double y) {
     weights.push_back(k % 2 == 0 ? "1" : fmt::format("{}", s));
   }
   points.back() = points.front();
-  return fmt::format("shape: nurbs, degrees: [2], knots: [[0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4]], "
-                     "points: [{}], weights: [{}]",
-                     fmt::join(points, ", "), fmt::join(weights, ", "));
+  return fmt::format(
+      "shape: nurbs, degrees: [2], knots: [[0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4]], "
+      "points: [{}], weights: [{}]",
+      fmt::join(points, ", "), fmt::join(weights, ", "));
 }
 
 std::string circleOfSegments(double radius, double x, double y, int segments) {
@@ -91,8 +91,9 @@ double difference(const test::Outcome& a, const test::Outcome& b) {
 TEST(ToolsTest, ATiltedPlateIsTheSameAsPlaneCurveAndPolyline) {
   const auto plane = runWith("shape: plane, origin: [0, 1], normal: [0.05, -1]");
   ASSERT_TRUE(plane.summary.completed);
-  for (const char* shape : {"shape: nurbs, degrees: [1], knots: [[0, 0, 1, 1]], points: [[-4, 0.8], [6, 1.3]]",
-                            "shape: polyline, closed: false, points: [[-4, 0.8], [6, 1.3]]"}) {
+  for (const char* shape :
+       {"shape: nurbs, degrees: [1], knots: [[0, 0, 1, 1]], points: [[-4, 0.8], [6, 1.3]]",
+        "shape: polyline, closed: false, points: [[-4, 0.8], [6, 1.3]]"}) {
     const auto other = runWith(shape);
     ASSERT_TRUE(other.summary.completed) << shape;
     EXPECT_LT(difference(other, plane), 1e-8) << shape;
@@ -150,8 +151,8 @@ void writeSphere(const std::filesystem::path& file, int n) {
                          at(i + 1, j + 1), at(i + 1, j));
 }
 
-/// Orders log(r2/r1)/log(r1/r0) of the last three residuals of each step that are neither far from the solution nor
-/// at round-off; the best of them.
+/// Orders log(r2/r1)/log(r1/r0) of the last three residuals of each step that are neither far from the
+/// solution nor at round-off; the best of them.
 double bestOrder(const Scene& scene) {
   const test::ScratchDirectory directory("order");
   RunObserver silent;
@@ -200,10 +201,10 @@ TEST(ToolsTest, ABallOfFiftyThousandTrianglesPressesLikeASphere) {
   std::filesystem::create_directories(directory.path());
   const auto file = directory.path() / "ball.off";
   writeSphere(file, 160);
-  // A quarter of a block; the pole of the mesh is off the contact, where triangles are neither small nor regular.
+  // A quarter of a block; the pole of the mesh is off the contact, where triangles are neither small nor
+  // regular.
   const auto with = [](const std::string& shape) {
-    return test::run(
-        parseScene(fmt::format(R"(
+    return test::run(parseScene(fmt::format(R"(
 degree: 2
 geometry: {{shape: box, origin: [0, -0.8, 0], size: [0.8, 0.8, 0.8], spans: [8, 4, 8], grading: [s^1.5, 1-(1-s)^1.5, s^1.5]}}
 material: {{law: neo-hookean, E: 10.0, nu: 0.3}}
@@ -216,9 +217,9 @@ tools:
 contact: [{{tool: tool, face: top}}]
 steps: [{{until: 1, count: 4}}]
 )",
-                               shape),
-                   "ball"),
-        "ball");
+                                            shape),
+                                "ball"),
+                     "ball");
   };
   const auto sphere = with("shape: sphere, center: [0, 0, 0], radius: 1");
   const auto mesh = with(fmt::format("shape: mesh, file: {}", file.string()));
@@ -262,9 +263,9 @@ TEST(ToolsTest, APlateWithForceAndMomentIsInEquilibrium) {
 
 TEST(ToolsTest, ATurnedBoxIsTheSameAsABoxWithTurnedAxes) {
   const double angle = 20.0 * std::numbers::pi / 180.0;
-  const auto axes = runWith(fmt::format(
-      "shape: box, center: [1, 1.49], size: [0.8, 0.8], radius: 0.1, axes: [[{}, {}]]", std::cos(angle),
-      std::sin(angle)));
+  const auto axes =
+      runWith(fmt::format("shape: box, center: [1, 1.49], size: [0.8, 0.8], radius: 0.1, axes: [[{}, {}]]",
+                          std::cos(angle), std::sin(angle)));
   ASSERT_TRUE(axes.summary.completed);
   const auto turned = test::run(
       block("  - {name: tool, shape: box, center: [1, 1.49], size: [0.8, 0.8], radius: 0.1, motion: {times: "
@@ -325,11 +326,11 @@ steps: [{until: 1, count: 4}, {until: 2, count: 2}]
 }
 
 TEST(ToolsTest, AToolThatSlidesOverTheEndOfItsFaceIsNoticed) {
-  const auto outcome = test::run(
-      block("  - {name: tool, shape: cylinder, center: [1.7, 1.5], radius: 0.5, motion: {times: [0, 0.2, 1], x: "
-            "[0, 0.6, 0.6], y: [0, 0, -0.5]}}",
-            "{tool: tool, face: top}", 20),
-      "over_the_end");
+  const auto outcome = test::run(block("  - {name: tool, shape: cylinder, center: [1.7, 1.5], radius: 0.5, "
+                                       "motion: {times: [0, 0.2, 1], x: "
+                                       "[0, 0.6, 0.6], y: [0, 0, -0.5]}}",
+                                       "{tool: tool, face: top}", 20),
+                                 "over_the_end");
   const auto& doubts = outcome.summary.doubts;
   const auto inside = std::find_if(doubts.begin(), doubts.end(), [](const Doubt& doubt) {
     return doubt.what == "tool 'tool' is inside the body at face 'right', which it has no contact with";
@@ -341,8 +342,9 @@ TEST(ToolsTest, AToolThatSlidesOverTheEndOfItsFaceIsNoticed) {
 TEST(ToolsTest, AFreeTurnNeverGoesRoundAndRound) {
   // A box on the round of which one control point alone holds it at first: its turn is next to undetermined.
   for (const int spans : {8, 16}) {
-    Scene scene = block("  - {name: tool, shape: box, center: [1, 1.4], size: [0.8, 0.8], radius: 0.1, carry: {y: "
-                        "'-0.5*t', moment: 0}}");
+    Scene scene = block(
+        "  - {name: tool, shape: box, center: [1, 1.4], size: [0.8, 0.8], radius: 0.1, carry: {y: "
+        "'-0.5*t', moment: 0}}");
     scene.geometry.mesh.spans = {spans, 4};
     const auto outcome = test::run(scene, "free_turn");
     for (const double angle : outcome.history.column("tool.angle")) EXPECT_LT(std::abs(angle), 5.0);
@@ -368,8 +370,9 @@ TEST(ToolsTest, AFileMayHaveUnusedPoints) {
   const test::ScratchDirectory directory("unused_points");
   std::filesystem::create_directories(directory.path());
   const auto file = directory.path() / "pyramid.off";
-  std::ofstream(file) << "OFF\n5 4 0\n0 0.6 0\n2 0.6 0\n1 0.6 2\n1 2.6 0.6\n9 9 9\n3 0 1 2\n3 0 3 1\n3 1 3 2\n"
-                         "3 2 3 0\n";
+  std::ofstream(file)
+      << "OFF\n5 4 0\n0 0.6 0\n2 0.6 0\n1 0.6 2\n1 2.6 0.6\n9 9 9\n3 0 1 2\n3 0 3 1\n3 1 3 2\n"
+         "3 2 3 0\n";
   const auto outcome = test::run(
       cube(fmt::format("  - {{name: tool, shape: mesh, file: {}, motion: {{times: [0, 1], y: [0, -0.2]}}}}",
                        file.string())),
@@ -379,13 +382,14 @@ TEST(ToolsTest, AFileMayHaveUnusedPoints) {
 }
 
 TEST(ToolsTest, AToolThatNeverTouchesIsNamed) {
-  const auto away = test::run(block("  - {name: tool, shape: cylinder, center: [1, 1.6], radius: 0.5}"), "away");
+  const auto away =
+      test::run(block("  - {name: tool, shape: cylinder, center: [1, 1.6], radius: 0.5}"), "away");
   EXPECT_EQ(away.summary.idleTools, std::vector<std::string>{"tool"});
   const auto pressed = runWith("shape: cylinder, center: [1, 1.5], radius: 0.5");
   EXPECT_TRUE(pressed.summary.idleTools.empty());
-  EXPECT_TRUE(std::none_of(pressed.summary.doubts.begin(), pressed.summary.doubts.end(), [](const Doubt& doubt) {
-    return doubt.what.find("inside the body") != std::string::npos;
-  }));
+  EXPECT_TRUE(std::none_of(
+      pressed.summary.doubts.begin(), pressed.summary.doubts.end(),
+      [](const Doubt& doubt) { return doubt.what.find("inside the body") != std::string::npos; }));
 }
 
 TEST(ToolsTest, AToolThatIsPulledOffStopsTheRunAndSaysSo) {
