@@ -59,22 +59,24 @@ struct SignalGuard::Saved {
   struct sigaction action;
 };
 
-SignalGuard::SignalGuard() {
+SignalGuard::SignalGuard(SecondSignal second) {
   lastSignal = 0;
   signalCount = 0;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction current = {};
     ::sigaction(signal, nullptr, &current);
-    if (current.sa_handler != SIG_IGN) set(signal, note);  // else as nohup and shells want it
+    if (current.sa_handler != SIG_IGN)
+      set(signal, note, second == SecondSignal::Ends ? SA_RESETHAND : 0);  // else as nohup and shells want it
   }
-  set(SIGPIPE, SIG_IGN);  // whoever reads the progress may go away; the jobs are not to be left alone
-  set(SIGCHLD, SIG_DFL);  // else children end without leaving how
+  set(SIGPIPE, SIG_IGN, 0);  // whoever reads the progress may go away; the jobs are not to be left alone
+  set(SIGCHLD, SIG_DFL, 0);  // else children end without leaving how
 }
 
-void SignalGuard::set(int signal, void (*handler)(int)) {
+void SignalGuard::set(int signal, void (*handler)(int), int flags) {
   Saved saved{signal, {}};
   struct sigaction action = {};
   action.sa_handler = handler;
+  action.sa_flags = flags;
   ::sigaction(signal, &action, &saved.action);
   saved_.push_back(saved);
 }

@@ -15,10 +15,14 @@ pid_t startSelf(const std::vector<std::string>& arguments, const std::filesystem
 /// The status of a process as `waitpid` gives it once it has ended; nothing before.
 std::optional<int> endOf(pid_t process);
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the program. One at a time.
+/// What a signal does when it comes a second time.
+enum class SecondSignal { Noted, Ends };
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the program, and nobody has to read
+/// what it prints. One at a time.
 class SignalGuard {
  public:
-  SignalGuard();
+  explicit SignalGuard(SecondSignal second);
   ~SignalGuard();
   SignalGuard(const SignalGuard&) = delete;
   SignalGuard& operator=(const SignalGuard&) = delete;
@@ -29,7 +33,7 @@ class SignalGuard {
   int count() const;
 
  private:
-  void set(int signal, void (*handler)(int));
+  void set(int signal, void (*handler)(int), int flags);
 
   struct Saved;
   std::vector<Saved> saved_;

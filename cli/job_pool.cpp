@@ -128,7 +128,7 @@ class Pool {
 
   const std::vector<Job>& jobs_;
   JobObserver& observer_;
-  SignalGuard signals_;
+  SignalGuard signals_{SecondSignal::Noted};
   std::vector<JobStatus> statuses_;
   std::vector<pid_t> processes_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

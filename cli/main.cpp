@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <string>
 
@@ -50,6 +51,7 @@ ExitCode execute(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file above a limit is an error with its name, not the end
   if (argc > 1 && computes(argv[1])) burnish::useFastestBlasKernels(argv);
   try {
     return static_cast<int>(execute(argc, argv));

@@ -27,6 +27,7 @@ RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress
 }
 
 void RunOutputs::onStart(const ModelRecord& model) {
+  hasStarted_ = true;
   model_ = model;
   if (scene_.output.vtu) vtu_.emplace(directory_, model);
   std::error_code absent;

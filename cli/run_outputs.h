@@ -23,6 +23,9 @@ class RunOutputs : public RunObserver {
   /// Draws the pictures of the end of the run from its last frame.
   void finish();
 
+  /// Whether the run has begun to write.
+  bool hasStarted() const { return hasStarted_; }
+
   /// Pictures drawn so far.
   const std::vector<std::filesystem::path>& pictures() const { return pictures_; }
 
@@ -34,6 +37,7 @@ class RunOutputs : public RunObserver {
   std::filesystem::path directory_;
   std::optional<Progress> progress_;
   std::optional<VtuSeriesWriter> vtu_;
+  bool hasStarted_ = false;
   ModelRecord model_;
   std::optional<FrameRecord> lastFrame_;
   std::vector<std::filesystem::path> pictures_;

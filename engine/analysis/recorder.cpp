@@ -1,5 +1,7 @@
 #include "engine/analysis/recorder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -186,6 +188,49 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
     row.push_back(value);
   row.insert(row.end(), measured_.begin(), measured_.end());
   return row;
+}
+
+void StateQuantities::archive(StateArchive& archive) {
+  archive.field("time", time);
+  const std::size_t tools = toolPoses.size();
+  for (std::size_t k = 0; k < tools; ++k) {
+    const std::string name = fmt::format("tool{}_", k);
+    archive.field(name + "displacement", toolPoses[k].displacement);
+    archive.field(name + "angle", toolPoses[k].angle);
+    archive.field(name + "force", toolForces[k]);
+    archive.field(name + "moment", toolMoments[k]);
+  }
+  archive.field("strain_energy", strainEnergy);
+  archive.field("contact_energy", contactEnergy);
+  archive.field("external_work", externalWork);
+  archive.field("plastic_work", plasticWork);
+  archive.field("max_plastic_strain", maxPlasticStrain);
+  archive.field("min_projected_plastic_strain", projectedPlasticStrain.min);
+  archive.field("max_projected_plastic_strain", projectedPlasticStrain.max);
+  archive.field("active_control_points", activeControlPoints);
+  archive.field("max_penetration", maxPenetration);
+  archive.field("min_J", minJ);
+}
+
+template <int Dim>
+void Recorder<Dim>::archive(StateArchive& archive) {
+  const std::size_t tools = model_.tools().size();
+  current_.toolPoses.resize(tools);
+  current_.toolForces.resize(tools, Eigen::Vector3d::Zero());
+  current_.toolMoments.resize(tools, Eigen::Vector3d::Zero());
+  archive.part("current", current_);
+  archive.field("measured", measured_);
+  archive.field("x", x_);
+  archive.field("force", force_);
+  archive.field("loads", loads_);
+  archive.field("smallest_J", smallestJ_);
+  archive.field("largest_penetration", largestPenetration_);
+  for (std::size_t k = 0; k < doubts_.size(); ++k) {
+    archive.field(fmt::format("doubt{}_first_time", k), doubts_[k].firstTime);
+    archive.field(fmt::format("doubt{}_steps", k), doubts_[k].steps);
+  }
+  archive.fixedField("touched", touched_);
+  archive.field("projection_seconds", projectionSeconds_);
 }
 
 template class Recorder<2>;

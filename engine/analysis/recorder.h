@@ -33,6 +33,8 @@ struct StateQuantities {
   int activeControlPoints = 0;
   double maxPenetration = 0.0;
   double minJ = 1.0;
+
+  void archive(StateArchive& archive);
 };
 
 /// Follows a run: sums the external work, watches extremes and doubts, and makes history rows.
@@ -60,6 +62,9 @@ class Recorder {
 
   /// Names of the tools with contact pairs that nothing has touched so far.
   std::vector<std::string> idleTools() const;
+
+  /// All that later rows and the end of the run depend on.
+  void archive(StateArchive& archive);
 
   /// Seconds spent in projections.
   double projectionSeconds() const { return projectionSeconds_; }

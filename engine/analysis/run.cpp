@@ -5,73 +5,36 @@
 #include <tbb/info.h>
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <utility>
 
+#include "engine/analysis/failure.h"
 #include "engine/analysis/frames.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/stopwatch.h"
-#include "engine/results/history.h"
-#include "engine/results/result_writer.h"
-#include "engine/results/summary_file.h"
+#include "engine/results/result_reader.h"
+#include "engine/results/run_files.h"
+#include "engine/scene/reader.h"
 #include "engine/solver/stepping.h"
 
 namespace burnish {
 namespace {
 
-std::vector<DoubtRecord> doubtRecords(const std::vector<Doubt>& doubts) {
-  std::vector<DoubtRecord> records;
-  for (const Doubt& doubt : doubts) records.push_back({doubt.what, doubt.firstTime, doubt.steps});
-  std::sort(records.begin(), records.end(),
-            [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
-  return records;
-}
-
-/// The summary under the names of docs/results.md.
-SummaryRecord makeSummaryRecord(const RunSummary& s) {
-  return {.program = s.program,
-          .completed = s.completed,
-          .stoppedBecause = s.stoppedBecause,
-          .doubts = doubtRecords(s.doubts),
-          .numbers = {{"end_time", s.end.time},
-                      {"functions", s.functions},
-                      {"unknowns", s.unknowns},
-                      {"approach_steps", s.approachSteps},
-                      {"approach_iterations", static_cast<double>(s.approachIterations)},
-                      {"steps", s.steps},
-                      {"cut_backs", s.cuts},
-                      {"smallest_step", s.smallestStep},
-                      {"iterations", static_cast<double>(s.iterations)},
-                      {"mean_iterations", s.meanIterations},
-                      {"max_iterations", s.maxIterations},
-                      {"tolerance", s.tolerance},
-                      {"constraint_tolerance", s.constraintTolerance},
-                      {"worst_residual", s.worstResidual},
-                      {"worst_constraint", s.worstConstraint},
-                      {"steps_at_round_off", s.stepsAtRoundOff},
-                      {"contact_parameter", s.contactParameter},
-                      {"smallest_J", s.smallestJ},
-                      {"largest_penetration", s.largestPenetration},
-                      {"factor_non_zeros", static_cast<double>(s.factorNonZeros)},
-                      {"lu_factorisations", static_cast<double>(s.luFactorisations)},
-                      {"seconds", s.timings.total},
-                      {"assembly_seconds", s.timings.assembly},
-                      {"contact_seconds", s.timings.contact},
-                      {"factorisation_seconds", s.timings.factorisation},
-                      {"solve_seconds", s.timings.solve},
-                      {"projection_seconds", s.timings.projection},
-                      {"output_seconds", s.timings.output}}};
-}
-
 /// One run of a scene of given dimension.
 template <int Dim>
 class Run {
  public:
-  Run(const Scene& scene, Model<Dim>& model, const std::filesystem::path& directory, RunObserver& observer)
+  /// resumes: goes on with the run that was stopped in the directory.
+  Run(const Scene& scene, Model<Dim>& model, const std::filesystem::path& directory, bool resumes,
+      std::function<bool()> halt, RunObserver& observer)
       : scene_(scene),
+        halt_(std::move(halt)),
         observer_(observer),
         model_(model),
         terms_(model_.terms()),
@@ -82,26 +45,34 @@ class Run {
         projection_(model_.quadrature()),
         recorder_(scene, model_, projection_),
         record_(makeModelRecord(scene, model_)),
-        directory_(prepared(directory)),
-        writer_(directory_, record_),
-        history_(directory_ / "history.csv", recorder_.columns()),
-        convergence_(directory_ / "convergence.csv", {"step", "time", "iteration", "residual"}) {}
+        directory_(directory),
+        files_(directory, record_, recorder_.columns(), resumes) {}
 
   RunSummary execute() {
-    {
-      const Stopwatch stopwatch(summary_.timings.total);
-      observer_.onStart(record_);
-      try {
-        summary_.completed = approach() && walk();
-        if (!summary_.completed) noteFailure();
-      } catch (const RunError& error) {
-        summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", stepping_.state().time, error.what());
-      }
-      if (!summary_.completed) keepLastState();
+    observer_.onStart(record_);
+    try {
+      end(begin() ? walk() : Walk::Failed);
+    } catch (const RunError& error) {
+      summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", stepping_.state().time, error.what());
     }
+    if (!summary_.completed && !summary_.halted) keepLastState();
     fillSummary();
-    writeSummary(directory_, makeSummaryRecord(summary_));
+    if (!summary_.halted) files_.finish(makeSummaryRecord(summary_));  // a summary means that a run has ended
     return std::move(summary_);
+  }
+
+  /// All that the rest of the run depends on.
+  void archive(StateArchive& archive) {
+    summary_.timings.total = seconds();
+    archive.part("stepping", stepping_);
+    archive.part("newton", newton_);
+    for (std::size_t k = 0; k < terms_.size(); ++k) archive.part(fmt::format("term{}", k), *terms_[k]);
+    archive.part("recorder", recorder_);
+    archive.part("summary", summary_);
+    archive.field("step", step_);
+    archive.field("last_frame_time", lastFrameTime_);
+    archive.field("last_row_time", lastRowTime_);
+    if (archive.restores()) secondsBefore_ = summary_.timings.total;
   }
 
  private:
@@ -109,10 +80,28 @@ class Run {
     return {.tolerance = scene.solver.tolerance, .maxIterations = scene.solver.maxIterations};
   }
 
-  /// The directory without the summary of an earlier run.
-  static const std::filesystem::path& prepared(const std::filesystem::path& directory) {
-    removeSummary(directory);
-    return directory;
+  double seconds() const {
+    return secondsBefore_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  /// To the state at t = 0, or to the one in which the run was stopped; false if the way there failed.
+  bool begin() {
+    if (files_.restart() == nullptr) return approach() == Walk::Arrived;
+    restore(*files_.restart());
+    return true;
+  }
+
+  void restore(const RestartRecord& restart) {
+    StateArchive saved(restart.state);
+    archive(saved);
+    const ResultReader result(directory_);
+    for (int k = 0; k < result.numFrames(); ++k) observer_.onFrame(record_, result.frame(k));
+  }
+
+  SavedState save() {
+    StateArchive saved;
+    archive(saved);
+    return saved.values();
   }
 
   struct Forces {
@@ -146,46 +135,60 @@ class Run {
   }
 
   /// Brings lifted tools down and records the state at t = 0.
-  bool approach() {
+  Walk approach() {
     const Forces forces = evaluateHere();
     recorder_.update({stepping_.state().time, stepping_.state().x, forces.bulk}, forces.total);
     for (Term* term : terms_) term->accept();
-    bool arrived = true;
+    Walk walk = Walk::Arrived;
     if (model_.startTime() < 0.0) {
-      arrived = stepping_.advance(0.0, -0.25 * model_.startTime(), [this](const StepReport& step) {
+      walk = stepping_.advance(0.0, -0.25 * model_.startTime(), [this](const StepReport& step) {
         record(step);
         noteResiduals(step);
         ++summary_.approachSteps;
         summary_.approachIterations += step.iterations;
+        return true;
       });
       stepping_.forgetIncrement();
     }
     append(0, 0);
-    if (arrived) writeFrame();
-    return arrived;
+    if (walk == Walk::Arrived) writeFrame();
+    return walk;
   }
 
-  bool walk() {
+  Walk walk() {
     const auto grid = timeGrid(scene_, model_.corners());
-    const int stepsBefore = stepping_.state().steps;
     for (const Landing& landing : grid) {
-      const bool arrived = stepping_.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
+      if (landing.time < stepping_.state().time) continue;  // of a run that is resumed
+      const Walk walk = stepping_.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
         record(step);
         noteResiduals(step);
         summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
-        step_ = step.step - stepsBefore;
+        step_ = step.step - summary_.approachSteps;
         append(step_, step.iterations);
         for (std::size_t k = 0; k < step.newton.history.size(); ++k)
-          convergence_.append(
+          files_.appendConvergence(
               {static_cast<double>(step_), step.time, static_cast<double>(k), step.newton.history[k]});
         observer_.onStep({step_, step.time, grid.back().time, step.size, step.iterations,
                           stepping_.state().cuts, step.newton.residual});
+        halts_ = halt_();
+        return !halts_;
       });
-      if (!arrived) return false;
-      if (landing.frame) writeFrame();
+      if (walk != Walk::Arrived) return walk;
+      if (landing.frame && lastFrameTime_ != landing.time) writeFrame();
       if (landing.corner) stepping_.forgetIncrement();
+      if (halts_ && landing.time < grid.back().time) return Walk::Halted;
     }
-    return true;
+    return Walk::Arrived;
+  }
+
+  void end(Walk walk) {
+    summary_.completed = walk == Walk::Arrived;
+    summary_.halted = walk == Walk::Halted;
+    if (walk == Walk::Failed) noteFailure();
+    if (walk == Walk::Halted) {
+      summary_.stoppedBecause = fmt::format("halted at t = {:.6g}", stepping_.state().time);
+      files_.keep(stepping_.state().steps, save());
+    }
   }
 
   void noteResiduals(const StepReport& step) {
@@ -199,9 +202,9 @@ class Run {
     const auto& state = stepping_.state();
     const FrameRecord frame =
         makeFrame(scene_, model_, projection_, summary_.frames, step_, state.time, state.x);
-    writer_.append(frame);
     ++summary_.frames;
     lastFrameTime_ = state.time;
+    files_.append(frame, state.steps, save());
     observer_.onFrame(record_, frame);
   }
 
@@ -211,6 +214,9 @@ class Run {
     summary_.stoppedBecause =
         fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
                     state.time, stepping_.lastFailedStep(), describe(failure.outcome), failure.residual);
+    const Failure found = diagnose(model_, failure);
+    summary_.stoppedBecause += "; " + found.findings;
+    summary_.advice = found.advice;
     if (const std::string pulled = model_.pulledTool(); !pulled.empty())
       summary_.stoppedBecause += fmt::format(
           "; tool '{}' had lost the body: the load that it carries may have pulled it off, or does not "
@@ -220,7 +226,7 @@ class Run {
   }
 
   void append(int step, int iterations) {
-    history_.append(recorder_.row(step, iterations));
+    files_.appendHistory(recorder_.row(step, iterations));
     lastRowTime_ = recorder_.current().time;
   }
 
@@ -235,6 +241,7 @@ class Run {
   void fillSummary() {
     const auto& state = stepping_.state();
     const auto& timings = newton_.timings();
+    summary_.timings.total = seconds();
     summary_.program = record_.program;
     summary_.functions = record_.numNodes;
     summary_.unknowns = static_cast<int>(newton_.system().freeUnknowns().size());
@@ -260,12 +267,12 @@ class Run {
     summary_.timings.factorisation = timings.factorisation;
     summary_.timings.solve = timings.solve;
     summary_.timings.projection = recorder_.projectionSeconds();
-    if (state.steps > 0 && summary_.unknowns > 0)
-      summary_.factorNonZeros = newton_.linearSolver().factorNonZeros();
+    summary_.factorNonZeros = std::max(summary_.factorNonZeros, newton_.linearSolver().factorNonZeros());
     summary_.luFactorisations = newton_.linearSolver().numGeneral();
   }
 
   const Scene& scene_;
+  std::function<bool()> halt_;
   RunObserver& observer_;
   Model<Dim>& model_;
   std::vector<Term*> terms_;
@@ -275,12 +282,14 @@ class Run {
   Recorder<Dim> recorder_;
   ModelRecord record_;
   std::filesystem::path directory_;
-  ResultWriter writer_;
-  HistoryWriter history_, convergence_;
+  RunFiles files_;
   RunSummary summary_;
   int step_ = 0;
-  double lastFrameTime_ = 0.0;
-  double lastRowTime_ = 0.0;
+  bool halts_ = false;  ///< after the last step
+  double lastFrameTime_ = -std::numeric_limits<double>::infinity();
+  double lastRowTime_ = -std::numeric_limits<double>::infinity();
+  double secondsBefore_ = 0.0;  ///< of the run up to where it was stopped
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// The model of a scene; what is wrong with it is said with the scene's file.
@@ -294,21 +303,37 @@ std::unique_ptr<Model<Dim>> makeModel(const Scene& scene) {
 }
 
 template <int Dim>
-RunSummary runInDimension(const Scene& scene, const std::filesystem::path& directory, RunObserver& observer) {
+RunSummary runInDimension(const Scene& scene, const std::filesystem::path& directory, bool resumes,
+                          const RunOptions& options, RunObserver& observer) {
   const auto model = makeModel<Dim>(scene);
-  return Run<Dim>(scene, *model, directory, observer).execute();
+  return Run<Dim>(scene, *model, directory, resumes, options.halt, observer).execute();
+}
+
+RunSummary runOrResume(const Scene& scene, const std::filesystem::path& directory, bool resumes,
+                       const RunOptions& options, RunObserver& observer) {
+  pinLibrariesToOneThread();
+  const auto threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  if (scene.dim() == 2) return runInDimension<2>(scene, directory, resumes, options, observer);
+  return runInDimension<3>(scene, directory, resumes, options, observer);
 }
 
 }  // namespace
 
 RunSummary runScene(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
                     RunObserver& observer) {
-  pinLibrariesToOneThread();
-  const auto threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-  if (scene.dim() == 2) return runInDimension<2>(scene, directory, observer);
-  return runInDimension<3>(scene, directory, observer);
+  return runOrResume(scene, directory, false, options, observer);
+}
+
+Scene readResultScene(const std::filesystem::path& directory) {
+  const ResultReader result(directory);
+  return parseScene(result.model().sceneYaml, result.file().string());
+}
+
+RunSummary resumeRun(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
+                     RunObserver& observer) {
+  return runOrResume(scene, directory, true, options, observer);
 }
 
 }  // namespace burnish

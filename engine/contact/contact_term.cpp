@@ -207,6 +207,7 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
   const ToolPose pose = tool_.pose(t, x);
   const Mortar mortar = integrate(pose, x);
   if (passesThrough(mortar)) return false;
+  const std::vector<bool> before = std::move(state_.active);
   state_ = {};
   state_.averageGap = mortar.G.cwiseQuotient(A_);
   state_.gap.resize(face_.numPoints());
@@ -222,6 +223,8 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
     evaluatePointwise(out, mortar);
   else
     evaluateMortar(x, out, mortar);
+  for (std::size_t a = 0; a < std::min(before.size(), state_.active.size()); ++a)
+    state_.changes += before[a] != state_.active[a] ? 1 : 0;
   measureReaction(pose, mortar);
   if (out.system != nullptr) addGeometricTangent(out, mortar);
   return true;

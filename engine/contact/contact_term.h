@@ -19,6 +19,7 @@ struct ContactState {
   Eigen::VectorXd averageGap;  ///< g_A (34), functions
   Eigen::VectorXd lambdaHat;   ///< augmented multiplier λ̂_A <= 0 where active, 0 elsewhere, functions
   std::vector<bool> active;    ///< functions; empty for point-wise penalty
+  int changes = 0;             ///< functions that became active or inactive since the evaluation before
   Eigen::VectorXd gap;         ///< point-wise gap, quadrature points
   Eigen::VectorXd pressure;    ///< nominal contact pressure >= 0 in compression, quadrature points
   Eigen::MatrixXd normal;      ///< of the tool, away from it, 3 x quadrature points

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace burnish {
 namespace {
@@ -25,6 +26,15 @@ bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
     out.force(tool_.unknowns[way]) -= load_[way](std::max(t, 0.0)) / (way == kTurn ? tool_.turnLength : 1.0);
   }
   return true;
+}
+
+void ToolLoad::archive(StateArchive& archive) {
+  std::vector<double> values;
+  if (accepted_) values.assign(accepted_->begin(), accepted_->end());
+  archive.field("accepted", values);
+  if (!archive.restores()) return;
+  accepted_.reset();
+  if (values.size() == kToolWays) std::ranges::copy(values, accepted_.emplace().begin());
 }
 
 Eigen::Vector3d ToolLoad::force(double t) const {

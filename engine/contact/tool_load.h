@@ -22,6 +22,7 @@ class ToolLoad final : public Term {
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
   void accept() override { accepted_ = last_; }
+  void archive(StateArchive& archive) override;
 
   /// Force that the tool carries at time t, zero in prescribed ways; that of t = 0 before.
   Eigen::Vector3d force(double t) const;

@@ -8,8 +8,8 @@ namespace burnish {
 
 constexpr int kResultFormat = 2;
 
-/// The attributes by which a file says what it is: `burnish_format`, `kind` ("model" or "frame") and `model`,
-/// the identity of the model that the frames of one run share.
+/// The attributes by which a file says what it is: `burnish_format`, `kind` ("model", "frame" or "restart")
+/// and `model`, the identity of the model that the frames of one run share.
 void writeHeader(const hdf5::OutputGroup& root, const std::string& kind, const std::string& modelId);
 
 /// Returns `model`. Throws `Error` for a file that is foreign, of another format or of another kind.

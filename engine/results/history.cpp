@@ -59,6 +59,17 @@ HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string
   writeLine(file_, fmt::format("{}", fmt::join(columns_, ",")));
 }
 
+HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string> columns, std::uint64_t size)
+    : columns_(std::move(columns)), file_(path, size) {
+  if (readHistory(path).columns != columns_)
+    throw Error(fmt::format("{}: its columns are not those of the run that is to be resumed", path.string()));
+}
+
+std::uint64_t HistoryWriter::sync() {
+  file_.sync();
+  return file_.size();
+}
+
 void HistoryWriter::append(const std::vector<double>& row) {
   if (row.size() != columns_.size())
     throw std::invalid_argument(

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,9 +15,15 @@ class HistoryWriter {
   /// a comma, quote or line break in it.
   HistoryWriter(std::filesystem::path path, std::vector<std::string> columns);
 
+  /// Goes on behind the first `size` bytes. Throws `Error` if the file is shorter or its header another one.
+  HistoryWriter(std::filesystem::path path, std::vector<std::string> columns, std::uint64_t size);
+
   /// Hands a row of one value per column to the system as a whole, so that readers and a killed run see whole
   /// rows. Throws `Error` if the file cannot be written.
   void append(const std::vector<double>& row);
+
+  /// Returns the size of the file, in bytes, when all of it is on the disk.
+  std::uint64_t sync();
 
  private:
   std::vector<std::string> columns_;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -26,6 +27,22 @@ OutputFile::OutputFile(std::filesystem::path path)
   if (descriptor_ < 0) fail(path_, "write");
 }
 
+OutputFile::OutputFile(std::filesystem::path path, std::uint64_t size)
+    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_CLOEXEC)), size_(size) {
+  if (descriptor_ < 0) fail(path_, "go on with");
+  struct ::stat status = {};
+  const bool isLong =
+      ::fstat(descriptor_, &status) == 0 && static_cast<std::uint64_t>(status.st_size) >= size;
+  const auto end = static_cast<off_t>(size);
+  if (isLong && ::ftruncate(descriptor_, end) == 0 && ::lseek(descriptor_, end, SEEK_SET) == end) return;
+  ::close(descriptor_);
+  if (isLong) fail(path_, "go on with");
+  throw Error(
+      fmt::format("{} is shorter than the {} bytes that the run had written; bring it back, or compute "
+                  "the scene again",
+                  path_.string(), size));
+}
+
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
@@ -36,11 +53,15 @@ void OutputFile::write(std::span<const std::byte> bytes) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail(path_, "write");
     bytes = bytes.subspan(static_cast<std::size_t>(written));
+    size_ += static_cast<std::uint64_t>(written);
   }
 }
 
 void OutputFile::sync() {
   if (::fsync(descriptor_) != 0) fail(path_, "write");
+  struct ::stat status = {};
+  if (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0)
+    throw Error(fmt::format("{} was removed while it was being written", path_.string()));
 }
 
 void OutputFile::close() {

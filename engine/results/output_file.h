@@ -1,15 +1,21 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 
 namespace burnish {
 
-/// A file opened for writing, emptied at first. Every member throws `Error` naming the file and the system's
+/// A file opened for writing. Every member throws `Error` naming the file and the system's
 /// reason, a full disk included.
 class OutputFile {
  public:
+  /// Creates or empties the file.
   explicit OutputFile(std::filesystem::path path);
+
+  /// Goes on behind the first `size` bytes of a file and drops what follows them. Throws if it is shorter.
+  OutputFile(std::filesystem::path path, std::uint64_t size);
+
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -17,8 +23,10 @@ class OutputFile {
   /// Hands all bytes to the system, or throws.
   void write(std::span<const std::byte> bytes);
 
-  /// Returns when the contents are on the disk.
+  /// Returns when the contents are on the disk. Throws if the file was removed meanwhile.
   void sync();
+
+  std::uint64_t size() const { return size_; }
 
   /// Closes the file; some file systems report a failed write only here. The destructor closes silently.
   void close();
@@ -26,6 +34,7 @@ class OutputFile {
  private:
   std::filesystem::path path_;
   int descriptor_;
+  std::uint64_t size_ = 0;
 };
 
 }  // namespace burnish

@@ -16,22 +16,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isFrameName(const std::string& name) {
-  return name.size() == std::string("frame_000000.h5").size() && name.starts_with("frame_") &&
-         name.ends_with(".h5") &&
-         std::all_of(name.begin() + 6, name.begin() + 12, [](char c) { return c >= '0' && c <= '9'; });
+/// Whether a file's name is that of a frame ("frame") or a restart record ("restart"): six digits or more.
+bool isNumbered(const std::string& name, const std::string& kind) {
+  const std::string head = kind + "_", tail = ".h5";
+  return name.size() >= head.size() + 6 + tail.size() && name.starts_with(head) && name.ends_with(tail) &&
+         std::all_of(name.begin() + std::ssize(head), name.end() - std::ssize(tail),
+                     [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Files of frames, complete or partial, from the last to the first.
-std::vector<fs::path> frameFiles(const fs::path& directory) {
+bool isPartial(const fs::path& path) {
+  return path.extension() == ".partial";
+}
+
+/// Files of a kind, complete or partial, from the last to the first.
+std::vector<fs::path> numberedFiles(const fs::path& modelFile, const std::string& kind) {
   std::vector<fs::path> files;
   std::error_code status;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory, status)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(framesDirectory(modelFile), status)) {
     const fs::path& path = entry.path();
-    const bool isPartial = path.extension() == ".partial";
-    if (isFrameName(isPartial ? path.stem().string() : path.filename().string())) files.push_back(path);
+    if (isNumbered(isPartial(path) ? path.stem().string() : path.filename().string(), kind))
+      files.push_back(path);
   }
-  std::sort(files.begin(), files.end(), std::greater<>());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string left = a.filename().string(), right = b.filename().string();
+    return left.size() != right.size() ? left.size() > right.size() : left > right;
+  });
   return files;
 }
 
@@ -42,12 +51,6 @@ void requireOwn(const fs::path& path, const std::string& kind) {
     throw Error(
         fmt::format("{}: it would be overwritten; move it away or choose another directory", error.what()));
   }
-}
-
-void deleteFile(const fs::path& path) {
-  std::error_code status;
-  fs::remove(path, status);
-  if (status) throw Error(fmt::format("cannot delete {}: {}", path.string(), status.message()));
 }
 
 }  // namespace
@@ -71,15 +74,43 @@ int countFrames(const fs::path& modelFile) {
   return count;
 }
 
+fs::path restartFile(const fs::path& modelFile, int step) {
+  return framesDirectory(modelFile) / fmt::format("restart_{:06}.h5", step);
+}
+
+std::vector<fs::path> restartFiles(const fs::path& modelFile) {
+  std::vector<fs::path> files = numberedFiles(modelFile, "restart");
+  std::erase_if(files, isPartial);
+  return files;
+}
+
 void removeResult(const fs::path& modelFile) {
-  const std::vector<fs::path> frames = frameFiles(framesDirectory(modelFile));
+  const std::vector<fs::path> frames = numberedFiles(modelFile, "frame");
+  const std::vector<fs::path> restarts = numberedFiles(modelFile, "restart");
   std::error_code status;
   if (fs::exists(modelFile, status)) requireOwn(modelFile, "model");
   for (const fs::path& frame : frames)
-    if (frame.extension() != ".partial") requireOwn(frame, "frame");
+    if (!isPartial(frame)) requireOwn(frame, "frame");
+  for (const fs::path& restart : restarts)
+    if (!isPartial(restart)) requireOwn(restart, "restart");
   deleteFile(modelFile);
   deleteFile(partialName(modelFile));
+  for (const fs::path& restart : restarts) deleteFile(restart);
   for (const fs::path& frame : frames) deleteFile(frame);
+}
+
+void removeUnfinished(const fs::path& modelFile, int frames) {
+  for (const char* kind : {"frame", "restart"})
+    for (const fs::path& file : numberedFiles(modelFile, kind))
+      if (isPartial(file)) deleteFile(file);
+  for (int index = countFrames(modelFile) - 1; index >= frames; --index)
+    deleteFile(frameFile(modelFile, index));
+}
+
+void deleteFile(const fs::path& path) {
+  std::error_code status;
+  fs::remove(path, status);
+  if (status) throw Error(fmt::format("cannot delete {}: {}", path.string(), status.message()));
 }
 
 }  // namespace burnish

@@ -60,7 +60,40 @@ ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model)
   created(framesDirectory(modelFile_));
 }
 
+ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model, RestartRecord& restart)
+    : lock_(directory), modelFile_(modelFile(directory)), model_(checked(std::move(model), modelFile_)) {
+  const StoredModel stored = readModel(modelFile_);
+  if (stored.record.program != model_.record.program)
+    throw Error(
+        fmt::format("{} was written by {}, but this program is {}: it would go on with other rounding; "
+                    "resume the run with the program that began it, or compute its scene again",
+                    modelFile_.string(), stored.record.program, model_.record.program));
+  if (stored.id != model_.id)
+    throw Error(
+        fmt::format("{}: a file that its scene names has changed since the run began; bring it back, or "
+                    "compute the scene again",
+                    modelFile_.string()));
+  restart = readNewestRestart(modelFile_, stored);
+  removeUnfinished(modelFile_, restart.frames);
+  numFrames_ = restart.frames;
+}
+
 ResultWriter::~ResultWriter() = default;
+
+void ResultWriter::append(const FrameRecord& frame, const RestartRecord& restart) {
+  writeRestart(modelFile_, restart, model_.id);
+  append(frame);
+  removeRestartsBefore(modelFile_, restart.step);
+}
+
+void ResultWriter::keep(const RestartRecord& restart) {
+  writeRestart(modelFile_, restart, model_.id);
+  removeRestartsBefore(modelFile_, restart.step);
+}
+
+void ResultWriter::removeRestarts() {
+  for (const fs::path& file : restartFiles(modelFile_)) deleteFile(file);
+}
 
 void ResultWriter::append(const FrameRecord& frame) {
   const fs::path file = frameFile(modelFile_, numFrames_);

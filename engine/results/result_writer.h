@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "engine/results/model_io.h"
+#include "engine/results/restart.h"
 #include "engine/results/result.h"
 
 namespace burnish {
@@ -15,6 +16,12 @@ class ResultWriter {
   /// model. Throws `Error` if that is impossible, if the directory holds a foreign file in the place of a
   /// result, if another process is writing a result there, or if the model contradicts itself.
   ResultWriter(const std::filesystem::path& directory, ModelRecord model);
+
+  /// Goes on with the result of a run that was stopped, from its newest restart record, which it hands over.
+  /// Frames after that are deleted. Throws `Error` if the directory holds no such result, if its model is not
+  /// this one, or if another process is writing a result there.
+  ResultWriter(const std::filesystem::path& directory, ModelRecord model, RestartRecord& restart);
+
   ~ResultWriter();
   ResultWriter(const ResultWriter&) = delete;
   ResultWriter& operator=(const ResultWriter&) = delete;
@@ -22,6 +29,16 @@ class ResultWriter {
   /// The frame's index must be the number of frames appended before. Throws `Error` if it is not, if the
   /// frame does not fit the model, or if the disk refuses; the frames before stay readable.
   void append(const FrameRecord& frame);
+
+  /// As before, and from now on a stopped run goes on from `restart`, of the same state. Killed at any
+  /// moment, it goes on from the newest frame that is complete.
+  void append(const FrameRecord& frame, const RestartRecord& restart);
+
+  /// A stopped run goes on from here; no frame belongs to this state.
+  void keep(const RestartRecord& restart);
+
+  /// The run has come to its end.
+  void removeRestarts();
 
   int numFrames() const { return numFrames_; }
 

@@ -24,6 +24,7 @@ void writeSummary(const std::filesystem::path& directory, const SummaryRecord& s
   yaml << YAML::Key << "program" << YAML::Value << summary.program;
   yaml << YAML::Key << "completed" << YAML::Value << summary.completed;
   if (!summary.completed) yaml << YAML::Key << "stopped_because" << YAML::Value << summary.stoppedBecause;
+  if (!summary.advice.empty()) yaml << YAML::Key << "advice" << YAML::Value << summary.advice;
   if (!summary.doubts.empty()) {
     yaml << YAML::Key << "doubts" << YAML::Value << YAML::BeginSeq;
     for (const DoubtRecord& doubt : summary.doubts)
@@ -50,6 +51,8 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
         summary.completed = entry.second.as<bool>();
       else if (name == "stopped_because")
         summary.stoppedBecause = entry.second.as<std::string>();
+      else if (name == "advice")
+        summary.advice = entry.second.as<std::string>();
       else if (name == "doubts")
         for (const auto& doubt : entry.second)
           summary.doubts.push_back(

@@ -42,6 +42,22 @@ void BulkTerm<Dim>::accept() {
 }
 
 template <int Dim>
+void BulkTerm<Dim>::archive(StateArchive& archive) {
+  constexpr Eigen::Index perPoint = 19;
+  Eigen::VectorXd values(perPoint * std::ssize(accepted_));
+  for (std::size_t i = 0; i < accepted_.size(); ++i)
+    values.segment<perPoint>(perPoint * static_cast<Eigen::Index>(i)) << accepted_[i].F_inv.reshaped(),
+        accepted_[i].b_e.reshaped(), accepted_[i].e_p;
+  archive.fixedField("history", values);
+  archive.field("plastic_work", plasticWork_);
+  if (!archive.restores()) return;
+  for (std::size_t i = 0; i < accepted_.size(); ++i) {
+    const auto state = values.segment<perPoint>(perPoint * static_cast<Eigen::Index>(i));
+    accepted_[i] = {state.head<9>().reshaped(3, 3), state.segment<9>(9).reshaped(3, 3), state(18)};
+  }
+}
+
+template <int Dim>
 std::vector<int> unknownsOf(const std::vector<int>& nodes) {
   std::vector<int> unknowns;
   for (int d = 0; d < Dim; ++d)

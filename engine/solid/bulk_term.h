@@ -35,6 +35,7 @@ class BulkTerm : public Term {
 
   CouplingGroups couplings() const override { return groups_; }
   void accept() override;
+  void archive(StateArchive& archive) override;
 
   const BulkSummary& summary() const { return summary_; }
 

@@ -22,8 +22,7 @@ class LinearSolver::General {
   }
 
   bool factorise(const Matrix& A) {
-    if (!analysed_) lu_.analyzePattern(A);
-    analysed_ = true;
+    if (!analysed_) analyse(A);
     lu_.factorize(A);
     return lu_.info() == Eigen::Success;
   }
@@ -33,6 +32,14 @@ class LinearSolver::General {
   Eigen::Index factorNonZeros() { return lu_.matrixL().nonZeros() + lu_.matrixU().nonZeros(); }
 
  private:
+  /// By the pattern alone: the values of the first matrix, which differs in a run that is resumed, must not
+  /// decide how those of all others are rounded.
+  void analyse(Matrix A) {
+    A.coeffs().setOnes();
+    lu_.analyzePattern(A);
+    analysed_ = true;
+  }
+
   Eigen::UmfPackLU<Matrix> lu_;
   bool analysed_ = false;
 };
@@ -153,9 +160,9 @@ LinearSolver::~LinearSolver() = default;
 bool LinearSolver::factorise(const Matrix& A) {
   if (!A.coeffs().allFinite()) return false;
   isDefinite_ = definite_ && definite_->factorise(A);
-  if (isDefinite_) return true;
-  ++numGeneral_;
-  return general_->factorise(A);
+  if (!isDefinite_) ++numGeneral_;
+  hasFactors_ = isDefinite_ || general_->factorise(A);
+  return hasFactors_;
 }
 
 Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& b) {
@@ -163,6 +170,7 @@ Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& b) {
 }
 
 Eigen::Index LinearSolver::factorNonZeros() {
+  if (!hasFactors_) return 0;
   return isDefinite_ ? definite_->factorNonZeros() : general_->factorNonZeros();
 }
 

@@ -3,6 +3,8 @@
 #include <Eigen/Sparse>
 #include <memory>
 
+#include "engine/core/state_archive.h"
+
 namespace burnish {
 
 enum class TangentKind { Symmetric, General };
@@ -28,11 +30,15 @@ class LinearSolver {
   [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A);
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
 
-  /// Non-zeros of the last factors: the cost of a solve that no other load on the machine changes.
+  /// Non-zeros of the last factors, 0 before the first: the cost of a solve that no other load on the machine
+  /// changes.
   Eigen::Index factorNonZeros();
 
   /// Factorisations that UMFPACK did.
   long numGeneral() const;
+
+  /// What is counted; what the solver does depends on the matrix alone.
+  void archive(StateArchive& archive) { archive.field("general", numGeneral_); }
 
  private:
   class Definite;
@@ -40,7 +46,8 @@ class LinearSolver {
 
   std::unique_ptr<Definite> definite_;  ///< null for a general matrix
   std::unique_ptr<General> general_;
-  bool isDefinite_ = false;
+  bool hasFactors_ = false;
+  bool isDefinite_ = false;  ///< the last matrix
   long numGeneral_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/core/error.h"
 #include "engine/core/stopwatch.h"
 
 namespace burnish {
@@ -80,13 +81,18 @@ Newton::Residual Newton::measure() const {
     measured.reference = std::max(measured.reference, force.head(nForces).norm());
     total += force;
   }
-  double sum = 0.0;
+  double sum = 0.0, largest = 0.0;
   for (const int i : system_.freeUnknowns()) {
-    if (i < nForces)
-      sum += total(i) * total(i);
-    else
-      measured.constraint =
-          std::max(measured.constraint, std::abs(total(i)) / scales_.constraints(i - nForces));
+    const double size = std::abs(total(i));
+    if (i >= nForces) {
+      measured.constraint = std::max(measured.constraint, size / scales_.constraints(i - nForces));
+      continue;
+    }
+    sum += size * size;
+    if (size > largest) {
+      largest = size;
+      measured.worstUnknown = i;
+    }
   }
   measured.force = std::sqrt(sum) / measured.reference;
   return measured;
@@ -105,6 +111,7 @@ double Newton::roundOff(const Eigen::VectorXd& x) const {
 NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const {
   report.residual = residual.force;
   report.constraint = residual.constraint;
+  report.worstUnknown = residual.worstUnknown;
   report.history.push_back(residual.force);
   if (!std::isfinite(residual.force + residual.constraint)) return NewtonOutcome::NotFinite;
   if (report.iterations > 0 && residual.constraint < options_.constraintTolerance) {
@@ -155,6 +162,17 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
     }
     ++report.backtracks;
   }
+}
+
+void Newton::archive(StateArchive& archive) {
+  archive.field("remembered_tangent", remembered_);
+  if (remembered_.size() != 0 && remembered_.size() != system_.tangent().nonZeros())
+    throw Error("the saved tangent is none of this run");
+  archive.fixedField("seconds_of_terms", timings_.terms);
+  archive.field("seconds_of_factorisation", timings_.factorisation);
+  archive.field("seconds_of_solve", timings_.solve);
+  archive.field("iterations", timings_.iterations);
+  archive.part("linear_solver", linear_);
 }
 
 NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x, FirstTangent first) {

@@ -52,6 +52,7 @@ struct NewtonReport {
   int backtracks = 0;
   double residual = std::numeric_limits<double>::infinity();    ///< last relative force residual
   double constraint = std::numeric_limits<double>::infinity();  ///< last constraint residual over L
+  int worstUnknown = -1;        ///< the one with the largest residual force, -1 if there is none
   bool atRoundOff = false;      ///< converged to what rounding allows, above the relative tolerance
   std::vector<double> history;  ///< relative force residual before each correction and at the end
 };
@@ -87,6 +88,9 @@ class Newton {
   void rememberTangent() { remembered_ = system_.tangent().coeffs(); }
   bool remembersTangent() const { return remembered_.size() > 0; }
 
+  /// The remembered tangent, and what is counted and timed.
+  void archive(StateArchive& archive);
+
   /// Force vectors of the terms at the last evaluated state.
   const Eigen::VectorXd& force(std::size_t term) const { return forces_[term]; }
 
@@ -99,6 +103,7 @@ class Newton {
     double force = 0.0;      ///< relative
     double reference = 0.0;  ///< force that it is relative to
     double constraint = 0.0;
+    int worstUnknown = -1;
   };
 
   bool evaluate(double t, const Eigen::VectorXd& x);
@@ -123,7 +128,7 @@ class Newton {
   SparseSystem system_;
   LinearSolver linear_;
   std::vector<Eigen::VectorXd> forces_;
-  Eigen::ArrayXd remembered_;  ///< entries of a tangent; empty before the first
+  Eigen::VectorXd remembered_;  ///< entries of a tangent; empty before the first
   NewtonTimings timings_;
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/error.h"
+
 namespace burnish {
 namespace {
 
@@ -42,7 +44,23 @@ std::vector<Stepping::Start> Stepping::starts() const {
   return starts;
 }
 
-bool Stepping::advance(double time, double nominal, const std::function<void(const StepReport&)>& accepted) {
+void SteppingState::archive(StateArchive& archive) {
+  archive.field("time", time);
+  archive.fixedField("x", x);
+  archive.field("last_increment", lastIncrement);
+  if (lastIncrement.size() != 0 && lastIncrement.size() != x.size())
+    throw Error("the saved increment is none of this run");
+  archive.field("last_size", lastSize);
+  archive.field("level", level);
+  archive.field("easy_steps", easySteps);
+  archive.field("steps_to_extrapolation", stepsToExtrapolation);
+  archive.field("steps", steps);
+  archive.field("cuts", cuts);
+  archive.field("iterations", iterations);
+  archive.field("smallest_step", smallestStep);
+}
+
+Walk Stepping::advance(double time, double nominal, const std::function<bool(const StepReport&)>& accepted) {
   int attempted = 0, cuts = 0;
   while (state_.time < time) {
     const double remaining = time - state_.time;
@@ -68,7 +86,7 @@ bool Stepping::advance(double time, double nominal, const std::function<void(con
       lastFailedStep_ = size;
       if (state_.level == options_.maxCuts) {
         state_.iterations += attempted;
-        return false;
+        return Walk::Failed;
       }
       ++state_.level;
       ++state_.cuts;
@@ -91,11 +109,12 @@ bool Stepping::advance(double time, double nominal, const std::function<void(con
       --state_.level;
       state_.easySteps = 0;
     }
-    accepted({state_.steps, state_.time, size, std::move(report), attempted, cuts});
+    const bool goesOn = accepted({state_.steps, state_.time, size, std::move(report), attempted, cuts});
+    if (!goesOn && state_.time < time) return Walk::Halted;
     attempted = 0;
     cuts = 0;
   }
-  return true;
+  return Walk::Arrived;
 }
 
 }  // namespace burnish

@@ -35,6 +35,15 @@ struct SteppingState {
   int cuts = 0;
   long iterations = 0;
   double smallestStep = 0.0;
+
+  void archive(StateArchive& archive);
+};
+
+/// How a walk to a time ended.
+enum class Walk {
+  Arrived,
+  Failed,  ///< the smallest step failed; the last accepted state is the current one
+  Halted   ///< the caller wanted no further step
 };
 
 /// Walks through time in steps that adapt: cut back when Newton fails, grown again after easy steps.
@@ -44,9 +53,12 @@ class Stepping {
   Stepping(Newton& newton, std::vector<Term*> terms, std::function<Eigen::VectorXd(double)> target,
            SteppingOptions options, SteppingState start);
 
-  /// Steps to exactly `time` with steps of at most `nominal`; `accepted` is called after every step. Returns
-  /// false when the smallest step failed; the last accepted state is then the current one.
-  bool advance(double time, double nominal, const std::function<void(const StepReport&)>& accepted);
+  /// Steps to exactly `time` with steps of at most `nominal`; `accepted` is called after every step and says
+  /// whether to go on.
+  Walk advance(double time, double nominal, const std::function<bool(const StepReport&)>& accepted);
+
+  /// The state; for the histories of the terms and Newton's tangent see there.
+  void archive(StateArchive& archive) { state_.archive(archive); }
 
   /// To be called at a corner of a schedule, where the last increment says nothing about the next one.
   void forgetIncrement() { state_.lastIncrement.resize(0); }

@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "engine/core/state_archive.h"
 #include "engine/solver/sparse_system.h"
 
 namespace burnish {
@@ -33,6 +34,9 @@ class Term {
 
   /// Makes the history of the last evaluation the accepted one.
   virtual void accept() {}
+
+  /// The accepted history.
+  virtual void archive(StateArchive&) {}
 };
 
 }  // namespace burnish

@@ -129,14 +129,18 @@ TEST(Stepping, LandsExactlyAndCutsBackWhenAStepFails) {
   // One step of 1 stretches the right spring by 1 before the middle follows: inadmissible, so it has to be
   // cut.
   std::vector<double> times;
-  ASSERT_TRUE(stepping.advance(1.0, 1.0, [&](const StepReport& step) { times.push_back(step.time); }));
+  const Walk walk = stepping.advance(1.0, 1.0, [&](const StepReport& step) {
+    times.push_back(step.time);
+    return true;
+  });
+  ASSERT_EQ(walk, Walk::Arrived);
   EXPECT_EQ(times.back(), 1.0);
   EXPECT_EQ(stepping.state().time, 1.0);
   EXPECT_EQ(chain.accepted(), static_cast<int>(times.size()));
   EXPECT_NEAR(stepping.state().x(1), 0.5, 1e-9);
 
   // Beyond 1.2 no state is admissible: the last good state stays.
-  EXPECT_FALSE(stepping.advance(1.5, 0.1, [&](const StepReport&) {}));
+  EXPECT_EQ(stepping.advance(1.5, 0.1, [](const StepReport&) { return true; }), Walk::Failed);
   EXPECT_LE(stepping.state().time, 1.2);
   EXPECT_GT(stepping.state().time, 1.19);
   EXPECT_NEAR(stepping.state().x(1), 0.5 * stepping.state().time, 1e-9);

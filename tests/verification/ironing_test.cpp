@@ -108,7 +108,11 @@ void press(const Scene& scene, const Check& check) {
   Newton newton(terms, model.prescribed(), model.residualScales(), {});
   Stepping stepping(
       newton, terms, [&](double t) { return model.target(t); }, {}, model.startState());
-  ASSERT_TRUE(stepping.advance(1.0, 0.1, [&](const StepReport& step) { check(model, newton, step); }));
+  const Walk walk = stepping.advance(1.0, 0.1, [&](const StepReport& step) {
+    check(model, newton, step);
+    return true;
+  });
+  ASSERT_EQ(walk, Walk::Arrived);
 }
 
 TEST(Ironing, TheToolsReactionIsTheReactionOfTheBottom) {

@@ -1,0 +1,71 @@
+#include "engine/analysis/run_summary.h"
+
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+std::vector<DoubtRecord> doubtRecords(const std::vector<Doubt>& doubts) {
+  std::vector<DoubtRecord> records;
+  for (const Doubt& doubt : doubts) records.push_back({doubt.what, doubt.firstTime, doubt.steps});
+  std::sort(records.begin(), records.end(),
+            [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
+  return records;
+}
+
+}  // namespace
+
+void RunTimings::archive(StateArchive& archive) {
+  archive.field("output", output);
+  archive.field("total", total);
+}
+
+void RunSummary::archive(StateArchive& archive) {
+  archive.field("approach_steps", approachSteps);
+  archive.field("approach_iterations", approachIterations);
+  archive.field("max_iterations", maxIterations);
+  archive.field("worst_residual", worstResidual);
+  archive.field("worst_constraint", worstConstraint);
+  archive.field("steps_at_round_off", stepsAtRoundOff);
+  archive.field("frames", frames);
+  archive.field("factor_non_zeros", factorNonZeros);
+  archive.part("seconds", timings);
+}
+
+SummaryRecord makeSummaryRecord(const RunSummary& s) {
+  return {.program = s.program,
+          .completed = s.completed,
+          .stoppedBecause = s.stoppedBecause,
+          .advice = s.advice,
+          .doubts = doubtRecords(s.doubts),
+          .numbers = {{"end_time", s.end.time},
+                      {"functions", s.functions},
+                      {"unknowns", s.unknowns},
+                      {"approach_steps", s.approachSteps},
+                      {"approach_iterations", static_cast<double>(s.approachIterations)},
+                      {"steps", s.steps},
+                      {"cut_backs", s.cuts},
+                      {"smallest_step", s.smallestStep},
+                      {"iterations", static_cast<double>(s.iterations)},
+                      {"mean_iterations", s.meanIterations},
+                      {"max_iterations", s.maxIterations},
+                      {"tolerance", s.tolerance},
+                      {"constraint_tolerance", s.constraintTolerance},
+                      {"worst_residual", s.worstResidual},
+                      {"worst_constraint", s.worstConstraint},
+                      {"steps_at_round_off", s.stepsAtRoundOff},
+                      {"contact_parameter", s.contactParameter},
+                      {"smallest_J", s.smallestJ},
+                      {"largest_penetration", s.largestPenetration},
+                      {"factor_non_zeros", static_cast<double>(s.factorNonZeros)},
+                      {"lu_factorisations", static_cast<double>(s.luFactorisations)},
+                      {"seconds", s.timings.total},
+                      {"assembly_seconds", s.timings.assembly},
+                      {"contact_seconds", s.timings.contact},
+                      {"factorisation_seconds", s.timings.factorisation},
+                      {"solve_seconds", s.timings.solve},
+                      {"projection_seconds", s.timings.projection},
+                      {"output_seconds", s.timings.output}}};
+}
+
+}  // namespace burnish

@@ -1,0 +1,56 @@
+#include "engine/results/run_files.h"
+
+#include <utility>
+
+#include "engine/results/result_files.h"
+
+namespace burnish {
+namespace {
+
+HistoryWriter makeTable(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                        const std::optional<std::uint64_t>& size) {
+  if (size) return HistoryWriter(path, columns, *size);
+  return HistoryWriter(path, columns);
+}
+
+}  // namespace
+
+RunFiles::RunFiles(const std::filesystem::path& directory, const ModelRecord& model,
+                   const std::vector<std::string>& columns, bool resumes)
+    : directory_(directory),
+      restart_(resumes ? std::optional<RestartRecord>(std::in_place) : std::nullopt),
+      writer_(restart_ ? ResultWriter(directory, model, *restart_) : ResultWriter(directory, model)),
+      history_(makeTable(directory / "history.csv", columns,
+                         restart_ ? std::optional(restart_->historyBytes) : std::nullopt)),
+      convergence_(makeTable(directory / "convergence.csv", {"step", "time", "iteration", "residual"},
+                             restart_ ? std::optional(restart_->convergenceBytes) : std::nullopt)) {
+  // Not before the directory is ours.
+  removeSummary(directory);
+}
+
+RestartRecord RunFiles::makeRestart(int step, int frames, SavedState state) {
+  return {.step = step,
+          .frames = frames,
+          .historyBytes = history_.sync(),
+          .convergenceBytes = convergence_.sync(),
+          .state = std::move(state)};
+}
+
+void RunFiles::append(const FrameRecord& frame, int step, SavedState state) {
+  writer_.append(frame, makeRestart(step, writer_.numFrames() + 1, std::move(state)));
+}
+
+void RunFiles::keep(int step, SavedState state) {
+  writer_.keep(makeRestart(step, writer_.numFrames(), std::move(state)));
+}
+
+void RunFiles::finish(const SummaryRecord& summary) {
+  writeSummary(directory_, summary);
+  if (summary.completed) writer_.removeRestarts();
+}
+
+bool canBeResumed(const std::filesystem::path& directory) {
+  return !restartFiles(modelFile(directory)).empty();
+}
+
+}  // namespace burnish

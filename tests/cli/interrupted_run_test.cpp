@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "engine/results/history.h"
+#include "engine/results/result_reader.h"
+#include "tests/cli/shell.h"
+
+/// The program is killed, interrupted, or has no room left: what it leaves is whole, and what is resumed
+/// comes out as if nothing had happened. BURNISH_COMMAND is its path.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A disc is pressed into an elastoplastic slab and dragged along it.
+constexpr const char* kScene = R"(
+title: Small ironing
+geometry: {shape: rectangle, size: [2.0, 0.6], functions: [12, 4]}
+material:
+  law: j2
+  E: 70000
+  nu: 0.3
+  hardening: {law: voce, sigma0: 79.66, sigma_inf: 171.26, beta: 17.8}
+supports: [{face: bottom, fix: [x, y]}]
+tools:
+  - {name: disc, shape: cylinder, center: [0.7, 1.1], radius: 0.5,
+     motion: {times: [0, 1, 2], x: [0, 0, 0.4], y: [0, -0.03, -0.03]}}
+contact: [{tool: disc, face: top}]
+steps: [{until: 1, count: 20}, {until: 2, count: 150}]
+output: {every: 0.4, vtu: false}
+)";
+
+class InterruptedRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    dir = fs::temp_directory_path() / fmt::format("burnish_{}{}", test->name(), ::getpid());
+    fs::remove_all(dir);
+    fs::create_directories(dir);
+    std::ofstream(dir / "scene.yaml") << kScene;
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_EQ(burnish("run scene.yaml -o whole --quiet").code, 0);
+    wholeSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  void TearDown() override { fs::remove_all(dir); }
+
+  Outcome burnish(const std::string& arguments) const { return shell(dir, BURNISH_COMMAND " " + arguments); }
+
+  /// Starts a run into `part` and sends it a signal after a while.
+  Outcome interrupt(const std::string& arguments, const char* signal, double seconds) const {
+    return shell(dir, fmt::format("{} {} & process=$!; sleep {:.3f}; kill -{} $process; wait $process",
+                                  BURNISH_COMMAND, arguments, seconds, signal));
+  }
+
+  /// What `diff` says about the files of the run and those of the one that was not interrupted.
+  std::string differences() const { return shell(dir, "diff -rq --exclude=summary.yaml whole part").out; }
+
+  fs::path dir;
+  double wholeSeconds = 0.0;
+};
+
+TEST_F(InterruptedRun, KilledAtRandomMomentsLeavesWholeFramesAndIsResumedToTheSameBits) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> moment(0.05 * wholeSeconds, wholeSeconds);
+  constexpr int kKills = 50;
+  int cutShort = 0, resumed = 0;
+  for (int kill = 0; kill < kKills; ++kill) {
+    // Every third time the run is not begun anew but resumed, and killed again.
+    const bool goesOn = kill % 3 == 2 && fs::exists(dir / "part/result/frame_000000.h5");
+    interrupt(goesOn ? "run --resume part --quiet" : "run scene.yaml -o part --quiet", "KILL",
+              moment(random));
+    if (!fs::exists(dir / "part/result.h5")) continue;  // killed before the first byte
+    const ResultReader result(dir / "part");
+    double last = -1.0;
+    for (int k = 0; k < result.numFrames(); ++k) {
+      const FrameRecord frame = result.frame(k);
+      ASSERT_GT(frame.time, last) << "kill " << kill << ", frame " << k;
+      last = frame.time;
+    }
+    if (result.numFrames() == 0) continue;
+    ASSERT_GE(readHistory(dir / "part/history.csv").column("time").back(), last) << "kill " << kill;
+    if (!fs::exists(dir / "part/summary.yaml")) ++cutShort;
+    if (kill % 5 != 4) continue;
+    const Outcome outcome = burnish("run --resume part --quiet");
+    ASSERT_EQ(outcome.code, 0) << "kill " << kill << ": " << outcome.err;
+    ASSERT_EQ(differences(), "") << "kill " << kill;
+    ++resumed;
+  }
+  EXPECT_GE(cutShort, kKills / 3);
+  EXPECT_GE(resumed, kKills / 10);
+}
+
+TEST_F(InterruptedRun, SignalsFinishTheStepAndSayHowToGoOn) {
+  for (const auto& [signal, code] : {std::pair{"INT", 130}, std::pair{"TERM", 143}, std::pair{"HUP", 143}}) {
+    const Outcome outcome = interrupt("run scene.yaml -o part --quiet", signal, 0.6 * wholeSeconds);
+    if (outcome.code == 0) continue;  // it was faster than the one before
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("go on with: burnish run --resume part"));
+    EXPECT_FALSE(fs::exists(dir / "part/summary.yaml"));
+    EXPECT_EQ(burnish("run --resume part --quiet").code, 0);
+    EXPECT_EQ(differences(), "") << signal;
+    fs::remove_all(dir / "part");
+  }
+}
+
+TEST_F(InterruptedRun, NoRoomLeftKeepsTheFramesAndCanBeResumed) {
+  // The first frame fits, the history of the whole run does not.
+  const Outcome outcome = shell(
+      dir, fmt::format("bash -c 'ulimit -f 36; exec {} run scene.yaml -o part --quiet'", BURNISH_COMMAND));
+  ASSERT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("File too large"));
+  EXPECT_THAT(outcome.err, HasSubstr("burnish run --resume part"));
+  const ResultReader result(dir / "part");
+  ASSERT_GE(result.numFrames(), 1);
+  for (int k = 0; k < result.numFrames(); ++k) EXPECT_NO_THROW(result.frame(k));
+  EXPECT_EQ(burnish("run --resume part --quiet").code, 0);
+  EXPECT_EQ(differences(), "");
+}
+
+TEST_F(InterruptedRun, FilesThatVanishUnderWayAreNoticed) {
+  const Outcome outcome = shell(
+      dir,
+      fmt::format("{} run scene.yaml -o part --quiet & process=$!; sleep {:.3f}; rm -f part/history.csv; "
+                  "wait $process",
+                  BURNISH_COMMAND, 0.5 * wholeSeconds));
+  if (outcome.code == 0) GTEST_SKIP() << "the run was faster than the one before";
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("part/history.csv was removed while it was being written"));
+}
+
+TEST_F(InterruptedRun, ASecondRunIntoTheSameDirectoryIsRefused) {
+  const Outcome outcome = shell(
+      dir,
+      fmt::format("{0} run scene.yaml -o part --quiet & process=$!; sleep {1:.3f}; "
+                  "{0} run scene.yaml -o part --quiet; echo second $?; {0} run --resume part; echo third $?; "
+                  "kill -STOP $process; kill -KILL $process; wait $process; "
+                  "{0} run --resume part --quiet; echo fourth $?",
+                  BURNISH_COMMAND, 0.3 * wholeSeconds));
+  EXPECT_THAT(outcome.out, HasSubstr("second 2"));
+  EXPECT_THAT(outcome.out, HasSubstr("third 2"));
+  EXPECT_THAT(outcome.err, HasSubstr("another run is writing its result to part"));
+  // The lock of the killed run is gone with it.
+  EXPECT_THAT(outcome.out, HasSubstr("fourth 0"));
+  EXPECT_EQ(differences(), "");
+}
+
+TEST_F(InterruptedRun, ResumeSaysWhatItCannotDo) {
+  EXPECT_EQ(burnish("run --resume whole").code, 0);
+  EXPECT_THAT(burnish("run --resume whole").out, HasSubstr("nothing to resume"));
+  EXPECT_THAT(burnish("run --resume nowhere").err, HasSubstr("nowhere: there is no such file or directory"));
+  EXPECT_EQ(burnish("run --resume nowhere").code, 2);
+  EXPECT_FALSE(fs::exists(dir / "nowhere"));
+  EXPECT_EQ(burnish("run --resume whole scene.yaml").code, 2);
+  EXPECT_EQ(burnish("run").code, 2);
+}
+
+}  // namespace
+}  // namespace burnish
