@@ -18,6 +18,7 @@
 #include "engine/core/version.h"
 #include "engine/results/atomic_file.h"
 #include "engine/results/result_reader.h"
+#include "engine/results/run_files.h"
 #include "engine/results/summary_file.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
@@ -46,11 +47,20 @@ std::string digestOf(const fs::path& studyFile) {
 }
 
 /// Whether a run has ended, with this program and this scene.
-bool isUpToDate(const fs::path& run, const Scene& scene) {
+bool isOf(const fs::path& run, const Scene& scene) {
   try {
-    readSummary(run);
     const ResultReader result(run);
     return result.model().program == programName() && result.model().sceneYaml == scene.resolvedYaml;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Whether a run has ended, at its end or before.
+bool hasEnded(const fs::path& run) {
+  try {
+    readSummary(run);
+    return true;
   } catch (const Error&) {
     return false;
   }
@@ -127,8 +137,10 @@ class Planner {
       if (onlyForFigures && !wanted.contains(&run)) continue;
       const Scene scene = readScene(run.scene, run.overrides);
       PlannedRun planned{
-          &run, runDirectory(directory_, run), scene.steps.back().until, expectedCost(scene), {}};
-      if (!isUpToDate(planned.directory, scene)) planned.job = 0;  // the place follows
+          &run, runDirectory(directory_, run), scene.steps.back().until, expectedCost(scene), false, {}};
+      const bool isOurs = isOf(planned.directory, scene), ended = hasEnded(planned.directory);
+      planned.resumes = isOurs && !ended && canBeResumed(planned.directory);
+      if (!isOurs || !ended) planned.job = 0;  // the place follows
       plan_.runs.push_back(std::move(planned));
     }
   }
@@ -147,10 +159,14 @@ class Planner {
   }
 
   Job runJob(const PlannedRun& run) const {
-    std::vector<std::string> arguments{"run", run.run->scene.string()};
-    for (const std::string& change : run.run->overrides) arguments.insert(arguments.end(), {"--set", change});
-    arguments.insert(arguments.end(),
-                     {"-o", run.directory.string(), "--threads", std::to_string(threadsPerRun()), "--quiet"});
+    std::vector<std::string> arguments{"run", "--threads", std::to_string(threadsPerRun()), "--quiet"};
+    if (run.resumes) {
+      arguments.insert(arguments.end(), {"--resume", run.directory.string()});
+    } else {
+      arguments.insert(arguments.end(), {run.run->scene.string(), "-o", run.directory.string()});
+      for (const std::string& change : run.run->overrides)
+        arguments.insert(arguments.end(), {"--set", change});
+    }
     return {.arguments = arguments, .log = run.directory / "log.txt", .cost = run.cost};
   }
 

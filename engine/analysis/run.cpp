@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "engine/analysis/failure.h"
 #include "engine/analysis/frames.h"
@@ -226,7 +228,12 @@ class Run {
   }
 
   void append(int step, int iterations) {
-    files_.appendHistory(recorder_.row(step, iterations));
+    const std::vector<double> row = recorder_.row(step, iterations);
+    for (std::size_t column = 0; column < row.size(); ++column)
+      if (!std::isfinite(row[column]))
+        throw RunError(fmt::format("{} is not finite at t = {:.6g}", recorder_.columns()[column],
+                                   recorder_.current().time));
+    files_.appendHistory(row);
     lastRowTime_ = recorder_.current().time;
   }
 

@@ -95,6 +95,7 @@ void checkFields(const std::map<std::string, FieldRecord>& fields, Eigen::Index 
                  const std::string& place) {
   for (const auto& [name, field] : fields) {
     require(isFieldName(name), place, "\"{}\" cannot be the name of a field", name);
+    require(field.values.allFinite(), place, "field {} has a value that is not finite", name);
     require(field.values.cols() == columns, place, "field {} has {} values for {} {}", name,
             field.values.cols(), columns, what);
     const std::size_t components = std::max<std::size_t>(field.components.size(), 1);
@@ -122,6 +123,9 @@ void checkContact(const ContactRecord& contact, const ModelRecord& model, const 
           place, "{} nodes, but {} pressures, {} average gaps and {} states", nodes, contact.pressure.size(),
           contact.averageGap.size(), contact.active.size());
   require(nodesInRange(contact.active, 2), place, "a contact state is neither 0 nor 1");
+  require(contact.pressure.allFinite() && contact.averageGap.allFinite() &&
+              contact.quadraturePressure.allFinite() && contact.quadratureGap.allFinite(),
+          place, "a pressure or gap is not finite");
   const Eigen::Index points = contact.quadraturePoints.cols();
   require(arePoints(contact.quadraturePoints, model.dim), place,
           "its quadrature points are not points in {} dimensions", model.dim);

@@ -151,15 +151,15 @@ TEST_F(FiguresCommand, DocumentAndGalleryGoWhereTheyAreWanted) {
   EXPECT_FALSE(fs::exists(dir_ / "out/study.md"));
 }
 
-TEST_F(FiguresCommand, EndsItsRunsWhenItIsTold) {
-  writeStudy("steps[0].count=200000");
+TEST_F(FiguresCommand, EndsItsRunsWhenItIsToldAndResumesThem) {
+  writeStudy("steps[0].count=3000");
   const std::string study = (dir_ / "study.yaml").string(), out = (dir_ / "out").string();
   const char* const arguments[] = {BURNISH_COMMAND, "figures", study.c_str(), "-o",
                                    out.c_str(),     "--jobs",  "1",           nullptr};
   pid_t process = 0;
   ASSERT_EQ(posix_spawn(&process, BURNISH_COMMAND, nullptr, nullptr, const_cast<char**>(arguments), environ),
             0);
-  for (int i = 0; i < 1000 && !fs::exists(dir_ / "out/runs/stiff/history.csv"); ++i)
+  for (int i = 0; i < 1000 && !fs::exists(dir_ / "out/runs/stiff/result/frame_000000.h5"); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_THAT(figures().err, HasSubstr("another burnish is at work in out"));
   ::kill(process, SIGTERM);
@@ -167,8 +167,12 @@ TEST_F(FiguresCommand, EndsItsRunsWhenItIsTold) {
   ASSERT_EQ(::waitpid(process, &status, 0), process);
   EXPECT_EQ(WEXITSTATUS(status), 143);
 
-  writeStudy("material.E=2");
+  EXPECT_FALSE(fs::exists(dir_ / "out/runs/stiff/summary.yaml"));
+  const auto begun = fs::last_write_time(dir_ / "out/runs/stiff/result.h5");
   EXPECT_EQ(figures().code, 0) << "nothing holds the directory any more";
+  EXPECT_TRUE(fs::exists(dir_ / "out/runs/stiff/summary.yaml"));
+  EXPECT_EQ(fs::last_write_time(dir_ / "out/runs/stiff/result.h5"), begun)
+      << "it was computed from its start";
 }
 
 }  // namespace

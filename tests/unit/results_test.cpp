@@ -268,12 +268,14 @@ TEST_F(Results, SummaryReadsBackExactlyAndIsRefusedWhenDamaged) {
   const SummaryRecord written{.program = "burnish 0 (engine 0)",
                               .completed = false,
                               .stoppedBecause = "at t = 0.1: the iteration diverged",
+                              .advice = "take more steps",
                               .doubts = {{"smallest J below 0.05", 0.1, 3}},
                               .numbers = {{"seconds", 1.0 / 3.0}, {"steps", 12}, {"worst_residual", 1e-12}}};
   writeSummary(dir, written);
   const SummaryRecord read = readSummary(dir);
   EXPECT_EQ(read.program, written.program);
   EXPECT_EQ(read.completed, written.completed);
+  EXPECT_EQ(read.advice, written.advice);
   EXPECT_EQ(read.stoppedBecause, written.stoppedBecause);
   EXPECT_EQ(read.numbers, written.numbers);
   ASSERT_EQ(read.doubts.size(), 1u);
