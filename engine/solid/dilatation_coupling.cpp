@@ -5,15 +5,40 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/solid/bulk_term.h"
 #include "engine/solid/parallel_spans.h"
 
 namespace burnish {
 namespace {
 
-void sortUnique(auto& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+using Lists = std::vector<std::vector<int>>;
+
+/// For each list of numbers the union of the members with these numbers, ascending.
+Lists unions(const Lists& lists, const Lists& members, int limit) {
+  Lists result;
+  std::vector<bool> isIn(static_cast<std::size_t>(limit), false);
+  for (const auto& list : lists) {
+    auto& numbers = result.emplace_back();
+    for (const int member : list)
+      for (const int number : members[static_cast<std::size_t>(member)]) {
+        if (!isIn[static_cast<std::size_t>(number)]) numbers.push_back(number);
+        isIn[static_cast<std::size_t>(number)] = true;
+      }
+    std::sort(numbers.begin(), numbers.end());
+    for (const int number : numbers) isIn[static_cast<std::size_t>(number)] = false;
+  }
+  return result;
+}
+
+/// Unknowns of lists of nodes, in the order of the nodes.
+template <int Dim>
+Lists unknownsNodeByNode(const Lists& lists) {
+  Lists unknowns;
+  for (const auto& nodes : lists) {
+    auto& list = unknowns.emplace_back();
+    for (const int node : nodes)
+      for (int d = 0; d < Dim; ++d) list.push_back(Dim * node + d);
+  }
+  return unknowns;
 }
 
 }  // namespace
@@ -36,46 +61,33 @@ DilatationCoupling<Dim>::DilatationCoupling(const SpanQuadrature<Dim>& quadratur
                                             const DilatationProjection<Dim>& projection)
     : shares_(projection.spans().size()),
       uses_(static_cast<std::size_t>(projection.numFunctions())),
-      overlapping_(uses_.size()),
       dependences_(static_cast<std::size_t>(quadrature.numNodes())) {
-  for (std::size_t e = 0; e < shares_.size(); ++e) {
-    nodes_.push_back(quadrature.spans()[e].nodes);
-    functions_.push_back(projection.spans()[e].functions);
-    for (std::size_t a = 0; a < functions_[e].size(); ++a)
-      uses_[static_cast<std::size_t>(functions_[e][a])].push_back({e, static_cast<Eigen::Index>(a)});
+  Lists spans(uses_.size());  // of each function of Π
+  for (int e = 0; e < static_cast<int>(shares_.size()); ++e) {
+    const auto span = static_cast<std::size_t>(e);
+    nodes_.push_back(quadrature.spans()[span].nodes);
+    functions_.push_back(projection.spans()[span].functions);
+    for (std::size_t a = 0; a < functions_[span].size(); ++a) {
+      const auto function = static_cast<std::size_t>(functions_[span][a]);
+      spans[function].push_back(e);
+      uses_[function].push_back({span, static_cast<Eigen::Index>(a)});
+    }
   }
-  findColumns();
+  overlapping_ = unions(spans, functions_, projection.numFunctions());
+  findColumns(unions(spans, nodes_, quadrature.numNodes()));
 }
 
-/// The unknowns on which each function depends (columns of Z and C), and those of the functions that it meets
-/// in E (columns of Y).
+/// nodes: on which each function depends. Rows of Z and C are their unknowns, those of Y the ones of all
+/// functions that the function meets in E.
 template <int Dim>
-void DilatationCoupling<Dim>::findColumns() {
-  std::vector<std::vector<int>> near(uses_.size()), far(uses_.size());
-  for (std::size_t A = 0; A < uses_.size(); ++A) {
-    for (const auto& use : uses_[A]) {
-      for (const int unknown : unknownsOf<Dim>(nodes_[use.span])) near[A].push_back(unknown);
-      for (const int B : functions_[use.span]) overlapping_[A].push_back(static_cast<std::size_t>(B));
-    }
-    sortUnique(near[A]);
-    sortUnique(overlapping_[A]);
-    for (std::size_t k = 0; k < near[A].size(); k += Dim)
-      dependences_[static_cast<std::size_t>(near[A][k] / Dim)].push_back({A, k});
-  }
-  for (std::size_t A = 0; A < uses_.size(); ++A) {
-    for (const auto B : overlapping_[A]) far[A].insert(far[A].end(), near[B].begin(), near[B].end());
-    sortUnique(far[A]);
-  }
-  for (const auto& functions : functions_) {
-    auto& group = groups_.emplace_back();
-    for (const int A : functions) {
-      const auto& unknowns = near[static_cast<std::size_t>(A)];
-      group.insert(group.end(), unknowns.begin(), unknowns.end());
-    }
-    sortUnique(group);
-  }
-  Z_ = C_ = RunColumns(near);
-  Y_ = RunColumns(far);
+void DilatationCoupling<Dim>::findColumns(const std::vector<std::vector<int>>& nodes) {
+  const auto numNodes = static_cast<int>(dependences_.size());
+  for (std::size_t A = 0; A < nodes.size(); ++A)
+    for (std::size_t k = 0; k < nodes[A].size(); ++k)
+      dependences_[static_cast<std::size_t>(nodes[A][k])].push_back({A, Dim * k});
+  Z_ = C_ = RunColumns(unknownsNodeByNode<Dim>(nodes));
+  Y_ = RunColumns(unknownsNodeByNode<Dim>(unions(overlapping_, nodes, numNodes)));
+  groups_ = unknownsNodeByNode<Dim>(unions(functions_, nodes, numNodes));
 }
 
 /// Sums one part of the spans' shares into the column of a function.
@@ -96,9 +108,9 @@ template <int Dim>
 void DilatationCoupling<Dim>::multiplyByE(std::size_t function, Workspace& work) {
   for (const auto& use : uses_[function])
     work.functions(functions_[use.span]) += shares_[use.span].E.col(use.place);
-  for (const auto other : overlapping_[function]) {
-    double& factor = work.functions(static_cast<Eigen::Index>(other));
-    Z_.addTo(other, std::array{factor}, work.unknowns);
+  for (const int other : overlapping_[function]) {
+    double& factor = work.functions(other);
+    Z_.addTo(static_cast<std::size_t>(other), std::array{factor}, work.unknowns);
     factor = 0.0;
   }
   C_.addTo(function, std::array{1.0}, work.unknowns);

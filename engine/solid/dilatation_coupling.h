@@ -50,19 +50,19 @@ class DilatationCoupling {
   };
   struct Workspace;
 
-  void findColumns();
+  void findColumns(const std::vector<std::vector<int>>& nodes);
   void gather(std::size_t function, Eigen::MatrixXd Share::*part, RunColumns& into, Workspace& work) const;
   void multiplyByE(std::size_t function, Workspace& work);
   void addColumns(int node, SparseSystem& system, Workspace& work) const;
 
   CouplingGroups groups_;
   std::vector<Share> shares_;
-  std::vector<std::vector<int>> nodes_;                ///< of each span
-  std::vector<std::vector<int>> functions_;            ///< of Π, on each span
-  std::vector<std::vector<Use>> uses_;                 ///< of each function of Π
-  std::vector<std::vector<std::size_t>> overlapping_;  ///< functions of Π, with each one
-  std::vector<std::vector<Dependence>> dependences_;   ///< of each node
-  RunColumns Z_, C_, Y_;                               ///< Y = Z E + C
+  std::vector<std::vector<int>> nodes_;               ///< of each span
+  std::vector<std::vector<int>> functions_;           ///< of Π, on each span
+  std::vector<std::vector<int>> overlapping_;         ///< functions of Π, with each one
+  std::vector<std::vector<Use>> uses_;                ///< of each function of Π
+  std::vector<std::vector<Dependence>> dependences_;  ///< of each node
+  RunColumns Z_, C_, Y_;                              ///< Y = Z E + C
 };
 
 }  // namespace burnish
