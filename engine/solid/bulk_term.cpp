@@ -8,12 +8,22 @@
 #include "engine/solid/projected_term.h"
 
 namespace burnish {
+namespace {
 
 template <int Dim>
-BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material, CouplingGroups groups)
+CouplingGroups spanGroups(const SpanQuadrature<Dim>& quadrature) {
+  CouplingGroups groups;
+  for (const auto& span : quadrature.spans()) groups.push_back(unknownsOf<Dim>(span.nodes));
+  return groups;
+}
+
+}  // namespace
+
+template <int Dim>
+BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material)
     : quadrature_(quadrature),
       material_(std::move(material)),
-      groups_(std::move(groups)),
+      groups_(spanGroups(quadrature)),
       colours_(colourGroups(groups_, Dim * quadrature_.numNodes())) {
   pinLibrariesToOneThread();
   const auto points = static_cast<std::size_t>(quadrature_.numPoints());

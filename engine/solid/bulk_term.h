@@ -53,8 +53,8 @@ class BulkTerm : public Term {
   const Material& material() const { return material_; }
 
  protected:
-  /// The quadrature must outlive the term. groups: unknowns that the tangent of each span couples.
-  BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material, CouplingGroups groups);
+  /// The quadrature must outlive the term.
+  BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material);
 
   /// Evaluates the law at one point from its accepted history and adds to the span's summary; false if it
   /// cannot answer. Stress and J are stored by the formulation.
@@ -68,12 +68,30 @@ class BulkTerm : public Term {
     return true;
   }
 
+  /// Adds forces and, if wanted, the tangent of a span. tangent: a buffer.
+  template <class Kernel>
+  void add(const Kernel& kernel, std::size_t number, Eigen::MatrixXd& tangent, Assembly& out) const {
+    const auto& nodes = quadrature_.spans()[number].nodes;
+    const auto n = static_cast<Eigen::Index>(nodes.size());
+    for (Eigen::Index a = 0; a < n; ++a)
+      out.force.segment<Dim>(Dim * nodes[static_cast<std::size_t>(a)]) += kernel.force(a);
+    if (out.system == nullptr) return;
+    tangent.resize(Dim * n, Dim * n);
+    for (int i = 0; i < Dim; ++i)
+      for (int k = i; k < Dim; ++k) {
+        const auto block = kernel.tangentBlock(i, k);
+        tangent.block(i * n, k * n, n, n) = block;
+        if (i != k) tangent.block(k * n, i * n, n, n) = block.transpose();
+      }
+    out.system->add(out.term, number, tangent);
+  }
+
   /// Makes the summary of the body from those of the spans.
   void summarise();
 
   const SpanQuadrature<Dim>& quadrature_;
   Material material_;
-  CouplingGroups groups_;
+  CouplingGroups groups_;  ///< unknowns of each span
   std::vector<std::vector<int>> colours_;
   std::vector<Stress> stress_;
   std::vector<double> J_;

@@ -1,6 +1,5 @@
 #include "engine/solid/dilatation_projection.h"
 
-#include <map>
 #include <utility>
 
 namespace burnish {
@@ -60,45 +59,6 @@ DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
     const Eigen::MatrixXd weighted = span.N * weights.asDiagonal();
     const Eigen::VectorXd share = (span.N * weights).cwiseQuotient(integrals(span.functions));
     span.L = share.asDiagonal() * (weighted * span.N.transpose()).ldlt().solve(weighted);
-  }
-  findNeighbours(quadrature);
-}
-
-template <int Dim>
-void DilatationProjection<Dim>::findNeighbours(const SpanQuadrature<Dim>& quadrature) {
-  std::vector<std::vector<std::pair<std::size_t, int>>> uses(static_cast<std::size_t>(numFunctions_));
-  for (std::size_t e = 0; e < spans_.size(); ++e)
-    for (std::size_t a = 0; a < spans_[e].functions.size(); ++a)
-      uses[static_cast<std::size_t>(spans_[e].functions[a])].emplace_back(e, static_cast<int>(a));
-
-  std::vector<int> place(static_cast<std::size_t>(quadrature.numNodes()), -1);
-  for (std::size_t e = 0; e < spans_.size(); ++e) {
-    Span& span = spans_[e];
-    std::map<std::size_t, std::vector<std::pair<int, int>>> shared;
-    for (std::size_t a = 0; a < span.functions.size(); ++a)
-      for (const auto& [other, b] : uses[static_cast<std::size_t>(span.functions[a])])
-        shared[other].emplace_back(static_cast<int>(a), b);
-
-    const auto placeOf = [&](int node) {
-      int& known = place[static_cast<std::size_t>(node)];
-      if (known < 0) {
-        known = static_cast<int>(span.nodes.size());
-        span.nodes.push_back(node);
-      }
-      return known;
-    };
-    // The span's own nodes come first, in its order; on a collapsed edge a node stands there several times.
-    for (const int node : quadrature.spans()[e].nodes) {
-      int& known = place[static_cast<std::size_t>(node)];
-      if (known < 0) known = static_cast<int>(span.nodes.size());
-      span.nodes.push_back(node);
-    }
-    for (auto& [other, functions] : shared) {
-      Neighbour neighbour{other, {}, std::move(functions)};
-      for (const int node : quadrature.spans()[other].nodes) neighbour.places.push_back(placeOf(node));
-      span.neighbours.push_back(std::move(neighbour));
-    }
-    for (const int node : span.nodes) place[static_cast<std::size_t>(node)] = -1;
   }
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 #include <Eigen/Dense>
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "engine/solid/span_quadrature.h"
@@ -19,20 +17,11 @@ namespace burnish {
 template <int Dim>
 class DilatationProjection {
  public:
-  /// A span whose point values take part in the projected field on another one.
-  struct Neighbour {
-    std::size_t span;
-    std::vector<int> places;                  ///< of its nodes in the other span's `nodes`
-    std::vector<std::pair<int, int>> shared;  ///< functions that live on both: place on the other span, on it
-  };
-
   /// m functions and Q points of a span of the quadrature, in the same order.
   struct Span {
     std::vector<int> functions;  ///< m
     Eigen::MatrixXd N;           ///< m x Q values
     Eigen::MatrixXd L;           ///< m x Q: share of the span's point values in the coefficients
-    std::vector<int> nodes;      ///< on which the projected field depends here; the span's own come first
-    std::vector<Neighbour> neighbours;  ///< the span itself among them
   };
 
   /// The quadrature must have been made from the same body.
@@ -42,8 +31,6 @@ class DilatationProjection {
   int numFunctions() const { return numFunctions_; }
 
  private:
-  void findNeighbours(const SpanQuadrature<Dim>& quadrature);
-
   std::vector<Span> spans_;
   int numFunctions_ = 0;
 };

@@ -12,17 +12,6 @@
 #include "engine/solid/tensor_kernel.h"
 
 namespace burnish {
-namespace {
-
-template <int Dim>
-CouplingGroups spanGroups(const SpanQuadrature<Dim>& quadrature) {
-  CouplingGroups groups;
-  for (const auto& span : quadrature.spans()) groups.push_back(unknownsOf<Dim>(span.nodes));
-  return groups;
-}
-
-}  // namespace
-
 /// Buffers of one thread; sized at first use, so that the span loop does not allocate.
 template <int Dim>
 template <Kinematics K>
@@ -34,7 +23,7 @@ struct DisplacementTerm<Dim>::Workspace {
 
 template <int Dim>
 DisplacementTerm<Dim>::DisplacementTerm(const SpanQuadrature<Dim>& quadrature, Material material)
-    : BulkTerm<Dim>(quadrature, std::move(material), spanGroups(quadrature)) {}
+    : BulkTerm<Dim>(quadrature, std::move(material)) {}
 
 template <int Dim>
 template <Kinematics K, class Law>
@@ -42,7 +31,6 @@ bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, con
                                          Assembly& out, Workspace<K>& work) {
   constexpr int C = kColumns<K>;
   const auto& span = this->quadrature_.spans()[number];
-  const auto n = static_cast<Eigen::Index>(span.nodes.size());
   const Eigen::Index Q = span.weights.size();
   const bool wantTangent = out.system != nullptr;
   gatherNodes<Dim>(x, span.nodes, work.u);
@@ -68,18 +56,7 @@ bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, con
   this->spanSummaries_[number] = summary;
 
   work.kernel.multiply();
-  for (Eigen::Index a = 0; a < n; ++a)
-    out.force.segment<Dim>(Dim * span.nodes[static_cast<std::size_t>(a)]) += work.kernel.force(a);
-  if (!wantTangent) return true;
-
-  work.tangent.resize(Dim * n, Dim * n);
-  for (int i = 0; i < Dim; ++i)
-    for (int k = i; k < Dim; ++k) {
-      const auto block = work.kernel.tangentBlock(i, k);
-      work.tangent.block(i * n, k * n, n, n) = block;
-      if (i != k) work.tangent.block(k * n, i * n, n, n) = block.transpose();
-    }
-  out.system->add(out.term, number, work.tangent);
+  this->add(work.kernel, number, work.tangent, out);
   return true;
 }
 

@@ -81,15 +81,16 @@ double volumeRatio(const Eigen::Matrix3d& F) {
   return smaller > 0.0 ? inner * F(2, 2) : smaller;
 }
 
-/// Gradients with respect to the current positions, n x columns, from those in the reference.
-template <Kinematics K, class G, class Out>
-void pushForward(const Eigen::MatrixBase<G>& gradients, const Eigen::Matrix3d& F, Out&& out) {
+/// What reference gradients (n x columns) are multiplied with to become gradients with respect to the current
+/// positions.
+template <Kinematics K>
+Eigen::Matrix<double, kColumns<K>, kColumns<K>> pushForward(const Eigen::Matrix3d& F) {
   constexpr int D = kDimOf<K>;
   Eigen::Matrix<double, kColumns<K>, kColumns<K>> transform =
       Eigen::Matrix<double, kColumns<K>, kColumns<K>>::Zero();
   transform.template topLeftCorner<D, D>() = F.topLeftCorner<D, D>().inverse();
   if constexpr (K == Kinematics::Axisymmetric) transform(2, 2) = 1.0 / F(2, 2);
-  out.noalias() = gradients * transform;
+  return transform;
 }
 
 /// The identity of the block of F in which the volume can change, in `kVoigt` order.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -11,26 +12,22 @@
 #include "engine/material/volume_change.h"
 #include "engine/solid/parallel_spans.h"
 #include "engine/solid/span_kernel.h"
+#include "engine/solid/tensor_kernel.h"
 
 namespace burnish {
 namespace {
 
-template <int Dim>
-CouplingGroups spanGroups(const DilatationProjection<Dim>& projection) {
-  CouplingGroups groups;
-  for (const auto& span : projection.spans()) groups.push_back(unknownsOf<Dim>(span.nodes));
-  return groups;
-}
-
 /// D : T for the gradient D of every unknown of a span, component by component: Dim·n values.
+/// gradients: in the reference, at a point.
 template <Kinematics K, class G, class Stress, class Out>
-void contract(const G& g, const Stress& T, Out&& out) {
-  const Eigen::Index n = g.rows();
-  for (int i = 0; i < kDimOf<K>; ++i) {
-    out.segment(i * n, n).setZero();
-    for (int j = 0; j < kColumns<K>; ++j)
-      if (gradientPlace<K>(i, j) >= 0) out.segment(i * n, n) += T(gradientPlace<K>(i, j)) * g.col(j);
-  }
+void contract(const G& gradients, const Eigen::Matrix3d& F, const Stress& T, Out&& out) {
+  constexpr int C = kColumns<K>;
+  Eigen::Matrix<double, C, kDimOf<K>> components = Eigen::Matrix<double, C, kDimOf<K>>::Zero();
+  for (int i = 0; i < kDimOf<K>; ++i)
+    for (int j = 0; j < C; ++j)
+      if (gradientPlace<K>(i, j) >= 0) components(j, i) = T(gradientPlace<K>(i, j));
+  const Eigen::Matrix<double, C, kDimOf<K>> pushed = pushForward<K>(F) * components;
+  out.reshaped(gradients.rows(), kDimOf<K>).noalias() = gradients * pushed;
 }
 
 /// Factors of the second variation at a point, split by the gradients D of the displacement and the relative
@@ -65,15 +62,10 @@ template <int Dim>
 template <Kinematics K>
 struct ProjectedTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
-  Eigen::Matrix<double, Eigen::Dynamic, kColumns<K>> g;
-  Eigen::MatrixXd perPoint;  // Dim·n x Q: a value of every unknown at every point
-  SpanKernel<K> kernel;
-  Eigen::VectorXd e;         // Q: weighted factors of η²
-  Eigen::MatrixXd cross;     // Dim·n x m
-  Eigen::MatrixXd Z;         // unknowns of the group x m: derivatives of the coefficients of J̄
-  Eigen::MatrixXd Y;         // unknowns of the group x m: what Z is paired with
-  Eigen::MatrixXd tangent;   // unknowns of the group, squared
-  Eigen::MatrixXd coupling;  // unknowns of the group, squared
+  Eigen::MatrixXd perPoint;                      // Dim·n x Q: a value of every unknown at every point
+  std::conditional_t<K == Kinematics::Solid, TensorKernel, SpanKernel<K>> kernel;
+  Eigen::VectorXd e;        // Q: weighted factors of η²
+  Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
 };
 
 template <int Dim>
@@ -84,15 +76,22 @@ ProjectedTerm<Dim>::ProjectedTerm(const Body<Dim>& body, const SpanQuadrature<Di
 template <int Dim>
 ProjectedTerm<Dim>::ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Material material,
                                   DilatationProjection<Dim> projection)
-    : BulkTerm<Dim>(quadrature, std::move(material), spanGroups(projection)),
+    : BulkTerm<Dim>(quadrature, std::move(material)),
       projection_(std::move(projection)),
+      coupling_(quadrature, projection_),
       F_(static_cast<std::size_t>(quadrature.numPoints())),
       responses_(F_.size()),
       Jbar_(Eigen::VectorXd::Ones(quadrature.numPoints())),
       dilatation_(Eigen::VectorXd::Zero(projection_.numFunctions())),
       pressure_(Eigen::VectorXd::Zero(projection_.numFunctions())),
-      spanDilatations_(quadrature.spans().size()),
-      spanGradients_(quadrature.spans().size()) {}
+      spanDilatations_(quadrature.spans().size()) {}
+
+template <int Dim>
+CouplingGroups ProjectedTerm<Dim>::couplings() const {
+  CouplingGroups groups = BulkTerm<Dim>::couplings();
+  groups.insert(groups.end(), coupling_.groups().begin(), coupling_.groups().end());
+  return groups;
+}
 
 /// F, J, and what the span contributes to J̄ and its derivative; false where J is not positive.
 template <int Dim>
@@ -104,7 +103,6 @@ bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, b
   const auto n = static_cast<Eigen::Index>(span.nodes.size());
   const Eigen::Index Q = span.weights.size();
   gatherNodes<Dim>(x, span.nodes, work.u);
-  work.g.resize(n, C);
   work.perPoint.resize(Dim * n, wantTangent ? Q : 0);
 
   BulkSummary summary;
@@ -119,13 +117,12 @@ bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, b
     summary.minJ = std::min(summary.minJ, J);
     dilatation(q) = VolumeChange(F_[point] - Eigen::Matrix3d::Identity()).minusOne();
     if (!wantTangent) continue;
-    pushForward<K>(G, F_[point], work.g);
-    contract<K>(work.g, J * blockIdentity<K>(), work.perPoint.col(q));
+    contract<K>(G, F_[point], J * blockIdentity<K>(), work.perPoint.col(q));
   }
   this->spanSummaries_[number] = summary;
   const Eigen::MatrixXd& L = projection_.spans()[number].L;
   spanDilatations_[number] = L * dilatation;
-  if (wantTangent) multiplyTransposed(work.perPoint, L, spanGradients_[number]);
+  if (wantTangent) multiplyTransposed(work.perPoint, L, coupling_.share(number).Z);
   return true;
 }
 
@@ -178,7 +175,7 @@ void ProjectedTerm<Dim>::gatherPressure() {
 
 template <int Dim>
 template <Kinematics K>
-void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K>& work) const {
+void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K>& work) {
   constexpr int C = kColumns<K>;
   const auto& span = this->quadrature_.spans()[number];
   const auto& projected = projection_.spans()[number];
@@ -196,58 +193,21 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
     const double w = span.weights(q), Jbar = Jbar_(span.firstPoint + q);
     const double p = response.tau.template head<C>().mean();
     const double balanced = pull(q) * this->J_[point] / w;  // the mean stress that J̄ leaves to this point
-    auto g = work.kernel.gradients(q);
-    pushForward<K>(span.G.template middleCols<C>(C * q), F_[point], g);
+    work.kernel.setGradients(q, F_[point]);
     work.kernel.setStress(q, w * (response.tau + (balanced - p) * blockIdentity<K>()));
     if (!wantTangent) continue;
     const PointModuli<K> moduli(response, p, balanced);
     work.kernel.setModuli(q, w, response.tau, moduli.c, moduli.r);
-    contract<K>(g, (w / Jbar) * moduli.B, work.perPoint.col(q));
+    contract<K>(span.G.template middleCols<C>(C * q), F_[point], (w / Jbar) * moduli.B, work.perPoint.col(q));
     work.e(q) = w * moduli.e / (Jbar * Jbar);
   }
 
   work.kernel.multiply();
-  for (Eigen::Index a = 0; a < n; ++a)
-    out.force.segment<Dim>(Dim * span.nodes[static_cast<std::size_t>(a)]) += work.kernel.force(a);
+  this->add(work.kernel, number, work.tangent, out);
   if (!wantTangent) return;
-
-  addCoupling<K>(number, work);
-  const auto group = static_cast<Eigen::Index>(projected.nodes.size());
-  for (int i = 0; i < Dim; ++i)
-    for (int k = i; k < Dim; ++k) {
-      const auto block = work.kernel.tangentBlock(i, k);
-      work.tangent.block(i * group, k * group, n, n) += block;
-      if (i != k) work.tangent.block(k * group, i * group, n, n) += block.transpose();
-    }
-  out.system->add(out.term, number, work.tangent);
-}
-
-/// What couples the span's points to all unknowns that move J̄ there: Zᵀ(NᵀeN)Z + ZᵀN B + its transpose.
-template <int Dim>
-template <Kinematics K>
-void ProjectedTerm<Dim>::addCoupling(std::size_t number, Workspace<K>& work) const {
-  const auto& projected = projection_.spans()[number];
-  const auto group = static_cast<Eigen::Index>(projected.nodes.size());
-  const Eigen::Index m = projected.N.rows();
-  const auto n = static_cast<Eigen::Index>(this->quadrature_.spans()[number].nodes.size());
-
-  work.Z.setZero(Dim * group, m);
-  for (const auto& neighbour : projected.neighbours) {
-    const auto& gradients = spanGradients_[neighbour.span];
-    const auto size = static_cast<Eigen::Index>(neighbour.places.size());
-    for (const auto& [here, there] : neighbour.shared)
-      for (int d = 0; d < Dim; ++d)
-        for (Eigen::Index b = 0; b < size; ++b)
-          work.Z(d * group + neighbour.places[static_cast<std::size_t>(b)], here) +=
-              gradients(d * size + b, there);
-  }
-
-  const Eigen::MatrixXd mass = projected.N * (0.5 * work.e).asDiagonal() * projected.N.transpose();
-  multiplyTransposed(work.Z, mass, work.Y);
-  multiplyTransposed(work.perPoint, projected.N, work.cross);
-  for (int d = 0; d < Dim; ++d) work.Y.middleRows(d * group, n) += work.cross.middleRows(d * n, n);
-  multiplyTransposed(work.Z, work.Y, work.coupling);
-  work.tangent = work.coupling + work.coupling.transpose();
+  auto& share = coupling_.share(number);
+  multiplyTransposed(work.perPoint, projected.N, share.C);
+  share.E = projected.N * work.e.asDiagonal() * projected.N.transpose();
 }
 
 template <int Dim>
@@ -272,6 +232,7 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
       assemble<K>(static_cast<std::size_t>(colour[k]), out, workspaces.local());
       return true;
     });
+  if (wantTangent) coupling_.addTo(*out.system);
   this->summarise();
   return true;
 }

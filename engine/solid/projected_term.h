@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "engine/solid/bulk_term.h"
+#include "engine/solid/dilatation_coupling.h"
 #include "engine/solid/dilatation_projection.h"
 
 namespace burnish {
@@ -19,6 +20,8 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   /// The quadrature, made from the same body, must outlive the term.
   ProjectedTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature, Material material);
 
+  CouplingGroups couplings() const override;
+
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
  private:
@@ -35,13 +38,12 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   template <Kinematics K, class Law>
   bool respondOnSpan(const Law& law, std::size_t number);
   template <Kinematics K>
-  void assemble(std::size_t number, Assembly& out, Workspace<K>& work) const;
-  template <Kinematics K>
-  void addCoupling(std::size_t number, Workspace<K>& work) const;
+  void assemble(std::size_t number, Assembly& out, Workspace<K>& work);
   void gatherDilatation();
   void gatherPressure();
 
   DilatationProjection<Dim> projection_;
+  DilatationCoupling<Dim> coupling_;
 
   // The last evaluated state, at quadrature points, …
   std::vector<Eigen::Matrix3d> F_;
@@ -52,7 +54,6 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   Eigen::VectorXd pressure_;    ///< Σ N w p/J̄
   // … and of spans.
   std::vector<Eigen::VectorXd> spanDilatations_;  ///< share of the span in `dilatation_`
-  std::vector<Eigen::MatrixXd> spanGradients_;    ///< its derivative, Dim·n x m
 };
 
 }  // namespace burnish

@@ -36,12 +36,10 @@ class SpanKernel {
     h_.resize(stressRow_ + kDim, kC * Q);
   }
 
-  /// Spatial gradients at point q, n x columns; to be set first.
-  auto gradients(Eigen::Index q) { return g_.template middleCols<kC>(kC * q); }
-
-  /// Sets them from the deformation gradient.
+  /// Sets the gradients at point q from the deformation gradient; to be called first.
   void setGradients(Eigen::Index q, const Eigen::Matrix3d& F) {
-    pushForward<K>(span_->G.template middleCols<kC>(kC * q), F, gradients(q));
+    g_.template middleCols<kC>(kC * q).noalias() =
+        span_->G.template middleCols<kC>(kC * q) * pushForward<K>(F);
   }
 
   /// Stress that makes the forces, times the weight.
@@ -53,7 +51,7 @@ class SpanKernel {
 
   /// Moduli of D : c : D + (D τ) : D + r tr(D D), with D the spatial gradient, times the weight w.
   void setModuli(Eigen::Index q, double w, const Stress& tau, const Tangent& c, double r) {
-    const auto g = gradients(q);
+    const auto g = g_.template middleCols<kC>(kC * q);
     Eigen::Index pair = 0;
     for (int i = 0; i < kDim; ++i)
       for (int k = i; k < kDim; ++k, ++pair) {

@@ -28,9 +28,6 @@ SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<Coupl
   }
   tangent_ = patternOf(prescribed_.size(), groups_);
   findFreeEntries();
-  for (std::size_t term = 0; term < groups_.size(); ++term)
-    for (std::size_t group = 0; group < groups_[term].size(); ++group)
-      findStarts(termGroups[term][group], groups_[term][group]);
 }
 
 SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) {
@@ -102,7 +99,11 @@ void SparseSystem::findFreeEntries() {
   freeTangent_ = zeroMatrix(begins, rows);
 }
 
-void SparseSystem::findStarts(const std::vector<int>& unknowns, Group& group) const {
+void SparseSystem::findStarts(Group& group) const {
+  std::vector<int> unknowns(group.order.size());
+  const int* place = group.order.data();
+  for (const Run& run : group.runs)
+    for (int k = 0; k < run.length; ++k) unknowns[static_cast<std::size_t>(*place++)] = run.first + k;
   group.starts.reserve(unknowns.size() * group.runs.size());
   for (const int column : unknowns) {
     const int* begin = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column];
@@ -124,7 +125,8 @@ void SparseSystem::fetchAhead(const Group& group, const int* start) {
 }
 
 void SparseSystem::add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K) {
-  const Group& group = groups_[term][number];
+  Group& group = groups_[term][number];
+  if (group.starts.empty()) findStarts(group);
   const int* start = group.starts.data();
   for (Eigen::Index c = 0; c < K.cols(); ++c) {
     if (c + 1 < K.cols()) fetchAhead(group, start + group.runs.size());
@@ -134,6 +136,15 @@ void SparseSystem::add(std::size_t term, std::size_t number, const Eigen::Ref<co
       double* entry = tangent_.valuePtr() + *start++;
       for (int k = 0; k < run.length; ++k) entry[k] += column[*row++];
     }
+  }
+}
+
+void SparseSystem::moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values) {
+  const int end = tangent_.outerIndexPtr()[unknown + 1];
+  for (int k = tangent_.outerIndexPtr()[unknown]; k < end; ++k) {
+    double& value = values(tangent_.innerIndexPtr()[k]);
+    tangent_.valuePtr()[k] += value;
+    value = 0.0;
   }
 }
 

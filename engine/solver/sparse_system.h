@@ -28,6 +28,10 @@ class SparseSystem {
   /// same time for groups that have no unknown in common.
   void add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
+  /// Adds a column over all unknowns, zero outside of the pattern, and leaves zeros behind. Safe to call at
+  /// the same time for different columns.
+  void moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values);
+
   /// Tangent over all unknowns.
   const Eigen::SparseMatrix<double>& tangent() const { return tangent_; }
 
@@ -47,16 +51,18 @@ class SparseSystem {
     int length;
   };
   struct Group {
-    std::vector<int> order;   ///< the group's places, by ascending unknown
-    std::vector<Run> runs;    ///< all unknowns, ascending
-    std::vector<int> starts;  ///< entry of `tangent_` where each run starts, column by column
+    std::vector<int> order;  ///< the group's places, by ascending unknown
+    std::vector<Run> runs;   ///< all unknowns, ascending
+    /// Entry of `tangent_` where each run starts, column by column; found when the group is first added to,
+    /// as some groups never are.
+    std::vector<int> starts;
   };
 
   static Group sortedGroup(const std::vector<int>& unknowns);
   static Eigen::SparseMatrix<double> patternOf(std::size_t numUnknowns,
                                                const std::vector<std::vector<Group>>& terms);
   void findFreeEntries();
-  void findStarts(const std::vector<int>& unknowns, Group& group) const;
+  void findStarts(Group& group) const;
   void fetchAhead(const Group& group, const int* start);
 
   std::vector<bool> prescribed_;

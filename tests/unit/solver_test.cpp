@@ -73,6 +73,13 @@ TEST(SparseSystem, AddsGroupsInAnyOrderWithGapsAndRepetitions) {
           expected(unknowns[static_cast<std::size_t>(i)], unknowns[static_cast<std::size_t>(j)]) += K(i, j);
     }
   EXPECT_LT((Eigen::MatrixXd(system.tangent()) - expected).cwiseAbs().maxCoeff(), 1e-15);
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(7);
+  column(2) = 0.5;
+  column(5) = -2.0;
+  expected.col(3) += column;
+  system.moveIntoColumn(3, column);
+  EXPECT_LT((Eigen::MatrixXd(system.tangent()) - expected).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_TRUE(column.isZero(0.0)) << "ready for the next one";
   EXPECT_EQ(system.tangent().nonZeros(), 9 + 9 + 1) << "two groups of three unknowns, one in none";
   const std::vector<int> isFree{0, 2, 3, 4, 5, 6};
   EXPECT_EQ(system.freeUnknowns(), isFree);

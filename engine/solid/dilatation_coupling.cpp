@@ -1,0 +1,155 @@
+#include "engine/solid/dilatation_coupling.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/solid/parallel_spans.h"
+
+namespace burnish {
+namespace {
+
+using Lists = std::vector<std::vector<int>>;
+
+/// For each list of numbers the union of the members with these numbers, ascending.
+Lists unions(const Lists& lists, const Lists& members, int limit) {
+  Lists result;
+  std::vector<bool> isIn(static_cast<std::size_t>(limit), false);
+  for (const auto& list : lists) {
+    auto& numbers = result.emplace_back();
+    for (const int member : list)
+      for (const int number : members[static_cast<std::size_t>(member)]) {
+        if (!isIn[static_cast<std::size_t>(number)]) numbers.push_back(number);
+        isIn[static_cast<std::size_t>(number)] = true;
+      }
+    std::sort(numbers.begin(), numbers.end());
+    for (const int number : numbers) isIn[static_cast<std::size_t>(number)] = false;
+  }
+  return result;
+}
+
+/// Unknowns of lists of nodes, in the order of the nodes.
+template <int Dim>
+Lists unknownsNodeByNode(const Lists& lists) {
+  Lists unknowns;
+  for (const auto& nodes : lists) {
+    auto& list = unknowns.emplace_back();
+    for (const int node : nodes)
+      for (int d = 0; d < Dim; ++d) list.push_back(Dim * node + d);
+  }
+  return unknowns;
+}
+
+}  // namespace
+
+/// Buffers of one thread, zero between two uses.
+template <int Dim>
+struct DilatationCoupling<Dim>::Workspace {
+  Eigen::VectorXd unknowns;
+  Eigen::VectorXd functions;
+  Eigen::MatrixXd columns;  // unknowns x Dim
+
+  Workspace(Eigen::Index numUnknowns, Eigen::Index numFunctions)
+      : unknowns(Eigen::VectorXd::Zero(numUnknowns)),
+        functions(Eigen::VectorXd::Zero(numFunctions)),
+        columns(Eigen::MatrixXd::Zero(numUnknowns, Dim)) {}
+};
+
+template <int Dim>
+DilatationCoupling<Dim>::DilatationCoupling(const SpanQuadrature<Dim>& quadrature,
+                                            const DilatationProjection<Dim>& projection)
+    : shares_(projection.spans().size()),
+      uses_(static_cast<std::size_t>(projection.numFunctions())),
+      dependences_(static_cast<std::size_t>(quadrature.numNodes())) {
+  Lists spans(uses_.size());  // of each function of Π
+  for (int e = 0; e < static_cast<int>(shares_.size()); ++e) {
+    const auto span = static_cast<std::size_t>(e);
+    nodes_.push_back(quadrature.spans()[span].nodes);
+    functions_.push_back(projection.spans()[span].functions);
+    for (std::size_t a = 0; a < functions_[span].size(); ++a) {
+      const auto function = static_cast<std::size_t>(functions_[span][a]);
+      spans[function].push_back(e);
+      uses_[function].push_back({span, static_cast<Eigen::Index>(a)});
+    }
+  }
+  overlapping_ = unions(spans, functions_, projection.numFunctions());
+  findColumns(unions(spans, nodes_, quadrature.numNodes()));
+}
+
+/// nodes: on which each function depends. Rows of Z and C are their unknowns, those of Y the ones of all
+/// functions that the function meets in E.
+template <int Dim>
+void DilatationCoupling<Dim>::findColumns(const std::vector<std::vector<int>>& nodes) {
+  const auto numNodes = static_cast<int>(dependences_.size());
+  for (std::size_t A = 0; A < nodes.size(); ++A)
+    for (std::size_t k = 0; k < nodes[A].size(); ++k)
+      dependences_[static_cast<std::size_t>(nodes[A][k])].push_back({A, Dim * k});
+  Z_ = C_ = RunColumns(unknownsNodeByNode<Dim>(nodes));
+  Y_ = RunColumns(unknownsNodeByNode<Dim>(unions(overlapping_, nodes, numNodes)));
+  groups_ = unknownsNodeByNode<Dim>(unions(functions_, nodes, numNodes));
+}
+
+/// Sums one part of the spans' shares into the column of a function.
+template <int Dim>
+void DilatationCoupling<Dim>::gather(std::size_t function, Eigen::MatrixXd Share::*part, RunColumns& into,
+                                     Workspace& work) const {
+  for (const auto& use : uses_[function]) {
+    const auto& nodes = nodes_[use.span];
+    const double* value = (shares_[use.span].*part).col(use.place).data();
+    for (int d = 0; d < Dim; ++d)
+      for (const int node : nodes) work.unknowns(Dim * node + d) += *value++;
+  }
+  into.take(function, work.unknowns);
+}
+
+/// The column of Y = Z E + C of a function.
+template <int Dim>
+void DilatationCoupling<Dim>::multiplyByE(std::size_t function, Workspace& work) {
+  for (const auto& use : uses_[function])
+    work.functions(functions_[use.span]) += shares_[use.span].E.col(use.place);
+  for (const int other : overlapping_[function]) {
+    double& factor = work.functions(other);
+    Z_.addTo(static_cast<std::size_t>(other), std::array{factor}, work.unknowns);
+    factor = 0.0;
+  }
+  C_.addTo(function, std::array{1.0}, work.unknowns);
+  Y_.take(function, work.unknowns);
+}
+
+/// The columns of Y Zᵀ + Z Cᵀ of a node.
+template <int Dim>
+void DilatationCoupling<Dim>::addColumns(int node, SparseSystem& system, Workspace& work) const {
+  for (const auto& [function, entry] : dependences_[static_cast<std::size_t>(node)]) {
+    std::array<double, Dim> z, c;
+    std::copy_n(Z_.column(function) + entry, Dim, z.begin());
+    std::copy_n(C_.column(function) + entry, Dim, c.begin());
+    Y_.addTo(function, z, work.columns);
+    Z_.addTo(function, c, work.columns);
+  }
+  for (int d = 0; d < Dim; ++d) system.moveIntoColumn(Dim * node + d, work.columns.col(d));
+}
+
+template <int Dim>
+void DilatationCoupling<Dim>::addTo(SparseSystem& system) {
+  tbb::enumerable_thread_specific<Workspace> workspaces(static_cast<Eigen::Index>(Dim * dependences_.size()),
+                                                        static_cast<Eigen::Index>(uses_.size()));
+  const auto forAll = [&](std::size_t count, const auto& f) {
+    parallelAll(count, 16, [&](std::size_t i) {
+      f(i, workspaces.local());
+      return true;
+    });
+  };
+  forAll(uses_.size(), [&](std::size_t A, Workspace& work) {
+    gather(A, &Share::Z, Z_, work);
+    gather(A, &Share::C, C_, work);
+  });
+  forAll(uses_.size(), [&](std::size_t A, Workspace& work) { multiplyByE(A, work); });
+  forAll(dependences_.size(),
+         [&](std::size_t node, Workspace& work) { addColumns(static_cast<int>(node), system, work); });
+}
+
+template class DilatationCoupling<2>;
+template class DilatationCoupling<3>;
+
+}  // namespace burnish
