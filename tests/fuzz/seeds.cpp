@@ -1,0 +1,40 @@
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "engine/results/frame_io.h"
+#include "postproc/compare/picture.h"
+#include "tests/fuzz/small_result.h"
+
+namespace {
+
+using namespace burnish;
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& bytes) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+std::string text(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+/// Writes the binary inputs from which fuzzing starts into a directory, one folder a target.
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("usage: fuzz_seeds DIRECTORY\n", stderr);
+    return 2;
+  }
+  const fs::path directory = argv[1];
+  const StoredModel model = fuzz::smallModel();
+  write(directory / "result/model", std::string(1, '\0') + text(modelImage(model)));
+  FrameRecord frame = samples::frameOf(model.record, 0, 0.5);
+  write(directory / "result/frame", std::string(1, '\1') + text(frameImage(frame, model.id)));
+  const Picture picture{4, 3, std::vector<Color>(12, Color{10, 200, 30})};
+  write(directory / "picture/small.png", encodePng(picture));
+  return 0;
+}
