@@ -39,6 +39,7 @@ ExitCode execute(int argc, char** argv) {
   addVerifyCommand(app, action);
   addSchemaCommand(app, action);
   addExplainCommand(app, action);
+  addValidateCommand(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
