@@ -37,6 +37,9 @@ ExitCode execute(int argc, char** argv) {
   addReportCommand(app, action);
   addFiguresCommand(app, action);
   addVerifyCommand(app, action);
+  addSchemaCommand(app, action);
+  addExplainCommand(app, action);
+  addValidateCommand(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {

@@ -4,6 +4,9 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md")
+# For editors.
+install(FILES "${PROJECT_SOURCE_DIR}/docs/scene.schema.json" "${PROJECT_SOURCE_DIR}/docs/study.schema.json"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish")
 # Built in, but also what a theme of one's own starts from.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/postproc/draw/themes/" DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish/themes"
   FILES_MATCHING PATTERN "*.yaml")

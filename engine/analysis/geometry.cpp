@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/core/error.h"
+#include "engine/core/input_error.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "engine/scene/mesh_knots.h"
@@ -135,7 +135,7 @@ NamedBody<Dim> makeBody(const Scene& scene) {
     made.body.axisymmetric = Dim == 2 && scene.kinematics == KinematicsChoice::Axisymmetric;
     return made;
   } catch (const Error& error) {
-    throw Error(fmt::format("geometry: {}", error.what()));
+    throw InputError("geometry", error.what());
   }
 }
 

@@ -15,8 +15,8 @@ struct NamedBody {
 };
 
 /// The reference geometry of a scene on the basis, degree and meshes that it asks for, matching faces joined.
-/// Lagrange bases interpolate the exact shapes at their nodes. Throws `Error` for what the reader cannot see:
-/// patches that lie on each other and do not match, or that are not connected.
+/// Lagrange bases interpolate the exact shapes at their nodes. Throws `InputError` for what the reader cannot
+/// see: patches that lie on each other and do not match, or that are not connected.
 template <int Dim>
 NamedBody<Dim> makeBody(const Scene& scene);
 

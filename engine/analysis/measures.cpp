@@ -11,20 +11,23 @@
 #include "engine/fields/error_measure.h"
 #include "engine/fields/face_measure.h"
 #include "engine/fields/point_measure.h"
+#include "engine/scene/scene_places.h"
 
 namespace burnish {
 
 template <int Dim>
 Measures<Dim>::Measures(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection)
     : scene_(scene), model_(model), projection_(projection) {
+  std::vector<InputProblem> problems;
   for (std::size_t k = 0; k < scene.measures.size(); ++k) {
     const auto& spec = scene.measures[k];
     try {
       measures_.push_back({spec.name, std::visit([&](const auto& kind) { return make(kind); }, spec.kind)});
     } catch (const Error& error) {
-      throw Error(fmt::format("{}: measures[{}]: {}", scene.source, k, error.what()));
+      problems.push_back({fmt::format("measures[{}]", k), error.what()});
     }
   }
+  if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
 }
 
 template <int Dim>

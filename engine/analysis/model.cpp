@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "engine/analysis/geometry.h"
+#include "engine/analysis/geometry_check.h"
 #include "engine/analysis/materials.h"
 #include "engine/analysis/tool_start.h"
 #include "engine/analysis/tools.h"
-#include "engine/core/error.h"
+#include "engine/core/input_error.h"
+#include "engine/scene/scene_places.h"
 #include "engine/solid/dead_load.h"
 #include "engine/solid/follower_load.h"
 
@@ -44,113 +46,116 @@ Model<Dim>::Model(const Scene& scene) : Model(scene, makeBody<Dim>(scene)) {}
 template <int Dim>
 Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
     : body_(std::move(named.body)), faces_(body_, std::move(named.names)), supports_(scene, faces_) {
+  requireSoundGeometry(faces_, scene);
   quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
   bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material),
                        scene.formulation == FormulationChoice::Fbar ? Formulation::ProjectedDilatation
                                                                     : Formulation::Displacement);
   prescribed_ = supports_.prescribed();
   corners_ = supports_.corners();
-  addLoads(scene);
-  addTools(scene);
-  addContacts(scene);
+  InputProblems problems;
+  for (std::size_t k = 0; k < scene.loads.size(); ++k) problems.gather([&] { addLoad(scene, k); });
+  numForces_ = numDisplacements();
+  for (std::size_t k = 0; k < scene.tools.size(); ++k) problems.gather([&] { addTool(scene, k); });
+  problems.throwIfAny();
+  numUnknowns_ = numForces_;
+  for (std::size_t k = 0; k < scene.contact.size(); ++k) problems.gather([&] { addContact(scene, k); });
+  prescribed_.resize(static_cast<std::size_t>(numUnknowns_), false);
+  problems.gather([this] { requireSupported(); });
+  problems.throwIfAny();
   std::sort(corners_.begin(), corners_.end());
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-  requireSupported();
   liftTools(scene);
   start_ = Eigen::VectorXd::Zero(numUnknowns_);
-  placeFreeTools(scene);
+  for (const auto& load : toolLoads_) problems.gather([&] { placeFreeTool(*load, scene); });
+  problems.throwIfAny();
 }
 
 template <int Dim>
-void Model<Dim>::addLoads(const Scene& scene) {
-  for (std::size_t k = 0; k < scene.loads.size(); ++k) {
-    const auto& load = scene.loads[k];
-    const Schedule factor = load.schedule.value_or(Schedule{});
-    corners_.insert(corners_.end(), factor.times.begin(), factor.times.end());
-    if (!load.bodyForce.empty()) {
-      const int patch = load.place.patch.empty() ? -1 : faces_.patch(load.place.patch);
-      loads_.push_back(std::make_unique<DeadLoad<Dim>>(
-          body_, *quadrature_, patch, makeFormulas(load.bodyForce, scene.definitions), factor));
-      continue;
-    }
-    faces_.requireOuter(load.place, fmt::format("loads[{}]", k));
-    const int patch = faces_.patch(load.place.patch);
-    const FaceId side = faceFromName<Dim>(load.place.face);
-    FaceQuadrature<Dim> face(body_, patch, side, 0, load.place.part);
-    if (!load.traction.empty()) {
-      loads_.push_back(std::make_unique<DeadLoad<Dim>>(
-          body_, face, makeFormulas(load.traction, scene.definitions), factor));
-      continue;
-    }
-    const auto direction =
-        load.pressure ? FollowerLoad<Dim>::Direction::Pressure : FollowerLoad<Dim>::Direction::Shear;
-    loads_.push_back(std::make_unique<FollowerLoad<Dim>>(
-        body_, patch, side, std::move(face), direction,
-        Formula(load.pressure ? *load.pressure : *load.shear, scene.definitions), factor));
+void Model<Dim>::addLoad(const Scene& scene, std::size_t number) {
+  const auto& load = scene.loads[number];
+  const Schedule factor = load.schedule.value_or(Schedule{});
+  corners_.insert(corners_.end(), factor.times.begin(), factor.times.end());
+  if (!load.bodyForce.empty()) {
+    const int patch = load.place.patch.empty() ? -1 : faces_.patch(load.place.patch);
+    loads_.push_back(std::make_unique<DeadLoad<Dim>>(
+        body_, *quadrature_, patch, makeFormulas(load.bodyForce, scene.definitions), factor));
+    return;
   }
+  faces_.requireOuter(load.place, fmt::format("loads[{}]", number));
+  const int patch = faces_.patch(load.place.patch);
+  const FaceId side = faceFromName<Dim>(load.place.face);
+  FaceQuadrature<Dim> face(body_, patch, side, 0, load.place.part);
+  if (!load.traction.empty()) {
+    loads_.push_back(
+        std::make_unique<DeadLoad<Dim>>(body_, face, makeFormulas(load.traction, scene.definitions), factor));
+    return;
+  }
+  const auto direction =
+      load.pressure ? FollowerLoad<Dim>::Direction::Pressure : FollowerLoad<Dim>::Direction::Shear;
+  loads_.push_back(std::make_unique<FollowerLoad<Dim>>(
+      body_, patch, side, std::move(face), direction,
+      Formula(load.pressure ? *load.pressure : *load.shear, scene.definitions), factor));
 }
 
 template <int Dim>
-void Model<Dim>::addTools(const Scene& scene) {
-  numForces_ = numDisplacements();
-  for (const auto& spec : scene.tools) {
+void Model<Dim>::addTool(const Scene& scene, std::size_t number) {
+  const auto& spec = scene.tools[number];
+  try {
     tools_.push_back(makeTool(spec, scene, numForces_, body_.size()));
-    numForces_ += static_cast<int>(tools_.back()->freeUnknowns().size());
-    if (auto load = makeToolLoad(spec, scene, *tools_.back())) toolLoads_.push_back(std::move(load));
-    const auto corners = cornersOf(spec);
-    corners_.insert(corners_.end(), corners.begin(), corners.end());
+  } catch (const Error& error) {
+    throw InputError(fmt::format("tools[{}]", number), error.what());
   }
+  numForces_ += static_cast<int>(tools_.back()->freeUnknowns().size());
+  if (auto load = makeToolLoad(spec, scene, *tools_.back())) toolLoads_.push_back(std::move(load));
+  const auto corners = cornersOf(spec);
+  corners_.insert(corners_.end(), corners.begin(), corners.end());
 }
 
 template <int Dim>
-void Model<Dim>::addContacts(const Scene& scene) {
-  numUnknowns_ = numForces_;
-  for (const auto& spec : scene.contact) {
-    const auto tool = static_cast<std::size_t>(
-        std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t->name == spec.tool; }) -
-        tools_.begin());
-    requireReachable(*tools_[tool], spec);
-    const int patch = faces_.patch(spec.place.patch);
-    const Enforcement enforcement = enforcementOf(spec.method);
-    typename ContactTerm<Dim>::Options options{
-        enforcement,
-        spec.parameter.value_or(
-            defaultParameter(enforcement, youngsModulus(bulk_->material()), body_.size())),
-        spec.quadraturePoints.value_or(0)};
-    auto term = std::make_unique<ContactTerm<Dim>>(body_, patch, faceFromName<Dim>(spec.place.face),
-                                                   *tools_[tool], options, numUnknowns_);
-    numUnknowns_ += term->numMultipliers();
-    contacts_.push_back({tool, patch, spec.place.face, std::move(term)});
-  }
-  prescribed_.resize(static_cast<std::size_t>(numUnknowns_), false);
+void Model<Dim>::addContact(const Scene& scene, std::size_t number) {
+  const auto& spec = scene.contact[number];
+  const auto tool = static_cast<std::size_t>(
+      std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t->name == spec.tool; }) -
+      tools_.begin());
+  requireReachable(*tools_[tool], spec, fmt::format("contact[{}]", number));
+  const int patch = faces_.patch(spec.place.patch);
+  const Enforcement enforcement = enforcementOf(spec.method);
+  typename ContactTerm<Dim>::Options options{
+      enforcement,
+      spec.parameter.value_or(defaultParameter(enforcement, youngsModulus(bulk_->material()), body_.size())),
+      spec.quadraturePoints.value_or(0)};
+  auto term = std::make_unique<ContactTerm<Dim>>(body_, patch, faceFromName<Dim>(spec.place.face),
+                                                 *tools_[tool], options, numUnknowns_);
+  numUnknowns_ += term->numMultipliers();
+  contacts_.push_back({tool, patch, spec.place.face, std::move(term)});
 }
 
 template <int Dim>
-void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec) const {
-  const std::string place = fmt::format("contact[{}]", contacts_.size());
+void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec, const std::string& place) const {
   faces_.requireOuter(spec.place, place);
   const NearestPoint nearest =
-      nearestPoint(body_, faces_.patch(spec.place.patch), faceFromName<Dim>(spec.place.face), tool);
+      nearestPoint(body_, faces_.patch(spec.place.patch), faceFromName<Dim>(spec.place.face), tool, 0.0);
   if (-nearest.gap > kTouching * std::min(halfThickness(tool.shape), body_.size()))
-    throw Error(
-        fmt::format("{}: tool '{}' overlaps face '{}' by {:.3g} at the start; move it away by at least "
-                    "that much (touching is fine)",
-                    place, spec.tool, spec.place.face, -nearest.gap));
+    throw InputError(
+        place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; move it away by at least "
+                           "that much (touching is fine)",
+                           spec.tool, spec.place.face, -nearest.gap));
   if (nearest.facing > 0.5)
-    throw Error(
-        fmt::format("{}: tool '{}' is behind face '{}' at the start, inside the body or on its other "
-                    "side; put it in front of the face",
-                    place, spec.tool, spec.place.face));
+    throw InputError(
+        place, fmt::format("tool '{}' is behind face '{}' at the start, inside the body or on its other "
+                           "side; put it in front of the face",
+                           spec.tool, spec.place.face));
   const auto nodes = faces_.nodes(spec.place);
   const bool held = std::all_of(nodes.begin(), nodes.end(), [&](int node) {
     const auto first = prescribed_.begin() + Dim * node;
     return std::all_of(first, first + Dim, [](bool flag) { return flag; });
   });
   if (held)
-    throw Error(
-        fmt::format("{}: face '{}' is held in all its components, so tool '{}' cannot move it; name a "
-                    "face that is free",
-                    place, spec.place.face, spec.tool));
+    throw InputError(
+        place, fmt::format("face '{}' is held in all its components, so tool '{}' cannot move it; name a "
+                           "face that is free",
+                           spec.place.face, spec.tool));
 }
 
 template <int Dim>
@@ -171,7 +176,7 @@ void Model<Dim>::liftTools(const Scene& scene) {
     for (const auto* pair : pairsOf(k))
       if (pair->options().enforcement != Enforcement::PointwisePenalty) pairs.push_back(pair);
     if (pairs.empty()) continue;
-    tools_[k]->lift = liftToSeparate<Dim>(pairs, *tools_[k], body_.size());
+    tools_[k]->lift = liftToSeparate<Dim>(pairs, *tools_[k], body_.size(), fmt::format("tools[{}]", k));
     if (tools_[k]->lift.isZero(0.0)) continue;
     tools_[k]->approachTime = approachTime;
     startTime_ = -approachTime;
@@ -179,34 +184,32 @@ void Model<Dim>::liftTools(const Scene& scene) {
 }
 
 template <int Dim>
-void Model<Dim>::placeFreeTools(const Scene& scene) {
-  for (const auto& load : toolLoads_) {
-    const Tool& tool = load->tool();
-    const auto number = static_cast<std::size_t>(
-        std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t.get() == &tool; }) -
-        tools_.begin());
-    const auto pairs = pairsOf(number);
-    const std::string place = fmt::format("tools[{}].carry", number);
-    if (pairs.empty())
-      throw Error(fmt::format("{}: tool '{}' is free to move, but touches no face; name it under contact",
-                              place, tool.name));
-    pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
-    const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
-    if (!slides) {
-      requireTouch<Dim>({pairs.begin(), pairs.end()}, tool, body_.size());
-      continue;
-    }
-    const Eigen::Vector3d direction = firstDirection(*load, scene.steps.back().until);
-    if (direction.isZero(0.0))
-      throw Error(
-          fmt::format("{}: tool '{}' carries no force at any time; give it one, or prescribe its "
-                      "motion",
-                      place, tool.name));
-    const Eigen::Vector3d shift =
-        shiftToTouch<Dim>({pairs.begin(), pairs.end()}, tool, direction, body_.size());
-    for (std::size_t way = 0; way < kTurn; ++way)
-      if (tool.isFree(way)) start_(tool.unknowns[way]) = shift(static_cast<Eigen::Index>(way));
+void Model<Dim>::placeFreeTool(const ToolLoad& load, const Scene& scene) {
+  const Tool& tool = load.tool();
+  const auto number = static_cast<std::size_t>(
+      std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t.get() == &tool; }) -
+      tools_.begin());
+  const auto pairs = pairsOf(number);
+  const std::string place = fmt::format("tools[{}].carry", number);
+  if (pairs.empty())
+    throw InputError(
+        place,
+        fmt::format("tool '{}' is free to move, but touches no face; name it under contact", tool.name));
+  pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
+  const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
+  if (!slides) {
+    requireTouch<Dim>({pairs.begin(), pairs.end()}, tool, body_.size(), place);
+    return;
   }
+  const Eigen::Vector3d direction = firstDirection(load, scene.steps.back().until);
+  if (direction.isZero(0.0))
+    throw InputError(
+        place, fmt::format("tool '{}' carries no force at any time; give it one, or prescribe its motion",
+                           tool.name));
+  const Eigen::Vector3d shift =
+      shiftToTouch<Dim>({pairs.begin(), pairs.end()}, tool, direction, body_.size(), place);
+  for (std::size_t way = 0; way < kTurn; ++way)
+    if (tool.isFree(way)) start_(tool.unknowns[way]) = shift(static_cast<Eigen::Index>(way));
 }
 
 template <int Dim>
@@ -245,10 +248,10 @@ void Model<Dim>::requireSupported() const {
   qr.setThreshold(1e-10);
   const int freeWays = numRigid - (held.empty() ? 0 : static_cast<int>(qr.rank()));
   if (freeWays > 0)
-    throw Error(
-        fmt::format("supports: they leave the body free to move as a rigid whole in {} way{}; hold more "
-                    "components or faces",
-                    freeWays, freeWays == 1 ? "" : "s"));
+    throw InputError("supports",
+                     fmt::format("they leave the body free to move as a rigid whole in {} way{}; hold more "
+                                 "components or faces",
+                                 freeWays, freeWays == 1 ? "" : "s"));
 }
 
 template <int Dim>
@@ -302,7 +305,18 @@ ResidualScales Model<Dim>::residualScales() const {
   return scales;
 }
 
+template <int Dim>
+std::unique_ptr<Model<Dim>> buildModel(const Scene& scene) {
+  try {
+    return std::make_unique<Model<Dim>>(scene);
+  } catch (const InputError& error) {
+    throw Error(textWithPlaces(scene, error.problems()));
+  }
+}
+
 template class Model<2>;
 template class Model<3>;
+template std::unique_ptr<Model<2>> buildModel(const Scene&);
+template std::unique_ptr<Model<3>> buildModel(const Scene&);
 
 }  // namespace burnish

@@ -32,8 +32,9 @@ struct ContactPair {
 template <int Dim>
 class Model {
  public:
-  /// Throws `Error` if the scene cannot be computed: patches that do not fit, folded geometry, supports that
-  /// contradict each other or leave the body free to move away, a tool that overlaps the body at the start.
+  /// Throws `InputError` if the scene cannot be computed: patches that do not fit, folded geometry, supports
+  /// that contradict each other or leave the body free to move away, a tool that overlaps the body at the
+  /// start.
   explicit Model(const Scene& scene);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
@@ -75,12 +76,12 @@ class Model {
   SteppingState startState() const;
 
  private:
-  void addLoads(const Scene& scene);
-  void addTools(const Scene& scene);
-  void addContacts(const Scene& scene);
-  void requireReachable(const Tool& tool, const ContactSpec& spec) const;
+  void addLoad(const Scene& scene, std::size_t number);
+  void addTool(const Scene& scene, std::size_t number);
+  void addContact(const Scene& scene, std::size_t number);
+  void requireReachable(const Tool& tool, const ContactSpec& spec, const std::string& place) const;
   void liftTools(const Scene& scene);
-  void placeFreeTools(const Scene& scene);
+  void placeFreeTool(const ToolLoad& load, const Scene& scene);
   std::vector<ContactTerm<Dim>*> pairsOf(std::size_t tool) const;
   void requireSupported() const;
 
@@ -105,5 +106,10 @@ class Model {
   double startTime_ = 0.0;
   Eigen::VectorXd start_;  ///< unknowns of the undeformed body with its tools in place
 };
+
+/// The model of a scene. Throws `Error` if it cannot be computed, every line with its place in the scene's
+/// file.
+template <int Dim>
+std::unique_ptr<Model<Dim>> buildModel(const Scene& scene);
 
 }  // namespace burnish

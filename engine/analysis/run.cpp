@@ -299,20 +299,10 @@ class Run {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The model of a scene; what is wrong with it is said with the scene's file.
-template <int Dim>
-std::unique_ptr<Model<Dim>> makeModel(const Scene& scene) {
-  try {
-    return std::make_unique<Model<Dim>>(scene);
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", scene.source, error.what()));
-  }
-}
-
 template <int Dim>
 RunSummary runInDimension(const Scene& scene, const std::filesystem::path& directory, bool resumes,
                           const RunOptions& options, RunObserver& observer) {
-  const auto model = makeModel<Dim>(scene);
+  const auto model = buildModel<Dim>(scene);
   return Run<Dim>(scene, *model, directory, resumes, options.halt, observer).execute();
 }
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/core/error.h"
+#include "engine/core/input_error.h"
 
 namespace burnish {
 namespace {
@@ -82,10 +82,10 @@ std::optional<std::string> FaceFinder<Dim>::neighbour(const FaceSpec& place) con
 template <int Dim>
 void FaceFinder<Dim>::requireOuter(const FaceSpec& place, const std::string& key) const {
   if (const auto other = neighbour(place))
-    throw Error(
-        fmt::format("{}: face '{}' of patch '{}' is joined to patch '{}', so it lies inside the body; name "
-                    "an outer face",
-                    key, place.face, place.patch, *other));
+    throw InputError(
+        key, fmt::format("face '{}' of patch '{}' is joined to patch '{}', so it lies inside the body; name "
+                         "an outer face",
+                         place.face, place.patch, *other));
 }
 
 template <int Dim>
@@ -120,8 +120,10 @@ Supports<Dim>::Supports(const Scene& scene, const FaceFinder<Dim>& faces)
   for (const auto& support : scene.supports)
     if (support.move) corners_.insert(corners_.end(), support.move->times.begin(), support.move->times.end());
   times_.insert(times_.end(), corners_.begin(), corners_.end());
+  InputProblems problems;
   for (std::size_t k = 0; k < scene.supports.size(); ++k)
-    add(scene.supports[k], fmt::format("supports[{}]", k), scene, faces);
+    problems.gather([&] { add(scene.supports[k], fmt::format("supports[{}]", k), scene, faces); });
+  problems.throwIfAny();
 }
 
 template <int Dim>
@@ -133,10 +135,10 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
   const auto nodes = faces.nodes(spec.place);
   const auto chosen = functionsInPart(trace.basis(), spec.place.part);
   if (chosen.empty())
-    throw Error(
-        fmt::format("{}: no control point belongs to this part of face '{}'; make it wider, or the mesh "
-                    "finer",
-                    place, spec.place.face));
+    throw InputError(
+        place, fmt::format("no control point belongs to this part of face '{}'; make it wider, or the mesh "
+                           "finer",
+                           spec.place.face));
 
   std::array<bool, 3> held{};
   for (std::size_t d = 0; d < Dim; ++d)
@@ -145,10 +147,10 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
     const Eigen::VectorXd extent = trace.points().rowwise().maxCoeff() - trace.points().rowwise().minCoeff();
     Eigen::Index normal = 0;
     if (extent.minCoeff(&normal) > 1e-12 * faces.body().size())
-      throw Error(
-          fmt::format("{}: face '{}' is not flat along an axis, so symmetry has no direction to hold; use "
-                      "fix with the components to hold",
-                      place, spec.place.face));
+      throw InputError(
+          place, fmt::format("face '{}' is not flat along an axis, so symmetry has no direction to hold; use "
+                             "fix with the components to hold",
+                             spec.place.face));
     held[static_cast<std::size_t>(normal)] = true;
   }
 
@@ -213,10 +215,11 @@ void Supports<Dim>::append(Motion motion, const std::string& place, const std::s
       const double scale = std::max(before.cwiseAbs().maxCoeff(), now.cwiseAbs().maxCoeff());
       for (const int unknown : shared)
         if (!(std::abs(before(unknown) - now(unknown)) <= 1e-9 * scale))
-          throw Error(
-              fmt::format("{}: face '{}' meets another support where component {} is prescribed differently "
+          throw InputError(
+              place,
+              fmt::format("face '{}' meets another support where component {} is prescribed differently "
                           "by the two at t = {:.6g} ({:.6g} and {:.6g}); give both the same motion",
-                          place, face, kComponents[static_cast<std::size_t>(component)], t, before(unknown),
+                          face, kComponents[static_cast<std::size_t>(component)], t, before(unknown),
                           now(unknown)));
     }
   }

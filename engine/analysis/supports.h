@@ -27,7 +27,7 @@ class FaceFinder {
   /// Name of the patch that the face is joined to; none for an outer face.
   std::optional<std::string> neighbour(const FaceSpec& place) const;
 
-  /// Throws `Error` if the face is joined to another patch: it lies inside the body.
+  /// Throws `InputError` at `key` if the face is joined to another patch: it lies inside the body.
   void requireOuter(const FaceSpec& place, const std::string& key) const;
 
   /// Functions of the patch on the face, and their nodes.
@@ -46,8 +46,8 @@ class FaceFinder {
 template <int Dim>
 class Supports {
  public:
-  /// Throws `Error` for a symmetric support on a face that is not flat, for a part without control points,
-  /// and where two supports prescribe one component differently.
+  /// Throws `InputError` for a symmetric support on a face that is not flat, for a part without control
+  /// points, and where two supports prescribe one component differently.
   Supports(const Scene& scene, const FaceFinder<Dim>& faces);
 
   /// One flag per displacement component.

@@ -1,14 +1,11 @@
 #include "engine/analysis/tool_shapes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "engine/contact/surface_file.h"
-#include "engine/core/error.h"
 
 namespace burnish {
 namespace {
@@ -105,11 +102,7 @@ Eigen::Vector3d inSpace(const std::vector<double>& coordinates) {
 }
 
 RigidShape makeShape(const ToolSpec& spec) {
-  try {
-    return oriented(spec);
-  } catch (const Error& error) {
-    throw Error(fmt::format("tools: '{}': {}", spec.name, error.what()));
-  }
+  return oriented(spec);
 }
 
 }  // namespace burnish

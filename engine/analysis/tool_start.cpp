@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/error.h"
+#include "engine/core/input_error.h"
 
 namespace burnish {
 namespace {
@@ -66,13 +66,13 @@ double smallestGap(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool
 }  // namespace
 
 template <int Dim>
-NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const Tool& tool) {
+NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, double t) {
   constexpr int P = Dim - 1;
   constexpr int kIntervals = Dim == 2 ? 16 : 6;
   constexpr int kZooms = 8;
   using Parameter = Eigen::Vector<double, P>;
   const auto trace = tracePatch(body.patches[static_cast<std::size_t>(patch)], face);
-  const ToolPose pose = tool.pose(0.0);
+  const ToolPose pose = tool.pose(t);
   const auto query = [&](const Parameter& xi) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.template head<Dim>() = trace.position(xi);
@@ -119,7 +119,7 @@ NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const T
 
 template <int Dim>
 Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
-                               double bodySize) {
+                               double bodySize, const std::string& place) {
   double worst = -kTouching * bodySize;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   ToolPose pose = tool.pose(0.0);
@@ -140,8 +140,9 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
     pose.displacement = start + height * direction;
     if (smallestGap(pairs, pose) > 0.0) return height * direction;
   }
-  throw Error(
-      fmt::format("tools: '{}' cannot be lifted off the face that it touches, averaged gaps stay negative; "
+  throw InputError(
+      place,
+      fmt::format("tool '{}' cannot be lifted off the face that it touches, averaged gaps stay negative; "
                   "start it farther away",
                   tool.name));
 }
@@ -157,7 +158,7 @@ Eigen::Vector3d firstDirection(const ToolLoad& load, double end) {
 
 template <int Dim>
 Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
-                             const Eigen::Vector3d& direction, double bodySize) {
+                             const Eigen::Vector3d& direction, double bodySize, const std::string& place) {
   constexpr int kMostSteps = 1000;
   ToolPose pose = tool.pose(0.0);
   const Eigen::Vector3d start = pose.displacement;
@@ -169,30 +170,37 @@ Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<Dim>*>& pairs, 
     if (gap > 1e3 * bodySize) break;
     way += gap;  // gaps fall by no more than the way, so that this does not go too far
   }
-  throw Error(
-      fmt::format("tools: '{}' does not meet its face when it moves along the force that it carries; place "
+  throw InputError(
+      place,
+      fmt::format("tool '{}' does not meet its face when it moves along the force that it carries; place "
                   "it so that the force presses it on the body",
                   tool.name));
 }
 
 template <int Dim>
-void requireTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool, double bodySize) {
+void requireTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool, double bodySize,
+                  const std::string& place) {
   if (smallestGap(pairs, tool.pose(0.0)) > kNearlyTouching * bodySize)
-    throw Error(
-        fmt::format("tools: '{}' is free to turn, but does not touch its face at the start; place it on the "
+    throw InputError(
+        place,
+        fmt::format("tool '{}' is free to turn, but does not touch its face at the start; place it on the "
                     "face, or let it carry a force too",
                     tool.name));
 }
 
-template NearestPoint nearestPoint(const Body<2>&, int, FaceId, const Tool&);
-template NearestPoint nearestPoint(const Body<3>&, int, FaceId, const Tool&);
-template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<2>*>&, const Tool&, double);
-template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<3>*>&, const Tool&, double);
-template void requireTouch(const std::vector<const ContactTerm<2>*>&, const Tool&, double);
-template void requireTouch(const std::vector<const ContactTerm<3>*>&, const Tool&, double);
+template NearestPoint nearestPoint(const Body<2>&, int, FaceId, const Tool&, double);
+template NearestPoint nearestPoint(const Body<3>&, int, FaceId, const Tool&, double);
+template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<2>*>&, const Tool&, double,
+                                        const std::string&);
+template Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<3>*>&, const Tool&, double,
+                                        const std::string&);
+template void requireTouch(const std::vector<const ContactTerm<2>*>&, const Tool&, double,
+                           const std::string&);
+template void requireTouch(const std::vector<const ContactTerm<3>*>&, const Tool&, double,
+                           const std::string&);
 template Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<2>*>&, const Tool&,
-                                      const Eigen::Vector3d&, double);
+                                      const Eigen::Vector3d&, double, const std::string&);
 template Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<3>*>&, const Tool&,
-                                      const Eigen::Vector3d&, double);
+                                      const Eigen::Vector3d&, double, const std::string&);
 
 }  // namespace burnish

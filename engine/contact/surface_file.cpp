@@ -1,6 +1,7 @@
 #include "engine/contact/surface_file.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/STL/STL_reader.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -15,10 +16,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <fstream>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -90,16 +95,88 @@ void snap(std::vector<Point>& points) {
   }
 }
 
+/// An STL file as what its size says that it is: the reader of all formats takes text with a mistake in it
+/// for binary data, and then whatever stands there for the number of triangles.
+bool readStl(std::ifstream& stream, std::uintmax_t size, std::vector<Point>& points, Polygons& polygons) {
+  constexpr std::uintmax_t kHeader = 84, kTriangle = 50;
+  std::array<char, kHeader> header{};
+  std::uint32_t triangles = 0;
+  stream.read(header.data(), header.size());
+  std::memcpy(&triangles, header.data() + kHeader - sizeof(triangles), sizeof(triangles));
+  const bool isBinary = stream && size == kHeader + kTriangle * triangles;
+  if (!isBinary && !std::string_view(header.data(), header.size()).starts_with("solid")) return false;
+  stream.clear();
+  stream.seekg(0);
+  return isBinary ? CGAL::IO::internal::parse_binary_STL(stream, points, polygons, false)
+                  : CGAL::IO::internal::parse_ASCII_STL(stream, points, polygons, false);
+}
+
+/// Throws if the header of an OFF or PLY file promises more than the file can hold: the reader makes room for
+/// it at once.
+void requireCounts(std::ifstream& stream, std::uintmax_t size, bool isPly) {
+  std::string line;
+  bool hasElement = false;
+  for (int k = 0; k < 1000 && std::getline(stream, line) && !line.starts_with("end_header"); ++k) {
+    hasElement = hasElement || line.starts_with("element ");
+    if (isPly && line.find("property") != std::string::npos && !hasElement)
+      throw Error(fmt::format("found \"{}\" in its header before any element", line));
+    if (isPly && !line.starts_with("element")) continue;
+    if (!isPly && k > 0 && line.find_first_not_of("0123456789 \t\r") != std::string::npos) break;
+    for (std::size_t at = 0; (at = line.find_first_of("0123456789", at)) != std::string::npos;) {
+      const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());
+      if (end - at > 18 || std::stoull(line.substr(at, end - at)) > size)
+        throw Error(fmt::format("found \"{}\" in its header, more than the file can hold", line));
+      at = end;
+    }
+  }
+  stream.clear();
+  stream.seekg(0);
+}
+
+bool readSoup(const std::filesystem::path& file, std::vector<Point>& points, Polygons& polygons) {
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  std::ifstream stream(file, std::ios::binary);
+  std::string kind = file.extension().string();
+  std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (kind == ".stl") return readStl(stream, size, points, polygons);
+  if (kind == ".off" || kind == ".ply") requireCounts(stream, size, kind == ".ply");
+  return CGAL::IO::read_polygon_soup(file.string(), points, polygons);
+}
+
+/// Throws unless all corners are points with usable coordinates.
+void requireUsable(const std::vector<Point>& points, const Polygons& polygons) {
+  constexpr double kLargest = 1e100;
+  for (const Point& p : points)
+    for (int d = 0; d < 3; ++d)
+      if (!(std::abs(p[d]) < kLargest)) throw Error("found a coordinate that is no number or beyond 1e100");
+  for (const auto& polygon : polygons)
+    if (polygon.size() < 3 || std::ranges::any_of(polygon, [&](std::size_t k) { return k >= points.size(); }))
+      throw Error("found a polygon of less than three points, or with a point that does not exist");
+}
+
+/// Throws if a polygon comes back to one of its points; such ones make no mesh.
+void requireDistinctCorners(const std::vector<Point>& points, const Polygons& polygons) {
+  std::vector<Point> places;
+  for (auto polygon : polygons) {
+    std::ranges::sort(polygon);
+    if (const auto same = std::ranges::adjacent_find(polygon); same != polygon.end())
+      places.push_back(points[*same]);
+  }
+  if (!places.empty()) throw Error(countedAt(places.size(), "triangle", " without area", places));
+}
+
 /// A mesh without coincident points, its faces oriented alike.
 Mesh meshOf(const std::filesystem::path& file, double scale) {
   std::vector<Point> points;
   Polygons polygons;
   if (!std::filesystem::is_regular_file(file)) throw Error("there is no such file");
-  if (!CGAL::IO::read_polygon_soup(file.string(), points, polygons) || polygons.empty())
+  if (!readSoup(file, points, polygons) || polygons.empty())
     throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
+  requireUsable(points, polygons);
   for (Point& p : points) p = Point(scale * p.x(), scale * p.y(), scale * p.z());
   snap(points);
   pmp::merge_duplicate_points_in_polygon_soup(points, polygons);
+  requireDistinctCorners(points, polygons);
   pmp::merge_duplicate_polygons_in_polygon_soup(points, polygons);
   pmp::remove_isolated_points_in_polygon_soup(points, polygons);
   const std::size_t known = points.size();

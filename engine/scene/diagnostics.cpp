@@ -48,8 +48,7 @@ std::string Diagnostics::line(const Entry& entry) const {
                            : fmt::format("{}: {}: {}", place, entry.key, entry.problem);
 }
 
-void Diagnostics::throwIfAny() const {
-  if (entries_.empty()) return;
+std::string Diagnostics::text() const {
   constexpr std::size_t shown = 20;
 
   std::vector<Entry> sorted = entries_;
@@ -62,7 +61,11 @@ void Diagnostics::throwIfAny() const {
     message += (i > 0 ? "\n" : "") + line(sorted[i]);
   if (sorted.size() > shown)
     message += fmt::format("\n{} and {}{} more", file_, full() ? "at least " : "", sorted.size() - shown);
-  throw Error(message);
+  return message;
+}
+
+void Diagnostics::throwIfAny() const {
+  if (!entries_.empty()) throw Error(text());
 }
 
 }  // namespace burnish

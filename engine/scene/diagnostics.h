@@ -31,7 +31,10 @@ class Diagnostics {
   /// So much is wrong that looking further does not help.
   bool full() const { return entries_.size() >= capacity; }
 
-  /// Throws one `Error` with a line per problem, in the order of the file, if there is any.
+  /// A line per problem, in the order of the file.
+  std::string text() const;
+
+  /// Throws one `Error` with this text if there is any problem.
   void throwIfAny() const;
 
  private:

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/scene/check.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/control_net_file.h"
 #include "engine/scene/mapping_reader.h"
 #include "engine/scene/overrides.h"
+#include "engine/scene/scene_places.h"
 #include "engine/scene/schema.h"
 #include "engine/scene/tool_files.h"
 #include "engine/scene/writer.h"
@@ -72,7 +74,7 @@ void checkDimensions(const std::vector<DimensionedList>& lists, int dim, Diagnos
 Scene parseScene(const std::string& yaml, const std::string& name,
                  const std::vector<std::string>& overrides) {
   Diagnostics errors(name, overrides);
-  const YamlNode root = readTree(yaml, name, overrides, errors);
+  YamlNode root = readTree(yaml, name, overrides, errors);
 
   Scene scene;
   std::vector<DimensionedList> dimensioned;
@@ -88,6 +90,7 @@ Scene parseScene(const std::string& yaml, const std::string& name,
 
   scene.source = name;
   scene.resolvedYaml = writeScene(scene);
+  scene.places = std::make_shared<const ScenePlaces>(ScenePlaces{std::move(root), errors});
   return scene;
 }
 

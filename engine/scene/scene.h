@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -314,6 +315,8 @@ struct UnitsSpec {
   std::string length, stress;  ///< labels only; empty: no unit is shown
 };
 
+struct ScenePlaces;
+
 struct Scene {
   std::string title;
   UnitsSpec units;
@@ -341,6 +344,7 @@ struct Scene {
   std::string source;  ///< file the scene was read from, for messages
   std::string
       resolvedYaml;  ///< the whole scene with every default, as YAML that reads back to the same scene
+  std::shared_ptr<const ScenePlaces> places;  ///< of the keys in the source; none for a scene made in code
 
   /// 2 or 3, from the geometry.
   int dim() const;

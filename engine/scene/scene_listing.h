@@ -1,7 +1,12 @@
 #pragma once
 #include <string>
 
+#include "engine/scene/declaration.h"
+
 namespace burnish {
+
+/// Every key of a scene.
+Declarations sceneDeclarations();
 
 /// Every key of a scene with its type, range, unit, default and meaning, as a nested Markdown list.
 std::string describeScene();

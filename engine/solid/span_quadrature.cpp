@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/core/error.h"
+#include "engine/core/input_error.h"
 #include "engine/nurbs/quadrature.h"
 
 namespace burnish {
@@ -50,15 +50,16 @@ namespace {
 template <int Dim>
 void requireSound(const Body<Dim>& body, std::size_t patch, const Eigen::Vector<double, Dim>& X, double det) {
   if (!(det > 0.0))
-    throw Error(
-        fmt::format("geometry: the map of patch {} is folded near ({:.4g}, {:.4g}): its determinant is "
+    throw InputError(
+        "geometry",
+        fmt::format("the map of patch {} is folded near ({:.4g}, {:.4g}): its determinant is "
                     "{:.3g}; reorder or move the control points so that it is positive everywhere",
                     patch + 1, X(0), X(1), det));
   if (body.axisymmetric && !(X(0) > 0.0))
-    throw Error(
-        fmt::format("geometry: patch {} crosses the axis of revolution near ({:.4g}, {:.4g}); x is the "
-                    "radius in axisymmetry, so move the control points to x >= 0",
-                    patch + 1, X(0), X(1)));
+    throw InputError("geometry",
+                     fmt::format("patch {} crosses the axis of revolution near ({:.4g}, {:.4g}); x is the "
+                                 "radius in axisymmetry, so move the control points to x >= 0",
+                                 patch + 1, X(0), X(1)));
 }
 
 /// Functions and weights of a span, with room for the map.

@@ -1,12 +1,16 @@
 #include "postproc/study/study_listing.h"
 
-#include "engine/scene/mapping_lister.h"
+#include "engine/scene/declaration_collector.h"
 #include "postproc/study/schema.h"
 
 namespace burnish {
 
+Declarations studyDeclarations() {
+  return declarationsOf<StudySpec>();
+}
+
 std::string describeStudy() {
-  return listKeys<StudySpec>();
+  return listKeys(studyDeclarations());
 }
 
 }  // namespace burnish

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "engine/scene/explanation.h"
+#include "engine/scene/json_schema.h"
 #include "engine/scene/scene_listing.h"
 #include "tests/unit/scene_samples.h"
 
@@ -379,6 +381,57 @@ TEST(SceneListing, isWhatTheDocumentationShows) {
   const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   EXPECT_NE(page.find(describeScene()), std::string::npos)
       << "docs/scene.md is out of date: replace its list by the output of burnish info --keys";
+}
+
+TEST(SceneSchema, isTheOneThatIsShipped) {
+  std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/scene.schema.json");
+  const std::string shipped((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  EXPECT_TRUE(shipped == jsonSchema("burnish scene", sceneDeclarations()))
+      << "docs/scene.schema.json is out of date: replace it by the output of burnish schema";
+}
+
+std::string explained(const std::string& key) {
+  try {
+    return explainKey(sceneDeclarations(), key);
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(Explanation, tellsTypeUnitAndDefault) {
+  EXPECT_EQ(explained("steps[1].until"),
+            "steps[1].until\n"
+            "  Time at which the phase ends; it begins where the one before ended, the first one at 0.\n"
+            "  allowed  a number above 0\n"
+            "  unit     time\n"
+            "  default  none, the key is required\n");
+  EXPECT_NE(explained("solver.tolerance").find("  default  1e-09\n"), std::string::npos);
+  EXPECT_NE(explained("solver").find("    max_cuts: a whole number from 0 to 30. "), std::string::npos);
+}
+
+TEST(Explanation, namesTheAlternativesThatHaveAKey) {
+  const std::string radius = explained("tools.radius");
+  EXPECT_NE(radius.find("with tools.shape: cylinder\nwith tools.shape: sphere\n  Radius.\n"),
+            std::string::npos)
+      << radius;
+  EXPECT_NE(radius.find("with tools.shape: torus\n  Radius of the circle"), std::string::npos) << radius;
+  EXPECT_NE(explained("material.hardening.q1")
+                .find("with material.law: j2, material.hardening.law: two-term-voce\n"),
+            std::string::npos);
+  EXPECT_NE(explained("geometry.shape").find("  box: A box along the axes. Its keys: origin, size.\n"),
+            std::string::npos);
+}
+
+TEST(Explanation, ofAnUnknownKeyNamesTheNearest) {
+  EXPECT_EQ(explained("solver.tolerence"),
+            "solver.tolerence: \"tolerence\" is not a key of solver; allowed: tolerance, max_iterations, "
+            "max_cuts. Did you mean \"tolerance\"?");
+  EXPECT_NE(explained("max_cuts").find("The keys of this name are solver.max_cuts."), std::string::npos);
+  EXPECT_NE(explained("tolerence").find("Did you mean solver.tolerance or checks.tolerance?"),
+            std::string::npos)
+      << explained("tolerence");
+  EXPECT_NE(explained("degree.x").find("allowed: no keys."), std::string::npos);
+  EXPECT_NE(explained("a..b").find("allowed: a key such as"), std::string::npos);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/scene/json_schema.h"
 #include "postproc/study/combinations.h"
 #include "postproc/study/study_listing.h"
 #include "postproc/study/study_reader.h"
@@ -250,6 +251,13 @@ TEST(StudyListing, isWhatTheDocumentationShows) {
   const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   EXPECT_NE(page.find(describeStudy()), std::string::npos)
       << "docs/study.md is out of date: replace its list by the output of burnish info --study-keys";
+}
+
+TEST(StudySchema, isTheOneThatIsShipped) {
+  std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/study.schema.json");
+  const std::string shipped((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  EXPECT_TRUE(shipped == jsonSchema("burnish study", studyDeclarations()))
+      << "docs/study.schema.json is out of date: replace it by the output of burnish schema --study";
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(Tools, ThatStartInsideOrCannotMoveTheirFaceAreRefused) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
   expect(refusalOf(discOverBlock("center: [1, 0.5]", held, 1)),
-         "block.yaml: contact[0]: tool 'disc' is behind face 'top'");
+         "contact[0]: tool 'disc' is behind face 'top'");
   expect(refusalOf(discOverBlock("center: [1, 1.499999]", held, 1)), "overlaps face 'top' by 1e-06");
   expect(refusalOf(discOverBlock("center: [1, 1.5]", "[{face: top, fix: [x, y]}]", 1)),
          "held in all its components");

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "engine/analysis/scene_report.h"
+#include "engine/core/error.h"
+#include "engine/scene/reader.h"
+#include "postproc/study/study_reader.h"
+#include "postproc/study/text_file.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ValidateArguments {
+  std::vector<fs::path> files;
+  std::vector<std::string> overrides;
+};
+
+/// Only studies have runs.
+bool isStudy(const fs::path& file) {
+  std::error_code status;
+  return fs::is_regular_file(file, status) && ("\n" + readText(file)).find("\nruns:") != std::string::npos;
+}
+
+/// What is said of a good file.
+std::string validateScene(const fs::path& file, const std::vector<std::string>& overrides) {
+  const SceneReport report = reportOf(readScene(file, overrides));
+  for (const std::string& warning : report.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  return report.summary;
+}
+
+std::string validateStudy(const fs::path& file, const std::vector<std::string>& overrides) {
+  if (!overrides.empty())
+    throw Error(fmt::format("{}: --set changes scenes, and this is a study; leave it out", file.string()));
+  const Study study = readStudy(file);  // reads the scenes of all runs
+  return fmt::format("a study of {} runs and {} figures", study.runs.size(), study.spec.figures.size());
+}
+
+ExitCode validate(const ValidateArguments& arguments) {
+  bool allAreGood = true;
+  for (const fs::path& file : arguments.files) {
+    try {
+      const std::string summary =
+          isStudy(file) ? validateStudy(file, arguments.overrides) : validateScene(file, arguments.overrides);
+      fmt::print("{}: fine ({})\n", file.string(), summary);
+    } catch (const Error& error) {
+      fmt::print(stderr, "{}\n", error.what());
+      allAreGood = false;
+    }
+    std::fflush(stdout);
+  }
+  return allAreGood ? ExitCode::Fine : ExitCode::BadInput;
+}
+
+}  // namespace
+
+void addValidateCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "validate", "Check scenes and studies, and whether they can be computed, without computing them");
+  const auto arguments = std::make_shared<ValidateArguments>();
+  command->add_option("SCENE", arguments->files, "Scene or study files (YAML)")->required();
+  command
+      ->add_option("--set", arguments->overrides,
+                   "path=value: change an entry of every scene, e.g. --set degree=3; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  command->callback([&action, arguments] { action = [arguments] { return validate(*arguments); }; });
+}
+
+}  // namespace burnish

@@ -1,0 +1,162 @@
+#include "engine/analysis/geometry_check.h"
+
+#include <CGAL/box_intersection_d.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "engine/core/input_error.h"
+
+namespace burnish {
+namespace {
+
+template <int Dim>
+struct Extremes {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+  Eigen::Vector<double, Dim> place = Eigen::Vector<double, Dim>::Zero();  ///< of the lowest
+};
+
+/// Determinant of the map at the corners of all knot spans, taken from inside of each.
+template <int Dim>
+Extremes<Dim> cornerDeterminants(const Patch<Dim>& patch) {
+  Extremes<Dim> found;
+  for (int span = 0; span < patch.basis().numSpans(); ++span) {
+    const auto index = patch.basis().spanIndex(span);
+    const Eigen::MatrixXd points = patch.points()(Eigen::all, patch.basis().spanFunctions(span));
+    for (int corner = 0; corner < (1 << Dim); ++corner) {
+      Eigen::Vector<double, Dim> xi;
+      for (int d = 0; d < Dim; ++d) {
+        const auto& direction = patch.basis().direction(d);
+        const int e = index[static_cast<std::size_t>(d)];
+        xi(d) = (corner >> d & 1) != 0 ? direction.spanEnd(e) : direction.spanBegin(e);
+      }
+      const auto shape = patch.shape(span, xi);
+      const Eigen::Matrix<double, Dim, Dim> jacobian = points * shape.dR;
+      const double det = jacobian.determinant();
+      found.highest = std::max(found.highest, det);
+      if (det >= found.lowest) continue;
+      found.lowest = det;
+      found.place = points * shape.R;
+    }
+  }
+  return found;
+}
+
+template <int Dim>
+void requirePositive(const Patch<Dim>& patch, const std::string& path) {
+  constexpr double kRounding = 1e-9;
+  const auto found = cornerDeterminants(patch);
+  if (found.lowest >= -kRounding * std::max(found.highest, -found.lowest)) return;
+  if (found.highest <= 0.0)
+    throw InputError(path,
+                     "the body is inside out: the determinant of its map is negative at all knots; reverse "
+                     "the order of the control points in one direction");
+  throw InputError(
+      path, fmt::format("the map is folded near ({:.4g}): its determinant is {:.3g}; move the control points "
+                        "so that it is positive everywhere",
+                        fmt::join(found.place, ", "), found.lowest));
+}
+
+/// A piece of the outer boundary between two samples.
+struct Piece {
+  Eigen::Vector2d begin, end;
+  std::string face;
+
+  /// Distance to the left of the line through the piece.
+  double leftOf(const Eigen::Vector2d& x) const {
+    const Eigen::Vector2d along = (end - begin).normalized(), to = x - begin;
+    return along.x() * to.y() - along.y() * to.x();
+  }
+};
+
+/// Samples of a face in order. The inner ones stand at odd places, so that lines which cross at round numbers
+/// do not meet in samples.
+std::vector<Eigen::Vector2d> samplesOf(const Patch<1, 2>& face) {
+  constexpr int kPerSpan = 12;
+  constexpr double kOdd = 0.3819660112501051;
+  const UnivariateBasis& basis = face.basis().direction(0);
+  std::vector<Eigen::Vector2d> samples;
+  const auto add = [&](double xi) { samples.push_back(face.position(Eigen::Vector<double, 1>(xi))); };
+  for (int span = 0; span < basis.numSpans(); ++span) {
+    add(basis.spanBegin(span));
+    const double width = basis.spanEnd(span) - basis.spanBegin(span);
+    for (int k = 0; k < kPerSpan; ++k) add(basis.spanBegin(span) + (k + kOdd) / kPerSpan * width);
+  }
+  add(basis.breakpoints().back());
+  return samples;
+}
+
+std::vector<Piece> outerBoundary(const FaceFinder<2>& faces) {
+  std::vector<Piece> pieces;
+  for (std::size_t p = 0; p < faces.body().patches.size(); ++p)
+    for (FaceId side = 0; side < 4; ++side) {
+      const FaceSpec place{faces.patchName(static_cast<int>(p)), faceName(side), {}};
+      if (faces.neighbour(place)) continue;
+      const std::string name = place.patch.empty()
+                                   ? fmt::format("'{}'", place.face)
+                                   : fmt::format("'{}' of patch '{}'", place.face, place.patch);
+      const auto samples = samplesOf(tracePatch(faces.body().patches[p], side));
+      for (std::size_t k = 1; k < samples.size(); ++k)
+        if (samples[k] != samples[k - 1]) pieces.push_back({samples[k - 1], samples[k], name});
+    }
+  return pieces;
+}
+
+/// Whether the ends of each of the pieces lie clearly on both sides of the other one.
+bool cross(const Piece& a, const Piece& b, double rounding) {
+  const auto between = [rounding](const Piece& line, const Piece& other) {
+    const double first = line.leftOf(other.begin), second = line.leftOf(other.end);
+    return std::min(first, second) < -rounding && std::max(first, second) > rounding;
+  };
+  return between(a, b) && between(b, a);
+}
+
+void requireSimpleBoundary(const FaceFinder<2>& faces) {
+  using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Piece*>;
+  constexpr double kRounding = 1e-9;
+  const auto pieces = outerBoundary(faces);
+  std::vector<Box> boxes;
+  for (const Piece& piece : pieces) {
+    const Eigen::Vector2d low = piece.begin.cwiseMin(piece.end), high = piece.begin.cwiseMax(piece.end);
+    boxes.emplace_back(CGAL::Bbox_2(low.x(), low.y(), high.x(), high.y()), &piece);
+  }
+  const Piece* first = nullptr;
+  const Piece* second = nullptr;
+  const double rounding = kRounding * faces.body().size();
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    if (first == nullptr && cross(*a.handle(), *b.handle(), rounding))
+      std::tie(first, second) = std::minmax(a.handle(), b.handle());
+  });
+  if (first == nullptr) return;
+  const double before = first->leftOf(second->begin), after = first->leftOf(second->end);
+  const Eigen::Vector2d place = second->begin + before / (before - after) * (second->end - second->begin);
+  throw InputError("geometry",
+                   fmt::format("the boundary crosses itself near ({:.4g}, {:.4g}), face {} and face {}; move "
+                               "the control points so that the body covers no place twice",
+                               place.x(), place.y(), first->face, second->face));
+}
+
+}  // namespace
+
+template <int Dim>
+void requireSoundGeometry(const FaceFinder<Dim>& faces, const Scene& scene) {
+  const bool several = std::holds_alternative<PatchesSpec>(scene.geometry.shape);
+  const auto& patches = faces.body().patches;
+  InputProblems problems;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    problems.gather(
+        [&] { requirePositive(patches[p], several ? fmt::format("geometry.patches[{}]", p) : "geometry"); });
+  problems.throwIfAny();
+  if constexpr (Dim == 2) requireSimpleBoundary(faces);
+}
+
+template void requireSoundGeometry(const FaceFinder<2>&, const Scene&);
+template void requireSoundGeometry(const FaceFinder<3>&, const Scene&);
+
+}  // namespace burnish

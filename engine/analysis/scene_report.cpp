@@ -1,0 +1,100 @@
+#include "engine/analysis/scene_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/analysis/measures.h"
+#include "engine/analysis/model.h"
+#include "engine/analysis/tool_start.h"
+#include "engine/scene/scene_places.h"
+
+namespace burnish {
+namespace {
+
+template <int Dim>
+std::string summaryOf(const Scene& scene, const Model<Dim>& model) {
+  std::vector<std::string> names;
+  for (const auto& tool : model.tools()) names.push_back(tool->name);
+  const char* kinematics = Dim == 3 ? "" : model.body().axisymmetric ? ", axisymmetric" : ", plane strain";
+  return fmt::format(
+      "{} dimensions{}, {} of degree {}, {} unknowns, {}", Dim, kinematics,
+      scene.basis == BasisChoice::Nurbs ? "NURBS" : "Lagrange elements", scene.degree, model.numUnknowns(),
+      names.empty() ? "no tools"
+                    : fmt::format("{} {}", names.size() == 1 ? "tool" : "tools", fmt::join(names, ", ")));
+}
+
+/// Whether the body stays where it is as long as no tool touches it.
+bool restsByItself(const Scene& scene) {
+  return scene.loads.empty() && std::none_of(scene.supports.begin(), scene.supports.end(),
+                                             [](const SupportSpec& s) { return s.move || s.prescribe; });
+}
+
+/// Smallest gap between the undeformed faces of a tool's pairs and the tool on its way; 0 when it touches
+/// one.
+template <int Dim>
+double smallestGap(const Model<Dim>& model, std::size_t number, double end) {
+  constexpr int kSamples = 50;
+  std::vector<double> times = model.corners();
+  for (int k = 0; k <= kSamples; ++k) times.push_back(end * k / kSamples);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double t : times)
+    for (const ContactPair<Dim>& pair : model.contacts()) {
+      if (pair.tool != number || t < 0.0 || t > end) continue;
+      smallest = std::min(smallest, nearestPoint(model.body(), pair.patch, faceFromName<Dim>(pair.faceName),
+                                                 *model.tools()[number], t)
+                                        .gap);
+      if (smallest <= kTouching * model.body().size()) return 0.0;
+    }
+  return smallest;
+}
+
+template <int Dim>
+std::vector<InputProblem> doubtsOf(const Scene& scene, const Model<Dim>& model) {
+  const double end = scene.steps.back().until;
+  std::vector<InputProblem> doubts;
+  for (std::size_t k = 0; k < model.tools().size(); ++k) {
+    const Tool& tool = *model.tools()[k];
+    const std::string path = fmt::format("tools[{}]", k);
+    const bool named = std::any_of(model.contacts().begin(), model.contacts().end(),
+                                   [k](const ContactPair<Dim>& pair) { return pair.tool == k; });
+    if (!named) {
+      doubts.push_back({path, fmt::format("no face can touch tool '{}'; name it under contact", tool.name)});
+      continue;
+    }
+    if (!tool.freeUnknowns().empty() || !restsByItself(scene)) continue;
+    if (const double gap = smallestGap(model, k, end); gap > 0.0)
+      doubts.push_back({path, fmt::format("tool '{}' stays {:.3g} or more away from the faces that may touch "
+                                          "it as long as these are undeformed; move it closer",
+                                          tool.name, gap)});
+  }
+  return doubts;
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+template <int Dim>
+SceneReport reportInDimension(const Scene& scene) {
+  const auto model = buildModel<Dim>(scene);
+  if (!scene.measures.empty())
+    static_cast<void>(Measures<Dim>(scene, *model, Projection<Dim>(model->quadrature())));
+  return {summaryOf(scene, *model), linesOf(textWithPlaces(scene, doubtsOf(scene, *model)))};
+}
+
+}  // namespace
+
+SceneReport reportOf(const Scene& scene) {
+  return scene.dim() == 2 ? reportInDimension<2>(scene) : reportInDimension<3>(scene);
+}
+
+}  // namespace burnish

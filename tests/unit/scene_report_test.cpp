@@ -1,0 +1,122 @@
+#include "engine/analysis/scene_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/core/error.h"
+#include "tests/unit/scene_samples.h"
+
+/// What can be seen only when the model of a scene is built, with the places of the scene's keys.
+namespace burnish {
+namespace {
+
+using samples::replaced;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kPress = R"(geometry: {shape: rectangle, size: [2, 1], spans: [4, 2]}
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports:
+  - {face: bottom, fix: [x, y]}
+tools:
+  - {name: disc, shape: cylinder, center: [1, 1.5], radius: 0.5, motion: {times: [0, 1], y: [0, -0.05]}}
+contact:
+  - {tool: disc, face: top}
+steps: [{until: 1, count: 2}]
+)";
+
+std::string net(const std::string& knots, const std::string& points) {
+  return "geometry:\n  shape: control-net\n  degrees: [1, 1]\n  knots: [" + knots +
+         ", [0, 0, 1, 1]]\n  points: " + points +
+         "\nmaterial: {law: neo-hookean, E: 1, nu: 0.3}\nsupports: [{face: left, fix: [x, y]}]\n"
+         "steps: [{until: 1, count: 1}]\n";
+}
+const std::string kOneSpan = "[0, 0, 1, 1]";
+
+std::string errorOf(const std::string& yaml, const std::vector<std::string>& overrides = {}) {
+  try {
+    reportOf(parseScene(yaml, "test.yaml", overrides));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(SceneReport, SaysWhatIsComputed) {
+  const SceneReport report = reportOf(parseScene(kPress, "test.yaml"));
+  EXPECT_EQ(report.summary, "2 dimensions, plane strain, NURBS of degree 2, 54 unknowns, tool disc");
+  EXPECT_THAT(report.warnings, ElementsAre());
+}
+
+TEST(SceneReport, PlacesWhatIsWrongWithTheModel) {
+  EXPECT_EQ(errorOf(replaced(kPress, "1.5]", "1.4]")),
+            "test.yaml:8:5: contact[0]: tool 'disc' overlaps face 'top' by 0.1 at the start; move it away by "
+            "at least that much (touching is fine)");
+  EXPECT_THAT(errorOf(replaced(kPress, "[1, 1.5]", "[1, 0.5]")),
+              StartsWith("test.yaml:8:5: contact[0]: tool 'disc' is behind face 'top'"));
+  EXPECT_THAT(
+      errorOf(replaced(kPress, "fix: [x, y]", "fix: [y]")),
+      StartsWith("test.yaml:4:3: supports: they leave the body free to move as a rigid whole in 1 way"));
+  EXPECT_THAT(errorOf(kPress, {"supports[0].part=[0.4, 0.45]"}),
+              StartsWith("test.yaml:4:5: supports[0]: no control point belongs to this part"));
+  EXPECT_THAT(errorOf(kPress, {"tools[0].motion=", "tools[0].carry={y: 0}"}),
+              StartsWith("--set tools[0].carry={y: 0}: tools[0].carry: tool 'disc' carries no force"));
+  EXPECT_THAT(errorOf(kPress + "measures:\n  - {name: far, kind: point, position: [9, 9]}\n"),
+              StartsWith("test.yaml:11:5: measures[0]: "));
+}
+
+TEST(SceneReport, ReportsIndependentProblemsTogether) {
+  EXPECT_THAT(
+      errorOf(replaced(replaced(kPress, "fix: [x, y]", "fix: [y]"), "1.5]", "1.4]")),
+      testing::AllOf(StartsWith("test.yaml:4:3: supports: "), HasSubstr("\ntest.yaml:8:5: contact[0]: ")));
+}
+
+TEST(SceneReport, RefusesGeometryThatIsNoBody) {
+  EXPECT_EQ(errorOf(net(kOneSpan, "[[0, 0], [1, 0], [0, 1], [1, 1]]")), "no error");
+  EXPECT_THAT(errorOf(net(kOneSpan, "[[1, 0], [0, 0], [1, 1], [0, 1]]")),
+              StartsWith("test.yaml:2:3: geometry: the body is inside out"));
+  EXPECT_THAT(
+      errorOf(net(kOneSpan, "[[0, 0], [1, 0], [0, 1], [0.49, 0.49]]")),
+      StartsWith("test.yaml:2:3: geometry: the map is folded near (0.49, 0.49): its determinant is -0.02"))
+      << "positive at all quadrature points";
+}
+
+TEST(SceneReport, RefusesABodyThatCoversAPlaceTwice) {
+  const std::string knots = "[0, 0, 1, 2, 3, 4, 4]";
+  const std::string inside = ", [0, 0.5], [3.5, 0.5], [3.5, 3.5], [1.5, 3.5], ";
+  const std::string open = "[[0, 0], [4, 0], [4, 4], [1, 4], [1, 1]" + inside + "[1.5, 1]]";
+  const std::string crossed = "[[0, 0], [4, 0], [4, 4], [1, 4], [1, -2]" + inside + "[1.5, -2]]";
+  EXPECT_EQ(errorOf(net(knots, open)), "no error");
+  EXPECT_THAT(errorOf(net(knots, crossed)),
+              StartsWith("test.yaml:2:3: geometry: the boundary crosses itself near (1, "));
+}
+
+TEST(SceneReport, NamesThePatchThatIsFolded) {
+  EXPECT_THAT(errorOf(R"(geometry:
+  shape: patches
+  patches:
+    - {name: a, shape: rectangle, size: [1, 1], spans: [1, 1]}
+    - {name: b, shape: control-net, degrees: [1, 1], knots: [[0, 0, 1, 1], [0, 0, 1, 1]],
+       points: [[1, 0], [2, 0], [1, 1], [1.4, 0.4]]}
+degree: 1
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports: [{patch: a, face: left, fix: [x, y]}]
+steps: [{until: 1, count: 1}]
+)"),
+              StartsWith("test.yaml:5:7: geometry.patches[1]: the map is folded near"));
+}
+
+TEST(SceneReport, WarnsOfToolsThatNothingTouches) {
+  const auto warningsOf = [](const std::string& yaml) {
+    return reportOf(parseScene(yaml, "test.yaml")).warnings;
+  };
+  EXPECT_THAT(warningsOf(replaced(kPress, "contact:\n  - {tool: disc, face: top}\n", "")),
+              ElementsAre("test.yaml:6:5: tools[0]: no face can touch tool 'disc'; name it under contact"));
+  EXPECT_THAT(warningsOf(replaced(kPress, "1.5]", "1.6]")),
+              ElementsAre(StartsWith("test.yaml:6:5: tools[0]: tool 'disc' stays 0.05 or more away")));
+  EXPECT_THAT(warningsOf(replaced(kPress, "1.5]", "1.54]")), ElementsAre());
+}
+
+}  // namespace
+}  // namespace burnish
