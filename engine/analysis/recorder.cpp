@@ -27,10 +27,13 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
       extremes_(model.body()),
       measures_(scene, model, projection),
       toolWatch_(model),
+      tipWatch_(model),
       doubts_{{"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
               {"smallest J below 0.05"}},
       touched_(model.tools().size(), false) {
   for (auto& sentence : toolWatch_.sentences()) doubts_.push_back({std::move(sentence)});
+  firstTipDoubt_ = doubts_.size();
+  doubts_.resize(firstTipDoubt_ + model.contacts().size());
 }
 
 template <int Dim>
@@ -153,6 +156,12 @@ void Recorder<Dim>::watch() {
   note(doubts_[1], current_.minJ < kDoubtfulJ);
   const auto reached = toolWatch_.reached(current_.toolPoses, x_);
   for (std::size_t k = 0; k < reached.size(); ++k) note(doubts_[2 + k], reached[k]);
+  const auto tips = tipWatch_.sentences(current_.toolPoses, x_);
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    Doubt& doubt = doubts_[firstTipDoubt_ + k];
+    if (doubt.steps == 0) doubt.what = tips[k];
+    note(doubt, !tips[k].empty());
+  }
 
   for (const auto& pair : model_.contacts())
     if (pair.term->state().pressure.maxCoeff() > 0.0) touched_[pair.tool] = true;

@@ -339,6 +339,55 @@ TEST(ToolsTest, AToolThatSlidesOverTheEndOfItsFaceIsNoticed) {
   EXPECT_GT(inside->firstTime, 0.2);
 }
 
+/// The doubts about tips that the mesh is too coarse for.
+std::vector<Doubt> tipDoubts(const test::Outcome& outcome) {
+  std::vector<Doubt> found;
+  std::ranges::copy_if(outcome.summary.doubts, std::back_inserter(found), [](const Doubt& doubt) {
+    return doubt.what.find("too sharp for the mesh") != std::string::npos;
+  });
+  return found;
+}
+
+TEST(ToolsTest, ATipBetweenControlPointsIsNoticed) {
+  // In the middle of a knot span of 0.125, where no averaged gap feels it: it would press without any force.
+  const auto wedge = runWith("shape: edge, tip: [0.96, 1.08], direction: [0, -1], angle: 40");
+  EXPECT_EQ(wedge.history.column("tool.fy").back(), 0.0);
+  EXPECT_LT(wedge.summary.largestPenetration, 0.1 * 0.125) << "the other limit does not see it";
+  const auto doubts = tipDoubts(wedge);
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_NE(doubts[0].what.find("tool 'tool'"), std::string::npos) << doubts[0].what;
+  EXPECT_NE(doubts[0].what.find("face 'top'"), std::string::npos) << doubts[0].what;
+
+  const auto cone = test::run(cube("  - {name: tool, shape: cone, tip: [0.6, 0.56, 0.4], direction: [0, -1, "
+                                   "0], half_angle: 30, motion: {times: [0, 1], y: [0, -0.1]}}"),
+                              "cone");
+  EXPECT_EQ(cone.history.column("tool.fy").back(), 0.0);
+  EXPECT_EQ(tipDoubts(cone).size(), 1u);
+
+  const auto onAxis = test::run(parseScene(R"(
+kinematics: axisymmetric
+geometry: {shape: rectangle, size: [2, 1], spans: [8, 4]}
+material: {law: neo-hookean, E: 10.0, nu: 0.3}
+supports: [{face: bottom, fix: [y]}, {face: left, symmetry: true}]
+tools: [{name: tool, shape: cone, tip: [0, 1], direction: [0, -1], half_angle: 40, motion: {times: [0, 1], y: [0, -0.05]}}]
+contact: [{tool: tool, face: top}]
+steps: [{until: 1, count: 2}]
+)",
+                                           "cone"),
+                                "cone");
+  EXPECT_EQ(tipDoubts(onAxis).size(), 1u);
+}
+
+TEST(ToolsTest, ToolsThatTheMeshResolvesAreNotDoubted) {
+  for (const char* shape : {"shape: edge, tip: [0.96, 1], direction: [0, -1], angle: 120, radius: 0.3",
+                            "shape: cylinder, center: [0.96, 1.5], radius: 0.5",
+                            "shape: box, center: [0.96, 1.4], size: [0.8, 0.8], radius: 0.2"}) {
+    const auto outcome = runWith(shape);
+    EXPECT_GT(outcome.history.column("tool.fy").back(), 0.1) << shape;
+    EXPECT_TRUE(tipDoubts(outcome).empty()) << shape;
+  }
+}
+
 TEST(ToolsTest, AFreeTurnNeverGoesRoundAndRound) {
   // A box on the round of which one control point alone holds it at first: its turn is next to undetermined.
   for (const int spans : {8, 16}) {
