@@ -91,7 +91,7 @@ class Recorder {
   double largestPenetration_ = 0.0;
   std::vector<Doubt> doubts_;
   std::size_t firstTipDoubt_ = 0;  ///< of one for each contact pair
-  std::vector<bool> touched_;  ///< per tool
+  std::vector<bool> touched_;      ///< per tool
   double projectionSeconds_ = 0.0;
 };
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "tests/verification/run_scene.h"
 
 namespace burnish {
@@ -402,6 +403,43 @@ TEST(ToolsTest, AFreeTurnNeverGoesRoundAndRound) {
                   0.05 * outcome.summary.end.strainEnergy);
     }
   }
+}
+
+/// Why a block with these tools cannot be computed.
+std::string refusalOf(const std::string& tools) {
+  const test::ScratchDirectory directory("refused");
+  RunObserver silent;
+  try {
+    runScene(block(tools), directory.path(), {}, silent);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ToolsTest, WaysInWhichAToolMovesInItselfAreNamed) {
+  const auto expect = [](const std::string& tool, const std::string& what) {
+    const std::string message = refusalOf(fmt::format("  - {{name: tool, {}}}", tool));
+    EXPECT_NE(message.find(what), std::string::npos) << message;
+  };
+  const std::string inItself = ": tool 'tool' moves in itself";
+  expect("shape: cylinder, center: [1, 1.5], radius: 0.5, carry: {y: '-t', moment: 0}",
+         "tools[0].carry.moment" + inItself);
+  expect("shape: cylinder, center: [1, 1.5], radius: 0.5, pivot: [1, 1.2], carry: {x: 0, y: '-t', moment: 0}",
+         "tools[0].carry.x" + inItself + " in this way, together with tools[0].carry.moment,");
+  expect("shape: plane, origin: [0, 1], normal: [0, -1], carry: {x: 1, y: '-t'}",
+         "tools[0].carry.x" + inItself);
+  expect("shape: nurbs" + circle(0.5, 1, 1.5).substr(12) + ", carry: {y: '-t', moment: '0.1*t'}",
+         "tools[0].carry.moment" + inItself);
+}
+
+TEST(ToolsTest, AFreeWayInWhichNothingResistsIsNamedWhenTheRunStops) {
+  const auto outcome = test::run(
+      block("  - {name: tool, shape: cylinder, center: [1, 1.5], radius: 0.5, carry: {x: '0.2*t', y: '-t'}}"),
+      "sliding");
+  EXPECT_FALSE(outcome.summary.completed);
+  EXPECT_NE(outcome.summary.stoppedBecause.find("tools[0].carry.x"), std::string::npos)
+      << outcome.summary.stoppedBecause;
 }
 
 TEST(ToolsTest, PointwisePenaltyStartsWithoutAForceAndItsWorkIsStored) {
