@@ -18,7 +18,7 @@ struct SummaryRecord {
   std::string program;  ///< as in the result's model: version and digest of the engine
   bool completed = false;
   std::string stoppedBecause;             ///< empty when completed
-  std::string advice;                     ///< what usually helps; may be empty
+  std::string advice{};                   ///< what usually helps; may be empty
   std::vector<DoubtRecord> doubts;        ///< in the order of the first times
   std::map<std::string, double> numbers;  ///< steps, cut_backs, iterations, seconds, …: see docs/results.md
 };
