@@ -318,6 +318,19 @@ TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
   EXPECT_NO_THROW(checkModel(whole.model, "mirrored"));
 }
 
+TEST(Mirror, AToolThatHasLeftThePlaneIsDrawnTwice) {
+  ModelRecord model = modelOf(quarterRing());
+  model.tools = {{"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}}};
+  FrameRecord frame = frameOf(model, 0, 0.0);
+  frame.displacement.row(0) = 0.1 * model.patches.front().points.row(0);
+  frame.toolDisplacement = Eigen::Vector2d(0.0, -0.5);
+  EXPECT_EQ(mirrored(model, frame, {{0, 0.0}}).model.tools.size(), 1U);
+  frame.toolDisplacement(0, 0) = 0.25;
+  const ModelFrame whole = mirrored(model, frame, {{0, 0.0}});
+  ASSERT_EQ(whole.model.tools.size(), 2U);
+  EXPECT_EQ(whole.frame.toolDisplacement.col(1), Eigen::Vector2d(-0.25, -0.5));
+}
+
 TEST(PlaneSection, OfABallIsACircleWithItsArea) {
   const auto ball = toolOutline({"ball", Sphere{{1.0, 2.0, 3.0}, 2.0}}, 3, {});
   const CutPlane plane{{1.0, 2.0, 4.0}, {0.0, 0.0, 3.0}};
