@@ -285,7 +285,7 @@ TEST(BodySurface, OfJoinedPatchesHasNoFacesInside) {
 TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
   ModelRecord model = modelOf(quarterRing());
   model.tools = {{"plate", Plane{{0.0, 5.0, 0.0}, {0.6, -0.8, 0.0}}},
-                 {"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}}};
+                 {"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}, {0.0, 4.0, 0.0}}};
   FrameRecord frame = frameOf(model, 0, 0.0);
   const Eigen::RowVectorXd x = model.patches.front().points.row(0);
   frame.displacement.row(0) = 0.1 * x;  // nothing on the plane
