@@ -77,6 +77,7 @@ class Recorder {
   void addTools(const MeasuredState& state, StateQuantities& next) const;
   Eigen::VectorXd loadForces() const;
   void watch();
+  void nameTips();
 
   const Model<Dim>& model_;
   const Projection<Dim>& projection_;
@@ -91,6 +92,7 @@ class Recorder {
   double largestPenetration_ = 0.0;
   std::vector<Doubt> doubts_;
   std::size_t firstTipDoubt_ = 0;  ///< of one for each contact pair
+  std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool
   double projectionSeconds_ = 0.0;
 };

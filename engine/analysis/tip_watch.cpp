@@ -62,16 +62,16 @@ TipWatch<Dim>::TipWatch(const Model<Dim>& model) : model_(model) {
 }
 
 template <int Dim>
-std::vector<std::string> TipWatch<Dim>::sentences(const std::vector<ToolPose>& poses,
-                                                  const Eigen::VectorXd& x) const {
-  std::vector<std::string> sentences;
+std::vector<FoundTip> TipWatch<Dim>::tips(const std::vector<ToolPose>& poses,
+                                          const Eigen::VectorXd& x) const {
+  std::vector<FoundTip> tips;
   for (std::size_t k = 0; k < samples_.size(); ++k)
-    sentences.push_back(sentence(k, poses[model_.contacts()[k].tool], x));
-  return sentences;
+    tips.push_back(tip(k, poses[model_.contacts()[k].tool], x));
+  return tips;
 }
 
 template <int Dim>
-std::string TipWatch<Dim>::sentence(std::size_t pair, const ToolPose& pose, const Eigen::VectorXd& x) const {
+FoundTip TipWatch<Dim>::tip(std::size_t pair, const ToolPose& pose, const Eigen::VectorXd& x) const {
   const ContactPair<Dim>& contact = model_.contacts()[pair];
   const Tool& tool = *model_.tools()[contact.tool];
   for (std::size_t e = 0; e < samples_[pair].spans().size(); ++e) {
@@ -82,14 +82,20 @@ std::string TipWatch<Dim>::sentence(std::size_t pair, const ToolPose& pose, cons
     const auto deepest = deepestPoint<Dim>(tool, pose, samples_[pair].positions(span, x));
     const double jump = normalJump<Dim>(tool, pose, deepest.x, kLookSpanShare * span.size);
     if (deepest.gap > -kDeepSpanShare * span.size || jump < kSharp) continue;
-    const double turn = 2.0 * std::asin(std::min(1.0, 0.5 * jump)) * 180.0 / std::numbers::pi;
-    return fmt::format(
-        "tool '{}' is {:.2g} deep in face '{}' with a tip or edge too sharp for the mesh, it turns by {:.0f} "
-        "degrees within half a knot span ({:.2g}); round it by more than a knot span (radius, of facets "
-        "smoothing), or refine the mesh there",
-        tool.name, -deepest.gap, contact.faceName, turn, 0.5 * span.size);
+    return {-deepest.gap, 2.0 * std::asin(std::min(1.0, 0.5 * jump)), span.size};
   }
   return {};
+}
+
+template <int Dim>
+std::string TipWatch<Dim>::sentence(std::size_t pair, const FoundTip& tip) const {
+  const ContactPair<Dim>& contact = model_.contacts()[pair];
+  return fmt::format(
+      "tool '{}' is {:.2g} deep in face '{}' with a tip or edge too sharp for the mesh, it turns by {:.0f} "
+      "degrees within half a knot span ({:.2g}); round it by more than a knot span (radius, of facets "
+      "smoothing), or refine the mesh there",
+      model_.tools()[contact.tool]->name, tip.depth, contact.faceName, tip.turn * 180.0 / std::numbers::pi,
+      0.5 * tip.span);
 }
 
 template class TipWatch<2>;
