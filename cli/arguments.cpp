@@ -52,14 +52,6 @@ int frameAtTime(double time, const std::vector<double>& times) {
                           index, *nearest));
 }
 
-/// `x=V`, `y=V` or `z=V`.
-std::optional<MirrorPlane> axisPlane(std::string_view text) {
-  if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=') return std::nullopt;
-  const auto at = numberFrom<double>(text.substr(2));
-  if (!at || !std::isfinite(*at)) return std::nullopt;
-  return MirrorPlane{text[0] - 'x', *at};
-}
-
 }  // namespace
 
 bool isOn(const char* option, const std::string& word) {
@@ -157,32 +149,13 @@ std::optional<Eigen::Vector3d> directionFromText(const std::string& text) {
 }
 
 CutPlane cutPlaneFromText(const char* option, const std::string& text) {
-  if (const auto plane = axisPlane(text)) {
-    const Eigen::Vector3d normal = Eigen::Vector3d::Unit(plane->axis);
-    return {plane->at * normal, normal};
-  }
-  if (const auto numbers = listFrom<double, 6>(text)) {
-    const auto v = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(numbers->data());
-    if (v.allFinite() && v.tail<3>().norm() > 0.0) return {v.head<3>(), v.tail<3>()};
-  }
-  throw Error(fmt::format(
-      "{}: found \"{}\"; expected x=V, y=V or z=V, or X,Y,Z,NX,NY,NZ: a point and a normal that is not 0,0,0",
-      option, text));
+  if (const auto plane = cutPlaneNamed(text)) return *plane;
+  throw Error(fmt::format("{}: found \"{}\"; expected {}", option, text, kCutPlaneWords));
 }
 
 std::vector<MirrorPlane> mirrorFromText(const std::string& text) {
-  std::vector<MirrorPlane> planes;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto plane = axisPlane(word.size() == 1 ? word + "=0" : word);
-    const auto isSame = [&](const MirrorPlane& other) { return plane && other.axis == plane->axis; };
-    if (!plane || std::any_of(planes.begin(), planes.end(), isSame))
-      throw Error(fmt::format(
-          "--mirror: found \"{}\"; expected one or more of x, y, z, each once, or x=V: where the plane is",
-          text));
-    planes.push_back(*plane);
-  }
-  return planes;
+  if (const auto planes = mirrorPlanesNamed(text)) return *planes;
+  throw Error(fmt::format("--mirror: found \"{}\"; expected {}", text, kMirrorPlaneWords));
 }
 
 int bandsFromText(const std::string& text) {

@@ -31,6 +31,10 @@ class RunOutputs : public RunObserver {
 
  private:
   std::filesystem::path pictureFile(const PictureSpec& picture, std::optional<double> time) const;
+
+  /// Throws `Error` before the run goes on if the planes of a picture are none of symmetry or miss the body.
+  void requirePlanes(const FrameRecord& frame) const;
+
   void draw(const PictureSpec& picture, const std::filesystem::path& file, const FrameRecord& frame);
 
   const Scene& scene_;

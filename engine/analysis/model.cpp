@@ -186,15 +186,13 @@ void Model<Dim>::liftTools(const Scene& scene) {
 template <int Dim>
 void Model<Dim>::placeFreeTool(const ToolLoad& load, const Scene& scene) {
   const Tool& tool = load.tool();
-  const auto number = static_cast<std::size_t>(
-      std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t.get() == &tool; }) -
-      tools_.begin());
-  const auto pairs = pairsOf(number);
-  const std::string place = fmt::format("tools[{}].carry", number);
+  const auto pairs = pairsOf(numberOf(tool));
+  const std::string place = fmt::format("tools[{}].carry", numberOf(tool));
   if (pairs.empty())
     throw InputError(
         place,
         fmt::format("tool '{}' is free to move, but touches no face; name it under contact", tool.name));
+  requireDetermined(tool, place, Dim, body_.size());
   pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
   const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
   if (!slides) {
@@ -210,6 +208,21 @@ void Model<Dim>::placeFreeTool(const ToolLoad& load, const Scene& scene) {
       shiftToTouch<Dim>({pairs.begin(), pairs.end()}, tool, direction, body_.size(), place);
   for (std::size_t way = 0; way < kTurn; ++way)
     if (tool.isFree(way)) start_(tool.unknowns[way]) = shift(static_cast<Eigen::Index>(way));
+}
+
+template <int Dim>
+std::size_t Model<Dim>::numberOf(const Tool& tool) const {
+  const auto it =
+      std::find_if(tools_.begin(), tools_.end(), [&](const auto& other) { return other.get() == &tool; });
+  return static_cast<std::size_t>(it - tools_.begin());
+}
+
+template <int Dim>
+std::string Model<Dim>::runawayWay() const {
+  for (const auto& load : toolLoads_)
+    if (const auto way = load->runaway())
+      return fmt::format("tools[{}].carry.{}", numberOf(load->tool()), kCarryKeys[*way]);
+  return {};
 }
 
 template <int Dim>

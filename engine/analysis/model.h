@@ -66,6 +66,9 @@ class Model {
   /// the terms have been evaluated at; empty if there is none.
   std::string pulledTool() const;
 
+  /// Key of a free way in which a tool has moved too far since the last accepted state; empty if none has.
+  std::string runawayWay() const;
+
   /// Times at which a schedule has a corner.
   const std::vector<double>& corners() const { return corners_; }
 
@@ -83,6 +86,7 @@ class Model {
   void liftTools(const Scene& scene);
   void placeFreeTool(const ToolLoad& load, const Scene& scene);
   std::vector<ContactTerm<Dim>*> pairsOf(std::size_t tool) const;
+  std::size_t numberOf(const Tool& tool) const;
   void requireSupported() const;
 
   /// Smallest force that counts: 1e-9 E L (E L² in 3D and axisymmetry).

@@ -27,10 +27,14 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
       extremes_(model.body()),
       measures_(scene, model, projection),
       toolWatch_(model),
+      tipWatch_(model),
       doubts_{{"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
               {"smallest J below 0.05"}},
       touched_(model.tools().size(), false) {
   for (auto& sentence : toolWatch_.sentences()) doubts_.push_back({std::move(sentence)});
+  firstTipDoubt_ = doubts_.size();
+  doubts_.resize(firstTipDoubt_ + model.contacts().size());
+  tips_.resize(model.contacts().size());
 }
 
 template <int Dim>
@@ -153,9 +157,21 @@ void Recorder<Dim>::watch() {
   note(doubts_[1], current_.minJ < kDoubtfulJ);
   const auto reached = toolWatch_.reached(current_.toolPoses, x_);
   for (std::size_t k = 0; k < reached.size(); ++k) note(doubts_[2 + k], reached[k]);
+  const auto tips = tipWatch_.tips(current_.toolPoses, x_);
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    if (tips_[k].depth == 0.0) tips_[k] = tips[k];
+    note(doubts_[firstTipDoubt_ + k], tips[k].depth > 0.0);
+  }
+  nameTips();
 
   for (const auto& pair : model_.contacts())
     if (pair.term->state().pressure.maxCoeff() > 0.0) touched_[pair.tool] = true;
+}
+
+template <int Dim>
+void Recorder<Dim>::nameTips() {
+  for (std::size_t k = 0; k < tips_.size(); ++k)
+    if (tips_[k].depth > 0.0) doubts_[firstTipDoubt_ + k].what = tipWatch_.sentence(k, tips_[k]);
 }
 
 template <int Dim>
@@ -229,6 +245,12 @@ void Recorder<Dim>::archive(StateArchive& archive) {
     archive.field(fmt::format("doubt{}_first_time", k), doubts_[k].firstTime);
     archive.field(fmt::format("doubt{}_steps", k), doubts_[k].steps);
   }
+  for (std::size_t k = 0; k < tips_.size(); ++k) {
+    archive.field(fmt::format("tip{}_depth", k), tips_[k].depth);
+    archive.field(fmt::format("tip{}_turn", k), tips_[k].turn);
+    archive.field(fmt::format("tip{}_span", k), tips_[k].span);
+  }
+  nameTips();
   archive.fixedField("touched", touched_);
   archive.field("projection_seconds", projectionSeconds_);
 }

@@ -5,6 +5,7 @@
 
 #include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
+#include "engine/analysis/tip_watch.h"
 #include "engine/analysis/tool_watch.h"
 #include "engine/fields/projection.h"
 #include "engine/fields/span_extremes.h"
@@ -76,19 +77,23 @@ class Recorder {
   void addTools(const MeasuredState& state, StateQuantities& next) const;
   Eigen::VectorXd loadForces() const;
   void watch();
+  void nameTips();
 
   const Model<Dim>& model_;
   const Projection<Dim>& projection_;
   SpanExtremes<Dim> extremes_;
   Measures<Dim> measures_;
   ToolWatch<Dim> toolWatch_;
+  TipWatch<Dim> tipWatch_;
   StateQuantities current_;
   std::vector<double> measured_;       ///< of the current state
   Eigen::VectorXd x_, force_, loads_;  ///< of the last state; empty before the first
   double smallestJ_ = 1.0;
   double largestPenetration_ = 0.0;
   std::vector<Doubt> doubts_;
-  std::vector<bool> touched_;  ///< per tool
+  std::size_t firstTipDoubt_ = 0;  ///< of one for each contact pair
+  std::vector<FoundTip> tips_;     ///< the first ones
+  std::vector<bool> touched_;      ///< per tool
   double projectionSeconds_ = 0.0;
 };
 

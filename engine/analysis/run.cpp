@@ -222,9 +222,15 @@ class Run {
     if (const std::string pulled = model_.pulledTool(); !pulled.empty())
       summary_.stoppedBecause += fmt::format(
           "; tool '{}' had lost the body: the load that it carries may have pulled it off, or does not "
-          "determine "
-          "its place",
+          "determine its place",
           pulled);
+    if (const std::string way = model_.runawayWay(); !way.empty())
+      summary_.stoppedBecause += fmt::format(
+          "; {}: the tool would have turned by more than 0.2 radians, or moved by more than the body's size, "
+          "in "
+          "one step, as too little resists it in this way: leave it out of carry, prescribe it, or place the "
+          "tool so that it rests on several control points",
+          way);
   }
 
   void append(int step, int iterations) {

@@ -1,6 +1,7 @@
 #include "engine/analysis/tool_start.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,21 @@ Eigen::Vector<double, Dim> outwardNormal(const Patch<Dim>& patch, FaceId face,
   const Eigen::Matrix<double, Dim, Dim> inverse = patch.jacobian(xi).inverse();
   const double sign = face % 2 == 0 ? -1.0 : 1.0;
   return sign * inverse.row(across).transpose().normalized();
+}
+
+/// Scattered points around a tool, at distances of about the body's size.
+std::vector<Eigen::Vector3d> pointsAround(const Eigen::Vector3d& middle, int dim, double bodySize) {
+  constexpr int kPerDirection = 4;
+  std::vector<Eigen::Vector3d> points;
+  for (int k = 0; k < (dim == 2 ? 1 : kPerDirection) * kPerDirection * kPerDirection; ++k) {
+    // Shares that differ from one direction to the next, so that no symmetry of a shape hides a way.
+    const Eigen::Vector3d grid(k % kPerDirection, k / kPerDirection % kPerDirection,
+                               k / (kPerDirection * kPerDirection));
+    Eigen::Vector3d x = middle;
+    for (int d = 0; d < dim; ++d) x(d) += bodySize * (0.71 * grid(d) - 1.03 - 0.11 * d);
+    points.push_back(x);
+  }
+  return points;
 }
 
 /// An averaged gap of this share of the body's size is no touch.
@@ -145,6 +161,32 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
       fmt::format("tool '{}' cannot be lifted off the face that it touches, averaged gaps stay negative; "
                   "start it farther away",
                   tool.name));
+}
+
+void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize) {
+  constexpr double kNothing = 1e-8;
+  std::vector<std::size_t> ways;
+  for (std::size_t way = 0; way < kToolWays; ++way)
+    if (tool.isFree(way)) ways.push_back(way);
+  const ToolPose pose = tool.pose(0.0);
+  const auto points = pointsAround(middleOf(tool.shape), dim, bodySize);
+  Eigen::MatrixXd slopes(points.size(), ways.size());  // of the gap, by the free ways
+  for (std::size_t k = 0; k < points.size(); ++k)
+    slopes.row(static_cast<Eigen::Index>(k)) = tool.queryWithWays(pose, points[k]).dWays(ways).transpose();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinV);
+  if (svd.singularValues().tail<1>()(0) > kNothing * static_cast<double>(points.size())) return;
+  std::vector<std::string> keys;
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    if (std::abs(svd.matrixV().rightCols<1>()(static_cast<Eigen::Index>(k))) > kNothing)
+      keys.push_back(fmt::format("{}.{}", place, kCarryKeys[ways[k]]));
+  const std::string others =
+      keys.size() == 1 ? ""
+                       : fmt::format(", together with {},", fmt::join(keys.begin() + 1, keys.end(), " and "));
+  throw InputError(
+      keys.front(),
+      fmt::format("tool '{}' moves in itself in this way{} so that no contact force resists it; leave "
+                  "it out of carry, then it is held, or prescribe it",
+                  tool.name, others));
 }
 
 Eigen::Vector3d firstDirection(const ToolLoad& load, double end) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace burnish {
 
 /// Gaps smaller than this share of a length count as touching.
 inline constexpr double kTouching = 1e-9;
+
+/// Keys of the ways under `carry`.
+inline constexpr std::array<const char*, kToolWays> kCarryKeys{"x", "y", "z", "moment"};
 
 /// Where an undeformed face comes nearest to a tool.
 struct NearestPoint {
@@ -30,6 +34,10 @@ NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const T
 template <int Dim>
 Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
                                double bodySize, const std::string& place);
+
+/// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free ways in which the shape of a
+/// tool moves in itself, for instance a disc that turns about its middle: no contact resists it there.
+void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize);
 
 /// Direction of the first force, of all times up to `end`, that a tool carries; zero if there is none.
 Eigen::Vector3d firstDirection(const ToolLoad& load, double end);

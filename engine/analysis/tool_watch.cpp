@@ -56,12 +56,7 @@ bool ToolWatch<Dim>::isReached(const Face& face, const ToolPose& pose, const Eig
   const Tool& tool = *model_.tools()[face.tool];
   return std::any_of(face.middles.spans().begin(), face.middles.spans().end(), [&](const auto& span) {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    for (std::size_t a = 0; a < span.functions.size(); ++a) {
-      const int function = span.functions[a];
-      const int node = face.middles.nodes()[static_cast<std::size_t>(function)];
-      point.head<Dim>() += span.R(static_cast<Eigen::Index>(a), 0) *
-                           (face.middles.points().col(function) + x.template segment<Dim>(Dim * node));
-    }
+    point.head<Dim>() = face.middles.positions(span, x);
     return tool.query(pose, point).gap < -kDeepSpanShare * span.size;
   });
 }

@@ -124,13 +124,8 @@ CouplingGroups ContactTerm<Dim>::couplings() const {
 template <int Dim>
 Eigen::MatrixXd ContactTerm<Dim>::positions(const Eigen::VectorXd& x) const {
   Eigen::MatrixXd result(Dim, face_.numPoints());
-  for (const auto& span : face_.spans()) {
-    Eigen::MatrixXd current = face_.points()(Eigen::all, span.functions);
-    for (std::size_t a = 0; a < span.functions.size(); ++a)
-      current.col(static_cast<Eigen::Index>(a)) +=
-          x.template segment<Dim>(Dim * face_.nodes()[static_cast<std::size_t>(span.functions[a])]);
-    result.middleCols(span.firstPoint, span.R.cols()) = current * span.R;
-  }
+  for (const auto& span : face_.spans())
+    result.middleCols(span.firstPoint, span.R.cols()) = face_.positions(span, x);
   return result;
 }
 

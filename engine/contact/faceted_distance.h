@@ -21,7 +21,6 @@ class FacetedDistance {
   FacetedDistance(SurfaceMesh surface, std::optional<double> smoothing);
 
   const SurfaceMesh& surface() const { return facets_.surface(); }
-  double spacing() const { return spacing_; }
 
   GapQuery query(const Eigen::Vector3d& x) const;
 

@@ -127,7 +127,7 @@ SurfaceMesh NurbsDistance<P>::outline() const {
 
 template <int P>
 double NurbsDistance<P>::halfThickness() const {
-  if (!mesh_.closed) return std::numeric_limits<double>::infinity();
+  if (!isSolid(outline())) return std::numeric_limits<double>::infinity();
   const Eigen::Vector3d extent = mesh_.points.rowwise().maxCoeff() - mesh_.points.rowwise().minCoeff();
   return 0.5 * extent.head<P + 1>().minCoeff();
 }

@@ -30,7 +30,7 @@ NurbsShape<P> makeNurbsShape(Patch<P, 3> patch, bool flip = false);
 template <int P>
 SurfaceMesh outlineOf(const NurbsShape<P>& shape);
 
-/// Half the smallest extent of a closed curve or surface, infinity for an open one.
+/// Half the smallest extent of a closed curve or surface, infinity for an open one and for a die.
 template <int P>
 double halfThicknessOf(const NurbsShape<P>& shape);
 

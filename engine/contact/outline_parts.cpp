@@ -127,6 +127,15 @@ SurfaceMesh clipped(const SurfaceMesh& mesh, const std::function<double(const Ve
   return builder.finish(corners, mesh.closed);
 }
 
+bool isSolid(const SurfaceMesh& mesh) {
+  double size = 0.0;  // twice the area, or six times the volume
+  for (const auto& cell : mesh.cells.colwise()) {
+    const Vector3d a = mesh.points.col(cell(0)), b = mesh.points.col(cell(1));
+    size += cell.size() == 2 ? a.cross(b).z() : a.dot(b.cross(mesh.points.col(cell(2)).eval()));
+  }
+  return mesh.closed && size > 0.0;
+}
+
 SurfaceMesh together(const std::vector<SurfaceMesh>& meshes) {
   SurfaceMesh all = meshes.front();
   for (auto mesh = meshes.begin() + 1; mesh != meshes.end(); ++mesh) {

@@ -25,6 +25,9 @@ SurfaceMesh refined(const SurfaceMesh& mesh, double longest);
 /// What is left where a function is not negative; cells are cut where it crosses zero.
 SurfaceMesh clipped(const SurfaceMesh& mesh, const std::function<double(const Eigen::Vector3d&)>& function);
 
+/// Whether a shape has the tool inside: it is closed, and no die, which has the body inside.
+bool isSolid(const SurfaceMesh& mesh);
+
 /// All cells in one mesh, which is closed if all of them are.
 SurfaceMesh together(const std::vector<SurfaceMesh>& meshes);
 

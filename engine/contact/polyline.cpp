@@ -72,6 +72,7 @@ SurfaceMesh polyline(std::vector<Eigen::Vector2d> points, bool closed, const std
 }
 
 SurfaceMesh readPolyline(const std::filesystem::path& file, bool closed) {
+  requireFile(file, "polyline");
   std::ifstream in(file);
   if (!in) throw Error(fmt::format("{}: cannot be read", file.string()));
   std::vector<Eigen::Vector2d> points;

@@ -78,7 +78,6 @@ struct Middle {
 /// Of the die around a solid.
 double thicknessAround(const AnyShape& solid) {
   if (const auto* torus = std::get_if<Torus>(&solid.shape)) return torus->radius - torus->tubeRadius;
-  if (const auto* inner = std::get_if<Die>(&solid.shape)) return halfThickness(inner->solid->shape);
   return kInfinity;
 }
 

@@ -30,7 +30,8 @@ GapQuery queryGap(const RigidShape& shape, const Eigen::Vector3d& x);
 Eigen::Vector3d middleOf(const RigidShape& shape);
 
 /// How deep a point can be inside the tool before the nearest surface is on another side of it; infinity for
-/// a plane, an edge, and a die around a convex solid.
+/// a plane, an edge, and a die around a convex solid. Of a mesh, a line, a NURBS curve or surface half the
+/// smallest extent, of a union that of its thinnest part: bounds for simple forms, else estimates.
 double halfThickness(const RigidShape& shape);
 
 }  // namespace burnish

@@ -114,7 +114,6 @@ SurfaceMesh Outline::operator()(const Cylinder& cylinder) const {
 }
 
 SurfaceMesh Outline::operator()(const Sphere& sphere) const {
-  if (dim_ == 2) return line(ring(sphere.center, sphere.radius, Vector3d::UnitX(), Vector3d::UnitY()), true);
   std::vector<Eigen::Vector2d> profile;
   for (int k = 0; k <= kAround / 2; ++k)
     profile.emplace_back(sphere.radius * std::sin(k * kPiece), -sphere.radius * std::cos(k * kPiece));

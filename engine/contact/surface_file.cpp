@@ -154,35 +154,51 @@ void requireUsable(const std::vector<Point>& points, const Polygons& polygons) {
       throw Error("found a polygon of less than three points, or with a point that does not exist");
 }
 
-/// Throws if a polygon comes back to one of its points; such ones make no mesh.
-void requireDistinctCorners(const std::vector<Point>& points, const Polygons& polygons) {
+/// Throws if the corners of a face lie on one line, so that it has no normal, or come back to one of its
+/// points; such ones make no mesh.
+void requireAreas(const std::vector<Point>& points, const Polygons& polygons) {
+  std::size_t first = 0;
   std::vector<Point> places;
-  for (auto polygon : polygons) {
-    std::ranges::sort(polygon);
-    if (const auto same = std::ranges::adjacent_find(polygon); same != polygon.end())
-      places.push_back(points[*same]);
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    const auto& corners = polygons[k];
+    const auto at = [&](std::size_t i) { return points[corners[i]]; };
+    bool isFlat = true;
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      isFlat = isFlat && CGAL::collinear(at(0), at(i - 1), at(i));
+    auto sorted = corners;
+    std::ranges::sort(sorted);
+    if (!isFlat && std::ranges::adjacent_find(sorted) == sorted.end()) continue;
+    if (places.empty()) first = k + 1;
+    std::vector<Point> own;
+    for (std::size_t i = 0; i < corners.size(); ++i) own.push_back(at(i));
+    places.push_back(CGAL::centroid(own.begin(), own.end()));
   }
-  if (!places.empty()) throw Error(countedAt(places.size(), "triangle", " without area", places));
+  if (!places.empty())
+    throw Error(
+        countedAt(places.size(), "face", " without area", places) +
+        fmt::format(", the first is number {}; their corners coincide or lie on one line: remove them, or "
+                    "repair the mesh where it was made",
+                    first));
 }
 
 /// A mesh without coincident points, its faces oriented alike.
 Mesh meshOf(const std::filesystem::path& file, double scale) {
   std::vector<Point> points;
   Polygons polygons;
-  if (!std::filesystem::is_regular_file(file)) throw Error("there is no such file");
   if (!readSoup(file, points, polygons) || polygons.empty())
     throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
   requireUsable(points, polygons);
   for (Point& p : points) p = Point(scale * p.x(), scale * p.y(), scale * p.z());
   snap(points);
   pmp::merge_duplicate_points_in_polygon_soup(points, polygons);
-  requireDistinctCorners(points, polygons);
+  requireAreas(points, polygons);
   pmp::merge_duplicate_polygons_in_polygon_soup(points, polygons);
   pmp::remove_isolated_points_in_polygon_soup(points, polygons);
   const std::size_t known = points.size();
   if (!pmp::orient_polygon_soup(points, polygons))
     throw Error(countedAt(points.size() - known, "non-manifold point", "",
-                          {points.begin() + static_cast<std::ptrdiff_t>(known), points.end()}));
+                          {points.begin() + static_cast<std::ptrdiff_t>(known), points.end()}) +
+                "; allowed: at most two faces at an edge, and one fan of faces around a point");
   Mesh mesh;
   pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   return mesh;
@@ -224,7 +240,16 @@ SurfaceMesh exported(const Mesh& mesh) {
 
 }  // namespace
 
+void requireFile(const std::filesystem::path& file, const char* kind) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    throw Error(fmt::format("{}: this is a directory; allowed: the file of a {}", file.string(), kind));
+  if (!std::filesystem::is_regular_file(file, ignored))
+    throw Error(fmt::format("{}: there is no such file", file.string()));
+}
+
 SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool open) {
+  requireFile(file, "mesh");
   try {
     Mesh mesh = meshOf(file, scale);
     pmp::triangulate_faces(mesh);

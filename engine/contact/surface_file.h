@@ -7,6 +7,9 @@
 
 namespace burnish {
 
+/// Throws `Error` if there is no such file, or if it is a directory. kind: "mesh", ... for the message.
+void requireFile(const std::filesystem::path& file, const char* kind);
+
 /// Triangulated surface from a file (STL, OBJ, PLY, OFF), its coordinates times `scale`. Points that coincide
 /// are merged, polygons are cut into triangles, triangles are turned like their neighbours, and a closed
 /// surface is turned outwards. Throws `Error` that counts and places what is wrong: no such file, degenerate

@@ -22,7 +22,10 @@ bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
     if (!tool_.isFree(way)) continue;
     const double value = (*last_)[way] = x(tool_.unknowns[way]);
     const double farthest = (way == kTurn ? kLargestTurn : 1.0) * tool_.turnLength;
-    if (accepted_ && std::abs(value - (*accepted_)[way]) > farthest) return false;
+    if (accepted_ && std::abs(value - (*accepted_)[way]) > farthest) {
+      runaway_ = way;
+      return false;
+    }
     out.force(tool_.unknowns[way]) -= load_[way](std::max(t, 0.0)) / (way == kTurn ? tool_.turnLength : 1.0);
   }
   return true;

@@ -21,8 +21,14 @@ class ToolLoad final : public Term {
   /// linearisation says nothing about the place it has come to.
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
-  void accept() override { accepted_ = last_; }
+  void accept() override {
+    accepted_ = last_;
+    runaway_.reset();
+  }
   void archive(StateArchive& archive) override;
+
+  /// The way, if there is one, for which `evaluate` has refused a state since the last accepted one.
+  std::optional<std::size_t> runaway() const { return runaway_; }
 
   /// Force that the tool carries at time t, zero in prescribed ways; that of t = 0 before.
   Eigen::Vector3d force(double t) const;
@@ -33,6 +39,7 @@ class ToolLoad final : public Term {
   const Tool& tool_;
   std::array<std::function<double(double)>, kToolWays> load_;
   std::optional<std::array<double, kToolWays>> accepted_, last_;  ///< values of the free unknowns
+  std::optional<std::size_t> runaway_;
 };
 
 }  // namespace burnish

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/scene/check_context.h"
+#include "engine/scene/picture_planes.h"
 
 namespace burnish {
 namespace {
@@ -50,6 +52,33 @@ void checkField(const CheckContext& c, const std::string& path, const std::strin
         "found plastic_strain, but the material is elastic; allowed here: another field, such as von_mises.");
 }
 
+/// The plane of a cut or a slice.
+void checkCut(const CheckContext& c, const std::string& path, const std::optional<std::string>& plane) {
+  if (!plane || !c.clean(path)) return;
+  if (!cutPlaneNamed(*plane))
+    c.report(path, fmt::format("found \"{}\"; allowed: {}.", *plane, kCutPlaneWords));
+  else if (c.dimensionIsKnown() && c.scene.dim() == 2)
+    c.report(path, "found a plane through a plane body; allowed: in three-dimensional scenes alone.");
+}
+
+void checkMirror(const CheckContext& c, const std::string& path, const std::optional<std::string>& text) {
+  if (!text || !c.clean(path)) return;
+  const auto planes = mirrorPlanesNamed(*text);
+  const auto isZ = [](const MirrorPlane& plane) { return plane.axis == 2; };
+  if (!planes)
+    c.report(path, fmt::format("found \"{}\"; allowed: {}.", *text, kMirrorPlaneWords));
+  else if (c.dimensionIsKnown() && c.scene.dim() == 2 && std::any_of(planes->begin(), planes->end(), isZ))
+    c.report(path, fmt::format("found \"{}\"; allowed in two dimensions: planes of x and y.", *text));
+}
+
+void checkPlanes(const CheckContext& c, const std::string& path, const PictureSpec& picture) {
+  checkCut(c, path + ".cut", picture.cut);
+  checkCut(c, path + ".slice", picture.slice);
+  checkMirror(c, path + ".mirror", picture.mirror);
+  if (picture.cut && picture.slice && c.clean(path + ".slice"))
+    c.report(path + ".slice", "found beside cut; allowed: one of cut and slice.");
+}
+
 void checkPictures(const CheckContext& c) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < c.scene.pictures.size(); ++i) {
@@ -57,6 +86,7 @@ void checkPictures(const CheckContext& c) {
     const std::string path = fmt::format("pictures[{}]", i);
     checkField(c, path + ".field", picture.field);
     if (c.clean("steps")) checkTimes(c, path + ".times", picture.times);
+    checkPlanes(c, path, picture);
     if (!c.clean(path)) continue;
     const std::string name = picture.name.value_or(picture.field);
     if (!names.insert(name).second)

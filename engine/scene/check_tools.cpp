@@ -11,6 +11,7 @@
 #include "engine/nurbs/knot_vector.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/check_motion.h"
+#include "engine/scene/schema_tools.h"
 
 namespace burnish {
 namespace {
@@ -27,6 +28,28 @@ void checkAxis(const CheckContext& c, const std::string& path, const std::vector
     c.report(path, fmt::format("found [{}]; allowed in two dimensions: [0, 0, 1].", fmt::join(axis, ", ")));
 }
 
+/// Whether bodies of this kinematics and dimension may have tools of a shape.
+bool fits(const Scene& scene, const std::string& shape) {
+  if (shape == "polyline") return scene.dim() == 2;
+  if (shape == "cone") return scene.dim() == 3 || scene.kinematics == KinematicsChoice::Axisymmetric;
+  return scene.dim() == 3 || (shape != "sphere" && shape != "torus" && shape != "mesh");
+}
+
+/// A shape, of those that there are at `path`, that the dimension has.
+template <class Shapes>
+void checkDimension(const CheckContext& c, const std::string& path, const Shapes& shapes, std::size_t index) {
+  const std::string& found = shapes[index].name;
+  if (!c.clean(path + ".shape") || !c.dimensionIsKnown() || fits(c.scene, found)) return;
+  std::vector<std::string> allowed;
+  for (const Alternative& shape : shapes)
+    if (fits(c.scene, shape.name)) allowed.push_back(shape.name);
+  c.report(path + ".shape", fmt::format("found {}, which needs a {} body; allowed here: {}.", found,
+                                        found == "polyline" ? "two-dimensional"
+                                        : found == "cone"   ? "three-dimensional or axisymmetric"
+                                                            : "three-dimensional",
+                                        fmt::join(allowed, " | ")));
+}
+
 /// Checks of one shape, whose keys are at `path`.
 class ShapeCheck {
  public:
@@ -37,14 +60,14 @@ class ShapeCheck {
       report("normal", "found a vector without length; allowed: a direction from the tool towards the body.");
   }
   void operator()(const CylinderToolSpec& cylinder) const { checkAxis(c_, key("axis"), cylinder.axis); }
-  void operator()(const SphereToolSpec&) const { requireSpace("sphere"); }
+  void operator()(const SphereToolSpec&) const {}
   void operator()(const EdgeToolSpec& edge) const;
   void operator()(const ConeToolSpec& cone) const;
   void operator()(const TorusToolSpec& torus) const;
   void operator()(const BoxToolSpec& box) const;
   void operator()(const NurbsToolSpec& nurbs) const;
   void operator()(const PolylineToolSpec& line) const;
-  void operator()(const MeshToolSpec&) const { requireSpace("mesh"); }
+  void operator()(const MeshToolSpec&) const {}
   void operator()(const UnionToolSpec& joined) const;
 
  private:
@@ -57,13 +80,6 @@ class ShapeCheck {
   bool isSpatial() const { return c_.dimensionIsKnown() && c_.scene.dim() == 3; }
   bool isAxisymmetric() const { return c_.scene.kinematics == KinematicsChoice::Axisymmetric; }
 
-  /// Shapes of three-dimensional bodies only.
-  void requireSpace(const char* name) const {
-    if (isPlanar())
-      report("shape", fmt::format("found {}, which needs a three-dimensional body; allowed here: plane | "
-                                  "cylinder | edge | {}box | nurbs | polyline | union.",
-                                  name, isAxisymmetric() ? "cone | " : ""));
-  }
   void requireDirection(const char* name, const std::vector<double>& direction) const {
     if (clean(name) && isZero(direction))
       report(name, "found a vector without length; allowed: a direction from the tool to the front.");
@@ -91,7 +107,6 @@ void ShapeCheck::operator()(const EdgeToolSpec& edge) const {
 }
 
 void ShapeCheck::operator()(const ConeToolSpec& cone) const {
-  if (!isAxisymmetric()) requireSpace("cone");
   requireDirection("direction", cone.direction);
   if (!isAxisymmetric()) return;
   if (clean("direction") && cone.direction.size() == 2 && cone.direction[0] != 0.0)
@@ -103,7 +118,6 @@ void ShapeCheck::operator()(const ConeToolSpec& cone) const {
 }
 
 void ShapeCheck::operator()(const TorusToolSpec& torus) const {
-  requireSpace("torus");
   checkAxis(c_, key("axis"), torus.axis);
   if (clean("radius") && clean("tube_radius") && torus.tubeRadius >= torus.radius)
     report("tube_radius",
@@ -164,11 +178,6 @@ void ShapeCheck::operator()(const NurbsToolSpec& nurbs) const {
 }
 
 void ShapeCheck::operator()(const PolylineToolSpec& line) const {
-  if (isSpatial())
-    report(
-        "shape",
-        "found polyline, which needs a two-dimensional body; allowed here: plane | cylinder | sphere | edge "
-        "| cone | torus | box | nurbs | mesh | union.");
   if (!clean("file") || !clean("points")) return;
   if (line.file.empty() == line.points.empty())
     c_.report(path_, fmt::format("found {}; allowed: exactly one of points and file.",
@@ -181,8 +190,10 @@ void ShapeCheck::operator()(const PolylineToolSpec& line) const {
 
 void ShapeCheck::operator()(const UnionToolSpec& joined) const {
   for (std::size_t i = 0; i < joined.parts.size(); ++i)
-    if (const std::string part = fmt::format("{}.parts[{}]", path_, i); c_.clean(part + ".shape"))
+    if (const std::string part = fmt::format("{}.parts[{}]", path_, i); c_.clean(part + ".shape")) {
+      checkDimension(c_, part, toolPartShapes(), joined.parts[i].shape.index());
       std::visit(ShapeCheck(c_, part), joined.parts[i].shape);
+    }
 }
 
 /// The ways in which a tool moves or carries a load: the three displacements and the turn, by key.
@@ -193,26 +204,30 @@ Components<T> waysOf(const Spec& s, const char* turnKey, const std::optional<T>&
   return ways;
 }
 
-/// In axisymmetry a tool moves along the axis alone.
+/// In axisymmetry a tool moves along the axis alone. across, around: what the other ways are called.
 template <class T>
-void checkAlongAxis(const CheckContext& c, const std::string& path, const Components<T>& ways) {
+void checkAlongAxis(const CheckContext& c, const std::string& path, const Components<T>& ways,
+                    const char* across, const char* around) {
   if (c.scene.kinematics != KinematicsChoice::Axisymmetric) return;
   for (const auto& [key, way] : ways)
     if (*way && std::string(key) != "y" && c.clean(fmt::format("{}.{}", path, key)))
-      c.report(fmt::format("{}.{}", path, key),
-               "found a motion across the axis of revolution; allowed in axisymmetry: y alone.");
+      c.report(fmt::format("{}.{}", path, key), fmt::format("found a {}; allowed in axisymmetry: y alone.",
+                                                            std::string(key) == "x" ? across : around));
 }
+
+constexpr const char* kAcross = "motion across the axis of revolution";
+constexpr const char* kTurning = "turn";
 
 void checkMotion(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
   if (tool.motion) {
     const auto ways = waysOf(*tool.motion, "angle", tool.motion->angle);
     checkTable(c, path + ".motion", tool.motion->times, ways);
-    checkAlongAxis(c, path + ".motion", ways);
+    checkAlongAxis(c, path + ".motion", ways, kAcross, kTurning);
   }
   if (tool.prescribe) {
     const auto ways = waysOf(*tool.prescribe, "angle", tool.prescribe->angle);
     checkFormulas(c, path + ".prescribe", ways, checkTimeFormula);
-    checkAlongAxis(c, path + ".prescribe", ways);
+    checkAlongAxis(c, path + ".prescribe", ways, kAcross, kTurning);
   }
   if (tool.motion && tool.prescribe && c.clean(path + ".prescribe"))
     c.report(path + ".prescribe", "found beside motion; allowed: one of motion and prescribe.");
@@ -229,7 +244,7 @@ void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& 
   const std::string place = path + ".carry";
   const auto ways = waysOf(*tool.carry, "moment", tool.carry->moment);
   checkFormulas(c, place, ways, checkTimeFormula);
-  checkAlongAxis(c, place, ways);
+  checkAlongAxis(c, place, ways, "force across the axis of revolution", "moment");
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const std::string key = fmt::format("{}.{}", place, ways[k].first);
     if (ways[k].second->has_value() && c.clean(key) &&
@@ -241,7 +256,10 @@ void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& 
 }
 
 void checkTool(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
-  if (c.clean(path + ".shape")) std::visit(ShapeCheck(c, path), tool.shape);
+  if (c.clean(path + ".shape")) {
+    checkDimension(c, path, toolShapes(), tool.shape.index());
+    std::visit(ShapeCheck(c, path), tool.shape);
+  }
   checkAxis(c, path + ".pivot_axis", tool.pivotAxis);
   checkMotion(c, path, tool);
   checkCarry(c, path, tool);

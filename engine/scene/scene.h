@@ -217,6 +217,9 @@ struct PictureSpec {
   int bands = 0;           ///< number of colour bands; 0: smooth
   bool knots = false;      ///< draw knot lines
   bool undeformed = true;  ///< draw the outline of the undeformed body
+  /// See `cutPlaneNamed` and `mirrorPlanesNamed`.
+  std::optional<std::string> cut, slice, mirror;
+  double toolOpacity = 0.3;
 };
 
 /// Displacement and projected fields at a material point: columns NAME.ux, NAME.stress_xx, ...

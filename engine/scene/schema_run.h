@@ -56,6 +56,17 @@ void describe(Visitor& v, PictureSpec& s) {
   v.field("bands", s.bands, {.atLeast = 0, .atMost = 256}, "Number of colour bands; 0 for smooth colours.");
   v.field("knots", s.knots, {}, "Draw the knot lines.");
   v.field("undeformed", s.undeformed, {}, "Draw the outline of the undeformed body.");
+  v.field(
+      "cut", s.cut, {},
+      "Plane, x=V, y=V or z=V, or X,Y,Z,NX,NY,NZ: a point and a normal; what is on the eye's side of it is "
+      "left out (3D).");
+  v.field("slice", s.slice, {}, "Plane, given like that of cut; only the section is drawn (3D).");
+  v.field(
+      "mirror", s.mirror, {},
+      "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are drawn "
+      "too.");
+  v.field("tool_opacity", s.toolOpacity, {.above = 0, .atMost = 1},
+          "Of the tools in space; 1 hides what is behind.");
 }
 
 }  // namespace burnish

@@ -71,6 +71,15 @@ FaceQuadrature<Dim>::FaceQuadrature(const Body<Dim>& body, int patch, FaceId fac
   }
 }
 
+template <int Dim>
+Eigen::MatrixXd FaceQuadrature<Dim>::positions(const Span& span, const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd current = points_(Eigen::all, span.functions);
+  for (std::size_t a = 0; a < span.functions.size(); ++a)
+    current.col(static_cast<Eigen::Index>(a)) +=
+        x.template segment<Dim>(Dim * nodes_[static_cast<std::size_t>(span.functions[a])]);
+  return current * span.R;
+}
+
 template class FaceQuadrature<2>;
 template class FaceQuadrature<3>;
 

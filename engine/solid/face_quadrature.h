@@ -37,6 +37,9 @@ class FaceQuadrature {
   int numFunctions() const { return static_cast<int>(nodes_.size()); }
   int numPoints() const { return numPoints_; }
 
+  /// Current positions of the points of a span, Dim x Q. x: displacements of all nodes, Dim per node, first.
+  Eigen::MatrixXd positions(const Span& span, const Eigen::VectorXd& x) const;
+
   /// Length (2D) or square root of the area of a span.
   static double sizeOf(const Span& span) { return span.size; }
 

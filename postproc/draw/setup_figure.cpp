@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/outline_parts.h"
 #include "engine/core/error.h"
 #include "postproc/draw/png_file.h"
 #include "postproc/draw/setup_layout.h"

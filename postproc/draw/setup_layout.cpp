@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/contact/outline_parts.h"
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
 #include "postproc/draw/overlay.h"

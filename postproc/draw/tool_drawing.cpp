@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/contact/outline_parts.h"
 #include "postproc/draw/shape_lines.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/poly_builder.h"
@@ -140,12 +141,9 @@ vtkSmartPointer<vtkPolyData> filled(vtkPolyData& outline) {
 vtkSmartPointer<vtkPolyData> withRadius(vtkPolyData& circle, const RecordedShape& shape, double turn) {
   Eigen::Matrix<double, 3, 2> ends;
   const Eigen::Vector3d upright(-std::sin(turn), std::cos(turn), 0.0);
-  if (const auto* disc = std::get_if<Cylinder>(&shape))
-    ends << disc->center, disc->center + disc->radius * upright;
-  else if (const auto* ball = std::get_if<Sphere>(&shape))
-    ends << ball->center, ball->center + ball->radius * upright;
-  else
-    return &circle;
+  const auto* disc = std::get_if<Cylinder>(&shape);
+  if (disc == nullptr) return &circle;
+  ends << disc->center, disc->center + disc->radius * upright;
   PolyBuilder builder;
   builder.addLine(builder.addPoints(ends));
   return together(circle, *builder.finish());

@@ -206,6 +206,10 @@ class Mirror {
     }
   }
 
+  bool isOwnImage(const ToolRecord& tool) const {
+    return std::visit(SameShape{kRounding * size_}, tool.shape, mappedShape(tool.shape, mapOf(plane_)));
+  }
+
   void addTools() {
     std::vector<ToolRecord>& tools = whole_.model.tools;
     FrameRecord& frame = whole_.frame;
@@ -216,7 +220,7 @@ class Mirror {
       const Eigen::Vector3d axis = imageOfVectors(tools[k].axis, plane_);
       copy.pivot = image(tools[k].pivot, plane_);
       copy.axis = -axis;  // a turn goes round the other way in a mirror
-      if (std::visit(SameShape{kRounding * size_}, tools[k].shape, copy.shape)) continue;
+      if (isOwnImage(tools[k]) && isOwnImage(placedTool(whole_.model, frame, k))) continue;
       const auto tool = static_cast<Eigen::Index>(k), last = frame.toolDisplacement.cols();
       frame.toolDisplacement.conservativeResize(Eigen::NoChange, last + 1);
       frame.toolDisplacement.col(last) = imageOfVectors(frame.toolDisplacement.col(tool), plane_);

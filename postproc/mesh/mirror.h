@@ -2,14 +2,9 @@
 #include <vector>
 
 #include "engine/results/result.h"
+#include "engine/scene/picture_planes.h"
 
 namespace burnish {
-
-/// The plane of symmetry on which the coordinate `axis` is `at`.
-struct MirrorPlane {
-  int axis = 0;  ///< 0, 1, 2: x, y, z
-  double at = 0.0;
-};
 
 /// A model with one frame of it.
 struct ModelFrame {
@@ -19,7 +14,7 @@ struct ModelFrame {
 
 /// The whole body of which the model computes the part on one side of these planes: patches, fields, tools
 /// and contact tractions with their images, one plane after the other. Patches share the nodes on a plane; a
-/// tool that is its own image stays one; names of tools are those of the model. Values at quadrature points
+/// tool that is its own image, at rest and in its place, stays one; names of tools are those of the model. Values at quadrature points
 /// of the volume are left out. Throws `Error` for an axis that the model does not have and a plane that is
 /// none of symmetry: through the body, beside it, or left by it.
 ModelFrame mirrored(const ModelRecord& model, const FrameRecord& frame,

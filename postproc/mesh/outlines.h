@@ -31,9 +31,6 @@ ToolRecord movedTool(const ToolRecord& tool, const Eigen::Vector3d& displacement
 ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::size_t tool,
                       double warp = 1.0);
 
-/// Whether a shape has the tool inside: it is closed, and no die, which has the body inside.
-bool isSolid(const SurfaceMesh& mesh);
-
 /// The parts of the segments of a plane shape that lie in a box, whose depth does not count.
 SurfaceMesh segmentsIn(const SurfaceMesh& mesh, const Eigen::AlignedBox3d& box);
 

@@ -1,18 +1,12 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
-#include <Eigen/Dense>
+#include "engine/scene/picture_planes.h"
 
 class vtkDataSet;
 class vtkPolyData;
 
 namespace burnish {
-
-/// A plane that cuts through what is drawn.
-struct CutPlane {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of any length but 0
-};
 
 /// Where a plane cuts cells, with the point data there: polygons of volumes, segments of surfaces, points of
 /// lines. What lies in the plane itself is not cut.

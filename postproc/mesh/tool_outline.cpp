@@ -191,15 +191,6 @@ ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::s
   return movedTool(model.tools.at(tool), displacement, angle);
 }
 
-bool isSolid(const SurfaceMesh& mesh) {
-  double size = 0.0;  // twice the area, or six times the volume
-  for (const auto& cell : mesh.cells.colwise()) {
-    const Eigen::Vector3d a = mesh.points.col(cell(0)), b = mesh.points.col(cell(1));
-    size += cell.size() == 2 ? a.cross(b).z() : a.dot(b.cross(mesh.points.col(cell(2)).eval()));
-  }
-  return mesh.closed && size > 0.0;
-}
-
 SurfaceMesh segmentsIn(const SurfaceMesh& mesh, const Eigen::AlignedBox3d& box) {
   const Eigen::Vector3d low = box.min(), high = box.max();
   const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), -1.0, 1.0};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "engine/solid/face_quadrature.h"
 #include "postproc/draw/ticks.h"
@@ -41,6 +42,12 @@ double largestSoundPenetration(const ResultReader& result) {
   return limit;
 }
 
+/// share: of the steps.
+std::string sentenceOf(const std::string& what, double firstTime, double share) {
+  return fmt::format("{}: first at t = {}, in {:.1f} % of the steps. Do not trust the results from there on.",
+                     what, numberText(firstTime, 5), 100.0 * std::min(1.0, share));
+}
+
 /// Since when and how often a column is doubtful; empty if never.
 std::string doubt(const HistoryTable& history, const std::string& column, const std::string& what,
                   const std::function<bool(double)>& isDoubtful) {
@@ -51,9 +58,8 @@ std::string doubt(const HistoryTable& history, const std::string& column, const 
   if (first == values->end()) return {};
   const auto count = std::count_if(first, values->end(), isDoubtful);
   const auto steps = std::max<std::ptrdiff_t>(1, std::ssize(*values) - 1);  // the first row is the start
-  return fmt::format("{}: first at t = {}, in {:.1f} % of the steps. Do not trust the results from there on.",
-                     what, numberText((*times)[static_cast<std::size_t>(first - values->begin())], 5),
-                     std::min(100.0, 100.0 * static_cast<double>(count) / static_cast<double>(steps)));
+  return sentenceOf(what, (*times)[static_cast<std::size_t>(first - values->begin())],
+                    static_cast<double>(count) / static_cast<double>(steps));
 }
 
 std::string penetrationDoubt(const RunRecord& run) {
@@ -64,6 +70,17 @@ std::string penetrationDoubt(const RunRecord& run) {
                            "face or 1 % of a tool's radius",
                            plainNumber(limit)),
                [limit](double value) { return value > limit; });
+}
+
+/// Doubts about single tools, which the history does not show.
+std::vector<std::string> toolDoubts(const RunRecord& run) {
+  std::vector<std::string> texts;
+  if (!run.summary) return texts;
+  const double steps = std::max(1.0, run.number("steps").value_or(0.0));
+  for (const DoubtRecord& doubt : run.summary->doubts)
+    if (doubt.what.starts_with("tool "))
+      texts.push_back(sentenceOf(doubt.what, doubt.firstTime, doubt.steps / steps));
+  return texts;
 }
 
 std::string incompleteness(const RunRecord& run) {
@@ -103,6 +120,7 @@ std::vector<std::string> runWarnings(const RunRecord& run) {
       doubt(run.history, "min_detJ", fmt::format("Volume ratio J below {}", kDoubtfulJ),
             [](double value) { return value < kDoubtfulJ; })};
   std::erase(texts, "");
+  std::ranges::move(toolDoubts(run), std::back_inserter(texts));
   return texts;
 }
 

@@ -195,7 +195,15 @@ TEST(MeshTool, MistakesAreCountedAndPlaced) {
   flat.points[2] = 0.5 * (flat.points[0] + flat.points[3]);
   flat.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
   flat.faces = {{0, 1, 2}, {0, 2, 3}};
-  EXPECT_THAT(mistakeIn(writeOff("flat", flat), true), HasSubstr("1 triangle without area, at (1, 0, 0)"));
+  EXPECT_THAT(mistakeIn(writeOff("flat", flat), true),
+              HasSubstr("1 face without area, at (1, 0, 0), the first is number 1; their corners"));
+  Soup twice = cube();  // a face that has collapsed to an edge, which would count four times
+  twice.faces.push_back({0, 1, 0});
+  EXPECT_THAT(mistakeIn(writeOff("twice", twice)), HasSubstr("1 face without area"));
+  Soup endless = cube();
+  endless.points[3].y() = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(mistakeIn(writeOff("endless", endless)), testing::ContainsRegex("coordinate that is no number|found no surface"));
+  EXPECT_THAT(mistakeIn(testing::TempDir()), HasSubstr("this is a directory; allowed: the file of a mesh"));
 }
 
 std::vector<Eigen::Vector2d> circlePoints(int n, double radius) {
@@ -244,6 +252,7 @@ TEST(Polyline, MistakesAreNamed) {
   EXPECT_EQ(mistake({{0, 0}, {1, 0}, {1, 0}, {0, 1}}), "points: points 2 and 3 are both (1, 0)");
   EXPECT_EQ(mistake({{0, 0}, {1, 1}, {1, 0}, {0, 1}}),
             "points: the line crosses itself: its pieces 1 and 3 meet near (1, 0)");
+  EXPECT_THROW(readPolyline(testing::TempDir(), false), Error);
   const auto file = std::filesystem::path(testing::TempDir()) / "line.txt";
   std::ofstream(file) << "# a line\n0 0\n1 zero\n";
   try {

@@ -133,6 +133,12 @@ TEST(NurbsSurface, OfASphereIsASphere) {
   EXPECT_NEAR(halfThickness(surface), 0.5, 1e-12);
 }
 
+TEST(NurbsTools, AroundAHollowAreThickWhicheverWayTheyAreGiven) {
+  const NurbsCurve disc = circle(0.5, Vector3d::Zero()), die = circle(0.5, Vector3d::Zero(), true);
+  EXPECT_NEAR(halfThickness(disc), 0.5, 1e-12);
+  EXPECT_EQ(halfThickness(die), std::numeric_limits<double>::infinity());
+}
+
 /// Curve and surface with rims: their derivatives, and their distance against that to a dense tessellation.
 void checkFreeForm(const RigidShape& shape, const SurfaceMesh& dense, const Vector3d& middle, double halfSize,
                    int dim, double low, double pitch) {

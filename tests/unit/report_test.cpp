@@ -82,6 +82,16 @@ TEST_F(Report, WarnsOfDoubtfulPenetrationAndVolume) {
   EXPECT_THAT(texts[1], HasSubstr("J below 0.05: first at t = 1.5, in 25.0 % of the steps"));
 }
 
+TEST_F(Report, WarnsOfWhatTheRunDoubtedAboutATool) {
+  changeSummary([](SummaryRecord& s) {
+    s.numbers["steps"] = 4;
+    s.doubts = {{.what = "tool 'disc' is too sharp", .firstTime = 0.5, .steps = 1}};
+  });
+  EXPECT_THAT(warnings(),
+              ElementsAre("tool 'disc' is too sharp: first at t = 0.5, in 25.0 % of the steps. Do "
+                          "not trust the results from there on."));
+}
+
 TEST_F(Report, ChartsShowWhatTheHistoryHas) {
   writeHistory({"time", "disc.fx", "disc.fy", "strain_energy", "contact_energy", "newton_iterations"},
                {{0, 0, 0, 0, 0, 0}, {0.1, 0, 2, 1, 0, 7}, {0.15, 0, 3, 2, 0, 3}});

@@ -228,9 +228,10 @@ TEST(Scene, boxMakesThreeDimensions) {
       "-1]}}]\n"
       "contact: [{tool: ball, face: front}]\n"
       "steps: [{until: 1, count: 1}]\n"
-      "pictures: [{field: displacement.z}]\n",
+      "pictures: [{field: displacement.z, cut: '0,0,1,1,1,0', mirror: 'x,z=1'}]\n",
       "test.yaml");
   EXPECT_EQ(scene.dim(), 3);
+  EXPECT_EQ(scene.pictures.at(0).cut, "0,0,1,1,1,0");
 }
 
 TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
@@ -238,7 +239,8 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
   std::string awkward = replaced(block, "E: 1.0", "E: 0.12345678901234568");
   awkward = replaced(awkward, "fix: [x, y]", "move: {times: [0, 0.3], x: [0, 1e-300], y: [0, 1]}");
   awkward = replaced(awkward, "{field: von_mises,",
-                     "{field: stress.xx, range: [-1, 1e9], size: [400, 300], bands: 9,");
+                     "{field: stress.xx, range: [-1, 1e9], size: [400, 300], bands: 9, mirror: \"x,y=0.5\", "
+                     "tool_opacity: 0.5,");
   awkward = replaced(awkward, "method: augmented-lagrangian",
                      "method: penalty, parameter: 12.5, quadrature_points: 3");
   const std::string laws[] = {
@@ -266,6 +268,7 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
     EXPECT_EQ(again.supports[0].move.has_value(), scene.supports[0].move.has_value());
     EXPECT_EQ(again.contact[0].parameter, scene.contact[0].parameter);
     EXPECT_EQ(again.pictures[0].range, scene.pictures[0].range);
+    EXPECT_EQ(again.pictures[0].mirror, scene.pictures[0].mirror);
   }
   EXPECT_EQ(parseScene(title + block, "test.yaml").title, "a \"b\": # é\t~");
 }

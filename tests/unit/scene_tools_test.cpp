@@ -97,7 +97,7 @@ TEST(ToolKeys, FindFilesBesideTheScene) {
     makeShape(missing.tools.at(0));
     FAIL();
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("none.txt: cannot be read"));
+    EXPECT_THAT(error.what(), HasSubstr("none.txt: there is no such file"));
   }
 }
 
@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"along", kSpatial, "shape: edge, tip: [0, 0, 2], direction: [0, 0, -1], angle: 90",
                 ".along: found [0, 0, 1], parallel to direction; allowed: a direction across it."},
         Mistake{"conePlanar", kPlanar, "shape: cone, tip: [0, 2], direction: [0, -1], half_angle: 70",
-                ".shape: found cone, which needs a three-dimensional body"},
+                ".shape: found cone, which needs a three-dimensional or axisymmetric body"},
         Mistake{"torus", kSpatial, "shape: torus, center: [0, 0, 2], radius: 1, tube_radius: 1",
                 ".tube_radius: found 1; allowed: a number below the radius 1."},
         Mistake{"boxRadius", kPlanar, "shape: box, center: [0, 2], size: [2, 1], radius: 0.6",

@@ -285,7 +285,7 @@ TEST(BodySurface, OfJoinedPatchesHasNoFacesInside) {
 TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
   ModelRecord model = modelOf(quarterRing());
   model.tools = {{"plate", Plane{{0.0, 5.0, 0.0}, {0.6, -0.8, 0.0}}},
-                 {"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}}};
+                 {"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}, {0.0, 4.0, 0.0}}};
   FrameRecord frame = frameOf(model, 0, 0.0);
   const Eigen::RowVectorXd x = model.patches.front().points.row(0);
   frame.displacement.row(0) = 0.1 * x;  // nothing on the plane
@@ -316,6 +316,19 @@ TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
   EXPECT_LT((plate.normal - Eigen::Vector3d(-0.6, -0.8, 0.0)).norm(), 1e-14);
   EXPECT_EQ(whole.frame.toolDisplacement.col(2), Eigen::Vector2d(0.0, -0.5));
   EXPECT_NO_THROW(checkModel(whole.model, "mirrored"));
+}
+
+TEST(Mirror, AToolThatHasLeftThePlaneIsDrawnTwice) {
+  ModelRecord model = modelOf(quarterRing());
+  model.tools = {{"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}}};
+  FrameRecord frame = frameOf(model, 0, 0.0);
+  frame.displacement.row(0) = 0.1 * model.patches.front().points.row(0);
+  frame.toolDisplacement = Eigen::Vector2d(0.0, -0.5);
+  EXPECT_EQ(mirrored(model, frame, {{0, 0.0}}).model.tools.size(), 1U);
+  frame.toolDisplacement(0, 0) = 0.25;
+  const ModelFrame whole = mirrored(model, frame, {{0, 0.0}});
+  ASSERT_EQ(whole.model.tools.size(), 2U);
+  EXPECT_EQ(whole.frame.toolDisplacement.col(1), Eigen::Vector2d(-0.25, -0.5));
 }
 
 TEST(PlaneSection, OfABallIsACircleWithItsArea) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "tests/verification/run_scene.h"
 
 namespace burnish {
@@ -339,6 +340,55 @@ TEST(ToolsTest, AToolThatSlidesOverTheEndOfItsFaceIsNoticed) {
   EXPECT_GT(inside->firstTime, 0.2);
 }
 
+/// The doubts about tips that the mesh is too coarse for.
+std::vector<Doubt> tipDoubts(const test::Outcome& outcome) {
+  std::vector<Doubt> found;
+  std::ranges::copy_if(outcome.summary.doubts, std::back_inserter(found), [](const Doubt& doubt) {
+    return doubt.what.find("too sharp for the mesh") != std::string::npos;
+  });
+  return found;
+}
+
+TEST(ToolsTest, ATipBetweenControlPointsIsNoticed) {
+  // In the middle of a knot span of 0.125, where no averaged gap feels it: it would press without any force.
+  const auto wedge = runWith("shape: edge, tip: [0.96, 1.08], direction: [0, -1], angle: 40");
+  EXPECT_EQ(wedge.history.column("tool.fy").back(), 0.0);
+  EXPECT_LT(wedge.summary.largestPenetration, 0.1 * 0.125) << "the other limit does not see it";
+  const auto doubts = tipDoubts(wedge);
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_NE(doubts[0].what.find("tool 'tool'"), std::string::npos) << doubts[0].what;
+  EXPECT_NE(doubts[0].what.find("face 'top'"), std::string::npos) << doubts[0].what;
+
+  const auto cone = test::run(cube("  - {name: tool, shape: cone, tip: [0.6, 0.56, 0.4], direction: [0, -1, "
+                                   "0], half_angle: 30, motion: {times: [0, 1], y: [0, -0.1]}}"),
+                              "cone");
+  EXPECT_EQ(cone.history.column("tool.fy").back(), 0.0);
+  EXPECT_EQ(tipDoubts(cone).size(), 1u);
+
+  const auto onAxis = test::run(parseScene(R"(
+kinematics: axisymmetric
+geometry: {shape: rectangle, size: [2, 1], spans: [8, 4]}
+material: {law: neo-hookean, E: 10.0, nu: 0.3}
+supports: [{face: bottom, fix: [y]}, {face: left, symmetry: true}]
+tools: [{name: tool, shape: cone, tip: [0, 1], direction: [0, -1], half_angle: 40, motion: {times: [0, 1], y: [0, -0.05]}}]
+contact: [{tool: tool, face: top}]
+steps: [{until: 1, count: 2}]
+)",
+                                           "cone"),
+                                "cone");
+  EXPECT_EQ(tipDoubts(onAxis).size(), 1u);
+}
+
+TEST(ToolsTest, ToolsThatTheMeshResolvesAreNotDoubted) {
+  for (const char* shape : {"shape: edge, tip: [0.96, 1], direction: [0, -1], angle: 120, radius: 0.3",
+                            "shape: cylinder, center: [0.96, 1.5], radius: 0.5",
+                            "shape: box, center: [0.96, 1.4], size: [0.8, 0.8], radius: 0.2"}) {
+    const auto outcome = runWith(shape);
+    EXPECT_GT(outcome.history.column("tool.fy").back(), 0.1) << shape;
+    EXPECT_TRUE(tipDoubts(outcome).empty()) << shape;
+  }
+}
+
 TEST(ToolsTest, AFreeTurnNeverGoesRoundAndRound) {
   // A box on the round of which one control point alone holds it at first: its turn is next to undetermined.
   for (const int spans : {8, 16}) {
@@ -353,6 +403,43 @@ TEST(ToolsTest, AFreeTurnNeverGoesRoundAndRound) {
                   0.05 * outcome.summary.end.strainEnergy);
     }
   }
+}
+
+/// Why a block with these tools cannot be computed.
+std::string refusalOf(const std::string& tools) {
+  const test::ScratchDirectory directory("refused");
+  RunObserver silent;
+  try {
+    runScene(block(tools), directory.path(), {}, silent);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ToolsTest, WaysInWhichAToolMovesInItselfAreNamed) {
+  const auto expect = [](const std::string& tool, const std::string& what) {
+    const std::string message = refusalOf(fmt::format("  - {{name: tool, {}}}", tool));
+    EXPECT_NE(message.find(what), std::string::npos) << message;
+  };
+  const std::string inItself = ": tool 'tool' moves in itself";
+  expect("shape: cylinder, center: [1, 1.5], radius: 0.5, carry: {y: '-t', moment: 0}",
+         "tools[0].carry.moment" + inItself);
+  expect("shape: cylinder, center: [1, 1.5], radius: 0.5, pivot: [1, 1.2], carry: {x: 0, y: '-t', moment: 0}",
+         "tools[0].carry.x" + inItself + " in this way, together with tools[0].carry.moment,");
+  expect("shape: plane, origin: [0, 1], normal: [0, -1], carry: {x: 1, y: '-t'}",
+         "tools[0].carry.x" + inItself);
+  expect("shape: nurbs" + circle(0.5, 1, 1.5).substr(12) + ", carry: {y: '-t', moment: '0.1*t'}",
+         "tools[0].carry.moment" + inItself);
+}
+
+TEST(ToolsTest, AFreeWayInWhichNothingResistsIsNamedWhenTheRunStops) {
+  const auto outcome = test::run(
+      block("  - {name: tool, shape: cylinder, center: [1, 1.5], radius: 0.5, carry: {x: '0.2*t', y: '-t'}}"),
+      "sliding");
+  EXPECT_FALSE(outcome.summary.completed);
+  EXPECT_NE(outcome.summary.stoppedBecause.find("tools[0].carry.x"), std::string::npos)
+      << outcome.summary.stoppedBecause;
 }
 
 TEST(ToolsTest, PointwisePenaltyStartsWithoutAForceAndItsWorkIsStored) {
