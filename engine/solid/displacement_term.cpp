@@ -8,8 +8,7 @@
 #include <variant>
 
 #include "engine/solid/parallel_spans.h"
-#include "engine/solid/span_kernel.h"
-#include "engine/solid/tensor_kernel.h"
+#include "engine/solid/solid_kernel.h"
 
 namespace burnish {
 /// Buffers of one thread; sized at first use, so that the span loop does not allocate.
@@ -17,7 +16,7 @@ template <int Dim>
 template <Kinematics K>
 struct DisplacementTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
-  std::conditional_t<K == Kinematics::Solid, TensorKernel, SpanKernel<K>> kernel;
+  KernelFor<K> kernel;
   Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
 };
 

@@ -11,8 +11,7 @@
 #include "engine/core/blas.h"
 #include "engine/material/volume_change.h"
 #include "engine/solid/parallel_spans.h"
-#include "engine/solid/span_kernel.h"
-#include "engine/solid/tensor_kernel.h"
+#include "engine/solid/solid_kernel.h"
 
 namespace burnish {
 namespace {
@@ -63,7 +62,7 @@ template <Kinematics K>
 struct ProjectedTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
   Eigen::MatrixXd perPoint;                      // Dim·n x Q: a value of every unknown at every point
-  std::conditional_t<K == Kinematics::Solid, TensorKernel, SpanKernel<K>> kernel;
+  KernelFor<K> kernel;
   Eigen::VectorXd e;        // Q: weighted factors of η²
   Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
 };

@@ -142,7 +142,9 @@ void SparseSystem::add(std::size_t term, std::size_t number, const Eigen::Ref<co
 void SparseSystem::moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values) {
   const int end = tangent_.outerIndexPtr()[unknown + 1];
   for (int k = tangent_.outerIndexPtr()[unknown]; k < end; ++k) {
-    double& value = values(tangent_.innerIndexPtr()[k]);
+    const int row = tangent_.innerIndexPtr()[k];
+    if (row >= values.size()) return;
+    double& value = values(row);
     tangent_.valuePtr()[k] += value;
     value = 0.0;
   }

@@ -77,7 +77,11 @@ TEST(SparseSystem, AddsGroupsInAnyOrderWithGapsAndRepetitions) {
   column(2) = 0.5;
   column(5) = -2.0;
   expected.col(3) += column;
+  expected(2, 3) += 4.0;
   system.moveIntoColumn(3, column);
+  Eigen::VectorXd first = Eigen::VectorXd::Unit(4, 2) * 4.0;  // ends before the rows of the pattern do
+  system.moveIntoColumn(3, first.head(3));
+  EXPECT_TRUE(first.isZero(0.0));
   EXPECT_LT((Eigen::MatrixXd(system.tangent()) - expected).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_TRUE(column.isZero(0.0)) << "ready for the next one";
   EXPECT_EQ(system.tangent().nonZeros(), 9 + 9 + 1) << "two groups of three unknowns, one in none";

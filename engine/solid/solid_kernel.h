@@ -1,0 +1,47 @@
+#pragma once
+#include <type_traits>
+
+#include "engine/solid/span_kernel.h"
+#include "engine/solid/tensor_kernel.h"
+
+namespace burnish {
+
+/// The faster kernel for each span of a solid body. At degree 1 a direction has two functions and two points:
+/// sums over one direction at a time save little there and cost more than one product for all points.
+class SolidKernel {
+ public:
+  using Span = TensorKernel::Span;
+  using Stress = TensorKernel::Stress;
+  using Tangent = TensorKernel::Tangent;
+
+  void start(const Span& span, bool wantTangent) {
+    isDense_ = span.factors.N[0].rows() == 2;
+    isDense_ ? dense_.start(span, wantTangent) : tensor_.start(span, wantTangent);
+  }
+  void setGradients(Eigen::Index q, const Eigen::Matrix3d& F) {
+    isDense_ ? dense_.setGradients(q, F) : tensor_.setGradients(q, F);
+  }
+  void setStress(Eigen::Index q, const Stress& weighted) {
+    isDense_ ? dense_.setStress(q, weighted) : tensor_.setStress(q, weighted);
+  }
+  void setModuli(Eigen::Index q, double w, const Stress& tau, const Tangent& c, double r) {
+    isDense_ ? dense_.setModuli(q, w, tau, c, r) : tensor_.setModuli(q, w, tau, c, r);
+  }
+  void multiply() { isDense_ ? dense_.multiply() : tensor_.multiply(); }
+  Eigen::Vector3d force(Eigen::Index a) const { return isDense_ ? dense_.force(a) : tensor_.force(a); }
+  Eigen::Ref<const Eigen::MatrixXd> tangentBlock(int d, int e) const {
+    if (isDense_) return dense_.tangentBlock(d, e);
+    return tensor_.tangentBlock(d, e);
+  }
+
+ private:
+  SpanKernel<Kinematics::Solid> dense_;
+  TensorKernel tensor_;
+  bool isDense_ = false;
+};
+
+/// The kernel for bodies of given kinematics.
+template <Kinematics K>
+using KernelFor = std::conditional_t<K == Kinematics::Solid, SolidKernel, SpanKernel<K>>;
+
+}  // namespace burnish
