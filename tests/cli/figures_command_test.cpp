@@ -152,7 +152,7 @@ TEST_F(FiguresCommand, DocumentAndGalleryGoWhereTheyAreWanted) {
 }
 
 TEST_F(FiguresCommand, EndsItsRunsWhenItIsToldAndResumesThem) {
-  writeStudy("steps[0].count=3000");
+  writeStudy("steps[0].count=12000");
   const std::string study = (dir_ / "study.yaml").string(), out = (dir_ / "out").string();
   const char* const arguments[] = {BURNISH_COMMAND, "figures", study.c_str(), "-o",
                                    out.c_str(),     "--jobs",  "1",           nullptr};
