@@ -188,6 +188,23 @@ TEST(ResumeOfOtherRuns, ToolsWithFreeWaysLoadsAndProjectedDilatation) {
   }
 }
 
+TEST(RunsThatCannotGoOn, SayWhereAndWhatHelpsAndKeepTheirFrames) {
+  const ScratchDirectory directory("resume_failed");
+  RunObserver silent;
+  const Scene scene = parseScene(kIroning, "test.yaml",
+                                 {"solver.max_cuts=0", "steps=[{until: 1, count: 1}, {until: 2, count: 3}]"});
+  const RunSummary summary = runScene(scene, directory.path(), {}, silent);
+  ASSERT_FALSE(summary.completed);
+  ASSERT_FALSE(summary.halted);
+  EXPECT_THAT(summary.stoppedBecause, HasSubstr("the residual is largest at the control point at X = ("));
+  EXPECT_THAT(summary.stoppedBecause, HasSubstr("control points of face 'top' touch tool 'disc', "));
+  EXPECT_THAT(summary.stoppedBecause, HasSubstr("the smallest J is 0.9"));
+  EXPECT_THAT(summary.advice, HasSubstr("solver.max_cuts"));
+  EXPECT_EQ(readSummary(directory.path()).advice, summary.advice);
+  EXPECT_EQ(ResultReader(directory.path()).numFrames(), summary.frames);
+  EXPECT_GE(summary.frames, 1);
+}
+
 std::string refusal(const fs::path& directory) {
   try {
     resume(directory);
