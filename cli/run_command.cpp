@@ -22,7 +22,8 @@ namespace {
 struct RunArguments {
   std::filesystem::path scene;
   std::filesystem::path directory;
-  bool resumes = false;
+  bool resumes = false;    ///< --resume
+  bool continues = false;  ///< --continue
   std::vector<std::string> overrides;
   int threads = 0;
   bool quiet = false;
@@ -44,6 +45,13 @@ RunSummary compute(const Scene& scene, const RunArguments& arguments, const Sign
                    RunOutputs& outputs) {
   const RunOptions options{.threads = arguments.threads, .halt = [&] { return signals.count() > 0; }};
   try {
+    if (arguments.continues && canBeResumed(arguments.directory)) {
+      try {
+        return resumeRun(scene, arguments.directory, options, outputs);
+      } catch (const Error&) {
+        if (outputs.hasStarted()) throw;  // else what is there is of another scene, or damaged
+      }
+    }
     return arguments.resumes ? resumeRun(scene, arguments.directory, options, outputs)
                              : runScene(scene, arguments.directory, options, outputs);
   } catch (const Error& error) {
@@ -110,6 +118,8 @@ void addRunCommand(CLI::App& app, Action& action) {
                                       "repeated")
                          ->type_name("PATH=VALUE")
                          ->allow_extra_args(false);
+  command->add_flag("--continue", arguments->continues,
+                    "Go on with the run in the output directory if it was stopped and is of the same scene");
   command
       ->add_option_function<std::string>(
           "--resume",

@@ -18,7 +18,6 @@
 #include "engine/core/version.h"
 #include "engine/results/atomic_file.h"
 #include "engine/results/result_reader.h"
-#include "engine/results/run_files.h"
 #include "engine/results/summary_file.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
@@ -137,10 +136,9 @@ class Planner {
       if (onlyForFigures && !wanted.contains(&run)) continue;
       const Scene scene = readScene(run.scene, run.overrides);
       PlannedRun planned{
-          &run, runDirectory(directory_, run), scene.steps.back().until, expectedCost(scene), false, {}};
-      const bool isOurs = isOf(planned.directory, scene), ended = hasEnded(planned.directory);
-      planned.resumes = isOurs && !ended && canBeResumed(planned.directory);
-      if (!isOurs || !ended) planned.job = 0;  // the place follows
+          &run, runDirectory(directory_, run), scene.steps.back().until, expectedCost(scene), {}};
+      if (!isOf(planned.directory, scene) || !hasEnded(planned.directory))
+        planned.job = 0;  // the place follows
       plan_.runs.push_back(std::move(planned));
     }
   }
@@ -160,13 +158,8 @@ class Planner {
 
   Job runJob(const PlannedRun& run) const {
     std::vector<std::string> arguments{"run", "--threads", std::to_string(threadsPerRun()), "--quiet"};
-    if (run.resumes) {
-      arguments.insert(arguments.end(), {"--resume", run.directory.string()});
-    } else {
-      arguments.insert(arguments.end(), {run.run->scene.string(), "-o", run.directory.string()});
-      for (const std::string& change : run.run->overrides)
-        arguments.insert(arguments.end(), {"--set", change});
-    }
+    arguments.insert(arguments.end(), {"--continue", run.run->scene.string(), "-o", run.directory.string()});
+    for (const std::string& change : run.run->overrides) arguments.insert(arguments.end(), {"--set", change});
     return {.arguments = arguments, .log = run.directory / "log.txt", .cost = run.cost};
   }
 

@@ -16,7 +16,6 @@ struct PlannedRun {
   std::filesystem::path directory;
   double endTime = 0.0;            ///< of the scene
   double cost = 0.0;               ///< expected, in no unit
-  bool resumes = false;            ///< the run was stopped and goes on
   std::optional<std::size_t> job;  ///< none: up to date
 };
 

@@ -20,6 +20,7 @@
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/stopwatch.h"
+#include "engine/results/check_records.h"
 #include "engine/results/result_reader.h"
 #include "engine/results/run_files.h"
 #include "engine/scene/reader.h"
@@ -57,7 +58,6 @@ class Run {
     } catch (const RunError& error) {
       summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", stepping_.state().time, error.what());
     }
-    if (!summary_.completed && !summary_.halted) keepLastState();
     fillSummary();
     if (!summary_.halted) files_.finish(makeSummaryRecord(summary_));  // a summary means that a run has ended
     return std::move(summary_);
@@ -66,6 +66,7 @@ class Run {
   /// All that the rest of the run depends on.
   void archive(StateArchive& archive) {
     summary_.timings.total = seconds();
+    summary_.factorNonZeros = std::max(summary_.factorNonZeros, newton_.linearSolver().factorNonZeros());
     archive.part("stepping", stepping_);
     archive.part("newton", newton_);
     for (std::size_t k = 0; k < terms_.size(); ++k) archive.part(fmt::format("term{}", k), *terms_[k]);
@@ -186,7 +187,10 @@ class Run {
   void end(Walk walk) {
     summary_.completed = walk == Walk::Arrived;
     summary_.halted = walk == Walk::Halted;
-    if (walk == Walk::Failed) noteFailure();
+    if (walk == Walk::Failed) {
+      noteFailure();
+      keepLastState();
+    }
     if (walk == Walk::Halted) {
       summary_.stoppedBecause = fmt::format("halted at t = {:.6g}", stepping_.state().time);
       files_.keep(stepping_.state().steps, save());
@@ -199,14 +203,24 @@ class Run {
     summary_.stepsAtRoundOff += step.newton.atRoundOff ? 1 : 0;
   }
 
-  void writeFrame() {
-    const Stopwatch stopwatch(summary_.timings.output);
+  /// The current state as the next frame.
+  FrameRecord nextFrame() {
     const auto& state = stepping_.state();
-    const FrameRecord frame =
-        makeFrame(scene_, model_, projection_, summary_.frames, step_, state.time, state.x);
+    FrameRecord frame = makeFrame(scene_, model_, projection_, summary_.frames, step_, state.time, state.x);
+    try {
+      checkFrame(frame, record_, fmt::format("the frame at t = {:.6g}", state.time));
+    } catch (const Error& error) {
+      throw RunError(error.what());
+    }
     ++summary_.frames;
     lastFrameTime_ = state.time;
-    files_.append(frame, state.steps, save());
+    return frame;
+  }
+
+  void writeFrame() {
+    const Stopwatch stopwatch(summary_.timings.output);
+    const FrameRecord frame = nextFrame();
+    files_.append(frame, stepping_.state().steps, save());
     observer_.onFrame(record_, frame);
   }
 
@@ -248,7 +262,9 @@ class Run {
     const double time = stepping_.state().time;
     if (time != lastRowTime_ || (summary_.frames > 0 && time == lastFrameTime_)) return;
     static_cast<void>(evaluateHere());
-    writeFrame();
+    const FrameRecord frame = nextFrame();
+    files_.appendLast(frame);
+    observer_.onFrame(record_, frame);
   }
 
   void fillSummary() {

@@ -103,8 +103,14 @@ bool readStl(std::ifstream& stream, std::uintmax_t size, std::vector<Point>& poi
   std::uint32_t triangles = 0;
   stream.read(header.data(), header.size());
   std::memcpy(&triangles, header.data() + kHeader - sizeof(triangles), sizeof(triangles));
-  const bool isBinary = stream && size == kHeader + kTriangle * triangles;
-  if (!isBinary && !std::string_view(header.data(), header.size()).starts_with("solid")) return false;
+  const bool isWhole = static_cast<bool>(stream);
+  std::string_view begin(header.data(), header.size());
+  begin.remove_prefix(std::min(begin.find_first_not_of(" \t\r\n"), begin.size()));
+  const bool saysText = begin.starts_with("solid");
+  // Behind the triangles there may be something else, unless the file claims to be text.
+  const std::uintmax_t needed = kHeader + kTriangle * triangles;
+  const bool isBinary = isWhole && (saysText ? size == needed : triangles > 0 && size >= needed);
+  if (!isBinary && !saysText) return false;
   stream.clear();
   stream.seekg(0);
   return isBinary ? CGAL::IO::internal::parse_binary_STL(stream, points, polygons, false)
@@ -117,17 +123,22 @@ void requireCounts(std::ifstream& stream, std::uintmax_t size, bool isPly) {
   std::string line;
   bool hasElement = false;
   for (int k = 0; k < 1000 && std::getline(stream, line) && !line.starts_with("end_header"); ++k) {
+    if (line.starts_with("#")) continue;
     hasElement = hasElement || line.starts_with("element ");
-    if (isPly && line.find("property") != std::string::npos && !hasElement)
+    if (isPly && line.starts_with("property") && !hasElement)
       throw Error(fmt::format("found \"{}\" in its header before any element", line));
     if (isPly && !line.starts_with("element")) continue;
-    if (!isPly && k > 0 && line.find_first_not_of("0123456789 \t\r") != std::string::npos) break;
-    for (std::size_t at = 0; (at = line.find_first_of("0123456789", at)) != std::string::npos;) {
+    // In an OFF file the first line with a number holds the counts, behind the format's name or below it.
+    const bool hasNumber =
+        line.find_first_of("0123456789", k == 0 ? line.find("OFF") : 0) != std::string::npos;
+    for (std::size_t at = !isPly && k == 0 ? std::min(line.find("OFF"), line.size()) : 0;
+         (at = line.find_first_of("0123456789", at)) != std::string::npos;) {
       const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());
       if (end - at > 18 || std::stoull(line.substr(at, end - at)) > size)
         throw Error(fmt::format("found \"{}\" in its header, more than the file can hold", line));
       at = end;
     }
+    if (!isPly && hasNumber) break;
   }
   stream.clear();
   stream.seekg(0);

@@ -28,6 +28,15 @@ void checkColumns(const std::vector<std::string>& columns, const std::filesystem
   }
 }
 
+/// Throws if there is a file with other columns; what is missing is found out when it is opened.
+void requireColumns(const std::filesystem::path& path, const std::vector<std::string>& columns) {
+  std::ifstream file(path);
+  std::string header;
+  const bool isWhole = std::getline(file, header) && !file.eof();
+  if (isWhole && header != fmt::format("{}", fmt::join(columns, ",")))
+    throw Error(fmt::format("{}: its columns are not those of the run that is to be resumed", path.string()));
+}
+
 void writeLine(OutputFile& file, std::string line) {
   line += '\n';
   file.write(std::as_bytes(std::span(line)));
@@ -60,10 +69,7 @@ HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string
 }
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string> columns, std::uint64_t size)
-    : columns_(std::move(columns)), file_(path, size) {
-  if (readHistory(path).columns != columns_)
-    throw Error(fmt::format("{}: its columns are not those of the run that is to be resumed", path.string()));
-}
+    : columns_((requireColumns(path, columns), std::move(columns))), file_(std::move(path), size) {}
 
 std::uint64_t HistoryWriter::sync() {
   file_.sync();

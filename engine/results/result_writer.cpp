@@ -14,6 +14,7 @@
 #include "engine/results/check_records.h"
 #include "engine/results/frame_io.h"
 #include "engine/results/result_files.h"
+#include "engine/results/summary_file.h"
 
 namespace burnish {
 namespace {
@@ -55,6 +56,7 @@ ResultWriter::DirectoryLock::~DirectoryLock() {
 
 ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model)
     : lock_(directory), modelFile_(modelFile(directory)), model_(checked(std::move(model), modelFile_)) {
+  removeSummary(directory);  // before its run is gone
   removeResult(modelFile_);
   writeFileAtomically(modelFile_, modelImage(model_));
   created(framesDirectory(modelFile_));
@@ -74,6 +76,7 @@ ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model, Restart
                     "compute the scene again",
                     modelFile_.string()));
   restart = readNewestRestart(modelFile_, stored);
+  removeSummary(directory);
   removeUnfinished(modelFile_, restart.frames);
   numFrames_ = restart.frames;
 }
@@ -81,6 +84,7 @@ ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model, Restart
 ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::append(const FrameRecord& frame, const RestartRecord& restart) {
+  checkFrame(frame, model_.record, frameFile(modelFile_, numFrames_).string());
   writeRestart(modelFile_, restart, model_.id);
   append(frame);
   removeRestartsBefore(modelFile_, restart.step);

@@ -12,9 +12,10 @@ namespace burnish {
 /// so far.
 class ResultWriter {
  public:
-  /// Creates the directory if needed, deletes an earlier result in it (and nothing else) and writes the
-  /// model. Throws `Error` if that is impossible, if the directory holds a foreign file in the place of a
-  /// result, if another process is writing a result there, or if the model contradicts itself.
+  /// Creates the directory if needed, deletes an earlier result in it with its summary (and nothing
+  /// else) and writes the model. Throws `Error` if that is impossible, if the directory holds a foreign file
+  /// in the place of a result, if another process is writing a result there, or if the model contradicts
+  /// itself.
   ResultWriter(const std::filesystem::path& directory, ModelRecord model);
 
   /// Goes on with the result of a run that was stopped, from its newest restart record, which it hands over.

@@ -23,10 +23,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const ModelRecord& mo
       history_(makeTable(directory / "history.csv", columns,
                          restart_ ? std::optional(restart_->historyBytes) : std::nullopt)),
       convergence_(makeTable(directory / "convergence.csv", {"step", "time", "iteration", "residual"},
-                             restart_ ? std::optional(restart_->convergenceBytes) : std::nullopt)) {
-  // Not before the directory is ours.
-  removeSummary(directory);
-}
+                             restart_ ? std::optional(restart_->convergenceBytes) : std::nullopt)) {}
 
 RestartRecord RunFiles::makeRestart(int step, int frames, SavedState state) {
   return {.step = step,

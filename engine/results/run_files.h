@@ -29,6 +29,9 @@ class RunFiles {
   /// A frame, and the state from which a stopped run goes on behind it. step: number of steps taken.
   void append(const FrameRecord& frame, int step, SavedState state);
 
+  /// The last frame of a run that cannot go on; resumed, it tries again from the frame before.
+  void appendLast(const FrameRecord& frame) { writer_.append(frame); }
+
   /// A state between frames from which a stopped run goes on.
   void keep(int step, SavedState state);
 

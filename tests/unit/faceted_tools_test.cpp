@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -158,6 +159,14 @@ TEST(MeshTool, AnswersDoNotDependOnTheOrderOfQuestions) {
   EXPECT_EQ(one.query(b).gap, other.query(b).gap);
 }
 
+TEST(MeshTool, MayHaveCoordinatesLargerThanItsFile) {
+  const auto file = std::filesystem::temp_directory_path() / fmt::format("burnish_large_{}.off", ::getpid());
+  std::ofstream(file) << "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n100000 0 0\n0 100000 0\n0 0 100000\n"
+                         "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  EXPECT_EQ(readSurface(file, 1.0, false).cells.cols(), 4);
+  std::filesystem::remove(file);
+}
+
 TEST(MeshTool, ThatIsInsideOutIsTurned) {
   Soup soup = cube();
   for (auto& face : soup.faces) std::reverse(face.begin(), face.end());
@@ -202,7 +211,8 @@ TEST(MeshTool, MistakesAreCountedAndPlaced) {
   EXPECT_THAT(mistakeIn(writeOff("twice", twice)), HasSubstr("1 face without area"));
   Soup endless = cube();
   endless.points[3].y() = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(mistakeIn(writeOff("endless", endless)), testing::ContainsRegex("coordinate that is no number|found no surface"));
+  EXPECT_THAT(mistakeIn(writeOff("endless", endless)),
+              testing::ContainsRegex("coordinate that is no number|found no surface"));
   EXPECT_THAT(mistakeIn(testing::TempDir()), HasSubstr("this is a directory; allowed: the file of a mesh"));
 }
 

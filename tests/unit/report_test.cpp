@@ -148,7 +148,9 @@ TEST_F(Report, PagesAreMadeOfRunsInAnyState) {
 
 TEST_F(Report, PagesAreMadeOfRunsWithoutTools) {
   samples::Sample ring = samples::ring();
+  const SummaryRecord summary = readSummary(run_);
   ResultWriter(run_, ring.model).append(ring.frame);
+  writeSummary(run_, summary);
   writeHistory({"time", "max_penetration", "min_detJ"}, {{0, 0, 1}, {1, 0, 0.9}});
   EXPECT_THAT(warnings(), IsEmpty());
   writeReport(run_, {}, scratch_.path() / "page.html");
