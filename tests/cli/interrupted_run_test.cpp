@@ -139,11 +139,12 @@ TEST_F(InterruptedRun, FilesThatVanishUnderWayAreNoticed) {
 TEST_F(InterruptedRun, ASecondRunIntoTheSameDirectoryIsRefused) {
   const Outcome outcome = shell(
       dir,
-      fmt::format("{0} run scene.yaml -o part --quiet & process=$!; sleep {1:.3f}; "
+      fmt::format("{0} run scene.yaml -o part --quiet & process=$!; "
+                  "until [ -e part/result/frame_000000.h5 ]; do sleep 0.01; done; kill -STOP $process; "
                   "{0} run scene.yaml -o part --quiet; echo second $?; {0} run --resume part; echo third $?; "
-                  "kill -STOP $process; kill -KILL $process; wait $process; "
+                  "kill -KILL $process; wait $process; "
                   "{0} run --resume part --quiet; echo fourth $?",
-                  BURNISH_COMMAND, 0.3 * wholeSeconds));
+                  BURNISH_COMMAND));
   EXPECT_THAT(outcome.out, HasSubstr("second 2"));
   EXPECT_THAT(outcome.out, HasSubstr("third 2"));
   EXPECT_THAT(outcome.err, HasSubstr("another run is writing its result to part"));
