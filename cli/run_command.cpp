@@ -48,8 +48,9 @@ RunSummary compute(const Scene& scene, const RunArguments& arguments, const Sign
     if (arguments.continues && canBeResumed(arguments.directory)) {
       try {
         return resumeRun(scene, arguments.directory, options, outputs);
-      } catch (const Error&) {
-        if (outputs.hasStarted()) throw;  // else what is there is of another scene, or damaged
+      } catch (const Error& error) {
+        if (outputs.hasStarted()) throw;
+        fmt::print(stderr, "burnish: begins anew: {}\n", error.what());
       }
     }
     return arguments.resumes ? resumeRun(scene, arguments.directory, options, outputs)
@@ -118,8 +119,10 @@ void addRunCommand(CLI::App& app, Action& action) {
                                       "repeated")
                          ->type_name("PATH=VALUE")
                          ->allow_extra_args(false);
-  command->add_flag("--continue", arguments->continues,
-                    "Go on with the run in the output directory if it was stopped and is of the same scene");
+  command->add_flag(
+      "--continue", arguments->continues,
+      "Go on with the run in the output directory if it was stopped and is of the same scene; else "
+      "begin anew");
   command
       ->add_option_function<std::string>(
           "--resume",

@@ -94,17 +94,12 @@ std::vector<Eigen::Vector2d> samplesOf(const Patch<1, 2>& face) {
 
 std::vector<Piece> outerBoundary(const FaceFinder<2>& faces) {
   std::vector<Piece> pieces;
-  for (std::size_t p = 0; p < faces.body().patches.size(); ++p)
-    for (FaceId side = 0; side < 4; ++side) {
-      const FaceSpec place{faces.patchName(static_cast<int>(p)), faceName(side), {}};
-      if (faces.neighbour(place)) continue;
-      const std::string name = place.patch.empty()
-                                   ? fmt::format("'{}'", place.face)
-                                   : fmt::format("'{}' of patch '{}'", place.face, place.patch);
-      const auto samples = samplesOf(tracePatch(faces.body().patches[p], side));
-      for (std::size_t k = 1; k < samples.size(); ++k)
-        if (samples[k] != samples[k - 1]) pieces.push_back({samples[k - 1], samples[k], name});
-    }
+  for (const OuterFace& face : faces.outerFaces()) {
+    const auto& patch = faces.body().patches[static_cast<std::size_t>(face.patch)];
+    const auto samples = samplesOf(tracePatch(patch, face.side));
+    for (std::size_t k = 1; k < samples.size(); ++k)
+      if (samples[k] != samples[k - 1]) pieces.push_back({samples[k - 1], samples[k], face.text});
+  }
   return pieces;
 }
 

@@ -80,6 +80,20 @@ std::optional<std::string> FaceFinder<Dim>::neighbour(const FaceSpec& place) con
 }
 
 template <int Dim>
+std::vector<OuterFace> FaceFinder<Dim>::outerFaces() const {
+  std::vector<OuterFace> faces;
+  for (std::size_t patch = 0; patch < names_.size(); ++patch)
+    for (FaceId side = 0; side < 2 * Dim; ++side) {
+      const std::string face = faceName(side);
+      if (neighbour({names_[patch], face, {}})) continue;
+      faces.push_back({static_cast<int>(patch), side,
+                       names_.size() == 1 ? fmt::format("'{}'", face)
+                                          : fmt::format("'{}' of patch '{}'", face, names_[patch])});
+    }
+  return faces;
+}
+
+template <int Dim>
 void FaceFinder<Dim>::requireOuter(const FaceSpec& place, const std::string& key) const {
   if (const auto other = neighbour(place))
     throw InputError(

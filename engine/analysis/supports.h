@@ -10,6 +10,13 @@
 
 namespace burnish {
 
+/// A face of the body that is joined to no other patch.
+struct OuterFace {
+  int patch = 0;
+  FaceId side = 0;
+  std::string text;  ///< for messages: 'top', or 'top' of patch 'rim'
+};
+
 /// The patches of a body by the names of the scene.
 template <int Dim>
 class FaceFinder {
@@ -22,10 +29,11 @@ class FaceFinder {
 
   const Body<Dim>& body() const { return body_; }
 
-  const std::string& patchName(int patch) const { return names_[static_cast<std::size_t>(patch)]; }
-
   /// Name of the patch that the face is joined to; none for an outer face.
   std::optional<std::string> neighbour(const FaceSpec& place) const;
+
+  /// All faces that are joined to no other patch.
+  std::vector<OuterFace> outerFaces() const;
 
   /// Throws `InputError` at `key` if the face is joined to another patch: it lies inside the body.
   void requireOuter(const FaceSpec& place, const std::string& key) const;

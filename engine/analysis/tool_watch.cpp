@@ -20,18 +20,10 @@ bool hasPair(const Model<Dim>& model, std::size_t tool, int patch, const std::st
 
 template <int Dim>
 ToolWatch<Dim>::ToolWatch(const Model<Dim>& model) : model_(model) {
-  const auto numPatches = static_cast<int>(model.body().patches.size());
-  for (int patch = 0; patch < numPatches; ++patch)
-    for (FaceId side = 0; side < 2 * Dim; ++side) {
-      const FaceSpec place{model.faces().patchName(patch), faceName(side), {}};
-      if (model.faces().neighbour(place)) continue;
-      for (std::size_t tool = 0; tool < model.tools().size(); ++tool)
-        if (!hasPair(model, tool, patch, place.face))
-          faces_.push_back({tool,
-                            numPatches == 1 ? fmt::format("'{}'", place.face)
-                                            : fmt::format("'{}' of patch '{}'", place.face, place.patch),
-                            FaceQuadrature<Dim>(model.body(), patch, side, 1)});
-    }
+  for (const OuterFace& face : model.faces().outerFaces())
+    for (std::size_t tool = 0; tool < model.tools().size(); ++tool)
+      if (!hasPair(model, tool, face.patch, faceName(face.side)))
+        faces_.push_back({tool, face.text, FaceQuadrature<Dim>(model.body(), face.patch, face.side, 1)});
 }
 
 template <int Dim>

@@ -84,9 +84,9 @@ ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model, Restart
 ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::append(const FrameRecord& frame, const RestartRecord& restart) {
-  checkFrame(frame, model_.record, frameFile(modelFile_, numFrames_).string());
+  check(frame);
   writeRestart(modelFile_, restart, model_.id);
-  append(frame);
+  write(frame);
   removeRestartsBefore(modelFile_, restart.step);
 }
 
@@ -100,12 +100,20 @@ void ResultWriter::removeRestarts() {
 }
 
 void ResultWriter::append(const FrameRecord& frame) {
-  const fs::path file = frameFile(modelFile_, numFrames_);
+  check(frame);
+  write(frame);
+}
+
+void ResultWriter::check(const FrameRecord& frame) const {
+  const std::string file = frameFile(modelFile_, numFrames_).string();
   if (frame.index != numFrames_)
-    throw Error(fmt::format("{}: a frame of index {} was to be appended to {} frames", file.string(),
-                            frame.index, numFrames_));
-  checkFrame(frame, model_.record, file.string());
-  writeFileAtomically(file, frameImage(frame, model_.id));
+    throw Error(fmt::format("{}: a frame of index {} was to be appended to {} frames", file, frame.index,
+                            numFrames_));
+  checkFrame(frame, model_.record, file);
+}
+
+void ResultWriter::write(const FrameRecord& frame) {
+  writeFileAtomically(frameFile(modelFile_, numFrames_), frameImage(frame, model_.id));
   ++numFrames_;
 }
 

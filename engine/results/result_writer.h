@@ -56,6 +56,9 @@ class ResultWriter {
     int descriptor_;
   };
 
+  void check(const FrameRecord& frame) const;
+  void write(const FrameRecord& frame);
+
   DirectoryLock lock_;
   std::filesystem::path modelFile_;
   StoredModel model_;

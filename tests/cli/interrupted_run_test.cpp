@@ -11,6 +11,7 @@
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
 #include "tests/cli/shell.h"
+#include "tests/unit/scene_samples.h"
 
 /// The program is killed, interrupted, or has no room left: what it leaves is whole, and what is resumed
 /// comes out as if nothing had happened. BURNISH_COMMAND is its path.
@@ -20,23 +21,15 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A disc is pressed into an elastoplastic slab and dragged along it.
-constexpr const char* kScene = R"(
-title: Small ironing
-geometry: {shape: rectangle, size: [2.0, 0.6], functions: [12, 4]}
-material:
-  law: j2
-  E: 70000
-  nu: 0.3
-  hardening: {law: voce, sigma0: 79.66, sigma_inf: 171.26, beta: 17.8}
-supports: [{face: bottom, fix: [x, y]}]
-tools:
-  - {name: disc, shape: cylinder, center: [0.7, 1.1], radius: 0.5,
-     motion: {times: [0, 1, 2], x: [0, 0, 0.4], y: [0, -0.03, -0.03]}}
-contact: [{tool: disc, face: top}]
-steps: [{until: 1, count: 20}, {until: 2, count: 150}]
-output: {every: 0.4, vtu: false}
-)";
+/// A coarse mesh and many small steps.
+std::string scene() {
+  std::string text = samples::ironing;
+  for (const auto& [from, to] :
+       {std::pair{"[30, 8]", "[12, 4]"}, std::pair{"count: 4}", "count: 20}"},
+        std::pair{"count: 10}", "count: 150}"}, std::pair{"every: 0.4", "every: 0.4, vtu: false"}})
+    text = samples::replaced(text, from, to);
+  return text;
+}
 
 class InterruptedRun : public testing::Test {
  protected:
@@ -45,7 +38,7 @@ class InterruptedRun : public testing::Test {
     dir = fs::temp_directory_path() / fmt::format("burnish_{}{}", test->name(), ::getpid());
     fs::remove_all(dir);
     fs::create_directories(dir);
-    std::ofstream(dir / "scene.yaml") << kScene;
+    std::ofstream(dir / "scene.yaml") << scene();
     const auto start = std::chrono::steady_clock::now();
     ASSERT_EQ(burnish("run scene.yaml -o whole --quiet").code, 0);
     wholeSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -40,6 +40,24 @@ material: {law: j2, E: 70000, nu: 0.3, hardening: {law: table, ep: [0, 0.1], str
 steps: [{until: 1, count: 1}]
 )";
 
+/// A disc is pressed into an elastoplastic slab and dragged along it; a step is cut on the way, and frames
+/// stand at some of the steps only.
+inline const std::string ironing = R"(
+geometry: {shape: rectangle, size: [2.0, 0.6], functions: [30, 8]}
+material:
+  law: j2
+  E: 70000
+  nu: 0.3
+  hardening: {law: voce, sigma0: 79.66, sigma_inf: 171.26, beta: 17.8}
+supports: [{face: bottom, fix: [x, y]}]
+tools:
+  - {name: disc, shape: cylinder, center: [0.7, 1.1], radius: 0.5,
+     motion: {times: [0, 1, 2], x: [0, 0, 0.4], y: [0, -0.03, -0.03]}}
+contact: [{tool: disc, face: top}]
+steps: [{until: 1, count: 4}, {until: 2, count: 10}]
+output: {every: 0.4}
+)";
+
 inline const std::string hardening = "hardening: {law: table, ep: [0, 0.1], stress: [80, 120]}";
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/results/restart.h"
 #include "engine/results/result_files.h"
+#include "tests/unit/scene_samples.h"
 #include "tests/verification/run_scene.h"
 
 /// Runs that are halted and resumed against runs that are not.
@@ -20,26 +21,8 @@ namespace fs = std::filesystem;
 using test::ScratchDirectory;
 using testing::HasSubstr;
 
-/// A disc pressed into an elastoplastic slab and dragged along it; a step is cut on the way, and frames stand
-/// at some of them only.
-constexpr const char* kIroning = R"(
-geometry: {shape: rectangle, size: [2.0, 0.6], functions: [30, 8]}
-material:
-  law: j2
-  E: 70000
-  nu: 0.3
-  hardening: {law: voce, sigma0: 79.66, sigma_inf: 171.26, beta: 17.8}
-supports: [{face: bottom, fix: [x, y]}]
-tools:
-  - {name: disc, shape: cylinder, center: [0.7, 1.1], radius: 0.5,
-     motion: {times: [0, 1, 2], x: [0, 0, 0.4], y: [0, -0.03, -0.03]}}
-contact: [{tool: disc, face: top}]
-steps: [{until: 1, count: 4}, {until: 2, count: 10}]
-output: {every: 0.4}
-)";
-
 /// An elastic block with F-bar under a disc that carries a force, in penalty contact.
-constexpr const char* kCarried = R"(
+const std::string kCarried = R"(
 geometry: {shape: rectangle, size: [2.0, 1.0], functions: [8, 5]}
 formulation: fbar
 material: {law: neo-hookean, E: 1.0, nu: 0.3}
@@ -80,7 +63,7 @@ RunOptions haltAfter(int steps, int threads = 0) {
   return {.threads = threads, .halt = [steps, taken = 0]() mutable { return ++taken >= steps; }};
 }
 
-RunSummary runTo(const fs::path& directory, const char* scene, const RunOptions& options) {
+RunSummary runTo(const fs::path& directory, const std::string& scene, const RunOptions& options) {
   RunObserver silent;
   return runScene(parseScene(scene, "test.yaml"), directory, options, silent);
 }
@@ -92,11 +75,11 @@ RunSummary resume(const fs::path& directory, const RunOptions& options = {}) {
 
 class Resume : public testing::Test {
  protected:
-  void SetUp() override { runTo(whole.path(), kIroning, {}); }
+  void SetUp() override { runTo(whole.path(), samples::ironing, {}); }
 
   /// The ironing halted in mid-slide, on one thread.
   void halt() {
-    const RunSummary summary = runTo(part.path(), kIroning, haltAfter(11, 1));
+    const RunSummary summary = runTo(part.path(), samples::ironing, haltAfter(11, 1));
     ASSERT_TRUE(summary.halted);
     ASSERT_FALSE(summary.completed);
     ASSERT_FALSE(fs::exists(part.path() / "summary.yaml"));
@@ -125,7 +108,7 @@ TEST_F(Resume, GivesTheBitsOfARunThatWasNotHalted) {
 }
 
 TEST_F(Resume, GivesTheSameBitsWhenHaltedAfterEveryStep) {
-  RunSummary summary = runTo(part.path(), kIroning, haltAfter(1));
+  RunSummary summary = runTo(part.path(), samples::ironing, haltAfter(1));
   int halts = 0;
   for (; summary.halted; ++halts) summary = resume(part.path(), haltAfter(1));
   EXPECT_TRUE(summary.completed) << summary.stoppedBecause;
@@ -134,7 +117,7 @@ TEST_F(Resume, GivesTheSameBitsWhenHaltedAfterEveryStep) {
 }
 
 TEST_F(Resume, CountsWhatTheWholeRunCounts) {
-  const RunSummary all = runTo(whole.path(), kIroning, {});
+  const RunSummary all = runTo(whole.path(), samples::ironing, {});
   halt();
   const RunSummary resumed = resume(part.path());
   const auto counted = [](const RunSummary& s) {
@@ -191,7 +174,7 @@ TEST(ResumeOfOtherRuns, ToolsWithFreeWaysLoadsAndProjectedDilatation) {
 TEST(RunsThatCannotGoOn, SayWhereAndWhatHelpsAndKeepTheirFrames) {
   const ScratchDirectory directory("resume_failed");
   RunObserver silent;
-  const Scene scene = parseScene(kIroning, "test.yaml",
+  const Scene scene = parseScene(samples::ironing, "test.yaml",
                                  {"solver.max_cuts=0", "steps=[{until: 1, count: 1}, {until: 2, count: 3}]"});
   const RunSummary summary = runScene(scene, directory.path(), {}, silent);
   ASSERT_FALSE(summary.completed);
