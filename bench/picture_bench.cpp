@@ -25,10 +25,10 @@ struct Sample {
 Sample slab() {
   const Scene scene = readScene(std::string(BURNISH_SOURCE_DIR) + "/scenes/paper/plastic.yaml");
   Sample sample{makeModelRecord(scene, Model<2>(scene)), {}};
-  sample.frame.displacement = Eigen::MatrixXd::Zero(2, sample.model.numNodes);
+  sample.frame.displacement = Eigen::MatrixXd::Zero(2, sample.model.mesh.numNodes);
   sample.frame.toolDisplacement =
       Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(sample.model.tools.size()));
-  const auto x = sample.model.patches.front().points.row(0).array();
+  const auto x = sample.model.mesh.patches.front().points.row(0).array();
   sample.frame.fields["plastic_strain"] = {{}, "", (-(x - 1.5).square()).exp().matrix()};
   return sample;
 }
@@ -40,7 +40,7 @@ Sample block() {
   sample.model.title = "Block with a dent";
   sample.model.tools = {{"ball", Sphere{{0.0, 0.6, 0.0}, 1.0}}};
   sample.model.subdivision = 9;
-  const Eigen::MatrixXd& x = sample.model.patches.front().points;
+  const Eigen::MatrixXd& x = sample.model.mesh.patches.front().points;
   const Eigen::RowVectorXd dent =
       (-2.0 * x.colwise().squaredNorm().array() + 2.0 * x.row(1).array()).exp().matrix();
   sample.frame.displacement = Eigen::MatrixXd::Zero(3, x.cols());

@@ -31,6 +31,12 @@ std::string patchText(const PatchRecord& patch) {
                      fmt::join(degrees, " x "), fmt::join(spans, " x "), patch.nodes.size());
 }
 
+std::string patchesText(const MeshRecord& mesh) {
+  std::string text;
+  for (const PatchRecord& patch : mesh.patches) text += line("patch", patchText(patch));
+  return text;
+}
+
 std::string shapeText(const RecordedShape& shape) {
   if (const auto* cylinder = std::get_if<Cylinder>(&shape))
     return fmt::format("cylinder of radius {}", cylinder->radius);
@@ -55,6 +61,8 @@ std::string framesText(const ResultReader& result) {
   std::string text =
       line("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
   const FrameRecord last = result.frame(result.numFrames() - 1);
+  if (last.mesh)
+    text += line("last mesh", fmt::format("{} nodes", last.mesh->numNodes)) + patchesText(*last.mesh);
   for (const auto& [name, field] : last.fields) text += line("field", fieldText(name, field));
   for (const ContactRecord& contact : last.contact)
     text += line("contact", fmt::format("{} on {}, {} control points", contact.tool, contact.face,
@@ -75,8 +83,8 @@ std::string resultText(const ResultReader& result) {
   std::string text = line("result", result.file().string());
   text += line("title", model.title);
   text += line("written by", model.program);
-  text += line("model", fmt::format("{} dimensions, {} nodes", model.dim, model.numNodes));
-  for (const PatchRecord& patch : model.patches) text += line("patch", patchText(patch));
+  text += line("model", fmt::format("{} dimensions, {} nodes", model.dim, model.mesh.numNodes));
+  text += patchesText(model.mesh);
   for (const ToolRecord& tool : model.tools)
     text += line("tool", fmt::format("{}: {}", tool.name, shapeText(tool.shape)));
   text += framesText(result);

@@ -70,7 +70,7 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
   record.dim = Dim;
   record.lengthUnit = scene.units.length;
   record.stressUnit = scene.units.stress;
-  record.numNodes = model.body().numNodes;
+  record.mesh.numNodes = model.body().numNodes;
   record.subdivision = scene.output.subdivision;
   for (std::size_t p = 0; p < model.body().patches.size(); ++p) {
     const auto& patch = model.body().patches[p];
@@ -82,7 +82,7 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
     stored.points = patch.points();
     stored.weights = patch.weights();
     stored.nodes = model.body().nodes[p];
-    record.patches.push_back(std::move(stored));
+    record.mesh.patches.push_back(std::move(stored));
   }
   for (const auto& tool : model.tools())
     record.tools.push_back({tool->name, recorded(tool->shape, Dim, model.body().size()), tool->pivot,

@@ -272,7 +272,7 @@ class Run {
     const auto& timings = newton_.timings();
     summary_.timings.total = seconds();
     summary_.program = record_.program;
-    summary_.functions = record_.numNodes;
+    summary_.functions = record_.mesh.numNodes;
     summary_.unknowns = static_cast<int>(newton_.system().freeUnknowns().size());
     summary_.steps = step_;
     summary_.cuts = state.cuts;

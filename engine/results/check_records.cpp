@@ -42,14 +42,14 @@ std::size_t numFunctions(const DirectionRecord& direction, const std::string& pl
   }
 }
 
-void checkPatch(const PatchRecord& patch, const ModelRecord& model, const std::string& place) {
-  require(patch.directions.size() == static_cast<std::size_t>(model.dim), place,
-          "{} parametric directions in {} dimensions", patch.directions.size(), model.dim);
+void checkPatch(const PatchRecord& patch, int dim, int numNodes, const std::string& place) {
+  require(patch.directions.size() == static_cast<std::size_t>(dim), place,
+          "{} parametric directions in {} dimensions", patch.directions.size(), dim);
   std::size_t functions = 1;
   for (std::size_t d = 0; d < patch.directions.size(); ++d)
     functions *= numFunctions(patch.directions[d], fmt::format("{}, direction {}", place, d));
-  require(patch.points.rows() == model.dim, place, "control points with {} coordinates in {} dimensions",
-          patch.points.rows(), model.dim);
+  require(patch.points.rows() == dim, place, "control points with {} coordinates in {} dimensions",
+          patch.points.rows(), dim);
   require(count(patch.points.cols()) == functions && count(patch.weights.size()) == functions &&
               patch.nodes.size() == functions,
           place, "{} basis functions, but {} control points, {} weights and {} nodes", functions,
@@ -57,8 +57,7 @@ void checkPatch(const PatchRecord& patch, const ModelRecord& model, const std::s
   require(patch.points.allFinite(), place, "a control point is not finite");
   require(patch.weights.allFinite() && (patch.weights.array() > 0.0).all(), place,
           "a weight is not positive");
-  require(nodesInRange(patch.nodes, model.numNodes), place, "a node is not between 0 and {}",
-          model.numNodes - 1);
+  require(nodesInRange(patch.nodes, numNodes), place, "a node is not between 0 and {}", numNodes - 1);
 }
 
 bool isDirection(const Eigen::Vector3d& n) {
@@ -109,14 +108,15 @@ bool arePoints(const Eigen::MatrixXd& points, int dim) {
   return (points.rows() == dim || points.cols() == 0) && points.allFinite();
 }
 
-void checkContact(const ContactRecord& contact, const ModelRecord& model, const std::string& place) {
+void checkContact(const ContactRecord& contact, const ModelRecord& model, const MeshRecord& mesh,
+                  const std::string& place) {
   const bool known = std::any_of(model.tools.begin(), model.tools.end(),
                                  [&](const ToolRecord& tool) { return tool.name == contact.tool; });
   require(known, place, "the tool \"{}\" is none of the model's", contact.tool);
-  require(contact.patch >= 0 && static_cast<std::size_t>(contact.patch) < model.patches.size(), place,
-          "patch {} of {}", contact.patch, model.patches.size());
-  require(nodesInRange(contact.nodes, model.numNodes), place, "a node is not between 0 and {}",
-          model.numNodes - 1);
+  require(contact.patch >= 0 && static_cast<std::size_t>(contact.patch) < mesh.patches.size(), place,
+          "patch {} of {}", contact.patch, mesh.patches.size());
+  require(nodesInRange(contact.nodes, mesh.numNodes), place, "a node is not between 0 and {}",
+          mesh.numNodes - 1);
   const std::size_t nodes = contact.nodes.size();
   require(count(contact.pressure.size()) == nodes && count(contact.averageGap.size()) == nodes &&
               contact.active.size() == nodes,
@@ -137,13 +137,17 @@ void checkContact(const ContactRecord& contact, const ModelRecord& model, const 
 
 }  // namespace
 
+void checkMesh(const MeshRecord& mesh, int dim, const std::string& place) {
+  require(!mesh.patches.empty(), place, "a mesh without patches");
+  require(dim == 2 || dim == 3, place, "{} dimensions instead of 2 or 3", dim);
+  require(mesh.numNodes >= 1, place, "{} nodes", mesh.numNodes);
+  for (std::size_t i = 0; i < mesh.patches.size(); ++i)
+    checkPatch(mesh.patches[i], dim, mesh.numNodes, fmt::format("{}, patch {}", place, i));
+}
+
 void checkModel(const ModelRecord& model, const std::string& place) {
-  require(model.dim == 2 || model.dim == 3, place, "{} dimensions instead of 2 or 3", model.dim);
-  require(model.numNodes >= 1, place, "{} nodes", model.numNodes);
+  checkMesh(model.mesh, model.dim, place);
   require(model.subdivision >= 1, place, "a subdivision of {} instead of at least 1", model.subdivision);
-  require(!model.patches.empty(), place, "a model without patches");
-  for (std::size_t i = 0; i < model.patches.size(); ++i)
-    checkPatch(model.patches[i], model, fmt::format("{}, patch {}", place, i));
   for (const ToolRecord& tool : model.tools) {
     require(std::visit([](const auto& shape) { return isSound(shape); }, tool.shape), place,
             "the shape of the tool \"{}\" has a radius that is not positive, a direction that is not of "
@@ -159,9 +163,11 @@ void checkModel(const ModelRecord& model, const std::string& place) {
 void checkFrame(const FrameRecord& frame, const ModelRecord& model, const std::string& place) {
   require(frame.index >= 0 && frame.step >= 0 && std::isfinite(frame.time), place,
           "frame {}, step {}, time {}", frame.index, frame.step, frame.time);
-  require(frame.displacement.rows() == model.dim && frame.displacement.cols() == model.numNodes, place,
-          "displacements of {} components at {} nodes; the model has {} dimensions and {} nodes",
-          frame.displacement.rows(), frame.displacement.cols(), model.dim, model.numNodes);
+  if (frame.mesh) checkMesh(*frame.mesh, model.dim, place + ", mesh");
+  const MeshRecord& mesh = meshOf(model, frame);
+  require(frame.displacement.rows() == model.dim && frame.displacement.cols() == mesh.numNodes, place,
+          "displacements of {} components at {} nodes; its mesh has {} dimensions and {} nodes",
+          frame.displacement.rows(), frame.displacement.cols(), model.dim, mesh.numNodes);
   require(frame.displacement.allFinite(), place, "a displacement is not finite");
   require(count(frame.toolDisplacement.cols()) == model.tools.size() &&
               arePoints(frame.toolDisplacement, model.dim),
@@ -171,9 +177,9 @@ void checkFrame(const FrameRecord& frame, const ModelRecord& model, const std::s
               frame.toolAngle.allFinite(),
           place, "{} angles for {} tools, or one that is not finite", frame.toolAngle.size(),
           model.tools.size());
-  checkFields(frame.fields, model.numNodes, "nodes", place);
+  checkFields(frame.fields, mesh.numNodes, "nodes", place);
   for (std::size_t i = 0; i < frame.contact.size(); ++i)
-    checkContact(frame.contact[i], model, fmt::format("{}, contact {}", place, i));
+    checkContact(frame.contact[i], model, mesh, fmt::format("{}, contact {}", place, i));
   require(arePoints(frame.quadrature.positions, model.dim), place,
           "its quadrature points are not points in {} dimensions", model.dim);
   checkFields(frame.quadrature.fields, frame.quadrature.positions.cols(), "quadrature points", place);

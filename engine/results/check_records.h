@@ -9,6 +9,8 @@
 namespace burnish {
 
 /// `place` begins the message, e.g. the file's name.
+void checkMesh(const MeshRecord& mesh, int dim, const std::string& place);
+
 void checkModel(const ModelRecord& model, const std::string& place);
 
 /// The frame on its own and against its model.

@@ -5,6 +5,7 @@
 #include "engine/core/error.h"
 #include "engine/results/check_records.h"
 #include "engine/results/file_header.h"
+#include "engine/results/mesh_io.h"
 
 namespace burnish {
 namespace {
@@ -78,6 +79,7 @@ std::vector<std::byte> frameImage(const FrameRecord& frame, const std::string& m
     root.attribute("index", frame.index);
     root.attribute("step", frame.step);
     root.attribute("time", frame.time);
+    if (frame.mesh) writeMesh(root.group("mesh"), *frame.mesh);
     root.dataset("displacement", frame.displacement);
     root.dataset("tool_displacement", frame.toolDisplacement);
     root.dataset("tool_angle", frame.toolAngle);
@@ -99,6 +101,7 @@ FrameRecord readFrame(const std::filesystem::path& path, const StoredModel& mode
   frame.index = root.integer("index");
   frame.step = root.integer("step");
   frame.time = root.real("time");
+  if (root.contains("mesh")) frame.mesh = readMesh(root.group("mesh"), model.record.dim);
   frame.displacement = root.dataset("displacement").matrix();
   frame.toolDisplacement = root.dataset("tool_displacement").matrix();
   frame.toolAngle = root.dataset("tool_angle").vector();

@@ -182,6 +182,12 @@ InputDataset InputGroup::dataset(const std::string& name) const {
   return {std::move(child), fmt::format("{}/{}", place(), name)};
 }
 
+bool InputGroup::contains(const std::string& name) const {
+  const htri_t exists = H5Lexists(id(), name.c_str(), H5P_DEFAULT);
+  if (exists < 0) fail("its members cannot be listed");
+  return exists > 0;
+}
+
 std::vector<std::string> InputGroup::names() const {
   H5G_info_t info;
   if (H5Gget_info(id(), &info) < 0) fail("its members cannot be listed");

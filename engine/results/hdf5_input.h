@@ -62,6 +62,8 @@ class InputGroup : public InputObject {
   InputGroup group(const std::string& name) const;
   InputDataset dataset(const std::string& name) const;
 
+  bool contains(const std::string& name) const;
+
   /// Names of all members in alphabetical order.
   std::vector<std::string> names() const;
 };

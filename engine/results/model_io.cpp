@@ -5,49 +5,13 @@
 #include "engine/core/error.h"
 #include "engine/results/check_records.h"
 #include "engine/results/file_header.h"
+#include "engine/results/mesh_io.h"
 
 namespace burnish {
 namespace {
 
-using hdf5::InputDataset;
 using hdf5::InputGroup;
 using hdf5::OutputGroup;
-using hdf5::OutputObject;
-
-const char* const kFamilyNames[] = {"bspline", "lagrange"};  // in the order of BasisFamily
-
-void writePatch(const OutputGroup& group, const PatchRecord& patch) {
-  group.dataset("points", patch.points);
-  group.dataset("weights", patch.weights);
-  group.dataset("nodes", patch.nodes);
-  for (std::size_t d = 0; d < patch.directions.size(); ++d) {
-    const DirectionRecord& direction = patch.directions[d];
-    const OutputObject knots = group.dataset(fmt::format("knots_{}", d), direction.knots);
-    knots.attribute("family", std::string(kFamilyNames[static_cast<int>(direction.family)]));
-    knots.attribute("degree", direction.degree);
-  }
-}
-
-DirectionRecord readDirection(const InputDataset& dataset) {
-  const std::string family = dataset.text("family");
-  if (family != kFamilyNames[0] && family != kFamilyNames[1])
-    throw Error(fmt::format("{}: family \"{}\" is neither {} nor {}", dataset.place(), family,
-                            kFamilyNames[0], kFamilyNames[1]));
-  const Eigen::VectorXd knots = dataset.vector();
-  return {.family = family == kFamilyNames[0] ? BasisFamily::BSpline : BasisFamily::Lagrange,
-          .degree = dataset.integer("degree"),
-          .knots = {knots.begin(), knots.end()}};
-}
-
-PatchRecord readPatch(const InputGroup& group, int dim) {
-  PatchRecord patch;
-  patch.points = group.dataset("points").matrix();
-  patch.weights = group.dataset("weights").vector();
-  patch.nodes = group.dataset("nodes").integers();
-  for (int d = 0; d < dim; ++d)
-    patch.directions.push_back(readDirection(group.dataset(fmt::format("knots_{}", d))));
-  return patch;
-}
 
 struct ShapeWriter {
   const OutputGroup& group;
@@ -79,7 +43,7 @@ struct ShapeWriter {
 
 /// A mesh whose list of cells is no whole number of cells, or refers to points that do not exist, is refused
 /// later, with the other records.
-SurfaceMesh readMesh(const InputGroup& group) {
+SurfaceMesh readSurface(const InputGroup& group) {
   SurfaceMesh mesh;
   const Eigen::MatrixXd points = group.dataset("points").matrix();
   const std::vector<int> cells = group.dataset("cells").integers();
@@ -102,7 +66,7 @@ RecordedShape readShape(const InputGroup& group) {
   if (shape == "cylinder")
     return Cylinder{group.vector3("center"), group.vector3("axis"), group.real("radius")};
   if (shape == "sphere") return Sphere{group.vector3("center"), group.real("radius")};
-  if (shape == "mesh") return readMesh(group);
+  if (shape == "mesh") return readSurface(group);
   throw Error(fmt::format("{}: shape \"{}\" is none of plane, cylinder, sphere, mesh", group.place(), shape));
 }
 
@@ -130,12 +94,10 @@ std::vector<std::byte> modelImage(const StoredModel& model) {
     root.attribute("dim", record.dim);
     root.attribute("length_unit", record.lengthUnit);
     root.attribute("stress_unit", record.stressUnit);
-    root.attribute("num_nodes", record.numNodes);
+    root.attribute("num_nodes", record.mesh.numNodes);
     root.attribute("subdivision", record.subdivision);
     root.dataset("scene", record.sceneYaml);
-    const OutputGroup patches = root.group("patches");
-    for (std::size_t i = 0; i < record.patches.size(); ++i)
-      writePatch(patches.group(std::to_string(i)), record.patches[i]);
+    writePatches(root, record.mesh.patches);
     const OutputGroup tools = root.group("tools");
     for (std::size_t i = 0; i < record.tools.size(); ++i) {
       const OutputGroup tool = tools.group(std::to_string(i));
@@ -159,12 +121,10 @@ StoredModel readModel(const std::filesystem::path& path) {
   record.dim = root.integer("dim");
   record.lengthUnit = root.text("length_unit");
   record.stressUnit = root.text("stress_unit");
-  record.numNodes = root.integer("num_nodes");
+  record.mesh.numNodes = root.integer("num_nodes");
   record.subdivision = root.integer("subdivision");
   record.sceneYaml = root.dataset("scene").string();
-  const InputGroup patches = root.group("patches");
-  for (std::size_t i = 0; i < patches.names().size(); ++i)
-    record.patches.push_back(readPatch(patches.group(std::to_string(i)), record.dim));
+  record.mesh.patches = readPatches(root, record.dim);
   const InputGroup tools = root.group("tools");
   for (std::size_t i = 0; i < tools.names().size(); ++i) {
     const InputGroup tool = tools.group(std::to_string(i));

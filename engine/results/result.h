@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +25,15 @@ struct PatchRecord {
   Eigen::MatrixXd points;   ///< dim x functions, first direction fastest
   Eigen::VectorXd weights;  ///< functions
   std::vector<int> nodes;   ///< global node of each function; patches that share a face share nodes
+};
+
+/// A mesh of the body: its patches and the nodes that they share.
+struct MeshRecord {
+  int numNodes = 0;
+  std::vector<PatchRecord> patches;
+
+  /// 0 without patches.
+  int dim() const { return patches.empty() ? 0 : static_cast<int>(patches.front().directions.size()); }
 };
 
 /// What is kept of a tool's shape: the analytic ones as they are, others as they are drawn.
@@ -74,23 +84,30 @@ struct ModelRecord {
   std::string sceneYaml;  ///< resolved scene, every default filled in
   int dim = 2;
   std::string lengthUnit, stressUnit;
-  int numNodes = 0;
-  std::vector<PatchRecord> patches;
+  MeshRecord mesh;  ///< of the undeformed body, at the start
   std::vector<ToolRecord> tools;
   int subdivision = 4;
 };
 
-/// One output instant.
+/// One output instant. Nodes and patches are those of its mesh, see `meshOf`.
 struct FrameRecord {
   int index = 0;
   int step = 0;
   double time = 0.0;
-  Eigen::MatrixXd displacement;               ///< dim x nodes
+  /// If the body has been meshed anew, its mesh in this frame. A control point stands where the material that
+  /// is there now was at the start, as nearly as the mesh can say.
+  std::optional<MeshRecord> mesh;
+  Eigen::MatrixXd displacement;               ///< dim x nodes, from the start on
   std::map<std::string, FieldRecord> fields;  ///< plastic_strain, von_mises, stress, pressure
   Eigen::MatrixXd toolDisplacement;           ///< of the pivots, dim x tools
   Eigen::VectorXd toolAngle;  ///< turn about the axes, radians, one per tool; empty if none is turned
   std::vector<ContactRecord> contact;
   QuadratureRecord quadrature;
 };
+
+/// The mesh that a frame's displacements, fields and contact belong to: its own or, without one, the model's.
+inline const MeshRecord& meshOf(const ModelRecord& model, const FrameRecord& frame) {
+  return frame.mesh ? *frame.mesh : model.mesh;
+}
 
 }  // namespace burnish

@@ -79,11 +79,11 @@ std::array<double, 2> percentiles(const Tessellation& tessellation, const Eigen:
 
 /// Smallest and largest value at the points of a tessellation; nothing if one is not finite. Goes through a
 /// patch span by span of its last direction: a body in space has more points than memory should hold.
-std::optional<std::array<double, 2>> extremes(const ModelRecord& model, const Eigen::MatrixXd& coefficients,
+std::optional<std::array<double, 2>> extremes(const MeshRecord& mesh, const Eigen::MatrixXd& coefficients,
                                               int subdivision) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> range{infinity, -infinity};
-  for (const PatchRecord& patch : model.patches) {
+  for (const PatchRecord& patch : mesh.patches) {
     std::vector<PointRow> directions;
     for (const DirectionRecord& direction : patch.directions) {
       const UnivariateBasis basis = basisOf(direction);
@@ -123,12 +123,13 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
     throw Error(fmt::format(
         "clip: found {}; expected a percentile above 50, at which the colours end, up to 100", *clip));
   const FieldChoice choice = chooseField(model, frame, field);
-  const std::optional<std::array<double, 2>> whole = extremes(model, choice.coefficients, subdivision);
+  const MeshRecord& mesh = meshOf(model, frame);
+  const std::optional<std::array<double, 2>> whole = extremes(mesh, choice.coefficients, subdivision);
   if (!whole)
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
                             field, frame.index));
   if (!clip || *clip == 100.0) return {*whole, *whole};
-  const auto clipped = percentiles(Tessellation(model, subdivision), choice.coefficients, *clip);
+  const auto clipped = percentiles(Tessellation(mesh, subdivision), choice.coefficients, *clip);
   return {*whole, clipped[0] < clipped[1] ? clipped : *whole};
 }
 

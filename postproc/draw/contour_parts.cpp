@@ -46,7 +46,7 @@ void setValues(vtkPointData& points, const Mesh& mesh, const ModelRecord& model,
 
 vtkSmartPointer<vtkPolyData> makeBody(const ModelRecord& model, const FrameRecord& frame,
                                       const ContourOptions& options) {
-  const BodySurface surface(model, subdivisionOf(model, options));
+  const BodySurface surface(meshOf(model, frame), subdivisionOf(model, options));
   const auto body = surface.displaced(options.warp * frame.displacement);
   setValues(*body->GetPointData(), surface, model, frame, options);
   return body;
@@ -59,6 +59,7 @@ class BodyCut {
           ContourParts& parts)
       : model_(model),
         frame_(frame),
+        mesh_(meshOf(model, frame)),
         options_(options),
         parts_(parts),
         subdivision_(subdivisionOf(model, options)),
@@ -72,7 +73,7 @@ class BodyCut {
       parts_.body = section;
       parts_.outline = border;
       if (parts_.undeformed)
-        parts_.undeformed = sectionOf(*BodySurface(model_, subdivision_).displaced({}), plane_);
+        parts_.undeformed = sectionOf(*BodySurface(model_.mesh, subdivision_).displaced({}), plane_);
       return;
     }
     parts_.body = behind(*parts_.body, plane_);
@@ -81,7 +82,7 @@ class BodyCut {
     if (parts_.undeformed) parts_.undeformed = behind(*parts_.undeformed, plane_);
     if (parts_.knots)
       parts_.knots =
-          together(*parts_.knots, *behind(*knotLines(model_, parts_.displacement, subdivision_), plane_));
+          together(*parts_.knots, *behind(*knotLines(mesh_, parts_.displacement, subdivision_), plane_));
   }
 
  private:
@@ -104,7 +105,7 @@ class BodyCut {
 
   /// Of the tessellated volume.
   vtkSmartPointer<vtkPolyData> sectionWithValues() const {
-    const Tessellation cells(model_, subdivision_);
+    const Tessellation cells(mesh_, subdivision_);
     FrameRecord shape;
     shape.displacement = parts_.displacement;
     const auto grid = makeGrid(cells, shape, true);
@@ -127,12 +128,13 @@ class BodyCut {
 
   /// Where the plane cuts the faces between knot spans.
   vtkSmartPointer<vtkPolyData> sectionKnots() const {
-    const BodySurface faces(model_, subdivision_, BodySurface::Faces::OfSpans);
+    const BodySurface faces(mesh_, subdivision_, BodySurface::Faces::OfSpans);
     return sectionOf(*faces.displaced(parts_.displacement), plane_);
   }
 
   const ModelRecord& model_;
   const FrameRecord& frame_;
+  const MeshRecord& mesh_;  ///< of the frame
   const ContourOptions& options_;
   ContourParts& parts_;
   int subdivision_;
@@ -195,6 +197,7 @@ int subdivisionOf(const ModelRecord& model, const ContourOptions& options) {
 
 ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   const int subdivision = subdivisionOf(model, options);
+  const MeshRecord& mesh = meshOf(model, frame);
   ContourParts parts;
   parts.axes = options.axes    ? *options.axes
                : options.slice ? viewFrom(options.slice->normal)
@@ -203,14 +206,15 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   if (options.tools) parts.tools = shownTools(model, frame, options.warp);
   parts.body = makeBody(model, frame, options);
   parts.box = boxOf(*parts.body);
-  parts.outline = bodyOutline(model, parts.displacement, subdivision);
-  if (options.undeformed) parts.undeformed = bodyOutline(model, {}, subdivision);
+  parts.outline = bodyOutline(mesh, parts.displacement, subdivision);
+  if (options.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, subdivision);
   if (options.cut || options.slice)
     BodyCut(model, frame, options, parts).apply();
   else if (options.knots)
-    parts.knots = knotLines(model, parts.displacement, subdivision);
+    parts.knots = knotLines(mesh, parts.displacement, subdivision);
   if (options.controlNet) {
     FrameRecord shape;
+    shape.mesh = frame.mesh;
     shape.displacement = parts.displacement;
     parts.net = controlNet(model, shape);
   }

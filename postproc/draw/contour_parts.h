@@ -24,7 +24,7 @@ struct ShownTool {
 struct ContourParts {
   ViewAxes axes;
   Eigen::AlignedBox3d box;       ///< of the body before it is cut
-  Eigen::MatrixXd displacement;  ///< of the body, dim x nodes
+  Eigen::MatrixXd displacement;  ///< of the body, dim x nodes of the frame's mesh
   std::vector<ShownTool> tools;
   vtkSmartPointer<vtkPolyData> body;     ///< its point scalars are the values that are drawn
   vtkSmartPointer<vtkPolyData> section;  ///< the same, of a cut; null without one

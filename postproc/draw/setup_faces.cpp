@@ -33,7 +33,7 @@ Vector2d FaceLine::meanNormal() const {
 
 SetupFaces::SetupFaces(const ModelRecord& model, const Scene& scene, int subdivision)
     : subdivision_(subdivision) {
-  for (const PatchRecord& patch : model.patches) patches_.push_back(patchGeometry<2>(patch));
+  for (const PatchRecord& patch : model.mesh.patches) patches_.push_back(patchGeometry<2>(patch));
   if (const auto* several = std::get_if<PatchesSpec>(&scene.geometry.shape))
     for (const PatchSpec& patch : several->patches) names_.push_back(patch.name);
 }

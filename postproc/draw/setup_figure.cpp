@@ -69,7 +69,7 @@ class SetupPicture {
   double textSize() const { return layout_.textSize(); }
 
   void drawSpace(vtkRenderer& renderer, int scale) const {
-    const auto body = BodySurface(model_, layout_.subdivision()).displaced({});
+    const auto body = BodySurface(model_.mesh, layout_.subdivision()).displaced({});
     const double line = scale * std::max(1.2, 0.075 * textSize()), depth = body->GetLength() / 100.0;
     int layer = 0;
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor) {
@@ -77,7 +77,8 @@ class SetupPicture {
       renderer.AddActor(actor);
     };
     add(plainActor(*body, kBodyColor, false, 1.0));
-    if (knots_) add(lineActor(*knotLines(model_, {}, layout_.subdivision()), kKnotColor, 0.5 * line, 1.0));
+    if (knots_)
+      add(lineActor(*knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line, 1.0));
     add(lineActor(*outlineBesideAxis(), kInk, line, 1.0));
     for (const ToolRecord& record : layout_.tools()) {
       const ToolDrawing drawing =
@@ -90,7 +91,7 @@ class SetupPicture {
 
   /// Half of a section ends at the axis, but the body does not.
   vtkSmartPointer<vtkPolyData> outlineBesideAxis() const {
-    const auto outline = bodyOutline(model_, {}, layout_.subdivision());
+    const auto outline = bodyOutline(model_.mesh, {}, layout_.subdivision());
     for (vtkIdType k = 0; k < outline->GetNumberOfCells(); ++k) {
       const double* b = outline->GetCell(k)->GetBounds();
       if (layout_.isOnAxis({{b[0], b[2]}, {b[1], b[3]}})) outline->DeleteCell(k);

@@ -51,7 +51,7 @@ Eigen::AlignedBox2d flat(const Eigen::AlignedBox3d& box) {
 int smoothSubdivision(const ModelRecord& model) {
   constexpr int kCells = 64;  // along the direction of the body that has the fewest spans
   int fewest = kCells;
-  for (const PatchRecord& patch : model.patches)
+  for (const PatchRecord& patch : model.mesh.patches)
     for (const DirectionRecord& direction : patch.directions)
       fewest = std::min(fewest, basisOf(direction).numSpans());
   return std::max(model.subdivision, (kCells + fewest - 1) / fewest);
@@ -91,7 +91,7 @@ SetupLayout::SetupLayout(const ModelRecord& model, const std::array<int, 2>& siz
 }
 
 void SetupLayout::findBoxes() {
-  const auto body = BodySurface(model_, subdivision_).displaced({});
+  const auto body = BodySurface(model_.mesh, subdivision_).displaced({});
   const double* b = body->GetBounds();
   box_ = {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
   const Eigen::Vector3d half(box_.sizes().maxCoeff() / 2, 0.0, 0.0);

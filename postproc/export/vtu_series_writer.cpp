@@ -53,12 +53,13 @@ std::vector<std::string> fileStems(const std::vector<ToolRecord>& tools) {
 }
 
 /// The box of the control points, which holds the body.
-Eigen::AlignedBox3d boxOf(const ModelRecord& model, const Eigen::MatrixXd& displacement) {
+Eigen::AlignedBox3d boxOf(const MeshRecord& mesh, const Eigen::MatrixXd& displacement) {
   Eigen::AlignedBox3d box;
-  for (const PatchRecord& patch : model.patches)
+  for (const PatchRecord& patch : mesh.patches)
     for (Eigen::Index a = 0; a < patch.points.cols(); ++a) {
       Eigen::Vector3d x = Eigen::Vector3d::Zero();
-      x.head(model.dim) = patch.points.col(a) + displacement.col(patch.nodes[static_cast<std::size_t>(a)]);
+      x.head(patch.points.rows()) =
+          patch.points.col(a) + displacement.col(patch.nodes[static_cast<std::size_t>(a)]);
       box.extend(x);
     }
   return box;
@@ -88,7 +89,8 @@ void removeFile(const fs::path& file) {
 VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, VtuOptions options)
     : runDir_(std::move(runDir)),
       model_(std::move(model)),
-      cells_(makeCells(model_, options.cells)),
+      cellKind_(options.cells),
+      cells_(makeCells(model_.mesh)),
       parts_(makeParts(model_, options.parts)) {
   std::error_code error;
   fs::create_directories(runDir_ / "frames", error);
@@ -98,10 +100,10 @@ VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, VtuOptions 
   removeEarlierSeries();
 }
 
-VtuSeriesWriter::BodyCells VtuSeriesWriter::makeCells(const ModelRecord& model, CellKind kind) {
-  if (kind == CellKind::Lagrange) return CurvedCells(model, CurvedFamily::Lagrange);
-  if (kind == CellKind::Bezier) return CurvedCells(model, CurvedFamily::Bezier);
-  return Tessellation(model, model.subdivision);
+VtuSeriesWriter::BodyCells VtuSeriesWriter::makeCells(const MeshRecord& mesh) const {
+  if (cellKind_ == CellKind::Lagrange) return CurvedCells(mesh, CurvedFamily::Lagrange);
+  if (cellKind_ == CellKind::Bezier) return CurvedCells(mesh, CurvedFamily::Bezier);
+  return Tessellation(mesh, model_.subdivision);
 }
 
 std::vector<VtuSeriesWriter::Part> VtuSeriesWriter::makeParts(const ModelRecord& model,
@@ -141,10 +143,13 @@ void VtuSeriesWriter::write(const FrameRecord& frame) {
 void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) const {
   const fs::path path = file(part, frame.index);
   switch (part.kind) {
-    case ExportPart::Body:
-      return writeVtkFile(*std::visit(BodyGrid{frame, model_.lengthUnit}, cells_), frame.time, path);
+    case ExportPart::Body: {
+      const BodyGrid grid{frame, model_.lengthUnit};
+      return writeVtkFile(*(frame.mesh ? std::visit(grid, makeCells(*frame.mesh)) : std::visit(grid, cells_)),
+                          frame.time, path);
+    }
     case ExportPart::Tools: {
-      const Eigen::AlignedBox3d box = boxOf(model_, frame.displacement);
+      const Eigen::AlignedBox3d box = boxOf(meshOf(model_, frame), frame.displacement);
       return writeVtkFile(*toolOutline(placedTool(model_, frame, part.tool), model_.dim, box), frame.time,
                           path);
     }

@@ -59,9 +59,9 @@ class VtuSeriesWriter {
     std::vector<std::size_t> parts;  ///< those that the frame has
   };
 
-  static BodyCells makeCells(const ModelRecord& model, CellKind kind);
   static std::vector<Part> makeParts(const ModelRecord& model, const std::set<ExportPart>& kinds);
 
+  BodyCells makeCells(const MeshRecord& mesh) const;
   void writePart(const Part& part, const FrameRecord& frame) const;
   std::filesystem::path file(const Part& part, int frame) const;
   void removeEarlierSeries() const;
@@ -70,7 +70,8 @@ class VtuSeriesWriter {
 
   std::filesystem::path runDir_;
   ModelRecord model_;
-  BodyCells cells_;
+  CellKind cellKind_;
+  BodyCells cells_;  ///< of the model's mesh
   std::vector<Part> parts_;
   std::map<int, Instant> instants_;  ///< by index of the frame
 };

@@ -33,14 +33,13 @@ Eigen::Matrix3Xd normalsOf(const Eigen::Matrix3Xd& x, const Eigen::Map<const Cor
 
 }  // namespace
 
-BodySurface::BodySurface(const ModelRecord& model, int subdivision, Faces faces) : points_(model.numNodes) {
-  checkModel(model, "model");
+BodySurface::BodySurface(const MeshRecord& mesh, int subdivision, Faces faces) : points_(mesh.numNodes) {
+  checkMesh(mesh, mesh.dim(), "mesh");
   if (faces == Faces::OfSpans) {
-    for (const PatchRecord& patch : model.patches) addFacesOfSpans(patch, subdivision);
+    for (const PatchRecord& patch : mesh.patches) addFacesOfSpans(patch, subdivision);
   } else {
-    const PatchBorders borders(model);
-    for (const PatchSide& side : borders.surface())
-      addSide(model.patches[side.patch], side.ends, subdivision);
+    const PatchBorders borders(mesh);
+    for (const PatchSide& side : borders.surface()) addSide(mesh.patches[side.patch], side.ends, subdivision);
   }
   cells_ = makeCells(Eigen::Map<const Corners>(corners_.data(), 4, std::ssize(corners_) / 4));
 }

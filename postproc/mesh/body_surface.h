@@ -20,8 +20,8 @@ class BodySurface {
   /// Which faces: those that can be seen, or of a body in space those between and around its knot spans.
   enum class Faces { Outside, OfSpans };
 
-  /// Throws `Error` if `subdivision` < 1 or the model is inconsistent.
-  BodySurface(const ModelRecord& model, int subdivision, Faces faces = Faces::Outside);
+  /// Throws `Error` if `subdivision` < 1 or the mesh is inconsistent.
+  BodySurface(const MeshRecord& mesh, int subdivision, Faces faces = Faces::Outside);
 
   int numPoints() const { return points_.size(); }
 

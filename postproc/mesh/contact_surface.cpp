@@ -39,8 +39,8 @@ struct FacePoints {
 };
 
 template <int Dim>
-FacePoints facePoints(const ModelRecord& model, const ContactRecord& contact) {
-  const auto trace = tracePatch(patchGeometry<Dim>(model.patches[static_cast<std::size_t>(contact.patch)]),
+FacePoints facePoints(const MeshRecord& mesh, const ContactRecord& contact) {
+  const auto trace = tracePatch(patchGeometry<Dim>(mesh.patches[static_cast<std::size_t>(contact.patch)]),
                                 faceFromName<Dim>(contact.face));
   FacePoints face{.spans = {}, .perSpan = 0, .dim = Dim};
   for (int d = 0; d < Dim - 1; ++d)
@@ -82,11 +82,12 @@ Eigen::MatrixXd valuesOf(const ContactRecord& contact) {
 vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
                                             std::size_t tool) {
   const ToolRecord& record = model.tools.at(tool);
+  const MeshRecord& mesh = meshOf(model, frame);
   PolyBuilder builder;
   Eigen::MatrixXd values(5, 0);
   for (const ContactRecord& contact : frame.contact) {
     if (contact.tool != record.name) continue;
-    const FacePoints face = model.dim == 2 ? facePoints<2>(model, contact) : facePoints<3>(model, contact);
+    const FacePoints face = model.dim == 2 ? facePoints<2>(mesh, contact) : facePoints<3>(mesh, contact);
     addCells(face, builder.addPoints(contact.quadraturePoints), builder);
     const auto added = valuesOf(contact);
     values.conservativeResize(Eigen::NoChange, values.cols() + added.cols());

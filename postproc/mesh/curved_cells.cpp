@@ -62,12 +62,12 @@ Eigen::MatrixXd degreesOf(const CurvedCells& cells) {
 
 }  // namespace
 
-CurvedCells::CurvedCells(const ModelRecord& model, CurvedFamily family)
-    : family_(family), points_(model, meaningFor(family), checkedDegree) {
+CurvedCells::CurvedCells(const MeshRecord& mesh, CurvedFamily family)
+    : family_(family), points_(mesh, meaningFor(family), checkedDegree) {
   for (std::size_t i = 0; i < points_.patches().size(); ++i) {
     const PatchLattice& lattice = points_.patches()[i];
     for (int span = 0; span < lattice.spans.size(); ++span) {
-      cells_.push_back(pointsOfSpan(lattice, lattice.spans.index(span), model.dim));
+      cells_.push_back(pointsOfSpan(lattice, lattice.spans.index(span), mesh.dim()));
       patchOfCell_.push_back(static_cast<int>(i));
     }
   }

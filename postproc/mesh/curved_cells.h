@@ -24,8 +24,8 @@ class CurvedCells {
   /// Highest degree of VTK's Lagrange and Bezier cells.
   static constexpr int kHighestDegree = 10;
 
-  /// Throws `Error` for a degree above `kHighestDegree` or an inconsistent model.
-  CurvedCells(const ModelRecord& model, CurvedFamily family);
+  /// Throws `Error` for a degree above `kHighestDegree` or an inconsistent mesh.
+  CurvedCells(const MeshRecord& mesh, CurvedFamily family);
 
   CurvedFamily family() const { return family_; }
   const SpanPoints& points() const { return points_; }
@@ -45,7 +45,7 @@ class CurvedCells {
 
 /// A frame on the current positions as a VTK data set in double precision, with the point data of
 /// `setPoints`, the cell data `patch` and what VTK needs: degrees and, of Bezier cells, weights. Throws
-/// `Error` if a field does not fit the model.
+/// `Error` if a field does not fit its mesh.
 vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const CurvedCells& cells, const FrameRecord& frame,
                                               const std::string& lengthUnit);
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <variant>
 
@@ -76,6 +75,13 @@ struct SameShape {
   }
 };
 
+/// The nodes of a mesh and of its image.
+struct MirroredNodes {
+  int count = 0;               ///< of both together
+  std::vector<int> image;      ///< of each node; a node on the plane is its own
+  std::vector<int> originals;  ///< the nodes that have another node for an image, in its order
+};
+
 /// Adds the image of a model in one plane.
 class Mirror {
  public:
@@ -87,7 +93,12 @@ class Mirror {
   }
 
   void addImages() {
-    addPatches();
+    if (whole_.frame.mesh) {
+      addPatches(*whole_.frame.mesh, nodes_);
+      addPatches(whole_.model.mesh, nodesOf(whole_.model.mesh, kRounding));
+    } else {
+      addPatches(whole_.model.mesh, nodes_);
+    }
     addToNodes();
     addContact();
     addTools();
@@ -102,7 +113,7 @@ class Mirror {
   void findSize() {
     Eigen::AlignedBox3d box;
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const PatchRecord& patch : whole_.model.patches)
+    for (const PatchRecord& patch : whole_.model.mesh.patches)
       for (const auto& point : patch.points.colwise()) {
         Eigen::Vector3d x = Eigen::Vector3d::Zero();
         x.head(point.size()) = point;
@@ -118,33 +129,35 @@ class Mirror {
               nameOf(plane_), low, high));
   }
 
-  /// A node on the plane is its own image.
+  /// tolerance: a part of the size of the body.
+  MirroredNodes nodesOf(const MeshRecord& mesh, double tolerance) const {
+    MirroredNodes nodes{mesh.numNodes, std::vector<int>(static_cast<std::size_t>(mesh.numNodes), -1), {}};
+    for (const PatchRecord& patch : mesh.patches)
+      for (std::size_t a = 0; a < patch.nodes.size(); ++a)
+        if (std::abs(patch.points(plane_.axis, static_cast<Eigen::Index>(a)) - plane_.at) <=
+            tolerance * size_)
+          nodes.image[static_cast<std::size_t>(patch.nodes[a])] = patch.nodes[a];
+    for (std::size_t node = 0; node < nodes.image.size(); ++node)
+      if (nodes.image[node] < 0) {
+        nodes.image[node] = nodes.count++;
+        nodes.originals.push_back(static_cast<int>(node));
+      }
+    return nodes;
+  }
+
+  /// Of the frame's mesh. Where the material of a mesh made on the way was at the start is known as well as
+  /// displacements are.
   void numberImages() {
-    ModelRecord& model = whole_.model;
-    image_.resize(static_cast<std::size_t>(model.numNodes));
-    std::iota(image_.begin(), image_.end(), model.numNodes);
-    const Eigen::MatrixXd& u = whole_.frame.displacement;
-    for (const PatchRecord& patch : model.patches)
-      for (std::size_t a = 0; a < patch.nodes.size(); ++a) {
-        const int node = patch.nodes[a];
-        if (std::abs(patch.points(plane_.axis, static_cast<Eigen::Index>(a)) - plane_.at) > kRounding * size_)
-          continue;
-        check(std::abs(u(plane_.axis, node)) <= kStaysOnPlane * size_,
-              fmt::format("the body leaves it in frame {}, so that it is no plane of symmetry",
-                          whole_.frame.index));
-        image_[static_cast<std::size_t>(node)] = node;
-      }
-    int next = model.numNodes;
-    for (std::size_t node = 0; node < image_.size(); ++node)
-      if (image_[node] >= model.numNodes) {
-        image_[node] = next++;
-        originals_.push_back(static_cast<int>(node));
-      }
-    model.numNodes = next;
+    const FrameRecord& frame = whole_.frame;
+    nodes_ = nodesOf(meshOf(whole_.model, frame), frame.mesh ? kStaysOnPlane : kRounding);
+    for (Eigen::Index node = 0; node < frame.displacement.cols(); ++node)
+      if (nodes_.image[static_cast<std::size_t>(node)] == node)
+        check(std::abs(frame.displacement(plane_.axis, node)) <= kStaysOnPlane * size_,
+              fmt::format("the body leaves it in frame {}, so that it is no plane of symmetry", frame.index));
   }
 
   /// With the first direction reversed, so that the image is not inside out.
-  PatchRecord imageOf(const PatchRecord& patch) const {
+  PatchRecord imageOf(const PatchRecord& patch, const std::vector<int>& imageOfNode) const {
     PatchRecord result = patch;
     DirectionRecord& first = result.directions.front();
     const double sum = first.knots.front() + first.knots.back();
@@ -157,21 +170,21 @@ class Mirror {
       result.points.col(a) = points.col(from);
       result.weights(a) = patch.weights(from);
       result.nodes[static_cast<std::size_t>(a)] =
-          image_[static_cast<std::size_t>(patch.nodes[static_cast<std::size_t>(from)])];
+          imageOfNode[static_cast<std::size_t>(patch.nodes[static_cast<std::size_t>(from)])];
     }
     return result;
   }
 
-  void addPatches() {
-    std::vector<PatchRecord>& patches = whole_.model.patches;
-    const std::size_t count = patches.size();
-    for (std::size_t p = 0; p < count; ++p) patches.push_back(imageOf(patches[p]));
+  void addPatches(MeshRecord& mesh, const MirroredNodes& nodes) const {
+    const std::size_t count = mesh.patches.size();
+    for (std::size_t p = 0; p < count; ++p) mesh.patches.push_back(imageOf(mesh.patches[p], nodes.image));
+    mesh.numNodes = nodes.count;
   }
 
   /// Values at nodes with those of their images. signs: one per component.
   Eigen::MatrixXd withImages(const Eigen::MatrixXd& values, const Eigen::VectorXd& signs) const {
-    Eigen::MatrixXd all(values.rows(), whole_.model.numNodes);
-    all << values, signs.asDiagonal() * values(Eigen::all, originals_);
+    Eigen::MatrixXd all(values.rows(), nodes_.count);
+    all << values, signs.asDiagonal() * values(Eigen::all, nodes_.originals);
     return all;
   }
 
@@ -199,7 +212,7 @@ class Mirror {
     const std::size_t count = contact.size();
     for (std::size_t k = 0; k < count; ++k) {
       ContactRecord copy = contact[k];
-      for (int& node : copy.nodes) node = image_[static_cast<std::size_t>(node)];
+      for (int& node : copy.nodes) node = nodes_.image[static_cast<std::size_t>(node)];
       copy.quadraturePoints = image(copy.quadraturePoints, plane_);
       copy.quadratureNormal = imageOfVectors(copy.quadratureNormal, plane_);
       contact.push_back(std::move(copy));
@@ -234,9 +247,8 @@ class Mirror {
 
   ModelFrame& whole_;
   MirrorPlane plane_;
-  double size_ = 0.0;           ///< of the body
-  std::vector<int> image_;      ///< of each node
-  std::vector<int> originals_;  ///< the nodes that have another node for an image, in its order
+  double size_ = 0.0;    ///< of the body
+  MirroredNodes nodes_;  ///< of the frame's mesh
 };
 
 }  // namespace
@@ -247,6 +259,7 @@ ModelFrame mirrored(const ModelRecord& model, const FrameRecord& frame,
   whole.frame.index = frame.index;
   whole.frame.step = frame.step;
   whole.frame.time = frame.time;
+  whole.frame.mesh = frame.mesh;
   whole.frame.displacement = frame.displacement;
   whole.frame.fields = frame.fields;
   whole.frame.toolDisplacement = frame.toolDisplacement;

@@ -37,8 +37,8 @@ std::vector<Along> placesOn(const PatchSide& side) {
 /// Draws lines on the patches of a body.
 class LineDrawer {
  public:
-  LineDrawer(const ModelRecord& model, const Eigen::MatrixXd& displacement, int subdivision)
-      : model_(model), displacement_(displacement), subdivision_(subdivision) {}
+  LineDrawer(const MeshRecord& mesh, const Eigen::MatrixXd& displacement, int subdivision)
+      : mesh_(mesh), displacement_(displacement), subdivision_(subdivision) {}
 
   void addEdge(const PatchSide& edge) { add(edge.patch, placesOn(edge)); }
 
@@ -56,7 +56,7 @@ class LineDrawer {
  private:
   /// Lines along the one direction whose points lie everywhere.
   void add(std::size_t number, const std::vector<Along>& places) {
-    const PatchRecord& patch = model_.patches[number];
+    const PatchRecord& patch = mesh_.patches[number];
     std::vector<PointRow> directions;
     for (std::size_t d = 0; d < places.size(); ++d) {
       const UnivariateBasis basis = basisOf(patch.directions[d]);
@@ -64,7 +64,7 @@ class LineDrawer {
       if (parameters.empty()) return;
       directions.push_back(valuesAt(basis, parameters));
     }
-    PointLattices points(model_.numNodes);
+    PointLattices points(mesh_.numNodes);
     points.add(TensorPoints(patch, std::move(directions)));
     const auto along = std::find(places.begin(), places.end(), Along::Everywhere) - places.begin();
     addLines(points.lattices().front().box(), static_cast<std::size_t>(along),
@@ -83,7 +83,7 @@ class LineDrawer {
     }
   }
 
-  const ModelRecord& model_;
+  const MeshRecord& mesh_;
   const Eigen::MatrixXd& displacement_;
   int subdivision_;
   PolyBuilder builder_;
@@ -91,18 +91,18 @@ class LineDrawer {
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> bodyOutline(const ModelRecord& model, const Eigen::MatrixXd& displacement,
+vtkSmartPointer<vtkPolyData> bodyOutline(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
                                          int subdivision) {
-  LineDrawer drawer(model, displacement, subdivision);
-  const PatchBorders borders(model);
+  LineDrawer drawer(mesh, displacement, subdivision);
+  const PatchBorders borders(mesh);
   for (const PatchSide& edge : borders.outline()) drawer.addEdge(edge);
   return drawer.finish();
 }
 
-vtkSmartPointer<vtkPolyData> knotLines(const ModelRecord& model, const Eigen::MatrixXd& displacement,
+vtkSmartPointer<vtkPolyData> knotLines(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
                                        int subdivision) {
-  LineDrawer drawer(model, displacement, subdivision);
-  const PatchBorders borders(model);
+  LineDrawer drawer(mesh, displacement, subdivision);
+  const PatchBorders borders(mesh);
   for (const PatchSide& face : borders.surface()) drawer.addKnotLines(face);
   for (const PatchSide& seam : borders.seams()) drawer.addEdge(seam);
   return drawer.finish();

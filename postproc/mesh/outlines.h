@@ -13,12 +13,12 @@ namespace burnish {
 /// The edges of the body (of a single patch the 4 of a surface or the 12 of a volume; not those at which it
 /// is joined to others, see `PatchBorders`) as polylines with `subdivision` segments per knot span.
 /// displacement: dim x nodes; empty for the undeformed body.
-vtkSmartPointer<vtkPolyData> bodyOutline(const ModelRecord& model, const Eigen::MatrixXd& displacement,
+vtkSmartPointer<vtkPolyData> bodyOutline(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
                                          int subdivision);
 
 /// The lines between knot spans and between patches, without those of `bodyOutline`; of a volume, those on
 /// its surface.
-vtkSmartPointer<vtkPolyData> knotLines(const ModelRecord& model, const Eigen::MatrixXd& displacement,
+vtkSmartPointer<vtkPolyData> knotLines(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
                                        int subdivision);
 
 /// A shape moved by a rigid motion or mirrored; the tool stays on its side of the cells of a mesh.

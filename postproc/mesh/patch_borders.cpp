@@ -35,8 +35,8 @@ std::vector<PatchSide> sidesOf(std::size_t patch, std::size_t dim, std::ptrdiff_
 }
 
 /// Sorted, each once.
-Nodes nodesOn(const ModelRecord& model, const PatchSide& side) {
-  const PatchRecord& patch = model.patches[side.patch];
+Nodes nodesOn(const MeshRecord& mesh, const PatchSide& side) {
+  const PatchRecord& patch = mesh.patches[side.patch];
   IndexBox all, own;
   for (std::size_t d = 0; d < side.ends.size(); ++d) {
     all.extent[d] = basisOf(patch.directions[d]).numFunctions();
@@ -55,11 +55,11 @@ Nodes nodesOn(const ModelRecord& model, const PatchSide& side) {
 }
 
 /// Without those that have collapsed to a point.
-SidesByNodes groupedSides(const ModelRecord& model, std::ptrdiff_t fixed) {
+SidesByNodes groupedSides(const MeshRecord& mesh, std::ptrdiff_t fixed) {
   SidesByNodes groups;
-  for (std::size_t p = 0; p < model.patches.size(); ++p)
-    for (PatchSide& side : sidesOf(p, static_cast<std::size_t>(model.dim), fixed)) {
-      Nodes nodes = nodesOn(model, side);
+  for (std::size_t p = 0; p < mesh.patches.size(); ++p)
+    for (PatchSide& side : sidesOf(p, static_cast<std::size_t>(mesh.dim()), fixed)) {
+      Nodes nodes = nodesOn(mesh, side);
       if (nodes.size() > 1) groups[std::move(nodes)].push_back(std::move(side));
     }
   return groups;
@@ -78,13 +78,13 @@ std::vector<PatchSide> facesAt(const PatchSide& edge) {
 
 }  // namespace
 
-PatchBorders::PatchBorders(const ModelRecord& model) {
-  const SidesByNodes faces = groupedSides(model, 1);
+PatchBorders::PatchBorders(const MeshRecord& mesh) {
+  const SidesByNodes faces = groupedSides(mesh, 1);
   const auto isFree = [&](const PatchSide& face) {
-    const auto group = faces.find(nodesOn(model, face));
+    const auto group = faces.find(nodesOn(mesh, face));
     return group != faces.end() && group->second.size() == 1;
   };
-  for (const auto& [nodes, edges] : groupedSides(model, model.dim - 1)) {
+  for (const auto& [nodes, edges] : groupedSides(mesh, mesh.dim() - 1)) {
     std::ptrdiff_t most = 0, all = 0;  // free faces: of one of the patches, of all of them
     for (const PatchSide& edge : edges) {
       const std::vector<PatchSide> around = facesAt(edge);
@@ -92,15 +92,15 @@ PatchBorders::PatchBorders(const ModelRecord& model) {
       most = std::max(most, free);
       all += free;
     }
-    const bool isCorner = most == model.dim - 1, isAroundOthers = all > 0 && edges.size() > 2;
+    const bool isCorner = most == mesh.dim() - 1, isAroundOthers = all > 0 && edges.size() > 2;
     if (isCorner || isAroundOthers)
       outline_.push_back(edges.front());
-    else if (model.dim == 2 || all > 0)
+    else if (mesh.dim() == 2 || all > 0)
       seams_.push_back(edges.front());
   }
-  for (std::size_t p = 0; p < model.patches.size(); ++p)
-    for (PatchSide& side : sidesOf(p, static_cast<std::size_t>(model.dim), model.dim - 2))
-      if (model.dim == 2 || isFree(side)) surface_.push_back(std::move(side));
+  for (std::size_t p = 0; p < mesh.patches.size(); ++p)
+    for (PatchSide& side : sidesOf(p, static_cast<std::size_t>(mesh.dim()), mesh.dim() - 2))
+      if (mesh.dim() == 2 || isFree(side)) surface_.push_back(std::move(side));
 }
 
 }  // namespace burnish

@@ -18,7 +18,7 @@ struct PatchSide {
 /// patches share lie inside the body, and so do the two ends of a patch that is closed to a ring.
 class PatchBorders {
  public:
-  explicit PatchBorders(const ModelRecord& model);
+  explicit PatchBorders(const MeshRecord& mesh);
 
   /// The edges of the body, each once: where two free faces of a patch meet, or those of two patches around
   /// others; in 2D the free faces.

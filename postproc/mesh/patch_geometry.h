@@ -14,7 +14,7 @@ UnivariateBasis basisOf(const DirectionRecord& direction);
 template <int Dim>
 Patch<Dim> patchGeometry(const PatchRecord& record);
 
-/// The same with its control points displaced. displacement: Dim x nodes of the model; empty: undeformed.
+/// The same with its control points displaced. displacement: Dim x nodes of the mesh; empty: undeformed.
 /// Throws `Error` if the displacement does not fit.
 template <int Dim>
 Patch<Dim> patchGeometry(const PatchRecord& record, const Eigen::MatrixXd& displacement);

@@ -38,7 +38,7 @@ void addNet(const Patch<Dim>& patch, PolyBuilder& builder) {
 }
 
 std::vector<int> contactStatus(const ModelRecord& model, const FrameRecord& frame) {
-  std::vector<int> status(static_cast<std::size_t>(model.numNodes), 0);
+  std::vector<int> status(static_cast<std::size_t>(meshOf(model, frame).numNodes), 0);
   for (const ContactRecord& contact : frame.contact)
     for (std::size_t a = 0; a < contact.nodes.size(); ++a)
       if (contact.active[a] == 1) status[static_cast<std::size_t>(contact.nodes[a])] = 1;
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkPolyData> controlNet(const ModelRecord& model, const FrameRec
   PolyBuilder builder;
   std::vector<int> nodes;
   std::vector<double> weights;
-  for (const PatchRecord& patch : model.patches) {
+  for (const PatchRecord& patch : meshOf(model, frame).patches) {
     if (model.dim == 2)
       addNet(patchGeometry<2>(patch, frame.displacement), builder);
     else

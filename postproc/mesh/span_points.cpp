@@ -27,11 +27,11 @@ int PatchLattice::point(const IndexBox::Index& span, const IndexBox::Index& loca
   return firstPoint + points().number(index);
 }
 
-SpanPoints::SpanPoints(const ModelRecord& model, PointMeaning meaning,
+SpanPoints::SpanPoints(const MeshRecord& mesh, PointMeaning meaning,
                        const std::function<int(const DirectionRecord&)>& steps)
-    : points_(model.numNodes) {
-  checkModel(model, "model");
-  for (const PatchRecord& patch : model.patches) {
+    : points_(mesh.numNodes) {
+  checkMesh(mesh, mesh.dim(), "mesh");
+  for (const PatchRecord& patch : mesh.patches) {
     PatchLattice lattice;
     lattice.firstPoint = points_.size();
     std::vector<PointRow> directions;

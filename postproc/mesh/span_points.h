@@ -36,8 +36,8 @@ struct PatchLattice {
 class SpanPoints {
  public:
   /// `steps`: how many per knot span of a direction; their degree for coefficients. Throws `Error` if a
-  /// number of steps is < 1 or the model is inconsistent.
-  SpanPoints(const ModelRecord& model, PointMeaning meaning,
+  /// number of steps is < 1 or the mesh is inconsistent.
+  SpanPoints(const MeshRecord& mesh, PointMeaning meaning,
              const std::function<int(const DirectionRecord&)>& steps);
 
   int dim() const { return static_cast<int>(referencePoints_.rows()); }
@@ -65,7 +65,7 @@ class SpanPoints {
 /// Gives a grid these points and what they hold of a frame: `displacement` (components X Y Z) and every field
 /// of the frame with its component names; units stand behind the names, see `labelled`. The points are the
 /// current positions if `deformed`, else the reference positions. Throws `Error` if a field does not fit the
-/// model.
+/// mesh.
 void setPoints(vtkUnstructuredGrid& grid, const SpanPoints& points, const FrameRecord& frame, bool deformed,
                const std::string& lengthUnit);
 

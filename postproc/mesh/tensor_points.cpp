@@ -116,7 +116,7 @@ void PointLattices::add(TensorPoints points) {
 Eigen::MatrixXd PointLattices::evaluate(const Eigen::MatrixXd& coefficients) const {
   if (coefficients.cols() != numNodes_)
     throw Error(
-        fmt::format("field: found values at {} nodes; the model has {}", coefficients.cols(), numNodes_));
+        fmt::format("field: found values at {} nodes; the mesh has {}", coefficients.cols(), numNodes_));
   Eigen::MatrixXd values(coefficients.rows(), size_);
   Eigen::Index first = 0;
   for (const TensorPoints& points : lattices_) {

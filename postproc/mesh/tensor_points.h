@@ -32,7 +32,7 @@ class TensorPoints {
   int size() const { return points_.size(); }
 
   /// What the points hold (components x points) of a field with these coefficients (components x nodes of the
-  /// model). There must be one for every node of the patch.
+  /// mesh). There must be one for every node of the patch.
   Eigen::MatrixXd evaluate(const Eigen::MatrixXd& coefficients) const;
 
   /// What they hold of the reference positions, dim x points.
@@ -78,7 +78,7 @@ class PointLattices {
   Eigen::MatrixXd positions(const Eigen::MatrixXd& displacement) const;
 
  private:
-  int numNodes_;  ///< of the model
+  int numNodes_;  ///< of the mesh
   int size_ = 0;
   std::vector<TensorPoints> lattices_;
 };

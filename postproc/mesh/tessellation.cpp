@@ -30,8 +30,8 @@ int addCells(const PatchLattice& lattice, int dim, std::vector<int>& corners) {
 
 }  // namespace
 
-Tessellation::Tessellation(const ModelRecord& model, int subdivision)
-    : points_(model, PointMeaning::Value, [=](const DirectionRecord&) { return subdivision; }) {
+Tessellation::Tessellation(const MeshRecord& mesh, int subdivision)
+    : points_(mesh, PointMeaning::Value, [=](const DirectionRecord&) { return subdivision; }) {
   std::vector<int> corners;
   for (std::size_t i = 0; i < points_.patches().size(); ++i) {
     const int added = addCells(points_.patches()[i], dim(), corners);

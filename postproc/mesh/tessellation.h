@@ -16,8 +16,8 @@ namespace burnish {
 /// hexahedra in 3D. Cells of one patch share their points.
 class Tessellation {
  public:
-  /// Throws `Error` if `subdivision` < 1 or the model is inconsistent.
-  Tessellation(const ModelRecord& model, int subdivision);
+  /// Throws `Error` if `subdivision` < 1 or the mesh is inconsistent.
+  Tessellation(const MeshRecord& mesh, int subdivision);
 
   int dim() const { return points_.dim(); }
   int numPoints() const { return points_.size(); }
@@ -47,7 +47,7 @@ class Tessellation {
 };
 
 /// A frame as a VTK data set in double precision, with the point data of `setPoints` and the cell data
-/// `patch`. Throws `Error` if a field does not fit the model.
+/// `patch`. Throws `Error` if a field does not fit its mesh.
 vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const Tessellation& tessellation, const FrameRecord& frame,
                                               bool deformed, const std::string& lengthUnit = {});
 

@@ -21,8 +21,8 @@ constexpr double kDoubtfulRadiusShare = 0.01;
 constexpr double kDoubtfulJ = 0.05;
 
 template <int Dim>
-double smallestSpan(const ModelRecord& model, const ContactRecord& contact) {
-  const auto body = makeBody(patchGeometry<Dim>(model.patches.at(static_cast<std::size_t>(contact.patch))));
+double smallestSpan(const MeshRecord& mesh, const ContactRecord& contact) {
+  const auto body = makeBody(patchGeometry<Dim>(mesh.patches.at(static_cast<std::size_t>(contact.patch))));
   const FaceQuadrature<Dim> face(body, 0, faceFromName<Dim>(contact.face), 0);
   double smallest = HUGE_VAL;
   for (const auto& span : face.spans()) smallest = std::min(smallest, FaceQuadrature<Dim>::sizeOf(span));
@@ -34,9 +34,11 @@ double largestSoundPenetration(const ResultReader& result) {
   const ModelRecord& model = result.model();
   double limit = HUGE_VAL;
   if (result.numFrames() == 0) return limit;
-  for (const ContactRecord& contact : result.frame(0).contact)
-    limit = std::min(limit, kDoubtfulSpanShare * (model.dim == 2 ? smallestSpan<2>(model, contact)
-                                                                 : smallestSpan<3>(model, contact)));
+  const FrameRecord first = result.frame(0);
+  const MeshRecord& mesh = meshOf(model, first);
+  for (const ContactRecord& contact : first.contact)
+    limit = std::min(limit, kDoubtfulSpanShare * (model.dim == 2 ? smallestSpan<2>(mesh, contact)
+                                                                 : smallestSpan<3>(mesh, contact)));
   for (const ToolRecord& tool : model.tools)
     limit = std::min(limit, kDoubtfulRadiusShare * tool.halfThickness);
   return limit;

@@ -153,7 +153,7 @@ double reduceLine(const ModelRecord& model, const FrameRecord& frame, const Line
   if (model.dim != 2)
     throw Error(fmt::format("{}: a line of constant second parameter needs two dimensions", model.title));
   constexpr int kCellsPerSpan = 10;  // 11 points, those of neighbouring spans shared
-  const PatchRecord& record = model.patches.front();
+  const PatchRecord& record = meshOf(model, frame).patches.front();
   const Patch<2> patch = patchGeometry<2>(record);
   const FieldChoice field = chooseField(model, frame, measure.field);
   const std::vector<double>& heights = patch.basis().direction(1).breakpoints();

@@ -34,6 +34,8 @@ int main(int argc, char** argv) {
   write(directory / "result/model", std::string(1, '\0') + text(modelImage(model)));
   FrameRecord frame = samples::frameOf(model.record, 0, 0.5);
   write(directory / "result/frame", std::string(1, '\1') + text(frameImage(frame, model.id)));
+  frame.mesh = model.record.mesh;
+  write(directory / "result/frame_with_mesh", std::string(1, '\1') + text(frameImage(frame, model.id)));
   const Picture picture{4, 3, std::vector<Color>(12, Color{10, 200, 30})};
   write(directory / "picture/small.png", encodePng(picture));
   return 0;

@@ -166,7 +166,7 @@ TEST_F(ContourPictures, ControlNetInAWindow) {
   options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.2, 0.8), Eigen::Vector2d(1.6, 2.1));
   const Picture picture = expectBaseline(samples::ring(), options, "ring_net");
   EXPECT_TRUE(view.center.isApprox(Eigen::Vector2d(0.9, 1.45)));
-  const Eigen::MatrixXd points = samples::ring().model.patches.front().points;
+  const Eigen::MatrixXd points = samples::ring().model.mesh.patches.front().points;
   const double margin = 0.05;
   int seen = 0;
   for (const auto& point : points.colwise()) {

@@ -29,9 +29,9 @@ Sample sampleOf(const Patch<P>& patch, const std::string& title) {
   Sample sample;
   sample.model.title = title;
   sample.model.dim = P;
-  sample.model.numNodes = static_cast<int>(patch.points().cols());
-  sample.model.patches = {record(patch)};
-  sample.frame.displacement = Eigen::MatrixXd::Zero(P, sample.model.numNodes);
+  sample.model.mesh.numNodes = static_cast<int>(patch.points().cols());
+  sample.model.mesh.patches = {record(patch)};
+  sample.frame.displacement = Eigen::MatrixXd::Zero(P, sample.model.mesh.numNodes);
   return sample;
 }
 

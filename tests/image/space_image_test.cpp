@@ -33,8 +33,8 @@ Sample quarterBlock() {
   Sample sample = samples::cube();
   sample.model.title = "Block";
   sample.model.tools = {{"ball", Sphere{{0.0, 1.5, 0.0}, 0.5}}};
-  Eigen::MatrixXd shear = Eigen::MatrixXd::Zero(6, sample.model.numNodes);
-  shear.row(3) = sample.model.patches.front().points.row(0);
+  Eigen::MatrixXd shear = Eigen::MatrixXd::Zero(6, sample.model.mesh.numNodes);
+  shear.row(3) = sample.model.mesh.patches.front().points.row(0);
   sample.frame.fields["stress"] = {{"xx", "yy", "zz", "xy", "yz", "zx"}, "MPa", shear};
   return sample;
 }

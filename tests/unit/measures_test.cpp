@@ -129,8 +129,8 @@ TEST(DifferenceMeasure, APartingBeforeTheStopCounts) {
 
 TEST(LineMeasure, VariationOfALinearFieldIsItsChange) {
   Sample sample = slab();
-  const PatchRecord& patch = sample.model.patches.front();
-  FieldRecord linear{{}, "", Eigen::MatrixXd::Zero(1, sample.model.numNodes)};
+  const PatchRecord& patch = sample.model.mesh.patches.front();
+  FieldRecord linear{{}, "", Eigen::MatrixXd::Zero(1, sample.model.mesh.numNodes)};
   for (std::size_t a = 0; a < patch.nodes.size(); ++a)
     linear.values(0, patch.nodes[a]) = -5.0 * patch.points(0, static_cast<Eigen::Index>(a));
   sample.frame.fields["linear"] = linear;
@@ -141,8 +141,9 @@ TEST(LineMeasure, VariationOfALinearFieldIsItsChange) {
 
 TEST(LineMeasure, SeesWhatHappensWithinASpan) {
   Sample sample = slab();
-  FieldRecord bump{{}, "", Eigen::MatrixXd::Zero(1, sample.model.numNodes)};
-  bump.values(0, sample.model.patches.front().nodes[5]) = 1.0;  // one quadratic B-spline: up to 3/4 and down
+  const MeshRecord& mesh = sample.model.mesh;
+  FieldRecord bump{{}, "", Eigen::MatrixXd::Zero(1, mesh.numNodes)};
+  bump.values(0, mesh.patches.front().nodes[5]) = 1.0;  // one quadratic B-spline: up to 3/4 and down
   sample.frame.fields["bump"] = bump;
   EXPECT_NEAR(reduceLine(sample.model, sample.frame, {.field = "bump", .height = 0.0}), 1.5, 1e-12);
 }

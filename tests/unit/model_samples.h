@@ -29,8 +29,8 @@ template <int Dim>
 ModelRecord modelOf(const Patch<Dim>& patch) {
   ModelRecord model;
   model.dim = Dim;
-  model.numNodes = static_cast<int>(patch.points().cols());
-  model.patches = {recordOf(patch)};
+  model.mesh.numNodes = static_cast<int>(patch.points().cols());
+  model.mesh.patches = {recordOf(patch)};
   return model;
 }
 
@@ -61,11 +61,12 @@ inline FrameRecord frameOf(const ModelRecord& model, int index, double time) {
   FrameRecord frame;
   frame.index = index;
   frame.time = time;
-  frame.displacement = 0.1 * randomCoefficients(model.dim, model.numNodes, seed);
-  frame.fields["plastic_strain"] = {{}, "", randomCoefficients(1, model.numNodes, seed + 1)};
-  frame.fields["von_mises"] = {{}, "MPa", randomCoefficients(1, model.numNodes, seed + 2)};
-  frame.fields["pressure"] = {{}, "MPa", randomCoefficients(1, model.numNodes, seed + 3)};
-  frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "MPa", randomCoefficients(4, model.numNodes, seed + 4)};
+  frame.displacement = 0.1 * randomCoefficients(model.dim, model.mesh.numNodes, seed);
+  frame.fields["plastic_strain"] = {{}, "", randomCoefficients(1, model.mesh.numNodes, seed + 1)};
+  frame.fields["von_mises"] = {{}, "MPa", randomCoefficients(1, model.mesh.numNodes, seed + 2)};
+  frame.fields["pressure"] = {{}, "MPa", randomCoefficients(1, model.mesh.numNodes, seed + 3)};
+  frame.fields["stress"] = {
+      {"xx", "yy", "xy", "zz"}, "MPa", randomCoefficients(4, model.mesh.numNodes, seed + 4)};
   frame.toolDisplacement =
       0.1 * randomCoefficients(model.dim, static_cast<int>(model.tools.size()), seed + 5);
   return frame;

@@ -92,8 +92,7 @@ ModelRecord sampleModel(int n = 4, const std::string& title = "sample") {
                     .dim = 2,
                     .lengthUnit = "mm",
                     .stressUnit = "MPa",
-                    .numNodes = n * n + 9,
-                    .patches = {},
+                    .mesh = {.numNodes = n * n + 9, .patches = {}},
                     .tools = {},
                     .subdivision = 3};
   for (const auto& [direction, first, count] :
@@ -103,7 +102,7 @@ ModelRecord sampleModel(int n = 4, const std::string& title = "sample") {
                       .weights = numbers(1, count, 2).cwiseAbs().transpose().array() + 0.1,
                       .nodes = {}};
     for (int i = 0; i < count; ++i) patch.nodes.push_back(first + i);
-    model.patches.push_back(patch);
+    model.mesh.patches.push_back(patch);
   }
   model.tools = {{.name = "cylinder", .shape = Cylinder{{0.5, 1.5, 0.0}, {0.0, 0.0, 1.0}, 0.5}},
                  {.name = "ball", .shape = Sphere{{1.0, 2.0, 3.0}, 0.25}},
@@ -117,10 +116,11 @@ ModelRecord sampleModel(int n = 4, const std::string& title = "sample") {
 }
 
 FrameRecord sampleFrame(const ModelRecord& model, int index, int quadraturePoints = 12) {
-  const auto nodes = static_cast<Eigen::Index>(model.numNodes);
+  const auto nodes = static_cast<Eigen::Index>(model.mesh.numNodes);
   FrameRecord frame{.index = index,
                     .step = 3 * index,
                     .time = index / 7.0,
+                    .mesh = {},
                     .displacement = numbers(2, nodes, index),
                     .fields = {},
                     .toolDisplacement = numbers(2, 4, index + 1),
@@ -147,6 +147,15 @@ FrameRecord sampleFrame(const ModelRecord& model, int index, int quadraturePoint
   return frame;
 }
 
+/// The same of a body that has been meshed anew, with n x n B-splines.
+FrameRecord frameOnNewMesh(const ModelRecord& model, int index, int n) {
+  ModelRecord meshedAnew = model;
+  meshedAnew.mesh = sampleModel(n).mesh;
+  FrameRecord frame = sampleFrame(meshedAnew, index);
+  frame.mesh = meshedAnew.mesh;
+  return frame;
+}
+
 bool same(const std::map<std::string, FieldRecord>& a, const std::map<std::string, FieldRecord>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
     return x.first == y.first && x.second.components == y.second.components &&
@@ -161,20 +170,28 @@ bool same(const ContactRecord& a, const ContactRecord& b) {
          a.quadratureGap == b.quadratureGap && a.quadratureNormal == b.quadratureNormal;
 }
 
-bool same(const FrameRecord& a, const FrameRecord& b) {
-  return a.index == b.index && a.step == b.step && a.time == b.time && a.displacement == b.displacement &&
-         same(a.fields, b.fields) && a.toolDisplacement == b.toolDisplacement && a.toolAngle == b.toolAngle &&
-         std::equal(a.contact.begin(), a.contact.end(), b.contact.begin(), b.contact.end(),
-                    [](const ContactRecord& x, const ContactRecord& y) { return same(x, y); }) &&
-         a.quadrature.positions == b.quadrature.positions && same(a.quadrature.fields, b.quadrature.fields);
-}
-
 bool same(const PatchRecord& a, const PatchRecord& b) {
   return a.points == b.points && a.weights == b.weights && a.nodes == b.nodes &&
          std::equal(a.directions.begin(), a.directions.end(), b.directions.begin(), b.directions.end(),
                     [](const DirectionRecord& x, const DirectionRecord& y) {
                       return x.family == y.family && x.degree == y.degree && x.knots == y.knots;
                     });
+}
+
+bool same(const MeshRecord& a, const MeshRecord& b) {
+  return a.numNodes == b.numNodes &&
+         std::equal(a.patches.begin(), a.patches.end(), b.patches.begin(), b.patches.end(),
+                    [](const PatchRecord& x, const PatchRecord& y) { return same(x, y); });
+}
+
+bool same(const FrameRecord& a, const FrameRecord& b) {
+  return a.index == b.index && a.step == b.step && a.time == b.time &&
+         a.mesh.has_value() == b.mesh.has_value() && (!a.mesh || same(*a.mesh, *b.mesh)) &&
+         a.displacement == b.displacement && same(a.fields, b.fields) &&
+         a.toolDisplacement == b.toolDisplacement && a.toolAngle == b.toolAngle &&
+         std::equal(a.contact.begin(), a.contact.end(), b.contact.begin(), b.contact.end(),
+                    [](const ContactRecord& x, const ContactRecord& y) { return same(x, y); }) &&
+         a.quadrature.positions == b.quadrature.positions && same(a.quadrature.fields, b.quadrature.fields);
 }
 
 bool same(const RecordedShape& a, const RecordedShape& b) {
@@ -193,10 +210,8 @@ bool same(const RecordedShape& a, const RecordedShape& b) {
 
 bool same(const ModelRecord& a, const ModelRecord& b) {
   return a.program == b.program && a.title == b.title && a.sceneYaml == b.sceneYaml && a.dim == b.dim &&
-         a.lengthUnit == b.lengthUnit && a.stressUnit == b.stressUnit && a.numNodes == b.numNodes &&
+         a.lengthUnit == b.lengthUnit && a.stressUnit == b.stressUnit && same(a.mesh, b.mesh) &&
          a.subdivision == b.subdivision &&
-         std::equal(a.patches.begin(), a.patches.end(), b.patches.begin(), b.patches.end(),
-                    [](const PatchRecord& x, const PatchRecord& y) { return same(x, y); }) &&
          std::equal(a.tools.begin(), a.tools.end(), b.tools.begin(), b.tools.end(),
                     [](const ToolRecord& x, const ToolRecord& y) {
                       return x.name == y.name && same(x.shape, y.shape) && x.pivot == y.pivot &&
@@ -238,6 +253,22 @@ TEST_F(Results, ReadBackExactly) {
     EXPECT_TRUE(same(reader.frame(2), last));
     EXPECT_TRUE(std::signbit(reader.frame(2).fields.at("stress").values(1, 0)));
   }
+}
+
+TEST_F(Results, FramesOfABodyMeshedAnewReadBackExactly) {
+  const ModelRecord model = sampleModel();
+  const std::vector<FrameRecord> frames{sampleFrame(model, 0), frameOnNewMesh(model, 1, 6),
+                                        frameOnNewMesh(model, 2, 3), sampleFrame(model, 3)};
+  ResultWriter writer(dir, model);
+  for (const FrameRecord& frame : frames) writer.append(frame);
+  const ResultReader reader(dir);
+  ASSERT_EQ(reader.numFrames(), 4);
+  EXPECT_TRUE(same(reader.model(), model));
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    EXPECT_TRUE(same(reader.frame(static_cast<int>(k)), frames[k])) << k;
+  const FrameRecord first = reader.frame(0), second = reader.frame(1);
+  EXPECT_EQ(meshOf(reader.model(), first).numNodes, 4 * 4 + 9);
+  EXPECT_EQ(meshOf(reader.model(), second).numNodes, 6 * 6 + 9);
 }
 
 TEST_F(Results, LargeArraysAndTextsReadBackExactly) {
@@ -526,6 +557,35 @@ TEST_F(Results, ADatasetLargerThanItsFileIsRefused) {
   expectError([&] { ResultReader(dir).frame(0); }, "claims more data than the file can hold");
 }
 
+/// A file that another program has spoilt, so that its checksums are right.
+TEST_F(Results, AMeshThatDoesNotFitItsFrameIsRefused) {
+  const auto refused = [&](const std::function<void(hid_t file)>& spoil, const std::string& part) {
+    const ModelRecord model = sampleModel();
+    ResultWriter(dir, model).append(frameOnNewMesh(model, 0, 6));
+    const fs::path path = dir / "result/frame_000000.h5";
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    spoil(file);
+    H5Fclose(file);
+    expectError([&] { ResultReader(dir).frame(0); }, path.string() + part);
+  };
+  const auto setNodes = [](hid_t file, int nodes) {
+    ASSERT_GE(H5Adelete_by_name(file, "mesh", "num_nodes", H5P_DEFAULT), 0);
+    const hid_t space = H5Screate(H5S_SCALAR);
+    const hid_t attribute = H5Acreate_by_name(file, "mesh", "num_nodes", H5T_STD_I32LE, space, H5P_DEFAULT,
+                                              H5P_DEFAULT, H5P_DEFAULT);
+    EXPECT_GE(H5Awrite(attribute, H5T_NATIVE_INT, &nodes), 0);
+    H5Aclose(attribute);
+    H5Sclose(space);
+  };
+  const auto remove = [](hid_t file, const char* name) { ASSERT_GE(H5Ldelete(file, name, H5P_DEFAULT), 0); };
+  refused([&](hid_t file) { setNodes(file, 46); }, ": displacements of 2 components at 45 nodes; its mesh");
+  refused([&](hid_t file) { setNodes(file, 36); }, ", mesh, patch 1: a node is not between 0 and 35");
+  refused([&](hid_t file) { remove(file, "mesh/patches/0/weights"); },
+          "/mesh/patches/0: dataset weights is missing");
+  refused([&](hid_t file) { remove(file, "mesh/patches"); }, "/mesh: group patches is missing");
+  refused([&](hid_t file) { remove(file, "mesh"); }, ": displacements of 2 components at 45 nodes");
+}
+
 TEST_F(Results, ContradictoryModelsAreRefused) {
   const auto refused = [&](const std::function<void(ModelRecord&)>& spoil, const std::string& part) {
     ModelRecord model = sampleModel();
@@ -534,17 +594,17 @@ TEST_F(Results, ContradictoryModelsAreRefused) {
     EXPECT_FALSE(fs::exists(dir / "result.h5"));
   };
   refused([](auto& m) { m.dim = 3; }, "2 parametric directions in 3 dimensions");
-  refused([](auto& m) { m.numNodes = 24; }, "a node is not between 0 and 23");
-  refused([](auto& m) { m.patches[0].nodes[3] = -1; }, "a node is not between");
-  refused([](auto& m) { m.patches[1].weights(4) = 0.0; }, "a weight is not positive");
-  refused([](auto& m) { m.patches[1].weights.conservativeResize(8); }, "9 control points, 8 weights");
-  refused([](auto& m) { m.patches[0].points(1, 1) = std::nan(""); }, "a control point is not finite");
-  refused([](auto& m) { m.patches[0].points.conservativeResize(3, 16); },
+  refused([](auto& m) { m.mesh.numNodes = 24; }, "a node is not between 0 and 23");
+  refused([](auto& m) { m.mesh.patches[0].nodes[3] = -1; }, "a node is not between");
+  refused([](auto& m) { m.mesh.patches[1].weights(4) = 0.0; }, "a weight is not positive");
+  refused([](auto& m) { m.mesh.patches[1].weights.conservativeResize(8); }, "9 control points, 8 weights");
+  refused([](auto& m) { m.mesh.patches[0].points(1, 1) = std::nan(""); }, "a control point is not finite");
+  refused([](auto& m) { m.mesh.patches[0].points.conservativeResize(3, 16); },
           "control points with 3 coordinates");
-  refused([](auto& m) { m.patches[0].directions[1].knots.back() = 0.5; },
+  refused([](auto& m) { m.mesh.patches[0].directions[1].knots.back() = 0.5; },
           "patch 0, direction 1: knot vector: knot 7");
-  refused([](auto& m) { m.patches[0].directions[1].degree = 1000; }, "degree 1000");
-  refused([](auto& m) { m.patches.clear(); }, "without patches");
+  refused([](auto& m) { m.mesh.patches[0].directions[1].degree = 1000; }, "degree 1000");
+  refused([](auto& m) { m.mesh.patches.clear(); }, "without patches");
   refused(
       [](auto& m) {
         m.tools[0].shape = Sphere{{0.0, 0.0, 0.0}, -1.0};
@@ -577,6 +637,20 @@ TEST_F(Results, ContradictoryFramesAreRefused) {
           "5 quadrature points, but 5 pressures, 4 gaps");
   refused([](auto& f) { f.quadrature.positions.conservativeResize(2, 3); },
           "12 values for 3 quadrature points");
+  const auto refusedAnew = [&](const std::function<void(FrameRecord&)>& spoil, const std::string& part) {
+    FrameRecord frame = frameOnNewMesh(model, 0, 6);
+    spoil(frame);
+    expectError([&] { writer.append(frame); }, part);
+  };
+  refusedAnew([](auto& f) { f.mesh.reset(); }, "2 components at 45 nodes; its mesh has 2 dimensions and 25");
+  refusedAnew([](auto& f) { f.displacement.conservativeResize(2, 25); },
+              "2 components at 25 nodes; its mesh has 2 dimensions and 45");
+  refusedAnew([](auto& f) { f.fields["stress"].values.conservativeResize(4, 25); }, "25 values for 45 nodes");
+  refusedAnew([](auto& f) { f.contact[0].nodes[1] = 45; }, "contact 0: a node is not between 0 and 44");
+  refusedAnew([](auto& f) { f.mesh->patches.pop_back(), f.contact[0].patch = 1; }, "patch 1 of 1");
+  refusedAnew([](auto& f) { f.mesh->patches[1].weights(2) = 0.0; },
+              "mesh, patch 1: a weight is not positive");
+  refusedAnew([](auto& f) { f.mesh->patches.clear(); }, "a mesh without patches");
   EXPECT_EQ(ResultReader(dir).numFrames(), 0);
 }
 

@@ -52,9 +52,9 @@ struct Sample {
     record.weights = patch.weights();
     for (int a = 0; a < patch.points().cols(); ++a) record.nodes.push_back(a);
     model.dim = Dim;
-    model.numNodes = static_cast<int>(patch.points().cols());
-    model.patches = {record};
-    frame.displacement = Eigen::MatrixXd::Zero(Dim, model.numNodes);
+    model.mesh.numNodes = static_cast<int>(patch.points().cols());
+    model.mesh.patches = {record};
+    frame.displacement = Eigen::MatrixXd::Zero(Dim, model.mesh.numNodes);
     frame.fields["x"] = {{}, "", patch.points().row(0)};
   }
 };
@@ -86,7 +86,7 @@ TEST(FieldRange, PercentilesAreThoseOfTheVolume) {
 TEST(FieldRange, IsOfTheUndeformedBody) {
   Sample<2> sample(rectangle({0, 0}, {1, 1}));
   const auto before = fieldRange(sample.model, sample.frame, "x", 8, 90.0);
-  sample.frame.displacement.row(0) = 5.0 * sample.model.patches.front().points.row(0).cwiseAbs2();
+  sample.frame.displacement.row(0) = 5.0 * sample.model.mesh.patches.front().points.row(0).cwiseAbs2();
   EXPECT_EQ(fieldRange(sample.model, sample.frame, "x", 8, 90.0), before);
 }
 

@@ -69,7 +69,7 @@ Eigen::Vector3d pointOf(vtkPolyData& data, vtkIdType i) {
 
 TEST(Tessellation, PointsOfARingLieOnItsExactRadii) {
   const Patch<2> ring = quarterRing();
-  const Tessellation mesh(modelOf(ring), 5);
+  const Tessellation mesh(modelOf(ring).mesh, 5);
   ASSERT_EQ(mesh.numPoints(), 16 * 21);
   ASSERT_EQ(mesh.numCells(), 15 * 20);
   const Eigen::MatrixXd parameters = parametersOf(ring, 5);
@@ -82,8 +82,8 @@ TEST(Tessellation, PointsOfARingLieOnItsExactRadii) {
 TEST(Tessellation, AreaConvergesWithOrderTwo) {
   const double exact = std::numbers::pi / 4.0 * (kOuterRadius * kOuterRadius - kInnerRadius * kInnerRadius);
   const ModelRecord model = modelOf(quarterRing());
-  const double coarse = exact - area(Tessellation(model, 2));
-  const double fine = exact - area(Tessellation(model, 4));
+  const double coarse = exact - area(Tessellation(model.mesh, 2));
+  const double fine = exact - area(Tessellation(model.mesh, 4));
   EXPECT_GT(fine, 0.0);
   EXPECT_NEAR(coarse / fine, 4.0, 0.05);
 }
@@ -91,8 +91,8 @@ TEST(Tessellation, AreaConvergesWithOrderTwo) {
 TEST(Tessellation, FieldsEqualTheirRationalSums) {
   for (const Patch<2>& patch : {quarterRing(), lagrangeRing()}) {
     const ModelRecord model = modelOf(patch);
-    const Eigen::MatrixXd q = randomCoefficients(4, model.numNodes, 7);
-    const Eigen::MatrixXd values = Tessellation(model, 3).evaluate(q);
+    const Eigen::MatrixXd q = randomCoefficients(4, model.mesh.numNodes, 7);
+    const Eigen::MatrixXd values = Tessellation(model.mesh, 3).evaluate(q);
     const Eigen::MatrixXd parameters = parametersOf(patch, 3);
     ASSERT_EQ(values.rows(), 4);
     ASSERT_EQ(values.cols(), parameters.cols());
@@ -105,7 +105,7 @@ TEST(Tessellation, CornersOfHexahedraFollowVtk) {
   const Patch<3> block =
       refined(box({0.0, 0.0, 0.0}, {2.0, 3.0, 1.0}),
               {KnotVector::uniform(1, 2), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)});
-  const Tessellation mesh(modelOf(block), 2);
+  const Tessellation mesh(modelOf(block).mesh, 2);
   ASSERT_EQ(mesh.numCells(), 4 * 6 * 2);
   ASSERT_EQ(mesh.numPoints(), 5 * 7 * 3);
   Eigen::Matrix<double, 3, 8> corners;
@@ -126,13 +126,13 @@ TEST(Tessellation, PatchesThatShareNodesShareValues) {
   ModelRecord model = modelOf(square(0.0));
   PatchRecord right = recordOf(square(1.0));
   for (std::size_t a = 0; a < right.nodes.size(); ++a)
-    right.nodes[a] = a % 3 == 0 ? static_cast<int>(a) + 2 : model.numNodes++;
-  model.patches.push_back(right);
+    right.nodes[a] = a % 3 == 0 ? static_cast<int>(a) + 2 : model.mesh.numNodes++;
+  model.mesh.patches.push_back(right);
 
-  const Tessellation mesh(model, 3);
+  const Tessellation mesh(model.mesh, 3);
   EXPECT_THAT(mesh.patchOfCell(), testing::Contains(0).Times(18));
   EXPECT_THAT(mesh.patchOfCell(), testing::Contains(1).Times(18));
-  const Eigen::MatrixXd values = mesh.evaluate(randomCoefficients(1, model.numNodes, 1));
+  const Eigen::MatrixXd values = mesh.evaluate(randomCoefficients(1, model.mesh.numNodes, 1));
   int shared = 0;
   for (int i = 0; i < 28; ++i)
     for (int j = 28; j < mesh.numPoints(); ++j)
@@ -145,16 +145,17 @@ TEST(Tessellation, PatchesThatShareNodesShareValues) {
 
 TEST(Tessellation, RefusesWhatDoesNotFit) {
   const ModelRecord model = modelOf(quarterRing());
-  EXPECT_THROW(Tessellation(model, 0), Error);
-  EXPECT_THROW(Tessellation(model, 2).evaluate(Eigen::MatrixXd::Zero(1, model.numNodes - 1)), Error);
+  EXPECT_THROW(Tessellation(model.mesh, 0), Error);
+  EXPECT_THROW(Tessellation(model.mesh, 2).evaluate(Eigen::MatrixXd::Zero(1, model.mesh.numNodes - 1)),
+               Error);
   ModelRecord foreignNode = model;
-  foreignNode.patches[0].nodes[3] = model.numNodes;
-  EXPECT_THROW(Tessellation(foreignNode, 2), Error);
+  foreignNode.mesh.patches[0].nodes[3] = model.mesh.numNodes;
+  EXPECT_THROW(Tessellation(foreignNode.mesh, 2), Error);
 }
 
 TEST(Grid, HoldsTheFieldsInDoublePrecision) {
   const ModelRecord model = modelOf(quarterRing());
-  const Tessellation mesh(model, 2);
+  const Tessellation mesh(model.mesh, 2);
   const FrameRecord frame = frameOf(model, 0, 0.0);
   const auto grid = makeGrid(mesh, frame, true);
   ASSERT_EQ(grid->GetPointData()->GetNumberOfArrays(), 5);
@@ -175,7 +176,7 @@ TEST(Grid, HoldsTheFieldsInDoublePrecision) {
 
 TEST(Grid, DisplacementLeadsFromReferenceToCurrentPositions) {
   const ModelRecord model = modelOf(lagrangeRing());
-  const Tessellation mesh(model, 2);
+  const Tessellation mesh(model.mesh, 2);
   const FrameRecord frame = frameOf(model, 0, 0.0);
   const auto reference = makeGrid(mesh, frame, false);
   const auto current = makeGrid(mesh, frame, true);
@@ -199,8 +200,8 @@ Patch<3> tubePart() {
 TEST(Tessellation, FieldsInSpaceEqualTheirRationalSums) {
   const Patch<3> tube = tubePart();
   const ModelRecord model = modelOf(tube);
-  const Eigen::MatrixXd q = randomCoefficients(2, model.numNodes, 11);
-  const Eigen::MatrixXd values = Tessellation(model, 2).evaluate(q);
+  const Eigen::MatrixXd q = randomCoefficients(2, model.mesh.numNodes, 11);
+  const Eigen::MatrixXd values = Tessellation(model.mesh, 2).evaluate(q);
   const auto at = [&](int d) { return subdividedSpans(tube.basis().direction(d), 2); };
   Eigen::Index i = 0;
   for (const double c : at(2))
@@ -229,9 +230,9 @@ double volume(vtkPolyData& surface) {
 
 TEST(BodySurface, OfAPlaneBodyHasThePointsAndCellsOfTheTessellation) {
   const ModelRecord model = modelOf(quarterRing());
-  const Tessellation mesh(model, 3);
+  const Tessellation mesh(model.mesh, 3);
   const FrameRecord frame = frameOf(model, 0, 0.0);
-  const auto surface = BodySurface(model, 3).displaced(frame.displacement);
+  const auto surface = BodySurface(model.mesh, 3).displaced(frame.displacement);
   ASSERT_EQ(surface->GetNumberOfPoints(), mesh.numPoints());
   ASSERT_EQ(surface->GetNumberOfCells(), mesh.numCells());
   const Eigen::MatrixXd x = mesh.referencePoints() + mesh.evaluate(frame.displacement);
@@ -249,13 +250,13 @@ TEST(BodySurface, InSpaceIsClosedAndItsFacesLookOutwards) {
   const Patch<3> block =
       refined(box({1.0, 2.0, 3.0}, {2.0, 3.0, 1.0}),
               {KnotVector::uniform(1, 2), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)});
-  const auto surface = BodySurface(modelOf(block), 2).displaced({});
+  const auto surface = BodySurface(modelOf(block).mesh, 2).displaced({});
   EXPECT_EQ(surface->GetNumberOfCells(), 2 * (4 * 6 + 6 * 2 + 2 * 4));
   EXPECT_NEAR(volume(*surface), 6.0, 1e-12);
 }
 
 TEST(BodySurface, NormalsOfATubeAreRadialAndItsEdgesSharp) {
-  const auto surface = BodySurface(modelOf(tubePart()), 20).displaced({});
+  const auto surface = BodySurface(modelOf(tubePart()).mesh, 20).displaced({});
   int outside = 0;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
     const Eigen::Vector3d normal(surface->GetPointData()->GetNormals()->GetTuple3(i));
@@ -275,11 +276,11 @@ TEST(BodySurface, OfJoinedPatchesHasNoFacesInside) {
   FrameRecord still = frame;
   still.displacement.setZero();
   const ModelFrame whole = mirrored(modelOf(block), still, {{0, 1.0}, {1, 0.0}});
-  ASSERT_EQ(whole.model.patches.size(), 4U);
-  const auto surface = BodySurface(whole.model, 1).displaced({});
+  ASSERT_EQ(whole.model.mesh.patches.size(), 4U);
+  const auto surface = BodySurface(whole.model.mesh, 1).displaced({});
   EXPECT_EQ(surface->GetNumberOfCells(), 4 * 4 * 4);  // of 24 faces 8 lie inside
   EXPECT_NEAR(volume(*surface), 4.0, 1e-12);
-  EXPECT_EQ(bodyOutline(whole.model, {}, 1)->GetNumberOfLines(), 4 * 4 + 4);
+  EXPECT_EQ(bodyOutline(whole.model.mesh, {}, 1)->GetNumberOfLines(), 4 * 4 + 4);
 }
 
 TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
@@ -287,15 +288,15 @@ TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
   model.tools = {{"plate", Plane{{0.0, 5.0, 0.0}, {0.6, -0.8, 0.0}}},
                  {"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}, {0.0, 4.0, 0.0}}};
   FrameRecord frame = frameOf(model, 0, 0.0);
-  const Eigen::RowVectorXd x = model.patches.front().points.row(0);
+  const Eigen::RowVectorXd x = model.mesh.patches.front().points.row(0);
   frame.displacement.row(0) = 0.1 * x;  // nothing on the plane
-  frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "", randomCoefficients(4, model.numNodes, 3)};
+  frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "", randomCoefficients(4, model.mesh.numNodes, 3)};
   frame.fields["stress"].values.row(2).array() *= x.array();  // nothing on the plane either
   frame.toolDisplacement = Eigen::Matrix2d{{0.0, 0.0}, {-0.5, -0.25}};
   frame.toolAngle = Eigen::Vector2d(0.0, 0.3);
   const ModelFrame whole = mirrored(model, frame, {{0, 0.0}});
 
-  const Tessellation mesh(whole.model, 4);
+  const Tessellation mesh(whole.model.mesh, 4);
   const int half = mesh.numPoints() / 2;
   EXPECT_EQ(mesh.numPoints(), 2 * half);
   EXPECT_GT(area(mesh), 0.0);  // of every cell
@@ -322,7 +323,7 @@ TEST(Mirror, AToolThatHasLeftThePlaneIsDrawnTwice) {
   ModelRecord model = modelOf(quarterRing());
   model.tools = {{"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}}};
   FrameRecord frame = frameOf(model, 0, 0.0);
-  frame.displacement.row(0) = 0.1 * model.patches.front().points.row(0);
+  frame.displacement.row(0) = 0.1 * model.mesh.patches.front().points.row(0);
   frame.toolDisplacement = Eigen::Vector2d(0.0, -0.5);
   EXPECT_EQ(mirrored(model, frame, {{0, 0.0}}).model.tools.size(), 1U);
   frame.toolDisplacement(0, 0) = 0.25;
@@ -351,9 +352,9 @@ TEST(PlaneSection, OfABallIsACircleWithItsArea) {
 
 TEST(BodySurface, RefusesWhatDoesNotFit) {
   const ModelRecord model = modelOf(quarterRing());
-  EXPECT_THROW(BodySurface(model, 0), Error);
-  EXPECT_THROW(BodySurface(model, 2).displaced(Eigen::MatrixXd::Zero(3, model.numNodes)), Error);
-  EXPECT_THROW(BodySurface(model, 2).evaluate(Eigen::MatrixXd::Zero(1, model.numNodes + 1)), Error);
+  EXPECT_THROW(BodySurface(model.mesh, 0), Error);
+  EXPECT_THROW(BodySurface(model.mesh, 2).displaced(Eigen::MatrixXd::Zero(3, model.mesh.numNodes)), Error);
+  EXPECT_THROW(BodySurface(model.mesh, 2).evaluate(Eigen::MatrixXd::Zero(1, model.mesh.numNodes + 1)), Error);
 }
 
 TEST(FieldRange, OfABodyInSpaceIncludesItsInside) {
@@ -363,17 +364,17 @@ TEST(FieldRange, OfABodyInSpaceIncludesItsInside) {
   pressure.setZero();
   pressure(0, 1 + 4 * (2 + 5 * 1)) = 3.0;  // a function that vanishes on all faces
   for (const std::string field : {"pressure", "plastic_strain"}) {
-    const Eigen::MatrixXd values = Tessellation(model, 3).evaluate(frame.fields[field].values);
+    const Eigen::MatrixXd values = Tessellation(model.mesh, 3).evaluate(frame.fields[field].values);
     EXPECT_THAT(fieldRange(model, frame, field, 3),
                 testing::ElementsAre(testing::DoubleNear(values.minCoeff(), 1e-14),
                                      testing::DoubleNear(values.maxCoeff(), 1e-14)));
   }
   EXPECT_GT(fieldRange(model, frame, "pressure", 3)[1], 0.5);
-  EXPECT_EQ(BodySurface(model, 3).evaluate(pressure).cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ(BodySurface(model.mesh, 3).evaluate(pressure).cwiseAbs().maxCoeff(), 0.0);
 }
 
 TEST(Outlines, OfARingAreFourLinesOnItsEdges) {
-  const auto outline = bodyOutline(modelOf(quarterRing()), {}, 4);
+  const auto outline = bodyOutline(modelOf(quarterRing()).mesh, {}, 4);
   ASSERT_EQ(outline->GetNumberOfLines(), 4);
   EXPECT_EQ(outline->GetPoints()->GetDataType(), VTK_DOUBLE);
   for (vtkIdType i = 0; i < outline->GetNumberOfPoints(); ++i) {
@@ -385,7 +386,7 @@ TEST(Outlines, OfARingAreFourLinesOnItsEdges) {
 }
 
 TEST(Outlines, KnotLinesAreTheInteriorOnes) {
-  const auto lines = knotLines(modelOf(quarterRing()), {}, 4);
+  const auto lines = knotLines(modelOf(quarterRing()).mesh, {}, 4);
   EXPECT_EQ(lines->GetNumberOfLines(), 2 + 3);
   EXPECT_EQ(lines->GetNumberOfPoints(), 2 * 17 + 3 * 13);
 }
@@ -394,8 +395,8 @@ TEST(Outlines, FollowTheDisplacement) {
   const Patch<2> ring = lagrangeRing();
   const ModelRecord model = modelOf(ring);
   const Eigen::Vector2d shift(0.3, -0.2);
-  const auto still = knotLines(model, {}, 3);
-  const auto moved = knotLines(model, shift.replicate(1, model.numNodes), 3);
+  const auto still = knotLines(model.mesh, {}, 3);
+  const auto moved = knotLines(model.mesh, shift.replicate(1, model.mesh.numNodes), 3);
   for (vtkIdType i = 0; i < still->GetNumberOfPoints(); ++i)
     EXPECT_LT((pointOf(*moved, i) - pointOf(*still, i) - Eigen::Vector3d(0.3, -0.2, 0.0)).norm(), 1e-14);
 }
@@ -404,8 +405,8 @@ TEST(Outlines, OfABlockLieOnItsSurface) {
   const Patch<3> block =
       refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}),
               {KnotVector::uniform(1, 2), KnotVector::uniform(1, 3), KnotVector::uniform(1, 1)});
-  EXPECT_EQ(bodyOutline(modelOf(block), {}, 1)->GetNumberOfLines(), 12);
-  const auto lines = knotLines(modelOf(block), {}, 1);
+  EXPECT_EQ(bodyOutline(modelOf(block).mesh, {}, 1)->GetNumberOfLines(), 12);
+  const auto lines = knotLines(modelOf(block).mesh, {}, 1);
   EXPECT_EQ(lines->GetNumberOfLines(), 4 + 2 + 6);
   for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i) {
     const Eigen::Array3d x = pointOf(*lines, i);
@@ -421,41 +422,41 @@ ModelRecord joinedModel(const std::vector<Patch<Dim>>& patches) {
   const Body<Dim> body = joinedBody<Dim>(patches, names);
   ModelRecord model;
   model.dim = Dim;
-  model.numNodes = body.numNodes;
+  model.mesh.numNodes = body.numNodes;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    model.patches.push_back(recordOf(patches[p]));
-    model.patches.back().nodes = body.nodes[p];
+    model.mesh.patches.push_back(recordOf(patches[p]));
+    model.mesh.patches.back().nodes = body.nodes[p];
   }
   return model;
 }
 
 TEST(Outlines, FacesThatTwoPatchesShareAreSeams) {
   const ModelRecord model = joinedModel<2>({rectangle({0, 0}, {1, 1}), rectangle({1, 0}, {2, 1})});
-  EXPECT_EQ(bodyOutline(model, {}, 1)->GetNumberOfLines(), 6);
-  const auto seam = knotLines(model, {}, 1);
+  EXPECT_EQ(bodyOutline(model.mesh, {}, 1)->GetNumberOfLines(), 6);
+  const auto seam = knotLines(model.mesh, {}, 1);
   ASSERT_EQ(seam->GetNumberOfLines(), 1);
   for (vtkIdType i = 0; i < seam->GetNumberOfPoints(); ++i) EXPECT_EQ(pointOf(*seam, i).x(), 1.0);
 }
 
 TEST(Outlines, ARingClosedToItselfHasTwoEdges) {
   ModelRecord model = modelOf(quarterRing());
-  PatchRecord& patch = model.patches[0];
+  PatchRecord& patch = model.mesh.patches[0];
   const auto radial = static_cast<std::size_t>(basisOf(patch.directions[0]).numFunctions());
   for (std::size_t a = 0; a < radial; ++a) patch.nodes[patch.nodes.size() - radial + a] = patch.nodes[a];
-  EXPECT_EQ(bodyOutline(model, {}, 1)->GetNumberOfLines(), 2);
-  EXPECT_EQ(knotLines(model, {}, 1)->GetNumberOfLines(), 2 + 3 + 1);
+  EXPECT_EQ(bodyOutline(model.mesh, {}, 1)->GetNumberOfLines(), 2);
+  EXPECT_EQ(knotLines(model.mesh, {}, 1)->GetNumberOfLines(), 2 + 3 + 1);
 }
 
 TEST(Outlines, TwoBoxesHaveTheEdgesOfOneAndFourSeams) {
   const ModelRecord model = joinedModel<3>({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {1, 1, 1})});
-  EXPECT_EQ(bodyOutline(model, {}, 1)->GetNumberOfLines(), 8 + 2 * 4);
-  EXPECT_EQ(knotLines(model, {}, 1)->GetNumberOfLines(), 4);
+  EXPECT_EQ(bodyOutline(model.mesh, {}, 1)->GetNumberOfLines(), 8 + 2 * 4);
+  EXPECT_EQ(knotLines(model.mesh, {}, 1)->GetNumberOfLines(), 4);
 }
 
 TEST(Outlines, AnLOfThreeBoxesHasTheEdgeInItsCorner) {
   const ModelRecord model =
       joinedModel<3>({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {1, 1, 1}), box({0, 1, 0}, {1, 1, 1})});
-  const auto outline = bodyOutline(model, {}, 1);
+  const auto outline = bodyOutline(model.mesh, {}, 1);
   int inCorner = 0;
   for (vtkIdType k = 0; k < outline->GetNumberOfCells(); ++k) {
     const double* b = outline->GetCell(k)->GetBounds();

@@ -78,15 +78,15 @@ void compareCell(vtkUnstructuredGrid& grid, vtkIdType number, const PatchRecord&
 Distance distanceFrom(const ModelRecord& model, const FrameRecord& frame, vtkUnstructuredGrid& grid) {
   Distance distance;
   vtkIdType cell = 0;
-  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+  for (std::size_t p = 0; p < model.mesh.patches.size(); ++p) {
     int numSpans = 1;
-    for (const DirectionRecord& direction : model.patches[p].directions)
+    for (const DirectionRecord& direction : model.mesh.patches[p].directions)
       numSpans *=
           static_cast<int>(std::set<double>(direction.knots.begin(), direction.knots.end()).size()) - 1;
     for (int span = 0; span < numSpans; ++span, ++cell) {
       EXPECT_EQ(grid.GetCellData()->GetArray("patch")->GetComponent(cell, 0), p);
       const auto compare = model.dim == 2 ? compareCell<2> : compareCell<3>;
-      compare(grid, cell, model.patches[p], span, frame, distance);
+      compare(grid, cell, model.mesh.patches[p], span, frame, distance);
     }
   }
   EXPECT_EQ(grid.GetNumberOfCells(), cell);
@@ -107,9 +107,9 @@ ModelRecord quarrellingSquares() {
   ModelRecord model = modelOf(square(0.0));
   PatchRecord right = recordOf(square(1.0));
   for (std::size_t a = 0; a < right.nodes.size(); ++a)
-    right.nodes[a] = a % 3 == 0 ? static_cast<int>(a) + 2 : model.numNodes++;
+    right.nodes[a] = a % 3 == 0 ? static_cast<int>(a) + 2 : model.mesh.numNodes++;
   right.weights(3) = 0.3;
-  model.patches.push_back(right);
+  model.mesh.patches.push_back(right);
   return model;
 }
 

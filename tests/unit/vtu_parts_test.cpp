@@ -50,7 +50,7 @@ double largest(const std::vector<double>& values) {
 template <int Dim>
 ContactRecord contactOn(const ModelRecord& model, const char* faceName, const FrameRecord& frame,
                         int points) {
-  const Patch<Dim> patch = patchGeometry<Dim>(model.patches[0], frame.displacement);
+  const Patch<Dim> patch = patchGeometry<Dim>(model.mesh.patches[0], frame.displacement);
   const FaceId face = faceFromName<Dim>(faceName);
   const auto trace = tracePatch(patch, face);
   ContactRecord contact;
@@ -180,12 +180,12 @@ TEST_F(VtuParts, NetHoldsTheControlPoints) {
   const auto [model, frame] = pressedRing();
   VtuSeriesWriter(directory_, model, {.parts = {ExportPart::Net}}).write(frame);
   const auto net = readPolyData("net_000000.vtp");
-  const Eigen::MatrixXd& points = model.patches[0].points;
+  const Eigen::MatrixXd& points = model.mesh.patches[0].points;
   ASSERT_EQ(net->GetNumberOfPoints(), points.cols());
   EXPECT_EQ(net->GetNumberOfLines(), 5 + 6);
   for (Eigen::Index a = 0; a < points.cols(); ++a)
     for (Eigen::Index d = 0; d < 2; ++d) EXPECT_EQ(net->GetPoint(a)[d], points(d, a));
-  const Eigen::VectorXd& weights = model.patches[0].weights;
+  const Eigen::VectorXd& weights = model.mesh.patches[0].weights;
   EXPECT_EQ(component(*net, "weight"), std::vector<double>(weights.begin(), weights.end()));
   std::vector<double> active(static_cast<std::size_t>(points.cols()), 0.0);
   active[static_cast<std::size_t>(frame.contact[0].nodes[2])] = 1.0;

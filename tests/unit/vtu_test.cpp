@@ -39,7 +39,7 @@ TEST_F(VtuSeries, IsReadBackBitForBit) {
   const FrameRecord frame = frameOf(model, 0, 0.0);
   VtuSeriesWriter(directory_, model).write(frame);
 
-  const auto expected = makeGrid(Tessellation(model, model.subdivision), frame, true, "mm");
+  const auto expected = makeGrid(Tessellation(model.mesh, model.subdivision), frame, true, "mm");
   const auto grid = readGrid("body_000000.vtu");
   ASSERT_EQ(grid->GetNumberOfCells(), 6 * 8);
   ASSERT_EQ(grid->GetNumberOfPoints(), 7 * 9);

@@ -82,7 +82,7 @@ TEST_P(UniformCompression, IsExact) {
                       formulation, material);
   const auto outcome = test::run(parseScene(yaml, "uniform"), "uniform");
   ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
-  for (const PatchRecord& patch : outcome.model.patches)
+  for (const PatchRecord& patch : outcome.model.mesh.patches)
     for (std::size_t a = 0; a < patch.nodes.size(); ++a) {
       const auto u = outcome.lastFrame.displacement.col(patch.nodes[a]);
       const double y = patch.points(1, static_cast<Eigen::Index>(a));
