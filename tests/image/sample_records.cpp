@@ -72,8 +72,8 @@ Eigen::RowVectorXd product(const Eigen::VectorXd& f, const Eigen::VectorXd& g) {
 
 }  // namespace
 
-Sample slab() {
-  const KnotVector s = KnotVector::uniform(2, 12), t = KnotVector::uniform(2, 6);
+Sample slab(const std::array<int, 2>& spans) {
+  const KnotVector s = KnotVector::uniform(2, spans[0]), t = KnotVector::uniform(2, spans[1]);
   Sample sample = sampleOf(refined(rectangle({0, 0}, {3, 1}), {s, t}), "Slab under a cylinder");
   const Eigen::VectorXd bump = linearCoefficients(s) - squareCoefficients(s);
   sample.model.lengthUnit = "mm";
@@ -86,8 +86,8 @@ Sample slab() {
   return sample;
 }
 
-Sample ring() {
-  const KnotVector r = KnotVector::uniform(2, 4), angle = KnotVector::uniform(2, 6);
+Sample ring(const std::array<int, 2>& spans) {
+  const KnotVector r = KnotVector::uniform(2, spans[0]), angle = KnotVector::uniform(2, spans[1]);
   Sample sample = sampleOf(refined(annulus({0, 0}, 1.0, 2.0, 0.0, std::numbers::pi / 2), {r, angle}), "Ring");
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(angle.numFunctions());
   sample.frame.fields["von_mises"] = {{}, "MPa", 100.0 * product(linearCoefficients(r), ones)};
@@ -112,12 +112,18 @@ Sample square() {
   return sample;
 }
 
-Sample cube() {
-  const KnotVector knots = KnotVector::uniform(2, 3);
+Sample cube(int spans) {
+  const KnotVector knots = KnotVector::uniform(2, spans);
   const auto patch = refined(box({0, 0, 0}, {1, 1, 1}), {knots, knots, knots});
   Sample sample = sampleOf(patch, "Cube");
   sample.frame.fields["pressure"] = {{}, "", patch.points().colwise().sum()};
   addTool(sample, {"ball", Sphere{{0.5, 1.25, 0.5}, 0.25}}, Eigen::Vector3d::Zero());
+  return sample;
+}
+
+Sample meshedAnew(const Sample& before, const Sample& after) {
+  Sample sample{before.model, after.frame};
+  sample.frame.mesh = after.model.mesh;
   return sample;
 }
 

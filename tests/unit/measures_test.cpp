@@ -148,6 +148,12 @@ TEST(LineMeasure, SeesWhatHappensWithinASpan) {
   EXPECT_NEAR(reduceLine(sample.model, sample.frame, {.field = "bump", .height = 0.0}), 1.5, 1e-12);
 }
 
+TEST(LineMeasure, GoesOnOverAChangeOfTheMesh) {
+  const Sample anew = meshedAnew(slab(), slab({7, 4}));
+  const LineMeasure measure{.field = "plastic_strain", .height = 0.5, .reduce = LineReduction::Max};
+  EXPECT_NEAR(reduceLine(anew.model, anew.frame, measure), 0.25, 1e-3);  // at points near the middle
+}
+
 TEST(LineMeasure, HeightIsAPartOfTheSecondParameter) {
   const Sample sample = slab();  // 4 s (1-s) t²: up and down along the line
   const LineMeasure measure{.field = "plastic_strain", .height = 0.5};

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -37,11 +38,15 @@ ModelRecord modelOf(const Patch<Dim>& patch) {
 constexpr double kInnerRadius = 1.0;
 constexpr double kOuterRadius = 2.5;
 
-/// A quarter ring about the origin of degree 2 with 3 x 4 knot spans.
-inline Patch<2> quarterRing() {
+/// A quarter ring about the origin of degree 2 with so many knot spans across and around.
+inline Patch<2> ringOf(const std::array<int, 2>& spans) {
   const double quarter = std::numbers::pi / 2.0;
   return refined(annulus({0.0, 0.0}, kInnerRadius, kOuterRadius, 0.0, quarter),
-                 {KnotVector::uniform(2, 3), KnotVector::uniform(2, 4)});
+                 {KnotVector::uniform(2, spans[0]), KnotVector::uniform(2, spans[1])});
+}
+
+inline Patch<2> quarterRing() {
+  return ringOf({3, 4});
 }
 
 /// Lagrange elements of degree 3 on the same ring, 2 x 3 of them.

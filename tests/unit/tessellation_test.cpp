@@ -319,6 +319,24 @@ TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
   EXPECT_NO_THROW(checkModel(whole.model, "mirrored"));
 }
 
+TEST(Mirror, ShowsABodyThatWasMeshedAnewWhole) {
+  const ModelRecord model = modelOf(quarterRing()), other = modelOf(ringOf({2, 5}));
+  FrameRecord frame = frameOf(other, 1, 1.0);
+  frame.mesh = other.mesh;
+  frame.displacement.row(0) = 0.1 * other.mesh.patches.front().points.row(0);
+  const ModelFrame whole = mirrored(model, frame, {{0, 0.0}});
+  EXPECT_NO_THROW(checkModel(whole.model, "mirrored"));
+  EXPECT_NO_THROW(checkFrame(whole.frame, whole.model, "mirrored"));
+  EXPECT_EQ(whole.model.mesh.numNodes, 2 * 5 * 6 - 5);
+  EXPECT_EQ(meshOf(whole.model, whole.frame).numNodes, 2 * 4 * 7 - 4);
+  for (const MeshRecord* mesh : {&whole.model.mesh, &meshOf(whole.model, whole.frame)}) {
+    EXPECT_EQ(bodyOutline(*mesh, {}, 1)->GetNumberOfLines(), 6);  // none on the plane
+    EXPECT_GT(area(Tessellation(*mesh, 4)), 0.0);
+  }
+  frame.displacement.row(0).array() += 0.1;
+  EXPECT_THROW(mirrored(model, frame, {{0, 0.0}}), Error);
+}
+
 TEST(Mirror, AToolThatHasLeftThePlaneIsDrawnTwice) {
   ModelRecord model = modelOf(quarterRing());
   model.tools = {{"disc", Cylinder{{0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}, 1.0}}};

@@ -98,6 +98,44 @@ std::pair<ModelRecord, FrameRecord> pressedRing() {
   return {model, frame};
 }
 
+/// The pressed ring after it was meshed anew with so many spans across and around.
+FrameRecord onNewMesh(const ModelRecord& model, const std::array<int, 2>& spans, int index) {
+  ModelRecord other = model;
+  other.mesh = modelOf(ringOf(spans)).mesh;
+  FrameRecord frame = frameOf(other, index, index);
+  frame.mesh = other.mesh;
+  frame.toolDisplacement = Eigen::Vector2d(0.0, -1.0);
+  frame.contact = {contactOn<2>(other, "right", frame, 3)};
+  return frame;
+}
+
+TEST_F(VtuParts, BelongToTheMeshOfTheirFrame) {
+  const auto [model, first] = pressedRing();
+  for (const CellKind cells : {CellKind::Linear, CellKind::Bezier}) {
+    VtuSeriesWriter writer(
+        directory_, model,
+        {.cells = cells, .parts = {ExportPart::Body, ExportPart::Contact, ExportPart::Net}});
+    writer.write(first);
+    writer.write(onNewMesh(model, {5, 7}, 1));
+    writer.write(onNewMesh(model, {2, 3}, 2));
+    FrameRecord last = first;
+    last.index = 3;
+    writer.write(last);
+    const std::vector<std::array<int, 2>> spans{{3, 4}, {5, 7}, {2, 3}, {3, 4}};
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+      const auto [across, around] = spans[k];
+      const auto name = [&](const char* format) { return fmt::format(fmt::runtime(format), k); };
+      const int perSpan = cells == CellKind::Linear ? model.subdivision * model.subdivision : 1;
+      EXPECT_EQ(readGrid(name("body_{:06}.vtu"))->GetNumberOfCells(), perSpan * across * around);
+      EXPECT_EQ(readPolyData(name("contact_plate_{:06}.vtp"))->GetNumberOfPoints(), 3 * around);
+      const auto net = readPolyData(name("net_{:06}.vtp"));
+      EXPECT_EQ(net->GetNumberOfPoints(), (across + 2) * (around + 2));
+      EXPECT_EQ(largest(component(*net, "in_contact")), 1.0);
+    }
+    EXPECT_EQ(readCollection().size(), 4U * 3U);
+  }
+}
+
 TEST_F(VtuParts, ContactOfASurfaceIsALineAlongItsFace) {
   const auto [model, frame] = pressedRing();
   VtuSeriesWriter(directory_, model).write(frame);
