@@ -65,6 +65,10 @@ TEST_F(NewMesh, HasItsOwnKnotsAndControlNet) {
   options.knots = true;
   options.controlNet = true;
   expectBaseline(samples::meshedAnew(samples::slab(), samples::slab({5, 3})), options, "slab_new_mesh");
+  options = small("pressure");
+  options.knots = true;
+  options.cut = CutPlane{{0.0, 0.0, 0.4}, {0.0, 0.0, 1.0}};
+  expectBaseline(samples::meshedAnew(samples::cube(), samples::cube(5)), options, "cube_new_mesh_cut");
 }
 
 TEST_F(NewMesh, UndeformedBodyIsThatOfTheModel) {

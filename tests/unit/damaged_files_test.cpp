@@ -242,7 +242,7 @@ TEST_F(DamagedFiles, Results) {
 }
 
 TEST_F(DamagedFiles, FramesOfResults) {
-  const samples::Sample sample = samples::slab();
+  const samples::Sample sample = samples::meshedAnew(samples::slab(), samples::slab({5, 3}));
   const fs::path directory = write("history.csv", "").parent_path();
   ResultWriter(directory, sample.model).append(sample.frame);
   expectRefusedOrRead(directory / "result/frame_000000.h5",
