@@ -62,6 +62,24 @@ ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pai
 }  // namespace
 
 template <int Dim>
+MeshRecord meshRecord(const Body<Dim>& body) {
+  MeshRecord record{body.numNodes, {}};
+  for (std::size_t p = 0; p < body.patches.size(); ++p) {
+    const auto& patch = body.patches[p];
+    PatchRecord stored;
+    for (int d = 0; d < Dim; ++d) {
+      const auto& basis = patch.basis().direction(d);
+      stored.directions.push_back({basis.family(), basis.degree(), basis.knots()});
+    }
+    stored.points = patch.points();
+    stored.weights = patch.weights();
+    stored.nodes = body.nodes[p];
+    record.patches.push_back(std::move(stored));
+  }
+  return record;
+}
+
+template <int Dim>
 ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
   ModelRecord record;
   record.program = programName();
@@ -70,20 +88,8 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
   record.dim = Dim;
   record.lengthUnit = scene.units.length;
   record.stressUnit = scene.units.stress;
-  record.mesh.numNodes = model.body().numNodes;
   record.subdivision = scene.output.subdivision;
-  for (std::size_t p = 0; p < model.body().patches.size(); ++p) {
-    const auto& patch = model.body().patches[p];
-    PatchRecord stored;
-    for (int d = 0; d < Dim; ++d) {
-      const auto& basis = patch.basis().direction(d);
-      stored.directions.push_back({basis.family(), basis.degree(), basis.knots()});
-    }
-    stored.points = patch.points();
-    stored.weights = patch.weights();
-    stored.nodes = model.body().nodes[p];
-    record.mesh.patches.push_back(std::move(stored));
-  }
+  record.mesh = meshRecord(model.body());
   for (const auto& tool : model.tools())
     record.tools.push_back({tool->name, recorded(tool->shape, Dim, model.body().size()), tool->pivot,
                             tool->axis, halfThickness(tool->shape)});
@@ -123,6 +129,8 @@ FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model, const Project
   return frame;
 }
 
+template MeshRecord meshRecord(const Body<2>&);
+template MeshRecord meshRecord(const Body<3>&);
 template ModelRecord makeModelRecord(const Scene&, const Model<2>&);
 template ModelRecord makeModelRecord(const Scene&, const Model<3>&);
 template FrameRecord makeFrame(const Scene&, const Model<2>&, const Projection<2>&, int, int, double,

@@ -5,6 +5,10 @@
 
 namespace burnish {
 
+/// The mesh of a body.
+template <int Dim>
+MeshRecord meshRecord(const Body<Dim>& body);
+
 /// The immutable part of a result.
 template <int Dim>
 ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model);

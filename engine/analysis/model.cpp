@@ -51,6 +51,34 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
   bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material),
                        scene.formulation == FormulationChoice::Fbar ? Formulation::ProjectedDilatation
                                                                     : Formulation::Displacement);
+  addBoundary(scene);
+  InputProblems problems;
+  problems.gather([this] { requireSupported(); });
+  problems.throwIfAny();
+  liftTools(scene);
+  for (const auto& load : toolLoads_) problems.gather([&] { placeFreeTool(*load, scene); });
+  problems.throwIfAny();
+}
+
+template <int Dim>
+Model<Dim>::Model(const Scene& scene, RezonedBody<Dim> rezoned)
+    : body_(std::move(rezoned.named.body)),
+      faces_(body_, std::move(rezoned.named.names)),
+      supports_(scene, faces_),
+      rezoned_(true),
+      startTime_(rezoned.time) {
+  quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
+  ReferenceState reference = referenceState(*quadrature_, rezoned.states);
+  reference.plasticWork = rezoned.plasticWork;
+  bulk_ =
+      makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), Formulation::Displacement, reference);
+  addBoundary(scene);
+  supports_.setValues(startTime_, origin_);
+}
+
+/// Supports, loads, tools and contact pairs, with all unknowns.
+template <int Dim>
+void Model<Dim>::addBoundary(const Scene& scene) {
   prescribed_ = supports_.prescribed();
   corners_ = supports_.corners();
   InputProblems problems;
@@ -60,15 +88,12 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
   problems.throwIfAny();
   numUnknowns_ = numForces_;
   for (std::size_t k = 0; k < scene.contact.size(); ++k) problems.gather([&] { addContact(scene, k); });
-  prescribed_.resize(static_cast<std::size_t>(numUnknowns_), false);
-  problems.gather([this] { requireSupported(); });
   problems.throwIfAny();
+  prescribed_.resize(static_cast<std::size_t>(numUnknowns_), false);
   std::sort(corners_.begin(), corners_.end());
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-  liftTools(scene);
   start_ = Eigen::VectorXd::Zero(numUnknowns_);
-  for (const auto& load : toolLoads_) problems.gather([&] { placeFreeTool(*load, scene); });
-  problems.throwIfAny();
+  origin_ = start_;
 }
 
 template <int Dim>
@@ -118,7 +143,7 @@ void Model<Dim>::addContact(const Scene& scene, std::size_t number) {
   const auto tool = static_cast<std::size_t>(
       std::find_if(tools_.begin(), tools_.end(), [&](const auto& t) { return t->name == spec.tool; }) -
       tools_.begin());
-  requireReachable(*tools_[tool], spec, fmt::format("contact[{}]", number));
+  if (!rezoned_) requireReachable(*tools_[tool], spec, fmt::format("contact[{}]", number));
   const int patch = faces_.patch(spec.place.patch);
   const Enforcement enforcement = enforcementOf(spec.method);
   typename ContactTerm<Dim>::Options options{
@@ -280,7 +305,7 @@ template <int Dim>
 Eigen::VectorXd Model<Dim>::target(double t) const {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(numUnknowns_);
   supports_.setValues(t, values);
-  return values;
+  return values - origin_;
 }
 
 template <int Dim>

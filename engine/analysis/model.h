@@ -8,6 +8,7 @@
 #include "engine/contact/contact_term.h"
 #include "engine/contact/tool.h"
 #include "engine/contact/tool_load.h"
+#include "engine/rezoning/state_transfer.h"
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
 #include "engine/solid/bulk_term.h"
@@ -27,6 +28,15 @@ struct ContactPair {
   std::unique_ptr<ContactTerm<Dim>> term;
 };
 
+/// A body that was meshed anew under way, in the configuration that it had at a time: its new reference.
+template <int Dim>
+struct RezonedBody {
+  NamedBody<Dim> named;
+  PointStates states;  ///< at the quadrature points that the scene asks for
+  double plasticWork = 0.0;
+  double time = 0.0;
+};
+
 /// Everything that a scene describes, as terms and constraints over one numbering of unknowns: Dim
 /// displacement components per node, the free ways of tools, then the contact multipliers.
 template <int Dim>
@@ -36,6 +46,10 @@ class Model {
   /// that contradict each other or leave the body free to move away, a tool that overlaps the body at the
   /// start.
   explicit Model(const Scene& scene);
+
+  /// The same tools, supports and contact pairs for a body that was meshed anew; what the scene's own body
+  /// was checked for is not checked again. Throws `InputError` if the map of the body is folded.
+  Model(const Scene& scene, RezonedBody<Dim> rezoned);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
@@ -92,7 +106,8 @@ class Model {
   /// Smallest force that counts: 1e-9 E L (E L² in 3D and axisymmetry).
   double forceFloor() const;
 
-  explicit Model(const Scene& scene, NamedBody<Dim> body);
+  Model(const Scene& scene, NamedBody<Dim> body);
+  void addBoundary(const Scene& scene);
 
   Body<Dim> body_;
   FaceFinder<Dim> faces_;
@@ -107,8 +122,10 @@ class Model {
   std::vector<double> corners_;
   int numUnknowns_ = 0;
   int numForces_ = 0;  ///< unknowns before the multipliers
+  bool rezoned_ = false;
   double startTime_ = 0.0;
-  Eigen::VectorXd start_;  ///< unknowns of the undeformed body with its tools in place
+  Eigen::VectorXd start_;   ///< unknowns of the undeformed body with its tools in place
+  Eigen::VectorXd origin_;  ///< prescribed displacements that the reference configuration holds already
 };
 
 /// The model of a scene. Throws `Error` if it cannot be computed, every line with its place in the scene's

@@ -30,7 +30,8 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
       tipWatch_(model),
       doubts_{{"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
               {"smallest J below 0.05"}},
-      touched_(model.tools().size(), false) {
+      touched_(model.tools().size(), false),
+      rezones_(scene.rezoning.has_value()) {
   for (auto& sentence : toolWatch_.sentences()) doubts_.push_back({std::move(sentence)});
   firstTipDoubt_ = doubts_.size();
   doubts_.resize(firstTipDoubt_ + model.contacts().size());
@@ -53,6 +54,10 @@ std::vector<std::string> Recorder<Dim>::columns() const {
         "max_plastic_strain_projected", "min_plastic_strain_projected", "active_control_points",
         "max_penetration", "min_detJ", "newton_iterations"})
     columns.emplace_back(name);
+  if (rezones_)
+    for (const char* name :
+         {"rezonings", "rezoning_energy_lost", "rezoning_volume_drift", "rezoning_boundary_error"})
+      columns.emplace_back(name);
   for (auto& column : measures_.columns()) columns.push_back(std::move(column));
   return columns;
 }
@@ -134,6 +139,29 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
 }
 
 template <int Dim>
+void Recorder<Dim>::continueFrom(const Recorder& before) {
+  current_ = before.current_;
+  smallestJ_ = before.smallestJ_;
+  largestPenetration_ = before.largestPenetration_;
+  doubts_ = before.doubts_;
+  tips_ = before.tips_;
+  touched_ = before.touched_;
+  rezonings_ = before.rezonings_;
+  energyLost_ = before.energyLost_;
+  volumeDrift_ = before.volumeDrift_;
+  boundaryError_ = before.boundaryError_;
+  projectionSeconds_ = before.projectionSeconds_;
+}
+
+template <int Dim>
+void Recorder<Dim>::noteRezoning(const RezoningRecord& rezoning) {
+  ++rezonings_;
+  energyLost_ += rezoning.energyLost;
+  volumeDrift_ = rezoning.volumeDrift;
+  boundaryError_ = std::max(boundaryError_, rezoning.boundaryError);
+}
+
+template <int Dim>
 void Recorder<Dim>::watch() {
   smallestJ_ = std::min(smallestJ_, current_.minJ);
   largestPenetration_ = std::max(largestPenetration_, current_.maxPenetration);
@@ -202,6 +230,9 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
         static_cast<double>(current_.activeControlPoints), current_.maxPenetration, current_.minJ,
         static_cast<double>(newtonIterations)})
     row.push_back(value);
+  if (rezones_)
+    for (const double value : {static_cast<double>(rezonings_), energyLost_, volumeDrift_, boundaryError_})
+      row.push_back(value);
   row.insert(row.end(), measured_.begin(), measured_.end());
   return row;
 }
@@ -253,6 +284,10 @@ void Recorder<Dim>::archive(StateArchive& archive) {
   nameTips();
   archive.fixedField("touched", touched_);
   archive.field("projection_seconds", projectionSeconds_);
+  archive.field("rezonings", rezonings_);
+  archive.field("rezoning_energy_lost", energyLost_);
+  archive.field("rezoning_volume_drift", volumeDrift_);
+  archive.field("rezoning_boundary_error", boundaryError_);
 }
 
 template class Recorder<2>;

@@ -9,6 +9,7 @@
 #include "engine/analysis/tool_watch.h"
 #include "engine/fields/projection.h"
 #include "engine/fields/span_extremes.h"
+#include "engine/results/summary_file.h"
 
 namespace burnish {
 
@@ -52,6 +53,12 @@ class Recorder {
   /// forces there.
   void update(const MeasuredState& state, const Eigen::VectorXd& force);
 
+  /// Goes on with the sums and extremes of a recorder of the same scene on another mesh.
+  void continueFrom(const Recorder& before);
+
+  /// The current state is the first one after the body was meshed anew.
+  void noteRezoning(const RezoningRecord& rezoning);
+
   const StateQuantities& current() const { return current_; }
   std::vector<double> row(int step, int newtonIterations) const;
 
@@ -94,6 +101,9 @@ class Recorder {
   std::size_t firstTipDoubt_ = 0;  ///< of one for each contact pair
   std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool
+  bool rezones_;
+  int rezonings_ = 0;
+  double energyLost_ = 0.0, volumeDrift_ = 0.0, boundaryError_ = 0.0;  ///< of rezonings: sum, last, largest
   double projectionSeconds_ = 0.0;
 };
 

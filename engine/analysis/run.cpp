@@ -10,12 +10,15 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/analysis/failure.h"
 #include "engine/analysis/frames.h"
 #include "engine/analysis/model.h"
+#include "engine/analysis/rezoner.h"
+#include "engine/analysis/stage.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
@@ -34,29 +37,25 @@ template <int Dim>
 class Run {
  public:
   /// resumes: goes on with the run that was stopped in the directory.
-  Run(const Scene& scene, Model<Dim>& model, const std::filesystem::path& directory, bool resumes,
-      std::function<bool()> halt, RunObserver& observer)
+  Run(const Scene& scene, std::unique_ptr<Model<Dim>> model, const std::filesystem::path& directory,
+      bool resumes, std::function<bool()> halt, RunObserver& observer)
       : scene_(scene),
         halt_(std::move(halt)),
         observer_(observer),
-        model_(model),
-        terms_(model_.terms()),
-        newton_(terms_, model_.prescribed(), model_.residualScales(), newtonOptions(scene)),
-        stepping_(
-            newton_, terms_, [this](double t) { return model_.target(t); }, {.maxCuts = scene.solver.maxCuts},
-            model_.startState()),
-        projection_(model_.quadrature()),
-        recorder_(scene, model_, projection_),
-        record_(makeModelRecord(scene, model_)),
+        record_(makeModelRecord(scene, *model)),
+        stage_(makeStage(scene, std::move(model))),
         directory_(directory),
-        files_(directory, record_, recorder_.columns(), resumes) {}
+        files_(directory, record_, stage_->recorder.columns(), resumes) {
+    if constexpr (Dim == 2)
+      if (scene.rezoning) rezoner_.emplace(scene, *stage_);
+  }
 
   RunSummary execute() {
     observer_.onStart(record_);
     try {
       end(begin() ? walk() : Walk::Failed);
     } catch (const RunError& error) {
-      summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", stepping_.state().time, error.what());
+      summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", state().time, error.what());
     }
     fillSummary();
     if (!summary_.halted) files_.finish(makeSummaryRecord(summary_));  // a summary means that a run has ended
@@ -66,11 +65,12 @@ class Run {
   /// All that the rest of the run depends on.
   void archive(StateArchive& archive) {
     summary_.timings.total = seconds();
-    summary_.factorNonZeros = std::max(summary_.factorNonZeros, newton_.linearSolver().factorNonZeros());
-    archive.part("stepping", stepping_);
-    archive.part("newton", newton_);
-    for (std::size_t k = 0; k < terms_.size(); ++k) archive.part(fmt::format("term{}", k), *terms_[k]);
-    archive.part("recorder", recorder_);
+    if (rezoner_) archiveRezoner(archive);
+    archive.part("stepping", stage_->stepping);
+    archive.part("newton", stage_->newton);
+    for (std::size_t k = 0; k < stage_->terms.size(); ++k)
+      archive.part(fmt::format("term{}", k), *stage_->terms[k]);
+    archive.part("recorder", stage_->recorder);
     archive.part("summary", summary_);
     archive.field("step", step_);
     archive.field("last_frame_time", lastFrameTime_);
@@ -79,8 +79,17 @@ class Run {
   }
 
  private:
-  static NewtonOptions newtonOptions(const Scene& scene) {
-    return {.tolerance = scene.solver.tolerance, .maxIterations = scene.solver.maxIterations};
+  static std::unique_ptr<Stage<Dim>> makeStage(const Scene& scene, std::unique_ptr<Model<Dim>> model) {
+    SteppingState start = model->startState();
+    return std::make_unique<Stage<Dim>>(scene, std::move(model), std::move(start));
+  }
+
+  const SteppingState& state() const { return stage_->stepping.state(); }
+
+  void archiveRezoner(StateArchive& archive) {
+    archive.part("rezoner", *rezoner_);
+    if constexpr (Dim == 2)
+      if (archive.restores() && rezoner_->count() > 0) stage_ = rezoner_->restoredStage();
   }
 
   double seconds() const {
@@ -107,30 +116,10 @@ class Run {
     return saved.values();
   }
 
-  struct Forces {
-    Eigen::VectorXd bulk, total;
-  };
-
-  /// Evaluates the terms at the current state without a step.
-  Forces evaluateHere() {
-    const auto& state = stepping_.state();
-    Forces forces{{}, Eigen::VectorXd::Zero(model_.numUnknowns())};
-    for (Term* term : terms_) {
-      Eigen::VectorXd force = Eigen::VectorXd::Zero(model_.numUnknowns());
-      Assembly out{force};
-      static_cast<void>(term->evaluate(state.time, state.x, out));  // an accepted state is admissible
-      forces.total += force;
-      if (term == terms_.front()) forces.bulk = std::move(force);
-    }
-    return forces;
-  }
-
   /// Hands the state that a step has just reached to the recorder.
-  void record(const StepReport& step) {
-    Eigen::VectorXd total = Eigen::VectorXd::Zero(model_.numUnknowns());
-    for (std::size_t k = 0; k < terms_.size(); ++k) total += newton_.force(k);
-    recorder_.update({step.time, stepping_.state().x, newton_.force(0)}, total);
-    if (const std::string pulled = model_.pulledTool(); !pulled.empty())
+  void record() {
+    stage_->record();
+    if (const std::string pulled = stage_->model->pulledTool(); !pulled.empty())
       throw RunError(
           fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a "
                       "free way has to be pressed on the body, or its motion prescribed",
@@ -139,19 +128,20 @@ class Run {
 
   /// Brings lifted tools down and records the state at t = 0.
   Walk approach() {
-    const Forces forces = evaluateHere();
-    recorder_.update({stepping_.state().time, stepping_.state().x, forces.bulk}, forces.total);
-    for (Term* term : terms_) term->accept();
+    const auto forces = stage_->evaluateHere();
+    stage_->recorder.update({state().time, state().x, forces.bulk}, forces.total);
+    for (Term* term : stage_->terms) term->accept();
     Walk walk = Walk::Arrived;
-    if (model_.startTime() < 0.0) {
-      walk = stepping_.advance(0.0, -0.25 * model_.startTime(), [this](const StepReport& step) {
-        record(step);
+    const double startTime = stage_->model->startTime();
+    if (startTime < 0.0) {
+      walk = stage_->stepping.advance(0.0, -0.25 * startTime, [this](const StepReport& step) {
+        record();
         noteResiduals(step);
         ++summary_.approachSteps;
         summary_.approachIterations += step.iterations;
         return true;
       });
-      stepping_.forgetIncrement();
+      stage_->stepping.forgetIncrement();
     }
     append(0, 0);
     if (walk == Walk::Arrived) writeFrame();
@@ -159,29 +149,53 @@ class Run {
   }
 
   Walk walk() {
-    const auto grid = timeGrid(scene_, model_.corners());
+    const auto grid = timeGrid(scene_, stage_->model->corners());
     for (const Landing& landing : grid) {
-      if (landing.time < stepping_.state().time) continue;  // of a run that is resumed
-      const Walk walk = stepping_.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
-        record(step);
-        noteResiduals(step);
-        summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
-        step_ = step.step - summary_.approachSteps;
-        append(step_, step.iterations);
-        for (std::size_t k = 0; k < step.newton.history.size(); ++k)
-          files_.appendConvergence(
-              {static_cast<double>(step_), step.time, static_cast<double>(k), step.newton.history[k]});
-        observer_.onStep({step_, step.time, grid.back().time, step.size, step.iterations,
-                          stepping_.state().cuts, step.newton.residual});
-        halts_ = halt_();
-        return !halts_;
-      });
+      if (landing.time < state().time) continue;  // of a run that is resumed
+      Walk walk = Walk::Arrived;
+      do {
+        if (needsRezoning()) rezone();
+        walk = stage_->stepping.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
+          takeIn(step, grid.back().time);
+          return !halts_ && !needsRezoning();
+        });
+      } while (walk == Walk::Halted && !halts_);
       if (walk != Walk::Arrived) return walk;
       if (landing.frame && lastFrameTime_ != landing.time) writeFrame();
-      if (landing.corner) stepping_.forgetIncrement();
+      if (landing.corner) stage_->stepping.forgetIncrement();
       if (halts_ && landing.time < grid.back().time) return Walk::Halted;
     }
     return Walk::Arrived;
+  }
+
+  /// Records a step from t = 0 on.
+  void takeIn(const StepReport& step, double endTime) {
+    record();
+    noteResiduals(step);
+    summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
+    step_ = step.step - summary_.approachSteps;
+    append(step_, step.iterations);
+    for (std::size_t k = 0; k < step.newton.history.size(); ++k)
+      files_.appendConvergence(
+          {static_cast<double>(step_), step.time, static_cast<double>(k), step.newton.history[k]});
+    observer_.onStep(
+        {step_, step.time, endTime, step.size, step.iterations, state().cuts, step.newton.residual});
+    halts_ = halt_();
+  }
+
+  bool needsRezoning() const {
+    if constexpr (Dim == 2) return rezoner_ && rezoner_->isDue(*stage_);
+    return false;
+  }
+
+  /// Meshes the body anew; without success the run goes on as it is.
+  void rezone() {
+    if constexpr (Dim == 2) {
+      auto next = rezoner_->rezone(*stage_);
+      if (!next) return;
+      noteTimings();
+      stage_ = std::move(next);
+    }
   }
 
   void end(Walk walk) {
@@ -192,8 +206,8 @@ class Run {
       keepLastState();
     }
     if (walk == Walk::Halted) {
-      summary_.stoppedBecause = fmt::format("halted at t = {:.6g}", stepping_.state().time);
-      files_.keep(stepping_.state().steps, save());
+      summary_.stoppedBecause = fmt::format("halted at t = {:.6g}", state().time);
+      files_.keep(state().steps, save());
     }
   }
 
@@ -205,40 +219,41 @@ class Run {
 
   /// The current state as the next frame.
   FrameRecord nextFrame() {
-    const auto& state = stepping_.state();
-    FrameRecord frame = makeFrame(scene_, model_, projection_, summary_.frames, step_, state.time, state.x);
+    FrameRecord frame = makeFrame(scene_, *stage_->model, stage_->projection, summary_.frames, step_,
+                                  state().time, state().x);
+    if constexpr (Dim == 2)
+      if (rezoner_) frame.mesh = rezoner_->frameMesh(*stage_, frame.displacement);
     try {
-      checkFrame(frame, record_, fmt::format("the frame at t = {:.6g}", state.time));
+      checkFrame(frame, record_, fmt::format("the frame at t = {:.6g}", state().time));
     } catch (const Error& error) {
       throw RunError(error.what());
     }
     ++summary_.frames;
-    lastFrameTime_ = state.time;
+    lastFrameTime_ = state().time;
     return frame;
   }
 
   void writeFrame() {
     const Stopwatch stopwatch(summary_.timings.output);
     const FrameRecord frame = nextFrame();
-    files_.append(frame, stepping_.state().steps, save());
+    files_.append(frame, state().steps, save());
     observer_.onFrame(record_, frame);
   }
 
   void noteFailure() {
-    const auto& state = stepping_.state();
-    const NewtonReport& failure = stepping_.lastFailure();
-    summary_.stoppedBecause =
-        fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
-                    state.time, stepping_.lastFailedStep(), describe(failure.outcome), failure.residual);
-    const Failure found = diagnose(model_, failure);
+    const NewtonReport& failure = stage_->stepping.lastFailure();
+    summary_.stoppedBecause = fmt::format(
+        "at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})", state().time,
+        stage_->stepping.lastFailedStep(), describe(failure.outcome), failure.residual);
+    const Failure found = diagnose(*stage_->model, failure);
     summary_.stoppedBecause += "; " + found.findings;
     summary_.advice = found.advice;
-    if (const std::string pulled = model_.pulledTool(); !pulled.empty())
+    if (const std::string pulled = stage_->model->pulledTool(); !pulled.empty())
       summary_.stoppedBecause += fmt::format(
           "; tool '{}' had lost the body: the load that it carries may have pulled it off, or does not "
           "determine its place",
           pulled);
-    if (const std::string way = model_.runawayWay(); !way.empty())
+    if (const std::string way = stage_->model->runawayWay(); !way.empty())
       summary_.stoppedBecause += fmt::format(
           "; {}: the tool would have turned by more than 0.2 radians, or moved by more than the body's size, "
           "in "
@@ -248,68 +263,74 @@ class Run {
   }
 
   void append(int step, int iterations) {
-    const std::vector<double> row = recorder_.row(step, iterations);
+    const Recorder<Dim>& recorder = stage_->recorder;
+    const std::vector<double> row = recorder.row(step, iterations);
     for (std::size_t column = 0; column < row.size(); ++column)
       if (!std::isfinite(row[column]))
-        throw RunError(fmt::format("{} is not finite at t = {:.6g}", recorder_.columns()[column],
-                                   recorder_.current().time));
+        throw RunError(fmt::format("{} is not finite at t = {:.6g}", recorder.columns()[column],
+                                   recorder.current().time));
     files_.appendHistory(row);
-    lastRowTime_ = recorder_.current().time;
+    lastRowTime_ = recorder.current().time;
   }
 
   /// After a failed step: the last accepted state becomes the last frame, unless it was refused.
   void keepLastState() {
-    const double time = stepping_.state().time;
+    const double time = state().time;
     if (time != lastRowTime_ || (summary_.frames > 0 && time == lastFrameTime_)) return;
-    static_cast<void>(evaluateHere());
+    static_cast<void>(stage_->evaluateHere());
     const FrameRecord frame = nextFrame();
     files_.appendLast(frame);
     observer_.onFrame(record_, frame);
   }
 
-  void fillSummary() {
-    const auto& state = stepping_.state();
-    const auto& timings = newton_.timings();
-    summary_.timings.total = seconds();
-    summary_.program = record_.program;
-    summary_.functions = record_.mesh.numNodes;
-    summary_.unknowns = static_cast<int>(newton_.system().freeUnknowns().size());
-    summary_.steps = step_;
-    summary_.cuts = state.cuts;
-    summary_.smallestStep = state.smallestStep;
-    summary_.iterations = state.iterations - summary_.approachIterations;
-    summary_.meanIterations = static_cast<double>(summary_.iterations) / std::max(1, step_);
-    summary_.tolerance = scene_.solver.tolerance;
-    summary_.constraintTolerance = newtonOptions(scene_).constraintTolerance;
-    if (!model_.contacts().empty())
-      summary_.contactParameter = model_.contacts().front().term->options().parameter;
-    summary_.end = recorder_.current();
-    summary_.smallestJ = recorder_.smallestJ();
-    summary_.largestPenetration = recorder_.largestPenetration();
-    for (const Doubt& doubt : recorder_.doubts())
-      if (doubt.steps > 0) summary_.doubts.push_back(doubt);
-    summary_.idleTools = recorder_.idleTools();
+  /// Adds what the present stage has spent to the summary.
+  void noteTimings() {
+    const auto& timings = stage_->newton.timings();
     for (std::size_t k = 0; k < timings.terms.size(); ++k) {
-      const bool isContact = k >= 1 && k <= model_.contacts().size();
+      const bool isContact = k >= 1 && k <= stage_->model->contacts().size();
       (isContact ? summary_.timings.contact : summary_.timings.assembly) += timings.terms[k];
     }
-    summary_.timings.factorisation = timings.factorisation;
-    summary_.timings.solve = timings.solve;
-    summary_.timings.projection = recorder_.projectionSeconds();
-    summary_.factorNonZeros = std::max(summary_.factorNonZeros, newton_.linearSolver().factorNonZeros());
-    summary_.luFactorisations = newton_.linearSolver().numGeneral();
+    summary_.timings.factorisation += timings.factorisation;
+    summary_.timings.solve += timings.solve;
+    auto& solver = stage_->newton.linearSolver();
+    summary_.factorNonZeros = std::max(summary_.factorNonZeros, solver.factorNonZeros());
+    summary_.luFactorisations += solver.numGeneral();
+  }
+
+  void fillSummary() {
+    noteTimings();
+    const Recorder<Dim>& recorder = stage_->recorder;
+    summary_.timings.total = seconds();
+    summary_.program = record_.program;
+    summary_.functions = stage_->model->body().numNodes;
+    summary_.unknowns = static_cast<int>(stage_->newton.system().freeUnknowns().size());
+    summary_.steps = step_;
+    summary_.cuts = state().cuts;
+    summary_.smallestStep = state().smallestStep;
+    summary_.iterations = state().iterations - summary_.approachIterations;
+    summary_.meanIterations = static_cast<double>(summary_.iterations) / std::max(1, step_);
+    summary_.tolerance = scene_.solver.tolerance;
+    summary_.constraintTolerance = NewtonOptions{}.constraintTolerance;
+    if (!stage_->model->contacts().empty())
+      summary_.contactParameter = stage_->model->contacts().front().term->options().parameter;
+    summary_.end = recorder.current();
+    summary_.smallestJ = recorder.smallestJ();
+    summary_.largestPenetration = recorder.largestPenetration();
+    for (const Doubt& doubt : recorder.doubts())
+      if (doubt.steps > 0) summary_.doubts.push_back(doubt);
+    summary_.idleTools = recorder.idleTools();
+    summary_.timings.projection = recorder.projectionSeconds();
+    if (!rezoner_) return;
+    summary_.rezonings = rezoner_->records();
+    summary_.failedRezonings = rezoner_->failures();
   }
 
   const Scene& scene_;
   std::function<bool()> halt_;
   RunObserver& observer_;
-  Model<Dim>& model_;
-  std::vector<Term*> terms_;
-  Newton newton_;
-  Stepping stepping_;
-  Projection<Dim> projection_;
-  Recorder<Dim> recorder_;
-  ModelRecord record_;
+  ModelRecord record_;  ///< of the model in which the run begins
+  std::unique_ptr<Stage<Dim>> stage_;
+  std::optional<Rezoner> rezoner_;
   std::filesystem::path directory_;
   RunFiles files_;
   RunSummary summary_;
@@ -324,8 +345,7 @@ class Run {
 template <int Dim>
 RunSummary runInDimension(const Scene& scene, const std::filesystem::path& directory, bool resumes,
                           const RunOptions& options, RunObserver& observer) {
-  const auto model = buildModel<Dim>(scene);
-  return Run<Dim>(scene, *model, directory, resumes, options.halt, observer).execute();
+  return Run<Dim>(scene, buildModel<Dim>(scene), directory, resumes, options.halt, observer).execute();
 }
 
 RunSummary runOrResume(const Scene& scene, const std::filesystem::path& directory, bool resumes,

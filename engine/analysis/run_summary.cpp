@@ -16,6 +16,10 @@ std::vector<DoubtRecord> doubtRecords(const std::vector<Doubt>& doubts) {
 }  // namespace
 
 void RunTimings::archive(StateArchive& archive) {
+  archive.field("assembly", assembly);
+  archive.field("contact", contact);
+  archive.field("factorisation", factorisation);
+  archive.field("solve", solve);
   archive.field("output", output);
   archive.field("total", total);
 }
@@ -29,6 +33,7 @@ void RunSummary::archive(StateArchive& archive) {
   archive.field("steps_at_round_off", stepsAtRoundOff);
   archive.field("frames", frames);
   archive.field("factor_non_zeros", factorNonZeros);
+  archive.field("lu_factorisations", luFactorisations);
   archive.part("seconds", timings);
 }
 
@@ -38,6 +43,7 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
           .stoppedBecause = s.stoppedBecause,
           .advice = s.advice,
           .doubts = doubtRecords(s.doubts),
+          .rezonings = s.rezonings,
           .numbers = {{"end_time", s.end.time},
                       {"functions", s.functions},
                       {"unknowns", s.unknowns},
@@ -57,6 +63,7 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
                       {"contact_parameter", s.contactParameter},
                       {"smallest_J", s.smallestJ},
                       {"largest_penetration", s.largestPenetration},
+                      {"rezonings_failed", s.failedRezonings},
                       {"factor_non_zeros", static_cast<double>(s.factorNonZeros)},
                       {"lu_factorisations", static_cast<double>(s.luFactorisations)},
                       {"seconds", s.timings.total},

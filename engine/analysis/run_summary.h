@@ -49,6 +49,8 @@ struct RunSummary {
   double largestPenetration = 0.0;
   std::vector<Doubt> doubts;           ///< those that held
   std::vector<std::string> idleTools;  ///< with contact pairs, but never in touch
+  std::vector<RezoningRecord> rezonings;
+  int failedRezonings = 0;  ///< that found no sound mesh or no equilibrium on it
   int frames = 0;
   RunTimings timings;
   long factorNonZeros = 0;

@@ -35,8 +35,8 @@ template <int Dim>
 Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool,
                                double bodySize, const std::string& place);
 
-/// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free ways in which the shape of a
-/// tool moves in itself, for instance a disc that turns about its middle: no contact resists it there.
+/// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free ways in which the shape
+/// of a tool moves in itself, for instance a disc that turns about its middle: no contact resists it there.
 void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize);
 
 /// Direction of the first force, of all times up to `end`, that a tool carries; zero if there is none.

@@ -200,7 +200,8 @@ bool ContactTerm<Dim>::isAlone() const {
 template <int Dim>
 bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   const ToolPose pose = tool_.pose(t, x);
-  const Mortar mortar = integrate(pose, x);
+  Mortar mortar = integrate(pose, x);
+  if (gapOrigin_.size() > 0) mortar.G -= A_.cwiseProduct(gapOrigin_);
   if (passesThrough(mortar)) return false;
   const std::vector<bool> before = std::move(state_.active);
   state_ = {};

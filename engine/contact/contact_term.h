@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/tool.h"
@@ -52,13 +53,18 @@ class ContactTerm final : public Term {
   ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, Options options,
               int firstMultiplier);
 
-  /// Multipliers that this pair adds to the unknowns.
+  /// Multipliers that this pair adds to the unknowns, and the first of them.
   int numMultipliers() const;
+  int firstMultiplier() const { return firstMultiplier_; }
 
   /// Makes this pair the one that keeps a tool with free ways in touch with the body, without which its place
   /// is not determined: while nothing is active, here or in the tool's other pairs (which are evaluated
   /// before), the nearest function (or point) counts as active.
   void keepInTouch(std::vector<const ContactTerm*> others);
+
+  /// Averaged gaps count from these values instead of zero (mortar methods): those with which a state that
+  /// does not fit begins can be taken away little by little. One per function; empty: from zero.
+  void countGapsFrom(Eigen::VectorXd origin) { gapOrigin_ = std::move(origin); }
 
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
@@ -103,6 +109,7 @@ class ContactTerm final : public Term {
   int firstMultiplier_;
   bool axisymmetric_;
   Eigen::VectorXd A_;
+  Eigen::VectorXd gapOrigin_;
   std::vector<std::vector<int>> supports_;  ///< per function: functions that share a span with it, sorted
   std::vector<std::vector<std::vector<int>>>
       slots_;  ///< [span][a][b]: place of function b in the support of function a

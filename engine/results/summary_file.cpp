@@ -3,14 +3,25 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <array>
 #include <span>
 #include <system_error>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/results/atomic_file.h"
 
 namespace burnish {
 namespace {
+
+/// The numbers of a rezoning in the file.
+constexpr std::array<std::pair<const char*, double RezoningRecord::*>, 6> kRezoningNumbers{
+    {{"time", &RezoningRecord::time},
+     {"energy_lost", &RezoningRecord::energyLost},
+     {"volume_drift", &RezoningRecord::volumeDrift},
+     {"boundary_error", &RezoningRecord::boundaryError},
+     {"quality", &RezoningRecord::quality},
+     {"smallest_span", &RezoningRecord::smallestSpan}}};
 
 std::filesystem::path summaryFile(const std::filesystem::path& directory) {
   return directory / "summary.yaml";
@@ -31,6 +42,16 @@ void writeSummary(const std::filesystem::path& directory, const SummaryRecord& s
       yaml << YAML::BeginMap << YAML::Key << "what" << YAML::Value << doubt.what << YAML::Key << "first_time"
            << YAML::Value << fmt::format("{}", doubt.firstTime) << YAML::Key << "steps" << YAML::Value
            << doubt.steps << YAML::EndMap;
+    yaml << YAML::EndSeq;
+  }
+  if (!summary.rezonings.empty()) {
+    yaml << YAML::Key << "rezonings" << YAML::Value << YAML::BeginSeq;
+    for (const RezoningRecord& rezoning : summary.rezonings) {
+      yaml << YAML::Flow << YAML::BeginMap;
+      for (const auto& [name, member] : kRezoningNumbers)
+        yaml << YAML::Key << name << YAML::Value << fmt::format("{}", rezoning.*member);
+      yaml << YAML::Key << "iterations" << YAML::Value << rezoning.iterations << YAML::EndMap;
+    }
     yaml << YAML::EndSeq;
   }
   for (const auto& [name, value] : summary.numbers)
@@ -57,6 +78,13 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
         for (const auto& doubt : entry.second)
           summary.doubts.push_back(
               {doubt["what"].as<std::string>(), doubt["first_time"].as<double>(), doubt["steps"].as<int>()});
+      else if (name == "rezonings")
+        for (const auto& stored : entry.second) {
+          auto& rezoning = summary.rezonings.emplace_back();
+          for (const auto& [number, member] : kRezoningNumbers)
+            rezoning.*member = stored[number].as<double>();
+          rezoning.iterations = stored["iterations"].as<int>();
+        }
       else
         summary.numbers[name] = entry.second.as<double>();
     }

@@ -13,13 +13,25 @@ struct DoubtRecord {
   int steps = 0;  ///< in which it held
 };
 
+/// The body meshed anew.
+struct RezoningRecord {
+  double time = 0.0;
+  double energyLost = 0.0;     ///< strain energy that the transfer and the new equilibrium cost
+  double volumeDrift = 0.0;    ///< stress-free volume over that at the start of the run, minus one
+  double boundaryError = 0.0;  ///< distance of the new boundary from the old one along its normal
+  double quality = 0.0;        ///< smallest over largest determinant of the new mesh's map
+  double smallestSpan = 0.0;   ///< length of the smallest knot span along the contact face
+  int iterations = 0;          ///< to equilibrium on the new mesh
+};
+
 /// What a run says about itself at its end, as stored in `summary.yaml` beside its result.
 struct SummaryRecord {
   std::string program;  ///< as in the result's model: version and digest of the engine
   bool completed = false;
-  std::string stoppedBecause;             ///< empty when completed
-  std::string advice{};                   ///< what usually helps; may be empty
-  std::vector<DoubtRecord> doubts;        ///< in the order of the first times
+  std::string stoppedBecause;       ///< empty when completed
+  std::string advice{};             ///< what usually helps; may be empty
+  std::vector<DoubtRecord> doubts;  ///< in the order of the first times
+  std::vector<RezoningRecord> rezonings{};
   std::map<std::string, double> numbers;  ///< steps, cut_backs, iterations, seconds, …: see docs/results.md
 };
 

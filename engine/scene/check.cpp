@@ -10,6 +10,7 @@ void checkScene(const Scene& scene, const YamlNode& root, Diagnostics& errors) {
   checkBody(context);
   checkBoundary(context);
   checkMeasures(context);
+  checkRezoning(context);
   checkRun(context);
   checkChecks(context);
 }

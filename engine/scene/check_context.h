@@ -55,6 +55,9 @@ std::vector<std::string> checkTools(const CheckContext& context);
 /// Supports, loads, tools and contact.
 void checkBoundary(const CheckContext& context);
 
+/// What a scene with rezoning may have.
+void checkRezoning(const CheckContext& context);
+
 /// Measures.
 void checkMeasures(const CheckContext& context);
 

@@ -208,6 +208,19 @@ struct OutputSpec {
   bool vtu = true;
 };
 
+/// Meshing the body anew while a tool moves along it.
+struct RezoningSpec {
+  std::optional<double> travel;  ///< of a tool, from one to the next
+  double stretch = 1.6;          ///< largest principal one since the last, which calls for the next earlier
+  double quality = 0.0;          ///< of the deformed mesh, below which the next comes earlier; 0: never
+  std::vector<int> spans;        ///< knot spans per direction; as many as before when empty
+  std::optional<double> ahead, behind;  ///< of the contact, along the face: where spans are finest
+  double growth = 0.25;                 ///< of the size of spans per distance from there
+  double turn = 0.3;                    ///< of the face within a knot span, radians, where the spans suffice
+  double firstLayer = 1.5;              ///< depth of the spans under the face over their smallest length
+  double smallestDeterminant = 1e-3;    ///< over the largest: what a new mesh must have
+};
+
 struct PictureSpec {
   std::string field;
   std::optional<std::string> name;  ///< file name stem; the field's name when left out
@@ -337,6 +350,7 @@ struct Scene {
   std::vector<ContactSpec> contact;
   std::vector<PhaseSpec> steps;
   SolverSpec solver;
+  std::optional<RezoningSpec> rezoning;
   OutputSpec output;
   std::vector<PictureSpec> pictures;
   std::vector<SceneMeasureSpec> measures;

@@ -78,6 +78,10 @@ void describe(Visitor& v, Scene& s) {
   v.field("contact", s.contact, {}, "Which tool may touch which face, without friction.");
   v.field("steps", s.steps, {.required = true, .minEntries = 1}, "Phases of the run, from time 0 on.");
   v.field("solver", s.solver, {}, "Newton's method and the control of the step size.");
+  v.field("rezoning", s.rezoning, {},
+          "Meshes the body anew while a tool moves along it, so that its surface stays resolved under the "
+          "tool; a "
+          "plane or axisymmetric body of one patch in the displacement formulation.");
   v.field("output", s.output, {}, "When and how finely results are written.");
   v.field("pictures", s.pictures, {}, "Contour pictures, drawn as the run passes their times.");
   v.field("measures", s.measures, {}, "Columns of the history beside those that every run has.");

@@ -1,6 +1,9 @@
 #include "engine/solid/bulk_term.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "engine/core/blas.h"
@@ -20,11 +23,13 @@ CouplingGroups spanGroups(const SpanQuadrature<Dim>& quadrature) {
 }  // namespace
 
 template <int Dim>
-BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material)
+BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material,
+                        const std::optional<ReferenceState>& reference)
     : quadrature_(quadrature),
       material_(std::move(material)),
       groups_(spanGroups(quadrature)),
-      colours_(colourGroups(groups_, Dim * quadrature_.numNodes())) {
+      colours_(colourGroups(groups_, Dim * quadrature_.numNodes())),
+      weights_(quadrature.numPoints()) {
   pinLibrariesToOneThread();
   const auto points = static_cast<std::size_t>(quadrature_.numPoints());
   accepted_.resize(points);
@@ -32,6 +37,50 @@ BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material
   stress_.assign(points, Stress::Zero());
   J_.assign(points, 1.0);
   spanSummaries_.resize(groups_.size());
+  for (const auto& span : quadrature.spans())
+    weights_.segment(span.firstPoint, span.weights.size()) = span.weights;
+  if (!reference) return;
+  assert(reference->stretch.size() == points && reference->plasticStrain.size() == points);
+  assert(reference->weights.size() == weights_.size());
+  stretch_ = reference->stretch;
+  weights_ = reference->weights;
+  plasticWork_ = reference->plasticWork;
+  for (std::size_t point = 0; point < points; ++point) accepted_[point].e_p = reference->plasticStrain[point];
+}
+
+template <int Dim>
+template <class F>
+void BulkTerm<Dim>::forEachGradient(const Eigen::VectorXd& x, const F& f) const {
+  withKinematics<Dim>(quadrature_.kinematics(), [&](auto kinematics) {
+    constexpr Kinematics K = decltype(kinematics)::value;
+    Eigen::Matrix<double, Eigen::Dynamic, Dim> u;
+    for (const auto& span : quadrature_.spans()) {
+      gatherNodes<Dim>(x, span.nodes, u);
+      for (Eigen::Index q = 0; q < span.weights.size(); ++q)
+        f(static_cast<std::size_t>(span.firstPoint + q),
+          deformationGradient<K>(u, span.G.template middleCols<kColumns<K>>(kColumns<K> * q)));
+    }
+  });
+}
+
+template <int Dim>
+std::vector<Eigen::Matrix3d> BulkTerm<Dim>::elasticDeformation(const Eigen::VectorXd& x) const {
+  std::vector<Eigen::Matrix3d> result(accepted_.size());
+  forEachGradient(x, [&](std::size_t point, const Eigen::Matrix3d& F) {
+    const Eigen::Matrix3d f = elasticGradient(point, F) * accepted_[point].F_inv;
+    result[point] = f * accepted_[point].b_e * f.transpose();
+  });
+  return result;
+}
+
+template <int Dim>
+double BulkTerm<Dim>::largestStretch(const Eigen::VectorXd& x) const {
+  double largest = 0.0;
+  forEachGradient(x, [&](std::size_t, const Eigen::Matrix3d& F) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> b(F * F.transpose(), Eigen::EigenvaluesOnly);
+    largest = std::max(largest, std::sqrt(b.eigenvalues()(2)));
+  });
+  return largest;
 }
 
 template <int Dim>
@@ -77,10 +126,13 @@ std::vector<int> unknownsOf(const std::vector<int>& nodes) {
 
 template <int Dim>
 std::unique_ptr<BulkTerm<Dim>> makeBulkTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature,
-                                            Material material, Formulation formulation) {
-  if (formulation == Formulation::ProjectedDilatation)
+                                            Material material, Formulation formulation,
+                                            const std::optional<ReferenceState>& reference) {
+  if (formulation == Formulation::ProjectedDilatation) {
+    assert(!reference);
     return std::make_unique<ProjectedTerm<Dim>>(body, quadrature, std::move(material));
-  return std::make_unique<DisplacementTerm<Dim>>(quadrature, std::move(material));
+  }
+  return std::make_unique<DisplacementTerm<Dim>>(quadrature, std::move(material), reference);
 }
 
 template class BulkTerm<2>;
@@ -88,8 +140,8 @@ template class BulkTerm<3>;
 template std::vector<int> unknownsOf<2>(const std::vector<int>&);
 template std::vector<int> unknownsOf<3>(const std::vector<int>&);
 template std::unique_ptr<BulkTerm<2>> makeBulkTerm(const Body<2>&, const SpanQuadrature<2>&, Material,
-                                                   Formulation);
+                                                   Formulation, const std::optional<ReferenceState>&);
 template std::unique_ptr<BulkTerm<3>> makeBulkTerm(const Body<3>&, const SpanQuadrature<3>&, Material,
-                                                   Formulation);
+                                                   Formulation, const std::optional<ReferenceState>&);
 
 }  // namespace burnish

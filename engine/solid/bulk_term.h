@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/material/material.h"
 #include "engine/solid/body.h"
+#include "engine/solid/reference_state.h"
 #include "engine/solid/span_quadrature.h"
 #include "engine/solver/term.h"
 
@@ -52,9 +54,30 @@ class BulkTerm : public Term {
 
   const Material& material() const { return material_; }
 
+  /// Weights of the quadrature points by stress-free volume.
+  const Eigen::VectorXd& weights() const { return weights_; }
+
+  /// Elastic left Cauchy-Green tensors b_e at the quadrature points, in the accepted state with displacements
+  /// x.
+  std::vector<Eigen::Matrix3d> elasticDeformation(const Eigen::VectorXd& x) const;
+
+  /// Largest principal stretch since the reference configuration, over quadrature points.
+  double largestStretch(const Eigen::VectorXd& x) const;
+
  protected:
-  /// The quadrature must outlive the term.
-  BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material);
+  /// reference: none for a stress-free one that has not flowed. The quadrature must outlive the term.
+  BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material,
+           const std::optional<ReferenceState>& reference = {});
+
+  /// The deformation gradient that the law sees at a point.
+  Eigen::Matrix3d elasticGradient(std::size_t point, const Eigen::Matrix3d& F) const {
+    return stretch_.empty() ? F : Eigen::Matrix3d(F * stretch_[point]);
+  }
+
+  /// J from det F at a point.
+  double volumeRatioOf(std::size_t point, double detF) const {
+    return stretch_.empty() ? detF : detF * stretch_[point].determinant();
+  }
 
   /// Evaluates the law at one point from its accepted history and adds to the span's summary; false if it
   /// cannot answer. Stress and J are stored by the formulation.
@@ -93,11 +116,17 @@ class BulkTerm : public Term {
   Material material_;
   CouplingGroups groups_;  ///< unknowns of each span
   std::vector<std::vector<int>> colours_;
+  Eigen::VectorXd weights_;
   std::vector<Stress> stress_;
   std::vector<double> J_;
   std::vector<BulkSummary> spanSummaries_;
 
  private:
+  /// Calls f with the number of every quadrature point and its deformation gradient.
+  template <class F>
+  void forEachGradient(const Eigen::VectorXd& x, const F& f) const;
+
+  std::vector<Eigen::Matrix3d> stretch_;  ///< V_e of the reference state; empty: one everywhere
   std::vector<MaterialState> accepted_, trial_;
   BulkSummary summary_;
   double plasticWork_ = 0.0;
@@ -107,10 +136,11 @@ class BulkTerm : public Term {
 template <int Dim>
 std::vector<int> unknownsOf(const std::vector<int>& nodes);
 
-/// The bulk term of a body in the given formulation. The quadrature, made from the same body, must outlive
-/// it.
+/// The bulk term of a body in the given formulation. reference: see the displacement formulation, the only
+/// one that has it. The quadrature, made from the same body, must outlive the term.
 template <int Dim>
 std::unique_ptr<BulkTerm<Dim>> makeBulkTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature,
-                                            Material material, Formulation formulation);
+                                            Material material, Formulation formulation,
+                                            const std::optional<ReferenceState>& reference = {});
 
 }  // namespace burnish

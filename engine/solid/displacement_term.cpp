@@ -21,8 +21,9 @@ struct DisplacementTerm<Dim>::Workspace {
 };
 
 template <int Dim>
-DisplacementTerm<Dim>::DisplacementTerm(const SpanQuadrature<Dim>& quadrature, Material material)
-    : BulkTerm<Dim>(quadrature, std::move(material)) {}
+DisplacementTerm<Dim>::DisplacementTerm(const SpanQuadrature<Dim>& quadrature, Material material,
+                                        const std::optional<ReferenceState>& reference)
+    : BulkTerm<Dim>(quadrature, std::move(material), reference) {}
 
 template <int Dim>
 template <Kinematics K, class Law>
@@ -40,10 +41,11 @@ bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, con
   for (Eigen::Index q = 0; q < Q; ++q) {
     const auto G = span.G.template middleCols<C>(C * q);
     const Eigen::Matrix3d F = deformationGradient<K>(work.u, G);
-    const double J = volumeRatio<K>(F);
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
-    const double w = span.weights(q);
-    if (!(J > 0.0) || !this->respond(law, point, w, F, response, summary)) return false;
+    const double J = this->volumeRatioOf(point, volumeRatio<K>(F));
+    const double w = this->weights_(span.firstPoint + q);
+    if (!(J > 0.0) || !this->respond(law, point, w, this->elasticGradient(point, F), response, summary))
+      return false;
     summary.minJ = std::min(summary.minJ, J);
     this->J_[point] = J;
     this->stress_[point] = response.tau;

@@ -8,7 +8,9 @@ template <int Dim>
 class DisplacementTerm final : public BulkTerm<Dim> {
  public:
   /// The quadrature must outlive the term.
-  DisplacementTerm(const SpanQuadrature<Dim>& quadrature, Material material);
+  /// reference: none for a stress-free one that has not flowed.
+  DisplacementTerm(const SpanQuadrature<Dim>& quadrature, Material material,
+                   const std::optional<ReferenceState>& reference = {});
 
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 

@@ -60,6 +60,17 @@ void SteppingState::archive(StateArchive& archive) {
   archive.field("smallest_step", smallestStep);
 }
 
+NewtonReport Stepping::settle() {
+  Eigen::VectorXd x = state_.x;
+  NewtonReport report = newton_.solve(state_.time, target_(state_.time), x);
+  state_.iterations += report.iterations;
+  if (report.outcome != NewtonOutcome::Converged) return report;
+  newton_.rememberTangent();
+  for (Term* term : terms_) term->accept();
+  state_.x = std::move(x);
+  return report;
+}
+
 Walk Stepping::advance(double time, double nominal, const std::function<bool(const StepReport&)>& accepted) {
   int attempted = 0, cuts = 0;
   while (state_.time < time) {

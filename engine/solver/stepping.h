@@ -57,6 +57,10 @@ class Stepping {
   /// whether to go on.
   Walk advance(double time, double nominal, const std::function<bool(const StepReport&)>& accepted);
 
+  /// Brings the unknowns into equilibrium at the current time; the state and the histories are changed only
+  /// if that converges.
+  NewtonReport settle();
+
   /// The state; for the histories of the terms and Newton's tangent see there.
   void archive(StateArchive& archive) { state_.archive(archive); }
 

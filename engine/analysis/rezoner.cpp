@@ -1,0 +1,393 @@
+#include "engine/analysis/rezoner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/analysis/frames.h"
+#include "engine/core/error.h"
+#include "engine/rezoning/inverse_map.h"
+#include "engine/solid/span_quadrature.h"
+
+namespace burnish {
+namespace {
+
+/// Lengths that the scene leaves out, in parts of the smaller of the tool's half thickness and a sixth of the
+/// body's size.
+constexpr double kTravel = 0.12;
+constexpr double kAhead = 0.4;
+constexpr double kBehind = 0.1;
+constexpr double kRounding = 0.06;
+
+/// After a rezoning the step begins at a quarter of the nominal one; after one that failed, the next is tried
+/// after a quarter of the travel.
+constexpr int kLevelAfterwards = 2;
+constexpr double kShareToNextTry = 0.25;
+
+/// Parts in which the gaps with which a stage begins are taken away, until one way leads to equilibrium.
+constexpr std::array kRamps{1, 4, 16};
+
+Patch<2> deformedPatch(const Patch<2>& patch, const Eigen::VectorXd& x) {
+  const Eigen::Index n = patch.points().cols();
+  return {patch.basis(), patch.points() + x.head(2 * n).reshaped(2, n), patch.weights()};
+}
+
+/// Value at a parameter of the field with these coefficients, components x nodes.
+Eigen::VectorXd valueAt(const Patch<2>& patch, const Eigen::MatrixXd& coefficients,
+                        const Eigen::Vector2d& xi) {
+  const int span = patch.findSpan(xi);
+  return coefficients(Eigen::all, patch.basis().spanFunctions(span)) * patch.shape(span, xi).R;
+}
+
+Eigen::Matrix2Xd anchorPositions(const Patch<2>& patch) {
+  const auto& basis = patch.basis();
+  Eigen::Matrix2Xd positions(2, basis.numFunctions());
+  for (int a = 0; a < basis.numFunctions(); ++a) {
+    const auto index = basis.functionIndex(a);
+    positions.col(a) =
+        patch.position({basis.direction(0).anchor(index[0]), basis.direction(1).anchor(index[1])});
+  }
+  return positions;
+}
+
+/// Parameters of the quadrature points of a contact face.
+std::vector<double> faceParameters(const Patch<1, 2>& trace, const FaceQuadrature<2>& face) {
+  std::vector<double> parameters;
+  for (std::size_t e = 0; e < face.spans().size(); ++e)
+    for (const auto& xi :
+         spanRule(trace.basis(), static_cast<int>(e), static_cast<int>(face.spans()[e].R.cols())).points)
+      parameters.push_back(xi(0));
+  return parameters;
+}
+
+void archiveBasis(StateArchive& archive, const std::string& name, std::optional<UnivariateBasis>& basis) {
+  int degree = basis ? basis->degree() : 0;
+  int isLagrange = basis && basis->family() == BasisFamily::Lagrange ? 1 : 0;
+  std::vector<double> knots = basis ? basis->knots() : std::vector<double>{};
+  archive.field(name + "degree", degree);
+  archive.field(name + "is_lagrange", isLagrange);
+  archive.field(name + "knots", knots);
+  if (!archive.restores()) return;
+  basis = isLagrange == 1 ? UnivariateBasis::lagrange(degree, knots)
+                          : UnivariateBasis::bspline(KnotVector(degree, knots));
+}
+
+/// Columns as one list of values.
+void archiveMatrix(StateArchive& archive, const std::string& name, Eigen::Index rows,
+                   Eigen::MatrixXd& matrix) {
+  Eigen::VectorXd values = matrix.reshaped();
+  archive.field(name, values);
+  if (values.size() % rows != 0) throw Error(fmt::format("the saved {} is not that of a mesh", name));
+  matrix = values.reshaped(rows, values.size() / rows).eval();
+}
+
+void archiveStates(StateArchive& archive, PointStates& states) {
+  Eigen::MatrixXd b_e(9, std::ssize(states.b_e));
+  for (Eigen::Index k = 0; k < b_e.cols(); ++k)
+    b_e.col(k) = states.b_e[static_cast<std::size_t>(k)].reshaped();
+  archiveMatrix(archive, "b_e", 9, b_e);
+  archive.field("e_p", states.e_p);
+  if (!archive.restores()) return;
+  if (b_e.cols() != std::ssize(states.e_p)) throw Error("the saved states are not those of one mesh");
+  states.b_e.clear();
+  for (Eigen::Index k = 0; k < b_e.cols(); ++k) states.b_e.emplace_back(b_e.col(k).reshaped(3, 3));
+}
+
+/// The body of one patch with its states; an empty one is filled from the archive.
+void archiveBody(StateArchive& archive, std::optional<RezonedBody<2>>& body) {
+  std::array<std::optional<UnivariateBasis>, 2> directions;
+  Eigen::MatrixXd points;
+  bool axisymmetric = false;
+  if (body) {
+    const Patch<2>& patch = body->named.body.patches.front();
+    for (std::size_t d = 0; d < 2; ++d) directions[d] = patch.basis().direction(static_cast<int>(d));
+    points = patch.points();
+    axisymmetric = body->named.body.axisymmetric;
+  } else {
+    body.emplace();
+  }
+  int isAxisymmetric = axisymmetric ? 1 : 0;
+  archiveBasis(archive, "first_", directions[0]);
+  archiveBasis(archive, "second_", directions[1]);
+  archiveMatrix(archive, "points", 2, points);
+  archive.field("is_axisymmetric", isAxisymmetric);
+  archive.field("time", body->time);
+  archive.field("plastic_work", body->plasticWork);
+  archiveStates(archive, body->states);
+  if (!archive.restores()) return;
+  const Eigen::Index n = points.cols();
+  body->named = {makeBody(Patch<2>(TensorBasis<2>({*directions[0], *directions[1]}), std::move(points),
+                                   Eigen::VectorXd::Ones(n))),
+                 {{}}};
+  body->named.body.axisymmetric = isAxisymmetric == 1;
+}
+
+double smallestThickness(const Model<2>& model) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& pair : model.contacts())
+    smallest = std::min(smallest, halfThickness(model.tools()[pair.tool]->shape));
+  return smallest;
+}
+
+/// Brings a stage into equilibrium while the gaps with which it begins, and which pairs in contact should not
+/// have, are taken away in equal parts.
+NewtonReport settle(Stage<2>& stage, int parts) {
+  std::vector<Eigen::VectorXd> origins;
+  static_cast<void>(stage.evaluateHere());
+  for (const auto& pair : stage.model->contacts()) {
+    const Eigen::VectorXd& gaps = pair.term->state().averageGap;
+    Eigen::VectorXd& origin = origins.emplace_back(gaps.cwiseMin(0.0));
+    for (int a = 0; a < pair.term->numMultipliers(); ++a)
+      if (stage.stepping.state().x(pair.term->firstMultiplier() + a) < 0.0) origin(a) = gaps(a);
+  }
+  NewtonReport report;
+  int iterations = 0;
+  for (int left = parts - 1; left >= 0; --left) {
+    for (std::size_t k = 0; k < origins.size(); ++k)
+      stage.model->contacts()[k].term->countGapsFrom(left == 0 ? Eigen::VectorXd()
+                                                               : Eigen::VectorXd(origins[k] * left / parts));
+    report = stage.stepping.settle();
+    iterations += report.iterations;
+    if (report.outcome != NewtonOutcome::Converged) break;
+  }
+  report.iterations = iterations;
+  return report;
+}
+
+}  // namespace
+
+Rezoner::Rezoner(const Scene& scene, const Stage<2>& initial)
+    : scene_(scene),
+      spec_(*scene.rezoning),
+      face_(faceFromName<2>(scene.contact.front().place.face)),
+      length_(std::min(smallestThickness(*initial.model), initial.model->body().size() / 6.0)),
+      travel_(spec_.travel.value_or(kTravel * length_)),
+      volume_(initial.model->bulk().weights().sum()),
+      last_(posesOf(initial)),
+      wait_(travel_),
+      origin_(initial.model->body().nodePositions()) {}
+
+std::vector<ToolPose> Rezoner::posesOf(const Stage<2>& stage) const {
+  std::vector<ToolPose> poses;
+  const auto& state = stage.stepping.state();
+  for (const auto& tool : stage.model->tools())
+    poses.push_back(tool->pose(std::max(0.0, state.time), state.x));
+  return poses;
+}
+
+double Rezoner::travelSince(const Stage<2>& stage, const std::vector<ToolPose>& from) const {
+  const auto poses = posesOf(stage);
+  double travel = 0.0;
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    travel = std::max(travel, (poses[k].displacement - from[k].displacement).norm());
+  return travel;
+}
+
+bool Rezoner::isDue(const Stage<2>& stage) const {
+  constexpr double kRounding = 1.0 - 1e-9;
+  const double travel = travelSince(stage, last_);
+  if (travel >= kRounding * wait_) return true;
+  if (travel < kRounding * kShareToNextTry * travel_) return false;
+  const auto& x = stage.stepping.state().x;
+  if (stage.model->bulk().largestStretch(x) > spec_.stretch) return true;
+  return spec_.quality > 0.0 &&
+         meshQuality(deformedPatch(stage.model->body().patches.front(), x)) < spec_.quality;
+}
+
+Rezoner::Place Rezoner::findContact(const Stage<2>& stage, const ArcLengthCurve& face) const {
+  const Model<2>& model = *stage.model;
+  const auto trace = tracePatch(model.body().patches.front(), face_);
+  Place place{{std::numeric_limits<double>::infinity(), 0.0}, 1.0};
+  double nearest = std::numeric_limits<double>::infinity(), nearestPlace = 0.0;
+  std::size_t tool = 0;
+  for (const auto& pair : model.contacts()) {
+    const ContactState& state = pair.term->state();
+    const auto parameters = faceParameters(trace, pair.term->face());
+    for (std::size_t q = 0; q < parameters.size(); ++q) {
+      const auto point = static_cast<Eigen::Index>(q);
+      if (state.gap(point) < nearest) {
+        nearest = state.gap(point);
+        nearestPlace = parameters[q];
+        tool = pair.tool;
+      }
+      if (state.pressure(point) == 0.0) continue;
+      place.contact.begin = std::min(place.contact.begin, face.lengthTo(parameters[q]));
+      place.contact.end = std::max(place.contact.end, face.lengthTo(parameters[q]));
+    }
+  }
+  if (place.contact.begin > place.contact.end) {
+    const double s = face.lengthTo(nearestPlace);
+    place.contact = {s, s};
+  }
+  const Eigen::Vector3d moved = posesOf(stage)[tool].displacement - last_[tool].displacement;
+  const double middle = 0.5 * (place.contact.begin + place.contact.end);
+  if (moved.head<2>().dot(face.tangentAt(middle)) < 0.0) place.direction = -1.0;
+  return place;
+}
+
+RemeshOptions Rezoner::options(const Stage<2>& stage, const Patch<2>& deformed) const {
+  const ArcLengthCurve face(tracePatch(deformed, face_));
+  const Place place = findContact(stage, face);
+  const double ahead = spec_.ahead.value_or(kAhead * length_),
+               behind = spec_.behind.value_or(kBehind * length_);
+  RemeshOptions options;
+  options.face = face_;
+  options.finest = {place.contact.begin - (place.direction > 0.0 ? behind : ahead),
+                    place.contact.end + (place.direction > 0.0 ? ahead : behind)};
+  options.growth = {spec_.growth, kRounding * length_};
+  for (std::size_t d = 0; d < 2; ++d)
+    options.spans[d] =
+        spec_.spans.empty() ? deformed.basis().direction(static_cast<int>(d)).numSpans() : spec_.spans[d];
+  options.turn = spec_.turn;
+  options.firstLayer = spec_.firstLayer;
+  options.smallestDeterminant = spec_.smallestDeterminant;
+  return options;
+}
+
+/// λ̂ per new reference area: what pressed on an old reference area presses on the stretched one now.
+void Rezoner::setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
+                             Eigen::VectorXd& x) const {
+  const Model<2>& model = *stage.model;
+  const auto before = tracePatch(model.body().patches.front(), face_), now = tracePatch(deformed, face_);
+  const auto newTrace = tracePatch(next.body().patches.front(), face_);
+  const ArcLengthCurve oldCurve(now), newCurve(newTrace);
+  for (std::size_t k = 0; k < next.contacts().size(); ++k) {
+    const auto& oldTerm = *model.contacts()[k].term;
+    const auto& newTerm = *next.contacts()[k].term;
+    for (int a = 0; a < newTerm.numMultipliers(); ++a) {
+      const double share = newCurve.lengthTo(newTrace.basis().direction(0).anchor(a)) / newCurve.length();
+      const Eigen::Vector<double, 1> xi(oldCurve.parameterAt(share * oldCurve.length()));
+      const int span = before.findSpan(xi);
+      const auto shape = before.shape(span, xi);
+      const auto functions = before.basis().spanFunctions(span);
+      const double stretch = now.jacobian(xi).norm() * next.body().circumference(now.position(xi)) /
+                             (before.jacobian(xi).norm() * model.body().circumference(before.position(xi)));
+      const double lambda = shape.R.dot(oldTerm.state().lambdaHat(functions)) / stretch;
+      x(newTerm.firstMultiplier() + a) = std::min(0.0, lambda);
+    }
+  }
+}
+
+SteppingState Rezoner::startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
+                               const Eigen::Matrix2Xd& anchors) const {
+  const SteppingState& before = stage.stepping.state();
+  SteppingState start = before;
+  start.x = Eigen::VectorXd::Zero(next.numUnknowns());
+  setMultipliers(stage, deformed, next, start.x);
+  start.level = std::max(before.level, kLevelAfterwards);
+  start.easySteps = 0;
+  start.lastIncrement.resize(0);
+  if (before.lastIncrement.size() == 0) return start;
+  start.lastIncrement = Eigen::VectorXd::Zero(next.numUnknowns());
+  const Eigen::MatrixXd increments =
+      before.lastIncrement.head(stage.model->numDisplacements()).reshaped(2, stage.model->body().numNodes);
+  for (Eigen::Index a = 0; a < anchors.cols(); ++a)
+    start.lastIncrement.segment<2>(2 * a) = valueAt(deformed, increments, anchors.col(a));
+  return start;
+}
+
+std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
+  const auto& state = stage.stepping.state();
+  const Patch<2> deformed = deformedPatch(stage.model->body().patches.front(), state.x);
+  const auto meshing = remesh(deformed, options(stage, deformed));
+  last_ = posesOf(stage);
+  wait_ = kShareToNextTry * travel_;
+  if (!meshing) {
+    ++failures_;
+    return nullptr;
+  }
+
+  RezonedBody<2> body{{makeBody(meshing->patch), {{}}}, {}, stage.model->bulk().plasticWork(), state.time};
+  body.named.body.axisymmetric = stage.model->body().axisymmetric;
+  const SpanQuadrature<2> quadrature(body.named.body, scene_.quadraturePoints.value_or(0));
+  const InverseMap map(deformed);
+  const Eigen::Matrix2Xd parameters = parametersIn(map, pointPositions(quadrature, meshing->patch));
+  const auto& history = stage.model->bulk().history();
+  PointStates states{stage.model->bulk().elasticDeformation(state.x), {}};
+  for (const auto& point : history) states.e_p.push_back(point.e_p);
+  body.states = interpolated(stage.model->quadrature(), states, parameters);
+
+  const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch));
+  NewtonReport report;
+  std::unique_ptr<Stage<2>> next;
+  for (const int ramp : kRamps) {
+    auto model = std::make_unique<Model<2>>(scene_, body);
+    SteppingState start = startOn(stage, deformed, *model, anchors);
+    next = std::make_unique<Stage<2>>(scene_, std::move(model), std::move(start));
+    report = settle(*next, ramp);
+    if (report.outcome == NewtonOutcome::Converged) break;
+  }
+  if (report.outcome != NewtonOutcome::Converged) {
+    ++failures_;
+    return nullptr;
+  }
+  next->recorder.continueFrom(stage.recorder);
+  next->record();
+
+  Eigen::MatrixXd origin(parameters.cols(), 2);
+  for (Eigen::Index k = 0; k < parameters.cols(); ++k)
+    origin.row(k) = valueAt(deformed, origin_, parameters.col(k)).transpose();
+  origin_ = next->projection.project(origin).transpose();
+  wait_ = travel_;
+  body_ = std::move(body);
+  records_.push_back(
+      {.time = state.time,
+       .energyLost = stage.recorder.current().strainEnergy - next->recorder.current().strainEnergy,
+       .volumeDrift = next->model->bulk().weights().sum() / volume_ - 1.0,
+       .boundaryError = meshing->boundaryError,
+       .quality = meshing->quality,
+       .smallestSpan = meshing->smallestSpan,
+       .iterations = report.iterations});
+  next->recorder.noteRezoning(records_.back());
+  return next;
+}
+
+std::optional<MeshRecord> Rezoner::frameMesh(const Stage<2>& stage, Eigen::MatrixXd& displacement) const {
+  if (records_.empty()) return std::nullopt;
+  displacement += stage.model->body().nodePositions() - origin_;
+  MeshRecord mesh = meshRecord(stage.model->body());
+  mesh.patches.front().points = origin_;
+  return mesh;
+}
+
+void Rezoner::archive(StateArchive& archive) {
+  for (std::size_t k = 0; k < last_.size(); ++k) {
+    archive.field(fmt::format("tool{}_displacement", k), last_[k].displacement);
+    archive.field(fmt::format("tool{}_angle", k), last_[k].angle);
+  }
+  archive.field("wait", wait_);
+  archive.field("failures", failures_);
+  archiveRecords(archive);
+  if (records_.empty()) return;
+  archiveMatrix(archive, "origin", 2, origin_);
+  archiveBody(archive, body_);
+}
+
+void Rezoner::archiveRecords(StateArchive& archive) {
+  constexpr Eigen::Index perRecord = 7;
+  Eigen::MatrixXd values(perRecord, std::ssize(records_));
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    const auto& r = records_[static_cast<std::size_t>(k)];
+    values.col(k) << r.time, r.energyLost, r.volumeDrift, r.boundaryError, r.quality, r.smallestSpan,
+        r.iterations;
+  }
+  archiveMatrix(archive, "records", perRecord, values);
+  records_.clear();
+  for (const auto& r : values.colwise())
+    records_.push_back({r(0), r(1), r(2), r(3), r(4), r(5), static_cast<int>(r(6))});
+}
+
+std::unique_ptr<Stage<2>> Rezoner::restoredStage() const {
+  if (!body_) return nullptr;
+  auto model = std::make_unique<Model<2>>(scene_, *body_);
+  SteppingState start;
+  start.time = body_->time;
+  start.x = Eigen::VectorXd::Zero(model->numUnknowns());
+  return std::make_unique<Stage<2>>(scene_, std::move(model), std::move(start));
+}
+
+}  // namespace burnish

@@ -1,0 +1,77 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/analysis/stage.h"
+#include "engine/core/state_archive.h"
+#include "engine/results/result.h"
+#include "engine/results/summary_file.h"
+#include "engine/rezoning/curve.h"
+#include "engine/rezoning/remesh.h"
+
+namespace burnish {
+
+/// Meshes a plane or axisymmetric body of one patch anew while a tool moves along it, so that its surface is
+/// always resolved where the tool is.
+class Rezoner {
+ public:
+  /// The scene, which asks for rezoning, must outlive the object. initial: the stage in which the run begins.
+  Rezoner(const Scene& scene, const Stage<2>& initial);
+
+  /// Whether the last accepted state calls for a new mesh: the tool's travel, the stretch or the quality of
+  /// the mesh since the last one.
+  bool isDue(const Stage<2>& stage) const;
+
+  /// The stage that goes on from the last accepted state of this one, in equilibrium on a new mesh. Nothing
+  /// if there is no sound mesh or no equilibrium on it: the run then goes on as it is, and tries again after
+  /// a quarter of the travel.
+  std::unique_ptr<Stage<2>> rezone(Stage<2>& stage);
+
+  int count() const { return static_cast<int>(records_.size()); }
+  const std::vector<RezoningRecord>& records() const { return records_; }
+  int failures() const { return failures_; }
+
+  /// The mesh of a frame, its control points where the material of the mesh's parameters was at the start of
+  /// the run, approximately; nothing before the first rezoning. displacement: of the present reference,
+  /// becomes the one from the start of the run.
+  std::optional<MeshRecord> frameMesh(const Stage<2>& stage, Eigen::MatrixXd& displacement) const;
+
+  void archive(StateArchive& archive);
+
+  /// After restoring: the stage of the last rezoning, as it began; null if there was none.
+  std::unique_ptr<Stage<2>> restoredStage() const;
+
+ private:
+  struct Place {
+    ArcInterval contact;     ///< along the face, by arc length
+    double direction = 1.0;  ///< of the tools along the face: 1 towards its end
+  };
+
+  /// Where the tools press on the face, or are nearest to it.
+  Place findContact(const Stage<2>& stage, const ArcLengthCurve& face) const;
+  RemeshOptions options(const Stage<2>& stage, const Patch<2>& deformed) const;
+  SteppingState startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
+                        const Eigen::Matrix2Xd& anchors) const;
+  void setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
+                      Eigen::VectorXd& x) const;
+  std::vector<ToolPose> posesOf(const Stage<2>& stage) const;
+  double travelSince(const Stage<2>& stage, const std::vector<ToolPose>& from) const;
+  void archiveRecords(StateArchive& archive);
+
+  const Scene& scene_;
+  RezoningSpec spec_;
+  FaceId face_;
+  double length_;  ///< scale of the lengths that the scene leaves out
+  double travel_;
+  double volume_;               ///< stress-free, of the body
+  std::vector<ToolPose> last_;  ///< of the tools when the body was meshed, or that was tried
+  double wait_ = 0.0;           ///< travel from there to the next try
+  std::vector<RezoningRecord> records_;
+  int failures_ = 0;
+  std::optional<RezonedBody<2>> body_;  ///< as the present stage began
+  Eigen::MatrixXd origin_;              ///< 2 x nodes: see `frameMesh`
+};
+
+}  // namespace burnish

@@ -1,0 +1,43 @@
+#include "engine/analysis/stage.h"
+
+#include <utility>
+
+namespace burnish {
+
+template <int Dim>
+Stage<Dim>::Stage(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start)
+    : model(std::move(itsModel)),
+      terms(model->terms()),
+      newton(terms, model->prescribed(), model->residualScales(),
+             {.tolerance = scene.solver.tolerance, .maxIterations = scene.solver.maxIterations}),
+      stepping(
+          newton, terms, [this](double t) { return model->target(t); }, {.maxCuts = scene.solver.maxCuts},
+          std::move(start)),
+      projection(model->quadrature()),
+      recorder(scene, *model, projection) {}
+
+template <int Dim>
+typename Stage<Dim>::Forces Stage<Dim>::evaluateHere() {
+  const auto& state = stepping.state();
+  Forces forces{{}, Eigen::VectorXd::Zero(model->numUnknowns())};
+  for (Term* term : terms) {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(model->numUnknowns());
+    Assembly out{force};
+    static_cast<void>(term->evaluate(state.time, state.x, out));  // an accepted state is admissible
+    forces.total += force;
+    if (term == terms.front()) forces.bulk = std::move(force);
+  }
+  return forces;
+}
+
+template <int Dim>
+void Stage<Dim>::record() {
+  Eigen::VectorXd total = Eigen::VectorXd::Zero(model->numUnknowns());
+  for (std::size_t k = 0; k < terms.size(); ++k) total += newton.force(k);
+  recorder.update({stepping.state().time, stepping.state().x, newton.force(0)}, total);
+}
+
+template struct Stage<2>;
+template struct Stage<3>;
+
+}  // namespace burnish

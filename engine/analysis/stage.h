@@ -1,0 +1,39 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "engine/analysis/model.h"
+#include "engine/analysis/recorder.h"
+#include "engine/fields/projection.h"
+#include "engine/solver/newton.h"
+#include "engine/solver/stepping.h"
+
+namespace burnish {
+
+/// A model with everything that solves and records it: what is replaced when the body is meshed anew.
+template <int Dim>
+struct Stage {
+  /// The scene must outlive the stage.
+  Stage(const Scene& scene, std::unique_ptr<Model<Dim>> model, SteppingState start);
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  struct Forces {
+    Eigen::VectorXd bulk, total;
+  };
+
+  /// Evaluates the terms at the current state without a step.
+  Forces evaluateHere();
+
+  /// Hands the state that a step has just reached to the recorder.
+  void record();
+
+  std::unique_ptr<Model<Dim>> model;
+  std::vector<Term*> terms;
+  Newton newton;
+  Stepping stepping;
+  Projection<Dim> projection;
+  Recorder<Dim> recorder;
+};
+
+}  // namespace burnish

@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Dense>
+#include <array>
+#include <vector>
+
+namespace burnish {
+
+/// Values on a tensor grid of parameters, between its points by cubic interpolation in each direction. What
+/// is interpolated stays within the range of the three by three points around it, so that a steep profile
+/// does not overshoot; beyond the outermost points it is continued linearly.
+class GridInterpolation {
+ public:
+  /// coordinates: increasing, at least two per direction. values: components x points, first direction
+  /// fastest.
+  GridInterpolation(std::array<std::vector<double>, 2> coordinates, Eigen::MatrixXd values);
+
+  Eigen::VectorXd operator()(const Eigen::Vector2d& xi) const;
+
+ private:
+  /// Points of a direction and what they contribute.
+  struct Stencil {
+    int first = 0;
+    Eigen::VectorXd weights;
+    int nearest = 0;
+    bool inside = true;
+  };
+
+  static Stencil stencil(const std::vector<double>& coordinates, double x);
+
+  std::array<std::vector<double>, 2> coordinates_;
+  Eigen::MatrixXd values_;
+};
+
+}  // namespace burnish

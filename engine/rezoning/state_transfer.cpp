@@ -1,0 +1,95 @@
+#include "engine/rezoning/state_transfer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/material/symmetric_tensor.h"
+#include "engine/rezoning/grid_interpolation.h"
+
+namespace burnish {
+namespace {
+
+/// f of the eigenvalues of a symmetric tensor.
+template <class F>
+Eigen::Matrix3d tensorFunction(const Eigen::Matrix3d& T, const F& f) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(T);
+  return axes.eigenvectors() * axes.eigenvalues().unaryExpr(f).asDiagonal() * axes.eigenvectors().transpose();
+}
+
+/// Coordinates of the quadrature points of a patch in one direction.
+std::vector<double> gridCoordinates(const SpanQuadrature<2>& quadrature, Eigen::Index direction) {
+  std::vector<double> coordinates;
+  for (const auto& span : quadrature.spans())
+    coordinates.insert(coordinates.end(), span.xi.row(direction).begin(), span.xi.row(direction).end());
+  std::sort(coordinates.begin(), coordinates.end());
+  coordinates.erase(std::unique(coordinates.begin(), coordinates.end()), coordinates.end());
+  return coordinates;
+}
+
+}  // namespace
+
+Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& positions) {
+  Eigen::Matrix2Xd parameters(2, positions.cols());
+  Eigen::Vector2d guess = Eigen::Vector2d::Zero();
+  for (Eigen::Index k = 0; k < positions.cols(); ++k) {
+    guess = old(positions.col(k), guess);
+    parameters.col(k) = guess;
+  }
+  return parameters;
+}
+
+Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch<2>& patch) {
+  Eigen::Matrix2Xd positions(2, quadrature.numPoints());
+  for (const auto& span : quadrature.spans())
+    positions.middleCols(span.firstPoint, span.R.cols()) = patch.points()(Eigen::all, span.nodes) * span.R;
+  return positions;
+}
+
+PointStates interpolated(const SpanQuadrature<2>& quadrature, const PointStates& states,
+                         const Eigen::Matrix2Xd& parameters) {
+  std::array<std::vector<double>, 2> grid{gridCoordinates(quadrature, 0), gridCoordinates(quadrature, 1)};
+  Eigen::MatrixXd values(5, quadrature.numPoints());
+  for (const auto& span : quadrature.spans())
+    for (Eigen::Index q = 0; q < span.xi.cols(); ++q) {
+      Eigen::Index place = 0;
+      for (std::size_t d = 2; d-- > 0;) {
+        const auto found =
+            std::lower_bound(grid[d].begin(), grid[d].end(), span.xi(static_cast<Eigen::Index>(d), q));
+        place = place * std::ssize(grid[d]) + (found - grid[d].begin());
+      }
+      const auto point = static_cast<std::size_t>(span.firstPoint + q);
+      values.col(place).head<4>() =
+          components<2>(tensorFunction(states.b_e[point], [](double v) { return std::log(v); }));
+      values(4, place) = states.e_p[point];
+    }
+  const GridInterpolation interpolation(std::move(grid), std::move(values));
+
+  PointStates result;
+  for (Eigen::Index k = 0; k < parameters.cols(); ++k) {
+    const Eigen::VectorXd value = interpolation(parameters.col(k));
+    result.b_e.push_back(
+        tensorFunction(fullTensor<2>(value.head<4>()), [](double v) { return std::exp(v); }));
+    result.e_p.push_back(std::max(0.0, value(4)));
+  }
+  return result;
+}
+
+template <int Dim>
+ReferenceState referenceState(const SpanQuadrature<Dim>& quadrature, const PointStates& states) {
+  ReferenceState reference{{}, states.e_p, Eigen::VectorXd(quadrature.numPoints()), 0.0};
+  for (const auto& b_e : states.b_e)
+    reference.stretch.push_back(tensorFunction(b_e, [](double v) { return std::sqrt(v); }));
+  for (const auto& span : quadrature.spans())
+    for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
+      const auto point = span.firstPoint + q;
+      reference.weights(point) =
+          span.weights(q) / reference.stretch[static_cast<std::size_t>(point)].determinant();
+    }
+  return reference;
+}
+
+template ReferenceState referenceState(const SpanQuadrature<2>&, const PointStates&);
+template ReferenceState referenceState(const SpanQuadrature<3>&, const PointStates&);
+
+}  // namespace burnish

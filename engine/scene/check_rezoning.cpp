@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include "engine/scene/check_context.h"
+
+namespace burnish {
+namespace {
+
+/// What a scene with rezoning cannot have.
+void refuse(const CheckContext& c, bool found, const std::string& path, const std::string& what) {
+  if (found && c.clean(path))
+    c.report(path, fmt::format("found {} in a scene with rezoning; allowed there: none.", what));
+}
+
+void checkContact(const CheckContext& c) {
+  if (!c.clean("contact")) return;
+  const auto& contact = c.scene.contact;
+  if (contact.empty())
+    c.report("rezoning",
+             "found in a scene without contact; allowed: with one contact face, which tells where knot "
+             "spans are needed.");
+  for (std::size_t k = 1; k < contact.size(); ++k)
+    if (contact[k].place.face != contact.front().place.face)
+      c.report(fmt::format("contact[{}].face", k),
+               fmt::format("found {} beside {} in a scene with rezoning; allowed there: one contact face.",
+                           contact[k].place.face, contact.front().place.face));
+}
+
+bool hasCreases(const GeometrySpec& geometry) {
+  for (const auto& creases : geometry.mesh.creases)
+    if (!creases.empty()) return true;
+  return false;
+}
+
+}  // namespace
+
+void checkRezoning(const CheckContext& c) {
+  if (!c.scene.rezoning || !c.clean("rezoning")) return;
+  if (c.dimensionIsKnown() && c.scene.dim() == 3)
+    return c.report("rezoning", "found in a scene of three dimensions; allowed: in two.");
+  if (std::holds_alternative<PatchesSpec>(c.scene.geometry.shape))
+    return c.report("rezoning", "found for a body of several patches; allowed: a body of one.");
+  refuse(c, hasCreases(c.scene.geometry), "geometry.creases", "creases, which new meshes would lose,");
+  refuse(c, c.scene.formulation == FormulationChoice::Fbar, "formulation", "fbar");
+  refuse(c, !c.scene.loads.empty(), "loads", "loads");
+  for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
+    const std::string path = fmt::format("supports[{}]", k);
+    refuse(c, c.scene.supports[k].prescribe.has_value(), path + ".prescribe", "formulas of reference places");
+    refuse(c, !c.scene.supports[k].place.part.empty(), path + ".part", "a support on a part of a face");
+  }
+  for (std::size_t k = 0; k < c.scene.tools.size(); ++k)
+    refuse(c, c.scene.tools[k].carry.has_value(), fmt::format("tools[{}].carry", k), "a tool with free ways");
+  for (std::size_t k = 0; k < c.scene.measures.size(); ++k) {
+    const auto& kind = c.scene.measures[k].kind;
+    refuse(c,
+           std::holds_alternative<PointMeasureSpec>(kind) || std::holds_alternative<FaceMeasureSpec>(kind) ||
+               std::holds_alternative<ErrorMeasureSpec>(kind),
+           fmt::format("measures[{}]", k), "a measure of points of the undeformed mesh");
+  }
+  checkContact(c);
+}
+
+}  // namespace burnish

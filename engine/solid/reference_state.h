@@ -1,0 +1,20 @@
+#pragma once
+#include <Eigen/Dense>
+#include <vector>
+
+namespace burnish {
+
+/// What the points of a body had been through when its present reference configuration was chosen, one entry
+/// per quadrature point. The deformation that the law sees is F V_e: the stress-free state of a point's
+/// neighbourhood is taken to the reference by its elastic stretch V_e = √b_e, plastic flow left aside.
+struct ReferenceState {
+  std::vector<Eigen::Matrix3d> stretch;  ///< V_e, symmetric and positive
+  std::vector<double> plasticStrain;     ///< e_p
+
+  /// Quadrature weights by stress-free volume: those of the reference over det V_e.
+  Eigen::VectorXd weights;
+
+  double plasticWork = 0.0;  ///< of the whole body
+};
+
+}  // namespace burnish
