@@ -1,6 +1,5 @@
 #include "engine/analysis/geometry_check.h"
 
-#include <CGAL/box_intersection_d.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/analysis/boundary_crossing.h"
 #include "engine/core/input_error.h"
 
 namespace burnish {
@@ -63,18 +63,6 @@ void requirePositive(const Patch<Dim>& patch, const std::string& path) {
                         fmt::join(found.place, ", "), found.lowest));
 }
 
-/// A piece of the outer boundary between two samples.
-struct Piece {
-  Eigen::Vector2d begin, end;
-  std::string face;
-
-  /// Distance to the left of the line through the piece.
-  double leftOf(const Eigen::Vector2d& x) const {
-    const Eigen::Vector2d along = (end - begin).normalized(), to = x - begin;
-    return along.x() * to.y() - along.y() * to.x();
-  }
-};
-
 /// Samples of a face in order. The inner ones stand at odd places, so that lines which cross at round numbers
 /// do not meet in samples.
 std::vector<Eigen::Vector2d> samplesOf(const Patch<1, 2>& face) {
@@ -92,8 +80,8 @@ std::vector<Eigen::Vector2d> samplesOf(const Patch<1, 2>& face) {
   return samples;
 }
 
-std::vector<Piece> outerBoundary(const FaceFinder<2>& faces) {
-  std::vector<Piece> pieces;
+std::vector<BoundaryPiece> outerBoundary(const FaceFinder<2>& faces) {
+  std::vector<BoundaryPiece> pieces;
   for (const OuterFace& face : faces.outerFaces()) {
     const auto& patch = faces.body().patches[static_cast<std::size_t>(face.patch)];
     const auto samples = samplesOf(tracePatch(patch, face.side));
@@ -103,38 +91,14 @@ std::vector<Piece> outerBoundary(const FaceFinder<2>& faces) {
   return pieces;
 }
 
-/// Whether the ends of each of the pieces lie clearly on both sides of the other one.
-bool cross(const Piece& a, const Piece& b, double rounding) {
-  const auto between = [rounding](const Piece& line, const Piece& other) {
-    const double first = line.leftOf(other.begin), second = line.leftOf(other.end);
-    return std::min(first, second) < -rounding && std::max(first, second) > rounding;
-  };
-  return between(a, b) && between(b, a);
-}
-
 void requireSimpleBoundary(const FaceFinder<2>& faces) {
-  using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Piece*>;
   constexpr double kRounding = 1e-9;
-  const auto pieces = outerBoundary(faces);
-  std::vector<Box> boxes;
-  for (const Piece& piece : pieces) {
-    const Eigen::Vector2d low = piece.begin.cwiseMin(piece.end), high = piece.begin.cwiseMax(piece.end);
-    boxes.emplace_back(CGAL::Bbox_2(low.x(), low.y(), high.x(), high.y()), &piece);
-  }
-  const Piece* first = nullptr;
-  const Piece* second = nullptr;
-  const double rounding = kRounding * faces.body().size();
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (first == nullptr && cross(*a.handle(), *b.handle(), rounding))
-      std::tie(first, second) = std::minmax(a.handle(), b.handle());
-  });
-  if (first == nullptr) return;
-  const double before = first->leftOf(second->begin), after = first->leftOf(second->end);
-  const Eigen::Vector2d place = second->begin + before / (before - after) * (second->end - second->begin);
+  const auto crossing = findCrossing(outerBoundary(faces), kRounding * faces.body().size());
+  if (!crossing) return;
   throw InputError("geometry",
                    fmt::format("the boundary crosses itself near ({:.4g}, {:.4g}), face {} and face {}; move "
                                "the control points so that the body covers no place twice",
-                               place.x(), place.y(), first->face, second->face));
+                               crossing->place.x(), crossing->place.y(), crossing->first, crossing->second));
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 #include "engine/fields/body_fields.h"
 #include "engine/fields/ellipse_measure.h"
 #include "engine/fields/error_measure.h"
+#include "engine/fields/extent_measure.h"
 #include "engine/fields/face_measure.h"
+#include "engine/fields/percentile_measure.h"
 #include "engine/fields/point_measure.h"
 #include "engine/scene/scene_places.h"
 
@@ -85,6 +87,23 @@ std::unique_ptr<Measure> Measures<Dim>::make(const EllipseMeasureSpec& spec) {
   } else {
     throw Error("an ellipse is fitted to the contact of two-dimensional bodies only");
   }
+}
+
+template <int Dim>
+std::unique_ptr<Measure> Measures<Dim>::make(const ExtentMeasureSpec& spec) {
+  const int patch = model_.faces().patch(spec.place.patch);
+  return std::make_unique<ExtentMeasure<Dim>>(
+      FaceQuadrature<Dim>(model_.body(), patch, faceFromName<Dim>(spec.place.face), 0));
+}
+
+template <int Dim>
+std::unique_ptr<Measure> Measures<Dim>::make(const PercentileMeasureSpec& spec) {
+  return std::make_unique<PercentileMeasure>(
+      spec.share,
+      [this, field = spec.field]() -> Eigen::VectorXd {
+        return quadratureFields(model_.bulk(), scene_.units.stress).at(field).values.row(0);
+      },
+      [this] { return model_.bulk().weights(); });
 }
 
 template <int Dim>

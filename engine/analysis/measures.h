@@ -32,6 +32,8 @@ class Measures {
   std::unique_ptr<Measure> make(const FaceMeasureSpec& spec);
   std::unique_ptr<Measure> make(const ErrorMeasureSpec& spec);
   std::unique_ptr<Measure> make(const EllipseMeasureSpec& spec);
+  std::unique_ptr<Measure> make(const ExtentMeasureSpec& spec);
+  std::unique_ptr<Measure> make(const PercentileMeasureSpec& spec);
 
   /// Projected once per state, and only if a measure asks.
   const std::map<std::string, FieldRecord>& fields();

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/analysis/boundary_crossing.h"
 #include "engine/core/stopwatch.h"
 #include "engine/fields/body_fields.h"
 
@@ -17,6 +18,18 @@ namespace {
 constexpr double kDoubtfulSpanShare = 0.1;
 constexpr double kDoubtfulRadiusShare = 0.01;
 constexpr double kDoubtfulJ = 0.05;
+constexpr double kCrossing = 1e-9;  // relative to the body's size
+constexpr std::size_t kFirstToolDoubt = 4;
+
+/// Largest penetration over the size of a span.
+template <int Dim>
+double penetrationPerSpan(const ContactTerm<Dim>& term) {
+  double largest = 0.0;
+  for (const auto& span : term.face().spans())
+    largest = std::max(largest, -term.state().gap.segment(span.firstPoint, span.weights.size()).minCoeff() /
+                                    FaceQuadrature<Dim>::sizeOf(span));
+  return largest;
+}
 
 }  // namespace
 
@@ -28,8 +41,13 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
       measures_(scene, model, projection),
       toolWatch_(model),
       tipWatch_(model),
-      doubts_{{"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
-              {"smallest J below 0.05"}},
+      doubts_{
+          {"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
+          {"smallest J below 0.05"},
+          {"fewer than three control points carry a contact whose face penetrates by more than a tenth of "
+           "a knot span: the mesh does not resolve it any more; `rezoning: {}` in the scene of a plane body "
+           "meshes it anew under way"},
+          {"a contact face crosses itself, as contact of the body with itself is not computed"}},
       touched_(model.tools().size(), false),
       rezones_(scene.rezoning.has_value()) {
   for (auto& sentence : toolWatch_.sentences()) doubts_.push_back({std::move(sentence)});
@@ -55,8 +73,8 @@ std::vector<std::string> Recorder<Dim>::columns() const {
         "max_penetration", "min_detJ", "newton_iterations"})
     columns.emplace_back(name);
   if (rezones_)
-    for (const char* name :
-         {"rezonings", "rezoning_energy_lost", "rezoning_volume_drift", "rezoning_boundary_error"})
+    for (const char* name : {"rezonings", "rezoning_energy_lost", "rezoning_volume_drift",
+                             "rezoning_boundary_error", "crosses_itself"})
       columns.emplace_back(name);
   for (auto& column : measures_.columns()) columns.push_back(std::move(column));
   return columns;
@@ -162,6 +180,25 @@ void Recorder<Dim>::noteRezoning(const RezoningRecord& rezoning) {
 }
 
 template <int Dim>
+bool Recorder<Dim>::hasLostResolution(const ContactPair<Dim>& pair) const {
+  const int active = pair.term->state().numActive();
+  return active > 0 && active < 3 && penetrationPerSpan(*pair.term) > kDoubtfulSpanShare;
+}
+
+template <int Dim>
+bool Recorder<Dim>::crossesItself(const ContactPair<Dim>& pair) const {
+  if constexpr (Dim == 2) {
+    const Eigen::MatrixXd positions = pair.term->positions(x_);
+    std::vector<BoundaryPiece> pieces;
+    for (Eigen::Index q = 1; q < positions.cols(); ++q)
+      if (positions.col(q) != positions.col(q - 1))
+        pieces.push_back({positions.col(q - 1), positions.col(q), {}});
+    return findCrossing(pieces, kCrossing * model_.body().size()).has_value();
+  }
+  return false;
+}
+
+template <int Dim>
 void Recorder<Dim>::watch() {
   smallestJ_ = std::min(smallestJ_, current_.minJ);
   largestPenetration_ = std::max(largestPenetration_, current_.maxPenetration);
@@ -169,13 +206,12 @@ void Recorder<Dim>::watch() {
   bool penetrates = false;
   for (const auto& pair : model_.contacts()) {
     const double radius = halfThickness(model_.tools()[pair.tool]->shape);
-    for (const auto& span : pair.term->face().spans()) {
-      const double penetration =
-          -pair.term->state().gap.segment(span.firstPoint, span.weights.size()).minCoeff();
-      penetrates |= penetration > kDoubtfulSpanShare * FaceQuadrature<Dim>::sizeOf(span) ||
-                    penetration > kDoubtfulRadiusShare * radius;
-    }
+    penetrates |= penetrationPerSpan(*pair.term) > kDoubtfulSpanShare ||
+                  pair.term->state().largestPenetration() > kDoubtfulRadiusShare * radius;
   }
+  const auto& contacts = model_.contacts();
+  crossesItself_ =
+      std::any_of(contacts.begin(), contacts.end(), [&](const auto& pair) { return crossesItself(pair); });
   const auto note = [&](Doubt& doubt, bool holds) {
     if (!holds) return;
     if (doubt.steps == 0) doubt.firstTime = current_.time;
@@ -183,8 +219,11 @@ void Recorder<Dim>::watch() {
   };
   note(doubts_[0], penetrates);
   note(doubts_[1], current_.minJ < kDoubtfulJ);
+  note(doubts_[2], std::any_of(contacts.begin(), contacts.end(),
+                               [&](const auto& pair) { return hasLostResolution(pair); }));
+  note(doubts_[3], crossesItself_);
   const auto reached = toolWatch_.reached(current_.toolPoses, x_);
-  for (std::size_t k = 0; k < reached.size(); ++k) note(doubts_[2 + k], reached[k]);
+  for (std::size_t k = 0; k < reached.size(); ++k) note(doubts_[kFirstToolDoubt + k], reached[k]);
   const auto tips = tipWatch_.tips(current_.toolPoses, x_);
   for (std::size_t k = 0; k < tips.size(); ++k) {
     if (tips_[k].depth == 0.0) tips_[k] = tips[k];
@@ -231,7 +270,8 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
         static_cast<double>(newtonIterations)})
     row.push_back(value);
   if (rezones_)
-    for (const double value : {static_cast<double>(rezonings_), energyLost_, volumeDrift_, boundaryError_})
+    for (const double value : {static_cast<double>(rezonings_), energyLost_, volumeDrift_, boundaryError_,
+                               crossesItself_ ? 1.0 : 0.0})
       row.push_back(value);
   row.insert(row.end(), measured_.begin(), measured_.end());
   return row;

@@ -85,6 +85,8 @@ class Recorder {
   Eigen::VectorXd loadForces() const;
   void watch();
   void nameTips();
+  bool hasLostResolution(const ContactPair<Dim>& pair) const;
+  bool crossesItself(const ContactPair<Dim>& pair) const;
 
   const Model<Dim>& model_;
   const Projection<Dim>& projection_;
@@ -98,6 +100,7 @@ class Recorder {
   double smallestJ_ = 1.0;
   double largestPenetration_ = 0.0;
   std::vector<Doubt> doubts_;
+  bool crossesItself_ = false;     ///< a contact face does now
   std::size_t firstTipDoubt_ = 0;  ///< of one for each contact pair
   std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool

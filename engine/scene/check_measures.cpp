@@ -31,6 +31,17 @@ void checkKind(const CheckContext& c, const std::string& path, const EllipseMeas
   checkFace(c, path, ellipse.place);
 }
 
+void checkKind(const CheckContext& c, const std::string& path, const ExtentMeasureSpec& extent) {
+  checkFace(c, path, extent.place);
+}
+
+void checkKind(const CheckContext& c, const std::string& path, const PercentileMeasureSpec& percentile) {
+  if (percentile.field == "plastic_strain" && std::holds_alternative<NeoHookeanSpec>(c.scene.material) &&
+      c.clean(path + ".field"))
+    c.report(path + ".field",
+             "found plastic_strain, but the material is elastic; allowed here: another field.");
+}
+
 }  // namespace
 
 void checkMeasures(const CheckContext& c) {

@@ -262,10 +262,23 @@ struct EllipseMeasureSpec {
   FaceSpec place;
 };
 
+/// How far a face reaches: columns NAME.xmin, NAME.xmax, ...
+struct ExtentMeasureSpec {
+  FaceSpec place;
+};
+
+/// The value below which a field is in a share of the body's volume: column NAME.value.
+struct PercentileMeasureSpec {
+  std::string field;
+  double share = 0.999;
+};
+
 /// Columns of the history beside those that every run has.
 struct SceneMeasureSpec {
   std::string name;
-  std::variant<PointMeasureSpec, FaceMeasureSpec, ErrorMeasureSpec, EllipseMeasureSpec> kind;
+  std::variant<PointMeasureSpec, FaceMeasureSpec, ErrorMeasureSpec, EllipseMeasureSpec, ExtentMeasureSpec,
+               PercentileMeasureSpec>
+      kind;
 };
 
 /// A change of the scene, as `burnish run --set` takes it.

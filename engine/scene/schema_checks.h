@@ -65,6 +65,18 @@ void describe(Visitor& v, EllipseMeasureSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, ExtentMeasureSpec& s) {
+  describeFace(v, s.place);
+}
+
+template <class Visitor>
+void describe(Visitor& v, PercentileMeasureSpec& s) {
+  v.field("field", s.field, {.required = true, .choices = {"plastic_strain", "von_mises", "pressure"}},
+          "Field at the quadrature points.");
+  v.field("share", s.share, {.above = 0, .below = 1}, "Of the undeformed volume.");
+}
+
+template <class Visitor>
 void describe(Visitor& v, SceneMeasureSpec& s) {
   v.field("name", s.name, {.required = true, .identifier = true},
           "Beginning of the columns' names; different for every measure and tool.");
@@ -80,7 +92,12 @@ void describe(Visitor& v, SceneMeasureSpec& s) {
         {"ellipse",
          "The half ellipse that fits the contact pressure best, as p^2 over the square of the distance "
          "from its middle: NAME.peak, NAME.half_width, NAME.middle, and NAME.deviation, the largest "
-         "one over the peak."}}},
+         "one over the peak."},
+        {"extent",
+         "How far a face reaches now, over its quadrature points: NAME.xmin, NAME.xmax, NAME.ymin, ..."},
+        {"percentile",
+         "The value below which a field is in a share of the volume, over the quadrature points: NAME.value. "
+         "It converges where a largest value does not."}}},
       "What is measured.");
 }
 
