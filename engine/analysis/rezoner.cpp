@@ -18,7 +18,7 @@ namespace {
 
 /// Lengths that the scene leaves out, in parts of the smaller of the tool's half thickness and a sixth of the
 /// body's size.
-constexpr double kTravel = 0.12;
+constexpr double kTravel = 0.16;
 constexpr double kAhead = 0.4;
 constexpr double kBehind = 0.1;
 constexpr double kRounding = 0.06;
@@ -297,7 +297,7 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
   last_ = posesOf(stage);
   wait_ = kShareToNextTry * travel_;
   if (!meshing) {
-    ++failures_;
+    fail(fmt::format("t = {:.6g}: no mesh of the deformed body is sound", state.time));
     return nullptr;
   }
 
@@ -309,7 +309,7 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
   const auto& history = stage.model->bulk().history();
   PointStates states{stage.model->bulk().elasticDeformation(state.x), {}};
   for (const auto& point : history) states.e_p.push_back(point.e_p);
-  body.states = interpolated(stage.model->quadrature(), states, parameters);
+  body.states = interpolated(stage.model->quadrature(), deformed.basis(), states, parameters);
 
   const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch));
   NewtonReport report;
@@ -322,7 +322,8 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
     if (report.outcome == NewtonOutcome::Converged) break;
   }
   if (report.outcome != NewtonOutcome::Converged) {
-    ++failures_;
+    fail(fmt::format("t = {:.6g}: no equilibrium on a new mesh of quality {:.2g}, {}", state.time,
+                     meshing->quality, describe(report.outcome)));
     return nullptr;
   }
   next->recorder.continueFrom(stage.recorder);
@@ -346,6 +347,11 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
   return next;
 }
 
+void Rezoner::fail(std::string why) {
+  ++numFailures_;
+  failures_.push_back(std::move(why));
+}
+
 std::optional<MeshRecord> Rezoner::frameMesh(const Stage<2>& stage, Eigen::MatrixXd& displacement) const {
   if (records_.empty()) return std::nullopt;
   displacement += stage.model->body().nodePositions() - origin_;
@@ -360,7 +366,7 @@ void Rezoner::archive(StateArchive& archive) {
     archive.field(fmt::format("tool{}_angle", k), last_[k].angle);
   }
   archive.field("wait", wait_);
-  archive.field("failures", failures_);
+  archive.field("failures", numFailures_);
   archiveRecords(archive);
   if (records_.empty()) return;
   archiveMatrix(archive, "origin", 2, origin_);

@@ -31,7 +31,10 @@ class Rezoner {
 
   int count() const { return static_cast<int>(records_.size()); }
   const std::vector<RezoningRecord>& records() const { return records_; }
-  int failures() const { return failures_; }
+  int numFailures() const { return numFailures_; }
+
+  /// Why rezonings failed, of those since the run was begun or resumed.
+  const std::vector<std::string>& failures() const { return failures_; }
 
   /// The mesh of a frame, its control points where the material of the mesh's parameters was at the start of
   /// the run, approximately; nothing before the first rezoning. displacement: of the present reference,
@@ -59,6 +62,7 @@ class Rezoner {
   std::vector<ToolPose> posesOf(const Stage<2>& stage) const;
   double travelSince(const Stage<2>& stage, const std::vector<ToolPose>& from) const;
   void archiveRecords(StateArchive& archive);
+  void fail(std::string why);
 
   const Scene& scene_;
   RezoningSpec spec_;
@@ -69,7 +73,8 @@ class Rezoner {
   std::vector<ToolPose> last_;  ///< of the tools when the body was meshed, or that was tried
   double wait_ = 0.0;           ///< travel from there to the next try
   std::vector<RezoningRecord> records_;
-  int failures_ = 0;
+  int numFailures_ = 0;
+  std::vector<std::string> failures_;
   std::optional<RezonedBody<2>> body_;  ///< as the present stage began
   Eigen::MatrixXd origin_;              ///< 2 x nodes: see `frameMesh`
 };

@@ -322,7 +322,8 @@ class Run {
     summary_.timings.projection = recorder.projectionSeconds();
     if (!rezoner_) return;
     summary_.rezonings = rezoner_->records();
-    summary_.failedRezonings = rezoner_->failures();
+    summary_.failedRezonings = rezoner_->numFailures();
+    if (!rezoner_->failures().empty()) summary_.rezoningFailure = rezoner_->failures().back();
   }
 
   const Scene& scene_;

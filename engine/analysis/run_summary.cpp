@@ -44,6 +44,7 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
           .advice = s.advice,
           .doubts = doubtRecords(s.doubts),
           .rezonings = s.rezonings,
+          .rezoningFailure = s.rezoningFailure,
           .numbers = {{"end_time", s.end.time},
                       {"functions", s.functions},
                       {"unknowns", s.unknowns},

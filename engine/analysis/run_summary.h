@@ -50,7 +50,8 @@ struct RunSummary {
   std::vector<Doubt> doubts;           ///< those that held
   std::vector<std::string> idleTools;  ///< with contact pairs, but never in touch
   std::vector<RezoningRecord> rezonings;
-  int failedRezonings = 0;  ///< that found no sound mesh or no equilibrium on it
+  int failedRezonings = 0;      ///< that found no sound mesh or no equilibrium on it
+  std::string rezoningFailure;  ///< why the last of them failed
   int frames = 0;
   RunTimings timings;
   long factorNonZeros = 0;

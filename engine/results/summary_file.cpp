@@ -54,6 +54,8 @@ void writeSummary(const std::filesystem::path& directory, const SummaryRecord& s
     }
     yaml << YAML::EndSeq;
   }
+  if (!summary.rezoningFailure.empty())
+    yaml << YAML::Key << "rezoning_failure" << YAML::Value << summary.rezoningFailure;
   for (const auto& [name, value] : summary.numbers)
     yaml << YAML::Key << name << YAML::Value << fmt::format("{}", value);  // shortest that reads back exactly
   yaml << YAML::EndMap << YAML::Newline;
@@ -78,6 +80,8 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
         for (const auto& doubt : entry.second)
           summary.doubts.push_back(
               {doubt["what"].as<std::string>(), doubt["first_time"].as<double>(), doubt["steps"].as<int>()});
+      else if (name == "rezoning_failure")
+        summary.rezoningFailure = entry.second.as<std::string>();
       else if (name == "rezonings")
         for (const auto& stored : entry.second) {
           auto& rezoning = summary.rezonings.emplace_back();

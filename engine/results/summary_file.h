@@ -32,6 +32,7 @@ struct SummaryRecord {
   std::string advice{};             ///< what usually helps; may be empty
   std::vector<DoubtRecord> doubts;  ///< in the order of the first times
   std::vector<RezoningRecord> rezonings{};
+  std::string rezoningFailure{};          ///< why the last one failed that did; may be empty
   std::map<std::string, double> numbers;  ///< steps, cut_backs, iterations, seconds, …: see docs/results.md
 };
 

@@ -1,5 +1,6 @@
 #include "engine/rezoning/state_transfer.h"
 
+#include <Eigen/Sparse>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,6 +28,50 @@ std::vector<double> gridCoordinates(const SpanQuadrature<2>& quadrature, Eigen::
   return coordinates;
 }
 
+/// A field projected onto the splines that span the derivatives of a basis.
+class ReducedField {
+ public:
+  /// values: at the quadrature points of a body of one patch on the basis.
+  ReducedField(const SpanQuadrature<2>& quadrature, const TensorBasis<2>& basis,
+               const Eigen::VectorXd& values)
+      : basis_({basis.direction(0).derivativeSpace(), basis.direction(1).derivativeSpace()}) {
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(basis_.numFunctions());
+    for (const auto& span : quadrature.spans()) {
+      const auto functions = basis_.spanFunctions(span.number);
+      const auto n = static_cast<Eigen::Index>(functions.size());
+      Eigen::MatrixXd N(n, span.xi.cols());
+      for (Eigen::Index q = 0; q < N.cols(); ++q) N.col(q) = valuesAt(span.number, span.xi.col(q));
+      const Eigen::MatrixXd mass = N * span.weights.asDiagonal() * N.transpose();
+      rhs(functions) += N * span.weights.cwiseProduct(values.segment(span.firstPoint, span.weights.size()));
+      for (Eigen::Index b = 0; b < n; ++b)
+        for (Eigen::Index a = 0; a < n; ++a)
+          entries.emplace_back(functions[static_cast<std::size_t>(a)], functions[static_cast<std::size_t>(b)],
+                               mass(a, b));
+    }
+    Eigen::SparseMatrix<double> mass(basis_.numFunctions(), basis_.numFunctions());
+    mass.setFromTriplets(entries.begin(), entries.end());
+    coefficients_ = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(mass).solve(rhs);
+  }
+
+  double operator()(const Eigen::Vector2d& xi) const {
+    const int span =
+        basis_.spanNumber({basis_.direction(0).findSpan(xi(0)), basis_.direction(1).findSpan(xi(1))});
+    return valuesAt(span, xi).dot(coefficients_(basis_.spanFunctions(span)));
+  }
+
+ private:
+  Eigen::VectorXd valuesAt(int span, const Eigen::Vector2d& xi) const {
+    const auto index = basis_.spanIndex(span);
+    const Eigen::VectorXd first = basis_.direction(0).evaluate(index[0], xi(0), 0);
+    const Eigen::VectorXd second = basis_.direction(1).evaluate(index[1], xi(1), 0);
+    return (first * second.transpose()).reshaped();
+  }
+
+  TensorBasis<2> basis_;
+  Eigen::VectorXd coefficients_;
+};
+
 }  // namespace
 
 Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& positions) {
@@ -46,10 +91,11 @@ Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch
   return positions;
 }
 
-PointStates interpolated(const SpanQuadrature<2>& quadrature, const PointStates& states,
-                         const Eigen::Matrix2Xd& parameters) {
+PointStates interpolated(const SpanQuadrature<2>& quadrature, const TensorBasis<2>& basis,
+                         const PointStates& states, const Eigen::Matrix2Xd& parameters) {
   std::array<std::vector<double>, 2> grid{gridCoordinates(quadrature, 0), gridCoordinates(quadrature, 1)};
   Eigen::MatrixXd values(5, quadrature.numPoints());
+  Eigen::VectorXd volumes(quadrature.numPoints());
   for (const auto& span : quadrature.spans())
     for (Eigen::Index q = 0; q < span.xi.cols(); ++q) {
       Eigen::Index place = 0;
@@ -59,17 +105,21 @@ PointStates interpolated(const SpanQuadrature<2>& quadrature, const PointStates&
         place = place * std::ssize(grid[d]) + (found - grid[d].begin());
       }
       const auto point = static_cast<std::size_t>(span.firstPoint + q);
-      values.col(place).head<4>() =
-          components<2>(tensorFunction(states.b_e[point], [](double v) { return std::log(v); }));
+      Eigen::Matrix3d strain = tensorFunction(states.b_e[point], [](double v) { return std::log(v); });
+      volumes(span.firstPoint + q) = strain.trace();
+      strain.diagonal().array() -= strain.trace() / 3.0;
+      values.col(place).head<4>() = components<2>(strain);
       values(4, place) = states.e_p[point];
     }
   const GridInterpolation interpolation(std::move(grid), std::move(values));
+  const ReducedField volume(quadrature, basis, volumes);
 
   PointStates result;
   for (Eigen::Index k = 0; k < parameters.cols(); ++k) {
     const Eigen::VectorXd value = interpolation(parameters.col(k));
-    result.b_e.push_back(
-        tensorFunction(fullTensor<2>(value.head<4>()), [](double v) { return std::exp(v); }));
+    Eigen::Matrix3d strain = fullTensor<2>(value.head<4>());
+    strain.diagonal().array() += (volume(parameters.col(k)) - strain.trace()) / 3.0;
+    result.b_e.push_back(tensorFunction(strain, [](double v) { return std::exp(v); }));
     result.e_p.push_back(std::max(0.0, value(4)));
   }
   return result;

@@ -36,8 +36,8 @@ template <class Visitor>
 void describe(Visitor& v, RezoningSpec& s) {
   v.field(
       "travel", s.travel, {.above = 0, .unit = "length"},
-      "A new mesh after so much travel of a tool; an eighth of the tool's half thickness when left out, or a "
-      "fiftieth of the body's size if that is less.");
+      "A new mesh after so much travel of a tool; 0.16 half thicknesses of the tool when left out, or of a "
+      "sixth of the body's size if that is less. What is left out below counts from the same length.");
   v.field("stretch", s.stretch, {.above = 1},
           "A new mesh earlier if the largest principal stretch since the last one exceeds this.");
   v.field("quality", s.quality, {.atLeast = 0, .below = 1},

@@ -61,7 +61,7 @@ PointStates statesOf(const Slab& slab) {
 }
 
 PointStates transferred(const Slab& from, const PointStates& states, const Slab& to) {
-  return interpolated(from.quadrature, states,
+  return interpolated(from.quadrature, from.patch.basis(), states,
                       parametersIn(InverseMap(from.patch), pointPositions(to.quadrature, to.patch)));
 }
 
