@@ -8,13 +8,17 @@
 
 namespace burnish {
 
-/// Tells ThreadSanitizer what TBB guarantees and, not being instrumented, cannot show: what a thread did until
-/// before() is done when another one has called after(). Nothing in other builds.
+/// Tells ThreadSanitizer what TBB guarantees and, not being instrumented, cannot show: what a thread did
+/// until before() is done when another one has called after(). Nothing in other builds.
 class ThreadOrder {
  public:
 #ifdef BURNISH_THREAD_SANITIZER
-  void before() { __tsan_release(this); }
-  void after() { __tsan_acquire(this); }
+  void before() {
+    __tsan_release(this);
+  }
+  void after() {
+    __tsan_acquire(this);
+  }
 #else
   void before() {}
   void after() {}
