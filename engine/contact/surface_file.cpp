@@ -1,6 +1,7 @@
 #include "engine/contact/surface_file.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/OFF/File_scanner_OFF.h>
 #include <CGAL/IO/STL/STL_reader.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -22,6 +23,8 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -117,28 +120,47 @@ bool readStl(std::ifstream& stream, std::uintmax_t size, std::vector<Point>& poi
                   : CGAL::IO::internal::parse_ASCII_STL(stream, points, polygons, false);
 }
 
-/// Throws if the header of an OFF or PLY file promises more than the file can hold: the reader makes room for
-/// it at once.
-void requireCounts(std::ifstream& stream, std::uintmax_t size, bool isPly) {
-  std::string line;
-  bool hasElement = false;
-  for (int k = 0; k < 1000 && std::getline(stream, line) && !line.starts_with("end_header"); ++k) {
-    if (line.starts_with("#")) continue;
-    hasElement = hasElement || line.starts_with("element ");
-    if (isPly && line.starts_with("property") && !hasElement)
-      throw Error(fmt::format("found \"{}\" in its header before any element", line));
-    if (isPly && !line.starts_with("element")) continue;
-    // In an OFF file the first line with a number holds the counts, behind the format's name or below it.
-    const bool hasNumber =
-        line.find_first_of("0123456789", k == 0 ? line.find("OFF") : 0) != std::string::npos;
-    for (std::size_t at = !isPly && k == 0 ? std::min(line.find("OFF"), line.size()) : 0;
-         (at = line.find_first_of("0123456789", at)) != std::string::npos;) {
-      const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());
-      if (end - at > 18 || std::stoull(line.substr(at, end - at)) > size)
+/// An OFF file, point by point and face by face: the reader of all formats makes room for whatever it
+/// promises.
+bool readOff(std::ifstream& stream, std::vector<Point>& points, Polygons& polygons) {
+  CGAL::File_scanner_OFF scanner(stream);
+  for (std::size_t i = 0; !stream.fail() && i < scanner.size_of_vertices(); ++i) {
+    double x = 0.0, y = 0.0, z = 0.0;
+    scanner.scan_vertex(x, y, z);
+    scanner.skip_to_next_vertex(i);
+    points.emplace_back(x, y, z);
+  }
+  for (std::size_t i = 0; !stream.fail() && i < scanner.size_of_facets(); ++i) {
+    std::size_t corners = 0;
+    scanner.scan_facet(corners, i);
+    auto& polygon = polygons.emplace_back();
+    for (std::size_t k = 1; !stream.fail() && k <= corners; ++k)
+      scanner.scan_facet_vertex_index(polygon.emplace_back(), k, i);
+    scanner.skip_to_next_facet(i);
+  }
+  return !stream.fail();
+}
+
+/// Throws unless the reader of PLY files can be trusted with this header: it believes in elements without
+/// data, and makes room for a list of any length before it reads one.
+void requirePlyHeader(std::ifstream& stream, std::uintmax_t size) {
+  static const std::set<std::string> lengths{"uchar", "uint8", "ushort", "uint16"};
+  std::string line, word;
+  for (bool hasElement = false; std::getline(stream, line) && word != "end_header";) {
+    std::istringstream words(line);
+    words >> word;
+    std::string type, length;
+    std::size_t number = 0;
+    if (word == "element" && words >> type >> number) {
+      hasElement = true;
+      if (number > size)
         throw Error(fmt::format("found \"{}\" in its header, more than the file can hold", line));
-      at = end;
+    } else if (word == "property" && words >> type >> length) {
+      if (!hasElement) throw Error(fmt::format("found \"{}\" in its header before any element", line));
+      if (type == "list" && !lengths.contains(length))
+        throw Error(fmt::format("found \"{}\" in its header; allowed as the type of a list's length: {}",
+                                line, fmt::join(lengths, ", ")));
     }
-    if (!isPly && hasNumber) break;
   }
   stream.clear();
   stream.seekg(0);
@@ -150,8 +172,9 @@ bool readSoup(const std::filesystem::path& file, std::vector<Point>& points, Pol
   std::string kind = file.extension().string();
   std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return std::tolower(c); });
   if (kind == ".stl") return readStl(stream, size, points, polygons);
-  if (kind == ".off" || kind == ".ply") requireCounts(stream, size, kind == ".ply");
-  return CGAL::IO::read_polygon_soup(file.string(), points, polygons);
+  if (kind == ".off") return readOff(stream, points, polygons);
+  if (kind == ".ply") requirePlyHeader(stream, size);
+  return CGAL::IO::read_polygon_soup(file.string(), points, polygons, CGAL::parameters::verbose(false));
 }
 
 /// Throws unless all corners are points with usable coordinates.
