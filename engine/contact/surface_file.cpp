@@ -1,9 +1,5 @@
 #include "engine/contact/surface_file.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/OFF/File_scanner_OFF.h>
-#include <CGAL/IO/STL/STL_reader.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -17,30 +13,24 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <map>
-#include <set>
-#include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/contact/polygon_soup.h"
 #include "engine/core/error.h"
 
 namespace burnish {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
+using Point = SoupPoint;
+using Polygons = SoupPolygons;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Face = Mesh::Face_index;
-using Polygons = std::vector<std::vector<std::size_t>>;
 
 /// Number of places that an error names.
 constexpr std::size_t kNamed = 3;
@@ -98,85 +88,6 @@ void snap(std::vector<Point>& points) {
   }
 }
 
-/// An STL file as what its size says that it is: the reader of all formats takes text with a mistake in it
-/// for binary data, and then whatever stands there for the number of triangles.
-bool readStl(std::ifstream& stream, std::uintmax_t size, std::vector<Point>& points, Polygons& polygons) {
-  constexpr std::uintmax_t kHeader = 84, kTriangle = 50;
-  std::array<char, kHeader> header{};
-  std::uint32_t triangles = 0;
-  stream.read(header.data(), header.size());
-  std::memcpy(&triangles, header.data() + kHeader - sizeof(triangles), sizeof(triangles));
-  const bool isWhole = static_cast<bool>(stream);
-  std::string_view begin(header.data(), header.size());
-  begin.remove_prefix(std::min(begin.find_first_not_of(" \t\r\n"), begin.size()));
-  const bool saysText = begin.starts_with("solid");
-  // Behind the triangles there may be something else, unless the file claims to be text.
-  const std::uintmax_t needed = kHeader + kTriangle * triangles;
-  const bool isBinary = isWhole && (saysText ? size == needed : triangles > 0 && size >= needed);
-  if (!isBinary && !saysText) return false;
-  stream.clear();
-  stream.seekg(0);
-  return isBinary ? CGAL::IO::internal::parse_binary_STL(stream, points, polygons, false)
-                  : CGAL::IO::internal::parse_ASCII_STL(stream, points, polygons, false);
-}
-
-/// An OFF file, point by point and face by face: the reader of all formats makes room for whatever it
-/// promises.
-bool readOff(std::ifstream& stream, std::vector<Point>& points, Polygons& polygons) {
-  CGAL::File_scanner_OFF scanner(stream);
-  for (std::size_t i = 0; !stream.fail() && i < scanner.size_of_vertices(); ++i) {
-    double x = 0.0, y = 0.0, z = 0.0;
-    scanner.scan_vertex(x, y, z);
-    scanner.skip_to_next_vertex(i);
-    points.emplace_back(x, y, z);
-  }
-  for (std::size_t i = 0; !stream.fail() && i < scanner.size_of_facets(); ++i) {
-    std::size_t corners = 0;
-    scanner.scan_facet(corners, i);
-    auto& polygon = polygons.emplace_back();
-    for (std::size_t k = 1; !stream.fail() && k <= corners; ++k)
-      scanner.scan_facet_vertex_index(polygon.emplace_back(), k, i);
-    scanner.skip_to_next_facet(i);
-  }
-  return !stream.fail();
-}
-
-/// Throws unless the reader of PLY files can be trusted with this header: it believes in elements without
-/// data, and makes room for a list of any length before it reads one.
-void requirePlyHeader(std::ifstream& stream, std::uintmax_t size) {
-  static const std::set<std::string> lengths{"uchar", "uint8", "ushort", "uint16"};
-  std::string line, word;
-  for (bool hasElement = false; std::getline(stream, line) && word != "end_header";) {
-    std::istringstream words(line);
-    words >> word;
-    std::string type, length;
-    std::size_t number = 0;
-    if (word == "element" && words >> type >> number) {
-      hasElement = true;
-      if (number > size)
-        throw Error(fmt::format("found \"{}\" in its header, more than the file can hold", line));
-    } else if (word == "property" && words >> type >> length) {
-      if (!hasElement) throw Error(fmt::format("found \"{}\" in its header before any element", line));
-      if (type == "list" && !lengths.contains(length))
-        throw Error(fmt::format("found \"{}\" in its header; allowed as the type of a list's length: {}",
-                                line, fmt::join(lengths, ", ")));
-    }
-  }
-  stream.clear();
-  stream.seekg(0);
-}
-
-bool readSoup(const std::filesystem::path& file, std::vector<Point>& points, Polygons& polygons) {
-  const std::uintmax_t size = std::filesystem::file_size(file);
-  std::ifstream stream(file, std::ios::binary);
-  std::string kind = file.extension().string();
-  std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (kind == ".stl") return readStl(stream, size, points, polygons);
-  if (kind == ".off") return readOff(stream, points, polygons);
-  if (kind == ".ply") requirePlyHeader(stream, size);
-  return CGAL::IO::read_polygon_soup(file.string(), points, polygons, CGAL::parameters::verbose(false));
-}
-
 /// Throws unless all corners are points with usable coordinates.
 void requireUsable(const std::vector<Point>& points, const Polygons& polygons) {
   constexpr double kLargest = 1e100;
@@ -219,7 +130,7 @@ void requireAreas(const std::vector<Point>& points, const Polygons& polygons) {
 Mesh meshOf(const std::filesystem::path& file, double scale) {
   std::vector<Point> points;
   Polygons polygons;
-  if (!readSoup(file, points, polygons) || polygons.empty())
+  if (!readPolygonSoup(file, points, polygons) || polygons.empty())
     throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
   requireUsable(points, polygons);
   for (Point& p : points) p = Point(scale * p.x(), scale * p.y(), scale * p.z());
@@ -236,6 +147,17 @@ Mesh meshOf(const std::filesystem::path& file, double scale) {
   Mesh mesh;
   pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   return mesh;
+}
+
+/// Cuts polygons into triangles; throws if one has no shape for that.
+void requireTriangles(Mesh& mesh) {
+  if (pmp::triangulate_faces(mesh)) return;
+  std::vector<Face> polygons;
+  for (const Face face : mesh.faces())
+    if (!CGAL::is_triangle(mesh.halfedge(face), mesh)) polygons.push_back(face);
+  throw Error(
+      countedAt(polygons.size(), "polygon", " that cannot be cut into triangles", middlesOf(mesh, polygons)) +
+      "; allowed: plane polygons whose edges do not cross");
 }
 
 void requireSound(const Mesh& mesh, bool open) {
@@ -286,7 +208,7 @@ SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool op
   requireFile(file, "mesh");
   try {
     Mesh mesh = meshOf(file, scale);
-    pmp::triangulate_faces(mesh);
+    requireTriangles(mesh);
     requireSound(mesh, open);
     if (CGAL::is_closed(mesh)) pmp::orient_to_bound_a_volume(mesh);
     mesh.collect_garbage();
