@@ -151,7 +151,7 @@ Mesh meshOf(const std::filesystem::path& file, double scale) {
 
 /// Cuts polygons into triangles; throws if one has no shape for that.
 void requireTriangles(Mesh& mesh) {
-  if (pmp::triangulate_faces(mesh)) return;
+  pmp::triangulate_faces(mesh);  // what it returns does not tell
   std::vector<Face> polygons;
   for (const Face face : mesh.faces())
     if (!CGAL::is_triangle(mesh.halfedge(face), mesh)) polygons.push_back(face);
