@@ -1,5 +1,7 @@
 #include "engine/contact/surface_file.h"
 
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -7,6 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Projection_traits_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,9 +48,14 @@ std::string countedAt(std::size_t count, const char* noun, const char* rest,
                      count > texts.size() ? ", ..." : "");
 }
 
-Point middleOf(const Mesh& mesh, Face face) {
+std::vector<Point> cornersOf(const Mesh& mesh, Face face) {
   std::vector<Point> corners;
   for (const auto v : mesh.vertices_around_face(mesh.halfedge(face))) corners.push_back(mesh.point(v));
+  return corners;
+}
+
+Point middleOf(const Mesh& mesh, Face face) {
+  const auto corners = cornersOf(mesh, face);
   return CGAL::centroid(corners.begin(), corners.end());
 }
 
@@ -149,15 +157,25 @@ Mesh meshOf(const std::filesystem::path& file, double scale) {
   return mesh;
 }
 
-/// Cuts polygons into triangles; throws if one has no shape for that.
+/// Whether no edges of a polygon cross, seen along its normal.
+bool isSimple(const Mesh& mesh, Face face) {
+  const auto normal = pmp::compute_face_normal(face, mesh);
+  if (normal == CGAL::NULL_VECTOR) return false;
+  const auto corners = cornersOf(mesh, face);
+  return CGAL::is_simple_2(corners.begin(), corners.end(),
+                           CGAL::Projection_traits_3<CGAL::Kernel_traits<Point>::Kernel>(normal));
+}
+
+/// Cuts polygons into triangles; throws if the edges of one cross, of which the cut would leave a mesh that
+/// is none.
 void requireTriangles(Mesh& mesh) {
-  pmp::triangulate_faces(mesh);  // what it returns does not tell
-  std::vector<Face> polygons;
+  std::vector<Face> crossed;
   for (const Face face : mesh.faces())
-    if (!CGAL::is_triangle(mesh.halfedge(face), mesh)) polygons.push_back(face);
-  throw Error(
-      countedAt(polygons.size(), "polygon", " that cannot be cut into triangles", middlesOf(mesh, polygons)) +
-      "; allowed: plane polygons whose edges do not cross");
+    if (!CGAL::is_triangle(mesh.halfedge(face), mesh) && !isSimple(mesh, face)) crossed.push_back(face);
+  if (!crossed.empty())
+    throw Error(countedAt(crossed.size(), "polygon", " whose edges cross", middlesOf(mesh, crossed)) +
+                "; allowed: polygons that can be cut into triangles");
+  pmp::triangulate_faces(mesh);
 }
 
 void requireSound(const Mesh& mesh, bool open) {

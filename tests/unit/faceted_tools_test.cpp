@@ -225,7 +225,7 @@ TEST(MeshTool, MistakesAreCountedAndPlaced) {
 TEST(MeshTool, PolygonsWhoseEdgesCrossAreNamed) {
   const Soup crossed{{{1, 1, 0}, {0, 0, 4}, {1, 1, 5}, {0, 0, 0}}, {{0, 1, 2, 3}}};
   EXPECT_THAT(mistakeIn(writeOff("crossed", crossed), true),
-              HasSubstr("1 polygon that cannot be cut into triangles, at (0.5, 0.5, 2.25); allowed"));
+              HasSubstr("1 polygon whose edges cross, at (0.5, 0.5, 2.25); allowed"));
 }
 
 TEST(MeshTool, FilesThatPromiseMuchAreRefusedBeforeRoomIsMade) {
