@@ -65,9 +65,8 @@ SignalGuard::SignalGuard(SecondSignal second) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction current = {};
     ::sigaction(signal, nullptr, &current);
-    if (current.sa_handler != SIG_IGN)
-      set(signal, note,
-          second == SecondSignal::Ends ? SA_RESETHAND | SA_RESTART : 0);  // else as nohup and shells want it
+    if (current.sa_handler != SIG_IGN)  // else as nohup and shells want it
+      set(signal, note, second == SecondSignal::Ends ? static_cast<int>(SA_RESETHAND | SA_RESTART) : 0);
   }
   set(SIGPIPE, SIG_IGN, 0);  // whoever reads the progress may go away; the jobs are not to be left alone
   set(SIGCHLD, SIG_DFL, 0);  // else children end without leaving how

@@ -1,8 +1,7 @@
 #include "engine/contact/surface_file.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/STL/STL_reader.h>
-#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -10,34 +9,31 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Projection_traits_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/contact/polygon_soup.h"
 #include "engine/core/error.h"
 
 namespace burnish {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
+using Point = SoupPoint;
+using Polygons = SoupPolygons;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Face = Mesh::Face_index;
-using Polygons = std::vector<std::vector<std::size_t>>;
 
 /// Number of places that an error names.
 constexpr std::size_t kNamed = 3;
@@ -52,9 +48,14 @@ std::string countedAt(std::size_t count, const char* noun, const char* rest,
                      count > texts.size() ? ", ..." : "");
 }
 
-Point middleOf(const Mesh& mesh, Face face) {
+std::vector<Point> cornersOf(const Mesh& mesh, Face face) {
   std::vector<Point> corners;
   for (const auto v : mesh.vertices_around_face(mesh.halfedge(face))) corners.push_back(mesh.point(v));
+  return corners;
+}
+
+Point middleOf(const Mesh& mesh, Face face) {
+  const auto corners = cornersOf(mesh, face);
   return CGAL::centroid(corners.begin(), corners.end());
 }
 
@@ -93,65 +94,6 @@ void snap(std::vector<Point>& points) {
     }
     if (isNew) known.emplace(at, p);
   }
-}
-
-/// An STL file as what its size says that it is: the reader of all formats takes text with a mistake in it
-/// for binary data, and then whatever stands there for the number of triangles.
-bool readStl(std::ifstream& stream, std::uintmax_t size, std::vector<Point>& points, Polygons& polygons) {
-  constexpr std::uintmax_t kHeader = 84, kTriangle = 50;
-  std::array<char, kHeader> header{};
-  std::uint32_t triangles = 0;
-  stream.read(header.data(), header.size());
-  std::memcpy(&triangles, header.data() + kHeader - sizeof(triangles), sizeof(triangles));
-  const bool isWhole = static_cast<bool>(stream);
-  std::string_view begin(header.data(), header.size());
-  begin.remove_prefix(std::min(begin.find_first_not_of(" \t\r\n"), begin.size()));
-  const bool saysText = begin.starts_with("solid");
-  // Behind the triangles there may be something else, unless the file claims to be text.
-  const std::uintmax_t needed = kHeader + kTriangle * triangles;
-  const bool isBinary = isWhole && (saysText ? size == needed : triangles > 0 && size >= needed);
-  if (!isBinary && !saysText) return false;
-  stream.clear();
-  stream.seekg(0);
-  return isBinary ? CGAL::IO::internal::parse_binary_STL(stream, points, polygons, false)
-                  : CGAL::IO::internal::parse_ASCII_STL(stream, points, polygons, false);
-}
-
-/// Throws if the header of an OFF or PLY file promises more than the file can hold: the reader makes room for
-/// it at once.
-void requireCounts(std::ifstream& stream, std::uintmax_t size, bool isPly) {
-  std::string line;
-  bool hasElement = false;
-  for (int k = 0; k < 1000 && std::getline(stream, line) && !line.starts_with("end_header"); ++k) {
-    if (line.starts_with("#")) continue;
-    hasElement = hasElement || line.starts_with("element ");
-    if (isPly && line.starts_with("property") && !hasElement)
-      throw Error(fmt::format("found \"{}\" in its header before any element", line));
-    if (isPly && !line.starts_with("element")) continue;
-    // In an OFF file the first line with a number holds the counts, behind the format's name or below it.
-    const bool hasNumber =
-        line.find_first_of("0123456789", k == 0 ? line.find("OFF") : 0) != std::string::npos;
-    for (std::size_t at = !isPly && k == 0 ? std::min(line.find("OFF"), line.size()) : 0;
-         (at = line.find_first_of("0123456789", at)) != std::string::npos;) {
-      const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());
-      if (end - at > 18 || std::stoull(line.substr(at, end - at)) > size)
-        throw Error(fmt::format("found \"{}\" in its header, more than the file can hold", line));
-      at = end;
-    }
-    if (!isPly && hasNumber) break;
-  }
-  stream.clear();
-  stream.seekg(0);
-}
-
-bool readSoup(const std::filesystem::path& file, std::vector<Point>& points, Polygons& polygons) {
-  const std::uintmax_t size = std::filesystem::file_size(file);
-  std::ifstream stream(file, std::ios::binary);
-  std::string kind = file.extension().string();
-  std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (kind == ".stl") return readStl(stream, size, points, polygons);
-  if (kind == ".off" || kind == ".ply") requireCounts(stream, size, kind == ".ply");
-  return CGAL::IO::read_polygon_soup(file.string(), points, polygons);
 }
 
 /// Throws unless all corners are points with usable coordinates.
@@ -196,7 +138,7 @@ void requireAreas(const std::vector<Point>& points, const Polygons& polygons) {
 Mesh meshOf(const std::filesystem::path& file, double scale) {
   std::vector<Point> points;
   Polygons polygons;
-  if (!readSoup(file, points, polygons) || polygons.empty())
+  if (!readPolygonSoup(file, points, polygons) || polygons.empty())
     throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
   requireUsable(points, polygons);
   for (Point& p : points) p = Point(scale * p.x(), scale * p.y(), scale * p.z());
@@ -213,6 +155,27 @@ Mesh meshOf(const std::filesystem::path& file, double scale) {
   Mesh mesh;
   pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   return mesh;
+}
+
+/// Whether no edges of a polygon cross, seen along its normal.
+bool isSimple(const Mesh& mesh, Face face) {
+  const auto normal = pmp::compute_face_normal(face, mesh);
+  if (normal == CGAL::NULL_VECTOR) return false;
+  const auto corners = cornersOf(mesh, face);
+  return CGAL::is_simple_2(corners.begin(), corners.end(),
+                           CGAL::Projection_traits_3<CGAL::Kernel_traits<Point>::Kernel>(normal));
+}
+
+/// Cuts polygons into triangles; throws if the edges of one cross, of which the cut would leave a mesh that
+/// is none.
+void requireTriangles(Mesh& mesh) {
+  std::vector<Face> crossed;
+  for (const Face face : mesh.faces())
+    if (!CGAL::is_triangle(mesh.halfedge(face), mesh) && !isSimple(mesh, face)) crossed.push_back(face);
+  if (!crossed.empty())
+    throw Error(countedAt(crossed.size(), "polygon", " whose edges cross", middlesOf(mesh, crossed)) +
+                "; allowed: polygons that can be cut into triangles");
+  pmp::triangulate_faces(mesh);
 }
 
 void requireSound(const Mesh& mesh, bool open) {
@@ -263,7 +226,7 @@ SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool op
   requireFile(file, "mesh");
   try {
     Mesh mesh = meshOf(file, scale);
-    pmp::triangulate_faces(mesh);
+    requireTriangles(mesh);
     requireSound(mesh, open);
     if (CGAL::is_closed(mesh)) pmp::orient_to_bound_a_volume(mesh);
     mesh.collect_garbage();

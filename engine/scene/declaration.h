@@ -19,7 +19,12 @@ struct ValueType {
   std::size_t length = 0;  ///< of the outer list; any when 0
 };
 
-struct DeclaredAlternative;
+struct Declaration;
+
+struct DeclaredAlternative {
+  Alternative about;
+  std::vector<Declaration> keys;
+};
 
 /// One key of a mapping.
 struct Declaration {
@@ -33,11 +38,6 @@ struct Declaration {
 
   /// When the key chooses an alternative; the keys of that stand in the same mapping as this one.
   std::vector<DeclaredAlternative> alternatives{};
-};
-
-struct DeclaredAlternative {
-  Alternative about;
-  std::vector<Declaration> keys;
 };
 
 using Declarations = std::vector<Declaration>;

@@ -6,6 +6,7 @@
 #include "engine/results/frame_io.h"
 #include "postproc/compare/picture.h"
 #include "tests/fuzz/small_result.h"
+#include "tests/fuzz/temporary_file.h"
 
 namespace {
 
@@ -23,7 +24,8 @@ std::string text(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
-/// Writes the binary inputs from which fuzzing starts into a directory, one folder a target.
+/// Writes the binary inputs from which fuzzing starts into a directory, one folder a target, and reads them
+/// as the targets do: inputs that are refused at once would test nothing.
 int main(int argc, char** argv) {
   if (argc != 2) {
     std::fputs("usage: fuzz_seeds DIRECTORY\n", stderr);
@@ -31,12 +33,20 @@ int main(int argc, char** argv) {
   }
   const fs::path directory = argv[1];
   const StoredModel model = fuzz::smallModel();
-  write(directory / "result/model", std::string(1, '\0') + text(modelImage(model)));
   FrameRecord frame = samples::frameOf(model.record, 0, 0.5);
-  write(directory / "result/frame", std::string(1, '\1') + text(frameImage(frame, model.id)));
+  const auto frameBytes = frameImage(frame, model.id);
   frame.mesh = model.record.mesh;
-  write(directory / "result/frame_with_mesh", std::string(1, '\1') + text(frameImage(frame, model.id)));
-  const Picture picture{4, 3, std::vector<Color>(12, Color{10, 200, 30})};
-  write(directory / "picture/small.png", encodePng(picture));
+  const auto meshedBytes = frameImage(frame, model.id);
+  const auto modelBytes = modelImage(model);
+  const auto pictureBytes = encodePng({4, 3, std::vector<Color>(12, Color{10, 200, 30})});
+  write(directory / "result/model", std::string(1, '\0') + text(modelBytes));
+  write(directory / "result/frame", std::string(1, '\1') + text(frameBytes));
+  write(directory / "result/frame_with_mesh", std::string(1, '\1') + text(meshedBytes));
+  write(directory / "picture/small.png", pictureBytes);
+  fuzz::TemporaryFile result(".h5"), picture(".png");
+  readModel(result.hold(modelBytes.data(), modelBytes.size()));
+  for (const auto& bytes : {frameBytes, meshedBytes})
+    readFrame(result.hold(bytes.data(), bytes.size()), model);
+  readPicture(picture.hold(pictureBytes.data(), pictureBytes.size()));
   return 0;
 }

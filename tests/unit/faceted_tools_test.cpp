@@ -29,6 +29,12 @@ struct Soup {
   std::vector<std::vector<int>> faces;
 };
 
+std::filesystem::path writeText(const std::string& name, const std::string& text) {
+  const auto file = std::filesystem::path(testing::TempDir()) / name;
+  std::ofstream(file) << text;
+  return file;
+}
+
 std::filesystem::path writeOff(const std::string& name, const Soup& soup) {
   const auto file = std::filesystem::path(testing::TempDir()) / (name + ".off");
   std::ofstream out(file);
@@ -214,6 +220,28 @@ TEST(MeshTool, MistakesAreCountedAndPlaced) {
   EXPECT_THAT(mistakeIn(writeOff("endless", endless)),
               testing::ContainsRegex("coordinate that is no number|found no surface"));
   EXPECT_THAT(mistakeIn(testing::TempDir()), HasSubstr("this is a directory; allowed: the file of a mesh"));
+}
+
+TEST(MeshTool, PolygonsWhoseEdgesCrossAreNamed) {
+  const Soup crossed{{{1, 1, 0}, {0, 0, 4}, {1, 1, 5}, {0, 0, 0}}, {{0, 1, 2, 3}}};
+  EXPECT_THAT(mistakeIn(writeOff("crossed", crossed), true),
+              HasSubstr("1 polygon whose edges cross, at (0.5, 0.5, 2.25); allowed"));
+}
+
+TEST(MeshTool, FilesThatPromiseMuchAreRefusedBeforeRoomIsMade) {
+  EXPECT_THAT(mistakeIn(writeText("face.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n"), true),
+              HasSubstr("found no surface"));
+  const auto ply = [](const std::string& coordinate, const std::string& length) {
+    return fmt::format(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty {0} x\nproperty {0} y\nproperty {0} z\n"
+        "element face 1\nproperty list {1} int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+        coordinate, length);
+  };
+  EXPECT_EQ(mistakeIn(writeText("sound.ply", ply("double", "uchar")), true), "");
+  EXPECT_THAT(mistakeIn(writeText("long.ply", ply("double", "int")), true),
+              HasSubstr("allowed as the type of a list's length: uchar, uint16, uint8, ushort"));
+  EXPECT_THAT(mistakeIn(writeText("whole.ply", ply("int", "uchar")), true),
+              HasSubstr("found points without x; allowed: x, y and z as float or double"));
 }
 
 std::vector<Eigen::Vector2d> circlePoints(int n, double radius) {
