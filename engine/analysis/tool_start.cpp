@@ -59,8 +59,9 @@ std::vector<Eigen::Vector3d> pointsAround(const Eigen::Vector3d& middle, int dim
   std::vector<Eigen::Vector3d> points;
   for (int k = 0; k < (dim == 2 ? 1 : kPerDirection) * kPerDirection * kPerDirection; ++k) {
     // Shares that differ from one direction to the next, so that no symmetry of a shape hides a way.
-    const Eigen::Vector3d grid(k % kPerDirection, k / kPerDirection % kPerDirection,
-                               k / (kPerDirection * kPerDirection));
+    const Eigen::Vector3i place(k % kPerDirection, k / kPerDirection % kPerDirection,
+                                k / (kPerDirection * kPerDirection));
+    const Eigen::Vector3d grid = place.cast<double>();
     Eigen::Vector3d x = middle;
     for (int d = 0; d < dim; ++d) x(d) += bodySize * (0.71 * grid(d) - 1.03 - 0.11 * d);
     points.push_back(x);
