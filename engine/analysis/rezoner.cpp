@@ -312,7 +312,7 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
   body.states = interpolated(stage.model->quadrature(), deformed.basis(), states, parameters);
 
   const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch));
-  NewtonReport report;
+  NewtonReport& report = lastReport_;
   std::unique_ptr<Stage<2>> next;
   for (const int ramp : kRamps) {
     auto model = std::make_unique<Model<2>>(scene_, body);

@@ -31,6 +31,9 @@ class Rezoner {
 
   int count() const { return static_cast<int>(records_.size()); }
   const std::vector<RezoningRecord>& records() const { return records_; }
+  /// How the last one that was tried came into equilibrium, or did not.
+  const NewtonReport& lastReport() const { return lastReport_; }
+
   int numFailures() const { return numFailures_; }
 
   /// Why rezonings failed, of those since the run was begun or resumed.
@@ -73,6 +76,7 @@ class Rezoner {
   std::vector<ToolPose> last_;  ///< of the tools when the body was meshed, or that was tried
   double wait_ = 0.0;           ///< travel from there to the next try
   std::vector<RezoningRecord> records_;
+  NewtonReport lastReport_;
   int numFailures_ = 0;
   std::vector<std::string> failures_;
   std::optional<RezonedBody<2>> body_;  ///< as the present stage began

@@ -136,7 +136,7 @@ class Run {
     if (startTime < 0.0) {
       walk = stage_->stepping.advance(0.0, -0.25 * startTime, [this](const StepReport& step) {
         record();
-        noteResiduals(step);
+        noteResiduals(step.newton);
         ++summary_.approachSteps;
         summary_.approachIterations += step.iterations;
         return true;
@@ -171,7 +171,7 @@ class Run {
   /// Records a step from t = 0 on.
   void takeIn(const StepReport& step, double endTime) {
     record();
-    noteResiduals(step);
+    noteResiduals(step.newton);
     summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
     step_ = step.step - summary_.approachSteps;
     append(step_, step.iterations);
@@ -193,6 +193,7 @@ class Run {
     if constexpr (Dim == 2) {
       auto next = rezoner_->rezone(*stage_);
       if (!next) return;
+      noteResiduals(rezoner_->lastReport());
       noteTimings();
       stage_ = std::move(next);
     }
@@ -211,10 +212,10 @@ class Run {
     }
   }
 
-  void noteResiduals(const StepReport& step) {
-    summary_.worstResidual = std::max(summary_.worstResidual, step.newton.residual);
-    summary_.worstConstraint = std::max(summary_.worstConstraint, step.newton.constraint);
-    summary_.stepsAtRoundOff += step.newton.atRoundOff ? 1 : 0;
+  void noteResiduals(const NewtonReport& report) {
+    summary_.worstResidual = std::max(summary_.worstResidual, report.residual);
+    summary_.worstConstraint = std::max(summary_.worstConstraint, report.constraint);
+    summary_.stepsAtRoundOff += report.atRoundOff ? 1 : 0;
   }
 
   /// The current state as the next frame.

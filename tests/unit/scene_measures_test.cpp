@@ -8,6 +8,7 @@
 #include <map>
 
 #include "engine/fields/ellipse_measure.h"
+#include "engine/fields/percentile_measure.h"
 #include "engine/fields/point_measure.h"
 #include "engine/solver/newton.h"
 #include "tests/unit/scene_samples.h"
@@ -218,6 +219,30 @@ measures:
   EXPECT_GT(values.at("free.half_width"), 0.1);
   EXPECT_NEAR(values.at("free.half_width"), values.at("end.half_width"), 1e-3);
   EXPECT_NEAR(values.at("free.peak"), values.at("end.peak"), 1e-3 * values.at("free.peak"));
+}
+
+TEST(ExtentMeasure, IsTheBoxOfTheDeformedFace) {
+  MeasuredScene scene(kBlock + "measures: [{name: right, kind: extent, face: right}]\n");
+  const auto values = scene.atGradient((Eigen::Matrix2d() << 0.5, 0.2, 0.0, -0.1).finished());
+  // x = 1.5 X + 0.2 Y, y = 0.9 Y on X = 2, up to the outermost of three Gauss points in each of three spans.
+  const double rest = (1.0 - std::sqrt(0.6)) / 6.0;
+  EXPECT_NEAR(values.at("right.xmin"), 3.0 + 0.2 * rest, 1e-12);
+  EXPECT_NEAR(values.at("right.xmax"), 3.2 - 0.2 * rest, 1e-12);
+  EXPECT_NEAR(values.at("right.ymin"), 0.9 * rest, 1e-12);
+  EXPECT_NEAR(values.at("right.ymax"), 0.9 * (1.0 - rest), 1e-12);
+}
+
+TEST(PercentileMeasure, WeighsValuesByVolume) {
+  const Eigen::Vector4d values(3.0, 1.0, 2.0, 4.0), even = Eigen::Vector4d::Ones();
+  EXPECT_DOUBLE_EQ(weightedPercentile(values, even, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(weightedPercentile(values, even, 0.375), 2.0);
+  EXPECT_DOUBLE_EQ(weightedPercentile(values, even, 0.01), 1.0);
+  EXPECT_DOUBLE_EQ(weightedPercentile(values, even, 0.999), 4.0);
+  EXPECT_DOUBLE_EQ(weightedPercentile(values, {1e-6, 1.0, 1.0, 1e-6}, 0.5), 1.5);
+
+  MeasuredScene scene(kBlock + "measures: [{name: p, kind: percentile, field: pressure, share: 0.9}]\n");
+  const double uniform = scene.atGradient((Eigen::Matrix2d() << 0.1, 0.0, 0.0, 0.1).finished()).at("p.value");
+  EXPECT_LT(uniform, 0.0);
 }
 
 }  // namespace

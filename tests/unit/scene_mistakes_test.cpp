@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
             "unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
             "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
             "quadrature_points, definitions, geometry, material, supports, loads, tools, contact, "
-            "steps, solver, output, pictures, measures, variants, checks, charts. Did you mean \"degree\"?"},
+            "steps, solver, rezoning, output, pictures, measures, variants, checks, charts. Did you mean \"degree\"?"},
         Mistake{"unknownInside", &block, "nu: 0.3", "nu: 0.3, poisson: 1", "poisson", "material.poisson",
                 "found an unknown key; allowed: law, E, nu, volumetric."},
         Mistake{"ofAnotherAlternative", &block, "origin: [0, 2]", "origin: [0, 2], radius: 1", "radius",
