@@ -45,8 +45,10 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
           {"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
           {"smallest J below 0.05"},
           {"fewer than three control points carry a contact whose face penetrates by more than a tenth of "
-           "a knot span: the mesh does not resolve it any more; `rezoning: {}` in the scene of a plane body "
-           "meshes it anew under way"},
+           "a knot span: the mesh does not resolve it any more; " +
+           std::string(scene.rezoning
+                           ? "give new meshes more spans (rezoning.spans)"
+                           : "`rezoning: {}` in the scene of a plane body meshes it anew under way")},
           {"a contact face crosses itself, as contact of the body with itself is not computed"}},
       touched_(model.tools().size(), false),
       rezones_(scene.rezoning.has_value()) {

@@ -238,7 +238,7 @@ TEST(PercentileMeasure, WeighsValuesByVolume) {
   EXPECT_DOUBLE_EQ(weightedPercentile(values, even, 0.375), 2.0);
   EXPECT_DOUBLE_EQ(weightedPercentile(values, even, 0.01), 1.0);
   EXPECT_DOUBLE_EQ(weightedPercentile(values, even, 0.999), 4.0);
-  EXPECT_DOUBLE_EQ(weightedPercentile(values, {1e-6, 1.0, 1.0, 1e-6}, 0.5), 1.5);
+  EXPECT_NEAR(weightedPercentile(values, Eigen::Vector4d(1e-6, 1.0, 1.0, 1e-6), 0.5), 1.5, 1e-5);
 
   MeasuredScene scene(kBlock + "measures: [{name: p, kind: percentile, field: pressure, share: 0.9}]\n");
   const double uniform = scene.atGradient((Eigen::Matrix2d() << 0.1, 0.0, 0.0, 0.1).finished()).at("p.value");
