@@ -52,10 +52,8 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
                        scene.formulation == FormulationChoice::Fbar ? Formulation::ProjectedDilatation
                                                                     : Formulation::Displacement);
   addBoundary(scene);
-  InputProblems problems;
-  problems.gather([this] { requireSupported(); });
-  problems.throwIfAny();
   liftTools(scene);
+  InputProblems problems;
   for (const auto& load : toolLoads_) problems.gather([&] { placeFreeTool(*load, scene); });
   problems.throwIfAny();
 }
@@ -88,8 +86,9 @@ void Model<Dim>::addBoundary(const Scene& scene) {
   problems.throwIfAny();
   numUnknowns_ = numForces_;
   for (std::size_t k = 0; k < scene.contact.size(); ++k) problems.gather([&] { addContact(scene, k); });
-  problems.throwIfAny();
   prescribed_.resize(static_cast<std::size_t>(numUnknowns_), false);
+  if (!rezoned_) problems.gather([this] { requireSupported(); });
+  problems.throwIfAny();
   std::sort(corners_.begin(), corners_.end());
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
   start_ = Eigen::VectorXd::Zero(numUnknowns_);

@@ -28,6 +28,9 @@ constexpr double kRounding = 0.06;
 constexpr int kLevelAfterwards = 2;
 constexpr double kShareToNextTry = 0.25;
 
+/// Circumference over the body's size below which a point is on the axis.
+constexpr double kOnAxis = 1e-9;
+
 /// Parts in which the gaps with which a stage begins are taken away, until one way leads to equilibrium.
 constexpr std::array kRamps{1, 4, 16};
 
@@ -137,14 +140,15 @@ double smallestThickness(const Model<2>& model) {
 /// have, are taken away in equal parts.
 NewtonReport settle(Stage<2>& stage, int parts) {
   std::vector<Eigen::VectorXd> origins;
-  static_cast<void>(stage.evaluateHere());
+  NewtonReport report;
+  report.outcome = NewtonOutcome::Inadmissible;
+  if (!stage.evaluateHere().admissible) return report;
   for (const auto& pair : stage.model->contacts()) {
     const Eigen::VectorXd& gaps = pair.term->state().averageGap;
     Eigen::VectorXd& origin = origins.emplace_back(gaps.cwiseMin(0.0));
     for (int a = 0; a < pair.term->numMultipliers(); ++a)
       if (stage.stepping.state().x(pair.term->firstMultiplier() + a) < 0.0) origin(a) = gaps(a);
   }
-  NewtonReport report;
   int iterations = 0;
   for (int left = parts - 1; left >= 0; --left) {
     for (std::size_t k = 0; k < origins.size(); ++k)
@@ -182,8 +186,8 @@ std::vector<ToolPose> Rezoner::posesOf(const Stage<2>& stage) const {
 double Rezoner::travelSince(const Stage<2>& stage, const std::vector<ToolPose>& from) const {
   const auto poses = posesOf(stage);
   double travel = 0.0;
-  for (std::size_t k = 0; k < poses.size(); ++k)
-    travel = std::max(travel, (poses[k].displacement - from[k].displacement).norm());
+  for (const auto& pair : stage.model->contacts())
+    travel = std::max(travel, (poses[pair.tool].displacement - from[pair.tool].displacement).norm());
   return travel;
 }
 
@@ -191,7 +195,7 @@ bool Rezoner::isDue(const Stage<2>& stage) const {
   constexpr double kRounding = 1.0 - 1e-9;
   const double travel = travelSince(stage, last_);
   if (travel >= kRounding * wait_) return true;
-  if (travel < kRounding * kShareToNextTry * travel_) return false;
+  if (failedLast_) return false;
   const auto& x = stage.stepping.state().x;
   if (stage.model->bulk().largestStretch(x) > spec_.stretch) return true;
   return spec_.quality > 0.0 &&
@@ -264,8 +268,11 @@ void Rezoner::setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, co
       const int span = before.findSpan(xi);
       const auto shape = before.shape(span, xi);
       const auto functions = before.basis().spanFunctions(span);
-      const double stretch = now.jacobian(xi).norm() * next.body().circumference(now.position(xi)) /
-                             (before.jacobian(xi).norm() * model.body().circumference(before.position(xi)));
+      const double along = now.jacobian(xi).norm() / before.jacobian(xi).norm();
+      const double ring = model.body().circumference(before.position(xi));
+      const bool onAxis = ring < kOnAxis * model.body().size();  // where both stretches are the same
+      const double around = onAxis ? along : next.body().circumference(now.position(xi)) / ring;
+      const double stretch = model.body().axisymmetric ? along * around : along;
       const double lambda = shape.R.dot(oldTerm.state().lambdaHat(functions)) / stretch;
       x(newTerm.firstMultiplier() + a) = std::min(0.0, lambda);
     }
@@ -291,11 +298,22 @@ SteppingState Rezoner::startOn(const Stage<2>& stage, const Patch<2>& deformed, 
 }
 
 std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
+  std::unique_ptr<Stage<2>> next;
+  try {
+    next = attempt(stage);
+  } catch (const Error& error) {
+    fail(fmt::format("t = {:.6g}: {}", stage.stepping.state().time, error.what()));
+  }
+  last_ = posesOf(stage);
+  failedLast_ = next == nullptr;
+  wait_ = failedLast_ ? kShareToNextTry * travel_ : travel_;
+  return next;
+}
+
+std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   const auto& state = stage.stepping.state();
   const Patch<2> deformed = deformedPatch(stage.model->body().patches.front(), state.x);
   const auto meshing = remesh(deformed, options(stage, deformed));
-  last_ = posesOf(stage);
-  wait_ = kShareToNextTry * travel_;
   if (!meshing) {
     fail(fmt::format("t = {:.6g}: no mesh of the deformed body is sound", state.time));
     return nullptr;
@@ -314,12 +332,15 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
   const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch));
   NewtonReport& report = lastReport_;
   std::unique_ptr<Stage<2>> next;
+  long failedIterations = 0;
   for (const int ramp : kRamps) {
     auto model = std::make_unique<Model<2>>(scene_, body);
     SteppingState start = startOn(stage, deformed, *model, anchors);
+    start.iterations += failedIterations;
     next = std::make_unique<Stage<2>>(scene_, std::move(model), std::move(start));
     report = settle(*next, ramp);
     if (report.outcome == NewtonOutcome::Converged) break;
+    failedIterations += report.iterations;
   }
   if (report.outcome != NewtonOutcome::Converged) {
     fail(fmt::format("t = {:.6g}: no equilibrium on a new mesh of quality {:.2g}, {}", state.time,
@@ -333,7 +354,6 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
   for (Eigen::Index k = 0; k < parameters.cols(); ++k)
     origin.row(k) = valueAt(deformed, origin_, parameters.col(k)).transpose();
   origin_ = next->projection.project(origin).transpose();
-  wait_ = travel_;
   body_ = std::move(body);
   records_.push_back(
       {.time = state.time,
@@ -366,6 +386,9 @@ void Rezoner::archive(StateArchive& archive) {
     archive.field(fmt::format("tool{}_angle", k), last_[k].angle);
   }
   archive.field("wait", wait_);
+  int failedLast = failedLast_ ? 1 : 0;
+  archive.field("failed_last", failedLast);
+  failedLast_ = failedLast == 1;
   archive.field("failures", numFailures_);
   archiveRecords(archive);
   if (records_.empty()) return;

@@ -55,6 +55,9 @@ class Rezoner {
     double direction = 1.0;  ///< of the tools along the face: 1 towards its end
   };
 
+  /// The same; throws `Error` where the new body cannot be used.
+  std::unique_ptr<Stage<2>> attempt(Stage<2>& stage);
+
   /// Where the tools press on the face, or are nearest to it.
   Place findContact(const Stage<2>& stage, const ArcLengthCurve& face) const;
   RemeshOptions options(const Stage<2>& stage, const Patch<2>& deformed) const;
@@ -75,6 +78,7 @@ class Rezoner {
   double volume_;               ///< stress-free, of the body
   std::vector<ToolPose> last_;  ///< of the tools when the body was meshed, or that was tried
   double wait_ = 0.0;           ///< travel from there to the next try
+  bool failedLast_ = false;
   std::vector<RezoningRecord> records_;
   NewtonReport lastReport_;
   int numFailures_ = 0;

@@ -106,6 +106,7 @@ class Run {
   void restore(const RestartRecord& restart) {
     StateArchive saved(restart.state);
     archive(saved);
+    if (rezoner_) static_cast<void>(stage_->evaluateHere());  // which looks at the contact
     const ResultReader result(directory_);
     for (int k = 0; k < result.numFrames(); ++k) observer_.onFrame(record_, result.frame(k));
   }
@@ -150,14 +151,17 @@ class Run {
 
   Walk walk() {
     const auto grid = timeGrid(scene_, stage_->model->corners());
+    rezoningIsDue_ = needsRezoning();
     for (const Landing& landing : grid) {
       if (landing.time < state().time) continue;  // of a run that is resumed
       Walk walk = Walk::Arrived;
       do {
-        if (needsRezoning()) rezone();
+        if (rezoningIsDue_) rezone();
+        rezoningIsDue_ = false;
         walk = stage_->stepping.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
           takeIn(step, grid.back().time);
-          return !halts_ && !needsRezoning();
+          rezoningIsDue_ = needsRezoning();
+          return !halts_ && !rezoningIsDue_;
         });
       } while (walk == Walk::Halted && !halts_);
       if (walk != Walk::Arrived) return walk;
@@ -338,6 +342,7 @@ class Run {
   RunSummary summary_;
   int step_ = 0;
   bool halts_ = false;  ///< after the last step
+  bool rezoningIsDue_ = false;
   double lastFrameTime_ = -std::numeric_limits<double>::infinity();
   double lastRowTime_ = -std::numeric_limits<double>::infinity();
   double secondsBefore_ = 0.0;  ///< of the run up to where it was stopped

@@ -19,11 +19,11 @@ Stage<Dim>::Stage(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, Step
 template <int Dim>
 typename Stage<Dim>::Forces Stage<Dim>::evaluateHere() {
   const auto& state = stepping.state();
-  Forces forces{{}, Eigen::VectorXd::Zero(model->numUnknowns())};
+  Forces forces{{}, Eigen::VectorXd::Zero(model->numUnknowns()), true};
   for (Term* term : terms) {
     Eigen::VectorXd force = Eigen::VectorXd::Zero(model->numUnknowns());
     Assembly out{force};
-    static_cast<void>(term->evaluate(state.time, state.x, out));  // an accepted state is admissible
+    if (!term->evaluate(state.time, state.x, out)) forces.admissible = false;
     forces.total += force;
     if (term == terms.front()) forces.bulk = std::move(force);
   }

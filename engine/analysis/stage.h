@@ -20,6 +20,7 @@ struct Stage {
 
   struct Forces {
     Eigen::VectorXd bulk, total;
+    bool admissible = true;
   };
 
   /// Evaluates the terms at the current state without a step.

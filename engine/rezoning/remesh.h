@@ -1,7 +1,6 @@
 #pragma once
 #include <array>
 #include <optional>
-#include <string>
 
 #include "engine/nurbs/patch.h"
 #include "engine/rezoning/span_distribution.h"

@@ -18,16 +18,27 @@ void checkContact(const CheckContext& c) {
     c.report("rezoning",
              "found in a scene without contact; allowed: with one contact face, which tells where knot "
              "spans are needed.");
-  for (std::size_t k = 1; k < contact.size(); ++k)
-    if (contact[k].place.face != contact.front().place.face)
-      c.report(fmt::format("contact[{}].face", k),
-               fmt::format("found {} beside {} in a scene with rezoning; allowed there: one contact face.",
-                           contact[k].place.face, contact.front().place.face));
+  for (std::size_t k = 0; k < contact.size(); ++k) {
+    refuse(c, k > 0, fmt::format("contact[{}]", k), "a second contact pair");
+    if (contact[k].method != ContactMethod::AugmentedLagrangian &&
+        c.clean(fmt::format("contact[{}].method", k)))
+      c.report(fmt::format("contact[{}].method", k),
+               "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian.");
+  }
 }
 
 bool hasCreases(const GeometrySpec& geometry) {
   for (const auto& creases : geometry.mesh.creases)
     if (!creases.empty()) return true;
+  return false;
+}
+
+bool hasRepeatedKnots(const GeometrySpec& geometry) {
+  const auto* net = std::get_if<ControlNetSpec>(&geometry.shape);
+  if (net == nullptr) return false;
+  for (const auto& knots : net->knots)
+    for (std::size_t k = 1; k < knots.size(); ++k)
+      if (knots[k] == knots[k - 1] && knots[k] != knots.front() && knots[k] != knots.back()) return true;
   return false;
 }
 
@@ -40,6 +51,8 @@ void checkRezoning(const CheckContext& c) {
   if (std::holds_alternative<PatchesSpec>(c.scene.geometry.shape))
     return c.report("rezoning", "found for a body of several patches; allowed: a body of one.");
   refuse(c, hasCreases(c.scene.geometry), "geometry.creases", "creases, which new meshes would lose,");
+  refuse(c, hasRepeatedKnots(c.scene.geometry), "geometry.knots",
+         "knots that are repeated inside, whose corners new meshes would lose,");
   refuse(c, c.scene.formulation == FormulationChoice::Fbar, "formulation", "fbar");
   refuse(c, !c.scene.loads.empty(), "loads", "loads");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {

@@ -48,11 +48,11 @@ TEST(RezoningRuns, ResumeWithTheSameBitsFromAnyMesh) {
   ASSERT_GE(summary.rezonings.size(), 3u);
   EXPECT_EQ(summary.failedRezonings, 0) << summary.rezoningFailure;
 
-  RunSummary resumed = runTo(part.path(), kRezoned, haltAfter(4, 1));
+  RunSummary resumed = runTo(part.path(), kRezoned, haltAfter(1, 1));
   RunObserver silent;
   for (int halts = 0; resumed.halted; ++halts) {
     ASSERT_LT(halts, 100);
-    resumed = resumeRun(readResultScene(part.path()), part.path(), haltAfter(4, 2), silent);
+    resumed = resumeRun(readResultScene(part.path()), part.path(), haltAfter(1, 2), silent);
   }
   EXPECT_TRUE(resumed.completed);
   EXPECT_EQ(resumed.rezonings.size(), summary.rezonings.size());
@@ -95,7 +95,8 @@ TEST(RezoningRuns, KeepTheirBooks) {
   EXPECT_EQ(readSummary(directory.path()).rezonings.size(), summary.rezonings.size());
 }
 
-/// Nothing is invented by the transfer: an elastic body answers as on one mesh, but for what the meshes differ.
+/// Nothing is invented by the transfer: an elastic body answers as on one mesh, but for what the meshes
+/// differ.
 TEST(RezoningRuns, ElasticBodiesAnswerAsOnOneMesh) {
   const std::string elastic = samples::replaced(
       samples::replaced(
@@ -152,6 +153,9 @@ TEST(RezoningScenes, SayWhatTheyCannotHave) {
               HasSubstr("measures[0]: found a measure of points of the undeformed mesh"));
   EXPECT_THAT(mistake(samples::replaced(kRezoned, "output:", "loads: [{face: left, pressure: 1}]\noutput:")),
               HasSubstr("loads: found loads"));
+  EXPECT_THAT(
+      mistake(samples::replaced(kRezoned, "face: top}]\nsteps", "face: top, method: penalty}]\nsteps")),
+      HasSubstr("contact[0].method: found a penalty method"));
   EXPECT_THAT(mistake(samples::replaced(kRezoned, "contact: [{tool: disc, face: top}]", "contact: []")),
               HasSubstr("rezoning: found in a scene without contact"));
 }
