@@ -183,18 +183,17 @@ std::vector<ToolPose> Rezoner::posesOf(const Stage<2>& stage) const {
   return poses;
 }
 
-double Rezoner::travelSince(const Stage<2>& stage, const std::vector<ToolPose>& from) const {
+double Rezoner::travelSince(const Stage<2>& stage) const {
   const auto poses = posesOf(stage);
   double travel = 0.0;
   for (const auto& pair : stage.model->contacts())
-    travel = std::max(travel, (poses[pair.tool].displacement - from[pair.tool].displacement).norm());
+    travel = std::max(travel, (poses[pair.tool].displacement - last_[pair.tool].displacement).norm());
   return travel;
 }
 
 bool Rezoner::isDue(const Stage<2>& stage) const {
-  constexpr double kRounding = 1.0 - 1e-9;
-  const double travel = travelSince(stage, last_);
-  if (travel >= kRounding * wait_) return true;
+  constexpr double kAlmost = 1.0 - 1e-9;  // steps that land on the travel, but for rounding
+  if (travelSince(stage) >= kAlmost * wait_) return true;
   if (failedLast_) return false;
   const auto& x = stage.stepping.state().x;
   if (stage.model->bulk().largestStretch(x) > spec_.stretch) return true;
@@ -302,7 +301,7 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
   try {
     next = attempt(stage);
   } catch (const Error& error) {
-    fail(fmt::format("t = {:.6g}: {}", stage.stepping.state().time, error.what()));
+    fail(stage, error.what());
   }
   last_ = posesOf(stage);
   failedLast_ = next == nullptr;
@@ -315,7 +314,7 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   const Patch<2> deformed = deformedPatch(stage.model->body().patches.front(), state.x);
   const auto meshing = remesh(deformed, options(stage, deformed));
   if (!meshing) {
-    fail(fmt::format("t = {:.6g}: no mesh of the deformed body is sound", state.time));
+    fail(stage, "no mesh of the deformed body is sound");
     return nullptr;
   }
 
@@ -343,8 +342,8 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
     failedIterations += report.iterations;
   }
   if (report.outcome != NewtonOutcome::Converged) {
-    fail(fmt::format("t = {:.6g}: no equilibrium on a new mesh of quality {:.2g}, {}", state.time,
-                     meshing->quality, describe(report.outcome)));
+    fail(stage, fmt::format("no equilibrium on a new mesh of quality {:.2g}, {}", meshing->quality,
+                            describe(report.outcome)));
     return nullptr;
   }
   next->recorder.continueFrom(stage.recorder);
@@ -367,9 +366,9 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   return next;
 }
 
-void Rezoner::fail(std::string why) {
+void Rezoner::fail(const Stage<2>& stage, const std::string& why) {
   ++numFailures_;
-  failures_.push_back(std::move(why));
+  lastFailure_ = fmt::format("t = {:.6g}: {}", stage.stepping.state().time, why);
 }
 
 std::optional<MeshRecord> Rezoner::frameMesh(const Stage<2>& stage, Eigen::MatrixXd& displacement) const {

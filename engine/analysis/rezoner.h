@@ -31,13 +31,14 @@ class Rezoner {
 
   int count() const { return static_cast<int>(records_.size()); }
   const std::vector<RezoningRecord>& records() const { return records_; }
+
   /// How the last one that was tried came into equilibrium, or did not.
   const NewtonReport& lastReport() const { return lastReport_; }
 
   int numFailures() const { return numFailures_; }
 
-  /// Why rezonings failed, of those since the run was begun or resumed.
-  const std::vector<std::string>& failures() const { return failures_; }
+  /// Why the last one failed that did since the run was begun or resumed; empty without.
+  const std::string& lastFailure() const { return lastFailure_; }
 
   /// The mesh of a frame, its control points where the material of the mesh's parameters was at the start of
   /// the run, approximately; nothing before the first rezoning. displacement: of the present reference,
@@ -66,9 +67,9 @@ class Rezoner {
   void setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
                       Eigen::VectorXd& x) const;
   std::vector<ToolPose> posesOf(const Stage<2>& stage) const;
-  double travelSince(const Stage<2>& stage, const std::vector<ToolPose>& from) const;
+  double travelSince(const Stage<2>& stage) const;  ///< of a tool since `last_`
   void archiveRecords(StateArchive& archive);
-  void fail(std::string why);
+  void fail(const Stage<2>& stage, const std::string& why);
 
   const Scene& scene_;
   RezoningSpec spec_;
@@ -82,7 +83,7 @@ class Rezoner {
   std::vector<RezoningRecord> records_;
   NewtonReport lastReport_;
   int numFailures_ = 0;
-  std::vector<std::string> failures_;
+  std::string lastFailure_;
   std::optional<RezonedBody<2>> body_;  ///< as the present stage began
   Eigen::MatrixXd origin_;              ///< 2 x nodes: see `frameMesh`
 };

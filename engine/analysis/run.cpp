@@ -328,7 +328,7 @@ class Run {
     if (!rezoner_) return;
     summary_.rezonings = rezoner_->records();
     summary_.failedRezonings = rezoner_->numFailures();
-    if (!rezoner_->failures().empty()) summary_.rezoningFailure = rezoner_->failures().back();
+    summary_.rezoningFailure = rezoner_->lastFailure();
   }
 
   const Scene& scene_;

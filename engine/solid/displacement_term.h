@@ -7,8 +7,7 @@ namespace burnish {
 template <int Dim>
 class DisplacementTerm final : public BulkTerm<Dim> {
  public:
-  /// The quadrature must outlive the term.
-  /// reference: none for a stress-free one that has not flowed.
+  /// reference: none for a stress-free one that has not flowed. The quadrature must outlive the term.
   DisplacementTerm(const SpanQuadrature<Dim>& quadrature, Material material,
                    const std::optional<ReferenceState>& reference = {});
 
