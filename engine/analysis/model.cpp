@@ -32,6 +32,11 @@ Enforcement enforcementOf(ContactMethod method) {
   return Enforcement::AugmentedLagrangian;
 }
 
+Formulation formulationOf(const Scene& scene) {
+  return scene.formulation == FormulationChoice::Fbar ? Formulation::ProjectedDilatation
+                                                      : Formulation::Displacement;
+}
+
 /// ε when the scene does not say: the augmented Lagrangian's answer does not depend on it, the penalty
 /// methods trade penetration against conditioning.
 double defaultParameter(Enforcement enforcement, double E, double L) {
@@ -48,9 +53,7 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
     : body_(std::move(named.body)), faces_(body_, std::move(named.names)), supports_(scene, faces_) {
   requireSoundGeometry(faces_, scene);
   quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
-  bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material),
-                       scene.formulation == FormulationChoice::Fbar ? Formulation::ProjectedDilatation
-                                                                    : Formulation::Displacement);
+  bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), formulationOf(scene));
   addBoundary(scene);
   liftTools(scene);
   InputProblems problems;
@@ -68,8 +71,7 @@ Model<Dim>::Model(const Scene& scene, RezonedBody<Dim> rezoned)
   quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
   ReferenceState reference = referenceState(*quadrature_, rezoned.states);
   reference.plasticWork = rezoned.plasticWork;
-  bulk_ =
-      makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), Formulation::Displacement, reference);
+  bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), formulationOf(scene), reference);
   addBoundary(scene);
   supports_.setValues(startTime_, origin_);
 }

@@ -53,7 +53,6 @@ void checkRezoning(const CheckContext& c) {
   refuse(c, hasCreases(c.scene.geometry), "geometry.creases", "creases, which new meshes would lose,");
   refuse(c, hasRepeatedKnots(c.scene.geometry), "geometry.knots",
          "knots that are repeated inside, whose corners new meshes would lose,");
-  refuse(c, c.scene.formulation == FormulationChoice::Fbar, "formulation", "fbar");
   refuse(c, !c.scene.loads.empty(), "loads", "loads");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
     const std::string path = fmt::format("supports[{}]", k);

@@ -48,27 +48,20 @@ BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material
 }
 
 template <int Dim>
-template <class F>
-void BulkTerm<Dim>::forEachGradient(const Eigen::VectorXd& x, const F& f) const {
-  withKinematics<Dim>(quadrature_.kinematics(), [&](auto kinematics) {
-    constexpr Kinematics K = decltype(kinematics)::value;
-    Eigen::Matrix<double, Eigen::Dynamic, Dim> u;
-    for (const auto& span : quadrature_.spans()) {
-      gatherNodes<Dim>(x, span.nodes, u);
-      for (Eigen::Index q = 0; q < span.weights.size(); ++q)
-        f(static_cast<std::size_t>(span.firstPoint + q),
-          deformationGradient<K>(u, span.G.template middleCols<kColumns<K>>(kColumns<K> * q)));
-    }
-  });
+std::vector<Eigen::Matrix3d> BulkTerm<Dim>::gradientsOfLaw(const Eigen::VectorXd& x) const {
+  std::vector<Eigen::Matrix3d> gradients(accepted_.size());
+  forEachGradient(
+      x, [&](std::size_t point, const Eigen::Matrix3d& F) { gradients[point] = elasticGradient(point, F); });
+  return gradients;
 }
 
 template <int Dim>
 std::vector<Eigen::Matrix3d> BulkTerm<Dim>::elasticDeformation(const Eigen::VectorXd& x) const {
-  std::vector<Eigen::Matrix3d> result(accepted_.size());
-  forEachGradient(x, [&](std::size_t point, const Eigen::Matrix3d& F) {
-    const Eigen::Matrix3d f = elasticGradient(point, F) * accepted_[point].F_inv;
+  std::vector<Eigen::Matrix3d> result = gradientsOfLaw(x);
+  for (std::size_t point = 0; point < result.size(); ++point) {
+    const Eigen::Matrix3d f = result[point] * accepted_[point].F_inv;
     result[point] = f * accepted_[point].b_e * f.transpose();
-  });
+  }
   return result;
 }
 
@@ -127,10 +120,8 @@ template <int Dim>
 std::unique_ptr<BulkTerm<Dim>> makeBulkTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature,
                                             Material material, Formulation formulation,
                                             const std::optional<ReferenceState>& reference) {
-  if (formulation == Formulation::ProjectedDilatation) {
-    assert(!reference);
-    return std::make_unique<ProjectedTerm<Dim>>(body, quadrature, std::move(material));
-  }
+  if (formulation == Formulation::ProjectedDilatation)
+    return std::make_unique<ProjectedTerm<Dim>>(body, quadrature, std::move(material), reference);
   return std::make_unique<DisplacementTerm<Dim>>(quadrature, std::move(material), reference);
 }
 

@@ -47,7 +47,7 @@ class BulkTerm : public Term {
   /// Accepted history, one entry per quadrature point.
   const std::vector<MaterialState>& history() const { return accepted_; }
 
-  /// Kirchhoff stress τ = J σ (components of `kVoigt`) and J = det F at the quadrature points of the last
+  /// Kirchhoff stress τ = J σ (components of `kVoigt`) and J = det F V_e at the quadrature points of the last
   /// evaluated state, with σ the Cauchy stress that the law answers.
   const std::vector<Stress>& kirchhoffStress() const { return stress_; }
   const std::vector<double>& jacobians() const { return J_; }
@@ -69,14 +69,32 @@ class BulkTerm : public Term {
   BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material,
            const std::optional<ReferenceState>& reference = {});
 
-  /// The deformation gradient that the law sees at a point.
+  /// F V_e at a point.
   Eigen::Matrix3d elasticGradient(std::size_t point, const Eigen::Matrix3d& F) const {
     return stretch_.empty() ? F : Eigen::Matrix3d(F * stretch_[point]);
   }
 
-  /// J from det F at a point.
-  double volumeRatioOf(std::size_t point, double detF) const {
-    return stretch_.empty() ? detF : detF * stretch_[point].determinant();
+  /// det V_e at a point.
+  double referenceVolumeRatio(std::size_t point) const {
+    return stretch_.empty() ? 1.0 : stretch_[point].determinant();
+  }
+
+  /// The deformation gradients that the law sees at the quadrature points, with displacements x.
+  virtual std::vector<Eigen::Matrix3d> gradientsOfLaw(const Eigen::VectorXd& x) const;
+
+  /// Calls f with the number of every quadrature point and its deformation gradient.
+  template <class F>
+  void forEachGradient(const Eigen::VectorXd& x, const F& f) const {
+    withKinematics<Dim>(quadrature_.kinematics(), [&](auto kinematics) {
+      constexpr Kinematics K = decltype(kinematics)::value;
+      Eigen::Matrix<double, Eigen::Dynamic, Dim> u;
+      for (const auto& span : quadrature_.spans()) {
+        gatherNodes<Dim>(x, span.nodes, u);
+        for (Eigen::Index q = 0; q < span.weights.size(); ++q)
+          f(static_cast<std::size_t>(span.firstPoint + q),
+            deformationGradient<K>(u, span.G.template middleCols<kColumns<K>>(kColumns<K> * q)));
+      }
+    });
   }
 
   /// Evaluates the law at one point from its accepted history and adds to the span's summary; false if it
@@ -122,10 +140,6 @@ class BulkTerm : public Term {
   std::vector<BulkSummary> spanSummaries_;
 
  private:
-  /// Calls f with the number of every quadrature point and its deformation gradient.
-  template <class F>
-  void forEachGradient(const Eigen::VectorXd& x, const F& f) const;
-
   std::vector<Eigen::Matrix3d> stretch_;  ///< V_e of the reference state; empty: one everywhere
   std::vector<MaterialState> accepted_, trial_;
   BulkSummary summary_;
@@ -136,8 +150,8 @@ class BulkTerm : public Term {
 template <int Dim>
 std::vector<int> unknownsOf(const std::vector<int>& nodes);
 
-/// The bulk term of a body in the given formulation. reference: see the displacement formulation, the only
-/// one that has it. The quadrature, made from the same body, must outlive the term.
+/// The bulk term of a body in the given formulation. reference: none for a stress-free one that has not
+/// flowed. The quadrature, made from the same body, must outlive the term.
 template <int Dim>
 std::unique_ptr<BulkTerm<Dim>> makeBulkTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature,
                                             Material material, Formulation formulation,

@@ -42,7 +42,7 @@ bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, con
     const auto G = span.G.template middleCols<C>(C * q);
     const Eigen::Matrix3d F = deformationGradient<K>(work.u, G);
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
-    const double J = this->volumeRatioOf(point, volumeRatio<K>(F));
+    const double J = volumeRatio<K>(F) * this->referenceVolumeRatio(point);
     const double w = this->weights_(span.firstPoint + q);
     if (!(J > 0.0) || !this->respond(law, point, w, this->elasticGradient(point, F), response, summary))
       return false;

@@ -29,6 +29,16 @@ void contract(const G& gradients, const Eigen::Matrix3d& F, const Stress& T, Out
   out.reshaped(gradients.rows(), kDimOf<K>).noalias() = gradients * pushed;
 }
 
+/// F̄ from F V_e.
+void projectVolume(Eigen::Matrix3d& gradient, int m, double Jbar, double J) {
+  gradient.topLeftCorner(m, m) *= std::pow(Jbar / J, 1.0 / m);
+}
+
+/// det F V_e − 1.
+double dilatationOf(const Eigen::Matrix3d& gradient) {
+  return VolumeChange(gradient - Eigen::Matrix3d::Identity()).minusOne();
+}
+
 /// Factors of the second variation at a point, split by the gradients D of the displacement and the relative
 /// changes η = δJ̄/J̄:  D : c : D + (D τ̄) : D + r tr(D D)  +  2 η (B : D)  +  e η².
 template <Kinematics K>
@@ -69,13 +79,15 @@ struct ProjectedTerm<Dim>::Workspace {
 
 template <int Dim>
 ProjectedTerm<Dim>::ProjectedTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature,
-                                  Material material)
-    : ProjectedTerm(quadrature, std::move(material), DilatationProjection<Dim>(body, quadrature)) {}
+                                  Material material, const std::optional<ReferenceState>& reference)
+    : ProjectedTerm(quadrature, std::move(material), reference, DilatationProjection<Dim>(body, quadrature)) {
+}
 
 template <int Dim>
 ProjectedTerm<Dim>::ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Material material,
+                                  const std::optional<ReferenceState>& reference,
                                   DilatationProjection<Dim> projection)
-    : BulkTerm<Dim>(quadrature, std::move(material)),
+    : BulkTerm<Dim>(quadrature, std::move(material), reference),
       projection_(std::move(projection)),
       coupling_(quadrature, projection_),
       F_(static_cast<std::size_t>(quadrature.numPoints())),
@@ -90,6 +102,29 @@ CouplingGroups ProjectedTerm<Dim>::couplings() const {
   CouplingGroups groups = BulkTerm<Dim>::couplings();
   groups.insert(groups.end(), coupling_.groups().begin(), coupling_.groups().end());
   return groups;
+}
+
+template <int Dim>
+std::vector<Eigen::Matrix3d> ProjectedTerm<Dim>::gradientsOfLaw(const Eigen::VectorXd& x) const {
+  auto gradients = BulkTerm<Dim>::gradientsOfLaw(x);
+  const auto& spans = this->quadrature_.spans();
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(projection_.numFunctions());
+  for (std::size_t e = 0; e < spans.size(); ++e) {
+    const auto& projected = projection_.spans()[e];
+    for (Eigen::Index q = 0; q < spans[e].weights.size(); ++q)
+      coefficients(projected.functions) +=
+          projected.L.col(q) * dilatationOf(gradients[static_cast<std::size_t>(spans[e].firstPoint + q)]);
+  }
+  for (std::size_t e = 0; e < spans.size(); ++e) {
+    const auto& projected = projection_.spans()[e];
+    const Eigen::VectorXd dilatation = projected.N.transpose() * coefficients(projected.functions);
+    for (Eigen::Index q = 0; q < dilatation.size(); ++q) {
+      auto& gradient = gradients[static_cast<std::size_t>(spans[e].firstPoint + q)];
+      projectVolume(gradient, gradientColumns(this->quadrature_.kinematics()), 1.0 + dilatation(q),
+                    1.0 + dilatationOf(gradient));
+    }
+  }
+  return gradients;
 }
 
 /// F, J, and what the span contributes to J̄ and its derivative; false where J is not positive.
@@ -110,11 +145,11 @@ bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, b
     const auto G = span.G.template middleCols<C>(C * q);
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
     F_[point] = deformationGradient<K>(work.u, G);
-    const double J = volumeRatio<K>(F_[point]);
+    const double J = volumeRatio<K>(F_[point]) * this->referenceVolumeRatio(point);
     if (!(J > 0.0)) return false;
     this->J_[point] = J;
     summary.minJ = std::min(summary.minJ, J);
-    dilatation(q) = VolumeChange(F_[point] - Eigen::Matrix3d::Identity()).minusOne();
+    dilatation(q) = dilatationOf(this->elasticGradient(point, F_[point]));
     if (!wantTangent) continue;
     contract<K>(G, F_[point], J * blockIdentity<K>(), work.perPoint.col(q));
   }
@@ -137,7 +172,6 @@ void ProjectedTerm<Dim>::gatherDilatation() {
 template <int Dim>
 template <Kinematics K, class Law>
 bool ProjectedTerm<Dim>::respondOnSpan(const Law& law, std::size_t number) {
-  constexpr int C = kColumns<K>;
   const auto& span = this->quadrature_.spans()[number];
   const auto& projected = projection_.spans()[number];
   const Eigen::VectorXd dilatation = projected.N.transpose() * dilatation_(projected.functions);
@@ -147,9 +181,10 @@ bool ProjectedTerm<Dim>::respondOnSpan(const Law& law, std::size_t number) {
     const double Jbar = 1.0 + dilatation(q);
     if (!(Jbar > 0.0)) return false;
     Jbar_(span.firstPoint + q) = Jbar;
-    Eigen::Matrix3d Fbar = F_[point];
-    Fbar.topLeftCorner<C, C>() *= std::pow(Jbar / J, 1.0 / C);
-    if (!this->respond(law, point, span.weights(q), Fbar, responses_[point], this->spanSummaries_[number]))
+    Eigen::Matrix3d Fbar = this->elasticGradient(point, F_[point]);
+    projectVolume(Fbar, kColumns<K>, Jbar, J);
+    if (!this->respond(law, point, this->weights_(span.firstPoint + q), Fbar, responses_[point],
+                       this->spanSummaries_[number]))
       return false;
     this->stress_[point] = (J / Jbar) * responses_[point].tau;
   }
@@ -164,8 +199,9 @@ void ProjectedTerm<Dim>::gatherPressure() {
   for (std::size_t e = 0; e < projection_.spans().size(); ++e) {
     const auto& span = this->quadrature_.spans()[e];
     const auto& projected = projection_.spans()[e];
+    const Eigen::Index Q = span.weights.size();
     Eigen::VectorXd weighted =
-        span.weights.cwiseQuotient(Jbar_.segment(span.firstPoint, span.weights.size()));
+        this->weights_.segment(span.firstPoint, Q).cwiseQuotient(Jbar_.segment(span.firstPoint, Q));
     for (Eigen::Index q = 0; q < weighted.size(); ++q)
       weighted(q) *= responses_[static_cast<std::size_t>(span.firstPoint + q)].tau.head(m).mean();
     pressure_(projected.functions) += projected.N * weighted;
@@ -189,7 +225,7 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
   for (Eigen::Index q = 0; q < Q; ++q) {
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
     const auto& response = responses_[point];
-    const double w = span.weights(q), Jbar = Jbar_(span.firstPoint + q);
+    const double w = this->weights_(span.firstPoint + q), Jbar = Jbar_(span.firstPoint + q);
     const double p = response.tau.template head<C>().mean();
     const double balanced = pull(q) * this->J_[point] / w;  // the mean stress that J̄ leaves to this point
     work.kernel.setGradients(q, F_[point]);

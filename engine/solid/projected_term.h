@@ -7,29 +7,33 @@
 
 namespace burnish {
 
-/// The F-bar formulation in its variational form: the law sees F̄ = (J̄/J)^{1/m} F with J̄ = Π J, where m counts
-/// the directions in which the volume can change (2 in plane strain, else 3), and
+/// The F-bar formulation in its variational form: the law sees F̄ = (J̄/J)^{1/m} F V_e with J = det F V_e and
+/// J̄ = Π J, where m counts the directions in which the volume can change (2 in plane strain, else 3), and
 ///
 ///     δΠ = Σ w [ (τ̄ − p 1) : ∇δu + p δJ̄/J̄ ],   p = tr τ̄ / m
 ///
-/// follows from the energy of the law at F̄, so that the tangent is symmetric. History and energies are those
-/// at F̄, `jacobians()` those of the displacements, and σ = τ̄/J̄.
+/// follows from the energy of the law at F̄, so that the tangent is symmetric; w are stress-free volumes.
+/// History and energies are those at F̄, `jacobians()` are J, and σ = τ̄/J̄.
 template <int Dim>
 class ProjectedTerm final : public BulkTerm<Dim> {
  public:
   /// The quadrature, made from the same body, must outlive the term.
-  ProjectedTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature, Material material);
+  ProjectedTerm(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature, Material material,
+                const std::optional<ReferenceState>& reference = {});
 
   CouplingGroups couplings() const override;
 
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+
+ protected:
+  std::vector<Eigen::Matrix3d> gradientsOfLaw(const Eigen::VectorXd& x) const override;
 
  private:
   template <Kinematics K>
   struct Workspace;
 
   ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Material material,
-                DilatationProjection<Dim> projection);
+                const std::optional<ReferenceState>& reference, DilatationProjection<Dim> projection);
 
   template <Kinematics K>
   bool evaluateAll(const Eigen::VectorXd& x, Assembly& out);
