@@ -49,11 +49,7 @@ Eigen::VectorXd valueAt(const Patch<2>& patch, const Eigen::MatrixXd& coefficien
 Eigen::Matrix2Xd anchorPositions(const Patch<2>& patch) {
   const auto& basis = patch.basis();
   Eigen::Matrix2Xd positions(2, basis.numFunctions());
-  for (int a = 0; a < basis.numFunctions(); ++a) {
-    const auto index = basis.functionIndex(a);
-    positions.col(a) =
-        patch.position({basis.direction(0).anchor(index[0]), basis.direction(1).anchor(index[1])});
-  }
+  for (int a = 0; a < basis.numFunctions(); ++a) positions.col(a) = patch.position(basis.anchor(a));
   return positions;
 }
 
@@ -322,13 +318,14 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   body.named.body.axisymmetric = stage.model->body().axisymmetric;
   const SpanQuadrature<2> quadrature(body.named.body, scene_.quadraturePoints.value_or(0));
   const InverseMap map(deformed);
-  const Eigen::Matrix2Xd parameters = parametersIn(map, pointPositions(quadrature, meshing->patch));
+  const double farthest = 0.5 * meshing->smallestSpan;
+  const Eigen::Matrix2Xd parameters = parametersIn(map, pointPositions(quadrature, meshing->patch), farthest);
   const auto& history = stage.model->bulk().history();
   PointStates states{stage.model->bulk().elasticDeformation(state.x), {}};
   for (const auto& point : history) states.e_p.push_back(point.e_p);
   body.states = interpolated(stage.model->quadrature(), deformed.basis(), states, parameters);
 
-  const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch));
+  const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch), farthest);
   NewtonReport& report = lastReport_;
   std::unique_ptr<Stage<2>> next;
   long failedIterations = 0;

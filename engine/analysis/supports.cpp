@@ -20,12 +20,7 @@ constexpr std::array<const char*, 3> kComponents{"x", "y", "z"};
 template <int P>
 std::vector<Eigen::Vector<double, P>> anchorsOf(const TensorBasis<P>& trace) {
   std::vector<Eigen::Vector<double, P>> anchors;
-  for (int a = 0; a < trace.numFunctions(); ++a) {
-    const auto index = trace.functionIndex(a);
-    Eigen::Vector<double, P> anchor;
-    for (int d = 0; d < P; ++d) anchor(d) = trace.direction(d).anchor(index[static_cast<std::size_t>(d)]);
-    anchors.push_back(anchor);
-  }
+  for (int a = 0; a < trace.numFunctions(); ++a) anchors.push_back(trace.anchor(a));
   return anchors;
 }
 

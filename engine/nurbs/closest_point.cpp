@@ -33,7 +33,7 @@ std::vector<Eigen::Vector<double, P>> parameterGrid(const TensorBasis<P>& basis,
 
 template <int P, int S>
 ClosestPoint<P> closestPoint(const Patch<P, S>& patch, const typename Patch<P, S>::Point& position,
-                             const std::vector<Eigen::Vector<double, P>>& starts, int maxSteps) {
+                             const std::vector<Eigen::Vector<double, P>>& starts, int maxSteps, double near) {
   assert(!starts.empty());
   ClosestPoint<P> best{starts.front(), std::numeric_limits<double>::infinity()};
   const auto visit = [&](const Eigen::Vector<double, P>& xi) {
@@ -43,7 +43,7 @@ ClosestPoint<P> closestPoint(const Patch<P, S>& patch, const typename Patch<P, S
   for (const auto& start : starts) visit(start);
 
   Eigen::Vector<double, P> xi = best.xi;
-  for (int step = 0; step < maxSteps; ++step) {
+  for (int step = 0; step < maxSteps && best.distance > near; ++step) {
     // The least-norm solution, because tangents vanish where an edge is collapsed.
     const Eigen::Vector<double, P> increment =
         patch.jacobian(xi).completeOrthogonalDecomposition().solve(position - patch.position(xi));
@@ -62,12 +62,12 @@ template std::vector<Eigen::Vector<double, 2>> parameterGrid(const TensorBasis<2
 template std::vector<Eigen::Vector<double, 3>> parameterGrid(const TensorBasis<3>&,
                                                              const std::vector<double>&);
 template ClosestPoint<1> closestPoint(const Patch<1, 2>&, const Eigen::Vector2d&,
-                                      const std::vector<Eigen::Vector<double, 1>>&, int);
+                                      const std::vector<Eigen::Vector<double, 1>>&, int, double);
 template ClosestPoint<2> closestPoint(const Patch<2, 2>&, const Eigen::Vector2d&,
-                                      const std::vector<Eigen::Vector2d>&, int);
+                                      const std::vector<Eigen::Vector2d>&, int, double);
 template ClosestPoint<2> closestPoint(const Patch<2, 3>&, const Eigen::Vector3d&,
-                                      const std::vector<Eigen::Vector2d>&, int);
+                                      const std::vector<Eigen::Vector2d>&, int, double);
 template ClosestPoint<3> closestPoint(const Patch<3, 3>&, const Eigen::Vector3d&,
-                                      const std::vector<Eigen::Vector3d>&, int);
+                                      const std::vector<Eigen::Vector3d>&, int, double);
 
 }  // namespace burnish

@@ -19,9 +19,11 @@ struct ClosestPoint {
 };
 
 /// The point of a patch that is closest to a position: Gauss-Newton steps that stay in the patch, from the
-/// closest of the starts (at least one). The best of all points on the way, so never farther than a start.
+/// closest of the starts (at least one), until they are at most `near` from the position. The best of all
+/// points on the way, so never farther than a start.
 template <int P, int S>
 ClosestPoint<P> closestPoint(const Patch<P, S>& patch, const typename Patch<P, S>::Point& position,
-                             const std::vector<Eigen::Vector<double, P>>& starts, int maxSteps);
+                             const std::vector<Eigen::Vector<double, P>>& starts, int maxSteps,
+                             double near = 0.0);
 
 }  // namespace burnish

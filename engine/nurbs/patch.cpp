@@ -99,6 +99,14 @@ int TensorBasis<P>::functionNumber(const Index& index) const {
 }
 
 template <int P>
+Eigen::Vector<double, P> TensorBasis<P>::anchor(int function) const {
+  const Index index = functionIndex(function);
+  Eigen::Vector<double, P> xi;
+  for (int d = 0; d < P; ++d) xi(d) = direction(d).anchor(index[static_cast<std::size_t>(d)]);
+  return xi;
+}
+
+template <int P>
 std::vector<int> TensorBasis<P>::spanFunctions(int span) const {
   const Index spans = spanIndex(span);
   const auto local = extents<P>([&](int d) { return direction(d).degree() + 1; });

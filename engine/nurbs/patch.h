@@ -26,6 +26,9 @@ class TensorBasis {
   Index functionIndex(int function) const;
   int functionNumber(const Index& index) const;
 
+  /// Anchors of a function in all directions: the parameter point that it belongs to.
+  Eigen::Vector<double, P> anchor(int function) const;
+
   /// Numbers of the functions that live on a span, first direction fastest: `functionsPerSpan()` entries.
   std::vector<int> spanFunctions(int span) const;
 

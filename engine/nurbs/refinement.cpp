@@ -163,12 +163,7 @@ Patch<P, S> lagrangeInterpolant(const Patch<P, S>& patch, int degree,
   for (const auto& list : breakpoints) directions.push_back(UnivariateBasis::lagrange(degree, list));
   TensorBasis<P> basis(std::move(directions));
   Eigen::MatrixXd points(S, basis.numFunctions());
-  for (int a = 0; a < basis.numFunctions(); ++a) {
-    const auto index = basis.functionIndex(a);
-    typename Patch<P, S>::Parameter xi;
-    for (int d = 0; d < P; ++d) xi(d) = basis.direction(d).anchor(index[static_cast<std::size_t>(d)]);
-    points.col(a) = patch.position(xi);
-  }
+  for (int a = 0; a < basis.numFunctions(); ++a) points.col(a) = patch.position(basis.anchor(a));
   const int n = basis.numFunctions();
   return {std::move(basis), std::move(points), Eigen::VectorXd::Ones(n)};
 }

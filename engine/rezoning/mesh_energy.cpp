@@ -18,10 +18,8 @@ Patch<2> rectangleLike(const Patch<2>& mesh, const Eigen::Vector2d& size) {
   const auto& basis = mesh.basis();
   Eigen::MatrixXd points(2, basis.numFunctions());
   for (int a = 0; a < basis.numFunctions(); ++a) {
-    const auto index = basis.functionIndex(a);
-    for (int d = 0; d < 2; ++d)
-      points(d, a) =
-          size(d) * basis.direction(d).shareOf(basis.direction(d).anchor(index[static_cast<std::size_t>(d)]));
+    const Eigen::Vector2d anchor = basis.anchor(a);
+    for (int d = 0; d < 2; ++d) points(d, a) = size(d) * basis.direction(d).shareOf(anchor(d));
   }
   return {basis, std::move(points), Eigen::VectorXd::Ones(basis.numFunctions())};
 }

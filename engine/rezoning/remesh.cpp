@@ -148,7 +148,7 @@ std::optional<Remeshing> remesh(const Patch<2>& deformed, const RemeshOptions& o
       distributeSpans(length, options.finest, options.spans[along], options.growth,
                       sizeLimits(curves[static_cast<std::size_t>(options.face)], options.turn));
   std::vector<double> layers =
-      distributeLayers(depth, options.firstLayer * distribution.smallest, options.spans[across]);
+      distributeLayers(depth, options.firstLayer * distribution.finest, options.spans[across]);
   if (options.face % 2 == 1) layers = reversed(layers);
 
   std::vector<UnivariateBasis> directions;

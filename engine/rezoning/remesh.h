@@ -12,8 +12,8 @@ struct RemeshOptions {
   ArcInterval finest;  ///< of its arc length in the deformed patch
   SpanGrowth growth;
   std::array<int, 2> spans{};  ///< per direction of the patch
-  double turn = 0.0;        ///< of the face within a knot span, radians, at most where h_0 allows it; 0: any
-  double firstLayer = 1.5;  ///< size of the spans under the face over the smallest along it
+  double turn = 0.0;           ///< of the face within a knot span, radians, where h_0 allows it; 0: any
+  double firstLayer = 1.5;     ///< size of the spans under the face over h_0
   double smallestDeterminant = 1e-3;  ///< of the map, over its largest: what a mesh must have
 };
 

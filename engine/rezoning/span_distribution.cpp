@@ -12,14 +12,22 @@ namespace {
 constexpr int kIntervals = 4000;
 constexpr int kHalvings = 60;
 
+/// Part of h_0 below which no limit makes a span of the interval that is to be finest.
+constexpr double kSmallestShare = 0.5;
+
 /// Sizes of spans at the middles of many even intervals.
 class Sizes {
  public:
   Sizes(double length, const ArcInterval& finest, const SpanGrowth& growth, const std::vector<double>& limits)
-      : step_(length / kIntervals), slope_(growth.slope), growths_(kIntervals), limits_(kIntervals, length) {
+      : step_(length / kIntervals),
+        slope_(growth.slope),
+        growths_(kIntervals),
+        smallest_(kIntervals),
+        limits_(kIntervals, length) {
     for (std::size_t k = 0; k < kIntervals; ++k) {
       const double s = (static_cast<double>(k) + 0.5) * step_;
       const double d = std::max({finest.begin - s, s - finest.end, 0.0});
+      smallest_[k] = d == 0.0 ? kSmallestShare : 1.0;
       growths_[k] = slope_ * (std::hypot(d, growth.rounding) - growth.rounding);
       if (limits.empty()) continue;
       const double place = s / length * (static_cast<double>(limits.size()) - 1.0);
@@ -30,10 +38,10 @@ class Sizes {
   }
 
   /// ∫ ds/h up to the end of each interval.
-  std::vector<double> spansUpTo(double smallest) const {
+  std::vector<double> spansUpTo(double finest) const {
     std::vector<double> sizes(kIntervals);
     for (std::size_t k = 0; k < kIntervals; ++k)
-      sizes[k] = std::min(smallest + growths_[k], std::max(smallest, limits_[k]));
+      sizes[k] = std::min(finest + growths_[k], std::max(smallest_[k] * finest, limits_[k]));
     for (std::size_t k = 1; k < kIntervals; ++k) sizes[k] = std::min(sizes[k], sizes[k - 1] + slope_ * step_);
     for (std::size_t k = kIntervals - 1; k-- > 0;)
       sizes[k] = std::min(sizes[k], sizes[k + 1] + slope_ * step_);
@@ -44,7 +52,7 @@ class Sizes {
 
  private:
   double step_, slope_;
-  std::vector<double> growths_, limits_;
+  std::vector<double> growths_, smallest_, limits_;
 };
 
 }  // namespace
@@ -60,7 +68,7 @@ SpanDistribution distributeSpans(double length, const ArcInterval& finest, int n
     (sizes.spansUpTo(middle).back() > numSpans ? low : high) = middle;
   }
 
-  SpanDistribution result{{0.0}, high};
+  SpanDistribution result{{0.0}, high, length};
   const std::vector<double> counts = sizes.spansUpTo(high);
   for (int k = 1; k < numSpans; ++k) {
     const double wanted = counts.back() * k / numSpans;
@@ -69,6 +77,8 @@ SpanDistribution distributeSpans(double length, const ArcInterval& finest, int n
     result.breakpoints.push_back((static_cast<double>(above - counts.begin()) - 1.0 + share) / kIntervals);
   }
   result.breakpoints.push_back(1.0);
+  for (std::size_t k = 1; k < result.breakpoints.size(); ++k)
+    result.smallest = std::min(result.smallest, length * (result.breakpoints[k] - result.breakpoints[k - 1]));
   return result;
 }
 

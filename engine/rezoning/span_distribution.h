@@ -16,15 +16,17 @@ struct SpanGrowth {
   double rounding = 0.0;
 };
 
-/// Breakpoints of knot spans, and the size h_0 of the smallest.
+/// Breakpoints of knot spans.
 struct SpanDistribution {
   std::vector<double> breakpoints;  ///< from 0 to 1, shares of the length
-  double smallest = 0.0;            ///< h_0, a length
+  double finest = 0.0;              ///< h_0, a length
+  double smallest = 0.0;            ///< length of the smallest span, less than h_0 where a limit wants that
 };
 
 /// Divides a length into knot spans that are finest in an interval of it. limits: the largest sizes that are
-/// wanted at evenly spaced places from 0 to the length, where h_0 is not larger, with the same growth around
-/// them; none when empty. Throws `Error` unless the length is positive and there is at least one span.
+/// wanted at evenly spaced places from 0 to the length, with the same growth around them; spans are not made
+/// smaller than h_0 for them, in the interval than h_0 / 2. None when empty. Throws `Error` unless the length
+/// is positive and there is at least one span.
 SpanDistribution distributeSpans(double length, const ArcInterval& finest, int numSpans,
                                  const SpanGrowth& growth, const std::vector<double>& limits = {});
 

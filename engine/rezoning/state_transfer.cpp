@@ -1,10 +1,13 @@
 #include "engine/rezoning/state_transfer.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Sparse>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "engine/core/error.h"
 #include "engine/material/symmetric_tensor.h"
 #include "engine/rezoning/grid_interpolation.h"
 
@@ -74,11 +77,14 @@ class ReducedField {
 
 }  // namespace
 
-Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& positions) {
+Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& positions, double farthest) {
   Eigen::Matrix2Xd parameters(2, positions.cols());
   Eigen::Vector2d guess = Eigen::Vector2d::Zero();
   for (Eigen::Index k = 0; k < positions.cols(); ++k) {
-    guess = old(positions.col(k), guess);
+    const auto found = old(positions.col(k), guess);
+    if (found.distance > farthest)
+      throw Error(fmt::format("a point of the new mesh lies {:.2g} outside the old one", found.distance));
+    guess = found.xi;
     parameters.col(k) = guess;
   }
   return parameters;

@@ -15,8 +15,8 @@ struct PointStates {
 };
 
 /// Parameters, in the old patch, of positions along a path through the new one, each found from the one
-/// before.
-Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& positions);
+/// before. Throws `Error` if a position is farther than `farthest` from the old patch.
+Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& positions, double farthest);
 
 /// Positions of the quadrature points of a body of one patch, 2 x points.
 Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch<2>& patch);

@@ -81,7 +81,7 @@ void describe(Visitor& v, Scene& s) {
   v.field("rezoning", s.rezoning, {},
           "Meshes the body anew while a tool moves along it, so that its surface stays resolved under the "
           "tool; a "
-          "plane or axisymmetric body of one patch in the displacement formulation.");
+          "plane or axisymmetric body of one patch.");
   v.field("output", s.output, {}, "When and how finely results are written.");
   v.field("pictures", s.pictures, {}, "Contour pictures, drawn as the run passes their times.");
   v.field("measures", s.measures, {}, "Columns of the history beside those that every run has.");

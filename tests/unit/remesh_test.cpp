@@ -65,6 +65,22 @@ TEST(SpanDistribution, ObeysALimitWhereThereAreSpansEnough) {
     }
 }
 
+/// Limits of no size at all around a place on a length of 3.
+SpanDistribution withLimitAt(std::size_t place) {
+  std::vector<double> limits(301, 3.0);
+  for (std::size_t k = place - 10; k <= place + 10; ++k) limits[k] = 1e-6;
+  return distributeSpans(3.0, {0.5, 1.5}, 60, {0.25, 0.03}, limits);
+}
+
+TEST(SpanDistribution, MakesSpansForALimitHalfAsLargeAsTheFinestAndNotLess) {
+  const SpanDistribution inside = withLimitAt(100), beyond = withLimitAt(220);
+  EXPECT_NEAR(inside.smallest, 0.5 * inside.finest, 1e-2 * inside.finest);
+  EXPECT_NEAR(beyond.smallest, beyond.finest, 1e-2 * beyond.finest);
+  const double free = distributeSpans(3.0, {0.5, 1.5}, 60, {0.25, 0.03}).finest;
+  EXPECT_GT(inside.finest, free);
+  EXPECT_GT(beyond.finest, free);
+}
+
 TEST(SpanDistribution, LayersBeginAsAskedAndGrowByOneRatio) {
   const auto layers = distributeLayers(1.0, 0.02, 20);
   ASSERT_EQ(layers.size(), 21u);
@@ -107,10 +123,11 @@ TEST(InverseMap, FindsParametersAndEndsOnTheBoundaryFromOutside) {
   const InverseMap map(ring);
   for (const Eigen::Vector2d& xi :
        {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(0.21, 0.93), Eigen::Vector2d(1.0, 0.4)})
-    EXPECT_LT((map(ring.position(xi), {0.5, 0.5}) - xi).norm(), 1e-10);
-  const Eigen::Vector2d outside = map(1.01 * ring.position({1.0, 0.37}), {0.9, 0.1});
-  EXPECT_EQ(outside(0), 1.0);
-  EXPECT_NEAR(outside(1), 0.37, 1e-9);
+    EXPECT_LT((map(ring.position(xi), {0.5, 0.5}).xi - xi).norm(), 1e-10);
+  const auto outside = map(1.01 * ring.position({1.0, 0.37}), {0.9, 0.1});
+  EXPECT_EQ(outside.xi(0), 1.0);
+  EXPECT_NEAR(outside.xi(1), 0.37, 1e-9);
+  EXPECT_NEAR(outside.distance, 0.02, 1e-9);
 }
 
 TEST(MeshEnergy, LeavesARectangleAloneAndUntanglesASkewedInside) {

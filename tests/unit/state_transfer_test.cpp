@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "engine/core/error.h"
 #include "engine/material/j2_plasticity.h"
 #include "engine/material/neo_hookean.h"
 #include "engine/nurbs/refinement.h"
@@ -64,7 +65,7 @@ PointStates statesOf(const Slab& slab) {
 
 PointStates transferred(const Slab& from, const PointStates& states, const Slab& to) {
   return interpolated(from.quadrature, from.patch.basis(), states,
-                      parametersIn(InverseMap(from.patch), pointPositions(to.quadrature, to.patch)));
+                      parametersIn(InverseMap(from.patch), pointPositions(to.quadrature, to.patch), 1e-9));
 }
 
 double integral(const Slab& slab, const std::vector<double>& values) {
@@ -143,6 +144,13 @@ TEST(StateTransfer, GainsNoPlasticStrainOnRoundTripsAndKeepsVolumesAndSigns) {
     EXPECT_GT(states.b_e[k].selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0.0);
     EXPECT_GE(states.e_p[k], 0.0);
   }
+}
+
+TEST(StateTransfer, RefusesAPointThatIsNotInTheOldMesh) {
+  const Slab from(2, 6);
+  const Eigen::Matrix2Xd outside{{0.5, 1.01}, {0.5, 0.5}};
+  EXPECT_NO_THROW(parametersIn(InverseMap(from.patch), outside, 0.011));
+  EXPECT_THROW(parametersIn(InverseMap(from.patch), outside, 0.009), Error);
 }
 
 TEST(StateTransfer, DoesNotMakePlasticStrainNegative) {
