@@ -41,14 +41,21 @@ double last(const HistoryTable& history, const std::string& column) {
   return history.column(column).back();
 }
 
-TEST(RezoningRuns, ResumeWithTheSameBitsFromAnyMesh) {
+/// Both formulations, as a line of a scene.
+class RezoningRuns : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Formulations, RezoningRuns,
+                         testing::Values("formulation: displacement\n", "formulation: fbar\n"),
+                         [](const auto& test) { return test.index == 0 ? "Displacement" : "Projected"; });
+
+TEST_P(RezoningRuns, ResumeWithTheSameBitsFromAnyMesh) {
   const ScratchDirectory whole("rezoned_whole"), part("rezoned_part");
-  const RunSummary summary = runTo(whole.path(), kRezoned);
+  const RunSummary summary = runTo(whole.path(), GetParam() + kRezoned);
   ASSERT_TRUE(summary.completed) << summary.stoppedBecause;
   ASSERT_GE(summary.rezonings.size(), 3u);
   EXPECT_EQ(summary.failedRezonings, 0) << summary.rezoningFailure;
 
-  RunSummary resumed = runTo(part.path(), kRezoned, haltAfter(1, 1));
+  RunSummary resumed = runTo(part.path(), GetParam() + kRezoned, haltAfter(1, 1));
   RunObserver silent;
   for (int halts = 0; resumed.halted; ++halts) {
     ASSERT_LT(halts, 100);
@@ -63,9 +70,9 @@ TEST(RezoningRuns, ResumeWithTheSameBitsFromAnyMesh) {
   }
 }
 
-TEST(RezoningRuns, KeepTheirBooks) {
+TEST_P(RezoningRuns, KeepTheirBooks) {
   const ScratchDirectory directory("rezoned_books");
-  const RunSummary summary = runTo(directory.path(), kRezoned);
+  const RunSummary summary = runTo(directory.path(), GetParam() + kRezoned);
   const HistoryTable history = readHistory(directory.path() / "history.csv");
   EXPECT_EQ(last(history, "rezonings"), static_cast<double>(summary.rezonings.size()));
   double lost = 0.0;
@@ -76,8 +83,9 @@ TEST(RezoningRuns, KeepTheirBooks) {
     lost += rezoning.energyLost;
   }
   EXPECT_DOUBLE_EQ(last(history, "rezoning_energy_lost"), lost);
-  const double work = last(history, "external_work");
-  EXPECT_NEAR(last(history, "strain_energy") + last(history, "plastic_work"), work, 0.02 * work);
+  const double work =
+      last(history, "external_work");  // from few and large steps: 1 to 3 % off on one mesh too
+  EXPECT_NEAR(last(history, "strain_energy") + last(history, "plastic_work"), work, 0.03 * work);
   EXPECT_EQ(last(history, "crosses_itself"), 0.0);
   EXPECT_GT(last(history, "top.ymax"), 0.6);
 
@@ -97,14 +105,15 @@ TEST(RezoningRuns, KeepTheirBooks) {
 
 /// Nothing is invented by the transfer: an elastic body answers as on one mesh, but for what the meshes
 /// differ.
-TEST(RezoningRuns, ElasticBodiesAnswerAsOnOneMesh) {
-  const std::string elastic = samples::replaced(
-      samples::replaced(
-          samples::ironing,
-          samples::ironing.substr(samples::ironing.find("  law: j2"),
-                                  samples::ironing.find("supports") - samples::ironing.find("  law: j2")),
-          "  {law: neo-hookean, E: 1.0, nu: 0.3}\n"),
-      "[30, 8]", "[40, 12]");
+TEST_P(RezoningRuns, ElasticBodiesAnswerAsOnOneMesh) {
+  const std::string elastic =
+      GetParam() +
+      samples::replaced(samples::replaced(samples::ironing,
+                                          samples::ironing.substr(samples::ironing.find("  law: j2"),
+                                                                  samples::ironing.find("supports") -
+                                                                      samples::ironing.find("  law: j2")),
+                                          "  {law: neo-hookean, E: 1.0, nu: 0.3}\n"),
+                        "[30, 8]", "[40, 12]");
   const ScratchDirectory fixed("elastic_fixed"), rezoned("elastic_rezoned");
   runTo(fixed.path(), elastic);
   const RunSummary summary = runTo(rezoned.path(), elastic + "rezoning: {travel: 0.1}\n");
@@ -122,10 +131,11 @@ std::string pressed(const std::string& keys, const std::string& center) {
   return samples::replaced(scene, "center: [0.7, 1.1]", center) + "rezoning: {travel: 0.02}\n";
 }
 
-TEST(RezoningRuns, LagrangeElementsAndAxisymmetricBodiesAreMeshedAnewToo) {
+TEST_P(RezoningRuns, LagrangeElementsAndAxisymmetricBodiesAreMeshedAnewToo) {
   const std::string ball = samples::replaced(pressed("kinematics: axisymmetric\n", "center: [0.0, 1.1]"),
                                              "fix: [x, y]}", "fix: [x, y]}, {face: left, fix: [x]}");
-  for (const std::string& scene : {pressed("basis: lagrange\n", "center: [1.0, 1.1]"), ball}) {
+  for (const std::string& one : {pressed("basis: lagrange\n", "center: [1.0, 1.1]"), ball}) {
+    const std::string scene = GetParam() + one;
     const ScratchDirectory directory("rezoned_other");
     const RunSummary summary = runTo(directory.path(), scene);
     EXPECT_TRUE(summary.completed) << scene << summary.stoppedBecause;
@@ -147,8 +157,6 @@ TEST(RezoningScenes, SayWhatTheyCannotHave) {
     return std::string();
   };
   EXPECT_EQ(mistake(kRezoned), "");
-  EXPECT_THAT(mistake("formulation: fbar\n" + kRezoned),
-              HasSubstr("formulation: found fbar in a scene with rezoning"));
   EXPECT_THAT(mistake(samples::replaced(kRezoned, "kind: extent, face: top", "kind: face, face: top")),
               HasSubstr("measures[0]: found a measure of points of the undeformed mesh"));
   EXPECT_THAT(mistake(samples::replaced(kRezoned, "output:", "loads: [{face: left, pressure: 1}]\noutput:")),
