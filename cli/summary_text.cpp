@@ -14,13 +14,25 @@ std::string line(const char* label, const std::string& text) {
   return fmt::format("  {:<22}{}\n", label, text);
 }
 
-/// How far external work and what became of it are apart.
-std::string balance(const StateQuantities& end) {
+/// How far the work done on the body and what became of it are apart.
+std::string balance(const RunSummary& summary) {
+  const StateQuantities& end = summary.end;
   const double found = end.strainEnergy + end.contactEnergy + end.plasticWork;
-  const double scale = std::max(std::abs(found), std::abs(end.externalWork));
+  double done = end.externalWork;
+  for (const auto& rezoning : summary.rezonings) done += rezoning.gapWork;
+  const double scale = std::max(std::abs(found), std::abs(done));
   if (scale == 0.0) return "nothing stored, no work done";
-  return fmt::format("external work differs by {:.2g} % from energies and plastic work",
-                     100.0 * std::abs(end.externalWork - found) / scale);
+  return fmt::format("{} differs by {:.2g} % from energies and plastic work",
+                     summary.rezonings.empty() ? "external work" : "work, that of closing gaps included,",
+                     100.0 * std::abs(done - found) / scale);
+}
+
+std::string rezonings(const RunSummary& summary) {
+  std::string text = std::to_string(summary.rezonings.size());
+  if (summary.failedRezonings > 0)
+    text +=
+        fmt::format("; {} attempts failed, the last at {}", summary.failedRezonings, summary.rezoningFailure);
+  return text;
 }
 
 std::string outcome(const RunSummary& summary) {
@@ -38,6 +50,7 @@ std::string summaryText(const RunSummary& s) {
   text += line("iterations", fmt::format("{}, {:.2f} per step, at most {} in one", s.iterations,
                                          s.meanIterations, s.maxIterations));
   text += line("unknowns", std::to_string(s.unknowns));
+  if (!s.rezonings.empty() || s.failedRezonings > 0) text += line("rezonings", rezonings(s));
   text += line("worst residual", fmt::format("{:.2e}, tolerance {:.0e}", s.worstResidual, s.tolerance));
   if (s.stepsAtRoundOff > 0)
     text += line("rounding", fmt::format("{} steps ended above the tolerance, where rounding allows no less",
@@ -48,7 +61,7 @@ std::string summaryText(const RunSummary& s) {
   text += line("energies at the end", fmt::format("strain {:.8g}, contact {:.4g}, plastic work {:.8g}",
                                                   end.strainEnergy, end.contactEnergy, end.plasticWork));
   text += line("external work", fmt::format("{:.8g}", end.externalWork));
-  text += line("balance", balance(end));
+  text += line("balance", balance(s));
   if (end.maxPlasticStrain > 0.0)
     text +=
         line("plastic strain", fmt::format("at most {:.5g} at quadrature points; projected {:.5g} to {:.5g}",

@@ -18,8 +18,9 @@ namespace {
 constexpr double kDoubtfulSpanShare = 0.1;
 constexpr double kDoubtfulRadiusShare = 0.01;
 constexpr double kDoubtfulJ = 0.05;
+constexpr double kDoubtfulBoundary = 0.005;
 constexpr double kCrossing = 1e-9;  // relative to the body's size
-constexpr std::size_t kFirstToolDoubt = 4;
+constexpr std::size_t kFirstToolDoubt = 5;
 
 /// Largest penetration over the size of a span.
 template <int Dim>
@@ -49,7 +50,9 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
            std::string(scene.rezoning
                            ? "give new meshes more spans (rezoning.spans)"
                            : "`rezoning: {}` in the scene of a plane body meshes it anew under way")},
-          {"a contact face crosses itself, as contact of the body with itself is not computed"}},
+          {"a contact face crosses itself, as contact of the body with itself is not computed"},
+          {"the boundary of a new mesh is farther than 0.5 % of the body's size from the old one; give new "
+           "meshes more spans (rezoning.spans)"}},
       touched_(model.tools().size(), false),
       rezones_(scene.rezoning.has_value()) {
   for (auto& sentence : toolWatch_.sentences()) doubts_.push_back({std::move(sentence)});
@@ -75,8 +78,8 @@ std::vector<std::string> Recorder<Dim>::columns() const {
         "max_penetration", "min_detJ", "newton_iterations"})
     columns.emplace_back(name);
   if (rezones_)
-    for (const char* name : {"rezonings", "rezoning_energy_lost", "rezoning_volume_drift",
-                             "rezoning_boundary_error", "crosses_itself"})
+    for (const char* name : {"rezonings", "rezoning_energy_lost", "rezoning_gap_work",
+                             "rezoning_volume_drift", "rezoning_boundary_error", "crosses_itself"})
       columns.emplace_back(name);
   for (auto& column : measures_.columns()) columns.push_back(std::move(column));
   return columns;
@@ -168,6 +171,7 @@ void Recorder<Dim>::continueFrom(const Recorder& before) {
   touched_ = before.touched_;
   rezonings_ = before.rezonings_;
   energyLost_ = before.energyLost_;
+  gapWork_ = before.gapWork_;
   volumeDrift_ = before.volumeDrift_;
   boundaryError_ = before.boundaryError_;
   projectionSeconds_ = before.projectionSeconds_;
@@ -177,6 +181,7 @@ template <int Dim>
 void Recorder<Dim>::noteRezoning(const RezoningRecord& rezoning) {
   ++rezonings_;
   energyLost_ += rezoning.energyLost;
+  gapWork_ += rezoning.gapWork;
   volumeDrift_ = rezoning.volumeDrift;
   boundaryError_ = std::max(boundaryError_, rezoning.boundaryError);
 }
@@ -224,6 +229,7 @@ void Recorder<Dim>::watch() {
   note(doubts_[2], std::any_of(contacts.begin(), contacts.end(),
                                [&](const auto& pair) { return hasLostResolution(pair); }));
   note(doubts_[3], crossesItself_);
+  note(doubts_[4], boundaryError_ > kDoubtfulBoundary * model_.body().size());
   const auto reached = toolWatch_.reached(current_.toolPoses, x_);
   for (std::size_t k = 0; k < reached.size(); ++k) note(doubts_[kFirstToolDoubt + k], reached[k]);
   const auto tips = tipWatch_.tips(current_.toolPoses, x_);
@@ -272,8 +278,8 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
         static_cast<double>(newtonIterations)})
     row.push_back(value);
   if (rezones_)
-    for (const double value : {static_cast<double>(rezonings_), energyLost_, volumeDrift_, boundaryError_,
-                               crossesItself_ ? 1.0 : 0.0})
+    for (const double value : {static_cast<double>(rezonings_), energyLost_, gapWork_, volumeDrift_,
+                               boundaryError_, crossesItself_ ? 1.0 : 0.0})
       row.push_back(value);
   row.insert(row.end(), measured_.begin(), measured_.end());
   return row;
@@ -328,6 +334,7 @@ void Recorder<Dim>::archive(StateArchive& archive) {
   archive.field("projection_seconds", projectionSeconds_);
   archive.field("rezonings", rezonings_);
   archive.field("rezoning_energy_lost", energyLost_);
+  archive.field("rezoning_gap_work", gapWork_);
   archive.field("rezoning_volume_drift", volumeDrift_);
   archive.field("rezoning_boundary_error", boundaryError_);
 }

@@ -106,7 +106,8 @@ class Recorder {
   std::vector<bool> touched_;      ///< per tool
   bool rezones_;
   int rezonings_ = 0;
-  double energyLost_ = 0.0, volumeDrift_ = 0.0, boundaryError_ = 0.0;  ///< of rezonings: sum, last, largest
+  double energyLost_ = 0.0, gapWork_ = 0.0;         ///< sums of rezonings
+  double volumeDrift_ = 0.0, boundaryError_ = 0.0;  ///< the last one, the largest
   double projectionSeconds_ = 0.0;
 };
 

@@ -132,13 +132,28 @@ double smallestThickness(const Model<2>& model) {
   return smallest;
 }
 
+struct Settlement {
+  NewtonReport report;
+  double gapWork = 0.0;  ///< see `RezoningRecord`
+};
+
+/// λ_A of all pairs of a stage.
+std::vector<Eigen::VectorXd> multipliersOf(const Stage<2>& stage) {
+  std::vector<Eigen::VectorXd> multipliers;
+  for (const auto& pair : stage.model->contacts())
+    multipliers.push_back(
+        stage.stepping.state().x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()));
+  return multipliers;
+}
+
 /// Brings a stage into equilibrium while the gaps with which it begins, and which pairs in contact should not
 /// have, are taken away in equal parts.
-NewtonReport settle(Stage<2>& stage, int parts) {
+Settlement settle(Stage<2>& stage, int parts) {
   std::vector<Eigen::VectorXd> origins;
-  NewtonReport report;
+  Settlement result;
+  NewtonReport& report = result.report;
   report.outcome = NewtonOutcome::Inadmissible;
-  if (!stage.evaluateHere().admissible) return report;
+  if (!stage.evaluateHere().admissible) return result;
   for (const auto& pair : stage.model->contacts()) {
     const Eigen::VectorXd& gaps = pair.term->state().averageGap;
     Eigen::VectorXd& origin = origins.emplace_back(gaps.cwiseMin(0.0));
@@ -146,6 +161,7 @@ NewtonReport settle(Stage<2>& stage, int parts) {
       if (stage.stepping.state().x(pair.term->firstMultiplier() + a) < 0.0) origin(a) = gaps(a);
   }
   int iterations = 0;
+  std::vector<Eigen::VectorXd> before = multipliersOf(stage);
   for (int left = parts - 1; left >= 0; --left) {
     for (std::size_t k = 0; k < origins.size(); ++k)
       stage.model->contacts()[k].term->countGapsFrom(left == 0 ? Eigen::VectorXd()
@@ -153,9 +169,14 @@ NewtonReport settle(Stage<2>& stage, int parts) {
     report = stage.stepping.settle();
     iterations += report.iterations;
     if (report.outcome != NewtonOutcome::Converged) break;
+    std::vector<Eigen::VectorXd> now = multipliersOf(stage);
+    for (std::size_t k = 0; k < origins.size(); ++k)
+      result.gapWork += stage.model->contacts()[k].term->weights().dot(
+          (0.5 / parts * (before[k] + now[k])).cwiseProduct(origins[k]));
+    before = std::move(now);
   }
   report.iterations = iterations;
-  return report;
+  return result;
 }
 
 }  // namespace
@@ -326,7 +347,7 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   body.states = interpolated(stage.model->quadrature(), deformed.basis(), states, parameters);
 
   const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch), farthest);
-  NewtonReport& report = lastReport_;
+  Settlement settlement;
   std::unique_ptr<Stage<2>> next;
   long failedIterations = 0;
   for (const int ramp : kRamps) {
@@ -334,10 +355,11 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
     SteppingState start = startOn(stage, deformed, *model, anchors);
     start.iterations += failedIterations;
     next = std::make_unique<Stage<2>>(scene_, std::move(model), std::move(start));
-    report = settle(*next, ramp);
-    if (report.outcome == NewtonOutcome::Converged) break;
-    failedIterations += report.iterations;
+    settlement = settle(*next, ramp);
+    if (settlement.report.outcome == NewtonOutcome::Converged) break;
+    failedIterations += settlement.report.iterations;
   }
+  const NewtonReport& report = lastReport_ = settlement.report;
   if (report.outcome != NewtonOutcome::Converged) {
     fail(stage, fmt::format("no equilibrium on a new mesh of quality {:.2g}, {}", meshing->quality,
                             describe(report.outcome)));
@@ -354,6 +376,7 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   records_.push_back(
       {.time = state.time,
        .energyLost = stage.recorder.current().strainEnergy - next->recorder.current().strainEnergy,
+       .gapWork = settlement.gapWork,
        .volumeDrift = next->model->bulk().weights().sum() / volume_ - 1.0,
        .boundaryError = meshing->boundaryError,
        .quality = meshing->quality,
@@ -393,17 +416,17 @@ void Rezoner::archive(StateArchive& archive) {
 }
 
 void Rezoner::archiveRecords(StateArchive& archive) {
-  constexpr Eigen::Index perRecord = 7;
+  constexpr Eigen::Index perRecord = 8;
   Eigen::MatrixXd values(perRecord, std::ssize(records_));
   for (Eigen::Index k = 0; k < values.cols(); ++k) {
     const auto& r = records_[static_cast<std::size_t>(k)];
-    values.col(k) << r.time, r.energyLost, r.volumeDrift, r.boundaryError, r.quality, r.smallestSpan,
-        r.iterations;
+    values.col(k) << r.time, r.energyLost, r.gapWork, r.volumeDrift, r.boundaryError, r.quality,
+        r.smallestSpan, r.iterations;
   }
   archiveMatrix(archive, "records", perRecord, values);
   records_.clear();
   for (const auto& r : values.colwise())
-    records_.push_back({r(0), r(1), r(2), r(3), r(4), r(5), static_cast<int>(r(6))});
+    records_.push_back({r(0), r(1), r(2), r(3), r(4), r(5), r(6), static_cast<int>(r(7))});
 }
 
 std::unique_ptr<Stage<2>> Rezoner::restoredStage() const {

@@ -15,9 +15,10 @@ namespace burnish {
 namespace {
 
 /// The numbers of a rezoning in the file.
-constexpr std::array<std::pair<const char*, double RezoningRecord::*>, 6> kRezoningNumbers{
+constexpr std::array<std::pair<const char*, double RezoningRecord::*>, 7> kRezoningNumbers{
     {{"time", &RezoningRecord::time},
      {"energy_lost", &RezoningRecord::energyLost},
+     {"gap_work", &RezoningRecord::gapWork},
      {"volume_drift", &RezoningRecord::volumeDrift},
      {"boundary_error", &RezoningRecord::boundaryError},
      {"quality", &RezoningRecord::quality},

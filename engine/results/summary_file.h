@@ -17,6 +17,7 @@ struct DoubtRecord {
 struct RezoningRecord {
   double time = 0.0;
   double energyLost = 0.0;     ///< strain energy that the transfer and the new equilibrium cost
+  double gapWork = 0.0;        ///< on the body at the resting tool, as the gaps are closed that it began with
   double volumeDrift = 0.0;    ///< stress-free volume over that at the start of the run, minus one
   double boundaryError = 0.0;  ///< distance of the new boundary from the old one along its normal
   double quality = 0.0;        ///< smallest over largest determinant of the new mesh's map

@@ -50,7 +50,7 @@ class MappingReader {
  private:
   template <class T>
   void read(const YamlNode& node, const std::string& path, std::optional<T>& value, const Rule& rule) {
-    if (node.kind == YamlNode::Kind::Null) return;
+    if (Leaf<T> && node.kind == YamlNode::Kind::Null) return;
     read(node, path, value.emplace(), rule);
   }
 

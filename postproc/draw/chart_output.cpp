@@ -214,12 +214,14 @@ void writeExport(const ChartSketch& sketch, const std::filesystem::path& file, s
   vtkNew<vtkGenericOpenGLRenderWindow> window;  // never rendered: it needs no context
   window->SetDPI(72);
   window->SetSize(sketch.size[0], sketch.size[1]);
-  window->AddRenderer(rendererOf<ExportActor>(sketch, 1.0));
+  const auto renderer = rendererOf<ExportActor>(sketch, 1.0);
+  window->AddRenderer(renderer);
   vtkNew<Exporter> exporter;
   exporter->SetRenderWindow(window);
   exporter->SetTitle("chart");
   exporter->SetFileName(partial.c_str());
   exporter->Write();
+  renderer->RemoveAllViewProps();  // the actor keeps the exporter's device, and that of PDF the renderer
   const std::string contents = contentsOf(partial);
   std::error_code ignored;
   std::filesystem::remove(partial, ignored);

@@ -69,6 +69,12 @@ Vector2d awayFromBody(const Plane& plane) {
   return -plane.normal.head<2>().normalized();
 }
 
+/// In the plane.
+Eigen::AlignedBox2d boundsOf(vtkPolyData& outline) {
+  const double* b = outline.GetBounds();
+  return {Vector2d(b[0], b[2]), Vector2d(b[1], b[3])};
+}
+
 }  // namespace
 
 double& SetupLayout::Rooms::at(const Vector2d& normal) {
@@ -228,8 +234,7 @@ std::vector<std::vector<Vector2d>> SetupLayout::toolPixels(std::size_t tool, con
 Vector2d SetupLayout::middleOf(std::size_t tool) const {
   if (std::holds_alternative<SurfaceMesh>(tools_[tool].shape))
     return view_.pixel(toolBounds(tool, Vector2d(0, 0)).center());
-  const double* b = outlineOf(tool, Vector2d(0, 0))->GetBounds();
-  return view_.pixel(Vector2d((b[0] + b[1]) / 2, (b[2] + b[3]) / 2));
+  return view_.pixel(boundsOf(*outlineOf(tool, Vector2d(0, 0))).center());
 }
 
 /// A stress times a power of a length.
@@ -249,10 +254,9 @@ std::string SetupLayout::momentText(double moment) const {
 
 /// What is to be seen of a tool: all that is not far away.
 Eigen::AlignedBox2d SetupLayout::toolBounds(std::size_t tool, const Vector2d& shift) const {
-  const double* b = outlineOf(tool, shift)->GetBounds();
   const Vector2d margin = Vector2d::Constant(kReach * box_.diagonal().norm());
   const Eigen::AlignedBox2d body = flat(box_), seen(body.min() - margin, body.max() + margin);
-  return seen.intersection(Eigen::AlignedBox2d(Vector2d(b[0], b[2]), Vector2d(b[1], b[3])));
+  return seen.intersection(boundsOf(*outlineOf(tool, shift)));
 }
 
 std::vector<Vector2d> SetupLayout::phasesOf(std::size_t tool) const {
