@@ -50,7 +50,8 @@ class MappingReader {
  private:
   template <class T>
   void read(const YamlNode& node, const std::string& path, std::optional<T>& value, const Rule& rule) {
-    if (Leaf<T> && node.kind == YamlNode::Kind::Null) return;
+    // An override takes a mapping away with `null`; a file in which only its key is left is a mistake.
+    if (node.kind == YamlNode::Kind::Null && (Leaf<T> || node.place.source != 0)) return;
     read(node, path, value.emplace(), rule);
   }
 

@@ -111,6 +111,8 @@ INSTANTIATE_TEST_SUITE_P(
                             "tools[0].radius", "found 5 mm; allowed: a number above 0."},
                     Mistake{"nothing", &block, "E: 1.0", "E: ", ", nu", "material.E",
                             "found nothing; allowed: a number above 0."},
+                    Mistake{"emptyMapping", &block, "steps:", "solver:\nsteps:", "steps", "solver",
+                            "found nothing; allowed: a mapping."},
                     Mistake{"fraction", &block, "degree: 2", "degree: 2.5", "2.5", "degree",
                             "found 2.5; allowed: a whole number from 1 to 10."},
                     Mistake{"hugeInteger", &block, "count: 20}", "count: 99999999999}", "9", "steps[0].count",
