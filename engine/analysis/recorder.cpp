@@ -193,7 +193,7 @@ bool Recorder<Dim>::hasLostResolution(const ContactPair<Dim>& pair) const {
 }
 
 template <int Dim>
-bool Recorder<Dim>::crossesItself(const ContactPair<Dim>& pair) const {
+bool Recorder<Dim>::faceCrossesItself(const ContactPair<Dim>& pair) const {
   if constexpr (Dim == 2) {
     const Eigen::MatrixXd positions = pair.term->positions(x_);
     std::vector<BoundaryPiece> pieces;
@@ -217,8 +217,8 @@ void Recorder<Dim>::watch() {
                   pair.term->state().largestPenetration() > kDoubtfulRadiusShare * radius;
   }
   const auto& contacts = model_.contacts();
-  crossesItself_ =
-      std::any_of(contacts.begin(), contacts.end(), [&](const auto& pair) { return crossesItself(pair); });
+  crossesItself_ = std::any_of(contacts.begin(), contacts.end(),
+                               [&](const auto& pair) { return faceCrossesItself(pair); });
   const auto note = [&](Doubt& doubt, bool holds) {
     if (!holds) return;
     if (doubt.steps == 0) doubt.firstTime = current_.time;
@@ -324,6 +324,9 @@ void Recorder<Dim>::archive(StateArchive& archive) {
     archive.field(fmt::format("doubt{}_first_time", k), doubts_[k].firstTime);
     archive.field(fmt::format("doubt{}_steps", k), doubts_[k].steps);
   }
+  int crosses = crossesItself_ ? 1 : 0;
+  archive.field("crosses_itself", crosses);
+  crossesItself_ = crosses == 1;
   for (std::size_t k = 0; k < tips_.size(); ++k) {
     archive.field(fmt::format("tip{}_depth", k), tips_[k].depth);
     archive.field(fmt::format("tip{}_turn", k), tips_[k].turn);

@@ -68,6 +68,10 @@ class Recorder {
 
   const std::vector<Doubt>& doubts() const { return doubts_; }
 
+  /// Whether a contact face crosses itself in the current state, as contact of the body with itself is not
+  /// computed (2D).
+  bool crossesItself() const { return crossesItself_; }
+
   /// Names of the tools with contact pairs that nothing has touched so far.
   std::vector<std::string> idleTools() const;
 
@@ -86,7 +90,7 @@ class Recorder {
   void watch();
   void nameTips();
   bool hasLostResolution(const ContactPair<Dim>& pair) const;
-  bool crossesItself(const ContactPair<Dim>& pair) const;
+  bool faceCrossesItself(const ContactPair<Dim>& pair) const;
 
   const Model<Dim>& model_;
   const Projection<Dim>& projection_;
@@ -100,7 +104,7 @@ class Recorder {
   double smallestJ_ = 1.0;
   double largestPenetration_ = 0.0;
   std::vector<Doubt> doubts_;
-  bool crossesItself_ = false;     ///< a contact face does now
+  bool crossesItself_ = false;
   std::size_t firstTipDoubt_ = 0;  ///< of one for each contact pair
   std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool

@@ -34,6 +34,10 @@ constexpr double kOnAxis = 1e-9;
 /// Parts in which the gaps with which a stage begins are taken away, until one way leads to equilibrium.
 constexpr std::array kRamps{1, 4, 16};
 
+/// By this factor the augmentation parameter is larger until then: with multipliers that are only guessed,
+/// it is the gaps that tell rightly which control points are in contact.
+constexpr double kStiffer = 200.0;
+
 Patch<2> deformedPatch(const Patch<2>& patch, const Eigen::VectorXd& x) {
   const Eigen::Index n = patch.points().cols();
   return {patch.basis(), patch.points() + x.head(2 * n).reshaped(2, n), patch.weights()};
@@ -150,6 +154,7 @@ std::vector<Eigen::VectorXd> multipliersOf(const Stage<2>& stage) {
 /// have, are taken away in equal parts.
 Settlement settle(Stage<2>& stage, int parts) {
   std::vector<Eigen::VectorXd> origins;
+  std::vector<double> parameters;
   Settlement result;
   NewtonReport& report = result.report;
   report.outcome = NewtonOutcome::Inadmissible;
@@ -159,6 +164,8 @@ Settlement settle(Stage<2>& stage, int parts) {
     Eigen::VectorXd& origin = origins.emplace_back(gaps.cwiseMin(0.0));
     for (int a = 0; a < pair.term->numMultipliers(); ++a)
       if (stage.stepping.state().x(pair.term->firstMultiplier() + a) < 0.0) origin(a) = gaps(a);
+    parameters.push_back(pair.term->options().parameter);
+    pair.term->setParameter(kStiffer * parameters.back());
   }
   int iterations = 0;
   std::vector<Eigen::VectorXd> before = multipliersOf(stage);
@@ -175,6 +182,8 @@ Settlement settle(Stage<2>& stage, int parts) {
           (0.5 / parts * (before[k] + now[k])).cwiseProduct(origins[k]));
     before = std::move(now);
   }
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    stage.model->contacts()[k].term->setParameter(parameters[k]);
   report.iterations = iterations;
   return result;
 }
@@ -209,6 +218,7 @@ double Rezoner::travelSince(const Stage<2>& stage) const {
 }
 
 bool Rezoner::isDue(const Stage<2>& stage) const {
+  if (stage.recorder.crossesItself()) return false;
   constexpr double kAlmost = 1.0 - 1e-9;  // steps that land on the travel, but for rounding
   if (travelSince(stage) >= kAlmost * wait_) return true;
   if (failedLast_) return false;

@@ -21,7 +21,7 @@ class Rezoner {
   Rezoner(const Scene& scene, const Stage<2>& initial);
 
   /// Whether the last accepted state calls for a new mesh: the tool's travel, the stretch or the quality of
-  /// the mesh since the last one.
+  /// the mesh since the last one. Not where the face crosses itself: what is there twice has no mesh.
   bool isDue(const Stage<2>& stage) const;
 
   /// The stage that goes on from the last accepted state of this one, in equilibrium on a new mesh. Nothing

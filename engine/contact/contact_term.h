@@ -66,6 +66,9 @@ class ContactTerm final : public Term {
   /// does not fit begins can be taken away little by little. One per function; empty: from zero.
   void countGapsFrom(Eigen::VectorXd origin) { gapOrigin_ = std::move(origin); }
 
+  /// Replaces ε. With an augmented Lagrangian the way into equilibrium depends on it, the equilibrium does not.
+  void setParameter(double parameter) { options_.parameter = parameter; }
+
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/results/atomic_file.h"
 #include "engine/results/file_header.h"
+#include "engine/results/summary_file.h"
 
 namespace burnish {
 namespace {
@@ -93,6 +94,7 @@ void removeResult(const fs::path& modelFile) {
     if (!isPartial(frame)) requireOwn(frame, "frame");
   for (const fs::path& restart : restarts)
     if (!isPartial(restart)) requireOwn(restart, "restart");
+  removeSummary(modelFile.parent_path());
   deleteFile(modelFile);
   deleteFile(partialName(modelFile));
   for (const fs::path& restart : restarts) deleteFile(restart);

@@ -22,9 +22,10 @@ std::vector<std::filesystem::path> restartFiles(const std::filesystem::path& mod
 /// Number of frame files that exist without a gap from frame 0 on.
 int countFrames(const std::filesystem::path& modelFile);
 
-/// Deletes a result and what a killed run left half written: the model file first, then the frames from the
-/// last to the first, so that no moment shows a model with frames of another run. Throws `Error`, with
-/// nothing deleted, if a file of one of these names was not written by this program.
+/// Deletes a result with its summary and what a killed run left half written: the summary, which speaks of a
+/// whole run, then the model file, then the frames from the last to the first, so that no moment shows a
+/// model with frames of another run. Throws `Error`, with nothing deleted, if a file of one of these names
+/// was not written by this program.
 void removeResult(const std::filesystem::path& modelFile);
 
 /// Deletes what a killed run left half written, and frames from number `frames` on.

@@ -56,7 +56,6 @@ ResultWriter::DirectoryLock::~DirectoryLock() {
 
 ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model)
     : lock_(directory), modelFile_(modelFile(directory)), model_(checked(std::move(model), modelFile_)) {
-  removeSummary(directory);  // before its run is gone
   removeResult(modelFile_);
   writeFileAtomically(modelFile_, modelImage(model_));
   created(framesDirectory(modelFile_));

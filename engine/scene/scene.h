@@ -217,7 +217,7 @@ struct RezoningSpec {
   std::optional<double> ahead, behind;  ///< of the contact, along the face: where spans are finest
   double growth = 0.25;                 ///< of the size of spans per distance from there
   double turn = 0.3;                    ///< of the face within a knot span, radians, where the spans suffice
-  double firstLayer = 1.5;              ///< depth of the spans under the face over their smallest length
+  double firstLayer = 1.5;              ///< depth of the spans under the face over the length under the tool
   double smallestDeterminant = 1e-3;    ///< over the largest: what a new mesh must have
 };
 

@@ -56,10 +56,9 @@ void describe(Visitor& v, RezoningSpec& s) {
           "Growth of the spans' size per distance from there.");
   v.field("turn", s.turn, {.atLeast = 0, .atMost = 3, .unit = "radians"},
           "Largest turn of the face within a knot span; spans are not made smaller for it than under the "
-          "tool. 0: any "
-          "turn.");
+          "tool, and there not smaller than half of that. 0: any turn.");
   v.field("first_layer", s.firstLayer, {.above = 0, .atMost = 10},
-          "Depth of the spans under the face, over the length of the smallest along it.");
+          "Depth of the spans under the face, over the length of those under the tool.");
   v.field("smallest_determinant", s.smallestDeterminant, {.above = 0, .below = 1},
           "New meshes whose smallest determinant over the largest is less are not used.");
 }

@@ -48,6 +48,21 @@ BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material
 }
 
 template <int Dim>
+template <class F>
+void BulkTerm<Dim>::forEachGradient(const Eigen::VectorXd& x, const F& f) const {
+  withKinematics<Dim>(quadrature_.kinematics(), [&](auto kinematics) {
+    constexpr Kinematics K = decltype(kinematics)::value;
+    Eigen::Matrix<double, Eigen::Dynamic, Dim> u;
+    for (const auto& span : quadrature_.spans()) {
+      gatherNodes<Dim>(x, span.nodes, u);
+      for (Eigen::Index q = 0; q < span.weights.size(); ++q)
+        f(static_cast<std::size_t>(span.firstPoint + q),
+          deformationGradient<K>(u, span.G.template middleCols<kColumns<K>>(kColumns<K> * q)));
+    }
+  });
+}
+
+template <int Dim>
 std::vector<Eigen::Matrix3d> BulkTerm<Dim>::gradientsOfLaw(const Eigen::VectorXd& x) const {
   std::vector<Eigen::Matrix3d> gradients(accepted_.size());
   forEachGradient(

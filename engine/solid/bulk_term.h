@@ -82,21 +82,6 @@ class BulkTerm : public Term {
   /// The deformation gradients that the law sees at the quadrature points, with displacements x.
   virtual std::vector<Eigen::Matrix3d> gradientsOfLaw(const Eigen::VectorXd& x) const;
 
-  /// Calls f with the number of every quadrature point and its deformation gradient.
-  template <class F>
-  void forEachGradient(const Eigen::VectorXd& x, const F& f) const {
-    withKinematics<Dim>(quadrature_.kinematics(), [&](auto kinematics) {
-      constexpr Kinematics K = decltype(kinematics)::value;
-      Eigen::Matrix<double, Eigen::Dynamic, Dim> u;
-      for (const auto& span : quadrature_.spans()) {
-        gatherNodes<Dim>(x, span.nodes, u);
-        for (Eigen::Index q = 0; q < span.weights.size(); ++q)
-          f(static_cast<std::size_t>(span.firstPoint + q),
-            deformationGradient<K>(u, span.G.template middleCols<kColumns<K>>(kColumns<K> * q)));
-      }
-    });
-  }
-
   /// Evaluates the law at one point from its accepted history and adds to the span's summary; false if it
   /// cannot answer. Stress and J are stored by the formulation.
   template <class Law>
@@ -140,6 +125,10 @@ class BulkTerm : public Term {
   std::vector<BulkSummary> spanSummaries_;
 
  private:
+  /// Calls f with the number of every quadrature point and its deformation gradient.
+  template <class F>
+  void forEachGradient(const Eigen::VectorXd& x, const F& f) const;
+
   std::vector<Eigen::Matrix3d> stretch_;  ///< V_e of the reference state; empty: one everywhere
   std::vector<MaterialState> accepted_, trial_;
   BulkSummary summary_;

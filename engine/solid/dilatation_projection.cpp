@@ -62,6 +62,22 @@ DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
   }
 }
 
+template <int Dim>
+Eigen::VectorXd DilatationProjection<Dim>::project(const SpanQuadrature<Dim>& quadrature,
+                                                   const Eigen::VectorXd& values) const {
+  const auto points = [&](std::size_t e) {
+    const auto& span = quadrature.spans()[e];
+    return Eigen::seqN(span.firstPoint, span.weights.size());
+  };
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(numFunctions_);
+  Eigen::VectorXd result(values.size());
+  for (std::size_t e = 0; e < spans_.size(); ++e)
+    coefficients(spans_[e].functions) += spans_[e].L * values(points(e));
+  for (std::size_t e = 0; e < spans_.size(); ++e)
+    result(points(e)) = spans_[e].N.transpose() * coefficients(spans_[e].functions);
+  return result;
+}
+
 template class DilatationProjection<2>;
 template class DilatationProjection<3>;
 

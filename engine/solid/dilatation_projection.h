@@ -30,6 +30,9 @@ class DilatationProjection {
   const std::vector<Span>& spans() const { return spans_; }
   int numFunctions() const { return numFunctions_; }
 
+  /// Π applied to values at the quadrature points of the body.
+  Eigen::VectorXd project(const SpanQuadrature<Dim>& quadrature, const Eigen::VectorXd& values) const;
+
  private:
   std::vector<Span> spans_;
   int numFunctions_ = 0;

@@ -107,23 +107,13 @@ CouplingGroups ProjectedTerm<Dim>::couplings() const {
 template <int Dim>
 std::vector<Eigen::Matrix3d> ProjectedTerm<Dim>::gradientsOfLaw(const Eigen::VectorXd& x) const {
   auto gradients = BulkTerm<Dim>::gradientsOfLaw(x);
-  const auto& spans = this->quadrature_.spans();
-  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(projection_.numFunctions());
-  for (std::size_t e = 0; e < spans.size(); ++e) {
-    const auto& projected = projection_.spans()[e];
-    for (Eigen::Index q = 0; q < spans[e].weights.size(); ++q)
-      coefficients(projected.functions) +=
-          projected.L.col(q) * dilatationOf(gradients[static_cast<std::size_t>(spans[e].firstPoint + q)]);
-  }
-  for (std::size_t e = 0; e < spans.size(); ++e) {
-    const auto& projected = projection_.spans()[e];
-    const Eigen::VectorXd dilatation = projected.N.transpose() * coefficients(projected.functions);
-    for (Eigen::Index q = 0; q < dilatation.size(); ++q) {
-      auto& gradient = gradients[static_cast<std::size_t>(spans[e].firstPoint + q)];
-      projectVolume(gradient, gradientColumns(this->quadrature_.kinematics()), 1.0 + dilatation(q),
-                    1.0 + dilatationOf(gradient));
-    }
-  }
+  Eigen::VectorXd dilatations(std::ssize(gradients));
+  for (Eigen::Index k = 0; k < dilatations.size(); ++k)
+    dilatations(k) = dilatationOf(gradients[static_cast<std::size_t>(k)]);
+  const Eigen::VectorXd projected = projection_.project(this->quadrature_, dilatations);
+  const int m = gradientColumns(this->quadrature_.kinematics());
+  for (Eigen::Index k = 0; k < dilatations.size(); ++k)
+    projectVolume(gradients[static_cast<std::size_t>(k)], m, 1.0 + projected(k), 1.0 + dilatations(k));
   return gradients;
 }
 

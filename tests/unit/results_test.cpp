@@ -445,9 +445,11 @@ TEST_F(Results, ForeignFilesAreNotOverwritten) {
   EXPECT_EQ(contents(dir / "result.h5"), "somebody's data");
 
   writeSample(dir / "run", 2);
+  writeSummary(dir / "run", {.program = "burnish 0 (engine 0)", .completed = true});
   overwrite(dir / "run/result/frame_000001.h5", "somebody's data");
   expectError([&] { writeSample(dir / "run", 1); }, "frame_000001.h5 is not a readable HDF5 file");
   EXPECT_EQ(ResultReader(dir / "run").numFrames(), 2);
+  EXPECT_TRUE(readSummary(dir / "run").completed);
 }
 
 TEST_F(Results, OnlyOneRunWritesToADirectory) {
