@@ -178,9 +178,12 @@ std::optional<Remeshing> remesh(const Patch<2>& deformed, const RemeshOptions& o
       }
       if (!(before > 0.0)) continue;
       const auto better = relaxed(start, size, options.face);
-      if (!better || !(meshQuality(*better) > quality)) continue;
-      mesh = *better;
-      quality = meshQuality(*better);
+      if (!better) continue;
+      if (meshQuality(*better) > quality) {
+        mesh = *better;
+        quality = meshQuality(*better);
+      }
+      break;  // the other start relaxes to the same mesh
     }
   }
   if (!(quality > options.smallestDeterminant)) return std::nullopt;
