@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "engine/results/history.h"
+#include "engine/results/run_files.h"
+#include "engine/results/summary_file.h"
 
 namespace burnish {
 namespace {
@@ -76,6 +78,18 @@ std::string historyText(const std::filesystem::path& file) {
   return line("history", fmt::format("{} rows: {}", history.numRows(), fmt::join(history.columns, ", ")));
 }
 
+/// How far the run in a directory is.
+std::string runText(const std::filesystem::path& directory) {
+  if (std::filesystem::exists(directory / "summary.yaml")) {
+    const SummaryRecord summary = readSummary(directory);
+    return line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
+  }
+  if (canBeResumed(directory))
+    return line("run", fmt::format("not at its end; if it does not go on any more: burnish run --resume {}",
+                                   directory.string()));
+  return "";
+}
+
 }  // namespace
 
 std::string resultText(const ResultReader& result) {
@@ -88,7 +102,9 @@ std::string resultText(const ResultReader& result) {
   for (const ToolRecord& tool : model.tools)
     text += line("tool", fmt::format("{}: {}", tool.name, shapeText(tool.shape)));
   text += framesText(result);
-  text += historyText(result.file().parent_path() / "history.csv");
+  const std::filesystem::path directory = result.file().parent_path();
+  text += historyText(directory / "history.csv");
+  text += runText(directory);
   return text;
 }
 

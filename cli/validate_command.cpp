@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -29,17 +30,29 @@ bool isStudy(const fs::path& file) {
   return fs::is_regular_file(file, status) && ("\n" + readText(file)).find("\nruns:") != std::string::npos;
 }
 
-/// What is said of a good file.
-std::string validateScene(const fs::path& file, const std::vector<std::string>& overrides) {
+/// What is said of a good scene. Warnings begin with who has them.
+std::string validateScene(const fs::path& file, const std::vector<std::string>& overrides,
+                          const std::string& who) {
   const SceneReport report = reportOf(readScene(file, overrides));
-  for (const std::string& warning : report.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : report.warnings) fmt::print(stderr, "warning: {}{}\n", who, warning);
   return report.summary;
 }
 
+/// The same of a study: builds the models of all its runs, and throws `Error` with the faults of all.
 std::string validateStudy(const fs::path& file, const std::vector<std::string>& overrides) {
   if (!overrides.empty())
     throw Error(fmt::format("{}: --set changes scenes, and this is a study; leave it out", file.string()));
-  const Study study = readStudy(file);  // reads the scenes of all runs
+  const Study study = readStudy(file);
+  std::vector<std::string> faults;
+  for (const StudyRun& run : study.runs) {
+    const std::string who = fmt::format("{}: run \"{}\": ", file.string(), run.name);
+    try {
+      validateScene(run.scene, run.overrides, who);
+    } catch (const Error& error) {
+      faults.push_back(who + error.what());
+    }
+  }
+  if (!faults.empty()) throw Error(fmt::format("{}", fmt::join(faults, "\n")));
   return fmt::format("a study of {} runs and {} figures", study.runs.size(), study.spec.figures.size());
 }
 
@@ -48,7 +61,7 @@ ExitCode validate(const ValidateArguments& arguments) {
   for (const fs::path& file : arguments.files) {
     try {
       const std::string summary =
-          isStudy(file) ? validateStudy(file, arguments.overrides) : validateScene(file, arguments.overrides);
+          isStudy(file) ? validateStudy(file, arguments.overrides) : validateScene(file, arguments.overrides, "");
       fmt::print("{}: fine ({})\n", file.string(), summary);
     } catch (const Error& error) {
       fmt::print(stderr, "{}\n", error.what());

@@ -46,7 +46,7 @@ std::string withTolerance(const Numbers& n) {
   return fmt::format("{} (tolerance {})", n[0], n[1]);
 }
 
-/// How far the external work and what became of it are apart at the end; empty if the history does not say.
+/// How far the work and what became of it are apart at the end; empty if the history does not say.
 std::string balance(const HistoryTable& history) {
   double found = 0.0;
   for (const char* name : {"strain_energy", "contact_energy", "plastic_work"}) {
@@ -56,10 +56,34 @@ std::string balance(const HistoryTable& history) {
   }
   const auto* work = findColumn(history, "external_work");
   if (work == nullptr) return {};
-  const double scale = std::max(std::abs(found), std::abs(work->back()));
+  const auto* gapWork = findColumn(history, "rezoning_gap_work");
+  const double done = work->back() + (gapWork != nullptr ? gapWork->back() : 0.0);
+  const double scale = std::max(std::abs(found), std::abs(done));
   if (scale == 0.0) return {};
-  return fmt::format("external work differs by {:.2g} % from energies and plastic work at the end",
-                     100.0 * std::abs(work->back() - found) / scale);
+  return fmt::format("{} differs by {:.2g} % from energies and plastic work at the end",
+                     gapWork != nullptr ? "work, that of closing gaps included," : "external work",
+                     100.0 * std::abs(done - found) / scale);
+}
+
+/// How often the body was meshed anew; empty if it never was to be.
+std::string rezonings(const RunRecord& run) {
+  if (!run.summary) return {};
+  const std::vector<RezoningRecord>& all = run.summary->rezonings;
+  const double failed = run.number("rezonings_failed").value_or(0.0);
+  if (all.empty() && failed == 0.0) return {};
+  std::string text = std::to_string(all.size());
+  if (!all.empty()) {
+    double error = 0.0, quality = 1.0;
+    for (const RezoningRecord& rezoning : all) {
+      error = std::max(error, rezoning.boundaryError);
+      quality = std::min(quality, rezoning.quality);
+    }
+    text += fmt::format(", the last at t = {:.6g}; lowest quality {:.2g}, largest error of a boundary {:.2g}",
+                        all.back().time, quality, error);
+  }
+  if (failed > 0.0)
+    text += fmt::format("; {} attempts failed, the last at {}", failed, run.summary->rezoningFailure);
+  return text;
 }
 
 }  // namespace
@@ -83,6 +107,7 @@ Facts runFacts(const RunRecord& run) {
   facts.add("smallest J", {"smallest_J"}, alone);
   facts.add("largest penetration", {"largest_penetration"}, alone);
   if (const std::string text = balance(run.history); !text.empty()) facts.add("balance", text);
+  if (const std::string text = rezonings(run); !text.empty()) facts.add("rezonings", text);
   facts.add("time taken", {"seconds"}, [](const Numbers& n) { return n[0] + " s"; });
   facts.add("computed by", run.result.model().program);
   return facts.take();

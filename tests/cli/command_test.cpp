@@ -78,6 +78,7 @@ TEST_F(Command, RunsASceneAndTellsWhatIsInIt) {
   EXPECT_EQ(info.code, 0) << info.err;
   EXPECT_NE(info.out.find("disc: cylinder of radius 0.5"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("5, t = 0 to 2"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("has come to its end"), std::string::npos) << info.out;
 }
 
 TEST_F(Command, DescribesASceneSoThatItCanBeRunAgain) {
@@ -105,6 +106,21 @@ TEST_F(Command, ARunThatStopsExitsWith3AndKeepsItsResults) {
   EXPECT_EQ(run.code, 3);
   EXPECT_NE(run.err.find("the run did not reach its end"), std::string::npos) << run.err;
   EXPECT_GE(ResultReader(dir / "out").numFrames(), 1);
+  EXPECT_NE(burnish("info out").out.find("run         stopped at t = "), std::string::npos);
+}
+
+TEST_F(Command, ValidatesTheModelsOfAllRunsOfAStudy) {
+  write("study.yaml",
+        "runs:\n"
+        "  - {name: one, scene: scene.yaml}\n"
+        "  - {name: two, scene: scene.yaml, set: [\"tools[0].center=[0.5, 1.4]\"]}\n"
+        "  - {name: three, scene: scene.yaml, set: [\"supports=[{face: bottom, fix: [y]}]\"]}\n");
+  const Outcome outcome = burnish("validate study.yaml");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("study.yaml: run \"two\": "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("overlaps"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("study.yaml: run \"three\": --set supports"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("\"one\""), std::string::npos) << outcome.err;
 }
 
 TEST_F(Command, BadInputIsOneMessageAndLeavesNothingBehind) {

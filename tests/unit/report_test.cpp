@@ -72,6 +72,28 @@ TEST_F(Report, WarnsOfStepsAboveATolerance) {
                           "The largest averaged gap of 2×10⁻¹² is above the tolerance of 1×10⁻¹²."));
 }
 
+TEST_F(Report, TellsOfRezoningsAndCountsTheirWork) {
+  const auto fact = [&](const std::string& name) {
+    for (const auto& [key, text] : runFacts(readRun(run_)))
+      if (key == name) return text;
+    return std::string();
+  };
+  EXPECT_EQ(fact("rezonings"), "");
+  writeHistory({"time", "strain_energy", "contact_energy", "plastic_work", "external_work", "rezoning_gap_work"},
+               {{0, 0, 0, 0, 0, 0}, {2, 1.0, 0.0, 9.0, 9.5, 0.4}});
+  changeSummary([](SummaryRecord& s) {
+    s.rezonings = {{.time = 0.5, .boundaryError = 0.002, .quality = 0.5},
+                   {.time = 1.25, .boundaryError = 0.001, .quality = 0.25}};
+    s.numbers["rezonings_failed"] = 3.0;
+    s.rezoningFailure = "t = 1.5: no mesh of the deformed body is sound";
+  });
+  EXPECT_EQ(fact("rezonings"),
+            "2, the last at t = 1.25; lowest quality 0.25, largest error of a boundary 0.002; 3 attempts failed, "
+            "the last at t = 1.5: no mesh of the deformed body is sound");
+  EXPECT_EQ(fact("balance"),
+            "work, that of closing gaps included, differs by 1 % from energies and plastic work at the end");
+}
+
 TEST_F(Report, WarnsOfDoubtfulPenetrationAndVolume) {
   writeHistory({"time", "max_penetration", "min_detJ"},
                {{0, 0, 1}, {0.5, 0.0049, 0.06}, {1, 0.0051, 0.5}, {1.5, 0.001, 0.04}, {2, 0.02, 0.5}});
