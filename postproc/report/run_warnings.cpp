@@ -74,15 +74,23 @@ std::string penetrationDoubt(const RunRecord& run) {
                [limit](double value) { return value > limit; });
 }
 
-/// Doubts about single tools, which the history does not show.
-std::vector<std::string> toolDoubts(const RunRecord& run) {
+/// What a run that has ended says itself.
+std::vector<std::string> ownDoubts(const RunRecord& run) {
   std::vector<std::string> texts;
-  if (!run.summary) return texts;
   const double steps = std::max(1.0, run.number("steps").value_or(0.0));
-  for (const DoubtRecord& doubt : run.summary->doubts)
-    if (doubt.what.starts_with("tool "))
-      texts.push_back(sentenceOf(doubt.what, doubt.firstTime, doubt.steps / steps));
+  for (const DoubtRecord& doubt : run.summary->doubts) {
+    std::string what = doubt.what;
+    if (!what.empty() && what.front() >= 'a' && what.front() <= 'z')
+      what.front() = static_cast<char>(what.front() - 'a' + 'A');
+    texts.push_back(sentenceOf(what, doubt.firstTime, doubt.steps / steps));
+  }
   return texts;
+}
+
+/// What the history of a run without an end shows.
+std::vector<std::string> doubtsOfHistory(const RunRecord& run) {
+  return {penetrationDoubt(run), doubt(run.history, "min_detJ", fmt::format("Volume ratio J below {}", kDoubtfulJ),
+                                       [](double value) { return value < kDoubtfulJ; })};
 }
 
 std::string incompleteness(const RunRecord& run) {
@@ -117,12 +125,9 @@ std::string roundOff(const RunRecord& run) {
 std::vector<std::string> runWarnings(const RunRecord& run) {
   std::vector<std::string> texts{
       incompleteness(run), roundOff(run),
-      excess(run, "worst_constraint", "constraint_tolerance", "The largest averaged gap"),
-      penetrationDoubt(run),
-      doubt(run.history, "min_detJ", fmt::format("Volume ratio J below {}", kDoubtfulJ),
-            [](double value) { return value < kDoubtfulJ; })};
+      excess(run, "worst_constraint", "constraint_tolerance", "The largest averaged gap")};
+  std::ranges::move(run.summary ? ownDoubts(run) : doubtsOfHistory(run), std::back_inserter(texts));
   std::erase(texts, "");
-  std::ranges::move(toolDoubts(run), std::back_inserter(texts));
   return texts;
 }
 

@@ -94,23 +94,25 @@ TEST_F(Report, TellsOfRezoningsAndCountsTheirWork) {
             "work, that of closing gaps included, differs by 1 % from energies and plastic work at the end");
 }
 
-TEST_F(Report, WarnsOfDoubtfulPenetrationAndVolume) {
+TEST_F(Report, WarnsOfDoubtfulPenetrationAndVolumeInARunWithoutAnEnd) {
+  removeSummary(run_);
   writeHistory({"time", "max_penetration", "min_detJ"},
                {{0, 0, 1}, {0.5, 0.0049, 0.06}, {1, 0.0051, 0.5}, {1.5, 0.001, 0.04}, {2, 0.02, 0.5}});
   const std::vector<std::string> texts = warnings();
-  ASSERT_EQ(texts.size(), 2U);
-  EXPECT_THAT(texts[0], HasSubstr("penetration above 0.005"));
-  EXPECT_THAT(texts[0], HasSubstr("first at t = 1, in 50.0 % of the steps"));
-  EXPECT_THAT(texts[1], HasSubstr("J below 0.05: first at t = 1.5, in 25.0 % of the steps"));
+  ASSERT_EQ(texts.size(), 3U);
+  EXPECT_THAT(texts[0], HasSubstr("The run has not ended"));
+  EXPECT_THAT(texts[1], HasSubstr("penetration above 0.005"));
+  EXPECT_THAT(texts[1], HasSubstr("first at t = 1, in 50.0 % of the steps"));
+  EXPECT_THAT(texts[2], HasSubstr("J below 0.05: first at t = 1.5, in 25.0 % of the steps"));
 }
 
-TEST_F(Report, WarnsOfWhatTheRunDoubtedAboutATool) {
+TEST_F(Report, RepeatsWhatARunDoubtedItself) {
   changeSummary([](SummaryRecord& s) {
     s.numbers["steps"] = 4;
     s.doubts = {{.what = "tool 'disc' is too sharp", .firstTime = 0.5, .steps = 1}};
   });
   EXPECT_THAT(warnings(),
-              ElementsAre("tool 'disc' is too sharp: first at t = 0.5, in 25.0 % of the steps. Do "
+              ElementsAre("Tool 'disc' is too sharp: first at t = 0.5, in 25.0 % of the steps. Do "
                           "not trust the results from there on."));
 }
 
