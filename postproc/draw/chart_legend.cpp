@@ -104,9 +104,11 @@ std::vector<Eigen::Vector2d> ChartLegend::entryStarts(const PixelRect& box, int 
   const int rows = (count + columns - 1) / columns;
   const double columnStep = labelOffset() + longestLabel_ + kColumnGap * size_;
   std::vector<Eigen::Vector2d> starts;
-  for (int k = 0; k < count; ++k)
-    starts.emplace_back(box.x + kPadding * size_ + k / rows * columnStep,
-                        box.top() - (kPadding + 0.5 + k % rows * kRow) * size_);
+  for (int k = 0; k < count; ++k) {
+    const int column = k / rows, row = k % rows;
+    starts.emplace_back(box.x + kPadding * size_ + column * columnStep,
+                        box.top() - (kPadding + 0.5 + row * kRow) * size_);
+  }
   return starts;
 }
 

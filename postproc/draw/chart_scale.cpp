@@ -108,12 +108,12 @@ void labelDecades(ChartScale& scale, int first, int last, const Fit& fit) {
 }
 
 /// Labels at 1, 2 and 5 times powers of ten.
-void labelRoundValues(ChartScale& scale) {
+void labelRoundValues(ChartScale& scale, int firstDecade, int lastDecade) {
   constexpr int digits = 1;
   const double unit = takeFactor(scale);
-  for (double power = roundDown(scale.range[0], {1.0}); power <= scale.range[1]; power *= 10.0) {
+  for (int e = firstDecade - 1; e <= lastDecade; ++e) {
     for (const double factor : {1.0, 2.0, 5.0}) {
-      const double value = factor * power;
+      const double value = factor * std::pow(10.0, e);
       if (scale.share(value) < -kSlack || scale.share(value) > 1.0 + kSlack) continue;
       scale.ticks.push_back(value);
       scale.labels.push_back(numberText(value / unit, digits));
@@ -146,7 +146,7 @@ ChartScale logarithmicScale(const ChartAxis& axis, const Range& data, bool padde
   const int first = static_cast<int>(std::ceil(std::log10(scale.range[0]) - kSlack));
   const int last = static_cast<int>(std::floor(std::log10(scale.range[1]) + kSlack));
   const bool narrow = scale.range[1] < 100.0 * scale.range[0];
-  if (narrow) labelRoundValues(scale);
+  if (narrow) labelRoundValues(scale, first, last);
   if (narrow && scale.ticks.size() < 3) setTicks(scale, kMostIntervals);
   if (!narrow || (!fit(scale) && last > first)) labelDecades(scale, first, last, fit);
   thinOut(scale, fit);

@@ -167,9 +167,9 @@ void SetupSymbols::addForceTo(const Vector2d& tip, const Vector2d& direction, co
 
 void SetupSymbols::addTurn(const Vector2d& center, double radius, bool counterclockwise,
                            const std::string& label) {
-  constexpr double kBegin = 100.0, kEnd = 190.0, kStep = 3.0;  // degrees
+  constexpr int kBegin = 100, kEnd = 190, kStep = 3;  // degrees
   Points arc;
-  for (double angle = kBegin; angle <= kEnd; angle += kStep) {
+  for (int angle = kBegin; angle <= kEnd; angle += kStep) {
     const double a = angle * std::numbers::pi / 180.0;
     arc.push_back(center + radius * Vector2d(std::cos(a), std::sin(a)));
   }

@@ -192,7 +192,8 @@ ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::s
 }
 
 SurfaceMesh segmentsIn(const SurfaceMesh& mesh, const Eigen::AlignedBox3d& box) {
-  const Eigen::Vector3d low = box.min(), high = box.max();
+  const Eigen::Vector3d& low = box.min();
+  const Eigen::Vector3d& high = box.max();
   const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), -1.0, 1.0};
   SurfaceMesh inside{Eigen::Matrix3Xd(3, mesh.cells.size()), Eigen::MatrixXi(2, mesh.cells.cols()),
                      mesh.closed};

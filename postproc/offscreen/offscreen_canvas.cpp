@@ -129,7 +129,7 @@ class StripView {
     bottom_ = static_cast<int>(std::lround(viewport_[1] * height));
     top_ = static_cast<int>(std::lround(viewport_[3] * height));
     vtkActor2DCollection* flat = renderer.GetActors2D();
-    vtkCollectionSimpleIterator next;
+    vtkCollectionSimpleIterator next = nullptr;
     flat->InitTraversal(next);
     while (vtkActor2D* actor = flat->GetNextActor2D(next))
       flat_.push_back({actor, actor->GetPosition()[0], actor->GetPosition()[1]});
@@ -167,7 +167,7 @@ class StripView {
 template <std::size_t Factor>
 void average(const unsigned char* pixels, int width, int height, unsigned char* averages) {
   constexpr std::size_t block = Factor * Factor, blockSize = 4 * Factor;
-  const auto rowSize = static_cast<std::size_t>(4 * width);
+  const auto rowSize = 4 * static_cast<std::size_t>(width);
   std::vector<std::uint16_t> columns(rowSize);  // sums over the rows of a block
   for (int j = 0; j < height; j += static_cast<int>(Factor)) {
     std::fill(columns.begin(), columns.end(), std::uint16_t{0});
@@ -260,7 +260,7 @@ vtkSmartPointer<vtkImageData> OffscreenCanvas::capture() {
   const int stripHeight = window().GetSize()[1] - 2 * overlap_;
   std::vector<StripView> views;
   vtkRendererCollection* renderers = window().GetRenderers();
-  vtkCollectionSimpleIterator next;
+  vtkCollectionSimpleIterator next = nullptr;
   renderers->InitTraversal(next);
   while (vtkRenderer* renderer = renderers->GetNextRenderer(next))
     views.emplace_back(*renderer, height_ * kFactor);

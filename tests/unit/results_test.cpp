@@ -445,7 +445,10 @@ TEST_F(Results, ForeignFilesAreNotOverwritten) {
   EXPECT_EQ(contents(dir / "result.h5"), "somebody's data");
 
   writeSample(dir / "run", 2);
-  writeSummary(dir / "run", {.program = "burnish 0 (engine 0)", .completed = true});
+  SummaryRecord summary;
+  summary.program = "burnish 0 (engine 0)";
+  summary.completed = true;
+  writeSummary(dir / "run", summary);
   overwrite(dir / "run/result/frame_000001.h5", "somebody's data");
   expectError([&] { writeSample(dir / "run", 1); }, "frame_000001.h5 is not a readable HDF5 file");
   EXPECT_EQ(ResultReader(dir / "run").numFrames(), 2);
