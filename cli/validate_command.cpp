@@ -60,8 +60,8 @@ ExitCode validate(const ValidateArguments& arguments) {
   bool allAreGood = true;
   for (const fs::path& file : arguments.files) {
     try {
-      const std::string summary =
-          isStudy(file) ? validateStudy(file, arguments.overrides) : validateScene(file, arguments.overrides, "");
+      const std::string summary = isStudy(file) ? validateStudy(file, arguments.overrides)
+                                                : validateScene(file, arguments.overrides, "");
       fmt::print("{}: fine ({})\n", file.string(), summary);
     } catch (const Error& error) {
       fmt::print(stderr, "{}\n", error.what());

@@ -153,9 +153,11 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
 
   constexpr double kMargin = 1.05;
   const Eigen::Vector3d start = pose.displacement;
-  for (double height = -kMargin * worst; height < bodySize; height *= kMargin) {
+  double height = -kMargin * worst;
+  while (height < bodySize) {
     pose.displacement = start + height * direction;
     if (smallestGap(pairs, pose) > 0.0) return height * direction;
+    height *= kMargin;
   }
   throw InputError(
       place,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -55,9 +56,8 @@ KnotVector KnotVector::uniform(int degree, int spans) {
 }
 
 double KnotVector::greville(int function) const {
-  double sum = 0.0;
-  for (int k = 1; k <= degree_; ++k) sum += knots_[static_cast<std::size_t>(function + k)];
-  return sum / degree_;
+  const auto first = knots_.begin() + function + 1;
+  return std::accumulate(first, first + degree_, 0.0) / degree_;
 }
 
 }  // namespace burnish

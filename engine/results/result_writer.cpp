@@ -31,7 +31,8 @@ const fs::path& created(const fs::path& directory) {
 
 StoredModel checked(ModelRecord model, const fs::path& file) {
   checkModel(model, file.string());
-  return {.id = modelId(model), .record = std::move(model)};
+  std::string id = modelId(model);
+  return {.id = std::move(id), .record = std::move(model)};
 }
 
 }  // namespace

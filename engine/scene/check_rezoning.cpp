@@ -56,11 +56,13 @@ void checkRezoning(const CheckContext& c) {
   refuse(c, !c.scene.loads.empty(), "loads", "loads");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
     const std::string path = fmt::format("supports[{}]", k);
-    refuse(c, c.scene.supports[k].prescribe.has_value(), path + ".prescribe", "formulas of reference places");
+    refuse(c, c.scene.supports[k].prescribe.has_value(), path + ".prescribe",
+           "displacements given by formulas of places, which new meshes would move,");
     refuse(c, !c.scene.supports[k].place.part.empty(), path + ".part", "a support on a part of a face");
   }
   for (std::size_t k = 0; k < c.scene.tools.size(); ++k)
-    refuse(c, c.scene.tools[k].carry.has_value(), fmt::format("tools[{}].carry", k), "a tool with free ways");
+    refuse(c, c.scene.tools[k].carry.has_value(), fmt::format("tools[{}].carry", k),
+           "a tool that carries a load");
   for (std::size_t k = 0; k < c.scene.measures.size(); ++k) {
     const auto& kind = c.scene.measures[k].kind;
     refuse(c,

@@ -89,8 +89,9 @@ std::vector<std::string> ownDoubts(const RunRecord& run) {
 
 /// What the history of a run without an end shows.
 std::vector<std::string> doubtsOfHistory(const RunRecord& run) {
-  return {penetrationDoubt(run), doubt(run.history, "min_detJ", fmt::format("Volume ratio J below {}", kDoubtfulJ),
-                                       [](double value) { return value < kDoubtfulJ; })};
+  return {penetrationDoubt(run),
+          doubt(run.history, "min_detJ", fmt::format("Volume ratio J below {}", kDoubtfulJ),
+                [](double value) { return value < kDoubtfulJ; })};
 }
 
 std::string incompleteness(const RunRecord& run) {
