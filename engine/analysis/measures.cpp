@@ -24,7 +24,8 @@ Measures<Dim>::Measures(const Scene& scene, const Model<Dim>& model, const Proje
   for (std::size_t k = 0; k < scene.measures.size(); ++k) {
     const auto& spec = scene.measures[k];
     try {
-      measures_.push_back({spec.name, std::visit([&](const auto& kind) { return make(kind); }, spec.kind)});
+      auto measure = std::visit([&](const auto& kind) { return make(kind); }, spec.kind);
+      measures_.push_back({spec.name, std::move(measure)});
     } catch (const Error& error) {
       problems.push_back({fmt::format("measures[{}]", k), error.what()});
     }

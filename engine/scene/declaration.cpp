@@ -16,7 +16,7 @@ std::string valueText(const Declaration& key) {
 
 void listLevel(const Declarations& keys, int level, std::string& out) {
   const auto line = [&out](int indent, const std::string& text) {
-    out += std::string(static_cast<std::size_t>(2 * indent), ' ') + "- " + text + "\n";
+    out += std::string(2 * static_cast<std::size_t>(indent), ' ') + "- " + text + "\n";
   };
   for (const Declaration& key : keys) {
     if (key.alternatives.empty()) {

@@ -52,8 +52,8 @@ Eigen::SparseMatrix<double> SparseSystem::patternOf(std::size_t numUnknowns,
   for (const auto& groups : terms)
     for (const auto& group : groups)
       for (const Run& run : group.runs)
-        for (int k = 0; k < run.length; ++k)
-          groupsOf[static_cast<std::size_t>(run.first + k)].push_back(&group);
+        for (int k = run.first; k < run.first + run.length; ++k)
+          groupsOf[static_cast<std::size_t>(k)].push_back(&group);
 
   std::vector<int> begins{0}, rows;
   std::vector<char> isCoupled(numUnknowns, 0);

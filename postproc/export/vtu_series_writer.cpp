@@ -86,7 +86,7 @@ void removeFile(const fs::path& file) {
 
 }  // namespace
 
-VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, VtuOptions options)
+VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, const VtuOptions& options)
     : runDir_(std::move(runDir)),
       model_(std::move(model)),
       cellKind_(options.cells),

@@ -39,7 +39,7 @@ class VtuSeriesWriter {
  public:
   /// Makes the directory and removes a series that was written there before, of whatever parts. Throws
   /// `Error` naming the file or directory, or if the model has no such cells (then nothing is removed).
-  VtuSeriesWriter(std::filesystem::path runDir, ModelRecord model, VtuOptions options = {});
+  VtuSeriesWriter(std::filesystem::path runDir, ModelRecord model, const VtuOptions& options = {});
 
   /// Adds a frame. Frames of the same or a higher index are dropped from the collection and removed. Throws
   /// `Error` naming the file, or saying what of the frame does not fit the model.

@@ -4,6 +4,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/contact/rigid_shape.h"
@@ -34,7 +35,8 @@ struct FacePoints {
   std::size_t place(const IndexBox::Index& index) const {
     const int row = dim == 2 ? 1 : perSpan;
     const int span = spans.number({index[0] / perSpan, index[1] / row, 0});
-    return static_cast<std::size_t>((span * row + index[1] % row) * perSpan + index[0] % perSpan);
+    const std::ptrdiff_t line = std::ptrdiff_t{span} * row + index[1] % row;
+    return static_cast<std::size_t>(line * perSpan + index[0] % perSpan);
   }
 };
 
