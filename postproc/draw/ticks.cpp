@@ -63,7 +63,8 @@ Ticks makeTicks(const std::array<double, 2>& range, int most) {
   const double unit = std::pow(10.0, ticks.exponent);
   const int decimals = decimalsOf(step / unit);
   const auto [first, last] = multiples(range, step);
-  for (double k = first; k <= last; ++k) {
+  for (int i = 0; i <= last - first; ++i) {
+    const double k = first + i;
     const double value = k == 0.0 ? 0.0 : k * step;  // no negative zero
     ticks.values.push_back(std::clamp(value, range[0], range[1]));
     ticks.labels.push_back(withMinusSign(fmt::format("{:.{}f}", value / unit, decimals)));
