@@ -24,7 +24,7 @@ std::string cellText(const std::string& text) {
   return replaced(replaced(text, "\n", " "), "|", "\\|");
 }
 
-std::string withMinus(std::string text) {
+std::string withMinus(const std::string& text) {
   return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 
