@@ -26,7 +26,8 @@ void setColors(const ThemeSpec& spec, const YamlNode& root, Theme& theme, Diagno
   for (std::size_t k = 0; k < kThemeColors.size(); ++k) {
     const auto& [key, color, sentence] = kThemeColors[k];
     const YamlNode* node = root.find(key);
-    if (node != nullptr && node->kind == YamlNode::Kind::Null)
+    if (node == nullptr) continue;
+    if (node->kind == YamlNode::Kind::Null)
       errors.add(node->keyPlace, key,
                  "found nothing; a colour such as \"#1e1e1e\" stands in quotes, as # begins a comment.");
     if (!spec.colors[k]) continue;
