@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "engine/results/history.h"
 #include "engine/results/run_files.h"
 #include "engine/results/summary_file.h"
@@ -78,11 +79,15 @@ std::string historyText(const std::filesystem::path& file) {
   return line("history", fmt::format("{} rows: {}", history.numRows(), fmt::join(history.columns, ", ")));
 }
 
-/// How far the run in a directory is.
+/// How far the run in a directory is; of a summary that is damaged, what is wrong with it.
 std::string runText(const std::filesystem::path& directory) {
   if (std::filesystem::exists(directory / "summary.yaml")) {
-    const SummaryRecord summary = readSummary(directory);
-    return line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
+    try {
+      const SummaryRecord summary = readSummary(directory);
+      return line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
+    } catch (const Error& error) {
+      return line("run", error.what());
+    }
   }
   if (canBeResumed(directory))
     return line("run", fmt::format("not at its end; if it does not go on any more: burnish run --resume {}",

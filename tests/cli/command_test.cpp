@@ -79,6 +79,12 @@ TEST_F(Command, RunsASceneAndTellsWhatIsInIt) {
   EXPECT_NE(info.out.find("disc: cylinder of radius 0.5"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("5, t = 0 to 2"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("has come to its end"), std::string::npos) << info.out;
+
+  write("out/summary.yaml", "program: [");
+  const Outcome damaged = burnish("info out");
+  EXPECT_EQ(damaged.code, 0) << damaged.err;
+  EXPECT_NE(damaged.out.find("5, t = 0 to 2"), std::string::npos) << damaged.out;
+  EXPECT_NE(damaged.out.find("cannot be read as the summary of a run"), std::string::npos) << damaged.out;
 }
 
 TEST_F(Command, DescribesASceneSoThatItCanBeRunAgain) {
