@@ -9,15 +9,6 @@
 namespace burnish {
 namespace {
 
-/// Length of a tangent, or area spanned by two.
-template <int Dim>
-double surfaceElement(const Eigen::Matrix<double, Dim, Dim - 1>& tangents) {
-  if constexpr (Dim == 2)
-    return tangents.norm();
-  else
-    return tangents.col(0).cross(tangents.col(1)).norm();
-}
-
 /// What a span and a part of the face have in common; empty boxes have an end at or before their beginning.
 template <int P>
 ParameterBox<P> clipped(ParameterBox<P> box, const TensorBasis<P>& basis, const std::vector<double>& part) {
@@ -47,9 +38,10 @@ FaceQuadrature<Dim>::FaceQuadrature(const Body<Dim>& body, int patch, FaceId fac
     const auto box = clipped(spanBox(trace.basis(), e), trace.basis(), part);
     if (!((box.end - box.begin).minCoeff() > 0.0)) continue;
     const auto rule = boxRule(box, pointsPerDirection > 0 ? pointsPerDirection : degree + 1);
-    Span span{trace.basis().spanFunctions(e), numPoints_, {}, {}, {}, {}, 0.0};
+    Span span{trace.basis().spanFunctions(e), numPoints_, {}, {}, {}, {}, {}, 0.0};
     const auto n = static_cast<Eigen::Index>(span.functions.size());
     const auto Q = static_cast<Eigen::Index>(rule.points.size());
+    span.xi.resize(Dim - 1, Q);
     span.R.resize(n, Q);
     span.dR.resize(n, (Dim - 1) * Q);
     span.weights.resize(Q);
@@ -58,10 +50,11 @@ FaceQuadrature<Dim>::FaceQuadrature(const Body<Dim>& body, int patch, FaceId fac
     for (Eigen::Index q = 0; q < Q; ++q) {
       const auto shape = trace.shape(e, rule.points[static_cast<std::size_t>(q)]);
       const Eigen::Matrix<double, Dim, Dim - 1> tangents = points * shape.dR;
+      span.xi.col(q) = rule.points[static_cast<std::size_t>(q)];
       span.R.col(q) = shape.R;
       span.dR.middleCols((Dim - 1) * q, Dim - 1) = shape.dR;
       const Eigen::Vector<double, Dim> X = points * shape.R;
-      const double area = rule.weights[static_cast<std::size_t>(q)] * surfaceElement<Dim>(tangents);
+      const double area = rule.weights[static_cast<std::size_t>(q)] * areaVector<Dim>(tangents).norm();
       span.size += area;
       span.weights(q) = area * body.circumference(X);
     }
@@ -80,7 +73,23 @@ Eigen::MatrixXd FaceQuadrature<Dim>::positions(const Span& span, const Eigen::Ve
   return current * span.R;
 }
 
+template <int Dim>
+double outwardSign(const Patch<Dim>& patch, FaceId face) {
+  const int across = face / 2;
+  Eigen::Vector<double, Dim> middle;
+  for (int d = 0; d < Dim; ++d)
+    middle(d) = patch.basis().direction(d).parameterAt(d == across ? face % 2 : 0.5);
+  const Eigen::Matrix<double, Dim, Dim> jacobian = patch.jacobian(middle);
+  Eigen::Matrix<double, Dim, Dim - 1> tangents;
+  for (int d = 0, column = 0; d < Dim; ++d)
+    if (d != across) tangents.col(column++) = jacobian.col(d);
+  const double along = areaVector<Dim>(tangents).dot(jacobian.col(across));
+  return (along > 0.0) == (face % 2 == 1) ? 1.0 : -1.0;
+}
+
 template class FaceQuadrature<2>;
 template class FaceQuadrature<3>;
+template double outwardSign(const Patch<2>&, FaceId);
+template double outwardSign(const Patch<3>&, FaceId);
 
 }  // namespace burnish

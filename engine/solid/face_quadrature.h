@@ -14,6 +14,7 @@ class FaceQuadrature {
   struct Span {
     std::vector<int> functions;  ///< n functions of the trace, numbered as in `nodes()`
     int firstPoint = 0;
+    Eigen::MatrixXd xi;           ///< (Dim-1) x Q parameters of the trace
     Eigen::MatrixXd R;            ///< n x Q
     Eigen::MatrixXd dR;           ///< n x (Dim-1)·Q: derivatives with respect to the face's parameters
     Eigen::VectorXd weights;      ///< Q: weight times reference area
@@ -49,5 +50,18 @@ class FaceQuadrature {
   Eigen::MatrixXd points_;
   int numPoints_ = 0;
 };
+
+/// Area vector of a face's tangents: (dy, -dx) of (dx, dy) in two dimensions, in three the cross product.
+template <int Dim>
+Eigen::Vector<double, Dim> areaVector(const Eigen::Matrix<double, Dim, Dim - 1>& tangents) {
+  if constexpr (Dim == 2)
+    return {tangents(1), -tangents(0)};
+  else
+    return tangents.col(0).cross(tangents.col(1));
+}
+
+/// +1 or -1: whether the area vector of a face's own parameters points out of the patch.
+template <int Dim>
+double outwardSign(const Patch<Dim>& patch, FaceId face);
 
 }  // namespace burnish

@@ -15,29 +15,6 @@ Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
   return (Eigen::Matrix3d() << 0.0, -v(2), v(1), v(2), 0.0, -v(0), -v(1), v(0), 0.0).finished();
 }
 
-template <int Dim>
-Eigen::Vector<double, Dim> areaVector(const Eigen::Matrix<double, Dim, Dim - 1>& tangents) {
-  if constexpr (Dim == 2)
-    return quarterTurn() * tangents;
-  else
-    return tangents.col(0).cross(tangents.col(1));
-}
-
-/// +1 or -1: whether the area vector of the face's own parameters points out of the patch.
-template <int Dim>
-double outwardSign(const Patch<Dim>& patch, FaceId side) {
-  const int across = side / 2;
-  Eigen::Vector<double, Dim> middle;
-  for (int d = 0; d < Dim; ++d)
-    middle(d) = patch.basis().direction(d).parameterAt(d == across ? side % 2 : 0.5);
-  const Eigen::Matrix<double, Dim, Dim> jacobian = patch.jacobian(middle);
-  Eigen::Matrix<double, Dim, Dim - 1> tangents;
-  for (int d = 0, column = 0; d < Dim; ++d)
-    if (d != across) tangents.col(column++) = jacobian.col(d);
-  const double along = areaVector<Dim>(tangents).dot(jacobian.col(across));
-  return (along > 0.0) == (side % 2 == 1) ? 1.0 : -1.0;
-}
-
 }  // namespace
 
 template <int Dim>

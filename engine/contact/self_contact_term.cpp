@@ -1,0 +1,293 @@
+#include "engine/contact/self_contact_term.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace burnish {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Stands for the parameter of a partner that is not there; a number that can be saved.
+constexpr double kNone = -std::numeric_limits<double>::max();
+
+/// Cosine between the outward normals of partners: at least 120 degrees apart.
+constexpr double kOpposed = -0.5;
+
+/// New partners are found before they touch, as the two sides of a thin part of the body, which face away from
+/// each other, are inside of one another. But where a fold closes, within a span of the slave, and on a
+/// body that may touch itself from the start, they may be inside by a part of the way between the two along
+/// the face, and of the slave's span.
+constexpr double kFold = 1.0;
+constexpr double kShareOfWay = 0.05;
+constexpr double kShareOfSpan = 0.25;
+
+/// Part of its integral R_A has to keep over points with partners to take part.
+constexpr double kSmallestPart = 0.1;
+
+/// A closest point is used up to this share of the way to the centre of curvature, where it ends to be one.
+constexpr double kShareOfRadius = 0.75;
+
+}  // namespace
+
+int SelfContactState::numActive() const {
+  return static_cast<int>(std::count(active.begin(), active.end(), true));
+}
+
+double SelfContactState::largestPenetration() const {
+  return gap.size() == 0 ? 0.0 : std::max(0.0, -gap.minCoeff());
+}
+
+/// A quadrature point.
+struct SelfContactTerm::Slave {
+  double xi = 0.0;
+  Eigen::Vector2d x, normal;
+  double spanSize = 0.0;
+  double along = 0.0;  ///< length of the curve up to it
+};
+
+/// Integrals over the reference face in the last evaluated state.
+struct SelfContactTerm::Mortar {
+  std::vector<std::optional<SurfaceCurve::Point>> partners;  ///< quadrature points
+  Eigen::VectorXd A;  ///< ∫ R_A dΓ over points with partners
+  Eigen::VectorXd G;  ///< ∫ R_A g dΓ
+  Eigen::MatrixXd D;  ///< ∂G_A/∂u: unknowns of the face x functions
+};
+
+SelfContactTerm::SelfContactTerm(const Body<2>& body, int patch, FaceId face, Options options,
+                                 int firstMultiplier)
+    : face_(body, patch, face,
+            options.pointsPerSpan > 0
+                ? options.pointsPerSpan
+                : 2 * body.patches[static_cast<std::size_t>(patch)].basis().direction(1 - face / 2).degree()),
+      trace_(tracePatch(body.patches[static_cast<std::size_t>(patch)], face)),
+      outward_(outwardSign(body.patches[static_cast<std::size_t>(patch)], face)),
+      options_(options),
+      firstMultiplier_(firstMultiplier),
+      A_(Eigen::VectorXd::Zero(face_.numFunctions())),
+      curve_(trace_, outward_) {
+  for (const auto& span : face_.spans()) A_(span.functions) += span.R * span.weights;
+  for (const int node : face_.nodes())
+    for (int d = 0; d < 2; ++d) unknowns_.push_back(2 * node + d);
+  partners_.assign(static_cast<std::size_t>(face_.numPoints()), kNone);
+  findPartners(options.touches);
+}
+
+CouplingGroups SelfContactTerm::couplings() const {
+  // All nodes of the face; then, per function, those with its multiplier; then the multipliers alone.
+  CouplingGroups groups{unknowns_};
+  for (int A = 0; A < face_.numFunctions(); ++A) {
+    groups.push_back(unknowns_);
+    groups.back().push_back(firstMultiplier_ + A);
+  }
+  for (int A = 0; A < face_.numFunctions(); ++A) groups.push_back({firstMultiplier_ + A});
+  return groups;
+}
+
+SurfaceCurve SelfContactTerm::curveAt(const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd points = trace_.points();
+  points += x(unknowns_).reshaped(2, points.cols());
+  return {{trace_.basis(), std::move(points), trace_.weights()}, outward_};
+}
+
+/// The closest point to a slave, if the two face each other; gaps down to -deepest.
+std::optional<SurfaceCurve::Point> SelfContactTerm::partnerOf(const Slave& slave, double start,
+                                                              double deepest) const {
+  auto point = curve_.nearest(slave.x, start);
+  if (!point || !(point->xi > slave.xi) || !(point->normal.dot(slave.normal) < kOpposed))
+    return std::nullopt;
+  const double gap = (slave.x - point->x).dot(point->normal);
+  if (!(gap > -deepest) || !(gap < options_.reach)) return std::nullopt;
+  if (gap * point->ddx.dot(point->normal) > kShareOfRadius * point->dx.squaredNorm()) return std::nullopt;
+  return point;
+}
+
+/// A parameter near the partner of a slave that has none yet: the nearest quadrature point that faces it.
+std::optional<double> SelfContactTerm::searchPartner(const std::vector<Slave>& slaves,
+                                                     std::size_t number, bool touches) const {
+  const Slave& slave = slaves[number];
+  const Slave* nearest = nullptr;
+  double smallest = options_.reach;
+  for (std::size_t k = number + 1; k < slaves.size(); ++k) {
+    const double distance = (slaves[k].x - slave.x).norm();
+    if (!(distance < smallest) || !(slaves[k].normal.dot(slave.normal) < kOpposed)) continue;
+    smallest = distance;
+    nearest = &slaves[k];
+  }
+  if (nearest == nullptr) return std::nullopt;
+  const double way = nearest->along - slave.along;
+  const bool mayBeInside = touches || way < kFold * slave.spanSize;
+  const auto point = partnerOf(slave, nearest->xi,
+                               mayBeInside ? std::min(kShareOfWay * way, kShareOfSpan * slave.spanSize) : 0.0);
+  return point ? std::optional(point->xi) : std::nullopt;
+}
+
+void SelfContactTerm::findPartners(bool touches) {
+  std::vector<Slave> slaves;
+  for (const auto& span : face_.spans())
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const auto point = curve_.at(span.xi(0, q));
+      const double along =
+          slaves.empty() ? 0.0 : slaves.back().along + (point.x - slaves.back().x).norm();
+      slaves.push_back({point.xi, point.x, point.normal, span.size, along});
+    }
+  for (std::size_t k = 0; k < slaves.size(); ++k) {
+    std::optional<double> partner;
+    if (partners_[k] != kNone)  // one that is known may be deep: the averages are what is closed
+      if (const auto point = partnerOf(slaves[k], partners_[k], options_.reach)) partner = point->xi;
+    if (!partner) partner = searchPartner(slaves, k, touches);
+    partners_[k] = partner.value_or(kNone);
+  }
+}
+
+/// False where a closest point is lost.
+bool SelfContactTerm::integrate(Mortar& mortar) const {
+  const Eigen::Index n = face_.numFunctions();
+  mortar.partners.resize(partners_.size());
+  mortar.A = mortar.G = Eigen::VectorXd::Zero(n);
+  mortar.D = Eigen::MatrixXd::Zero(2 * n, n);
+  for (const auto& span : face_.spans()) {
+    const Eigen::Matrix2Xd points = curve_.patch().points()(Eigen::all, span.functions) * span.R;
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const auto number = static_cast<std::size_t>(span.firstPoint + q);
+      if (partners_[number] == kNone) continue;
+      auto& partner = mortar.partners[number] = curve_.nearest(points.col(q), partners_[number]);
+      if (!partner) return false;
+      const Eigen::Vector2d& normal = partner->normal;
+      const double gap = (points.col(q) - partner->x).dot(normal);
+      for (std::size_t a = 0; a < span.functions.size(); ++a) {
+        const int A = span.functions[a];
+        const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
+        mortar.A(A) += wR;
+        mortar.G(A) += wR * gap;
+        for (std::size_t b = 0; b < span.functions.size(); ++b)
+          mortar.D.block<2, 1>(2 * span.functions[b], A) += wR * span.R(static_cast<Eigen::Index>(b), q) * normal;
+        for (std::size_t b = 0; b < partner->functions.size(); ++b)
+          mortar.D.block<2, 1>(2 * partner->functions[b], A) -=
+              wR * partner->R(static_cast<Eigen::Index>(b)) * normal;
+      }
+    }
+  }
+  return true;
+}
+
+bool SelfContactTerm::evaluate(double, const Eigen::VectorXd& x, Assembly& out) {
+  curve_ = curveAt(x);
+  Mortar mortar;
+  if (!integrate(mortar)) return false;
+  addForces(x, out, mortar);
+  if (out.system != nullptr) addGeometricTangent(out, mortar);
+  return true;
+}
+
+void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar) {
+  const double eps = options_.parameter;
+  const Eigen::Index n = face_.numFunctions();
+  state_ = {};
+  state_.averageGap = Eigen::VectorXd::Constant(n, kInfinity);
+  state_.lambdaHat = Eigen::VectorXd::Zero(n);
+  state_.active.assign(static_cast<std::size_t>(n), false);
+  for (int A = 0; A < n; ++A) {
+    const double lambda = x(firstMultiplier_ + A);
+    bool active = false;
+    if (mortar.A(A) > kSmallestPart * A_(A)) {
+      state_.averageGap(A) = mortar.G(A) / mortar.A(A);
+      state_.lambdaHat(A) = lambda + eps * state_.averageGap(A);
+      active = state_.lambdaHat(A) <= 0.0;
+    }
+    state_.active[static_cast<std::size_t>(A)] = active;
+    if (!active) {
+      state_.lambdaHat(A) = 0.0;
+      out.force(firstMultiplier_ + A) -= lambda * A_(A) / eps;
+      if (out.system != nullptr)
+        out.system->add(out.term, static_cast<std::size_t>(1 + n + A),
+                        Eigen::MatrixXd::Constant(1, 1, -A_(A) / eps));
+      continue;
+    }
+    const auto D = mortar.D.col(A);
+    out.force(unknowns_) += state_.lambdaHat(A) * D;
+    out.force(firstMultiplier_ + A) += mortar.G(A);
+    if (out.system == nullptr) continue;
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(D.size() + 1, D.size() + 1);
+    K.topLeftCorner(D.size(), D.size()) = eps / mortar.A(A) * D * D.transpose();
+    K.col(D.size()).head(D.size()) = D;
+    K.row(D.size()).head(D.size()) = D.transpose();
+    out.system->add(out.term, static_cast<std::size_t>(1 + A), K);
+  }
+  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
+  state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
+  for (const auto& span : face_.spans()) {
+    const Eigen::Matrix2Xd points = curve_.patch().points()(Eigen::all, span.functions) * span.R;
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const auto& partner = mortar.partners[static_cast<std::size_t>(span.firstPoint + q)];
+      if (!partner) continue;
+      const double pressure = -span.R.col(q).dot(state_.lambdaHat(span.functions));
+      state_.gap(span.firstPoint + q) = (points.col(q) - partner->x).dot(partner->normal);
+      state_.pressure(span.firstPoint + q) = pressure;
+      state_.force -= span.weights(q) * pressure * partner->normal;
+    }
+  }
+}
+
+/// ∫ λ̂ δ²g dΓ. With δw the difference of the two points' variations at fixed parameters, t = dx̄, δt its
+/// variation, m = t · t, k = n · ddx̄ and h = m - g k, the parameter of the closest point moves by
+/// (t · δw + g n · δt)/h, and
+///
+///     δ²g = -(2 (t·δw)(n·δt) + k/m (t·δw)² + g (n·δt)²)/h.
+void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) const {
+  const auto n = static_cast<Eigen::Index>(unknowns_.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  bool any = false;
+  for (const auto& span : face_.spans())
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const auto point = span.firstPoint + q;
+      if (state_.pressure(point) == 0.0) continue;
+      any = true;
+      const auto& partner = *mortar.partners[static_cast<std::size_t>(point)];
+      const double m = partner.dx.squaredNorm(), k = partner.normal.dot(partner.ddx),
+                   g = state_.gap(point), h = m - g * k;
+      std::vector<int> places;
+      Eigen::VectorXd tangential(2 * (span.R.rows() + partner.R.size()));
+      Eigen::VectorXd turning = Eigen::VectorXd::Zero(tangential.size());
+      Eigen::Index next = 0;
+      const auto append = [&](int function, const Eigen::Vector2d& along, const Eigen::Vector2d& turn) {
+        for (int d = 0; d < 2; ++d) places.push_back(2 * function + d);
+        tangential.segment<2>(next) = along;
+        turning.segment<2>(next) = turn;
+        next += 2;
+      };
+      for (Eigen::Index a = 0; a < span.R.rows(); ++a)
+        append(span.functions[static_cast<std::size_t>(a)], span.R(a, q) * partner.dx, Eigen::Vector2d::Zero());
+      for (Eigen::Index b = 0; b < partner.R.size(); ++b)
+        append(partner.functions[static_cast<std::size_t>(b)], -partner.R(b) * partner.dx,
+               partner.dR(b) * partner.normal);
+      const Eigen::MatrixXd mixed = tangential * turning.transpose();
+      const Eigen::MatrixXd second = mixed + mixed.transpose() + k / m * tangential * tangential.transpose() +
+                                     g * turning * turning.transpose();
+      // A function may stand on both sides: its entries are added one after the other.
+      const double factor = span.weights(q) * state_.pressure(point) / h;
+      for (std::size_t j = 0; j < places.size(); ++j)
+        for (std::size_t i = 0; i < places.size(); ++i)
+          K(places[i], places[j]) +=
+              factor * second(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  if (any) out.system->add(out.term, 0, K);
+}
+
+Eigen::Matrix2Xd SelfContactTerm::positionsApart(double apart) const {
+  Eigen::Matrix2Xd positions(2, face_.numPoints());
+  for (const auto& span : face_.spans())
+    positions.middleCols(span.firstPoint, span.R.cols()) =
+        curve_.patch().points()(Eigen::all, span.functions) * span.R;
+  for (Eigen::Index q = 0; q < positions.cols(); ++q) {
+    if (!(std::abs(state_.gap(q)) < apart)) continue;
+    const auto partner = curve_.nearest(positions.col(q), partners_[static_cast<std::size_t>(q)]);
+    if (partner) positions.col(q) = partner->x + apart * partner->normal;
+  }
+  return positions;
+}
+
+}  // namespace burnish

@@ -1,0 +1,92 @@
+#pragma once
+#include <Eigen/Dense>
+#include <optional>
+#include <vector>
+
+#include "engine/contact/surface_curve.h"
+#include "engine/solid/face_quadrature.h"
+#include "engine/solver/term.h"
+
+namespace burnish {
+
+/// Quantities of self-contact at the last evaluated state; functions are those of the face's trace.
+struct SelfContactState {
+  Eigen::VectorXd averageGap;  ///< g_A, functions; infinite without partners
+  Eigen::VectorXd lambdaHat;   ///< λ̂_A <= 0 where active, 0 elsewhere, functions
+  std::vector<bool> active;    ///< functions
+  Eigen::VectorXd gap;         ///< quadrature points; infinite without a partner
+  Eigen::VectorXd pressure;    ///< nominal, >= 0 in compression, quadrature points
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< of the part that comes first on the other one
+
+  int numActive() const;
+  double largestPenetration() const;  ///< >= 0, over quadrature points
+};
+
+/// Frictionless contact of one face of a plane or axisymmetric body with itself: mortar, augmented
+/// Lagrangian. Of two points that face each other the one with the smaller parameter is the slave: it carries
+/// the quadrature and the multipliers; the other one is its closest point x̄ on the same curve, with the
+/// outward normal n there. Gap g = (x - x̄) · n >= 0; g_A, λ̂_A and the active set as in contact with a tool
+/// (31)-(43), with averages over the points that have a partner.
+///
+/// Who is whose partner is decided at accepted states and kept during a step, in which only the closest
+/// points move: the residual is smooth but for the active set.
+class SelfContactTerm final : public Term {
+ public:
+  struct Options {
+    double parameter = 0.0;  ///< ε, stress per length
+    double reach = 0.0;      ///< distance within which parts of the face are partners
+    int pointsPerSpan = 0;   ///< 2p when 0
+    bool touches = false;    ///< the body may touch itself in its reference configuration
+  };
+
+  /// firstMultiplier: number of the first of the face's multipliers among the unknowns.
+  SelfContactTerm(const Body<2>& body, int patch, FaceId face, Options options, int firstMultiplier);
+
+  int firstMultiplier() const { return firstMultiplier_; }
+  int numMultipliers() const { return face_.numFunctions(); }
+
+  /// See `ContactTerm::setParameter`.
+  void setParameter(double parameter) { options_.parameter = parameter; }
+
+  CouplingGroups couplings() const override;
+  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+  void accept() override { findPartners(false); }
+  void archive(StateArchive& archive) override { archive.fixedField("partners", partners_); }
+
+  const SelfContactState& state() const { return state_; }
+  const FaceQuadrature<2>& face() const { return face_; }
+  const Options& options() const { return options_; }
+
+  /// A_A = ∫ R_A dΓ (32).
+  const Eigen::VectorXd& weights() const { return A_; }
+
+  /// Positions of the quadrature points in the last evaluated state, 2 x points; those that are partners of
+  /// others at the same place, or a little inside of the body, are moved back `apart` from them.
+  Eigen::Matrix2Xd positionsApart(double apart) const;
+
+ private:
+  struct Mortar;
+  struct Slave;
+
+  SurfaceCurve curveAt(const Eigen::VectorXd& x) const;
+  std::optional<SurfaceCurve::Point> partnerOf(const Slave& slave, double start, double deepest) const;
+  std::optional<double> searchPartner(const std::vector<Slave>& slaves, std::size_t number,
+                                      bool touches) const;
+  void findPartners(bool touches);
+  bool integrate(Mortar& mortar) const;
+  void addForces(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
+  void addGeometricTangent(Assembly& out, const Mortar& mortar) const;
+
+  FaceQuadrature<2> face_;
+  Patch<1, 2> trace_;
+  double outward_;
+  Options options_;
+  int firstMultiplier_;
+  Eigen::VectorXd A_;
+  std::vector<int> unknowns_;     ///< displacement components of the face's nodes
+  std::vector<double> partners_;  ///< parameter per quadrature point, kNone without
+  SurfaceCurve curve_;            ///< in the last evaluated state
+  SelfContactState state_;
+};
+
+}  // namespace burnish
