@@ -43,6 +43,9 @@ double defaultParameter(Enforcement enforcement, double E, double L) {
   return (enforcement == Enforcement::AugmentedLagrangian ? 1.0 : 100.0) * E / L;
 }
 
+/// Reach of self-contact when the scene does not say, in parts of the body's size.
+constexpr double kReach = 0.05;
+
 }  // namespace
 
 template <int Dim>
@@ -88,6 +91,8 @@ void Model<Dim>::addBoundary(const Scene& scene) {
   problems.throwIfAny();
   numUnknowns_ = numForces_;
   for (std::size_t k = 0; k < scene.contact.size(); ++k) problems.gather([&] { addContact(scene, k); });
+  for (std::size_t k = 0; k < scene.selfContact.size(); ++k)
+    problems.gather([&] { addSelfContact(scene, k); });
   prescribed_.resize(static_cast<std::size_t>(numUnknowns_), false);
   if (!rezoned_) problems.gather([this] { requireSupported(); });
   problems.throwIfAny();
@@ -155,6 +160,23 @@ void Model<Dim>::addContact(const Scene& scene, std::size_t number) {
                                                  *tools_[tool], options, numUnknowns_);
   numUnknowns_ += term->numMultipliers();
   contacts_.push_back({tool, patch, spec.place.face, std::move(term)});
+}
+
+template <int Dim>
+void Model<Dim>::addSelfContact(const Scene& scene, std::size_t number) {
+  if constexpr (Dim == 2) {
+    const auto& spec = scene.selfContact[number];
+    faces_.requireOuter(spec.place, fmt::format("self_contact[{}]", number));
+    const double E = youngsModulus(bulk_->material()), L = body_.size();
+    const SelfContactTerm::Options options{
+        spec.parameter.value_or(defaultParameter(Enforcement::AugmentedLagrangian, E, L)),
+        spec.reach.value_or(kReach * L), spec.quadraturePoints.value_or(0), rezoned_};
+    const int patch = faces_.patch(spec.place.patch);
+    const FaceId face = faceFromName<2>(spec.place.face);
+    auto term = std::make_unique<SelfContactTerm>(body_, patch, face, options, numUnknowns_);
+    numUnknowns_ += term->numMultipliers();
+    selfContacts_.push_back({face, patch, spec.place.face, std::move(term)});
+  }
 }
 
 template <int Dim>
@@ -297,6 +319,7 @@ template <int Dim>
 std::vector<Term*> Model<Dim>::terms() const {
   std::vector<Term*> terms{bulk_.get()};
   for (const auto& pair : contacts_) terms.push_back(pair.term.get());
+  for (const auto& contact : selfContacts_) terms.push_back(contact.term.get());
   for (const auto& load : loads_) terms.push_back(load.get());
   for (const auto& load : toolLoads_) terms.push_back(load.get());
   return terms;
@@ -340,6 +363,10 @@ ResidualScales Model<Dim>::residualScales() const {
     scales.constraints.segment(next, pair.term->numMultipliers()) =
         L * pair.term->weights().head(pair.term->numMultipliers());
     next += pair.term->numMultipliers();
+  }
+  for (const auto& contact : selfContacts_) {
+    scales.constraints.segment(next, contact.term->numMultipliers()) = L * contact.term->weights();
+    next += contact.term->numMultipliers();
   }
   return scales;
 }

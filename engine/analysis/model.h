@@ -6,6 +6,7 @@
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/supports.h"
 #include "engine/contact/contact_term.h"
+#include "engine/contact/self_contact_term.h"
 #include "engine/contact/tool.h"
 #include "engine/contact/tool_load.h"
 #include "engine/rezoning/state_transfer.h"
@@ -26,6 +27,14 @@ struct ContactPair {
   int patch = 0;
   std::string faceName;
   std::unique_ptr<ContactTerm<Dim>> term;
+};
+
+/// A face that may touch itself.
+struct SelfContact {
+  FaceId face = 0;
+  int patch = 0;
+  std::string faceName;
+  std::unique_ptr<SelfContactTerm> term;
 };
 
 /// A body that was meshed anew under way, in the configuration that it had at a time: its new reference.
@@ -59,10 +68,11 @@ class Model {
   const BulkTerm<Dim>& bulk() const { return *bulk_; }
   const std::vector<std::unique_ptr<Tool>>& tools() const { return tools_; }
   const std::vector<ContactPair<Dim>>& contacts() const { return contacts_; }
+  const std::vector<SelfContact>& selfContacts() const { return selfContacts_; }
   const std::vector<std::unique_ptr<LoadTerm>>& loads() const { return loads_; }
   const FaceFinder<Dim>& faces() const { return faces_; }
 
-  /// Bulk, contacts, loads, loads of tools, in this order.
+  /// Bulk, contacts, contacts of faces with themselves, loads, loads of tools, in this order.
   std::vector<Term*> terms() const;
 
   int numUnknowns() const { return numUnknowns_; }
@@ -96,6 +106,7 @@ class Model {
   void addLoad(const Scene& scene, std::size_t number);
   void addTool(const Scene& scene, std::size_t number);
   void addContact(const Scene& scene, std::size_t number);
+  void addSelfContact(const Scene& scene, std::size_t number);
   void requireReachable(const Tool& tool, const ContactSpec& spec, const std::string& place) const;
   void liftTools(const Scene& scene);
   void placeFreeTool(const ToolLoad& load, const Scene& scene);
@@ -116,6 +127,7 @@ class Model {
   std::unique_ptr<BulkTerm<Dim>> bulk_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::vector<ContactPair<Dim>> contacts_;
+  std::vector<SelfContact> selfContacts_;  ///< none in 3D
   std::vector<std::unique_ptr<LoadTerm>> loads_;
   std::vector<std::unique_ptr<ToolLoad>> toolLoads_;
   std::vector<bool> prescribed_;

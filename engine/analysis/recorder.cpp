@@ -23,13 +23,27 @@ constexpr double kCrossing = 1e-9;  // relative to the body's size
 constexpr std::size_t kFirstToolDoubt = 5;
 
 /// Largest penetration over the size of a span.
-template <int Dim>
-double penetrationPerSpan(const ContactTerm<Dim>& term) {
+template <class Contact>
+double penetrationPerSpan(const Contact& term) {
   double largest = 0.0;
   for (const auto& span : term.face().spans())
-    largest = std::max(largest, -term.state().gap.segment(span.firstPoint, span.weights.size()).minCoeff() /
-                                    FaceQuadrature<Dim>::sizeOf(span));
+    largest = std::max(
+        largest, -term.state().gap.segment(span.firstPoint, span.weights.size()).minCoeff() / span.size);
   return largest;
+}
+
+/// Whether the line through the columns crosses itself.
+bool crossesItself(const Eigen::MatrixXd& line, double rounding) {
+  std::vector<BoundaryPiece> pieces;
+  for (Eigen::Index q = 1; q < line.cols(); ++q)
+    if (line.col(q) != line.col(q - 1)) pieces.push_back({line.col(q - 1), line.col(q), {}});
+  return findCrossing(pieces, rounding).has_value();
+}
+
+/// The same for a face that may touch itself: its parts may be inside of one another by what is not doubtful
+/// yet.
+bool crossesItself(const SelfContactTerm& term, double rounding) {
+  return crossesItself(term.positionsApart(kDoubtfulSpanShare), rounding);
 }
 
 }  // namespace
@@ -50,7 +64,11 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
            std::string(scene.rezoning
                            ? "give new meshes more spans (rezoning.spans)"
                            : "`rezoning: {}` in the scene of a plane body meshes it anew under way")},
-          {"a contact face crosses itself, as contact of the body with itself is not computed"},
+          {scene.selfContact.empty()
+               ? "a contact face crosses itself, as contact of the body with itself is not computed; "
+                 "self_contact computes it for plane bodies"
+               : "a contact face crosses itself in spite of self_contact: give it a larger reach, finer steps or "
+                 "more knot spans, and name all faces that touch"},
           {"the boundary of a new mesh is farther than 0.5 % of the body's size from the old one; give new "
            "meshes more spans (rezoning.spans)"}},
       touched_(model.tools().size(), false),
@@ -77,6 +95,9 @@ std::vector<std::string> Recorder<Dim>::columns() const {
         "max_plastic_strain_projected", "min_plastic_strain_projected", "active_control_points",
         "max_penetration", "min_detJ", "newton_iterations"})
     columns.emplace_back(name);
+  if (!model_.selfContacts().empty())
+    for (const char* name : {"self_active_control_points", "max_self_penetration", "self_contact_force"})
+      columns.emplace_back(name);
   if (rezones_)
     for (const char* name : {"rezonings", "rezoning_energy_lost", "rezoning_gap_work",
                              "rezoning_volume_drift", "rezoning_boundary_error", "crosses_itself"})
@@ -120,6 +141,16 @@ void Recorder<Dim>::addTools(const MeasuredState& state, StateQuantities& next) 
   }
 }
 
+template <int Dim>
+void Recorder<Dim>::addSelfContacts(StateQuantities& next) const {
+  for (const auto& contact : model_.selfContacts()) {
+    const SelfContactState& state = contact.term->state();
+    next.selfActiveControlPoints += state.numActive();
+    next.maxSelfPenetration = std::max(next.maxSelfPenetration, state.largestPenetration());
+    next.selfForce += state.force.norm();
+  }
+}
+
 /// Work of the tools on the body since the last state.
 template <int Dim>
 double Recorder<Dim>::toolWork(const StateQuantities& next) const {
@@ -141,6 +172,7 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
   next.time = state.time;
   next.externalWork = current_.externalWork + workIncrement(x, force, loads);
   addTools(state, next);
+  addSelfContacts(next);
   if (x_.size() > 0) next.externalWork += toolWork(next);
 
   const BulkTerm<Dim>& bulk = model_.bulk();
@@ -195,14 +227,24 @@ bool Recorder<Dim>::hasLostResolution(const ContactPair<Dim>& pair) const {
 template <int Dim>
 bool Recorder<Dim>::faceCrossesItself(const ContactPair<Dim>& pair) const {
   if constexpr (Dim == 2) {
-    const Eigen::MatrixXd positions = pair.term->positions(x_);
-    std::vector<BoundaryPiece> pieces;
-    for (Eigen::Index q = 1; q < positions.cols(); ++q)
-      if (positions.col(q) != positions.col(q - 1))
-        pieces.push_back({positions.col(q - 1), positions.col(q), {}});
-    return findCrossing(pieces, kCrossing * model_.body().size()).has_value();
+    const auto& others = model_.selfContacts();
+    const bool touchesItself = std::any_of(others.begin(), others.end(), [&](const SelfContact& other) {
+      return other.patch == pair.patch && other.faceName == pair.faceName;
+    });
+    return !touchesItself && burnish::crossesItself(pair.term->positions(x_), kCrossing * model_.body().size());
   }
   return false;
+}
+
+template <int Dim>
+bool Recorder<Dim>::anyFaceCrossesItself() const {
+  const auto& contacts = model_.contacts();
+  const auto& selfContacts = model_.selfContacts();
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const auto& pair) { return faceCrossesItself(pair); }) ||
+         std::any_of(selfContacts.begin(), selfContacts.end(), [&](const SelfContact& contact) {
+           return burnish::crossesItself(*contact.term, kCrossing * model_.body().size());
+         });
 }
 
 template <int Dim>
@@ -216,9 +258,10 @@ void Recorder<Dim>::watch() {
     penetrates |= penetrationPerSpan(*pair.term) > kDoubtfulSpanShare ||
                   pair.term->state().largestPenetration() > kDoubtfulRadiusShare * radius;
   }
+  for (const auto& contact : model_.selfContacts())
+    penetrates |= penetrationPerSpan(*contact.term) > kDoubtfulSpanShare;
   const auto& contacts = model_.contacts();
-  crossesItself_ = std::any_of(contacts.begin(), contacts.end(),
-                               [&](const auto& pair) { return faceCrossesItself(pair); });
+  crossesItself_ = anyFaceCrossesItself();
   const auto note = [&](Doubt& doubt, bool holds) {
     if (!holds) return;
     if (doubt.steps == 0) doubt.firstTime = current_.time;
@@ -277,6 +320,10 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
         static_cast<double>(current_.activeControlPoints), current_.maxPenetration, current_.minJ,
         static_cast<double>(newtonIterations)})
     row.push_back(value);
+  if (!model_.selfContacts().empty())
+    for (const double value : {static_cast<double>(current_.selfActiveControlPoints),
+                               current_.maxSelfPenetration, current_.selfForce})
+      row.push_back(value);
   if (rezones_)
     for (const double value : {static_cast<double>(rezonings_), energyLost_, gapWork_, volumeDrift_,
                                boundaryError_, crossesItself_ ? 1.0 : 0.0})
@@ -304,6 +351,9 @@ void StateQuantities::archive(StateArchive& archive) {
   archive.field("max_projected_plastic_strain", projectedPlasticStrain.max);
   archive.field("active_control_points", activeControlPoints);
   archive.field("max_penetration", maxPenetration);
+  archive.field("self_active_control_points", selfActiveControlPoints);
+  archive.field("max_self_penetration", maxSelfPenetration);
+  archive.field("self_contact_force", selfForce);
   archive.field("min_J", minJ);
 }
 

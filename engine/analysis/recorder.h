@@ -34,6 +34,9 @@ struct StateQuantities {
   Extremes projectedPlasticStrain;
   int activeControlPoints = 0;
   double maxPenetration = 0.0;
+  int selfActiveControlPoints = 0;    ///< of faces that touch themselves
+  double maxSelfPenetration = 0.0;
+  double selfForce = 0.0;             ///< between the parts of a face, summed over the faces
   double minJ = 1.0;
 
   void archive(StateArchive& archive);
@@ -68,8 +71,7 @@ class Recorder {
 
   const std::vector<Doubt>& doubts() const { return doubts_; }
 
-  /// Whether a contact face crosses itself in the current state, as contact of the body with itself is not
-  /// computed (2D).
+  /// Whether a contact face crosses itself in the current state (2D); parts that touch by self-contact do not.
   bool crossesItself() const { return crossesItself_; }
 
   /// Names of the tools with contact pairs that nothing has touched so far.
@@ -86,11 +88,13 @@ class Recorder {
                        const Eigen::VectorXd& loads) const;
   double toolWork(const StateQuantities& next) const;
   void addTools(const MeasuredState& state, StateQuantities& next) const;
+  void addSelfContacts(StateQuantities& next) const;
   Eigen::VectorXd loadForces() const;
   void watch();
   void nameTips();
   bool hasLostResolution(const ContactPair<Dim>& pair) const;
   bool faceCrossesItself(const ContactPair<Dim>& pair) const;
+  bool anyFaceCrossesItself() const;
 
   const Model<Dim>& model_;
   const Projection<Dim>& projection_;

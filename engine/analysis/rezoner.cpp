@@ -150,6 +150,30 @@ std::vector<Eigen::VectorXd> multipliersOf(const Stage<2>& stage) {
   return multipliers;
 }
 
+/// Multipliers λ̂ of a face per new reference area: what pressed on an old reference area presses on the
+/// stretched one now. before, now: the old face in its reference and in its place; next: the new one.
+Eigen::VectorXd transferredMultipliers(const Model<2>& model, const Model<2>& newModel, FaceId face,
+                                       const Patch<2>& deformed, const Eigen::VectorXd& lambdaHat) {
+  const auto before = tracePatch(model.body().patches.front(), face), now = tracePatch(deformed, face);
+  const auto newTrace = tracePatch(newModel.body().patches.front(), face);
+  const ArcLengthCurve oldCurve(now), newCurve(newTrace);
+  Eigen::VectorXd multipliers(newTrace.basis().numFunctions());
+  for (int a = 0; a < multipliers.size(); ++a) {
+    const double share = newCurve.lengthTo(newTrace.basis().direction(0).anchor(a)) / newCurve.length();
+    const Eigen::Vector<double, 1> xi(oldCurve.parameterAt(share * oldCurve.length()));
+    const int span = before.findSpan(xi);
+    const auto shape = before.shape(span, xi);
+    const auto functions = before.basis().spanFunctions(span);
+    const double along = now.jacobian(xi).norm() / before.jacobian(xi).norm();
+    const double ring = model.body().circumference(before.position(xi));
+    const bool onAxis = ring < kOnAxis * model.body().size();  // where both stretches are the same
+    const double around = onAxis ? along : newModel.body().circumference(now.position(xi)) / ring;
+    const double stretch = model.body().axisymmetric ? along * around : along;
+    multipliers(a) = std::min(0.0, shape.R.dot(lambdaHat(functions)) / stretch);
+  }
+  return multipliers;
+}
+
 /// Brings a stage into equilibrium while the gaps with which it begins, and which pairs in contact should not
 /// have, are taken away in equal parts.
 Settlement settle(Stage<2>& stage, int parts) {
@@ -166,6 +190,12 @@ Settlement settle(Stage<2>& stage, int parts) {
       if (stage.stepping.state().x(pair.term->firstMultiplier() + a) < 0.0) origin(a) = gaps(a);
     parameters.push_back(pair.term->options().parameter);
     pair.term->setParameter(kStiffer * parameters.back());
+  }
+  const auto& selfContacts = stage.model->selfContacts();
+  std::vector<double> selfParameters;
+  for (const auto& contact : selfContacts) {
+    selfParameters.push_back(contact.term->options().parameter);
+    contact.term->setParameter(kStiffer * selfParameters.back());
   }
   int iterations = 0;
   std::vector<Eigen::VectorXd> before = multipliersOf(stage);
@@ -184,6 +214,8 @@ Settlement settle(Stage<2>& stage, int parts) {
   }
   for (std::size_t k = 0; k < parameters.size(); ++k)
     stage.model->contacts()[k].term->setParameter(parameters[k]);
+  for (std::size_t k = 0; k < selfParameters.size(); ++k)
+    selfContacts[k].term->setParameter(selfParameters[k]);
   report.iterations = iterations;
   return result;
 }
@@ -278,31 +310,17 @@ RemeshOptions Rezoner::options(const Stage<2>& stage, const Patch<2>& deformed) 
   return options;
 }
 
-/// λ̂ per new reference area: what pressed on an old reference area presses on the stretched one now.
 void Rezoner::setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
                              Eigen::VectorXd& x) const {
   const Model<2>& model = *stage.model;
-  const auto before = tracePatch(model.body().patches.front(), face_), now = tracePatch(deformed, face_);
-  const auto newTrace = tracePatch(next.body().patches.front(), face_);
-  const ArcLengthCurve oldCurve(now), newCurve(newTrace);
-  for (std::size_t k = 0; k < next.contacts().size(); ++k) {
-    const auto& oldTerm = *model.contacts()[k].term;
-    const auto& newTerm = *next.contacts()[k].term;
-    for (int a = 0; a < newTerm.numMultipliers(); ++a) {
-      const double share = newCurve.lengthTo(newTrace.basis().direction(0).anchor(a)) / newCurve.length();
-      const Eigen::Vector<double, 1> xi(oldCurve.parameterAt(share * oldCurve.length()));
-      const int span = before.findSpan(xi);
-      const auto shape = before.shape(span, xi);
-      const auto functions = before.basis().spanFunctions(span);
-      const double along = now.jacobian(xi).norm() / before.jacobian(xi).norm();
-      const double ring = model.body().circumference(before.position(xi));
-      const bool onAxis = ring < kOnAxis * model.body().size();  // where both stretches are the same
-      const double around = onAxis ? along : next.body().circumference(now.position(xi)) / ring;
-      const double stretch = model.body().axisymmetric ? along * around : along;
-      const double lambda = shape.R.dot(oldTerm.state().lambdaHat(functions)) / stretch;
-      x(newTerm.firstMultiplier() + a) = std::min(0.0, lambda);
-    }
-  }
+  const auto set = [&](const auto& oldTerm, const auto& newTerm, FaceId face) {
+    x.segment(newTerm.firstMultiplier(), newTerm.numMultipliers()) =
+        transferredMultipliers(model, next, face, deformed, oldTerm.state().lambdaHat);
+  };
+  for (std::size_t k = 0; k < next.contacts().size(); ++k)
+    set(*model.contacts()[k].term, *next.contacts()[k].term, face_);
+  for (std::size_t k = 0; k < next.selfContacts().size(); ++k)
+    set(*model.selfContacts()[k].term, *next.selfContacts()[k].term, next.selfContacts()[k].face);
 }
 
 SteppingState Rezoner::startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,

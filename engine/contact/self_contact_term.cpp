@@ -14,6 +14,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Stands for the parameter of a partner that is not there; a number that can be saved.
 constexpr double kNone = -std::numeric_limits<double>::max();
 
+/// A slave that hangs over the end of the face by less than this part of its last span still has a partner.
+constexpr double kOverhang = 0.25;
+
 /// Cosine between the outward normals of partners: at least 120 degrees apart.
 constexpr double kOpposed = -0.5;
 
@@ -99,6 +102,9 @@ std::optional<SurfaceCurve::Point> SelfContactTerm::partnerOf(const Slave& slave
   auto point = curve_.nearest(slave.x, start);
   if (!point || !(point->xi > slave.xi) || !(point->normal.dot(slave.normal) < kOpposed))
     return std::nullopt;
+  const UnivariateBasis& basis = trace_.basis().direction(0);
+  const int last = basis.numSpans() - 1;
+  if (point->xi > std::lerp(basis.spanEnd(last), basis.spanBegin(last), -kOverhang)) return std::nullopt;
   const double gap = (slave.x - point->x).dot(point->normal);
   if (!(gap > -deepest) || !(gap < options_.reach)) return std::nullopt;
   if (gap * point->ddx.dot(point->normal) > kShareOfRadius * point->dx.squaredNorm()) return std::nullopt;
@@ -277,15 +283,18 @@ void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) c
   if (any) out.system->add(out.term, 0, K);
 }
 
-Eigen::Matrix2Xd SelfContactTerm::positionsApart(double apart) const {
+Eigen::Matrix2Xd SelfContactTerm::positionsApart(double share) const {
   Eigen::Matrix2Xd positions(2, face_.numPoints());
-  for (const auto& span : face_.spans())
-    positions.middleCols(span.firstPoint, span.R.cols()) =
-        curve_.patch().points()(Eigen::all, span.functions) * span.R;
-  for (Eigen::Index q = 0; q < positions.cols(); ++q) {
-    if (!(std::abs(state_.gap(q)) < apart)) continue;
-    const auto partner = curve_.nearest(positions.col(q), partners_[static_cast<std::size_t>(q)]);
-    if (partner) positions.col(q) = partner->x + apart * partner->normal;
+  for (const auto& span : face_.spans()) {
+    auto points = positions.middleCols(span.firstPoint, span.R.cols());
+    points = curve_.patch().points()(Eigen::all, span.functions) * span.R;
+    const double apart = share * span.size;
+    for (Eigen::Index q = 0; q < points.cols(); ++q) {
+      const auto number = span.firstPoint + q;
+      if (!(std::abs(state_.gap(number)) < apart)) continue;
+      const auto partner = curve_.nearest(points.col(q), partners_[static_cast<std::size_t>(number)]);
+      if (partner) points.col(q) = partner->x + apart * partner->normal;
+    }
   }
   return positions;
 }

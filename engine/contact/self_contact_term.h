@@ -60,9 +60,10 @@ class SelfContactTerm final : public Term {
   /// A_A = ∫ R_A dΓ (32).
   const Eigen::VectorXd& weights() const { return A_; }
 
-  /// Positions of the quadrature points in the last evaluated state, 2 x points; those that are partners of
-  /// others at the same place, or a little inside of the body, are moved back `apart` from them.
-  Eigen::Matrix2Xd positionsApart(double apart) const;
+  /// Positions of the quadrature points in the last evaluated state, 2 x points. Slaves that touch their
+  /// partners, or are nearer to them or inside of them by less than a share of their span, are moved out to
+  /// that distance.
+  Eigen::Matrix2Xd positionsApart(double share) const;
 
  private:
   struct Mortar;

@@ -38,7 +38,9 @@ SurfaceCurve::Point SurfaceCurve::at(double xi) const {
 std::optional<SurfaceCurve::Point> SurfaceCurve::nearest(const Eigen::Vector2d& position,
                                                          double start) const {
   const UnivariateBasis& basis = curve_.basis().direction(0);
-  const double begin = basis.breakpoints().front(), end = basis.breakpoints().back();
+  const int last = basis.numSpans() - 1;
+  const double begin = 2.0 * basis.spanBegin(0) - basis.spanEnd(0),
+               end = 2.0 * basis.spanEnd(last) - basis.spanBegin(last);
   double xi = start;
   for (int step = 0; step < kMaxSteps; ++step) {
     Point point = at(xi);

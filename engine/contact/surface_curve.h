@@ -26,7 +26,8 @@ class SurfaceCurve {
   Point at(double xi) const;
 
   /// The point nearest to a position, followed from a parameter with Newton's method on
-  /// (position - x) · dx = 0. Nothing where that does not converge or leaves the curve.
+  /// (position - x) · dx = 0. The curve goes on beyond its ends, by the size of the last span. Nothing where
+  /// that does not converge or leaves the curve.
   std::optional<Point> nearest(const Eigen::Vector2d& position, double start) const;
 
  private:

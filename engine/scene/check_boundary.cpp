@@ -97,6 +97,19 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
   }
 }
 
+void checkSelfContact(const CheckContext& c) {
+  std::set<std::array<std::string, 2>> faces;
+  for (std::size_t i = 0; i < c.scene.selfContact.size(); ++i) {
+    const FaceSpec& place = c.scene.selfContact[i].place;
+    const std::string path = fmt::format("self_contact[{}]", i);
+    if (c.dimensionIsKnown() && c.scene.dim() == 3)
+      return c.report(path, "found in a scene of three dimensions; allowed: in two.");
+    checkFace(c, path, place);
+    if (c.clean(path) && !faces.insert({place.patch, place.face}).second)
+      c.report(path, fmt::format("found face {} a second time; allowed: each face once.", place.face));
+  }
+}
+
 }  // namespace
 
 void checkFace(const CheckContext& c, const std::string& path, const FaceSpec& face) {
@@ -130,6 +143,7 @@ void checkBoundary(const CheckContext& c) {
   for (std::size_t i = 0; i < c.scene.loads.size(); ++i)
     checkLoad(c, fmt::format("loads[{}]", i), c.scene.loads[i]);
   checkContact(c, checkTools(c));
+  checkSelfContact(c);
 }
 
 }  // namespace burnish

@@ -189,6 +189,14 @@ struct ContactSpec {
   std::optional<int> quadraturePoints;  ///< per span and direction; 2p when left out
 };
 
+/// Contact of a face with itself, without friction.
+struct SelfContactSpec {
+  FaceSpec place;                       ///< a whole face
+  std::optional<double> reach;          ///< distance within which its parts are watched
+  std::optional<double> parameter;      ///< ε, stress per length; derived from the body when left out
+  std::optional<int> quadraturePoints;  ///< per span; 2p when left out
+};
+
 /// A phase of the run: `count` equal nominal steps from the end of the previous phase (or 0) to `until`.
 struct PhaseSpec {
   double until = 0.0;
@@ -361,6 +369,7 @@ struct Scene {
   std::vector<LoadSpec> loads;
   std::vector<ToolSpec> tools;
   std::vector<ContactSpec> contact;
+  std::vector<SelfContactSpec> selfContact;
   std::vector<PhaseSpec> steps;
   SolverSpec solver;
   std::optional<RezoningSpec> rezoning;

@@ -41,9 +41,6 @@ class FaceQuadrature {
   /// Current positions of the points of a span, Dim x Q. x: displacements of all nodes, Dim per node, first.
   Eigen::MatrixXd positions(const Span& span, const Eigen::VectorXd& x) const;
 
-  /// Length (2D) or square root of the area of a span.
-  static double sizeOf(const Span& span) { return span.size; }
-
  private:
   std::vector<Span> spans_;
   std::vector<int> nodes_;

@@ -25,7 +25,7 @@ double smallestSpan(const MeshRecord& mesh, const ContactRecord& contact) {
   const auto body = makeBody(patchGeometry<Dim>(mesh.patches.at(static_cast<std::size_t>(contact.patch))));
   const FaceQuadrature<Dim> face(body, 0, faceFromName<Dim>(contact.face), 0);
   double smallest = HUGE_VAL;
-  for (const auto& span : face.spans()) smallest = std::min(smallest, FaceQuadrature<Dim>::sizeOf(span));
+  for (const auto& span : face.spans()) smallest = std::min(smallest, span.size);
   return smallest;
 }
 

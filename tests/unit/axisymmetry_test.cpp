@@ -58,7 +58,7 @@ TEST(Axisymmetry, MeasuresVolumesAndAreasOfWholeRings) {
 
 TEST(Axisymmetry, SizesOfFaceSpansAreThoseOfTheCut) {
   const FaceQuadrature<2> face(tube(), 0, faceFromName<2>("right"), 0);
-  EXPECT_NEAR(FaceQuadrature<2>::sizeOf(face.spans().front()), 0.5, 1e-14);
+  EXPECT_NEAR(face.spans().front().size, 0.5, 1e-14);
 }
 
 TEST(Axisymmetry, RefusesABodyAcrossTheAxis) {

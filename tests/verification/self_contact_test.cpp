@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+
+#include "tests/verification/run_scene.h"
+
+/// Bodies whose face touches itself.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ScratchDirectory;
+
+/// A hairpin whose legs are squeezed until they touch. basis: lines of the scene; refine: parts of a knot span.
+std::string hairpin(const std::string& basis, int refine) {
+  return basis + fmt::format(R"(
+geometry:
+  shape: control-net
+  degrees: [2, 1]
+  knots: [[0, 0, 0, 1, 2, 3, 4, 4, 4], [0, 0, 1, 1]]
+  points:
+    - [2, 0.4]
+    - [0.5, 0.4]
+    - [-0.5, 0.4]
+    - [-0.5, -0.4]
+    - [0.5, -0.4]
+    - [2, -0.4]
+    - [2, 0.1]
+    - [0.6, 0.1]
+    - [-0.05, 0.1]
+    - [-0.05, -0.1]
+    - [0.6, -0.1]
+    - [2, -0.1]
+  refine: [{}, 4]
+material: {{law: neo-hookean, E: 1000, nu: 0.3}}
+output: {{vtu: false}}
+)",
+                             refine);
+}
+
+std::string squeezed(const std::string& basis, int refine) {
+  return hairpin(basis, refine) + R"(
+supports:
+  - {face: left, fix: [x]}
+  - {face: right, fix: [x]}
+  - {face: bottom, part: [0, 0.2], move: {times: [0, 1], y: [0, -0.12]}}
+  - {face: bottom, part: [0.8, 1], move: {times: [0, 1], y: [0, 0.12]}}
+self_contact: [{face: top}]
+steps: [{until: 1, count: 10}]
+)";
+}
+
+/// The upper half of the same on a plane of symmetry, which its leg touches as a rigid tool.
+std::string half(const std::string& basis, int refine) {
+  return basis + fmt::format(R"(
+geometry:
+  shape: control-net
+  degrees: [2, 1]
+  knots: [[0, 0, 0, 1, 2, 2, 2], [0, 0, 1, 1]]
+  points: [[2, 0.4], [0.5, 0.4], [-0.5, 0.4], [-0.5, 0], [2, 0.1], [0.6, 0.1], [-0.05, 0.1], [-0.05, 0]]
+  refine: [{}, 4]
+material: {{law: neo-hookean, E: 1000, nu: 0.3}}
+supports:
+  - {{face: left, fix: [x]}}
+  - {{face: right, fix: [y]}}
+  - {{face: bottom, part: [0, 0.4], move: {{times: [0, 1], y: [0, -0.12]}}}}
+tools: [{{name: plane, shape: plane, origin: [0, 0], normal: [0, 1]}}]
+contact: [{{tool: plane, face: top}}]
+steps: [{{until: 1, count: 10}}]
+output: {{vtu: false}}
+)",
+                             refine);
+}
+
+/// A roller that presses one leg on the other and moves along it.
+std::string rolled(const std::string& rezoning, int refine) {
+  return hairpin("degree: 2", refine) + rezoning + R"(
+supports:
+  - {face: right, fix: [x, y]}
+  - {face: left, fix: [x]}
+tools:
+  - name: roller
+    shape: cylinder
+    center: [1, 0.9]
+    radius: 0.5
+    motion: {times: [0, 1, 2], x: [0, 0, 0.3], y: [0, -0.25, -0.25]}
+contact: [{tool: roller, face: bottom}]
+self_contact: [{face: top}]
+steps: [{until: 1, count: 5}, {until: 2, count: 5}]
+)";
+}
+
+const std::string kRezoning = "rezoning: {travel: 0.12, growth: 0.02}";
+
+test::Outcome outcomeOf(const std::string& scene) {
+  return test::run(parseScene(scene, "test.yaml"), "self_contact");
+}
+
+double last(const test::Outcome& outcome, const std::string& column) {
+  return outcome.history.column(column).back();
+}
+
+std::string bytes(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class SelfContactRuns : public testing::TestWithParam<std::string> {};
+
+// By symmetry each leg meets the other one as if it were a plane.
+TEST_P(SelfContactRuns, TwoLegsTouchEachOtherAsOneTouchesAPlane) {
+  const test::Outcome whole = outcomeOf(squeezed(GetParam(), 10)), part = outcomeOf(half(GetParam(), 10));
+  ASSERT_TRUE(whole.summary.completed) << whole.summary.stoppedBecause;
+  ASSERT_TRUE(part.summary.completed) << part.summary.stoppedBecause;
+  EXPECT_GE(last(whole, "self_active_control_points"), 5.0);
+  EXPECT_NEAR(last(whole, "self_contact_force") / -last(part, "plane.fy"), 1.0, 2e-4);
+  EXPECT_NEAR(last(whole, "strain_energy") / (2.0 * last(part, "strain_energy")), 1.0, 2e-4);
+  EXPECT_LT(last(whole, "max_self_penetration"), 4e-3);  // between two points, of spans of 0.1 to 0.2
+  EXPECT_TRUE(whole.summary.doubts.empty());
+}
+
+std::string nameOf(const testing::TestParamInfo<std::string>& info) {
+  return std::array{"Nurbs2", "Nurbs3", "Lagrange2", "Projected"}[info.index];
+}
+
+INSTANTIATE_TEST_SUITE_P(Bases, SelfContactRuns,
+                         testing::Values("degree: 2", "degree: 3", "degree: 2\nbasis: lagrange",
+                                         "degree: 2\nformulation: fbar"),
+                         nameOf);
+
+TEST(SelfContactAcrossMeshes, ForceIsThatOfOneFineMesh) {
+  const test::Outcome rezoned = outcomeOf(rolled(kRezoning, 24)), fixed = outcomeOf(rolled("", 80));
+  ASSERT_TRUE(rezoned.summary.completed) << rezoned.summary.stoppedBecause;
+  ASSERT_TRUE(fixed.summary.completed) << fixed.summary.stoppedBecause;
+  EXPECT_GE(rezoned.summary.rezonings.size(), 3u);
+  EXPECT_GT(last(fixed, "self_contact_force"), 2.0);
+  EXPECT_NEAR(last(rezoned, "self_contact_force") / last(fixed, "self_contact_force"), 1.0, 0.01);
+  EXPECT_NEAR(last(rezoned, "roller.fy") / last(fixed, "roller.fy"), 1.0, 0.01);
+  EXPECT_EQ(last(rezoned, "crosses_itself"), 0.0);
+}
+
+TEST(SelfContactAcrossMeshes, ResumeWithTheSameBits) {
+  const std::string scene = rolled(kRezoning, 12);
+  const ScratchDirectory whole("self_whole"), part("self_part");
+  RunObserver silent;
+  const RunSummary summary = runScene(parseScene(scene, "test.yaml"), whole.path(), {}, silent);
+  ASSERT_TRUE(summary.completed) << summary.stoppedBecause;
+  const auto afterTwoSteps = [] {
+    return RunOptions{.threads = 1, .halt = [taken = 0]() mutable { return ++taken >= 2; }};
+  };
+  RunSummary resumed = runScene(parseScene(scene, "test.yaml"), part.path(), afterTwoSteps(), silent);
+  while (resumed.halted)
+    resumed = resumeRun(readResultScene(part.path()), part.path(), afterTwoSteps(), silent);
+  ASSERT_TRUE(resumed.completed) << resumed.stoppedBecause;
+  EXPECT_EQ(bytes(whole.path() / "history.csv"), bytes(part.path() / "history.csv"));
+}
+
+}  // namespace
+}  // namespace burnish
