@@ -31,6 +31,10 @@ constexpr double kShareToNextTry = 0.25;
 /// Circumference over the body's size below which a point is on the axis.
 constexpr double kOnAxis = 1e-9;
 
+/// Factors of the growth of knot spans that are tried until a mesh is sound: the faster they grow, the finer
+/// they are around the contact, where the face turns sharply.
+constexpr std::array kGrowths{1.0, 1.6, 2.4};
+
 /// Parts in which the gaps with which a stage begins are taken away, until one way leads to equilibrium.
 constexpr std::array kRamps{1, 4, 16};
 
@@ -357,7 +361,13 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
 std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   const auto& state = stage.stepping.state();
   const Patch<2> deformed = deformedPatch(stage.model->body().patches.front(), state.x);
-  const auto meshing = remesh(deformed, options(stage, deformed));
+  RemeshOptions wanted = options(stage, deformed);
+  std::optional<Remeshing> meshing;
+  for (const double factor : kGrowths) {
+    wanted.growth.slope = factor * spec_.growth;
+    meshing = remesh(deformed, wanted);
+    if (meshing) break;
+  }
   if (!meshing) {
     fail(stage, "no mesh of the deformed body is sound");
     return nullptr;
