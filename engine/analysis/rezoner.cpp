@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/analysis/contact_fit.h"
 #include "engine/analysis/frames.h"
 #include "engine/core/error.h"
 #include "engine/rezoning/inverse_map.h"
@@ -34,6 +35,11 @@ constexpr double kOnAxis = 1e-9;
 /// Factors of the growth of knot spans that are tried until a mesh is sound: the faster they grow, the finer
 /// they are around the contact, where the face turns sharply.
 constexpr std::array kGrowths{1.0, 1.6, 2.4};
+
+/// Of the smallest span: how far a new mesh may be from the old body, and how far its control points may be
+/// shifted so that it begins in contact.
+constexpr double kFarthestShare = 0.5;
+constexpr double kShiftShare = 0.25;
 
 /// Parts in which the gaps with which a stage begins are taken away, until one way leads to equilibrium.
 constexpr std::array kRamps{1, 4, 16};
@@ -62,12 +68,10 @@ Eigen::Matrix2Xd anchorPositions(const Patch<2>& patch) {
 }
 
 /// Parameters of the quadrature points of a contact face.
-std::vector<double> faceParameters(const Patch<1, 2>& trace, const FaceQuadrature<2>& face) {
-  std::vector<double> parameters;
-  for (std::size_t e = 0; e < face.spans().size(); ++e)
-    for (const auto& xi :
-         spanRule(trace.basis(), static_cast<int>(e), static_cast<int>(face.spans()[e].R.cols())).points)
-      parameters.push_back(xi(0));
+Eigen::VectorXd parametersOf(const FaceQuadrature<2>& face) {
+  Eigen::VectorXd parameters(face.numPoints());
+  for (const auto& span : face.spans())
+    parameters.segment(span.firstPoint, span.xi.cols()) = span.xi.row(0);
   return parameters;
 }
 
@@ -154,28 +158,28 @@ std::vector<Eigen::VectorXd> multipliersOf(const Stage<2>& stage) {
   return multipliers;
 }
 
-/// Multipliers λ̂ of a face per new reference area: what pressed on an old reference area presses on the
-/// stretched one now. before, now: the old face in its reference and in its place; next: the new one.
-Eigen::VectorXd transferredMultipliers(const Model<2>& model, const Model<2>& newModel, FaceId face,
-                                       const Patch<2>& deformed, const Eigen::VectorXd& lambdaHat) {
-  const auto before = tracePatch(model.body().patches.front(), face), now = tracePatch(deformed, face);
-  const auto newTrace = tracePatch(newModel.body().patches.front(), face);
+/// Multipliers λ̂ of a face of a body of one patch per new reference area: what pressed on an old reference
+/// area presses on the stretched one now. deformed: the old patch in its place; next: the new one.
+Eigen::VectorXd transferredMultipliers(const Body<2>& body, FaceId face, const Patch<2>& deformed,
+                                       const Patch<2>& next, const Eigen::VectorXd& lambdaHat) {
+  const auto before = tracePatch(body.patches.front(), face), now = tracePatch(deformed, face);
+  const auto newTrace = tracePatch(next, face);
   const ArcLengthCurve oldCurve(now), newCurve(newTrace);
-  Eigen::VectorXd multipliers(newTrace.basis().numFunctions());
-  for (int a = 0; a < multipliers.size(); ++a) {
+  Eigen::VectorXd result(newTrace.basis().numFunctions());
+  for (int a = 0; a < result.size(); ++a) {
     const double share = newCurve.lengthTo(newTrace.basis().direction(0).anchor(a)) / newCurve.length();
     const Eigen::Vector<double, 1> xi(oldCurve.parameterAt(share * oldCurve.length()));
     const int span = before.findSpan(xi);
     const auto shape = before.shape(span, xi);
-    const auto functions = before.basis().spanFunctions(span);
     const double along = now.jacobian(xi).norm() / before.jacobian(xi).norm();
-    const double ring = model.body().circumference(before.position(xi));
-    const bool onAxis = ring < kOnAxis * model.body().size();  // where both stretches are the same
-    const double around = onAxis ? along : newModel.body().circumference(now.position(xi)) / ring;
-    const double stretch = model.body().axisymmetric ? along * around : along;
-    multipliers(a) = std::min(0.0, shape.R.dot(lambdaHat(functions)) / stretch);
+    const double ring = body.circumference(before.position(xi));
+    const bool onAxis = ring < kOnAxis * body.size();  // where both stretches are the same
+    const double around = onAxis ? along : body.circumference(now.position(xi)) / ring;
+    const double stretch = body.axisymmetric ? along * around : along;
+    const double lambda = shape.R.dot(lambdaHat(before.basis().spanFunctions(span))) / stretch;
+    result(a) = std::min(0.0, lambda);
   }
-  return multipliers;
+  return result;
 }
 
 /// Brings a stage into equilibrium while the gaps with which it begins, and which pairs in contact should not
@@ -189,9 +193,10 @@ Settlement settle(Stage<2>& stage, int parts) {
   if (!stage.evaluateHere().admissible) return result;
   for (const auto& pair : stage.model->contacts()) {
     const Eigen::VectorXd& gaps = pair.term->state().averageGap;
-    Eigen::VectorXd& origin = origins.emplace_back(gaps.cwiseMin(0.0));
-    for (int a = 0; a < pair.term->numMultipliers(); ++a)
-      if (stage.stepping.state().x(pair.term->firstMultiplier() + a) < 0.0) origin(a) = gaps(a);
+    const auto toClose = gapsToClose(
+        gaps, stage.stepping.state().x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()),
+        kStiffer * pair.term->options().parameter);
+    origins.emplace_back(Eigen::VectorXd::Zero(gaps.size()))(toClose) = gaps(toClose);
     parameters.push_back(pair.term->options().parameter);
     pair.term->setParameter(kStiffer * parameters.back());
   }
@@ -266,23 +271,21 @@ bool Rezoner::isDue(const Stage<2>& stage) const {
 
 Rezoner::Place Rezoner::findContact(const Stage<2>& stage, const ArcLengthCurve& face) const {
   const Model<2>& model = *stage.model;
-  const auto trace = tracePatch(model.body().patches.front(), face_);
   Place place{{std::numeric_limits<double>::infinity(), 0.0}, 1.0};
   double nearest = std::numeric_limits<double>::infinity(), nearestPlace = 0.0;
   std::size_t tool = 0;
   for (const auto& pair : model.contacts()) {
     const ContactState& state = pair.term->state();
-    const auto parameters = faceParameters(trace, pair.term->face());
-    for (std::size_t q = 0; q < parameters.size(); ++q) {
-      const auto point = static_cast<Eigen::Index>(q);
+    const Eigen::VectorXd parameters = parametersOf(pair.term->face());
+    for (Eigen::Index point = 0; point < parameters.size(); ++point) {
       if (state.gap(point) < nearest) {
         nearest = state.gap(point);
-        nearestPlace = parameters[q];
+        nearestPlace = parameters(point);
         tool = pair.tool;
       }
       if (state.pressure(point) == 0.0) continue;
-      place.contact.begin = std::min(place.contact.begin, face.lengthTo(parameters[q]));
-      place.contact.end = std::max(place.contact.end, face.lengthTo(parameters[q]));
+      place.contact.begin = std::min(place.contact.begin, face.lengthTo(parameters(point)));
+      place.contact.end = std::max(place.contact.end, face.lengthTo(parameters(point)));
     }
   }
   if (place.contact.begin > place.contact.end) {
@@ -318,13 +321,38 @@ void Rezoner::setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, co
                              Eigen::VectorXd& x) const {
   const Model<2>& model = *stage.model;
   const auto set = [&](const auto& oldTerm, const auto& newTerm, FaceId face) {
-    x.segment(newTerm.firstMultiplier(), newTerm.numMultipliers()) =
-        transferredMultipliers(model, next, face, deformed, oldTerm.state().lambdaHat);
+    x.segment(newTerm.firstMultiplier(), newTerm.numMultipliers()) = transferredMultipliers(
+        model.body(), face, deformed, next.body().patches.front(), oldTerm.state().lambdaHat);
   };
   for (std::size_t k = 0; k < next.contacts().size(); ++k)
     set(*model.contacts()[k].term, *next.contacts()[k].term, face_);
   for (std::size_t k = 0; k < next.selfContacts().size(); ++k)
     set(*model.selfContacts()[k].term, *next.selfContacts()[k].term, next.selfContacts()[k].face);
+}
+
+/// The new mesh so that it begins in contact, or as it is where that is not found.
+Patch<2> Rezoner::inContact(const Stage<2>& stage, const Patch<2>& deformed, const Remeshing& meshing) const {
+  const Model<2>& model = *stage.model;
+  const auto poses = posesOf(stage);
+  std::vector<RestingTool> resting;
+  for (std::size_t k = 0; k < model.contacts().size(); ++k) {
+    const auto& pair = model.contacts()[k];
+    auto contact = pair.term->options();
+    contact.parameter *= kStiffer;
+    resting.push_back({model.tools()[pair.tool].get(), poses[pair.tool], contact,
+                       transferredMultipliers(model.body(), face_, deformed, meshing.patch,
+                                              pair.term->state().lambdaHat)});
+  }
+  ContactFitOptions options{.face = face_,
+                            .axisymmetric = model.body().axisymmetric,
+                            .farthest = kShiftShare * meshing.smallestSpan,
+                            .smallestDeterminant = spec_.smallestDeterminant};
+  const auto functions = faceFunctions(deformed.basis(), face_);
+  const std::array nodes{functions.front(), functions[1], functions.back()};
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (std::size_t d = 0; d < 2; ++d)
+      options.held[k][d] = model.prescribed()[2 * static_cast<std::size_t>(nodes[k]) + d];
+  return fittedToTools(meshing.patch, resting, options).value_or(meshing.patch);
 }
 
 SteppingState Rezoner::startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
@@ -372,12 +400,14 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
     fail(stage, "no mesh of the deformed body is sound");
     return nullptr;
   }
+  meshing->patch = inContact(stage, deformed, *meshing);
+  meshing->quality = meshQuality(meshing->patch);
 
   RezonedBody<2> body{{makeBody(meshing->patch), {{}}}, {}, stage.model->bulk().plasticWork(), state.time};
   body.named.body.axisymmetric = stage.model->body().axisymmetric;
   const SpanQuadrature<2> quadrature(body.named.body, scene_.quadraturePoints.value_or(0));
   const InverseMap map(deformed);
-  const double farthest = 0.5 * meshing->smallestSpan;
+  const double farthest = kFarthestShare * meshing->smallestSpan;
   const Eigen::Matrix2Xd parameters = parametersIn(map, pointPositions(quadrature, meshing->patch), farthest);
   const auto& history = stage.model->bulk().history();
   PointStates states{stage.model->bulk().elasticDeformation(state.x), {}};

@@ -64,6 +64,7 @@ class Rezoner {
   RemeshOptions options(const Stage<2>& stage, const Patch<2>& deformed) const;
   SteppingState startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
                         const Eigen::Matrix2Xd& anchors) const;
+  Patch<2> inContact(const Stage<2>& stage, const Patch<2>& deformed, const Remeshing& meshing) const;
   void setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
                       Eigen::VectorXd& x) const;
   std::vector<ToolPose> posesOf(const Stage<2>& stage) const;

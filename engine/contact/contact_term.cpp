@@ -175,6 +175,20 @@ Eigen::VectorXd ContactTerm<Dim>::referenceGaps(const ToolPose& pose) const {
 }
 
 template <int Dim>
+typename ContactTerm<Dim>::LinearGaps ContactTerm<Dim>::linearReferenceGaps(const ToolPose& pose) const {
+  const Mortar mortar = integrateReference(pose);
+  LinearGaps gaps{mortar.G.cwiseQuotient(A_),
+                  Eigen::MatrixXd::Zero(face_.numFunctions(), Dim * face_.numFunctions())};
+  for (std::size_t a = 0; a < supports_.size(); ++a) {
+    const auto A = static_cast<Eigen::Index>(a);
+    for (std::size_t b = 0; b < supports_[a].size(); ++b)
+      gaps.gradient.row(A).template segment<Dim>(Dim * supports_[a][b]) =
+          mortar.D[a].template segment<Dim>(Dim * static_cast<Eigen::Index>(b)) / A_(A);
+  }
+  return gaps;
+}
+
+template <int Dim>
 double ContactTerm<Dim>::smallestReferenceGap(const ToolPose& pose) const {
   if (options_.enforcement != Enforcement::PointwisePenalty) return referenceGaps(pose).minCoeff();
   const Mortar mortar = integrateReference(pose);

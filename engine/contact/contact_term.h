@@ -66,7 +66,8 @@ class ContactTerm final : public Term {
   /// does not fit begins can be taken away little by little. One per function; empty: from zero.
   void countGapsFrom(Eigen::VectorXd origin) { gapOrigin_ = std::move(origin); }
 
-  /// Replaces ε. With an augmented Lagrangian the way into equilibrium depends on it, the equilibrium does not.
+  /// Replaces ε. With an augmented Lagrangian the way into equilibrium depends on it, the equilibrium does
+  /// not.
   void setParameter(double parameter) { options_.parameter = parameter; }
 
   CouplingGroups couplings() const override;
@@ -81,6 +82,14 @@ class ContactTerm final : public Term {
 
   /// Averaged gaps g_A between the undeformed face and the tool at a place.
   Eigen::VectorXd referenceGaps(const ToolPose& pose) const;
+
+  /// The same with their derivatives by the control points of the face, functions x Dim·functions, as far as
+  /// these move its points: what the face's area changes by is left out.
+  struct LinearGaps {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd gradient;
+  };
+  LinearGaps linearReferenceGaps(const ToolPose& pose) const;
 
   /// Smallest gap between the undeformed face and the tool at a place, of those that the method closes:
   /// averaged ones, or those of the quadrature points.

@@ -89,7 +89,7 @@ TEST_P(RezoningRuns, KeepTheirBooks) {
       last(history, "external_work");  // from few and large steps: 1 to 3 % off on one mesh too
   const double open = work - last(history, "strain_energy") - last(history, "plastic_work");
   EXPECT_NEAR(open, 0.0, 0.03 * work);
-  EXPECT_LT(std::abs(open + gapWork), std::abs(open));
+  EXPECT_NEAR(gapWork, 0.0, 1e-9 * work);  // new meshes begin in contact
   EXPECT_EQ(last(history, "crosses_itself"), 0.0);
   EXPECT_GT(last(history, "top.ymax"), 0.6);
 
@@ -107,8 +107,8 @@ TEST_P(RezoningRuns, KeepTheirBooks) {
   EXPECT_EQ(readSummary(directory.path()).rezonings.size(), summary.rezonings.size());
 }
 
-/// Nothing is invented by the transfer: an elastic body answers as on one mesh, but for what the meshes
-/// differ.
+/// Nothing is invented by the transfer: an elastic body answers as on one mesh, which is finer as new meshes
+/// are under the tool.
 TEST_P(RezoningRuns, ElasticBodiesAnswerAsOnOneMesh) {
   const std::string elastic =
       GetParam() +
@@ -119,13 +119,13 @@ TEST_P(RezoningRuns, ElasticBodiesAnswerAsOnOneMesh) {
                                           "  {law: neo-hookean, E: 1.0, nu: 0.3}\n"),
                         "[30, 8]", "[40, 12]");
   const ScratchDirectory fixed("elastic_fixed"), rezoned("elastic_rezoned");
-  runTo(fixed.path(), elastic);
+  runTo(fixed.path(), samples::replaced(elastic, "[40, 12]", "[79, 23]"));
   const RunSummary summary = runTo(rezoned.path(), elastic + "rezoning: {travel: 0.1}\n");
   ASSERT_GE(summary.rezonings.size(), 3u);
   const HistoryTable one = readHistory(fixed.path() / "history.csv");
   const HistoryTable many = readHistory(rezoned.path() / "history.csv");
-  EXPECT_NEAR(last(many, "disc.fy"), last(one, "disc.fy"), 0.012 * last(one, "disc.fy"));
-  EXPECT_NEAR(last(many, "strain_energy"), last(one, "strain_energy"), 0.005 * last(one, "strain_energy"));
+  EXPECT_NEAR(last(many, "disc.fy"), last(one, "disc.fy"), 0.005 * last(one, "disc.fy"));
+  EXPECT_NEAR(last(many, "strain_energy"), last(one, "strain_energy"), 0.003 * last(one, "strain_energy"));
 }
 
 /// The disc, or a ball, is pressed in alone.
