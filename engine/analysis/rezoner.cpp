@@ -374,6 +374,7 @@ SteppingState Rezoner::startOn(const Stage<2>& stage, const Patch<2>& deformed, 
 }
 
 std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
+  static_cast<void>(stage.evaluateHere());  // with partners in self-contact as they are now, as a resumed run does
   std::unique_ptr<Stage<2>> next;
   try {
     next = attempt(stage);

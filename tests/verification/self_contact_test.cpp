@@ -148,12 +148,12 @@ TEST(SelfContactAcrossMeshes, ResumeWithTheSameBits) {
   RunObserver silent;
   const RunSummary summary = runScene(parseScene(scene, "test.yaml"), whole.path(), {}, silent);
   ASSERT_TRUE(summary.completed) << summary.stoppedBecause;
-  const auto afterTwoSteps = [] {
-    return RunOptions{.threads = 1, .halt = [taken = 0]() mutable { return ++taken >= 2; }};
+  const auto afterEachStep = [] {
+    return RunOptions{.threads = 1, .halt = [taken = 0]() mutable { return ++taken >= 1; }};
   };
-  RunSummary resumed = runScene(parseScene(scene, "test.yaml"), part.path(), afterTwoSteps(), silent);
+  RunSummary resumed = runScene(parseScene(scene, "test.yaml"), part.path(), afterEachStep(), silent);
   while (resumed.halted)
-    resumed = resumeRun(readResultScene(part.path()), part.path(), afterTwoSteps(), silent);
+    resumed = resumeRun(readResultScene(part.path()), part.path(), afterEachStep(), silent);
   ASSERT_TRUE(resumed.completed) << resumed.stoppedBecause;
   EXPECT_EQ(bytes(whole.path() / "history.csv"), bytes(part.path() / "history.csv"));
 }
