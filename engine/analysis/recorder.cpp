@@ -67,7 +67,8 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
           {scene.selfContact.empty()
                ? "a contact face crosses itself, as contact of the body with itself is not computed; "
                  "self_contact computes it for plane bodies"
-               : "a contact face crosses itself in spite of self_contact: give it a larger reach, finer steps or "
+               : "a contact face crosses itself in spite of self_contact: give it a larger reach, finer "
+                 "steps or "
                  "more knot spans, and name all faces that touch"},
           {"the boundary of a new mesh is farther than 0.5 % of the body's size from the old one; give new "
            "meshes more spans (rezoning.spans)"}},
@@ -231,7 +232,8 @@ bool Recorder<Dim>::faceCrossesItself(const ContactPair<Dim>& pair) const {
     const bool touchesItself = std::any_of(others.begin(), others.end(), [&](const SelfContact& other) {
       return other.patch == pair.patch && other.faceName == pair.faceName;
     });
-    return !touchesItself && burnish::crossesItself(pair.term->positions(x_), kCrossing * model_.body().size());
+    return !touchesItself &&
+           burnish::crossesItself(pair.term->positions(x_), kCrossing * model_.body().size());
   }
   return false;
 }

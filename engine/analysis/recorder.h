@@ -34,9 +34,9 @@ struct StateQuantities {
   Extremes projectedPlasticStrain;
   int activeControlPoints = 0;
   double maxPenetration = 0.0;
-  int selfActiveControlPoints = 0;    ///< of faces that touch themselves
+  int selfActiveControlPoints = 0;  ///< of faces that touch themselves
   double maxSelfPenetration = 0.0;
-  double selfForce = 0.0;             ///< between the parts of a face, summed over the faces
+  double selfForce = 0.0;  ///< between the parts of a face, summed over the faces
   double minJ = 1.0;
 
   void archive(StateArchive& archive);
@@ -71,7 +71,8 @@ class Recorder {
 
   const std::vector<Doubt>& doubts() const { return doubts_; }
 
-  /// Whether a contact face crosses itself in the current state (2D); parts that touch by self-contact do not.
+  /// Whether a contact face crosses itself in the current state (2D); parts that touch by self-contact do
+  /// not.
   bool crossesItself() const { return crossesItself_; }
 
   /// Names of the tools with contact pairs that nothing has touched so far.

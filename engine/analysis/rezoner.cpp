@@ -70,8 +70,7 @@ Eigen::Matrix2Xd anchorPositions(const Patch<2>& patch) {
 /// Parameters of the quadrature points of a contact face.
 Eigen::VectorXd parametersOf(const FaceQuadrature<2>& face) {
   Eigen::VectorXd parameters(face.numPoints());
-  for (const auto& span : face.spans())
-    parameters.segment(span.firstPoint, span.xi.cols()) = span.xi.row(0);
+  for (const auto& span : face.spans()) parameters.segment(span.firstPoint, span.xi.cols()) = span.xi.row(0);
   return parameters;
 }
 
@@ -339,9 +338,9 @@ Patch<2> Rezoner::inContact(const Stage<2>& stage, const Patch<2>& deformed, con
     const auto& pair = model.contacts()[k];
     auto contact = pair.term->options();
     contact.parameter *= kStiffer;
-    resting.push_back({model.tools()[pair.tool].get(), poses[pair.tool], contact,
-                       transferredMultipliers(model.body(), face_, deformed, meshing.patch,
-                                              pair.term->state().lambdaHat)});
+    resting.push_back(
+        {model.tools()[pair.tool].get(), poses[pair.tool], contact,
+         transferredMultipliers(model.body(), face_, deformed, meshing.patch, pair.term->state().lambdaHat)});
   }
   ContactFitOptions options{.face = face_,
                             .axisymmetric = model.body().axisymmetric,
@@ -374,7 +373,8 @@ SteppingState Rezoner::startOn(const Stage<2>& stage, const Patch<2>& deformed, 
 }
 
 std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
-  static_cast<void>(stage.evaluateHere());  // with partners in self-contact as they are now, as a resumed run does
+  static_cast<void>(
+      stage.evaluateHere());  // with partners in self-contact as they are now, as a resumed run does
   std::unique_ptr<Stage<2>> next;
   try {
     next = attempt(stage);

@@ -292,7 +292,8 @@ class Run {
   void noteTimings() {
     const auto& timings = stage_->newton.timings();
     for (std::size_t k = 0; k < timings.terms.size(); ++k) {
-      const bool isContact = k >= 1 && k <= stage_->model->contacts().size() + stage_->model->selfContacts().size();
+      const bool isContact =
+          k >= 1 && k <= stage_->model->contacts().size() + stage_->model->selfContacts().size();
       (isContact ? summary_.timings.contact : summary_.timings.assembly) += timings.terms[k];
     }
     summary_.timings.factorisation += timings.factorisation;

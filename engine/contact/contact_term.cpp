@@ -1,12 +1,10 @@
 #include "engine/contact/contact_term.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 #include <utility>
 
-#include "engine/core/error.h"
+#include "engine/contact/averaged_gaps.h"
 
 namespace burnish {
 
@@ -28,10 +26,6 @@ struct ContactTerm<Dim>::Mortar {
 };
 
 namespace {
-
-/// Smallest integral of a basis function over the contact face, as a share of the largest, that an averaged
-/// gap is made with; what vanishes in exact arithmetic stays below it.
-constexpr double kSmallestShare = 1e-12;
 
 /// A point that is deeper inside a round tool than this share of its radius is about to leave it on the far
 /// side, where the nearest surface would pull it on: such a state is not admissible.
@@ -66,13 +60,7 @@ ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, con
       supports[static_cast<std::size_t>(a)].insert(span.functions.begin(), span.functions.end());
   }
   for (const auto& support : supports) supports_.emplace_back(support.begin(), support.end());
-  if (options_.enforcement != Enforcement::PointwisePenalty &&
-      !(A_.minCoeff() > kSmallestShare * A_.maxCoeff()))
-    throw Error(fmt::format(
-        "contact: a basis function has no positive integral over the contact face, so its averaged "
-        "gap is not defined; use a NURBS basis{}",
-        axisymmetric_ ? ", or Lagrange elements of degree 1 where the face meets the axis"
-                      : " or Lagrange elements of degree 7 at most"));
+  if (options_.enforcement != Enforcement::PointwisePenalty) requireAveragedGaps(A_, axisymmetric_);
   for (const auto& span : face_.spans()) {
     std::vector<std::vector<int>> table;
     for (const int a : span.functions) {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
+
+#include "engine/contact/averaged_gaps.h"
 
 namespace burnish {
 namespace {
@@ -20,8 +21,8 @@ constexpr double kOverhang = 0.25;
 /// Cosine between the outward normals of partners: at least 120 degrees apart.
 constexpr double kOpposed = -0.5;
 
-/// New partners are found before they touch, as the two sides of a thin part of the body, which face away from
-/// each other, are inside of one another. But where a fold closes, within a span of the slave, and on a
+/// New partners are found before they touch, as the two sides of a thin part of the body, which face away
+/// from each other, are inside of one another. But where a fold closes, within a span of the slave, and on a
 /// body that may touch itself from the start, they may be inside by a part of the way between the two along
 /// the face, and of the slave's span.
 constexpr double kFold = 1.0;
@@ -55,8 +56,8 @@ struct SelfContactTerm::Slave {
 /// Integrals over the reference face in the last evaluated state.
 struct SelfContactTerm::Mortar {
   std::vector<std::optional<SurfaceCurve::Point>> partners;  ///< quadrature points
-  Eigen::VectorXd A;  ///< ∫ R_A dΓ over points with partners
-  Eigen::VectorXd G;  ///< ∫ R_A g dΓ
+  Eigen::VectorXd A;                                         ///< ∫ R_A dΓ over points with partners
+  Eigen::VectorXd G;                                         ///< ∫ R_A g dΓ
   Eigen::MatrixXd D;  ///< ∂G_A/∂u: unknowns of the face x functions
 };
 
@@ -73,6 +74,7 @@ SelfContactTerm::SelfContactTerm(const Body<2>& body, int patch, FaceId face, Op
       A_(Eigen::VectorXd::Zero(face_.numFunctions())),
       curve_(trace_, outward_) {
   for (const auto& span : face_.spans()) A_(span.functions) += span.R * span.weights;
+  requireAveragedGaps(A_, body.axisymmetric);
   for (const int node : face_.nodes())
     for (int d = 0; d < 2; ++d) unknowns_.push_back(2 * node + d);
   partners_.assign(static_cast<std::size_t>(face_.numPoints()), kNone);
@@ -100,8 +102,7 @@ SurfaceCurve SelfContactTerm::curveAt(const Eigen::VectorXd& x) const {
 std::optional<SurfaceCurve::Point> SelfContactTerm::partnerOf(const Slave& slave, double start,
                                                               double deepest) const {
   auto point = curve_.nearest(slave.x, start);
-  if (!point || !(point->xi > slave.xi) || !(point->normal.dot(slave.normal) < kOpposed))
-    return std::nullopt;
+  if (!point || !(point->xi > slave.xi) || !(point->normal.dot(slave.normal) < kOpposed)) return std::nullopt;
   const UnivariateBasis& basis = trace_.basis().direction(0);
   const int last = basis.numSpans() - 1;
   if (point->xi > std::lerp(basis.spanEnd(last), basis.spanBegin(last), -kOverhang)) return std::nullopt;
@@ -112,8 +113,8 @@ std::optional<SurfaceCurve::Point> SelfContactTerm::partnerOf(const Slave& slave
 }
 
 /// A parameter near the partner of a slave that has none yet: the nearest quadrature point that faces it.
-std::optional<double> SelfContactTerm::searchPartner(const std::vector<Slave>& slaves,
-                                                     std::size_t number, bool touches) const {
+std::optional<double> SelfContactTerm::searchPartner(const std::vector<Slave>& slaves, std::size_t number,
+                                                     bool touches) const {
   const Slave& slave = slaves[number];
   const Slave* nearest = nullptr;
   double smallest = options_.reach;
@@ -126,8 +127,8 @@ std::optional<double> SelfContactTerm::searchPartner(const std::vector<Slave>& s
   if (nearest == nullptr) return std::nullopt;
   const double way = nearest->along - slave.along;
   const bool mayBeInside = touches || way < kFold * slave.spanSize;
-  const auto point = partnerOf(slave, nearest->xi,
-                               mayBeInside ? std::min(kShareOfWay * way, kShareOfSpan * slave.spanSize) : 0.0);
+  const auto point = partnerOf(
+      slave, nearest->xi, mayBeInside ? std::min(kShareOfWay * way, kShareOfSpan * slave.spanSize) : 0.0);
   return point ? std::optional(point->xi) : std::nullopt;
 }
 
@@ -136,8 +137,7 @@ void SelfContactTerm::findPartners(bool touches) {
   for (const auto& span : face_.spans())
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto point = curve_.at(span.xi(0, q));
-      const double along =
-          slaves.empty() ? 0.0 : slaves.back().along + (point.x - slaves.back().x).norm();
+      const double along = slaves.empty() ? 0.0 : slaves.back().along + (point.x - slaves.back().x).norm();
       slaves.push_back({point.xi, point.x, point.normal, span.size, along});
     }
   for (std::size_t k = 0; k < slaves.size(); ++k) {
@@ -170,7 +170,8 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
         mortar.A(A) += wR;
         mortar.G(A) += wR * gap;
         for (std::size_t b = 0; b < span.functions.size(); ++b)
-          mortar.D.block<2, 1>(2 * span.functions[b], A) += wR * span.R(static_cast<Eigen::Index>(b), q) * normal;
+          mortar.D.block<2, 1>(2 * span.functions[b], A) +=
+              wR * span.R(static_cast<Eigen::Index>(b), q) * normal;
         for (std::size_t b = 0; b < partner->functions.size(); ++b)
           mortar.D.block<2, 1>(2 * partner->functions[b], A) -=
               wR * partner->R(static_cast<Eigen::Index>(b)) * normal;
@@ -253,8 +254,8 @@ void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) c
       if (state_.pressure(point) == 0.0) continue;
       any = true;
       const auto& partner = *mortar.partners[static_cast<std::size_t>(point)];
-      const double m = partner.dx.squaredNorm(), k = partner.normal.dot(partner.ddx),
-                   g = state_.gap(point), h = m - g * k;
+      const double m = partner.dx.squaredNorm(), k = partner.normal.dot(partner.ddx), g = state_.gap(point),
+                   h = m - g * k;
       std::vector<int> places;
       Eigen::VectorXd tangential(2 * (span.R.rows() + partner.R.size()));
       Eigen::VectorXd turning = Eigen::VectorXd::Zero(tangential.size());
@@ -266,7 +267,8 @@ void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) c
         next += 2;
       };
       for (Eigen::Index a = 0; a < span.R.rows(); ++a)
-        append(span.functions[static_cast<std::size_t>(a)], span.R(a, q) * partner.dx, Eigen::Vector2d::Zero());
+        append(span.functions[static_cast<std::size_t>(a)], span.R(a, q) * partner.dx,
+               Eigen::Vector2d::Zero());
       for (Eigen::Index b = 0; b < partner.R.size(); ++b)
         append(partner.functions[static_cast<std::size_t>(b)], -partner.R(b) * partner.dx,
                partner.dR(b) * partner.normal);

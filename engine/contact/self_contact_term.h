@@ -11,11 +11,11 @@ namespace burnish {
 
 /// Quantities of self-contact at the last evaluated state; functions are those of the face's trace.
 struct SelfContactState {
-  Eigen::VectorXd averageGap;  ///< g_A, functions; infinite without partners
-  Eigen::VectorXd lambdaHat;   ///< λ̂_A <= 0 where active, 0 elsewhere, functions
-  std::vector<bool> active;    ///< functions
-  Eigen::VectorXd gap;         ///< quadrature points; infinite without a partner
-  Eigen::VectorXd pressure;    ///< nominal, >= 0 in compression, quadrature points
+  Eigen::VectorXd averageGap;                       ///< g_A, functions; infinite without partners
+  Eigen::VectorXd lambdaHat;                        ///< λ̂_A <= 0 where active, 0 elsewhere, functions
+  std::vector<bool> active;                         ///< functions
+  Eigen::VectorXd gap;                              ///< quadrature points; infinite without a partner
+  Eigen::VectorXd pressure;                         ///< nominal, >= 0 in compression, quadrature points
   Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< of the part that comes first on the other one
 
   int numActive() const;
@@ -39,7 +39,8 @@ class SelfContactTerm final : public Term {
     bool touches = false;    ///< the body may touch itself in its reference configuration
   };
 
-  /// firstMultiplier: number of the first of the face's multipliers among the unknowns.
+  /// firstMultiplier: number of the first of the face's multipliers among the unknowns. Throws `Error` as
+  /// `requireAveragedGaps`.
   SelfContactTerm(const Body<2>& body, int patch, FaceId face, Options options, int firstMultiplier);
 
   int firstMultiplier() const { return firstMultiplier_; }

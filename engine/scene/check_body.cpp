@@ -12,9 +12,10 @@ namespace {
 void checkMortarDegree(const CheckContext& c) {
   constexpr int highest = 7;
   const auto& pairs = c.scene.contact;
-  const bool mortar = std::any_of(pairs.begin(), pairs.end(), [](const ContactSpec& pair) {
-    return pair.method != ContactMethod::PointwisePenalty;
-  });
+  const bool mortar =
+      !c.scene.selfContact.empty() || std::any_of(pairs.begin(), pairs.end(), [](const ContactSpec& pair) {
+        return pair.method != ContactMethod::PointwisePenalty;
+      });
   if (mortar && c.scene.basis == BasisChoice::Lagrange && c.scene.degree > highest && c.clean("degree"))
     c.report(
         "degree",

@@ -98,9 +98,10 @@ void describe(Visitor& v, ContactSpec& s) {
 template <class Visitor>
 void describe(Visitor& v, SelfContactSpec& s) {
   describeFace(v, s.place);
-  v.field("reach", s.reach, {.above = 0, .unit = "length"},
-          "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of the "
-          "body's largest extent when left out.");
+  v.field(
+      "reach", s.reach, {.above = 0, .unit = "length"},
+      "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of the "
+      "body's largest extent when left out.");
   v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
           "Augmentation parameter; E/L when left out, L the body's largest extent.");
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},

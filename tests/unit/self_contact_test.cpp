@@ -23,7 +23,8 @@ Body<2> jaws(int degree, BasisFamily family) {
   for (auto point : points.colwise())
     point = point(0) * Eigen::Vector2d(std::cos(point(1)), 0.2 * std::sin(point(1)));
   Eigen::VectorXd weights = polar.weights();
-  for (Eigen::Index a = 0; a < weights.size(); ++a) weights(a) += 0.1 * std::sin(3.0 * static_cast<double>(a));
+  for (Eigen::Index a = 0; a < weights.size(); ++a)
+    weights(a) += 0.1 * std::sin(3.0 * static_cast<double>(a));
   return makeBody(Patch<2>(polar.basis(), std::move(points), std::move(weights)));
 }
 

@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::ScratchDirectory;
 
-/// A hairpin whose legs are squeezed until they touch. basis: lines of the scene; refine: parts of a knot span.
+/// A hairpin whose legs are squeezed until they touch. basis: lines of the scene; refine: parts of a knot
+/// span.
 std::string hairpin(const std::string& basis, int refine) {
   return basis + fmt::format(R"(
 geometry:
