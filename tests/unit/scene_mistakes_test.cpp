@@ -79,11 +79,11 @@ TEST_P(SceneMistake, isReportedWithPlaceKeyAndRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, SceneMistake,
     testing::Values(
-        Mistake{
-            "unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
-            "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
-            "quadrature_points, definitions, geometry, material, supports, loads, tools, contact, "
-            "steps, solver, rezoning, output, pictures, measures, variants, checks, charts. Did you mean \"degree\"?"},
+        Mistake{"unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
+                "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
+                "quadrature_points, definitions, geometry, material, supports, loads, tools, contact, "
+                "self_contact, steps, solver, rezoning, output, pictures, measures, variants, checks, "
+                "charts. Did you mean \"degree\"?"},
         Mistake{"unknownInside", &block, "nu: 0.3", "nu: 0.3, poisson: 1", "poisson", "material.poisson",
                 "found an unknown key; allowed: law, E, nu, volumetric."},
         Mistake{"ofAnotherAlternative", &block, "origin: [0, 2]", "origin: [0, 2], radius: 1", "radius",
@@ -375,7 +375,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "found cylindre, but no tool has this name; allowed: cylinder | plate. Did you mean "
                 "\"cylinder\"?"},
         Mistake{"samePair", &block, "steps:", "  - {tool: cylinder, face: top}\nsteps:", "{", "contact[1]",
-                "found the pair of tool cylinder and face top a second time; allowed: each pair once."}),
+                "found the pair of tool cylinder and face top a second time; allowed: each pair once."},
+        Mistake{"sameSelfContact", &block,
+                "steps:", "self_contact: [{face: top}, {face: top, reach: 1}]\nsteps:", "{face: top, reach",
+                "self_contact[1]", "found face top a second time; allowed: each face once."},
+        Mistake{"reachOfNothing", &block, "steps:", "self_contact: [{face: top, reach: 0}]\nsteps:", "0}",
+                "self_contact[0].reach", "found 0; allowed: a number above 0."},
+        Mistake{"selfContact3d", &solid, "steps:", "self_contact: [{face: top}]\nsteps:", "{face: top",
+                "self_contact[0]", "found in a scene of three dimensions; allowed: in two."}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
