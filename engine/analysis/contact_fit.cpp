@@ -61,7 +61,7 @@ Eigen::VectorXd volumeGradient(const FaceQuadrature<2>& face) {
   for (const auto& span : face.spans()) {
     const Eigen::MatrixXd tangents = face.points()(Eigen::all, span.functions) * span.dR;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const Eigen::Vector2d normal = Eigen::Vector2d(-tangents(1, q), tangents(0, q)).normalized();
+      const Eigen::Vector2d normal = areaVector<2>(tangents.col(q)).normalized();
       for (std::size_t a = 0; a < span.functions.size(); ++a)
         gradient.segment<2>(2 * span.functions[a]) +=
             span.weights(q) * span.R(static_cast<Eigen::Index>(a), q) * normal;
@@ -84,9 +84,9 @@ Eigen::VectorXd smallestShift(const Linearised& face) {
   const Eigen::LLT<Eigen::MatrixXd> factor(face.mass);
   const Eigen::MatrixXd gradient = factor.matrixL().solve(face.gradient.transpose()).transpose();
   const Eigen::VectorXd volume = factor.matrixL().solve(face.volume);
-  const auto inverse = gradient.completeOrthogonalDecomposition();
-  Eigen::VectorXd y = -inverse.solve(face.gaps);
-  const Eigen::VectorXd elsewhere = volume - inverse.solve(gradient * volume);
+  const auto constraints = gradient.completeOrthogonalDecomposition();
+  Eigen::VectorXd y = -constraints.solve(face.gaps);
+  const Eigen::VectorXd elsewhere = volume - constraints.solve(gradient * volume);
   if (elsewhere.squaredNorm() > kFreeShare * volume.squaredNorm())
     y -= volume.dot(y) / elsewhere.squaredNorm() * elsewhere;
   return factor.matrixU().solve(y);

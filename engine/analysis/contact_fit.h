@@ -11,7 +11,7 @@ namespace burnish {
 
 /// A tool at rest that presses on the face of a new mesh.
 struct RestingTool {
-  const Tool* tool = nullptr;
+  const Tool* tool = nullptr;  ///< must outlive the object
   ToolPose pose;
   ContactTerm<2>::Options options;  ///< ε: the one for `gapsToClose`
   Eigen::VectorXd multipliers;      ///< λ_A with which the mesh begins, functions of the face
@@ -21,9 +21,9 @@ struct ContactFitOptions {
   FaceId face = 3;
   bool axisymmetric = false;
 
-  /// Components that stay at the face's first control point, at those in between and at its last one.
+  /// Components x, y that stay: at the face's first control point, at those in between and at its last one.
   std::array<std::array<bool, 2>, 3> held{};
-  double farthest = 0.0;             ///< that a control point may move
+  double farthest = 0.0;             ///< that a control point may move, a length
   double smallestDeterminant = 0.0;  ///< as of `RemeshOptions`
 };
 
@@ -35,8 +35,9 @@ std::vector<int> gapsToClose(const Eigen::VectorXd& gaps, const Eigen::VectorXd&
                              double parameter);
 
 /// The mesh with its face where it touches the tools: shifted by the smallest mean square that makes the
-/// averaged gaps of `gapsToClose` vanish and keeps the volume, if there is room beside the contact; less and
-/// less in the depth. Nothing if that takes more than a mesh may be changed.
+/// averaged gaps of `gapsToClose` vanish, nearly so if that takes many steps, and keeps the volume, if there
+/// is room beside the contact; less and less in the depth. Nothing if that takes more than a mesh may be
+/// changed. Throws `Error` as the contact term.
 std::optional<Patch<2>> fittedToTools(const Patch<2>& mesh, const std::vector<RestingTool>& tools,
                                       const ContactFitOptions& options);
 

@@ -45,10 +45,14 @@ Failure diagnose(const Model<Dim>& model, const NewtonReport& report) {
         fmt::format("{} control points of face '{}' touch tool '{}', {} changed in the last iteration",
                     contact.numActive(), pair.faceName, model.tools()[pair.tool]->name, contact.changes));
   }
-  for (const auto& contact : model.selfContacts())
-    if (const int active = contact.term->state().numActive(); active > 0)
-      findings.push_back(
-          fmt::format("{} control points of face '{}' touch the face itself", active, contact.faceName));
+  for (const auto& contact : model.selfContacts()) {
+    const SelfContactState& state = contact.term->state();
+    changes += state.changes;
+    if (state.numActive() > 0 || state.changes > 0)
+      findings.push_back(fmt::format(
+          "{} control points of face '{}' touch the face itself, {} changed in the last iteration",
+          state.numActive(), contact.faceName, state.changes));
+  }
   const double minJ = model.bulk().summary().minJ;
   findings.push_back(fmt::format("the smallest J is {:.3g}", minJ));
 

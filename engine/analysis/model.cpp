@@ -173,7 +173,12 @@ void Model<Dim>::addSelfContact(const Scene& scene, std::size_t number) {
         spec.reach.value_or(kReach * L), spec.quadraturePoints.value_or(0), rezoned_};
     const int patch = faces_.patch(spec.place.patch);
     const FaceId face = faceFromName<2>(spec.place.face);
-    auto term = std::make_unique<SelfContactTerm>(body_, patch, face, options, numUnknowns_);
+    std::unique_ptr<SelfContactTerm> term;
+    try {
+      term = std::make_unique<SelfContactTerm>(body_, patch, face, options, numUnknowns_);
+    } catch (const Error& error) {
+      throw InputError(fmt::format("self_contact[{}]", number), error.what());
+    }
     numUnknowns_ += term->numMultipliers();
     selfContacts_.push_back({face, patch, spec.place.face, std::move(term)});
   }

@@ -66,10 +66,10 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
                            : "`rezoning: {}` in the scene of a plane body meshes it anew under way")},
           {scene.selfContact.empty()
                ? "a contact face crosses itself, as contact of the body with itself is not computed; "
-                 "self_contact computes it for plane bodies"
-               : "a contact face crosses itself in spite of self_contact: give it a larger reach, finer "
-                 "steps or "
-                 "more knot spans, and name all faces that touch"},
+                 "self_contact computes it for plane and axisymmetric bodies"
+               : "a contact face crosses itself: name it under self_contact or, if it is there, give it a "
+                 "larger "
+                 "reach, finer steps or more knot spans"},
           {"the boundary of a new mesh is farther than 0.5 % of the body's size from the old one; give new "
            "meshes more spans (rezoning.spans)"}},
       touched_(model.tools().size(), false),
@@ -252,7 +252,7 @@ bool Recorder<Dim>::anyFaceCrossesItself() const {
 template <int Dim>
 void Recorder<Dim>::watch() {
   smallestJ_ = std::min(smallestJ_, current_.minJ);
-  largestPenetration_ = std::max(largestPenetration_, current_.maxPenetration);
+  largestPenetration_ = std::max({largestPenetration_, current_.maxPenetration, current_.maxSelfPenetration});
 
   bool penetrates = false;
   for (const auto& pair : model_.contacts()) {

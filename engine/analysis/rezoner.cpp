@@ -373,11 +373,12 @@ SteppingState Rezoner::startOn(const Stage<2>& stage, const Patch<2>& deformed, 
 }
 
 std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
-  static_cast<void>(
-      stage.evaluateHere());  // with partners in self-contact as they are now, as a resumed run does
+  // Evaluated with the partners in self-contact as they are now, as a resumed run does.
+  const bool isAdmissible = stage.evaluateHere().admissible;
+  if (!isAdmissible) fail(stage, "its state cannot be evaluated again");
   std::unique_ptr<Stage<2>> next;
   try {
-    next = attempt(stage);
+    if (isAdmissible) next = attempt(stage);
   } catch (const Error& error) {
     fail(stage, error.what());
   }
@@ -401,7 +402,9 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
     fail(stage, "no mesh of the deformed body is sound");
     return nullptr;
   }
+  const Patch<2> fitted = meshing->patch;
   meshing->patch = inContact(stage, deformed, *meshing);
+  meshing->boundaryError += (meshing->patch.points() - fitted.points()).colwise().norm().maxCoeff();
   meshing->quality = meshQuality(meshing->patch);
 
   RezonedBody<2> body{{makeBody(meshing->patch), {{}}}, {}, stage.model->bulk().plasticWork(), state.time};

@@ -319,6 +319,8 @@ class Run {
     summary_.constraintTolerance = NewtonOptions{}.constraintTolerance;
     if (!stage_->model->contacts().empty())
       summary_.contactParameter = stage_->model->contacts().front().term->options().parameter;
+    else if (!stage_->model->selfContacts().empty())
+      summary_.contactParameter = stage_->model->selfContacts().front().term->options().parameter;
     summary_.end = recorder.current();
     summary_.smallestJ = recorder.smallestJ();
     summary_.largestPenetration = recorder.largestPenetration();

@@ -22,18 +22,28 @@ constexpr double kOverhang = 0.25;
 constexpr double kOpposed = -0.5;
 
 /// New partners are found before they touch, as the two sides of a thin part of the body, which face away
-/// from each other, are inside of one another. But where a fold closes, within a span of the slave, and on a
-/// body that may touch itself from the start, they may be inside by a part of the way between the two along
-/// the face, and of the slave's span.
+/// from each other, penetrate one another. But where a fold closes, within a span of the slave, beside a
+/// slave that has a partner, and on new meshes they may do so by a part of the length of the face between
+/// them, and of the slave's span.
 constexpr double kFold = 1.0;
-constexpr double kShareOfWay = 0.05;
+constexpr double kShareOfLength = 0.05;
 constexpr double kShareOfSpan = 0.25;
+
+/// Rounding errors of gaps, in parts of the body's size: touching parts are outside of one another.
+constexpr double kRounding = 1e-12;
 
 /// Part of its integral R_A has to keep over points with partners to take part.
 constexpr double kSmallestPart = 0.1;
 
-/// A closest point is used up to this share of the way to the centre of curvature, where it ends to be one.
+/// A closest point is used up to this share of the distance to the centre of curvature, where it ends to be
+/// one: for new partners, and during a step.
 constexpr double kShareOfRadius = 0.75;
+constexpr double kLargestShareOfRadius = 0.95;
+
+/// Gap over the distance to the centre of curvature, positive on its side.
+double shareOfRadius(const SurfaceCurve::Point& point, double gap) {
+  return point.isKink ? 0.0 : gap * point.ddx.dot(point.normal) / point.dx.squaredNorm();
+}
 
 }  // namespace
 
@@ -69,6 +79,8 @@ SelfContactTerm::SelfContactTerm(const Body<2>& body, int patch, FaceId face, Op
                 : 2 * body.patches[static_cast<std::size_t>(patch)].basis().direction(1 - face / 2).degree()),
       trace_(tracePatch(body.patches[static_cast<std::size_t>(patch)], face)),
       outward_(outwardSign(body.patches[static_cast<std::size_t>(patch)], face)),
+      axisymmetric_(body.axisymmetric),
+      rounding_(kRounding * body.size()),
       options_(options),
       firstMultiplier_(firstMultiplier),
       A_(Eigen::VectorXd::Zero(face_.numFunctions())),
@@ -78,7 +90,7 @@ SelfContactTerm::SelfContactTerm(const Body<2>& body, int patch, FaceId face, Op
   for (const int node : face_.nodes())
     for (int d = 0; d < 2; ++d) unknowns_.push_back(2 * node + d);
   partners_.assign(static_cast<std::size_t>(face_.numPoints()), kNone);
-  findPartners(options.touches);
+  findPartners(options.mayPenetrate);
 }
 
 CouplingGroups SelfContactTerm::couplings() const {
@@ -98,23 +110,23 @@ SurfaceCurve SelfContactTerm::curveAt(const Eigen::VectorXd& x) const {
   return {{trace_.basis(), std::move(points), trace_.weights()}, outward_};
 }
 
-/// The closest point to a slave, if the two face each other; gaps down to -deepest.
+/// The closest point to a slave, if the two face each other; gaps down to -largestPenetration.
 std::optional<SurfaceCurve::Point> SelfContactTerm::partnerOf(const Slave& slave, double start,
-                                                              double deepest) const {
-  auto point = curve_.nearest(slave.x, start);
+                                                              double largestPenetration) const {
+  auto point = curve_.project(slave.x, start);
   if (!point || !(point->xi > slave.xi) || !(point->normal.dot(slave.normal) < kOpposed)) return std::nullopt;
   const UnivariateBasis& basis = trace_.basis().direction(0);
   const int last = basis.numSpans() - 1;
   if (point->xi > std::lerp(basis.spanEnd(last), basis.spanBegin(last), -kOverhang)) return std::nullopt;
   const double gap = (slave.x - point->x).dot(point->normal);
-  if (!(gap > -deepest) || !(gap < options_.reach)) return std::nullopt;
-  if (gap * point->ddx.dot(point->normal) > kShareOfRadius * point->dx.squaredNorm()) return std::nullopt;
+  if (!(gap > -largestPenetration - rounding_) || !(gap < options_.reach)) return std::nullopt;
+  if (shareOfRadius(*point, gap) > kShareOfRadius) return std::nullopt;
   return point;
 }
 
 /// A parameter near the partner of a slave that has none yet: the nearest quadrature point that faces it.
 std::optional<double> SelfContactTerm::searchPartner(const std::vector<Slave>& slaves, std::size_t number,
-                                                     bool touches) const {
+                                                     bool mayPenetrate) const {
   const Slave& slave = slaves[number];
   const Slave* nearest = nullptr;
   double smallest = options_.reach;
@@ -125,14 +137,15 @@ std::optional<double> SelfContactTerm::searchPartner(const std::vector<Slave>& s
     nearest = &slaves[k];
   }
   if (nearest == nullptr) return std::nullopt;
-  const double way = nearest->along - slave.along;
-  const bool mayBeInside = touches || way < kFold * slave.spanSize;
-  const auto point = partnerOf(
-      slave, nearest->xi, mayBeInside ? std::min(kShareOfWay * way, kShareOfSpan * slave.spanSize) : 0.0);
+  const double length = nearest->along - slave.along;
+  const double penetration = mayPenetrate || length < kFold * slave.spanSize
+                                 ? std::min(kShareOfLength * length, kShareOfSpan * slave.spanSize)
+                                 : 0.0;
+  const auto point = partnerOf(slave, nearest->xi, penetration);
   return point ? std::optional(point->xi) : std::nullopt;
 }
 
-void SelfContactTerm::findPartners(bool touches) {
+void SelfContactTerm::findPartners(bool mayPenetrate) {
   std::vector<Slave> slaves;
   for (const auto& span : face_.spans())
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
@@ -140,12 +153,18 @@ void SelfContactTerm::findPartners(bool touches) {
       const double along = slaves.empty() ? 0.0 : slaves.back().along + (point.x - slaves.back().x).norm();
       slaves.push_back({point.xi, point.x, point.normal, span.size, along});
     }
+  std::vector<bool> had;
   for (std::size_t k = 0; k < slaves.size(); ++k) {
-    std::optional<double> partner;
-    if (partners_[k] != kNone)  // one that is known may be deep: the averages are what is closed
-      if (const auto point = partnerOf(slaves[k], partners_[k], options_.reach)) partner = point->xi;
-    if (!partner) partner = searchPartner(slaves, k, touches);
-    partners_[k] = partner.value_or(kNone);
+    had.push_back(partners_[k] != kNone);
+    if (!had[k]) continue;
+    // The averages are what is closed: a partner that is known may be penetrated between them.
+    const auto point = partnerOf(slaves[k], partners_[k], options_.reach);
+    partners_[k] = point ? point->xi : kNone;
+  }
+  for (std::size_t k = 0; k < slaves.size(); ++k) {
+    if (partners_[k] != kNone) continue;
+    const bool isBeside = (k > 0 && had[k - 1]) || (k + 1 < slaves.size() && had[k + 1]);
+    partners_[k] = searchPartner(slaves, k, mayPenetrate || isBeside).value_or(kNone);
   }
 }
 
@@ -160,10 +179,11 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto number = static_cast<std::size_t>(span.firstPoint + q);
       if (partners_[number] == kNone) continue;
-      auto& partner = mortar.partners[number] = curve_.nearest(points.col(q), partners_[number]);
+      auto& partner = mortar.partners[number] = curve_.project(points.col(q), partners_[number]);
       if (!partner) return false;
       const Eigen::Vector2d& normal = partner->normal;
       const double gap = (points.col(q) - partner->x).dot(normal);
+      if (shareOfRadius(*partner, gap) > kLargestShareOfRadius) return false;
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
@@ -193,6 +213,7 @@ bool SelfContactTerm::evaluate(double, const Eigen::VectorXd& x, Assembly& out) 
 void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar) {
   const double eps = options_.parameter;
   const Eigen::Index n = face_.numFunctions();
+  const std::vector<bool> before = std::move(state_.active);
   state_ = {};
   state_.averageGap = Eigen::VectorXd::Constant(n, kInfinity);
   state_.lambdaHat = Eigen::VectorXd::Zero(n);
@@ -224,7 +245,9 @@ void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const M
     K.row(D.size()).head(D.size()) = D.transpose();
     out.system->add(out.term, static_cast<std::size_t>(1 + A), K);
   }
+  for (std::size_t a = 0; a < before.size(); ++a) state_.changes += before[a] != state_.active[a] ? 1 : 0;
   state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
+  state_.partner = state_.normal = Eigen::Matrix2Xd::Zero(2, face_.numPoints());
   state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
   for (const auto& span : face_.spans()) {
     const Eigen::Matrix2Xd points = curve_.patch().points()(Eigen::all, span.functions) * span.R;
@@ -234,16 +257,15 @@ void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const M
       const double pressure = -span.R.col(q).dot(state_.lambdaHat(span.functions));
       state_.gap(span.firstPoint + q) = (points.col(q) - partner->x).dot(partner->normal);
       state_.pressure(span.firstPoint + q) = pressure;
+      state_.partner.col(span.firstPoint + q) = partner->x;
+      state_.normal.col(span.firstPoint + q) = partner->normal;
       state_.force -= span.weights(q) * pressure * partner->normal;
     }
   }
+  if (axisymmetric_) state_.force(0) = 0.0;  // radial forces around the ring balance one another
 }
 
-/// ∫ λ̂ δ²g dΓ. With δw the difference of the two points' variations at fixed parameters, t = dx̄, δt its
-/// variation, m = t · t, k = n · ddx̄ and h = m - g k, the parameter of the closest point moves by
-/// (t · δw + g n · δt)/h, and
-///
-///     δ²g = -(2 (t·δw)(n·δt) + k/m (t·δw)² + g (n·δt)²)/h.
+/// ∫ λ̂ δ²g dΓ.
 void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) const {
   const auto n = static_cast<Eigen::Index>(unknowns_.size());
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
@@ -254,8 +276,9 @@ void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) c
       if (state_.pressure(point) == 0.0) continue;
       any = true;
       const auto& partner = *mortar.partners[static_cast<std::size_t>(point)];
-      const double m = partner.dx.squaredNorm(), k = partner.normal.dot(partner.ddx), g = state_.gap(point),
-                   h = m - g * k;
+      const double g = state_.gap(point);
+      const Eigen::Vector2d t =
+          partner.isKink ? Eigen::Vector2d(-partner.normal(1), partner.normal(0)) : partner.dx;
       std::vector<int> places;
       Eigen::VectorXd tangential(2 * (span.R.rows() + partner.R.size()));
       Eigen::VectorXd turning = Eigen::VectorXd::Zero(tangential.size());
@@ -267,20 +290,26 @@ void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) c
         next += 2;
       };
       for (Eigen::Index a = 0; a < span.R.rows(); ++a)
-        append(span.functions[static_cast<std::size_t>(a)], span.R(a, q) * partner.dx,
-               Eigen::Vector2d::Zero());
+        append(span.functions[static_cast<std::size_t>(a)], span.R(a, q) * t, Eigen::Vector2d::Zero());
       for (Eigen::Index b = 0; b < partner.R.size(); ++b)
-        append(partner.functions[static_cast<std::size_t>(b)], -partner.R(b) * partner.dx,
+        append(partner.functions[static_cast<std::size_t>(b)], -partner.R(b) * t,
                partner.dR(b) * partner.normal);
-      const Eigen::MatrixXd mixed = tangential * turning.transpose();
-      const Eigen::MatrixXd second = mixed + mixed.transpose() + k / m * tangential * tangential.transpose() +
-                                     g * turning * turning.transpose();
+      const double weighted = -span.weights(q) * state_.pressure(point);
+      Eigen::MatrixXd second;
+      if (partner.isKink) {
+        if (!(g > rounding_)) continue;
+        second = weighted / g * tangential * tangential.transpose();
+      } else {
+        const double m = t.squaredNorm(), k = partner.normal.dot(partner.ddx), h = m - g * k;
+        const Eigen::MatrixXd mixed = tangential * turning.transpose();
+        second = -weighted / h *
+                 (mixed + mixed.transpose() + k / m * tangential * tangential.transpose() +
+                  g * turning * turning.transpose());
+      }
       // A function may stand on both sides: its entries are added one after the other.
-      const double factor = span.weights(q) * state_.pressure(point) / h;
       for (std::size_t j = 0; j < places.size(); ++j)
         for (std::size_t i = 0; i < places.size(); ++i)
-          K(places[i], places[j]) +=
-              factor * second(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+          K(places[i], places[j]) += second(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
     }
   if (any) out.system->add(out.term, 0, K);
 }
@@ -293,9 +322,8 @@ Eigen::Matrix2Xd SelfContactTerm::positionsApart(double share) const {
     const double apart = share * span.size;
     for (Eigen::Index q = 0; q < points.cols(); ++q) {
       const auto number = span.firstPoint + q;
-      if (!(std::abs(state_.gap(number)) < apart)) continue;
-      const auto partner = curve_.nearest(points.col(q), partners_[static_cast<std::size_t>(number)]);
-      if (partner) points.col(q) = partner->x + apart * partner->normal;
+      if (std::abs(state_.gap(number)) < apart)
+        points.col(q) = state_.partner.col(number) + apart * state_.normal.col(number);
     }
   }
   return positions;

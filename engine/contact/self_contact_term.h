@@ -11,12 +11,16 @@ namespace burnish {
 
 /// Quantities of self-contact at the last evaluated state; functions are those of the face's trace.
 struct SelfContactState {
-  Eigen::VectorXd averageGap;                       ///< g_A, functions; infinite without partners
-  Eigen::VectorXd lambdaHat;                        ///< λ̂_A <= 0 where active, 0 elsewhere, functions
-  std::vector<bool> active;                         ///< functions
-  Eigen::VectorXd gap;                              ///< quadrature points; infinite without a partner
-  Eigen::VectorXd pressure;                         ///< nominal, >= 0 in compression, quadrature points
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< of the part that comes first on the other one
+  Eigen::VectorXd averageGap;        ///< g_A, functions; infinite without partners
+  Eigen::VectorXd lambdaHat;         ///< λ̂_A <= 0 where active, 0 elsewhere, functions
+  std::vector<bool> active;          ///< functions
+  int changes = 0;                   ///< functions that became active or inactive since the evaluation before
+  Eigen::VectorXd gap;               ///< quadrature points; infinite without a partner
+  Eigen::VectorXd pressure;          ///< nominal, >= 0 in compression, quadrature points
+  Eigen::Matrix2Xd partner, normal;  ///< closest points and their normals; zero without
+
+  /// Resultant of the part that comes first on the other one; in axisymmetry of whole rings, along the axis.
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
 
   int numActive() const;
   double largestPenetration() const;  ///< >= 0, over quadrature points
@@ -29,14 +33,20 @@ struct SelfContactState {
 /// (31)-(43), with averages over the points that have a partner.
 ///
 /// Who is whose partner is decided at accepted states and kept during a step, in which only the closest
-/// points move: the residual is smooth but for the active set.
+/// points move: the residual is smooth but for the active set. With δw the difference of the two points'
+/// variations at fixed parameters, t = dx̄, δt its variation, m = t · t, k = n · ddx̄ and h = m - g k, the
+/// parameter of the closest point moves by (t · δw + g n · δt)/h, and
+///
+///     δg = n · δw,   δ²g = -(2 (t·δw)(n·δt) + k/m (t·δw)² + g (n·δt)²)/h,
+///
+/// at a kink, where it does not move, δ²g = (t·δw)²/g with the unit vector t across n.
 class SelfContactTerm final : public Term {
  public:
   struct Options {
-    double parameter = 0.0;  ///< ε, stress per length
-    double reach = 0.0;      ///< distance within which parts of the face are partners
-    int pointsPerSpan = 0;   ///< 2p when 0
-    bool touches = false;    ///< the body may touch itself in its reference configuration
+    double parameter = 0.0;     ///< ε, stress per length
+    double reach = 0.0;         ///< distance within which parts of the face are partners
+    int pointsPerSpan = 0;      ///< 2p when 0
+    bool mayPenetrate = false;  ///< a little, in the reference configuration: that of a new mesh
   };
 
   /// firstMultiplier: number of the first of the face's multipliers among the unknowns. Throws `Error` as
@@ -71,10 +81,11 @@ class SelfContactTerm final : public Term {
   struct Slave;
 
   SurfaceCurve curveAt(const Eigen::VectorXd& x) const;
-  std::optional<SurfaceCurve::Point> partnerOf(const Slave& slave, double start, double deepest) const;
+  std::optional<SurfaceCurve::Point> partnerOf(const Slave& slave, double start,
+                                               double largestPenetration) const;
   std::optional<double> searchPartner(const std::vector<Slave>& slaves, std::size_t number,
-                                      bool touches) const;
-  void findPartners(bool touches);
+                                      bool mayPenetrate) const;
+  void findPartners(bool mayPenetrate);
   bool integrate(Mortar& mortar) const;
   void addForces(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
   void addGeometricTangent(Assembly& out, const Mortar& mortar) const;
@@ -82,6 +93,8 @@ class SelfContactTerm final : public Term {
   FaceQuadrature<2> face_;
   Patch<1, 2> trace_;
   double outward_;
+  bool axisymmetric_;
+  double rounding_;  ///< of lengths
   Options options_;
   int firstMultiplier_;
   Eigen::VectorXd A_;

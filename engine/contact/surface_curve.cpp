@@ -2,22 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burnish {
 namespace {
 
 constexpr int kMaxSteps = 50;
 
-/// Angle between the normal and the way to the position at which a point counts as nearest, and the last
-/// step in parts of the range of parameters at which the search stops: rounding.
+/// Angle between the normal and the way to the position at which a point counts as the closest, and the
+/// rounding errors of the coordinates that the last step may be long: what double precision allows.
 constexpr double kAngle = 1e-12;
-constexpr double kStep = 1e-15;
+constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+
+/// Sine of the angle between tangents above which a breakpoint is a kink.
+constexpr double kKink = 1e-9;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a(0) * b(1) - a(1) * b(0);
+}
 
 }  // namespace
 
-SurfaceCurve::Point SurfaceCurve::at(double xi) const {
+SurfaceCurve::Point SurfaceCurve::at(int span, double xi) const {
   const UnivariateBasis& basis = curve_.basis().direction(0);
-  const int span = basis.findSpan(xi);
   Point point;
   point.xi = xi;
   point.functions = curve_.basis().spanFunctions(span);
@@ -35,7 +42,23 @@ SurfaceCurve::Point SurfaceCurve::at(double xi) const {
   return point;
 }
 
-std::optional<SurfaceCurve::Point> SurfaceCurve::nearest(const Eigen::Vector2d& position,
+std::optional<SurfaceCurve::Point> SurfaceCurve::kinkAfter(int span, const Eigen::Vector2d& position) const {
+  const UnivariateBasis& basis = curve_.basis().direction(0);
+  if (span < 0 || span + 1 >= basis.numSpans()) return std::nullopt;
+  const Point before = at(span, basis.spanEnd(span)), after = at(span + 1, basis.spanEnd(span));
+  const double turn = cross(before.dx.normalized(), after.dx.normalized());
+  const Eigen::Vector2d way = position - before.x;
+  if (std::abs(turn) < kKink || way.dot(before.dx) < 0.0 || way.dot(after.dx) > 0.0) return std::nullopt;
+  Point kink = before;
+  kink.isKink = true;
+  kink.normal = (before.normal + after.normal).normalized();
+  const double distance = way.norm();
+  if (way.dot(kink.normal) > 0.0 && distance > kRounding * (position.norm() + kink.x.norm()))
+    kink.normal = way / distance;
+  return kink;
+}
+
+std::optional<SurfaceCurve::Point> SurfaceCurve::project(const Eigen::Vector2d& position,
                                                          double start) const {
   const UnivariateBasis& basis = curve_.basis().direction(0);
   const int last = basis.numSpans() - 1;
@@ -43,14 +66,18 @@ std::optional<SurfaceCurve::Point> SurfaceCurve::nearest(const Eigen::Vector2d& 
                end = 2.0 * basis.spanEnd(last) - basis.spanBegin(last);
   double xi = start;
   for (int step = 0; step < kMaxSteps; ++step) {
-    Point point = at(xi);
+    const int span = basis.findSpan(xi);
+    Point point = at(span, xi);
     const Eigen::Vector2d way = position - point.x;
     const double residual = way.dot(point.dx), square = point.dx.squaredNorm();
     if (std::abs(residual) <= kAngle * std::sqrt(square) * way.norm()) return point;
     const double slope = square - way.dot(point.ddx);
     const double next = std::clamp(xi + residual / (slope > 0.0 ? slope : square), begin, end);
     if (next == xi && (xi == begin || xi == end)) return std::nullopt;
-    if (std::abs(next - xi) <= kStep * (end - begin)) return at(next);
+    if (std::abs(next - xi) * std::sqrt(square) <= kRounding * (position.norm() + point.x.norm()))
+      return at(next);
+    if (const int there = basis.findSpan(next); there != span)
+      if (const auto kink = kinkAfter(there > span ? span : span - 1, position)) return kink;
     xi = next;
   }
   return std::nullopt;

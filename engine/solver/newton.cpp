@@ -36,8 +36,8 @@ std::string describe(NewtonOutcome outcome) {
     case NewtonOutcome::Converged:
       return "converged";
     case NewtonOutcome::Inadmissible:
-      return "no admissible state was found (J <= 0, a failed return map, or a tool that passes through the "
-             "surface)";
+      return "no admissible state was found (J <= 0, a failed return map, a tool that passes through the "
+             "surface, or a face that has lost the part of itself it touches)";
     case NewtonOutcome::Singular:
       return "the tangent matrix is singular";
     case NewtonOutcome::Diverged:

@@ -10,8 +10,9 @@
 namespace burnish {
 namespace {
 
-/// A ring around a flat hole, open on its right: two jaws that face each other across the hole. Rational.
-Body<2> jaws(int degree, BasisFamily family) {
+/// A ring around a flat hole, open on its right, around the place `at`: two jaws that
+/// face each other across the hole. Rational.
+Body<2> jaws(int degree, BasisFamily family, const Eigen::Vector2d& at = {3.0, 0.0}) {
   const Patch<2> sheet = rectangle({1.0, 0.5}, {0.5, 5.3});  // radii and angles
   const KnotVector across = KnotVector::uniform(degree, 2), around = KnotVector::uniform(degree, 12);
   const Patch<2> polar =
@@ -21,7 +22,7 @@ Body<2> jaws(int degree, BasisFamily family) {
                                 {across.breakpoints(), KnotVector::uniform(1, 12).breakpoints()});
   Eigen::MatrixXd points = polar.points();
   for (auto point : points.colwise())
-    point = point(0) * Eigen::Vector2d(std::cos(point(1)), 0.2 * std::sin(point(1)));
+    point = at + point(0) * Eigen::Vector2d(std::cos(point(1)), 0.2 * std::sin(point(1)));
   Eigen::VectorXd weights = polar.weights();
   for (Eigen::Index a = 0; a < weights.size(); ++a)
     weights(a) += 0.1 * std::sin(3.0 * static_cast<double>(a));
@@ -33,6 +34,8 @@ constexpr FaceId kInner = 0;
 struct Case {
   BasisFamily family;
   int degree;
+  bool axisymmetric = false;
+  Eigen::Vector2d at = {3.0, 0.0};
 };
 
 /// The jaws in a random state near the reference, with multipliers that press wherever there are partners.
@@ -41,10 +44,10 @@ struct Pressed {
   SelfContactTerm term;
   Eigen::VectorXd x;
 
-  explicit Pressed(const Case& c, bool axisymmetric = false)
+  explicit Pressed(const Case& c)
       : body([&] {
-          Body<2> made = jaws(c.degree, c.family);
-          made.axisymmetric = axisymmetric;
+          Body<2> made = jaws(c.degree, c.family, c.at);
+          made.axisymmetric = c.axisymmetric;
           return made;
         }()),
         term(body, 0, kInner, {10.0, 0.6, 0}, 2 * body.numNodes),
@@ -71,7 +74,8 @@ TEST_P(SelfContact, ForcesAreInBalance) {
   const double scale = forces.norm();
   ASSERT_GT(scale, 1.0);
   EXPECT_LT(forces.rowwise().sum().norm(), 1e-12 * scale);
-  EXPECT_LT(std::abs(places.row(0).dot(forces.row(1)) - places.row(1).dot(forces.row(0))), 1e-12 * scale);
+  EXPECT_LT(std::abs(places.row(0).dot(forces.row(1)) - places.row(1).dot(forces.row(0))),
+            1e-12 * scale * places.norm());
   EXPECT_GT(pressed.term.state().force.norm(), 1.0);
 }
 
@@ -101,7 +105,60 @@ TEST_P(SelfContact, ForcesAreTheDerivativeOfTheAveragedGaps) {
 
 INSTANTIATE_TEST_SUITE_P(Bases, SelfContact,
                          testing::Values(Case{BasisFamily::BSpline, 2}, Case{BasisFamily::BSpline, 3},
-                                         Case{BasisFamily::BSpline, 4}, Case{BasisFamily::Lagrange, 2}));
+                                         Case{BasisFamily::BSpline, 4}, Case{BasisFamily::Lagrange, 1},
+                                         Case{BasisFamily::Lagrange, 2}, Case{BasisFamily::BSpline, 2, true},
+                                         Case{BasisFamily::Lagrange, 2, true}));
+
+// Slaves above a ridge of linear elements are closest to its edge.
+TEST(SelfContactPartners, TangentAgreesWithCentralDifferencesAboveAKink) {
+  const Body<2> smooth = jaws(1, BasisFamily::Lagrange);
+  const Patch<2>& patch = smooth.patches.front();
+  const int ridge = faceFunctions(patch.basis(), kInner)[9];
+  Eigen::MatrixXd points = patch.points();
+  points(1, ridge) += 0.12;
+  const Body<2> body = makeBody(Patch<2>(patch.basis(), points, patch.weights()));
+  SelfContactTerm term(body, 0, kInner, {10.0, 0.6, 0}, 2 * body.numNodes);
+  Eigen::VectorXd x = test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11);
+  x.tail(term.numMultipliers()).array() -= 8.0;
+  EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
+  static_cast<void>(test::forceOf(term, 0.0, x));
+  const Eigen::Vector2d edge = points.col(ridge) + x.segment<2>(2 * ridge);
+  EXPECT_LT((term.state().partner.colwise() - edge).colwise().norm().minCoeff(), 1e-14);
+}
+
+TEST(SelfContactPartners, DoNotDependOnTheOrigin) {
+  Pressed here({BasisFamily::BSpline, 2}), there({BasisFamily::BSpline, 2, false, {3000.0, 1000.0}});
+  static_cast<void>(test::forceOf(here.term, 0.0, here.x));
+  bool admissible = false;
+  static_cast<void>(test::forceOf(there.term, 0.0, there.x, &admissible));
+  ASSERT_TRUE(admissible);
+  EXPECT_EQ(here.term.state().active, there.term.state().active);
+  for (Eigen::Index q = 0; q < here.term.state().gap.size(); ++q) {
+    const double gap = here.term.state().gap(q);
+    EXPECT_EQ(std::isfinite(there.term.state().gap(q)), std::isfinite(gap));
+    if (!std::isfinite(gap)) continue;
+    EXPECT_NEAR(there.term.state().gap(q), gap, 1e-10);
+  }
+}
+
+// In front of a corner of elements that are continuous only, the corner is the closest point.
+TEST(SurfaceCurve, ProjectsOnKinks) {
+  const Patch<1, 2> roof(TensorBasis<1>({UnivariateBasis::lagrange(1, {0.0, 1.0, 2.0})}),
+                         (Eigen::MatrixXd(2, 3) << 0.0, 1.0, 2.0, 0.0, 0.5, 0.0).finished(),
+                         Eigen::VectorXd::Ones(3));
+  const SurfaceCurve curve(roof, -1.0);
+  for (const double start : {0.1, 0.9, 1.0, 1.5, 1.9}) {
+    const auto kink = curve.project({1.05, 0.8}, start);
+    ASSERT_TRUE(kink.has_value()) << start;
+    EXPECT_TRUE(kink->isKink);
+    EXPECT_LT((kink->x - Eigen::Vector2d(1.0, 0.5)).norm(), 1e-15);
+    EXPECT_LT((kink->normal - Eigen::Vector2d(0.05, 0.3).normalized()).norm(), 1e-14);
+  }
+  const auto foot = curve.project({0.4, 0.4}, 0.9);
+  ASSERT_TRUE(foot.has_value());
+  EXPECT_FALSE(foot->isKink);
+  EXPECT_NEAR((Eigen::Vector2d(0.4, 0.4) - foot->x).dot(Eigen::Vector2d(1.0, 0.5)), 0.0, 1e-14);
+}
 
 TEST(SelfContactPartners, OuterFaceHasNone) {
   const Body<2> body = jaws(2, BasisFamily::BSpline);
@@ -112,7 +169,7 @@ TEST(SelfContactPartners, OuterFaceHasNone) {
 }
 
 TEST(SelfContactPartners, GapIsTheWidthOfTheHole) {
-  const Body<2> body = jaws(3, BasisFamily::BSpline);
+  const Body<2> body = jaws(3, BasisFamily::BSpline, {0.0, 0.0});
   SelfContactTerm term(body, 0, kInner, {10.0, 0.6, 0}, 2 * body.numNodes);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers());
   static_cast<void>(test::forceOf(term, 0.0, x));
@@ -129,7 +186,7 @@ TEST(SelfContactPartners, GapIsTheWidthOfTheHole) {
 }
 
 TEST(SelfContactPartners, SidesOfAThinTipAreNone) {
-  const Body<2> body = jaws(2, BasisFamily::BSpline);
+  const Body<2> body = jaws(2, BasisFamily::BSpline, {0.0, 0.0});
   Eigen::MatrixXd points = body.patches.front().points();
   points.row(1) *= 0.1;
   const Body<2> needle =

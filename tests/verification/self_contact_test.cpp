@@ -77,8 +77,8 @@ output: {{vtu: false}}
 }
 
 /// A roller that presses one leg on the other and moves along it.
-std::string rolled(const std::string& rezoning, int refine) {
-  return hairpin("degree: 2", refine) + rezoning + R"(
+std::string rolled(const std::string& options, int refine) {
+  return hairpin(options, refine) + R"(
 supports:
   - {face: right, fix: [x, y]}
   - {face: left, fix: [x]}
@@ -132,8 +132,19 @@ INSTANTIATE_TEST_SUITE_P(Bases, SelfContactRuns,
                                          "degree: 2\nformulation: fbar"),
                          nameOf);
 
+// Slaves slide over the corners between elements.
+TEST(SelfContactOfElements, PassesTheirCorners) {
+  const test::Outcome smooth = outcomeOf(rolled("degree: 2", 40));
+  for (const char* basis : {"degree: 1", "degree: 2\nbasis: lagrange"}) {
+    const test::Outcome outcome = outcomeOf(rolled(basis, 40));
+    ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+    EXPECT_NEAR(last(outcome, "self_contact_force") / last(smooth, "self_contact_force"), 1.0, 0.15) << basis;
+  }
+}
+
 TEST(SelfContactAcrossMeshes, ForceIsThatOfOneFineMesh) {
-  const test::Outcome rezoned = outcomeOf(rolled(kRezoning, 24)), fixed = outcomeOf(rolled("", 80));
+  const test::Outcome rezoned = outcomeOf(rolled("degree: 2\n" + kRezoning, 24)),
+                      fixed = outcomeOf(rolled("degree: 2", 80));
   ASSERT_TRUE(rezoned.summary.completed) << rezoned.summary.stoppedBecause;
   ASSERT_TRUE(fixed.summary.completed) << fixed.summary.stoppedBecause;
   EXPECT_GE(rezoned.summary.rezonings.size(), 3u);
@@ -144,7 +155,7 @@ TEST(SelfContactAcrossMeshes, ForceIsThatOfOneFineMesh) {
 }
 
 TEST(SelfContactAcrossMeshes, ResumeWithTheSameBits) {
-  const std::string scene = rolled(kRezoning, 12);
+  const std::string scene = rolled("degree: 2\n" + kRezoning, 12);
   const ScratchDirectory whole("self_whole"), part("self_part");
   RunObserver silent;
   const RunSummary summary = runScene(parseScene(scene, "test.yaml"), whole.path(), {}, silent);
