@@ -78,7 +78,7 @@ TEST_P(RezoningRuns, KeepTheirBooks) {
   double lost = 0.0, gapWork = 0.0;
   for (const auto& rezoning : summary.rezonings) {
     EXPECT_LT(std::abs(rezoning.volumeDrift), 1e-4);
-    EXPECT_LT(rezoning.boundaryError, 2e-3);
+    EXPECT_LT(rezoning.boundaryError, 5e-3);  // of the fit, and the shift of control points into contact
     EXPECT_GT(rezoning.quality, 0.3);
     lost += rezoning.energyLost;
     gapWork += rezoning.gapWork;
