@@ -68,8 +68,9 @@ std::string framesText(const ResultReader& result) {
     text += line("last mesh", fmt::format("{} nodes", last.mesh->numNodes)) + patchesText(*last.mesh);
   for (const auto& [name, field] : last.fields) text += line("field", fieldText(name, field));
   for (const ContactRecord& contact : last.contact)
-    text += line("contact", fmt::format("{} on {}, {} control points", contact.tool, contact.face,
-                                        contact.nodes.size()));
+    text += line("contact",
+                 fmt::format("{} on {}, {} control points", contact.tool.empty() ? "self" : contact.tool,
+                             contact.face, contact.nodes.size()));
   return text;
 }
 

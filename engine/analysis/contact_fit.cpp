@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/rezoning/mesh_energy.h"
 #include "engine/rezoning/remesh.h"
 #include "engine/solid/body.h"
 
@@ -13,17 +14,9 @@ namespace {
 /// The gaps are nonlinear where the tool is round, and the areas change that they are averaged over.
 constexpr int kMaxSteps = 8;
 constexpr double kClosed = 1e-9;  // relative to what a control point may move
-constexpr double kFlat = 1e-9;    // relative to the size
 
 /// Part of the face, about, that must be out of contact to take up what is displaced under the tools.
 constexpr double kFreeShare = 0.1;
-
-/// Whether the points of a face have the same coordinate.
-bool isFlat(const Patch<2>& mesh, FaceId face, int coordinate) {
-  const Eigen::VectorXd values = mesh.points()(coordinate, faceFunctions(mesh.basis(), face));
-  const Eigen::VectorXd size = mesh.points().rowwise().maxCoeff() - mesh.points().rowwise().minCoeff();
-  return values.maxCoeff() - values.minCoeff() < kFlat * size.maxCoeff();
-}
 
 /// Components of the face's control points that may be shifted: not those that a support holds, nor those
 /// that would take its ends off the faces beside it.

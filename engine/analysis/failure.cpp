@@ -51,7 +51,7 @@ Failure diagnose(const Model<Dim>& model, const NewtonReport& report) {
     if (state.numActive() > 0 || state.changes > 0)
       findings.push_back(fmt::format(
           "{} control points of face '{}' touch the face itself, {} changed in the last iteration",
-          state.numActive(), contact.faceName, state.changes));
+          state.numActive(), faceName(contact.face), state.changes));
   }
   const double minJ = model.bulk().summary().minJ;
   findings.push_back(fmt::format("the smallest J is {:.3g}", minJ));

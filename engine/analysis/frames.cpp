@@ -41,21 +41,38 @@ QuadratureRecord quadratureRecord(const Model<Dim>& model, const Eigen::MatrixXd
 }
 
 template <int Dim>
-ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pair, const Eigen::VectorXd& x) {
-  const ContactState& state = pair.term->state();
+ContactRecord faceRecord(const FaceQuadrature<Dim>& face, const FaceContactState& state,
+                         const Eigen::VectorXd& x) {
   ContactRecord record;
-  record.tool = model.tools()[pair.tool]->name;
-  record.face = pair.faceName;
-  record.patch = pair.patch;
-  record.nodes = pair.term->face().nodes();
+  record.nodes = face.nodes();
   record.pressure = -state.lambdaHat;
   record.averageGap = state.averageGap;
   record.active.assign(record.nodes.size(), 0);
   for (std::size_t a = 0; a < state.active.size(); ++a) record.active[a] = state.active[a] ? 1 : 0;
-  record.quadraturePoints = pair.term->positions(x);
+  record.quadraturePoints = face.positions(x);
   record.quadraturePressure = state.pressure;
   record.quadratureGap = state.gap;
-  record.quadratureNormal = state.normal.template topRows<Dim>();
+  return record;
+}
+
+template <int Dim>
+ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pair, const Eigen::VectorXd& x) {
+  ContactRecord record = faceRecord(pair.term->face(), pair.term->state(), x);
+  record.tool = model.tools()[pair.tool]->name;
+  record.face = pair.faceName;
+  record.patch = pair.patch;
+  record.quadratureNormal = pair.term->state().normal.template topRows<Dim>();
+  return record;
+}
+
+ContactRecord contactRecord(const SelfContact& contact, const Eigen::VectorXd& x) {
+  ContactRecord record = faceRecord(contact.term->face(), contact.term->state(), x);
+  record.face = faceName(contact.face);
+  record.patch = contact.patch;
+  record.quadratureNormal = contact.term->state().normal;
+  const double reach = contact.term->options().reach;
+  record.averageGap = record.averageGap.cwiseMin(reach);
+  record.quadratureGap = record.quadratureGap.cwiseMin(reach);
   return record;
 }
 
@@ -116,6 +133,7 @@ FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model, const Project
     frame.toolAngle(k) = pose.angle;
   }
   for (const auto& pair : model.contacts()) frame.contact.push_back(contactRecord(model, pair, x));
+  for (const auto& contact : model.selfContacts()) frame.contact.push_back(contactRecord(contact, x));
 
   Eigen::MatrixXd current = frame.displacement;
   for (std::size_t p = 0; p < model.body().patches.size(); ++p) {

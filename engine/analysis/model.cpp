@@ -180,7 +180,7 @@ void Model<Dim>::addSelfContact(const Scene& scene, std::size_t number) {
       throw InputError(fmt::format("self_contact[{}]", number), error.what());
     }
     numUnknowns_ += term->numMultipliers();
-    selfContacts_.push_back({face, patch, spec.place.face, std::move(term)});
+    selfContacts_.push_back({patch, face, std::move(term)});
   }
 }
 

@@ -31,9 +31,8 @@ struct ContactPair {
 
 /// A face that may touch itself.
 struct SelfContact {
-  FaceId face = 0;
   int patch = 0;
-  std::string faceName;
+  FaceId face = 0;
   std::unique_ptr<SelfContactTerm> term;
 };
 

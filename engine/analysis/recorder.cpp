@@ -230,10 +230,10 @@ bool Recorder<Dim>::faceCrossesItself(const ContactPair<Dim>& pair) const {
   if constexpr (Dim == 2) {
     const auto& others = model_.selfContacts();
     const bool touchesItself = std::any_of(others.begin(), others.end(), [&](const SelfContact& other) {
-      return other.patch == pair.patch && other.faceName == pair.faceName;
+      return other.patch == pair.patch && faceName(other.face) == pair.faceName;
     });
     return !touchesItself &&
-           burnish::crossesItself(pair.term->positions(x_), kCrossing * model_.body().size());
+           burnish::crossesItself(pair.term->face().positions(x_), kCrossing * model_.body().size());
   }
   return false;
 }

@@ -181,11 +181,17 @@ Eigen::VectorXd transferredMultipliers(const Body<2>& body, FaceId face, const P
   return result;
 }
 
+/// Calls f for every term of contact, with tools first.
+template <class F>
+void forEachContact(const Model<2>& model, const F& f) {
+  for (const auto& pair : model.contacts()) f(*pair.term);
+  for (const auto& contact : model.selfContacts()) f(*contact.term);
+}
+
 /// Brings a stage into equilibrium while the gaps with which it begins, and which pairs in contact should not
 /// have, are taken away in equal parts.
 Settlement settle(Stage<2>& stage, int parts) {
   std::vector<Eigen::VectorXd> origins;
-  std::vector<double> parameters;
   Settlement result;
   NewtonReport& report = result.report;
   report.outcome = NewtonOutcome::Inadmissible;
@@ -196,15 +202,12 @@ Settlement settle(Stage<2>& stage, int parts) {
         gaps, stage.stepping.state().x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()),
         kStiffer * pair.term->options().parameter);
     origins.emplace_back(Eigen::VectorXd::Zero(gaps.size()))(toClose) = gaps(toClose);
-    parameters.push_back(pair.term->options().parameter);
-    pair.term->setParameter(kStiffer * parameters.back());
   }
-  const auto& selfContacts = stage.model->selfContacts();
-  std::vector<double> selfParameters;
-  for (const auto& contact : selfContacts) {
-    selfParameters.push_back(contact.term->options().parameter);
-    contact.term->setParameter(kStiffer * selfParameters.back());
-  }
+  std::vector<double> parameters;
+  forEachContact(*stage.model, [&](auto& term) {
+    parameters.push_back(term.options().parameter);
+    term.setParameter(kStiffer * parameters.back());
+  });
   int iterations = 0;
   std::vector<Eigen::VectorXd> before = multipliersOf(stage);
   for (int left = parts - 1; left >= 0; --left) {
@@ -220,10 +223,8 @@ Settlement settle(Stage<2>& stage, int parts) {
           (0.5 / parts * (before[k] + now[k])).cwiseProduct(origins[k]));
     before = std::move(now);
   }
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    stage.model->contacts()[k].term->setParameter(parameters[k]);
-  for (std::size_t k = 0; k < selfParameters.size(); ++k)
-    selfContacts[k].term->setParameter(selfParameters[k]);
+  auto parameter = parameters.begin();
+  forEachContact(*stage.model, [&](auto& term) { term.setParameter(*parameter++); });
   report.iterations = iterations;
   return result;
 }

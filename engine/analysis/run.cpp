@@ -106,7 +106,6 @@ class Run {
   void restore(const RestartRecord& restart) {
     StateArchive saved(restart.state);
     archive(saved);
-    if (rezoner_) static_cast<void>(stage_->evaluateHere());  // which looks at the contact
     const ResultReader result(directory_);
     for (int k = 0; k < result.numFrames(); ++k) observer_.onFrame(record_, result.frame(k));
   }

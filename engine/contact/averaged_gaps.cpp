@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/core/error.h"
 
 namespace burnish {
@@ -13,6 +15,40 @@ constexpr double kSmallestShare = 1e-12;
 
 }  // namespace
 
+int FaceContactState::numActive() const {
+  return static_cast<int>(std::count(active.begin(), active.end(), true));
+}
+
+double FaceContactState::largestPenetration() const {
+  return gap.size() == 0 ? 0.0 : std::max(0.0, -gap.minCoeff());
+}
+
+void FaceContactState::countChanges(const std::vector<bool>& before) {
+  changes = 0;
+  for (std::size_t a = 0; a < std::min(before.size(), active.size()); ++a)
+    changes += before[a] != active[a] ? 1 : 0;
+}
+
+template <int Dim>
+int contactPoints(const Body<Dim>& body, int patch, int wanted) {
+  if (wanted > 0) return wanted;
+  int degree = 1;
+  for (int d = 0; d < Dim; ++d)
+    degree = std::max(degree, body.patches[static_cast<std::size_t>(patch)].basis().direction(d).degree());
+  return 2 * degree;
+}
+
+Eigen::MatrixXd averagedGapTangent(const Eigen::Ref<const Eigen::VectorXd>& D, double stiffness,
+                                   bool hasMultiplier) {
+  const Eigen::Index n = D.size(), size = n + (hasMultiplier ? 1 : 0);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
+  K.topLeftCorner(n, n) = stiffness * D * D.transpose();
+  if (!hasMultiplier) return K;
+  K.col(n).head(n) = D;
+  K.row(n).head(n) = D.transpose();
+  return K;
+}
+
 void requireAveragedGaps(const Eigen::VectorXd& weights, bool axisymmetric) {
   if (weights.minCoeff() > kSmallestShare * weights.maxCoeff()) return;
   throw Error(
@@ -21,5 +57,8 @@ void requireAveragedGaps(const Eigen::VectorXd& weights, bool axisymmetric) {
                   axisymmetric ? ", or Lagrange elements of degree 1 where the face meets the axis"
                                : " or Lagrange elements of degree 7 at most"));
 }
+
+template int contactPoints(const Body<2>&, int, int);
+template int contactPoints(const Body<3>&, int, int);
 
 }  // namespace burnish

@@ -4,17 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/contact/averaged_gaps.h"
-
 namespace burnish {
-
-int ContactState::numActive() const {
-  return static_cast<int>(std::count(active.begin(), active.end(), true));
-}
-
-double ContactState::largestPenetration() const {
-  return gap.size() == 0 ? 0.0 : std::max(0.0, -gap.minCoeff());
-}
 
 /// Integrals over the reference face at one state.
 template <int Dim>
@@ -30,15 +20,6 @@ namespace {
 /// A point that is deeper inside a round tool than this share of its radius is about to leave it on the far
 /// side, where the nearest surface would pull it on: such a state is not admissible.
 constexpr double kDeepestShare = 0.5;
-
-template <int Dim>
-int contactPoints(const Body<Dim>& body, int patch, int wanted) {
-  if (wanted > 0) return wanted;
-  int degree = 1;
-  for (int d = 0; d < Dim; ++d)
-    degree = std::max(degree, body.patches[static_cast<std::size_t>(patch)].basis().direction(d).degree());
-  return 2 * degree;
-}
 
 }  // namespace
 
@@ -110,14 +91,6 @@ CouplingGroups ContactTerm<Dim>::couplings() const {
 }
 
 template <int Dim>
-Eigen::MatrixXd ContactTerm<Dim>::positions(const Eigen::VectorXd& x) const {
-  Eigen::MatrixXd result(Dim, face_.numPoints());
-  for (const auto& span : face_.spans())
-    result.middleCols(span.firstPoint, span.R.cols()) = face_.positions(span, x);
-  return result;
-}
-
-template <int Dim>
 typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& pose,
                                                               const Eigen::VectorXd& x) const {
   const auto numWays = static_cast<Eigen::Index>(ways_.size());
@@ -125,7 +98,7 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
   mortar.G = Eigen::VectorXd::Zero(face_.numFunctions());
   for (const auto& support : supports_)
     mortar.D.push_back(Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(support.size()) + numWays));
-  mortar.positions = positions(x);
+  mortar.positions = face_.positions(x);
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
@@ -221,8 +194,7 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
     evaluatePointwise(out, mortar);
   else
     evaluateMortar(x, out, mortar);
-  for (std::size_t a = 0; a < std::min(before.size(), state_.active.size()); ++a)
-    state_.changes += before[a] != state_.active[a] ? 1 : 0;
+  state_.countChanges(before);
   measureReaction(pose, mortar);
   if (out.system != nullptr) addGeometricTangent(out, mortar);
   return true;
@@ -266,15 +238,12 @@ void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, c
       if (hasMultipliers) out.force(firstMultiplier_ + A) -= lambda * A_(A) / eps;
     }
     if (out.system == nullptr) continue;
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + (hasMultipliers ? 1 : 0), n + (hasMultipliers ? 1 : 0));
+    Eigen::MatrixXd K;
     if (active) {
-      K.topLeftCorner(n, n) = eps / A_(A) * D * D.transpose();
-      if (hasMultipliers) {
-        K.col(n).head(n) = D;
-        K.row(n).head(n) = D.transpose();
-      }
-    } else if (hasMultipliers) {
-      K(n, n) = -A_(A) / eps;
+      K = averagedGapTangent(D, eps / A_(A), hasMultipliers);
+    } else {
+      K = Eigen::MatrixXd::Zero(n + (hasMultipliers ? 1 : 0), n + (hasMultipliers ? 1 : 0));
+      if (hasMultipliers) K(n, n) = -A_(A) / eps;
     }
     out.system->add(out.term, group, K);
   }

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/averaged_gaps.h"
 #include "engine/contact/tool.h"
 #include "engine/solid/face_quadrature.h"
 #include "engine/solver/term.h"
@@ -15,15 +16,9 @@ enum class Enforcement {
   PointwisePenalty      ///< "knot-to-surface": penalty at every quadrature point
 };
 
-/// Contact quantities at the last evaluated state; `functions` are those of the face's trace.
-struct ContactState {
-  Eigen::VectorXd averageGap;  ///< g_A (34), functions
-  Eigen::VectorXd lambdaHat;   ///< augmented multiplier λ̂_A <= 0 where active, 0 elsewhere, functions
-  std::vector<bool> active;    ///< functions; empty for point-wise penalty
-  int changes = 0;             ///< functions that became active or inactive since the evaluation before
-  Eigen::VectorXd gap;         ///< point-wise gap, quadrature points
-  Eigen::VectorXd pressure;    ///< nominal contact pressure >= 0 in compression, quadrature points
-  Eigen::MatrixXd normal;      ///< of the tool, away from it, 3 x quadrature points
+/// Contact quantities at the last evaluated state.
+struct ContactState : FaceContactState {
+  Eigen::MatrixXd normal;  ///< of the tool, away from it, 3 x quadrature points
   Eigen::Vector3d reaction =
       Eigen::Vector3d::Zero();  ///< force of the body on the tool; whole rings in axisymmetry
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< of that force about the tool's pivot
@@ -32,9 +27,6 @@ struct ContactState {
   /// Force with which a tool that is free to move would have to be held back to stay in touch; > 0 where
   /// its load pulls it off the body.
   double pull = 0.0;
-
-  int numActive() const;
-  double largestPenetration() const;  ///< >= 0, over quadrature points
 };
 
 /// Frictionless contact of one face of the body with a rigid tool.
@@ -94,9 +86,6 @@ class ContactTerm final : public Term {
   /// Smallest gap between the undeformed face and the tool at a place, of those that the method closes:
   /// averaged ones, or those of the quadrature points.
   double smallestReferenceGap(const ToolPose& pose) const;
-
-  /// Current positions of the quadrature points, Dim x points.
-  Eigen::MatrixXd positions(const Eigen::VectorXd& x) const;
 
  private:
   struct Mortar;

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "engine/contact/averaged_gaps.h"
-
 namespace burnish {
 namespace {
 
@@ -47,14 +45,6 @@ double shareOfRadius(const SurfaceCurve::Point& point, double gap) {
 
 }  // namespace
 
-int SelfContactState::numActive() const {
-  return static_cast<int>(std::count(active.begin(), active.end(), true));
-}
-
-double SelfContactState::largestPenetration() const {
-  return gap.size() == 0 ? 0.0 : std::max(0.0, -gap.minCoeff());
-}
-
 /// A quadrature point.
 struct SelfContactTerm::Slave {
   double xi = 0.0;
@@ -66,6 +56,7 @@ struct SelfContactTerm::Slave {
 /// Integrals over the reference face in the last evaluated state.
 struct SelfContactTerm::Mortar {
   std::vector<std::optional<SurfaceCurve::Point>> partners;  ///< quadrature points
+  Eigen::VectorXd gap;                                       ///< quadrature points, infinite without partners
   Eigen::VectorXd A;                                         ///< ∫ R_A dΓ over points with partners
   Eigen::VectorXd G;                                         ///< ∫ R_A g dΓ
   Eigen::MatrixXd D;  ///< ∂G_A/∂u: unknowns of the face x functions
@@ -73,10 +64,7 @@ struct SelfContactTerm::Mortar {
 
 SelfContactTerm::SelfContactTerm(const Body<2>& body, int patch, FaceId face, Options options,
                                  int firstMultiplier)
-    : face_(body, patch, face,
-            options.pointsPerSpan > 0
-                ? options.pointsPerSpan
-                : 2 * body.patches[static_cast<std::size_t>(patch)].basis().direction(1 - face / 2).degree()),
+    : face_(body, patch, face, contactPoints(body, patch, options.pointsPerSpan)),
       trace_(tracePatch(body.patches[static_cast<std::size_t>(patch)], face)),
       outward_(outwardSign(body.patches[static_cast<std::size_t>(patch)], face)),
       axisymmetric_(body.axisymmetric),
@@ -172,6 +160,7 @@ void SelfContactTerm::findPartners(bool mayPenetrate) {
 bool SelfContactTerm::integrate(Mortar& mortar) const {
   const Eigen::Index n = face_.numFunctions();
   mortar.partners.resize(partners_.size());
+  mortar.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
   mortar.A = mortar.G = Eigen::VectorXd::Zero(n);
   mortar.D = Eigen::MatrixXd::Zero(2 * n, n);
   for (const auto& span : face_.spans()) {
@@ -182,7 +171,7 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
       auto& partner = mortar.partners[number] = curve_.project(points.col(q), partners_[number]);
       if (!partner) return false;
       const Eigen::Vector2d& normal = partner->normal;
-      const double gap = (points.col(q) - partner->x).dot(normal);
+      const double gap = mortar.gap(span.firstPoint + q) = (points.col(q) - partner->x).dot(normal);
       if (shareOfRadius(*partner, gap) > kLargestShareOfRadius) return false;
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
@@ -238,24 +227,19 @@ void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const M
     const auto D = mortar.D.col(A);
     out.force(unknowns_) += state_.lambdaHat(A) * D;
     out.force(firstMultiplier_ + A) += mortar.G(A);
-    if (out.system == nullptr) continue;
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(D.size() + 1, D.size() + 1);
-    K.topLeftCorner(D.size(), D.size()) = eps / mortar.A(A) * D * D.transpose();
-    K.col(D.size()).head(D.size()) = D;
-    K.row(D.size()).head(D.size()) = D.transpose();
-    out.system->add(out.term, static_cast<std::size_t>(1 + A), K);
+    if (out.system != nullptr)
+      out.system->add(out.term, static_cast<std::size_t>(1 + A),
+                      averagedGapTangent(D, eps / mortar.A(A), true));
   }
-  for (std::size_t a = 0; a < before.size(); ++a) state_.changes += before[a] != state_.active[a] ? 1 : 0;
-  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
+  state_.countChanges(before);
+  state_.gap = mortar.gap;
   state_.partner = state_.normal = Eigen::Matrix2Xd::Zero(2, face_.numPoints());
   state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
   for (const auto& span : face_.spans()) {
-    const Eigen::Matrix2Xd points = curve_.patch().points()(Eigen::all, span.functions) * span.R;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto& partner = mortar.partners[static_cast<std::size_t>(span.firstPoint + q)];
       if (!partner) continue;
       const double pressure = -span.R.col(q).dot(state_.lambdaHat(span.functions));
-      state_.gap(span.firstPoint + q) = (points.col(q) - partner->x).dot(partner->normal);
       state_.pressure(span.firstPoint + q) = pressure;
       state_.partner.col(span.firstPoint + q) = partner->x;
       state_.normal.col(span.firstPoint + q) = partner->normal;

@@ -3,27 +3,19 @@
 #include <optional>
 #include <vector>
 
+#include "engine/contact/averaged_gaps.h"
 #include "engine/contact/surface_curve.h"
 #include "engine/solid/face_quadrature.h"
 #include "engine/solver/term.h"
 
 namespace burnish {
 
-/// Quantities of self-contact at the last evaluated state; functions are those of the face's trace.
-struct SelfContactState {
-  Eigen::VectorXd averageGap;        ///< g_A, functions; infinite without partners
-  Eigen::VectorXd lambdaHat;         ///< λ̂_A <= 0 where active, 0 elsewhere, functions
-  std::vector<bool> active;          ///< functions
-  int changes = 0;                   ///< functions that became active or inactive since the evaluation before
-  Eigen::VectorXd gap;               ///< quadrature points; infinite without a partner
-  Eigen::VectorXd pressure;          ///< nominal, >= 0 in compression, quadrature points
+/// Quantities of self-contact at the last evaluated state; gaps are infinite without partners.
+struct SelfContactState : FaceContactState {
   Eigen::Matrix2Xd partner, normal;  ///< closest points and their normals; zero without
 
   /// Resultant of the part that comes first on the other one; in axisymmetry of whole rings, along the axis.
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
-
-  int numActive() const;
-  double largestPenetration() const;  ///< >= 0, over quadrature points
 };
 
 /// Frictionless contact of one face of a plane or axisymmetric body with itself: mortar, augmented

@@ -7,7 +7,7 @@ namespace burnish {
 
 std::pair<Eigen::VectorXd, double> EllipseMeasure::arcLengths(const Eigen::VectorXd& x) const {
   const auto& face = contact_.face();
-  const Eigen::MatrixXd positions = contact_.positions(x);
+  const Eigen::MatrixXd positions = face.positions(x);
   const auto corner = [&](int function) {
     return Eigen::Vector2d(face.points().col(function) +
                            x.segment<2>(2 * face.nodes()[static_cast<std::size_t>(function)]));

@@ -110,8 +110,9 @@ bool arePoints(const Eigen::MatrixXd& points, int dim) {
 
 void checkContact(const ContactRecord& contact, const ModelRecord& model, const MeshRecord& mesh,
                   const std::string& place) {
-  const bool known = std::any_of(model.tools.begin(), model.tools.end(),
-                                 [&](const ToolRecord& tool) { return tool.name == contact.tool; });
+  const bool known =
+      contact.tool.empty() || std::any_of(model.tools.begin(), model.tools.end(),
+                                          [&](const ToolRecord& tool) { return tool.name == contact.tool; });
   require(known, place, "the tool \"{}\" is none of the model's", contact.tool);
   require(contact.patch >= 0 && static_cast<std::size_t>(contact.patch) < mesh.patches.size(), place,
           "patch {} of {}", contact.patch, mesh.patches.size());

@@ -56,9 +56,10 @@ struct FieldRecord {
 };
 
 /// Contact quantities of one pair along the contact face, at the face's control points and at its quadrature
-/// points.
+/// points. In self-contact of two parts that touch the one with the smaller parameter carries them, and gaps
+/// are not larger than the reach, within which partners are looked for.
 struct ContactRecord {
-  std::string tool;
+  std::string tool;  ///< empty in contact of the face with itself
   std::string face;
   int patch = 0;
   std::vector<int> nodes;              ///< global nodes of the face's control points
@@ -68,7 +69,8 @@ struct ContactRecord {
   Eigen::MatrixXd quadraturePoints;    ///< dim x points: current positions
   Eigen::VectorXd quadraturePressure;  ///< contact pressure (nominal) at these points
   Eigen::VectorXd quadratureGap;       ///< point-wise gap at these points
-  Eigen::MatrixXd quadratureNormal;    ///< dim x points: of the tool, away from it
+  Eigen::MatrixXd quadratureNormal;    ///< dim x points: of the tool or the other part, away from it; zero
+                                       ///< without a partner
 };
 
 /// Raw values at the quadrature points of the volume.

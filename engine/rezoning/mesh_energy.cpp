@@ -25,14 +25,12 @@ Patch<2> rectangleLike(const Patch<2>& mesh, const Eigen::Vector2d& size) {
 }
 
 /// Components of control points that the boundary holds.
-std::vector<bool> heldComponents(const Patch<2>& mesh, double size, FaceId fixed) {
+std::vector<bool> heldComponents(const Patch<2>& mesh, FaceId fixed) {
   std::vector<bool> held(static_cast<std::size_t>(2 * mesh.basis().numFunctions()), false);
   for (FaceId face = 0; face < 4; ++face) {
     const auto functions = faceFunctions(mesh.basis(), face);
-    const Eigen::MatrixXd points = mesh.points()(Eigen::all, functions);
     for (int d = 0; d < 2; ++d) {
-      const bool slides =
-          face != fixed && points.row(1 - d).maxCoeff() - points.row(1 - d).minCoeff() < kFlat * size;
+      const bool slides = face != fixed && isFlat(mesh, face, 1 - d);
       for (std::size_t k = 0; k < functions.size(); ++k)
         if (!slides || k == 0 || k + 1 == functions.size())
           held[static_cast<std::size_t>(2 * functions[k] + d)] = true;
@@ -42,6 +40,12 @@ std::vector<bool> heldComponents(const Patch<2>& mesh, double size, FaceId fixed
 }
 
 }  // namespace
+
+bool isFlat(const Patch<2>& mesh, FaceId face, int coordinate) {
+  const Eigen::VectorXd values = mesh.points()(coordinate, faceFunctions(mesh.basis(), face));
+  const Eigen::VectorXd size = mesh.points().rowwise().maxCoeff() - mesh.points().rowwise().minCoeff();
+  return values.maxCoeff() - values.minCoeff() < kFlat * size.maxCoeff();
+}
 
 std::optional<Patch<2>> relaxed(const Patch<2>& mesh, const Eigen::Vector2d& size, FaceId fixed) {
   const Patch<2> rectangle = rectangleLike(mesh, size);
@@ -58,7 +62,7 @@ std::optional<Patch<2>> relaxed(const Patch<2>& mesh, const Eigen::Vector2d& siz
   // Forces of a sheet in which every span is strained by one; those of the solution may vanish.
   const double scale = static_cast<double>(quadrature.spans().size()) / size.minCoeff();
   ResidualScales scales{static_cast<int>(n), scale, Eigen::VectorXd::Constant(n, size.minCoeff()), {}};
-  Newton newton({&sheet}, heldComponents(mesh, size.maxCoeff(), fixed), std::move(scales),
+  Newton newton({&sheet}, heldComponents(mesh, fixed), std::move(scales),
                 {.tolerance = kTolerance,
                  .maxIterations = kMaxIterations,
                  .freeIterations = 0,

@@ -74,6 +74,13 @@ Eigen::MatrixXd FaceQuadrature<Dim>::positions(const Span& span, const Eigen::Ve
 }
 
 template <int Dim>
+Eigen::MatrixXd FaceQuadrature<Dim>::positions(const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd result(Dim, numPoints_);
+  for (const Span& span : spans_) result.middleCols(span.firstPoint, span.R.cols()) = positions(span, x);
+  return result;
+}
+
+template <int Dim>
 double outwardSign(const Patch<Dim>& patch, FaceId face) {
   const int across = face / 2;
   Eigen::Vector<double, Dim> middle;

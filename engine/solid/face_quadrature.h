@@ -41,6 +41,9 @@ class FaceQuadrature {
   /// Current positions of the points of a span, Dim x Q. x: displacements of all nodes, Dim per node, first.
   Eigen::MatrixXd positions(const Span& span, const Eigen::VectorXd& x) const;
 
+  /// The same of all points.
+  Eigen::MatrixXd positions(const Eigen::VectorXd& x) const;
+
  private:
   std::vector<Span> spans_;
   std::vector<int> nodes_;

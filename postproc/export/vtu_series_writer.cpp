@@ -24,7 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every file that some choice of parts writes, also when it was not finished.
-const std::regex kOurFiles(R"((body|points|net|(tool|contact)_[\w-]+)_\d{6,}\.vt[up](\.partial)?)");
+const std::regex kOurFiles(
+    R"((body|points|net|self_contact|(tool|contact)_[\w-]+)_\d{6,}\.vt[up](\.partial)?)");
 
 /// What all file systems and URLs accept of a name.
 std::string fileStem(const std::string& name) {
@@ -65,9 +66,10 @@ Eigen::AlignedBox3d boxOf(const MeshRecord& mesh, const Eigen::MatrixXd& displac
   return box;
 }
 
-bool hasContact(const FrameRecord& frame, const ToolRecord& tool) {
+/// tool: name, empty for self-contact.
+bool hasContact(const FrameRecord& frame, const std::string& tool) {
   return std::any_of(frame.contact.begin(), frame.contact.end(),
-                     [&](const ContactRecord& contact) { return contact.tool == tool.name; });
+                     [&](const ContactRecord& contact) { return contact.tool == tool; });
 }
 
 struct BodyGrid {
@@ -115,11 +117,14 @@ std::vector<VtuSeriesWriter::Part> VtuSeriesWriter::makeParts(const ModelRecord&
       parts.push_back({kind, prefix + stems[tool], tool});
   };
   for (const ExportPart kind : kinds) {
-    if (kind == ExportPart::Body) parts.push_back({kind, "body", 0});
+    if (kind == ExportPart::Body) parts.push_back({kind, "body", {}});
     if (kind == ExportPart::Tools) addPerTool(kind, "tool_");
-    if (kind == ExportPart::Contact) addPerTool(kind, "contact_");
-    if (kind == ExportPart::Points) parts.push_back({kind, "points", 0});
-    if (kind == ExportPart::Net) parts.push_back({kind, "net", 0});
+    if (kind == ExportPart::Contact) {
+      addPerTool(kind, "contact_");
+      parts.push_back({kind, "self_contact", {}});
+    }
+    if (kind == ExportPart::Points) parts.push_back({kind, "points", {}});
+    if (kind == ExportPart::Net) parts.push_back({kind, "net", {}});
   }
   return parts;
 }
@@ -128,7 +133,8 @@ void VtuSeriesWriter::write(const FrameRecord& frame) {
   checkFrame(frame, model_, fmt::format("frame {} for {}", frame.index, (runDir_ / "frames").string()));
   Instant instant{frame.time, {}};
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    if (parts_[i].kind == ExportPart::Contact && !hasContact(frame, model_.tools[parts_[i].tool])) continue;
+    const auto& [kind, name, tool] = parts_[i];
+    if (kind == ExportPart::Contact && !hasContact(frame, tool ? model_.tools[*tool].name : "")) continue;
     writePart(parts_[i], frame);
     instant.parts.push_back(i);
   }
@@ -150,11 +156,13 @@ void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) cons
     }
     case ExportPart::Tools: {
       const Eigen::AlignedBox3d box = boxOf(meshOf(model_, frame), frame.displacement);
-      return writeVtkFile(*toolOutline(placedTool(model_, frame, part.tool), model_.dim, box), frame.time,
-                          path);
+      return writeVtkFile(*toolOutline(placedTool(model_, frame, part.tool.value()), model_.dim, box),
+                          frame.time, path);
     }
     case ExportPart::Contact:
-      return writeVtkFile(*contactSurface(model_, frame, part.tool), frame.time, path);
+      return writeVtkFile(
+          *(part.tool ? contactSurface(model_, frame, *part.tool) : selfContactSurface(model_, frame)),
+          frame.time, path);
     case ExportPart::Points:
       return writeVtkFile(*quadraturePoints(frame), frame.time, path);
     case ExportPart::Net:

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <variant>
@@ -22,7 +23,7 @@ enum class CellKind {
 enum class ExportPart {
   Body,     ///< `body_000000.vtu`
   Tools,    ///< `tool_NAME_000000.vtp` for every tool
-  Contact,  ///< `contact_NAME_000000.vtp` for every tool that something may touch
+  Contact,  ///< `contact_NAME_000000.vtp` for every tool that something may touch, `self_contact_000000.vtp`
   Points,   ///< `points_000000.vtp`: values at the quadrature points, not projected
   Net       ///< `net_000000.vtp`: the control net
 };
@@ -51,8 +52,8 @@ class VtuSeriesWriter {
   /// One data set of the collection in every frame.
   struct Part {
     ExportPart kind;
-    std::string name;  ///< in the collection and of the files
-    std::size_t tool;  ///< of tools and contact
+    std::string name;                 ///< in the collection and of the files
+    std::optional<std::size_t> tool;  ///< of tools and contact with them
   };
   struct Instant {
     double time;

@@ -5,6 +5,7 @@
 #include <vtkPolyData.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "engine/contact/rigid_shape.h"
@@ -79,16 +80,14 @@ Eigen::MatrixXd valuesOf(const ContactRecord& contact) {
   return values;
 }
 
-}  // namespace
-
-vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
-                                            std::size_t tool) {
-  const ToolRecord& record = model.tools.at(tool);
+/// tool: name, empty for self-contact.
+vtkSmartPointer<vtkPolyData> surfaceTouching(const std::string& tool, const ModelRecord& model,
+                                             const FrameRecord& frame) {
   const MeshRecord& mesh = meshOf(model, frame);
   PolyBuilder builder;
   Eigen::MatrixXd values(5, 0);
   for (const ContactRecord& contact : frame.contact) {
-    if (contact.tool != record.name) continue;
+    if (contact.tool != tool) continue;
     const FacePoints face = model.dim == 2 ? facePoints<2>(mesh, contact) : facePoints<3>(mesh, contact);
     addCells(face, builder.addPoints(contact.quadraturePoints), builder);
     const auto added = valuesOf(contact);
@@ -105,6 +104,17 @@ vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const Fram
   data.AddArray(makeArray(labelled("gap", model.lengthUnit), values.row(1), {}));
   data.AddArray(makeIntegers("status", status));
   return surface;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
+                                            std::size_t tool) {
+  return surfaceTouching(model.tools.at(tool).name, model, frame);
+}
+
+vtkSmartPointer<vtkPolyData> selfContactSurface(const ModelRecord& model, const FrameRecord& frame) {
+  return surfaceTouching({}, model, frame);
 }
 
 }  // namespace burnish

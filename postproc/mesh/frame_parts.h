@@ -18,6 +18,10 @@ namespace burnish {
 vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
                                             std::size_t tool);
 
+/// The same of the faces that may touch themselves: what the other part does to the one with the smaller
+/// parameter.
+vtkSmartPointer<vtkPolyData> selfContactSurface(const ModelRecord& model, const FrameRecord& frame);
+
 /// The quadrature points of the body as vertices with the values there, not projected: stresses, `J`, …
 vtkSmartPointer<vtkPolyData> quadraturePoints(const FrameRecord& frame);
 

@@ -132,7 +132,8 @@ class SurfaceCharts {
       ChartCurve curve = surfaceCurve(contact, spec_.quantity);
       curve.style = style;
       curve.label = at.frame.contact.size() == 1 ? data.run().label
-                                                 : fmt::format("{}, {}", data.run().label, contact.tool);
+                                                 : fmt::format("{}, {}", data.run().label,
+                                                               contact.tool.empty() ? "self" : contact.tool);
       chart.curves.push_back(std::move(curve));
       noteTouched(contact);
     }

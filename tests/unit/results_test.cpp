@@ -141,6 +141,8 @@ FrameRecord sampleFrame(const ModelRecord& model, int index, int quadraturePoint
                            .quadraturePressure = numbers(5, 1, index + 7),
                            .quadratureGap = numbers(5, 1, index + 8),
                            .quadratureNormal = numbers(2, 5, index + 11)});
+  frame.contact.push_back(frame.contact.front());
+  frame.contact.back().tool.clear();  // contact of the face with itself
   frame.quadrature.positions = numbers(2, quadraturePoints, index + 9);
   frame.quadrature.fields["pressure"] = {
       .components = {}, .unit = "MPa", .values = numbers(1, quadraturePoints, index + 10)};

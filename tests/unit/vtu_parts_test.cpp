@@ -202,6 +202,26 @@ TEST_F(VtuParts, ToolsWithoutContactHaveNone) {
                                                           "tool_idle_000000.vtp", "tool_plate_000000.vtp"));
 }
 
+TEST_F(VtuParts, FacesThatTouchThemselvesHaveTheirOwnFile) {
+  auto [model, frame] = pressedRing();
+  VtuSeriesWriter writer(directory_, model, {.parts = {ExportPart::Contact}});
+  writer.write(frame);
+  frame.index = 1;
+  frame.contact.push_back(frame.contact.front());
+  frame.contact.back().tool.clear();
+  frame.contact.back().quadraturePressure *= 2.0;
+  writer.write(frame);
+  EXPECT_THAT(filesIn(directory_ / "frames"),
+              ElementsAre("contact_plate_000000.vtp", "contact_plate_000001.vtp", "self_contact_000001.vtp"));
+  const auto pressure = [&](const char* file) {
+    return largest(component(*readPolyData(file), "contact_pressure [MPa]"));
+  };
+  EXPECT_EQ(pressure("self_contact_000001.vtp"), 2.0 * pressure("contact_plate_000001.vtp"));
+  VtuSeriesWriter(directory_, model, {.parts = {ExportPart::Body}}).write(frame);
+  EXPECT_THAT(filesIn(directory_ / "frames"), ElementsAre("body_000001.vtu"))
+      << "the series before is removed";
+}
+
 TEST_F(VtuParts, ContactThatDoesNotFitItsFaceIsRefused) {
   auto [model, frame] = pressedRing();
   ContactRecord& contact = frame.contact[0];

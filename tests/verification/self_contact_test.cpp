@@ -121,6 +121,21 @@ TEST_P(SelfContactRuns, TwoLegsTouchEachOtherAsOneTouchesAPlane) {
   EXPECT_NEAR(last(whole, "strain_energy") / (2.0 * last(part, "strain_energy")), 1.0, 2e-4);
   EXPECT_LT(last(whole, "max_self_penetration"), 4e-3);  // between two points, of spans of 0.1 to 0.2
   EXPECT_TRUE(whole.summary.doubts.empty());
+
+  const ContactRecord& pressed = part.lastFrame.contact.at(0);
+  const ContactRecord& slave = whole.lastFrame.contact.at(0);
+  EXPECT_EQ(slave.tool, "");
+  EXPECT_EQ(slave.face, "top");
+  const Eigen::Index n = pressed.quadraturePressure.size();  // the upper leg comes first
+  ASSERT_EQ(slave.quadraturePressure.size(), 2 * n);
+  const double highest = pressed.quadraturePressure.maxCoeff();
+  EXPECT_LT((slave.quadraturePressure.head(n) - pressed.quadraturePressure).cwiseAbs().maxCoeff(),
+            0.02 * highest);
+  EXPECT_EQ(slave.quadraturePressure.tail(n).maxCoeff(), 0.0) << "the lower leg carries none";
+  for (Eigen::Index q = 0; q < n; ++q)
+    if (slave.quadraturePressure(q) > 0.0) {
+      EXPECT_GT(slave.quadratureNormal(1, q), 0.9) << "upwards";
+    }
 }
 
 std::string nameOf(const testing::TestParamInfo<std::string>& info) {
