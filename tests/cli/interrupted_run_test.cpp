@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
+#include "engine/results/run_files.h"
 #include "tests/cli/shell.h"
 #include "tests/unit/scene_samples.h"
 
@@ -62,15 +62,6 @@ class InterruptedRun : public testing::Test {
                                   BURNISH_COMMAND, arguments, line));
   }
 
-  /// Not a run that was killed while it removed the one before, nor one that was faster than the signal.
-  bool canBeResumed() const {
-    if (fs::exists(dir / "part/summary.yaml")) return false;
-    const fs::directory_iterator files(dir / "part/result");
-    return std::any_of(begin(files), end(files), [](const fs::directory_entry& file) {
-      return file.path().filename().string().starts_with("restart_");
-    });
-  }
-
   /// What `diff` says about the files of the run and those of the one that was not interrupted.
   std::string differences() const { return shell(dir, "diff -rq --exclude=summary.yaml whole part").out; }
 
@@ -100,7 +91,8 @@ TEST_F(InterruptedRun, KilledAtRandomMomentsLeavesWholeFramesAndIsResumedToTheSa
     if (result.numFrames() == 0) continue;
     ASSERT_GE(readHistory(dir / "part/history.csv").column("time").back(), last) << "kill " << kill;
     if (!fs::exists(dir / "part/summary.yaml")) ++cutShort;
-    if (killsSince < 5 || !canBeResumed()) continue;
+    // Not a run that was faster than the signal, nor one that was killed while it removed the one before.
+    if (killsSince < 5 || fs::exists(dir / "part/summary.yaml") || !canBeResumed(dir / "part")) continue;
     const Outcome outcome = burnish("run --resume part --quiet");
     ASSERT_EQ(outcome.code, 0) << "kill " << kill << ": " << outcome.err;
     ASSERT_EQ(differences(), "") << "kill " << kill;
