@@ -14,6 +14,7 @@ class J2Plasticity {
   J2Plasticity(double E, double nu, ElasticLaw elasticLaw, Hardening hardening);
 
   double youngsModulus() const { return moduli_.E; }
+  double shearModulus() const { return moduli_.mu; }
   const Hardening& hardening() const { return hardening_; }
 
   /// Response at the deformation gradient F (Dim 2: a 2x2 block and F_33) and the history that follows from

@@ -14,4 +14,8 @@ inline double youngsModulus(const Material& material) {
   return std::visit([](const auto& law) { return law.youngsModulus(); }, material);
 }
 
+inline double shearModulus(const Material& material) {
+  return std::visit([](const auto& law) { return law.shearModulus(); }, material);
+}
+
 }  // namespace burnish

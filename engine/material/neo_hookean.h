@@ -15,6 +15,7 @@ class NeoHookean {
       : moduli_(E, nu), volumetric_(volumetric) {}
 
   double youngsModulus() const { return moduli_.E; }
+  double shearModulus() const { return moduli_.mu; }
 
   /// Response at the deformation gradient F (Dim 2: a 2x2 block and F_33); the history passes unchanged from
   /// `old` to `next`. False when J <= 0 or a result is not finite: then `next` and `out` are not to be used.

@@ -39,6 +39,18 @@ double dilatationOf(const Eigen::Matrix3d& gradient) {
   return VolumeChange(gradient - Eigen::Matrix3d::Identity()).minusOne();
 }
 
+/// The energy φ(d) = μ/4 d⁴ of the change of volume d = ln(J/J̄) that J̄ does not see, and its derivatives.
+struct UnseenDilatation {
+  double energy, stress, stiffness;
+
+  UnseenDilatation(double shearModulus, double J, double Jbar) {
+    const double d = std::log(J / Jbar);
+    energy = 0.25 * shearModulus * d * d * d * d;
+    stress = shearModulus * d * d * d;
+    stiffness = 3.0 * shearModulus * d * d;
+  }
+};
+
 /// Factors of the second variation at a point, split by the gradients D of the displacement and the relative
 /// changes η = δJ̄/J̄:  D : c : D + (D τ̄) : D + r tr(D D)  +  2 η (B : D)  +  e η².
 template <Kinematics K>
@@ -49,12 +61,13 @@ struct PointModuli {
   double e;
   double r;
 
-  /// p: mean stress of the law; projected: the one in equilibrium with the body, per J.
-  PointModuli(const MaterialResponse<kDim>& response, double p, double projected) {
+  /// p: mean stress on J̄; stiffness: φ''; projected: the mean stress in equilibrium with the body, per J.
+  PointModuli(const MaterialResponse<kDim>& response, double p, double stiffness, double projected) {
     constexpr double m = kColumns<K>;
     const auto one = blockIdentity<K>();
     const typename MaterialResponse<kDim>::Stress traced = response.c * one;
-    const double volumetric = one.dot(traced) / (m * m) + 2.0 * p / m;
+    const double volumetric =
+        one.dot(traced) / (m * m) + 2.0 * response.tau.template head<kColumns<K>>().mean() / m + stiffness;
     const typename MaterialResponse<kDim>::Stress a = (traced + 2.0 * response.tau) / m;
     B = a - volumetric * one;
     c = response.c - one * a.transpose() - a * one.transpose() +
@@ -90,9 +103,11 @@ ProjectedTerm<Dim>::ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Materia
     : BulkTerm<Dim>(quadrature, std::move(material), reference),
       projection_(std::move(projection)),
       coupling_(quadrature, projection_),
+      shearModulus_(shearModulus(this->material_)),
       F_(static_cast<std::size_t>(quadrature.numPoints())),
       responses_(F_.size()),
       Jbar_(Eigen::VectorXd::Ones(quadrature.numPoints())),
+      stressOnJbar_(Eigen::VectorXd::Zero(quadrature.numPoints())),
       dilatation_(Eigen::VectorXd::Zero(projection_.numFunctions())),
       pressure_(Eigen::VectorXd::Zero(projection_.numFunctions())),
       spanDilatations_(quadrature.spans().size()) {}
@@ -176,6 +191,10 @@ bool ProjectedTerm<Dim>::respondOnSpan(const Law& law, std::size_t number) {
     if (!this->respond(law, point, this->weights_(span.firstPoint + q), Fbar, responses_[point],
                        this->spanSummaries_[number]))
       return false;
+    const UnseenDilatation unseen(shearModulus_, J, Jbar);
+    this->spanSummaries_[number].strainEnergy += this->weights_(span.firstPoint + q) * unseen.energy;
+    stressOnJbar_(span.firstPoint + q) =
+        responses_[point].tau.template head<kColumns<K>>().mean() - unseen.stress;
     this->stress_[point] = (J / Jbar) * responses_[point].tau;
   }
   return true;
@@ -185,16 +204,11 @@ bool ProjectedTerm<Dim>::respondOnSpan(const Law& law, std::size_t number) {
 template <int Dim>
 void ProjectedTerm<Dim>::gatherPressure() {
   pressure_.setZero();
-  const int m = gradientColumns(this->quadrature_.kinematics());
+  const Eigen::VectorXd weighted = this->weights_.cwiseProduct(stressOnJbar_).cwiseQuotient(Jbar_);
   for (std::size_t e = 0; e < projection_.spans().size(); ++e) {
     const auto& span = this->quadrature_.spans()[e];
     const auto& projected = projection_.spans()[e];
-    const Eigen::Index Q = span.weights.size();
-    Eigen::VectorXd weighted =
-        this->weights_.segment(span.firstPoint, Q).cwiseQuotient(Jbar_.segment(span.firstPoint, Q));
-    for (Eigen::Index q = 0; q < weighted.size(); ++q)
-      weighted(q) *= responses_[static_cast<std::size_t>(span.firstPoint + q)].tau.head(m).mean();
-    pressure_(projected.functions) += projected.N * weighted;
+    pressure_(projected.functions) += projected.N * weighted.segment(span.firstPoint, span.weights.size());
   }
 }
 
@@ -216,12 +230,13 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
     const auto& response = responses_[point];
     const double w = this->weights_(span.firstPoint + q), Jbar = Jbar_(span.firstPoint + q);
-    const double p = response.tau.template head<C>().mean();
+    const double p = stressOnJbar_(span.firstPoint + q);
     const double balanced = pull(q) * this->J_[point] / w;  // the mean stress that J̄ leaves to this point
     work.kernel.setGradients(q, F_[point]);
     work.kernel.setStress(q, w * (response.tau + (balanced - p) * blockIdentity<K>()));
     if (!wantTangent) continue;
-    const PointModuli<K> moduli(response, p, balanced);
+    const UnseenDilatation unseen(shearModulus_, this->J_[point], Jbar);
+    const PointModuli<K> moduli(response, p, unseen.stiffness, balanced);
     work.kernel.setModuli(q, w, response.tau, moduli.c, moduli.r);
     contract<K>(span.G.template middleCols<C>(C * q), F_[point], (w / Jbar) * moduli.B, work.perPoint.col(q));
     work.e(q) = w * moduli.e / (Jbar * Jbar);

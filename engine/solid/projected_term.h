@@ -10,10 +10,13 @@ namespace burnish {
 /// The F-bar formulation in its variational form: the law sees F̄ = (J̄/J)^{1/m} F V_e with J = det F V_e and
 /// J̄ = Π J, where m counts the directions in which the volume can change (2 in plane strain, else 3), and
 ///
-///     δΠ = Σ w [ (τ̄ − p 1) : ∇δu + p δJ̄/J̄ ],   p = tr τ̄ / m
+///     δΠ = Σ w [ (τ̄ − p 1) : ∇δu + p δJ̄/J̄ ],   p = tr τ̄ / m − φ'(d)
 ///
-/// follows from the energy of the law at F̄, so that the tangent is symmetric; w are stress-free volumes.
-/// History and energies are those at F̄, `jacobians()` are J, and σ = τ̄/J̄.
+/// follows from the energy of the law at F̄ and φ(d) = μ/4 d⁴, d = ln(J/J̄), so that the tangent is symmetric;
+/// w are stress-free volumes. Without φ nothing but the resistance to shear, which plastic flow takes away,
+/// would keep J within a span from going to zero where J̄ stays near one: free surfaces would fold up. It is
+/// of fourth order, so that the changes of a few percent that a mesh needs in order not to lock cost nothing.
+/// History is that at F̄, the energy contains φ, `jacobians()` are J, and σ = τ̄/J̄.
 template <int Dim>
 class ProjectedTerm final : public BulkTerm<Dim> {
  public:
@@ -48,11 +51,13 @@ class ProjectedTerm final : public BulkTerm<Dim> {
 
   DilatationProjection<Dim> projection_;
   DilatationCoupling<Dim> coupling_;
+  double shearModulus_;
 
   // The last evaluated state, at quadrature points, …
   std::vector<Eigen::Matrix3d> F_;
   std::vector<MaterialResponse<Dim>> responses_;
   Eigen::VectorXd Jbar_;
+  Eigen::VectorXd stressOnJbar_;  ///< p, of the last evaluated state
   // … as coefficients of Π's functions, …
   Eigen::VectorXd dilatation_;  ///< J̄ − 1
   Eigen::VectorXd pressure_;    ///< Σ N w p/J̄

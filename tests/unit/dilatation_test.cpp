@@ -160,6 +160,62 @@ TEST(ProjectedTerm, RefusesAStateThatIsInsideOut) {
   EXPECT_FALSE(admissible);
 }
 
+/// u_x = a X P(Y) with P of mean zero and orthogonal to linear functions: J = 1 + a P, but J̄ = 1.
+Eigen::VectorXd unseenDilatation(const Body<2>& body, double a) {
+  // Bernstein coefficients of Y² − Y + 1/6, and of X.
+  const std::array quadratic{1.0 / 6.0, -1.0 / 3.0, 1.0 / 6.0}, linear{0.0, 0.5, 1.0};
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes);
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < 3; ++i)
+      x(static_cast<Eigen::Index>(2 * (3 * j + i))) = a * linear[i] * quadratic[j];
+  return x;
+}
+
+TEST(ProjectedTerm, ResistsLargeChangesOfVolumeThatTheProjectionDoesNotSee) {
+  const double mu = 1.0 / 2.6;  // of `rubber`
+  const Body<2> body = makeBody(
+      refined(rectangle({0.0, 0.0}, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 1)}));
+  const SpanQuadrature<2> quadrature(body);
+  const auto term = makeBulkTerm(body, quadrature, rubber(), Formulation::ProjectedDilatation);
+  const auto& span = quadrature.spans().front();
+  for (const double a : {0.1, 3.0, 10.0}) {
+    ASSERT_TRUE(test::forceOf(*term, 0.0, unseenDilatation(body, a)).allFinite());
+    double expected = 0.0, lawAlone = 0.0;
+    for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
+      const double X = span.xi(0, q), Y = span.xi(1, q), J = 1.0 + a * (Y * Y - Y + 1.0 / 6.0);
+      EXPECT_NEAR(term->jacobians()[static_cast<std::size_t>(q)], J, 1e-14);
+      const double shear = a * X * (2.0 * Y - 1.0), traceOfC = (J * J + shear * shear + 1.0) / J;
+      lawAlone += span.weights(q) * mu / 2.0 * (traceOfC - 2.0);
+      expected += span.weights(q) * mu / 4.0 * std::pow(std::log(J), 4);
+    }
+    expected += lawAlone;
+    EXPECT_NEAR(term->summary().strainEnergy, expected, 1e-12 * expected) << a;
+    if (a == 0.1) {
+      EXPECT_LT(expected, 1.0001 * lawAlone) << "small ones are free";
+    }
+    if (a == 10.0) {
+      EXPECT_GT(expected, 1.1 * lawAlone);
+    }
+  }
+}
+
+TEST(ProjectedTerm, TangentIsRightWhereTheVolumeChangesMuchWithinASpan) {
+  for (const bool isAxisymmetric : {false, true}) {
+    Body<2> body = makeBody(
+        refined(rectangle({1.0, 0.0}, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 1)}));
+    body.axisymmetric = isAxisymmetric;
+    const SpanQuadrature<2> quadrature(body);
+    const Eigen::VectorXd x = unseenDilatation(body, 6.0) + test::randomState(2 * body.numNodes, 0.05, 1);
+    for (const Material& material : {rubber(), metal()}) {
+      const auto term = makeBulkTerm(body, quadrature, material, Formulation::ProjectedDilatation);
+      ASSERT_TRUE(test::forceOf(*term, 0.0, x).allFinite());
+      ASSERT_LT(term->summary().minJ, 0.6);
+      EXPECT_LT(test::tangentError(*term, 0.0, x, 1e-6), 1e-6);
+      EXPECT_LT(test::asymmetry(test::tangentOf(*term, 0.0, x)), 1e-12);
+    }
+  }
+}
+
 TEST(ProjectedTerm, StoresTheCauchyStressOfTheLaw) {
   const Body<2> body = test::ring(2);
   const SpanQuadrature<2> quadrature(body);
