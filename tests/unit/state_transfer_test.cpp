@@ -227,8 +227,10 @@ TEST_P(ReferenceStates, ElasticDeformationsAreThoseOfTheLaw) {
     ASSERT_TRUE(
         std::visit([&](const auto& law) { return law.template evaluate<2>(stretch, start, trial, response); },
                    material));
-    energy += term->weights()(static_cast<Eigen::Index>(k)) * response.strainEnergy;
-    differentVolume = std::max(differentVolume, std::abs(stretch.determinant() - term->jacobians()[k]));
+    const double J = term->jacobians()[k], volume = stretch.determinant();
+    const double unseen = 0.25 * shearModulus(material) * std::pow(std::log(J / volume), 4);
+    energy += term->weights()(static_cast<Eigen::Index>(k)) * (response.strainEnergy + unseen);
+    differentVolume = std::max(differentVolume, std::abs(volume - J));
   }
   EXPECT_NEAR(energy, term->summary().strainEnergy, 1e-9 * energy);
   EXPECT_EQ(differentVolume > 1e-3, formulation == Formulation::ProjectedDilatation);
