@@ -61,7 +61,7 @@ struct PointModuli {
   double e;
   double r;
 
-  /// p: mean stress on J̄; stiffness: φ''; projected: the mean stress in equilibrium with the body, per J.
+  /// p: mean stress on J̄; stiffness: φ''; projected: the share of J̄'s stresses that comes back to this point.
   PointModuli(const MaterialResponse<kDim>& response, double p, double stiffness, double projected) {
     constexpr double m = kColumns<K>;
     const auto one = blockIdentity<K>();
@@ -231,7 +231,7 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
     const auto& response = responses_[point];
     const double w = this->weights_(span.firstPoint + q), Jbar = Jbar_(span.firstPoint + q);
     const double p = stressOnJbar_(span.firstPoint + q);
-    const double balanced = pull(q) * this->J_[point] / w;  // the mean stress that J̄ leaves to this point
+    const double balanced = pull(q) * this->J_[point] / w;  // J̄'s stresses, back at this point
     work.kernel.setGradients(q, F_[point]);
     work.kernel.setStress(q, w * (response.tau + (balanced - p) * blockIdentity<K>()));
     if (!wantTangent) continue;
