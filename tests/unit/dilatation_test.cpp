@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <array>
+#include <cmath>
+
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/bulk_term.h"
@@ -166,6 +169,12 @@ TEST(ProjectedTerm, RefusesAStateThatIsInsideOut) {
   EXPECT_FALSE(admissible);
 }
 
+/// One span of degree 2.
+Body<2> unitSquare(const Eigen::Vector2d& corner) {
+  return makeBody(
+      refined(rectangle(corner, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 1)}));
+}
+
 /// u_x = a X P(Y) with P of mean zero and orthogonal to linear functions: on a unit square in the plane
 /// J = 1 + a P, but J̄ = 1.
 Eigen::VectorXd unseenDilatation(const Body<2>& body, double a) {
@@ -180,8 +189,7 @@ Eigen::VectorXd unseenDilatation(const Body<2>& body, double a) {
 
 TEST(ProjectedTerm, ResistsLargeChangesOfVolumeThatTheProjectionDoesNotSee) {
   const double mu = 1.0 / 2.6;  // of `rubber`
-  const Body<2> body = makeBody(
-      refined(rectangle({0.0, 0.0}, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 1)}));
+  const Body<2> body = unitSquare({0.0, 0.0});
   const SpanQuadrature<2> quadrature(body);
   const auto term = makeBulkTerm(body, quadrature, rubber(), Formulation::ProjectedDilatation);
   const auto& span = quadrature.spans().front();
@@ -208,8 +216,7 @@ TEST(ProjectedTerm, ResistsLargeChangesOfVolumeThatTheProjectionDoesNotSee) {
 
 TEST(ProjectedTerm, TangentIsRightWhereTheVolumeChangesMuchWithinASpan) {
   for (const bool isAxisymmetric : {false, true}) {
-    Body<2> body = makeBody(
-        refined(rectangle({1.0, 0.0}, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 1)}));
+    Body<2> body = unitSquare({1.0, 0.0});
     body.axisymmetric = isAxisymmetric;
     const SpanQuadrature<2> quadrature(body);
     const Eigen::VectorXd x = unseenDilatation(body, 6.0) + test::randomState(2 * body.numNodes, 0.05, 1);
@@ -224,8 +231,7 @@ TEST(ProjectedTerm, TangentIsRightWhereTheVolumeChangesMuchWithinASpan) {
 }
 
 TEST(ProjectedTerm, ForceIsTheDerivativeOfTheEnergyWhereTheVolumeChangesMuchWithinASpan) {
-  const Body<2> body = makeBody(
-      refined(rectangle({0.0, 0.0}, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 1)}));
+  const Body<2> body = unitSquare({0.0, 0.0});
   const SpanQuadrature<2> quadrature(body);
   const auto term = makeBulkTerm(body, quadrature, rubber(), Formulation::ProjectedDilatation);
   const Eigen::VectorXd x = unseenDilatation(body, 6.0) + test::randomState(2 * body.numNodes, 0.05, 1),
