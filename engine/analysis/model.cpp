@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/analysis/geometry.h"
@@ -155,7 +156,7 @@ void Model<Dim>::addContact(const Scene& scene, std::size_t number) {
   typename ContactTerm<Dim>::Options options{
       enforcement,
       spec.parameter.value_or(defaultParameter(enforcement, youngsModulus(bulk_->material()), body_.size())),
-      spec.quadraturePoints.value_or(0)};
+      spec.quadraturePoints.value_or(0), spec.gapLimit.value_or(std::numeric_limits<double>::infinity())};
   auto term = std::make_unique<ContactTerm<Dim>>(body_, patch, faceFromName<Dim>(spec.place.face),
                                                  *tools_[tool], options, numUnknowns_);
   numUnknowns_ += term->numMultipliers();

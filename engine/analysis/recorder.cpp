@@ -59,11 +59,14 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
       doubts_{
           {"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
           {"smallest J below 0.05"},
-          {"fewer than three control points carry a contact whose face penetrates by more than a tenth of "
-           "a knot span: the mesh does not resolve it any more; " +
-           std::string(scene.rezoning
-                           ? "give new meshes more spans (rezoning.spans)"
-                           : "`rezoning: {}` in the scene of a plane body meshes it anew under way")},
+          {scene.rezoning
+               ? "fewer than three control points carry a contact for which no new mesh was found, or whose "
+                 "face penetrates by more than a tenth of a knot span: the mesh does not resolve it any "
+                 "more; "
+                 "give new meshes more spans (rezoning.spans)"
+               : "fewer than three control points carry a contact whose face penetrates by more than a tenth "
+                 "of a knot span: the mesh does not resolve it any more; `rezoning: {}` in the scene of a "
+                 "plane body meshes it anew under way"},
           {scene.selfContact.empty()
                ? "a contact face crosses itself, as contact of the body with itself is not computed; "
                  "self_contact computes it for plane and axisymmetric bodies"
@@ -213,6 +216,7 @@ void Recorder<Dim>::continueFrom(const Recorder& before) {
 template <int Dim>
 void Recorder<Dim>::noteRezoning(const RezoningRecord& rezoning) {
   ++rezonings_;
+  needsNewMesh_ = false;
   energyLost_ += rezoning.energyLost;
   gapWork_ += rezoning.gapWork;
   volumeDrift_ = rezoning.volumeDrift;
@@ -222,7 +226,7 @@ void Recorder<Dim>::noteRezoning(const RezoningRecord& rezoning) {
 template <int Dim>
 bool Recorder<Dim>::hasLostResolution(const ContactPair<Dim>& pair) const {
   const int active = pair.term->state().numActive();
-  return active > 0 && active < 3 && penetrationPerSpan(*pair.term) > kDoubtfulSpanShare;
+  return active > 0 && active < 3 && (needsNewMesh_ || penetrationPerSpan(*pair.term) > kDoubtfulSpanShare);
 }
 
 template <int Dim>
@@ -387,6 +391,9 @@ void Recorder<Dim>::archive(StateArchive& archive) {
   nameTips();
   archive.fixedField("touched", touched_);
   archive.field("projection_seconds", projectionSeconds_);
+  int needsNewMesh = needsNewMesh_ ? 1 : 0;
+  archive.field("needs_new_mesh", needsNewMesh);
+  needsNewMesh_ = needsNewMesh == 1;
   archive.field("rezonings", rezonings_);
   archive.field("rezoning_energy_lost", energyLost_);
   archive.field("rezoning_gap_work", gapWork_);

@@ -62,6 +62,9 @@ class Recorder {
   /// The current state is the first one after the body was meshed anew.
   void noteRezoning(const RezoningRecord& rezoning);
 
+  /// A new mesh was due, and none was found.
+  void noteFailedRezoning() { needsNewMesh_ = true; }
+
   const StateQuantities& current() const { return current_; }
   std::vector<double> row(int step, int newtonIterations) const;
 
@@ -114,6 +117,7 @@ class Recorder {
   std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool
   bool rezones_;
+  bool needsNewMesh_ = false;  ///< since a rezoning that failed
   int rezonings_ = 0;
   double energyLost_ = 0.0, gapWork_ = 0.0;         ///< sums of rezonings
   double volumeDrift_ = 0.0, boundaryError_ = 0.0;  ///< the last one, the largest

@@ -195,7 +195,7 @@ class Run {
   void rezone() {
     if constexpr (Dim == 2) {
       auto next = rezoner_->rezone(*stage_);
-      if (!next) return;
+      if (!next) return stage_->recorder.noteFailedRezoning();
       noteResiduals(rezoner_->lastReport());
       noteTimings();
       stage_ = std::move(next);

@@ -38,6 +38,14 @@ int contactPoints(const Body<Dim>& body, int patch, int wanted) {
   return 2 * degree;
 }
 
+CountedGap countedGap(double gap, double limit) {
+  if (!(gap > limit)) return {gap, 1.0, 0.0};
+  const double width = 2.0 * limit, s = (gap - limit) / width;
+  if (s >= 1.0) return {2.0 * limit, 0.0, 0.0};
+  return {limit + width * (s - s * s * s + 0.5 * s * s * s * s), (1.0 - s) * (1.0 - s) * (1.0 + 2.0 * s),
+          -6.0 * s * (1.0 - s) / width};
+}
+
 Eigen::MatrixXd averagedGapTangent(const Eigen::Ref<const Eigen::VectorXd>& D, double stiffness,
                                    bool hasMultiplier) {
   const Eigen::Index n = D.size(), size = n + (hasMultiplier ? 1 : 0);

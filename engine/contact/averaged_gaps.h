@@ -28,6 +28,15 @@ struct FaceContactState {
 template <int Dim>
 int contactPoints(const Body<Dim>& body, int patch, int wanted);
 
+/// A gap as it counts in an average, with its first and second derivative by the gap.
+struct CountedGap {
+  double value = 0.0, slope = 1.0, curvature = 0.0;
+};
+
+/// A gap in full up to a limit c > 0, above 3c as 2c, between them by a polynomial with a continuous slope;
+/// in full if c is infinite.
+CountedGap countedGap(double gap, double limit);
+
 /// Tangent of an active averaged gap with the derivative D: ε/A_A D Dᵀ, then a row and a column for the
 /// multiplier if there is one. stiffness: ε/A_A.
 Eigen::MatrixXd averagedGapTangent(const Eigen::Ref<const Eigen::VectorXd>& D, double stiffness,

@@ -9,10 +9,11 @@ namespace burnish {
 /// Integrals over the reference face at one state.
 template <int Dim>
 struct ContactTerm<Dim>::Mortar {
-  Eigen::MatrixXd positions;       ///< current, Dim x quadrature points
-  std::vector<ToolGap> points;     ///< quadrature points
-  Eigen::VectorXd G;               ///< ∫ R_A g dΓ
-  std::vector<Eigen::VectorXd> D;  ///< ∫ R_A N dΓ (29), over the unknowns of A's support and the free ways
+  Eigen::MatrixXd positions;        ///< current, Dim x quadrature points
+  std::vector<ToolGap> points;      ///< quadrature points
+  std::vector<CountedGap> counted;  ///< their gaps as averages count them
+  Eigen::VectorXd G;                ///< ∫ R_A g dΓ of counted gaps
+  std::vector<Eigen::VectorXd> D;   ///< ∂G: (29), over the unknowns of A's support and the free ways
 };
 
 namespace {
@@ -77,6 +78,17 @@ std::vector<int> ContactTerm<Dim>::unknownsOf(const std::vector<int>& functions)
 }
 
 template <int Dim>
+Eigen::VectorXd ContactTerm<Dim>::gapDerivative(const typename FaceQuadrature<Dim>::Span& span,
+                                                Eigen::Index q, const ToolGap& query) const {
+  const auto n = span.R.rows(), numWays = static_cast<Eigen::Index>(ways_.size());
+  Eigen::VectorXd N(Dim * n + numWays);
+  for (Eigen::Index a = 0; a < n; ++a)
+    N.segment<Dim>(Dim * a) = span.R(a, q) * query.point.normal.template head<Dim>();
+  N.tail(numWays) = query.dWays(ways_);
+  return N;
+}
+
+template <int Dim>
 CouplingGroups ContactTerm<Dim>::couplings() const {
   // Spans first, then (mortar only) one group per function: its support and, with multipliers, its own.
   CouplingGroups groups;
@@ -109,15 +121,17 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
         query.point = tool_.query(pose, point);
       else
         query = tool_.queryWithWays(pose, point);
-      const Eigen::Vector<double, Dim> n = query.point.normal.template head<Dim>();
+      const auto& counted =
+          mortar.counted.emplace_back(countedGap(query.point.gap, options_.gapLimit * span.size));
+      const Eigen::Vector<double, Dim> n = counted.slope * query.point.normal.template head<Dim>();
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
-        mortar.G(A) += wR * query.point.gap;
+        mortar.G(A) += wR * counted.value;
         auto& D = mortar.D[static_cast<std::size_t>(A)];
         for (std::size_t b = 0; b < span.functions.size(); ++b)
           D.template segment<Dim>(Dim * slots_[e][a][b]) += wR * span.R(static_cast<Eigen::Index>(b), q) * n;
-        D.tail(numWays) += wR * query.dWays(ways_);
+        D.tail(numWays) += wR * counted.slope * query.dWays(ways_);
       }
     }
   }
@@ -248,8 +262,10 @@ void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, c
     out.system->add(out.term, group, K);
   }
   for (const auto& span : face_.spans())
-    state_.pressure.segment(span.firstPoint, span.R.cols()) =
-        -span.R.transpose() * state_.lambdaHat(span.functions);
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q)
+      state_.pressure(span.firstPoint + q) =
+          -mortar.counted[static_cast<std::size_t>(span.firstPoint + q)].slope *
+          span.R.col(q).dot(state_.lambdaHat(span.functions));
 }
 
 template <int Dim>
@@ -261,7 +277,6 @@ void ContactTerm<Dim>::evaluatePointwise(Assembly& out, const Mortar& mortar) {
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     const auto unknowns = unknownsOf(span.functions);
-    const Eigen::Index n = Dim * span.R.rows();
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(unknowns.size()),
                                               static_cast<Eigen::Index>(unknowns.size()));
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
@@ -269,10 +284,7 @@ void ContactTerm<Dim>::evaluatePointwise(Assembly& out, const Mortar& mortar) {
       const double gap = query.point.gap;
       if (!(gap < 0.0) && span.firstPoint + q != nearest) continue;
       const double w = span.weights(q);
-      Eigen::VectorXd N(K.rows());
-      for (Eigen::Index a = 0; a < span.R.rows(); ++a)
-        N.segment<Dim>(Dim * a) = span.R(a, q) * query.point.normal.template head<Dim>();
-      N.tail(K.rows() - n) = query.dWays(ways_);
+      const Eigen::VectorXd N = gapDerivative(span, q, query);
       out.force(unknowns) += w * eps * gap * N;
       K += w * eps * N * N.transpose();
       state_.pressure(span.firstPoint + q) = -eps * gap;
@@ -283,7 +295,8 @@ void ContactTerm<Dim>::evaluatePointwise(Assembly& out, const Mortar& mortar) {
   }
 }
 
-/// ∫ λ̂_I R_a R_b ∂n/∂x dΓ with the pressure field λ̂_I of (37), and the same by the tool's ways.
+/// ∫ λ̂_I (φ' ∂N + φ'' N Nᵀ) dΓ with the pressure field λ̂_I of (37) and gaps that count as φ(g), N the gap's
+/// derivative; of ∂N the part R_a R_b ∂n/∂x, and the same by the tool's ways.
 template <int Dim>
 void ContactTerm<Dim>::addGeometricTangent(Assembly& out, const Mortar& mortar) {
   const auto numWays = static_cast<Eigen::Index>(ways_.size());
@@ -296,8 +309,13 @@ void ContactTerm<Dim>::addGeometricTangent(Assembly& out, const Mortar& mortar) 
       const double pressure = state_.pressure(span.firstPoint + q);
       if (pressure == 0.0) continue;
       any = true;
-      const ToolGap& query = mortar.points[static_cast<std::size_t>(span.firstPoint + q)];
+      const auto point = static_cast<std::size_t>(span.firstPoint + q);
+      const ToolGap& query = mortar.points[point];
       const double weighted = -span.weights(q) * pressure;
+      if (const CountedGap& counted = mortar.counted[point]; counted.curvature != 0.0) {
+        const Eigen::VectorXd N = gapDerivative(span, q, query);
+        K += weighted * counted.curvature / counted.slope * N * N.transpose();
+      }
       const Eigen::Matrix<double, Dim, Dim> dn = query.point.dNormal.template topLeftCorner<Dim, Dim>();
       for (Eigen::Index b = 0; b < n; ++b)
         for (Eigen::Index a = 0; a < n; ++a)

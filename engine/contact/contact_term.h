@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,12 @@ class ContactTerm final : public Term {
     Enforcement enforcement = Enforcement::AugmentedLagrangian;
     double parameter = 0.0;      ///< ε, stress per length
     int pointsPerDirection = 0;  ///< per span; 2p when 0
+
+    /// Gaps count in averages up to this share of the size of their span (`countedGap`), and the traction at
+    /// a point is its share of λ̂ times the slope there: none where the face is open. Without it a face that
+    /// turns away sharply is pressed where it is open and let into the tool beside that. Mortar methods and
+    /// tools without free ways.
+    double gapLimit = std::numeric_limits<double>::infinity();
   };
 
   /// `firstMultiplier`: number of the first of the face's multipliers among the unknowns (augmented
@@ -99,6 +106,10 @@ class ContactTerm final : public Term {
   void evaluatePointwise(Assembly& out, const Mortar& mortar);
   void addGeometricTangent(Assembly& out, const Mortar& mortar);
   void measureReaction(const ToolPose& pose, const Mortar& mortar);
+
+  /// Derivative of the gap at a point of a span by the unknowns of the span's functions.
+  Eigen::VectorXd gapDerivative(const typename FaceQuadrature<Dim>::Span& span, Eigen::Index q,
+                                const ToolGap& query) const;
 
   /// Displacement components of functions, then the tool's free ways.
   std::vector<int> unknownsOf(const std::vector<int>& functions) const;

@@ -76,6 +76,19 @@ void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& l
   if (load.schedule && c.clean(path + ".schedule")) checkSchedule(c, path + ".schedule", *load.schedule);
 }
 
+void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::string& path) {
+  if (!pair.gapLimit || !c.clean(path)) return;
+  if (pair.method == ContactMethod::PointwisePenalty)
+    return c.report(path,
+                    "found with method pointwise-penalty, which averages no gaps; allowed: with "
+                    "augmented-lagrangian and penalty.");
+  const auto& tools = c.scene.tools;
+  const auto tool =
+      std::find_if(tools.begin(), tools.end(), [&](const ToolSpec& t) { return t.name == pair.tool; });
+  if (tool != tools.end() && tool->carry)
+    c.report(path, "found for a tool that carries a load; allowed: for tools whose motion is given.");
+}
+
 void checkContact(const CheckContext& c, const std::vector<std::string>& toolNames) {
   std::set<std::array<std::string, 3>> pairs;
   for (std::size_t i = 0; i < c.scene.contact.size(); ++i) {
@@ -90,6 +103,7 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
                                            toolNames.empty() ? "a tool listed under tools, which is empty"
                                                              : fmt::format("{}", fmt::join(toolNames, " | ")),
                                            didYouMean(pair.tool, toolNames)));
+    checkGapLimit(c, pair, path + ".gap_limit");
     if (!pairs.insert({pair.tool, pair.place.patch, pair.place.face}).second)
       c.report(path,
                fmt::format("found the pair of tool {} and face {} a second time; allowed: each pair once.",

@@ -187,6 +187,7 @@ struct ContactSpec {
   ContactMethod method = ContactMethod::AugmentedLagrangian;
   std::optional<double> parameter;      ///< ε, stress per length; derived from the body when left out
   std::optional<int> quadraturePoints;  ///< per span and direction; 2p when left out
+  std::optional<double> gapLimit;       ///< share of a span's size up to which gaps count; any when left out
 };
 
 /// Contact of a face with itself, without friction.

@@ -51,6 +51,12 @@ struct UnseenDilatation {
   }
 };
 
+/// Of the stresses that work on the volume which is projected.
+template <Kinematics K>
+double meanStress(const MaterialResponse<kDimOf<K>>& response) {
+  return response.tau.template head<kColumns<K>>().mean();
+}
+
 /// Factors of the second variation at a point, split by the gradients D of the displacement and the relative
 /// changes η = δJ̄/J̄:  D : c : D + (D τ̄) : D + r tr(D D)  +  2 η (B : D)  +  e η².
 template <Kinematics K>
@@ -66,8 +72,7 @@ struct PointModuli {
     constexpr double m = kColumns<K>;
     const auto one = blockIdentity<K>();
     const typename MaterialResponse<kDim>::Stress traced = response.c * one;
-    const double volumetric =
-        one.dot(traced) / (m * m) + 2.0 * response.tau.template head<kColumns<K>>().mean() / m + stiffness;
+    const double volumetric = one.dot(traced) / (m * m) + 2.0 * meanStress<K>(response) / m + stiffness;
     const typename MaterialResponse<kDim>::Stress a = (traced + 2.0 * response.tau) / m;
     B = a - volumetric * one;
     c = response.c - one * a.transpose() - a * one.transpose() +
@@ -193,8 +198,7 @@ bool ProjectedTerm<Dim>::respondOnSpan(const Law& law, std::size_t number) {
       return false;
     const UnseenDilatation unseen(shearModulus_, J, Jbar);
     this->spanSummaries_[number].strainEnergy += this->weights_(span.firstPoint + q) * unseen.energy;
-    stressOnJbar_(span.firstPoint + q) =
-        responses_[point].tau.template head<kColumns<K>>().mean() - unseen.stress;
+    stressOnJbar_(span.firstPoint + q) = meanStress<K>(responses_[point]) - unseen.stress;
     this->stress_[point] = (J / Jbar) * responses_[point].tau;
   }
   return true;

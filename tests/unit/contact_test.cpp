@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 #include "engine/contact/contact_term.h"
 #include "engine/nurbs/refinement.h"
@@ -35,15 +36,17 @@ struct Case {
   Enforcement enforcement;
   BasisFamily family;
   int degree;
+  double gapLimit = std::numeric_limits<double>::infinity();
+
+  ContactTerm<2>::Options options() const { return {enforcement, 10.0, 0, gapLimit}; }
 };
 
 class ContactTangent : public testing::TestWithParam<Case> {};
 
 TEST_P(ContactTangent, AgreesWithCentralDifferences) {
-  const auto [enforcement, family, degree] = GetParam();
-  const Body<2> body = block(degree, family);
+  const Body<2> body = block(GetParam().degree, GetParam().family);
   const Tool tool = disc();
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, 2 * body.numNodes);
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, GetParam().options(), 2 * body.numNodes);
   Eigen::VectorXd x = test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 7);
   EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
   EXPECT_GT(term.state().reaction(1), 0.0);
@@ -59,7 +62,7 @@ struct BlockUnderFreeDisc {
   explicit BlockUnderFreeDisc(const Case& c)
       : body(block(c.degree, c.family)),
         tool(freeTool(disc(), 2 * body.numNodes)),
-        term(body, 0, faceFromName<2>("top"), tool, {c.enforcement, 10.0, 0},
+        term(body, 0, faceFromName<2>("top"), tool, c.options(),
              2 * body.numNodes + static_cast<int>(kToolWays)),
         x(test::randomState(2 * body.numNodes + static_cast<int>(kToolWays) + term.numMultipliers(), 2e-3,
                             7)) {}
@@ -133,13 +136,72 @@ TEST(FreeTool, StaysInTouchWithTheNearestFunction) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ContactTangent,
-                         testing::Values(Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 2},
-                                         Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 3},
-                                         Case{Enforcement::AugmentedLagrangian, BasisFamily::Lagrange, 2},
-                                         Case{Enforcement::MortarPenalty, BasisFamily::BSpline, 2},
-                                         Case{Enforcement::MortarPenalty, BasisFamily::Lagrange, 4},
-                                         Case{Enforcement::PointwisePenalty, BasisFamily::BSpline, 2}));
+INSTANTIATE_TEST_SUITE_P(
+    All, ContactTangent,
+    testing::Values(Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 2},
+                    Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 3},
+                    Case{Enforcement::AugmentedLagrangian, BasisFamily::Lagrange, 2},
+                    Case{Enforcement::MortarPenalty, BasisFamily::BSpline, 2},
+                    Case{Enforcement::MortarPenalty, BasisFamily::Lagrange, 4},
+                    Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 2, 0.05},
+                    Case{Enforcement::AugmentedLagrangian, BasisFamily::Lagrange, 2, 0.05},
+                    Case{Enforcement::MortarPenalty, BasisFamily::BSpline, 4, 0.05},
+                    Case{Enforcement::PointwisePenalty, BasisFamily::BSpline, 2}));
+
+TEST(CountedGap, IsInFullUpToTheLimitAndTwiceTheLimitBeyondThreeOfIt) {
+  const double c = 0.02;
+  for (const double gap : {-1.0, 0.0, c}) {
+    EXPECT_EQ(countedGap(gap, c).value, gap);
+    EXPECT_EQ(countedGap(gap, c).slope, 1.0);
+    EXPECT_EQ(countedGap(gap, c).curvature, 0.0);
+  }
+  for (const double gap : {3.0 * c, 5.0}) {
+    EXPECT_NEAR(countedGap(gap, c).value, 2.0 * c, 1e-15);
+    EXPECT_NEAR(countedGap(gap, c).slope, 0.0, 1e-15);
+    EXPECT_NEAR(countedGap(gap, c).curvature, 0.0, 1e-12);
+  }
+  EXPECT_EQ(countedGap(5.0, std::numeric_limits<double>::infinity()).value, 5.0);
+  const double h = 1e-6;
+  for (double gap = 1.1 * c; gap < 3.0 * c; gap += 0.2 * c) {
+    const auto before = countedGap(gap - h, c), here = countedGap(gap, c), after = countedGap(gap + h, c);
+    EXPECT_NEAR(here.slope, (after.value - before.value) / (2.0 * h), 1e-6);
+    EXPECT_NEAR(here.curvature, (after.slope - before.slope) / (2.0 * h), 1e-4);
+  }
+}
+
+/// The mortar penalty has the energy ε/2 Σ A_A g_A² of counted gaps, and forces are its derivative.
+TEST(GapLimit, ForcesAreTheDerivativeOfTheEnergyAndNothingPressesWhereTheFaceIsOpen) {
+  const Body<2> body = block(3, BasisFamily::BSpline);
+  const Tool tool = disc();
+  const double limit = 0.05, size = 1.0 / 6.0;
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0, 0, limit},
+                      2 * body.numNodes);
+  const Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes);
+  const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
+  const ContactState state = term.state();
+  EXPECT_NEAR(state.energy,
+              5.0 * (state.averageGap.array() < 0.0)
+                        .select(term.weights().array() * state.averageGap.array().square(), 0.0)
+                        .sum(),
+              1e-16);
+  const auto direction = test::randomState(2 * body.numNodes, 1.0, 5);
+  const double h = 1e-6;
+  const auto energyAt = [&](double step) {
+    static_cast<void>(test::forceOf(term, 0.0, step * direction));
+    return term.state().energy;
+  };
+  EXPECT_NEAR(force.dot(direction), (energyAt(h) - energyAt(-h)) / (2.0 * h), 1e-8 * force.norm());
+
+  int pressed = 0, open = 0;
+  for (Eigen::Index q = 0; q < state.gap.size(); ++q) {
+    if (state.gap(q) < 0.0) pressed += state.pressure(q) > 0.0 ? 1 : 0;
+    if (state.gap(q) <= 3.0 * limit * size) continue;
+    EXPECT_EQ(state.pressure(q), 0.0);
+    ++open;
+  }
+  EXPECT_GT(pressed, 3);
+  EXPECT_GT(open, 3);
+}
 
 TEST(ContactTangentOfOtherTools, AgreesWithCentralDifferences) {
   const Body<2> body = block(2, BasisFamily::BSpline);

@@ -376,6 +376,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"cylinder\"?"},
         Mistake{"samePair", &block, "steps:", "  - {tool: cylinder, face: top}\nsteps:", "{", "contact[1]",
                 "found the pair of tool cylinder and face top a second time; allowed: each pair once."},
+        Mistake{"gapLimitWithoutAverages", &block, "method: augmented-lagrangian}",
+                "method: pointwise-penalty, gap_limit: 0.02}", "0.02", "contact[0].gap_limit",
+                "found with method pointwise-penalty, which averages no gaps; allowed: with "
+                "augmented-lagrangian and penalty."},
+        Mistake{"gapLimitOfNothing", &block, "method: augmented-lagrangian}", "gap_limit: 0}", "0}",
+                "contact[0].gap_limit", "found 0; allowed: a number above 0 and at most 1."},
         Mistake{"sameSelfContact", &block,
                 "steps:", "self_contact: [{face: top}, {face: top, reach: 1}]\nsteps:", "{face: top, reach",
                 "self_contact[1]", "found face top a second time; allowed: each face once."},

@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-Scene pressedBlock(const std::string& basis, int degree, const std::string& method) {
+Scene pressedBlock(const std::string& basis, int degree, const std::string& contact) {
   return parseScene(fmt::format(R"(
 basis: {}
 degree: {}
@@ -24,37 +24,40 @@ tools:
   - {{name: plate, shape: plane, origin: [0.0, 1.0], normal: [0.0, -1.0],
      motion: {{times: [0, 1], y: [0, -0.2]}}}}
 contact:
-  - {{tool: plate, face: top, method: {}}}
+  - {{tool: plate, face: top, {}}}
 steps: [{{until: 1, count: 4}}]
 )",
-                                basis, degree, method),
+                                basis, degree, contact),
                     "pressed block");
 }
 
-class ContactPatchTest : public testing::TestWithParam<std::tuple<std::string, int>> {};
+class ContactPatchTest : public testing::TestWithParam<std::tuple<std::string, int, std::string>> {};
 
 TEST_P(ContactPatchTest, TractionIsUniform) {
-  const auto& [basis, degree] = GetParam();
-  const auto outcome = test::run(pressedBlock(basis, degree, "augmented-lagrangian"), "contact_patch");
+  const auto& [basis, degree, contact] = GetParam();
+  const auto outcome = test::run(pressedBlock(basis, degree, contact), "contact_patch");
   ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
 
   // Uniaxial strain λ = 0.8: P_22 = μ (λ − 1/λ) + Λ ln λ / λ with Lame's constants μ, Λ.
   const double E = 10.0, nu = 0.3, stretch = 0.8;
   const double mu = E / (2.0 * (1.0 + nu)), lame = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
   const double exact = -(mu * (stretch - 1.0 / stretch) + lame * std::log(stretch) / stretch);
-  const auto& contact = outcome.lastFrame.contact.front();
-  EXPECT_LT((contact.quadraturePressure.array() - exact).abs().maxCoeff(), 1e-10 * exact);
-  EXPECT_LT((contact.pressure.array() - exact).abs().maxCoeff(), 1e-10 * exact);
-  EXPECT_LT(contact.quadratureGap.cwiseAbs().maxCoeff(), 1e-12);
+  const auto& record = outcome.lastFrame.contact.front();
+  EXPECT_LT((record.quadraturePressure.array() - exact).abs().maxCoeff(), 1e-10 * exact);
+  EXPECT_LT((record.pressure.array() - exact).abs().maxCoeff(), 1e-10 * exact);
+  EXPECT_LT(record.quadratureGap.cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_NEAR(outcome.history.column("plate.fy").back(), 2.0 * exact, 1e-9 * exact);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ContactPatchTest,
-                         testing::Combine(testing::Values("nurbs", "lagrange"), testing::Range(1, 5)));
+                         testing::Combine(testing::Values("nurbs", "lagrange"), testing::Range(1, 5),
+                                          testing::Values("method: augmented-lagrangian",
+                                                          "gap_limit: 0.02")));
 
 TEST(ContactPatchTest, PenaltyMethodsAreUniformTooAndPenetrateByPressureOverParameter) {
   for (const char* method : {"penalty", "pointwise-penalty"}) {
-    const auto outcome = test::run(pressedBlock("nurbs", 2, method), "contact_patch_penalty");
+    const auto outcome =
+        test::run(pressedBlock("nurbs", 2, fmt::format("method: {}", method)), "contact_patch_penalty");
     ASSERT_TRUE(outcome.summary.completed) << method;
     const auto& contact = outcome.lastFrame.contact.front();
     const double pressure = contact.quadraturePressure.mean();
@@ -64,6 +67,36 @@ TEST(ContactPatchTest, PenaltyMethodsAreUniformTooAndPenetrateByPressureOverPara
     EXPECT_NEAR(end.contactEnergy, 0.5 * pressure * 2.0 * end.maxPenetration, 1e-9 * end.contactEnergy)
         << method;
   }
+}
+
+/// A block under a punch whose face ends in a corner, beyond which it rises.
+test::Outcome pressedByCorner(int spans, const std::string& contact) {
+  return test::run(parseScene(fmt::format(R"(
+degree: 2
+geometry: {{shape: rectangle, size: [2.0, 1.0], spans: [{}, {}]}}
+material: {{law: neo-hookean, E: 10.0, nu: 0.3}}
+supports:
+  - {{face: bottom, fix: [x, y]}}
+tools:
+  - {{name: punch, shape: polyline, points: [[-1, 1.01], [1.03, 1.01], [2.03, 2.01], [-1, 2.01]],
+     motion: {{times: [0, 1], y: [0, -0.11]}}}}
+contact:
+  - {{tool: punch, face: top{}}}
+steps: [{{until: 1, count: 5}}]
+)",
+                                          spans, spans / 2, contact),
+                              "corner"),
+                   "corner");
+}
+
+TEST(GapLimit, KeepsTheFaceOutOfAToolThatItTurnsAwayFromAtACorner) {
+  const auto full = pressedByCorner(20, ""), limited = pressedByCorner(20, ", gap_limit: 0.02"),
+             fine = pressedByCorner(60, ", gap_limit: 0.02");
+  for (const auto* outcome : {&full, &limited, &fine})
+    ASSERT_TRUE(outcome->summary.completed) << outcome->summary.stoppedBecause;
+  EXPECT_LT(limited.summary.largestPenetration, 0.6 * full.summary.largestPenetration);
+  const auto force = [](const test::Outcome& outcome) { return outcome.history.column("punch.fy").back(); };
+  EXPECT_LT(std::abs(force(limited) - force(fine)), 0.4 * std::abs(force(full) - force(fine)));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -68,6 +69,28 @@ TEST_P(RezoningRuns, ResumeWithTheSameBitsFromAnyMesh) {
     EXPECT_EQ(bytes(entry.path()), bytes(part.path() / fs::relative(entry.path(), whole.path())))
         << entry.path();
   }
+}
+
+TEST(RezoningRun, DoubtsAContactOfFewControlPointsOnceNoNewMeshIsFound) {
+  const ScratchDirectory directory("rezoning_fails");
+  const RunSummary summary =
+      runTo(directory.path(), samples::ironing + "rezoning: {travel: 0.1, smallest_determinant: 0.999}\n");
+  ASSERT_TRUE(summary.completed) << summary.stoppedBecause;
+  EXPECT_TRUE(summary.rezonings.empty());
+  EXPECT_GT(summary.failedRezonings, 0);
+  const HistoryTable history = readHistory(directory.path() / "history.csv");
+  const auto times = history.column("time"), active = history.column("active_control_points");
+  const double due = 1.25;  // after a travel of 0.1
+  int few = 0;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    few += times[k] > due + 1e-9 && active[k] > 0.0 && active[k] < 3.0 ? 1 : 0;
+  ASSERT_GT(few, 0);
+  const auto doubt = std::find_if(summary.doubts.begin(), summary.doubts.end(), [](const Doubt& d) {
+    return d.what.starts_with("fewer than three control points");
+  });
+  ASSERT_NE(doubt, summary.doubts.end());
+  EXPECT_EQ(doubt->steps, few);
+  EXPECT_GT(doubt->firstTime, due);
 }
 
 TEST_P(RezoningRuns, KeepTheirBooks) {
