@@ -62,8 +62,7 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
           {scene.rezoning
                ? "fewer than three control points carry a contact for which no new mesh was found, or whose "
                  "face penetrates by more than a tenth of a knot span: the mesh does not resolve it any "
-                 "more; "
-                 "give new meshes more spans (rezoning.spans)"
+                 "more; give new meshes more spans (rezoning.spans)"
                : "fewer than three control points carry a contact whose face penetrates by more than a tenth "
                  "of a knot span: the mesh does not resolve it any more; `rezoning: {}` in the scene of a "
                  "plane body meshes it anew under way"},
@@ -216,7 +215,6 @@ void Recorder<Dim>::continueFrom(const Recorder& before) {
 template <int Dim>
 void Recorder<Dim>::noteRezoning(const RezoningRecord& rezoning) {
   ++rezonings_;
-  needsNewMesh_ = false;
   energyLost_ += rezoning.energyLost;
   gapWork_ += rezoning.gapWork;
   volumeDrift_ = rezoning.volumeDrift;

@@ -117,7 +117,7 @@ class Recorder {
   std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool
   bool rezones_;
-  bool needsNewMesh_ = false;  ///< since a rezoning that failed
+  bool needsNewMesh_ = false;  ///< of this mesh, since a rezoning that failed; the next one's begins anew
   int rezonings_ = 0;
   double energyLost_ = 0.0, gapWork_ = 0.0;         ///< sums of rezonings
   double volumeDrift_ = 0.0, boundaryError_ = 0.0;  ///< the last one, the largest

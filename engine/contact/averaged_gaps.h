@@ -33,9 +33,13 @@ struct CountedGap {
   double value = 0.0, slope = 1.0, curvature = 0.0;
 };
 
-/// A gap in full up to a limit c > 0, above 3c as 2c, between them by a polynomial with a continuous slope;
-/// in full if c is infinite.
+/// A gap in full up to a limit c > 0, above 3c as 2c, between them by a polynomial with continuous slope and
+/// curvature; in full if c is infinite.
 CountedGap countedGap(double gap, double limit);
+
+/// Averaged slope ∫ R_A φ' dΓ / A_A of counted gaps φ(g) below which a function lies open: its averaged gap
+/// does not change any more, so that no multiplier can close it.
+constexpr double kOpenSlope = 1e-3;
 
 /// Tangent of an active averaged gap with the derivative D: ε/A_A D Dᵀ, then a row and a column for the
 /// multiplier if there is one. stiffness: ε/A_A.

@@ -1,6 +1,7 @@
 #include "engine/contact/contact_term.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <utility>
 
@@ -13,6 +14,7 @@ struct ContactTerm<Dim>::Mortar {
   std::vector<ToolGap> points;      ///< quadrature points
   std::vector<CountedGap> counted;  ///< their gaps as averages count them
   Eigen::VectorXd G;                ///< ∫ R_A g dΓ of counted gaps
+  Eigen::VectorXd S;                ///< ∫ R_A φ' dΓ of their slopes
   std::vector<Eigen::VectorXd> D;   ///< ∂G: (29), over the unknowns of A's support and the free ways
 };
 
@@ -64,6 +66,7 @@ int ContactTerm<Dim>::numMultipliers() const {
 
 template <int Dim>
 void ContactTerm<Dim>::keepInTouch(std::vector<const ContactTerm*> others) {
+  assert(options_.gapLimit == std::numeric_limits<double>::infinity());
   keepsInTouch_ = true;
   others_ = std::move(others);
 }
@@ -108,6 +111,7 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
   const auto numWays = static_cast<Eigen::Index>(ways_.size());
   Mortar mortar;
   mortar.G = Eigen::VectorXd::Zero(face_.numFunctions());
+  mortar.S = Eigen::VectorXd::Zero(face_.numFunctions());
   for (const auto& support : supports_)
     mortar.D.push_back(Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(support.size()) + numWays));
   mortar.positions = face_.positions(x);
@@ -128,6 +132,7 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
         const int A = span.functions[a];
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
         mortar.G(A) += wR * counted.value;
+        mortar.S(A) += wR * counted.slope;
         auto& D = mortar.D[static_cast<std::size_t>(A)];
         for (std::size_t b = 0; b < span.functions.size(); ++b)
           D.template segment<Dim>(Dim * slots_[e][a][b]) += wR * span.R(static_cast<Eigen::Index>(b), q) * n;
@@ -153,7 +158,8 @@ template <int Dim>
 typename ContactTerm<Dim>::LinearGaps ContactTerm<Dim>::linearReferenceGaps(const ToolPose& pose) const {
   const Mortar mortar = integrateReference(pose);
   LinearGaps gaps{mortar.G.cwiseQuotient(A_),
-                  Eigen::MatrixXd::Zero(face_.numFunctions(), Dim * face_.numFunctions())};
+                  Eigen::MatrixXd::Zero(face_.numFunctions(), Dim * face_.numFunctions()),
+                  mortar.S.cwiseQuotient(A_)};
   for (std::size_t a = 0; a < supports_.size(); ++a) {
     const auto A = static_cast<Eigen::Index>(a);
     for (std::size_t b = 0; b < supports_[a].size(); ++b)
@@ -215,7 +221,7 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
 }
 
 template <int Dim>
-void ContactTerm<Dim>::chooseActive(const Eigen::VectorXd& x) {
+void ContactTerm<Dim>::chooseActive(const Eigen::VectorXd& x, const Mortar& mortar) {
   for (int A = 0; A < face_.numFunctions(); ++A) {
     const double lambda = numMultipliers() > 0 ? x(firstMultiplier_ + A) : 0.0;
     state_.lambdaHat(A) = lambda + options_.parameter * state_.averageGap(A);
@@ -223,8 +229,10 @@ void ContactTerm<Dim>::chooseActive(const Eigen::VectorXd& x) {
   Eigen::Index nearest = 0;
   const double lowest = state_.lambdaHat.minCoeff(&nearest);
   state_.active.assign(supports_.size(), false);
-  for (std::size_t a = 0; a < supports_.size(); ++a)
-    state_.active[a] = state_.lambdaHat(static_cast<Eigen::Index>(a)) <= 0.0;
+  for (std::size_t a = 0; a < supports_.size(); ++a) {
+    const auto A = static_cast<Eigen::Index>(a);
+    state_.active[a] = state_.lambdaHat(A) <= 0.0 && mortar.S(A) > kOpenSlope * A_(A);
+  }
   if (keepsInTouch_ && lowest > 0.0 && isAlone()) {
     state_.active[static_cast<std::size_t>(nearest)] = true;
     state_.pull = lowest * A_(nearest);
@@ -235,7 +243,7 @@ template <int Dim>
 void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar) {
   const double eps = options_.parameter;
   const bool hasMultipliers = numMultipliers() > 0;
-  chooseActive(x);
+  chooseActive(x, mortar);
   for (int A = 0; A < face_.numFunctions(); ++A) {
     const auto a = static_cast<std::size_t>(A);
     const double lambda = hasMultipliers ? x(firstMultiplier_ + A) : 0.0;

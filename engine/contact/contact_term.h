@@ -39,10 +39,10 @@ class ContactTerm final : public Term {
     double parameter = 0.0;      ///< ε, stress per length
     int pointsPerDirection = 0;  ///< per span; 2p when 0
 
-    /// Gaps count in averages up to this share of the size of their span (`countedGap`), and the traction at
-    /// a point is its share of λ̂ times the slope there: none where the face is open. Without it a face that
-    /// turns away sharply is pressed where it is open and let into the tool beside that. Mortar methods and
-    /// tools without free ways.
+    /// Share of the size of a span at which gaps begin to count less in averages (`countedGap`); the traction
+    /// at a point is λ̂ times the slope there, none from three times that on. Without it a face that turns
+    /// away sharply is pressed where it is open and let into the tool beside that. Mortar methods, and pairs
+    /// that do not `keepInTouch`: what is open everywhere is never active.
     double gapLimit = std::numeric_limits<double>::infinity();
   };
 
@@ -87,6 +87,7 @@ class ContactTerm final : public Term {
   struct LinearGaps {
     Eigen::VectorXd values;
     Eigen::MatrixXd gradient;
+    Eigen::VectorXd slopes;  ///< averaged ones of counted gaps, see `kOpenSlope`
   };
   LinearGaps linearReferenceGaps(const ToolPose& pose) const;
 
@@ -101,7 +102,7 @@ class ContactTerm final : public Term {
   Mortar integrateReference(const ToolPose& pose) const;
   bool passesThrough(const Mortar& mortar) const;
   bool isAlone() const;
-  void chooseActive(const Eigen::VectorXd& x);
+  void chooseActive(const Eigen::VectorXd& x, const Mortar& mortar);
   void evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
   void evaluatePointwise(Assembly& out, const Mortar& mortar);
   void addGeometricTangent(Assembly& out, const Mortar& mortar);

@@ -95,9 +95,9 @@ void describe(Visitor& v, ContactSpec& s) {
           "Quadrature points per knot span and direction; twice the degree when left out.");
   v.field(
       "gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
-      "Gaps count in averages up to this share of the knot span's length; what is farther open counts as "
-      "twice that and bears no pressure. For a face that turns away from the tool sharply, as at the lip of "
-      "a chip: 0.02. All gaps count in full when left out.");
+      "Gaps count in averages in full up to this share of the knot span's length, then ever less; what is "
+      "open by three times that counts as twice that and bears no pressure. For a face that turns away from "
+      "the tool sharply, as at the lip of a chip: 0.02. All gaps count in full when left out.");
 }
 
 template <class Visitor>

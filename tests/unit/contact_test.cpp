@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "engine/contact/contact_term.h"
 #include "engine/nurbs/refinement.h"
@@ -171,36 +172,53 @@ TEST(CountedGap, IsInFullUpToTheLimitAndTwiceTheLimitBeyondThreeOfIt) {
 
 /// The mortar penalty has the energy ε/2 Σ A_A g_A² of counted gaps, and forces are its derivative.
 TEST(GapLimit, ForcesAreTheDerivativeOfTheEnergyAndNothingPressesWhereTheFaceIsOpen) {
-  const Body<2> body = block(3, BasisFamily::BSpline);
-  const Tool tool = disc();
-  const double limit = 0.05, size = 1.0 / 6.0;
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0, 0, limit},
-                      2 * body.numNodes);
-  const Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes);
-  const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
-  const ContactState state = term.state();
-  EXPECT_NEAR(state.energy,
-              5.0 * (state.averageGap.array() < 0.0)
-                        .select(term.weights().array() * state.averageGap.array().square(), 0.0)
-                        .sum(),
-              1e-16);
-  const auto direction = test::randomState(2 * body.numNodes, 1.0, 5);
-  const double h = 1e-6;
-  const auto energyAt = [&](double step) {
-    static_cast<void>(test::forceOf(term, 0.0, step * direction));
-    return term.state().energy;
-  };
-  EXPECT_NEAR(force.dot(direction), (energyAt(h) - energyAt(-h)) / (2.0 * h), 1e-8 * force.norm());
+  for (const bool axisymmetric : {false, true}) {
+    Body<2> body = block(3, BasisFamily::BSpline);
+    body.axisymmetric = axisymmetric;
+    const Tool tool = axisymmetric ? Tool{"ball", Sphere{{0.0, 0.74, 0.0}, 0.3}} : disc();
+    const double limit = 0.05, size = 1.0 / 6.0;
+    ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0, 0, limit},
+                        2 * body.numNodes);
+    const Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes);
+    const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
+    const ContactState state = term.state();
+    EXPECT_NEAR(state.energy,
+                5.0 * (state.averageGap.array() < 0.0)
+                          .select(term.weights().array() * state.averageGap.array().square(), 0.0)
+                          .sum(),
+                1e-16);
+    const auto direction = test::randomState(2 * body.numNodes, 1.0, 5);
+    const double h = 1e-6;
+    const auto energyAt = [&](double step) {
+      static_cast<void>(test::forceOf(term, 0.0, step * direction));
+      return term.state().energy;
+    };
+    EXPECT_NEAR(force.dot(direction), (energyAt(h) - energyAt(-h)) / (2.0 * h), 1e-8 * force.norm());
 
-  int pressed = 0, open = 0;
-  for (Eigen::Index q = 0; q < state.gap.size(); ++q) {
-    if (state.gap(q) < 0.0) pressed += state.pressure(q) > 0.0 ? 1 : 0;
-    if (state.gap(q) <= 3.0 * limit * size) continue;
-    EXPECT_EQ(state.pressure(q), 0.0);
-    ++open;
+    int pressed = 0, open = 0;
+    for (Eigen::Index q = 0; q < state.gap.size(); ++q) {
+      if (state.gap(q) < 0.0) pressed += state.pressure(q) > 0.0 ? 1 : 0;
+      if (state.gap(q) <= 3.0 * limit * size) continue;
+      EXPECT_EQ(state.pressure(q), 0.0);
+      ++open;
+    }
+    EXPECT_GT(pressed, 3);
+    EXPECT_GT(open, 3);
   }
-  EXPECT_GT(pressed, 3);
-  EXPECT_GT(open, 3);
+}
+
+TEST(GapLimit, WhatLiesOpenIsNotActive) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool plate{"plate", Plane{{0.0, 0.6, 0.0}, {0.0, -1.0, 0.0}}};
+  const int first = 2 * body.numNodes;
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), plate,
+                      {Enforcement::AugmentedLagrangian, 10.0, 0, 0.02}, first);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(first + term.numMultipliers());
+  x.tail(term.numMultipliers()).setConstant(-100.0);
+  const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
+  EXPECT_EQ(term.state().numActive(), 0);
+  EXPECT_NEAR((force.tail(term.numMultipliers()) - 10.0 * term.weights()).norm(), 0.0, 1e-14);
+  EXPECT_TRUE(force.head(first).isZero(0.0));
 }
 
 TEST(ContactTangentOfOtherTools, AgreesWithCentralDifferences) {
@@ -220,9 +238,13 @@ TEST(ContactTangentInThreeDimensions, AgreesWithCentralDifferences) {
                        {KnotVector::uniform(2, 3), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)}));
   const std::array<Tool, 2> tools{Tool{"ball", Sphere{{0.45, 0.55, 0.5 + 0.7}, 0.8}},
                                   Tool{"roller", Cylinder{{0.5, 0.5, 0.5 + 0.24}, {1.0, 0.2, 0.0}, 0.3}}};
+  const double full = std::numeric_limits<double>::infinity();
   for (const Tool& tool : tools)
-    for (const auto enforcement : {Enforcement::AugmentedLagrangian, Enforcement::PointwisePenalty}) {
-      ContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, {enforcement, 10.0, 0}, 3 * body.numNodes);
+    for (const auto& [enforcement, gapLimit] : {std::pair{Enforcement::AugmentedLagrangian, full},
+                                                std::pair{Enforcement::AugmentedLagrangian, 0.05},
+                                                std::pair{Enforcement::PointwisePenalty, full}}) {
+      ContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, {enforcement, 10.0, 0, gapLimit},
+                          3 * body.numNodes);
       const Eigen::VectorXd x = test::randomState(3 * body.numNodes + term.numMultipliers(), 2e-3, 9);
       EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6) << tool.name;
       EXPECT_GT(term.state().reaction(2), 0.0) << tool.name;
