@@ -380,6 +380,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "method: pointwise-penalty, gap_limit: 0.02}", "0.02", "contact[0].gap_limit",
                 "found with method pointwise-penalty, which averages no gaps; allowed: with "
                 "augmented-lagrangian and penalty."},
+        Mistake{"gapLimitOfAFreeTool", &block,
+                "motion: {times: [0, 1, 2], x: [0, 0, 2]}}\n"
+                "  - {name: plate, shape: plane, origin: [0, 2], normal: [0, -1]}\n"
+                "contact:\n  - {tool: cylinder, face: top, method: augmented-lagrangian}",
+                "carry: {y: -1}}\n"
+                "  - {name: plate, shape: plane, origin: [0, 2], normal: [0, -1]}\n"
+                "contact:\n  - {tool: cylinder, face: top, gap_limit: 0.02}",
+                "0.02", "contact[0].gap_limit",
+                "found for a tool that carries a load; allowed: for tools whose motion is given."},
         Mistake{"gapLimitOfNothing", &block, "method: augmented-lagrangian}", "gap_limit: 0}", "0}",
                 "contact[0].gap_limit", "found 0; allowed: a number above 0 and at most 1."},
         Mistake{"sameSelfContact", &block,
