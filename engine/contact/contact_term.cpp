@@ -270,10 +270,10 @@ void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, c
     out.system->add(out.term, group, K);
   }
   for (const auto& span : face_.spans())
-    for (Eigen::Index q = 0; q < span.R.cols(); ++q)
-      state_.pressure(span.firstPoint + q) =
-          -mortar.counted[static_cast<std::size_t>(span.firstPoint + q)].slope *
-          span.R.col(q).dot(state_.lambdaHat(span.functions));
+    state_.pressure.segment(span.firstPoint, span.R.cols()) =
+        -span.R.transpose() * state_.lambdaHat(span.functions);
+  for (Eigen::Index q = 0; q < state_.pressure.size(); ++q)
+    state_.pressure(q) *= mortar.counted[static_cast<std::size_t>(q)].slope;
 }
 
 template <int Dim>
