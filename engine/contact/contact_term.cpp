@@ -28,7 +28,7 @@ constexpr double kDeepestShare = 0.5;
 
 template <int Dim>
 ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
-                              Options options, int firstMultiplier)
+                              const Options& options, int firstMultiplier)
     : face_(body, patch, face, contactPoints(body, patch, options.pointsPerDirection)),
       tool_(tool),
       options_(options),

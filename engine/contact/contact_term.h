@@ -49,7 +49,7 @@ class ContactTerm final : public Term {
   /// `firstMultiplier`: number of the first of the face's multipliers among the unknowns (augmented
   /// Lagrangian only). Throws `Error` if a weight A_A (32) is not positive (Lagrange bases above degree 7, or
   /// of higher degree than 1 where an axisymmetric face meets the axis). The tool must outlive the term.
-  ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, Options options,
+  ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, const Options& options,
               int firstMultiplier);
 
   /// Multipliers that this pair adds to the unknowns, and the first of them.
