@@ -171,7 +171,8 @@ void Model<Dim>::addSelfContact(const Scene& scene, std::size_t number) {
     const double E = youngsModulus(bulk_->material()), L = body_.size();
     const SelfContactTerm::Options options{
         spec.parameter.value_or(defaultParameter(Enforcement::AugmentedLagrangian, E, L)),
-        spec.reach.value_or(kReach * L), spec.quadraturePoints.value_or(0), rezoned_};
+        spec.reach.value_or(kReach * L), spec.quadraturePoints.value_or(0),
+        spec.gapLimit.value_or(std::numeric_limits<double>::infinity()), rezoned_};
     const int patch = faces_.patch(spec.place.patch);
     const FaceId face = faceFromName<2>(spec.place.face);
     std::unique_ptr<SelfContactTerm> term;

@@ -57,8 +57,10 @@ struct SelfContactTerm::Slave {
 struct SelfContactTerm::Mortar {
   std::vector<std::optional<SurfaceCurve::Point>> partners;  ///< quadrature points
   Eigen::VectorXd gap;                                       ///< quadrature points, infinite without partners
+  std::vector<CountedGap> counted;                           ///< quadrature points: as averages count them
   Eigen::VectorXd A;                                         ///< ∫ R_A dΓ over points with partners
-  Eigen::VectorXd G;                                         ///< ∫ R_A g dΓ
+  Eigen::VectorXd G;                                         ///< ∫ R_A g dΓ of counted gaps
+  Eigen::VectorXd S;                                         ///< ∫ R_A φ' dΓ of their slopes
   Eigen::MatrixXd D;  ///< ∂G_A/∂u: unknowns of the face x functions
 };
 
@@ -161,7 +163,8 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
   const Eigen::Index n = face_.numFunctions();
   mortar.partners.resize(partners_.size());
   mortar.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
-  mortar.A = mortar.G = Eigen::VectorXd::Zero(n);
+  mortar.counted.resize(partners_.size());
+  mortar.A = mortar.G = mortar.S = Eigen::VectorXd::Zero(n);
   mortar.D = Eigen::MatrixXd::Zero(2 * n, n);
   for (const auto& span : face_.spans()) {
     const Eigen::Matrix2Xd points = curve_.patch().points()(Eigen::all, span.functions) * span.R;
@@ -173,17 +176,20 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
       const Eigen::Vector2d& normal = partner->normal;
       const double gap = mortar.gap(span.firstPoint + q) = (points.col(q) - partner->x).dot(normal);
       if (shareOfRadius(*partner, gap) > kLargestShareOfRadius) return false;
+      const CountedGap& counted = mortar.counted[number] = countedGap(gap, options_.gapLimit * span.size);
+      const Eigen::Vector2d slope = counted.slope * normal;
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
         mortar.A(A) += wR;
-        mortar.G(A) += wR * gap;
+        mortar.G(A) += wR * counted.value;
+        mortar.S(A) += wR * counted.slope;
         for (std::size_t b = 0; b < span.functions.size(); ++b)
           mortar.D.block<2, 1>(2 * span.functions[b], A) +=
-              wR * span.R(static_cast<Eigen::Index>(b), q) * normal;
+              wR * span.R(static_cast<Eigen::Index>(b), q) * slope;
         for (std::size_t b = 0; b < partner->functions.size(); ++b)
           mortar.D.block<2, 1>(2 * partner->functions[b], A) -=
-              wR * partner->R(static_cast<Eigen::Index>(b)) * normal;
+              wR * partner->R(static_cast<Eigen::Index>(b)) * slope;
       }
     }
   }
@@ -213,7 +219,7 @@ void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const M
     if (mortar.A(A) > kSmallestPart * A_(A)) {
       state_.averageGap(A) = mortar.G(A) / mortar.A(A);
       state_.lambdaHat(A) = lambda + eps * state_.averageGap(A);
-      active = state_.lambdaHat(A) <= 0.0;
+      active = state_.lambdaHat(A) <= 0.0 && mortar.S(A) > kOpenSlope * mortar.A(A);
     }
     state_.active[static_cast<std::size_t>(A)] = active;
     if (!active) {
@@ -239,7 +245,8 @@ void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const M
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto& partner = mortar.partners[static_cast<std::size_t>(span.firstPoint + q)];
       if (!partner) continue;
-      const double pressure = -span.R.col(q).dot(state_.lambdaHat(span.functions));
+      const double slope = mortar.counted[static_cast<std::size_t>(span.firstPoint + q)].slope;
+      const double pressure = -slope * span.R.col(q).dot(state_.lambdaHat(span.functions));
       state_.pressure(span.firstPoint + q) = pressure;
       state_.partner.col(span.firstPoint + q) = partner->x;
       state_.normal.col(span.firstPoint + q) = partner->normal;
@@ -249,7 +256,7 @@ void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const M
   if (axisymmetric_) state_.force(0) = 0.0;  // radial forces around the ring balance one another
 }
 
-/// ∫ λ̂ δ²g dΓ.
+/// ∫ λ̂ (φ' δ²g + φ'' (δg)²) dΓ of gaps that count as φ(g).
 void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) const {
   const auto n = static_cast<Eigen::Index>(unknowns_.size());
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
@@ -264,31 +271,31 @@ void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) c
       const Eigen::Vector2d t =
           partner.isKink ? Eigen::Vector2d(-partner.normal(1), partner.normal(0)) : partner.dx;
       std::vector<int> places;
-      Eigen::VectorXd tangential(2 * (span.R.rows() + partner.R.size()));
-      Eigen::VectorXd turning = Eigen::VectorXd::Zero(tangential.size());
+      const Eigen::Index size = 2 * (span.R.rows() + partner.R.size());
+      Eigen::VectorXd normal(size), tangential(size), turning = Eigen::VectorXd::Zero(size);
       Eigen::Index next = 0;
-      const auto append = [&](int function, const Eigen::Vector2d& along, const Eigen::Vector2d& turn) {
+      const auto append = [&](int function, double R, const Eigen::Vector2d& turn) {
         for (int d = 0; d < 2; ++d) places.push_back(2 * function + d);
-        tangential.segment<2>(next) = along;
+        normal.segment<2>(next) = R * partner.normal;
+        tangential.segment<2>(next) = R * t;
         turning.segment<2>(next) = turn;
         next += 2;
       };
       for (Eigen::Index a = 0; a < span.R.rows(); ++a)
-        append(span.functions[static_cast<std::size_t>(a)], span.R(a, q) * t, Eigen::Vector2d::Zero());
+        append(span.functions[static_cast<std::size_t>(a)], span.R(a, q), Eigen::Vector2d::Zero());
       for (Eigen::Index b = 0; b < partner.R.size(); ++b)
-        append(partner.functions[static_cast<std::size_t>(b)], -partner.R(b) * t,
-               partner.dR(b) * partner.normal);
+        append(partner.functions[static_cast<std::size_t>(b)], -partner.R(b), partner.dR(b) * partner.normal);
       const double weighted = -span.weights(q) * state_.pressure(point);
-      Eigen::MatrixXd second;
-      if (partner.isKink) {
-        if (!(g > rounding_)) continue;
-        second = weighted / g * tangential * tangential.transpose();
-      } else {
+      const CountedGap& counted = mortar.counted[static_cast<std::size_t>(point)];
+      Eigen::MatrixXd second = weighted * counted.curvature / counted.slope * normal * normal.transpose();
+      if (!partner.isKink) {
         const double m = t.squaredNorm(), k = partner.normal.dot(partner.ddx), h = m - g * k;
         const Eigen::MatrixXd mixed = tangential * turning.transpose();
-        second = -weighted / h *
-                 (mixed + mixed.transpose() + k / m * tangential * tangential.transpose() +
-                  g * turning * turning.transpose());
+        second -= weighted / h *
+                  (mixed + mixed.transpose() + k / m * tangential * tangential.transpose() +
+                   g * turning * turning.transpose());
+      } else if (g > rounding_) {
+        second += weighted / g * tangential * tangential.transpose();
       }
       // A function may stand on both sides: its entries are added one after the other.
       for (std::size_t j = 0; j < places.size(); ++j)

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct SelfContactState : FaceContactState {
 /// Lagrangian. Of two points that face each other the one with the smaller parameter is the slave: it carries
 /// the quadrature and the multipliers; the other one is its closest point x̄ on the same curve, with the
 /// outward normal n there. Gap g = (x - x̄) · n >= 0; g_A, λ̂_A and the active set as in contact with a tool
-/// (31)-(43), with averages over the points that have a partner.
+/// (31)-(43), with averages over the points that have a partner, of gaps as `countedGap` counts them.
 ///
 /// Who is whose partner is decided at accepted states and kept during a step, in which only the closest
 /// points move: the residual is smooth but for the active set. With δw the difference of the two points'
@@ -35,9 +36,10 @@ struct SelfContactState : FaceContactState {
 class SelfContactTerm final : public Term {
  public:
   struct Options {
-    double parameter = 0.0;     ///< ε, stress per length
-    double reach = 0.0;         ///< distance within which parts of the face are partners
-    int pointsPerSpan = 0;      ///< 2p when 0
+    double parameter = 0.0;  ///< ε, stress per length
+    double reach = 0.0;      ///< distance within which parts of the face are partners
+    int pointsPerSpan = 0;   ///< 2p when 0
+    double gapLimit = std::numeric_limits<double>::infinity();  ///< see `ContactTerm::Options`
     bool mayPenetrate = false;  ///< a little, in the reference configuration: that of a new mesh
   };
 

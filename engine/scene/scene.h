@@ -196,6 +196,7 @@ struct SelfContactSpec {
   std::optional<double> reach;          ///< distance within which its parts are watched
   std::optional<double> parameter;      ///< ε, stress per length; derived from the body when left out
   std::optional<int> quadraturePoints;  ///< per span; 2p when left out
+  std::optional<double> gapLimit;       ///< as in `ContactSpec`
 };
 
 /// A phase of the run: `count` equal nominal steps from the end of the previous phase (or 0) to `until`.

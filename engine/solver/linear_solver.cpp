@@ -82,13 +82,13 @@ class LinearSolver::Definite {
   }
 
  private:
-  /// The lower triangle of K and where its entries stand in A.
+  /// The upper triangle of K and where its entries stand in A. CHOLMOD permutes a lower one in two passes.
   void analyse(const Matrix& A) {
     std::vector<Eigen::Triplet<double>> triplets;
     for (int column = 0; column < n_; ++column)
       for (int k = A.outerIndexPtr()[column]; k < A.outerIndexPtr()[column + 1]; ++k) {
         const int row = A.innerIndexPtr()[k];
-        if (row < column || row >= n_) continue;
+        if (row > column) break;
         triplets.emplace_back(row, column, 0.0);
         entries_.push_back(k);
       }
@@ -139,8 +139,8 @@ class LinearSolver::Definite {
   }
 
   Eigen::Index n_;
-  Eigen::CholmodSupernodalLLT<Matrix> llt_;  ///< of K
-  bool analysed_ = false;                    ///< not if CHOLMOD has run out of memory
+  Eigen::CholmodSupernodalLLT<Matrix, Eigen::Upper> llt_;  ///< of K
+  bool analysed_ = false;                                  ///< not if CHOLMOD has run out of memory
   Matrix K_;
   std::vector<int> entries_;
   Eigen::VectorXd C_;

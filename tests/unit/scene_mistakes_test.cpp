@@ -396,6 +396,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "self_contact[1]", "found face top a second time; allowed: each face once."},
         Mistake{"reachOfNothing", &block, "steps:", "self_contact: [{face: top, reach: 0}]\nsteps:", "0}",
                 "self_contact[0].reach", "found 0; allowed: a number above 0."},
+        Mistake{"selfGapLimitOfNothing", &block,
+                "steps:", "self_contact: [{face: top, gap_limit: 0}]\nsteps:", "0}",
+                "self_contact[0].gap_limit", "found 0; allowed: a number above 0 and at most 1."},
         Mistake{"selfContact3d", &solid, "steps:", "self_contact: [{face: top}]\nsteps:", "{face: top",
                 "self_contact[0]", "found in a scene of three dimensions; allowed: in two."}),
     nameOf);

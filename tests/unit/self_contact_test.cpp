@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "engine/contact/self_contact_term.h"
 #include "engine/nurbs/refinement.h"
@@ -36,6 +37,7 @@ struct Case {
   int degree;
   bool axisymmetric = false;
   Eigen::Vector2d at = {3.0, 0.0};
+  double gapLimit = std::numeric_limits<double>::infinity();
 };
 
 /// The jaws in a random state near the reference, with multipliers that press wherever there are partners.
@@ -50,11 +52,14 @@ struct Pressed {
           made.axisymmetric = c.axisymmetric;
           return made;
         }()),
-        term(body, 0, kInner, {10.0, 0.6, 0}, 2 * body.numNodes),
+        term(body, 0, kInner, {10.0, 0.6, 0, c.gapLimit}, 2 * body.numNodes),
         x(test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11)) {
     x.tail(term.numMultipliers()).array() -= 8.0;
   }
 };
+
+/// Most gaps count in part.
+const Case kLimited{BasisFamily::BSpline, 2, false, {3.0, 0.0}, 0.7};
 
 class SelfContact : public testing::TestWithParam<Case> {};
 
@@ -107,7 +112,8 @@ INSTANTIATE_TEST_SUITE_P(Bases, SelfContact,
                          testing::Values(Case{BasisFamily::BSpline, 2}, Case{BasisFamily::BSpline, 3},
                                          Case{BasisFamily::BSpline, 4}, Case{BasisFamily::Lagrange, 1},
                                          Case{BasisFamily::Lagrange, 2}, Case{BasisFamily::BSpline, 2, true},
-                                         Case{BasisFamily::Lagrange, 2, true}));
+                                         Case{BasisFamily::Lagrange, 2, true}, kLimited,
+                                         Case{BasisFamily::Lagrange, 2, true, {3.0, 0.0}, 0.7}));
 
 // Slaves above a ridge of linear elements are closest to its edge.
 TEST(SelfContactPartners, TangentAgreesWithCentralDifferencesAboveAKink) {
@@ -139,6 +145,38 @@ TEST(SelfContactPartners, DoNotDependOnTheOrigin) {
     if (!std::isfinite(gap)) continue;
     EXPECT_NEAR(there.term.state().gap(q), gap, 1e-10);
   }
+}
+
+TEST(SelfContactPartners, OpenPlacesBearNoPressure) {
+  int full = 0, part = 0, open = 0;
+  for (const double share : {0.7, 0.25}) {
+    Case limited = kLimited;
+    limited.gapLimit = share;
+    Pressed pressed(limited);
+    static_cast<void>(test::forceOf(pressed.term, 0.0, pressed.x));
+    const SelfContactState& state = pressed.term.state();
+    for (const auto& span : pressed.term.face().spans())
+      for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+        const double gap = state.gap(span.firstPoint + q), limit = share * span.size;
+        const double uncounted = -span.R.col(q).dot(state.lambdaHat(span.functions));
+        if (!std::isfinite(gap) || uncounted == 0.0) continue;
+        (gap < limit ? full : gap < 3.0 * limit ? part : open) += 1;
+        const double slope = gap < 3.0 * limit ? countedGap(gap, limit).slope : 0.0;
+        EXPECT_NEAR(state.pressure(span.firstPoint + q), slope * uncounted, 1e-12 * uncounted);
+      }
+  }
+  EXPECT_GT(full, 0);
+  EXPECT_GT(part, 0);
+  EXPECT_GT(open, 0);
+}
+
+// A function over open places only would have an empty row.
+TEST(SelfContactPartners, WhatIsOpenIsNotActive) {
+  Case narrow = kLimited;
+  narrow.gapLimit = 1e-3;
+  Pressed pressed(narrow);
+  static_cast<void>(test::forceOf(pressed.term, 0.0, pressed.x));
+  EXPECT_EQ(pressed.term.state().numActive(), 0);
 }
 
 // In front of a corner of elements that are continuous only, the corner is the closest point.

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -42,20 +41,22 @@ output: {{vtu: false}}
                              refine);
 }
 
-std::string squeezed(const std::string& basis, int refine) {
-  return hairpin(basis, refine) + R"(
+/// gaps: further keys of the contact.
+std::string squeezed(const std::string& basis, int refine, const std::string& gaps) {
+  return hairpin(basis, refine) + fmt::format(R"(
 supports:
-  - {face: left, fix: [x]}
-  - {face: right, fix: [x]}
-  - {face: bottom, part: [0, 0.2], move: {times: [0, 1], y: [0, -0.12]}}
-  - {face: bottom, part: [0.8, 1], move: {times: [0, 1], y: [0, 0.12]}}
-self_contact: [{face: top}]
-steps: [{until: 1, count: 10}]
-)";
+  - {{face: left, fix: [x]}}
+  - {{face: right, fix: [x]}}
+  - {{face: bottom, part: [0, 0.2], move: {{times: [0, 1], y: [0, -0.12]}}}}
+  - {{face: bottom, part: [0.8, 1], move: {{times: [0, 1], y: [0, 0.12]}}}}
+self_contact: [{{face: top{}}}]
+steps: [{{until: 1, count: 10}}]
+)",
+                                              gaps);
 }
 
 /// The upper half of the same on a plane of symmetry, which its leg touches as a rigid tool.
-std::string half(const std::string& basis, int refine) {
+std::string half(const std::string& basis, int refine, const std::string& gaps) {
   return basis + fmt::format(R"(
 geometry:
   shape: control-net
@@ -69,11 +70,11 @@ supports:
   - {{face: right, fix: [y]}}
   - {{face: bottom, part: [0, 0.4], move: {{times: [0, 1], y: [0, -0.12]}}}}
 tools: [{{name: plane, shape: plane, origin: [0, 0], normal: [0, 1]}}]
-contact: [{{tool: plane, face: top}}]
+contact: [{{tool: plane, face: top{}}}]
 steps: [{{until: 1, count: 10}}]
 output: {{vtu: false}}
 )",
-                             refine);
+                             refine, gaps);
 }
 
 /// A roller that presses one leg on the other and moves along it.
@@ -109,11 +110,18 @@ std::string bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-class SelfContactRuns : public testing::TestWithParam<std::string> {};
+struct Legs {
+  std::string name, options;
+  std::string gaps = {}, gapsOfHalf = {};  ///< further keys of the contact
+};
+
+class SelfContactRuns : public testing::TestWithParam<Legs> {};
 
 // By symmetry each leg meets the other one as if it were a plane.
 TEST_P(SelfContactRuns, TwoLegsTouchEachOtherAsOneTouchesAPlane) {
-  const test::Outcome whole = outcomeOf(squeezed(GetParam(), 10)), part = outcomeOf(half(GetParam(), 10));
+  const Legs& legs = GetParam();
+  const test::Outcome whole = outcomeOf(squeezed(legs.options, 10, legs.gaps)),
+                      part = outcomeOf(half(legs.options, 10, legs.gapsOfHalf));
   ASSERT_TRUE(whole.summary.completed) << whole.summary.stoppedBecause;
   ASSERT_TRUE(part.summary.completed) << part.summary.stoppedBecause;
   EXPECT_GE(last(whole, "self_active_control_points"), 5.0);
@@ -138,13 +146,17 @@ TEST_P(SelfContactRuns, TwoLegsTouchEachOtherAsOneTouchesAPlane) {
     }
 }
 
-std::string nameOf(const testing::TestParamInfo<std::string>& info) {
-  return std::array{"Nurbs2", "Nurbs3", "Lagrange2", "Projected"}[info.index];
+std::string nameOf(const testing::TestParamInfo<Legs>& info) {
+  return info.param.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Bases, SelfContactRuns,
-                         testing::Values("degree: 2", "degree: 3", "degree: 2\nbasis: lagrange",
-                                         "degree: 2\nformulation: fbar"),
+                         testing::Values(Legs{"Nurbs2", "degree: 2"}, Legs{"Nurbs3", "degree: 3"},
+                                         Legs{"Lagrange2", "degree: 2\nbasis: lagrange"},
+                                         Legs{"Projected", "degree: 2\nformulation: fbar"},
+                                         // Gaps between the legs are twice those to the plane.
+                                         Legs{"LimitedGaps", "degree: 2", ", gap_limit: 0.04",
+                                              ", gap_limit: 0.02"}),
                          nameOf);
 
 // Slaves slide over the corners between elements.
