@@ -238,7 +238,7 @@ double expectedCost(const Scene& scene) {
   const double perUnknown = std::pow(scene.degree, scene.dim());
   const int steps = std::accumulate(scene.steps.begin(), scene.steps.end(), 0,
                                     [](int sum, const PhaseSpec& phase) { return sum + phase.count; });
-  return scene.dim() * functions * perUnknown * steps;
+  return scene.dim() * std::pow(functions, scene.dim() == 3 ? 2.0 : 1.5) * perUnknown * steps;
 }
 
 StudyPlan planStudy(const Study& study, const fs::path& directory, const std::vector<std::string>& only,

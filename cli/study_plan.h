@@ -31,7 +31,8 @@ struct StudyPlan {
   std::vector<Job> jobs;
 };
 
-/// What a run costs, in no unit: unknowns times entries per unknown times steps.
+/// What a run costs, in no unit: factorisations by nested dissection, with N functions N^1.5 in two
+/// dimensions and N² in three, times entries per unknown times steps.
 double expectedCost(const Scene& scene);
 
 /// Looks at what is there. `only`: these figures and the runs that they need; everything when empty. A run
