@@ -31,8 +31,8 @@ struct StudyPlan {
   std::vector<Job> jobs;
 };
 
-/// What a run costs, in no unit: factorisations by nested dissection, with N functions N^1.5 in two
-/// dimensions and N² in three, times entries per unknown times steps.
+/// What a run costs, in no unit: components times entries per unknown times steps times N^1.5 in two
+/// dimensions or N² in three for N functions, as a factorisation by nested dissection.
 double expectedCost(const Scene& scene);
 
 /// Looks at what is there. `only`: these figures and the runs that they need; everything when empty. A run

@@ -37,8 +37,9 @@ struct CountedGap {
 /// curvature; in full if c is infinite.
 CountedGap countedGap(double gap, double limit);
 
-/// Averaged slope ∫ R_A φ' dΓ / A_A of counted gaps φ(g) below which a function lies open: its averaged gap
-/// does not change any more, so that no multiplier can close it.
+/// Averaged slope ∫ R_A φ' dΓ / ∫ R_A dΓ of counted gaps φ(g) below which a function lies open: its averaged
+/// gap does not change any more, so that no multiplier can close it. Contact of a face with itself integrates
+/// over points that have a partner.
 constexpr double kOpenSlope = 1e-3;
 
 /// Tangent of an active averaged gap with the derivative D: ε/A_A D Dᵀ, then a row and a column for the

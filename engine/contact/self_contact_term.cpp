@@ -287,7 +287,9 @@ void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) c
         append(partner.functions[static_cast<std::size_t>(b)], -partner.R(b), partner.dR(b) * partner.normal);
       const double weighted = -span.weights(q) * state_.pressure(point);
       const CountedGap& counted = mortar.counted[static_cast<std::size_t>(point)];
-      Eigen::MatrixXd second = weighted * counted.curvature / counted.slope * normal * normal.transpose();
+      Eigen::MatrixXd second = Eigen::MatrixXd::Zero(size, size);
+      if (counted.curvature != 0.0)
+        second = weighted * counted.curvature / counted.slope * normal * normal.transpose();
       if (!partner.isKink) {
         const double m = t.squaredNorm(), k = partner.normal.dot(partner.ddx), h = m - g * k;
         const Eigen::MatrixXd mixed = tangential * turning.transpose();

@@ -32,7 +32,8 @@ struct SelfContactState : FaceContactState {
 ///
 ///     δg = n · δw,   δ²g = -(2 (t·δw)(n·δt) + k/m (t·δw)² + g (n·δt)²)/h,
 ///
-/// at a kink, where it does not move, δ²g = (t·δw)²/g with the unit vector t across n.
+/// at a kink, where it does not move, δ²g = (t·δw)²/g with the unit vector t across n. A gap that counts as
+/// φ(g) has the traction λ̂ φ' and adds φ'' (δg)² to φ' δ²g.
 class SelfContactTerm final : public Term {
  public:
   struct Options {

@@ -111,9 +111,10 @@ void describe(Visitor& v, SelfContactSpec& s) {
           "Augmentation parameter; E/L when left out, L the body's largest extent.");
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Quadrature points per knot span; twice the degree when left out.");
-  v.field("gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
-          "As under contact: gaps count in averages in full up to this share of the knot span's length only. "
-          "For a part that comes down on another one on an edge. All gaps count in full when left out.");
+  v.field(
+      "gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
+      "As under contact: only up to this share of the knot span's length do gaps count in full in averages. "
+      "For a part that meets another one with an edge: 0.02. All gaps count in full when left out.");
 }
 
 }  // namespace burnish

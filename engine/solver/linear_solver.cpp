@@ -82,7 +82,8 @@ class LinearSolver::Definite {
   }
 
  private:
-  /// The upper triangle of K and where its entries stand in A. CHOLMOD permutes a lower one in two passes.
+  /// The upper triangle of K and where its entries stand in A, whose rows ascend in every column. CHOLMOD
+  /// permutes a lower one in two passes.
   void analyse(const Matrix& A) {
     std::vector<Eigen::Triplet<double>> triplets;
     for (int column = 0; column < n_; ++column)

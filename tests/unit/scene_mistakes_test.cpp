@@ -399,6 +399,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"selfGapLimitOfNothing", &block,
                 "steps:", "self_contact: [{face: top, gap_limit: 0}]\nsteps:", "0}",
                 "self_contact[0].gap_limit", "found 0; allowed: a number above 0 and at most 1."},
+        Mistake{"selfGapLimitOfMoreThanASpan", &block,
+                "steps:", "self_contact: [{face: top, gap_limit: 2}]\nsteps:", "2}",
+                "self_contact[0].gap_limit", "found 2; allowed: a number above 0 and at most 1."},
         Mistake{"selfContact3d", &solid, "steps:", "self_contact: [{face: top}]\nsteps:", "{face: top",
                 "self_contact[0]", "found in a scene of three dimensions; allowed: in two."}),
     nameOf);

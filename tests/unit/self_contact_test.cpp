@@ -116,21 +116,28 @@ INSTANTIATE_TEST_SUITE_P(Bases, SelfContact,
                                          Case{BasisFamily::Lagrange, 2, true, {3.0, 0.0}, 0.7}));
 
 // Slaves above a ridge of linear elements are closest to its edge.
-TEST(SelfContactPartners, TangentAgreesWithCentralDifferencesAboveAKink) {
+class SelfContactAboveAKink : public testing::TestWithParam<double> {};
+
+TEST_P(SelfContactAboveAKink, TangentAgreesWithCentralDifferences) {
   const Body<2> smooth = jaws(1, BasisFamily::Lagrange);
   const Patch<2>& patch = smooth.patches.front();
   const int ridge = faceFunctions(patch.basis(), kInner)[9];
   Eigen::MatrixXd points = patch.points();
   points(1, ridge) += 0.12;
   const Body<2> body = makeBody(Patch<2>(patch.basis(), points, patch.weights()));
-  SelfContactTerm term(body, 0, kInner, {10.0, 0.6, 0}, 2 * body.numNodes);
+  SelfContactTerm term(body, 0, kInner, {10.0, 0.6, 0, GetParam()}, 2 * body.numNodes);
   Eigen::VectorXd x = test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11);
   x.tail(term.numMultipliers()).array() -= 8.0;
   EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
   static_cast<void>(test::forceOf(term, 0.0, x));
   const Eigen::Vector2d edge = points.col(ridge) + x.segment<2>(2 * ridge);
-  EXPECT_LT((term.state().partner.colwise() - edge).colwise().norm().minCoeff(), 1e-14);
+  Eigen::Index q = 0;
+  EXPECT_LT((term.state().partner.colwise() - edge).colwise().norm().minCoeff(&q), 1e-14);
+  EXPECT_GT(term.state().pressure(q), 0.0);
 }
+
+INSTANTIATE_TEST_SUITE_P(GapLimits, SelfContactAboveAKink,
+                         testing::Values(std::numeric_limits<double>::infinity(), 0.4));
 
 TEST(SelfContactPartners, DoNotDependOnTheOrigin) {
   Pressed here({BasisFamily::BSpline, 2}), there({BasisFamily::BSpline, 2, false, {3000.0, 1000.0}});
