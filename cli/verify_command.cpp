@@ -75,8 +75,8 @@ bool printVerdicts(const std::vector<VerifiedCase>& cases) {
   std::size_t all = 0, holding = 0;
   for (const auto& [verified, outcomes, judged] : cases) {
     const std::string& title = verified->scene.title;
-    fmt::print("\n{}{}\n{}{}", verified->name, title.empty() ? "" : ": " + title,
-               checkTable(*verified, judged), problemsText(judged));
+    fmt::print("\n{}{}\n{}{}{}", verified->name, title.empty() ? "" : ": " + title,
+               checkTable(*verified, judged), problemsText(judged), doubtsText(*verified, outcomes));
     all += judged.size();
     holding += numHolding(judged);
   }

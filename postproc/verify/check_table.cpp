@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "postproc/draw/ticks.h"
@@ -86,6 +87,21 @@ std::string problemsText(const std::vector<JudgedCheck>& judged) {
       if (!row.problem.empty())
         text += fmt::format("- {}{}: {}\n", check.check->name, row.family.empty() ? "" : ", " + row.family,
                             row.problem);
+  return text;
+}
+
+std::string doubtsText(const VerificationCase& verified, const CaseOutcomes& outcomes) {
+  std::map<std::string, std::string> runs;  // by condition
+  for (std::size_t f = 0; f < verified.families.size(); ++f)
+    for (std::size_t m = 0; m < verified.families[f].variants.size(); ++m)
+      for (const DoubtRecord& doubt : outcomes[f][m].doubts) {
+        const std::string label = labelOf(verified.families[f], verified.families[f].variants[m]);
+        std::string& listed = runs[doubt.what];
+        listed += fmt::format("{}{}{}t = {:.4g}", listed.empty() ? "" : "; ", label,
+                              label.empty() ? "" : " from ", doubt.firstTime);
+      }
+  std::string text;
+  for (const auto& [what, listed] : runs) text += fmt::format("- doubtful ({}): {}\n", what, listed);
   return text;
 }
 

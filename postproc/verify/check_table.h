@@ -15,6 +15,10 @@ std::string checkTable(const VerificationCase& verified, const std::vector<Judge
 /// A line of a list for each row that could not be judged, with the reason; empty if there is none.
 std::string problemsText(const std::vector<JudgedCheck>& judged);
 
+/// A line of a list for each condition that makes runs doubtful, whatever became of the checks: these runs,
+/// and since when; empty if there is none.
+std::string doubtsText(const VerificationCase& verified, const CaseOutcomes& outcomes);
+
 /// How many of the checks hold.
 std::size_t numHolding(const std::vector<JudgedCheck>& judged);
 

@@ -11,12 +11,6 @@
 namespace burnish {
 namespace {
 
-/// "family, mesh 2", of which a part may be missing.
-std::string labelOf(const CaseFamily& family, const CaseVariant& variant) {
-  const bool both = !family.name.empty() && !variant.mesh.empty();
-  return family.name + (both ? ", " : "") + variant.mesh;
-}
-
 Chart chartOf(const CurveChartSpec& spec, const VerificationCase& verified, const CaseOutcomes& outcomes) {
   Chart chart;
   chart.size = {1200, 1100};  // room for the legend

@@ -70,6 +70,11 @@ CaseVariant variantOf(const std::string& caseName, const fs::path& file, const F
 
 }  // namespace
 
+std::string labelOf(const CaseFamily& family, const CaseVariant& variant) {
+  const bool both = !family.name.empty() && !variant.mesh.empty();
+  return family.name + (both ? ", " : "") + variant.mesh;
+}
+
 VerificationCase readCase(const fs::path& file) {
   VerificationCase result{file.stem().string(), readScene(file), leadingComment(readText(file)), {}};
   if (result.scene.checks.empty())
@@ -113,8 +118,9 @@ VariantOutcome outcomeOf(const fs::path& runDirectory) {
   if (!summary.completed)
     return {{},
             fmt::format("the run stopped at t = {:.4g}: {}", summary.numbers.at("end_time"),
-                        summary.stoppedBecause)};
-  return {readHistory(runDirectory / "history.csv"), {}};
+                        summary.stoppedBecause),
+            summary.doubts};
+  return {readHistory(runDirectory / "history.csv"), {}, summary.doubts};
 }
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/results/history.h"
+#include "engine/results/summary_file.h"
 #include "engine/scene/scene.h"
 #include "postproc/study/study.h"
 
@@ -24,6 +25,9 @@ struct CaseFamily {
   std::vector<CaseVariant> variants;
 };
 
+/// "FAMILY, mesh 2", of which a part may be missing.
+std::string labelOf(const CaseFamily& family, const CaseVariant& variant);
+
 /// A scene that states what it must produce, and what is to be run for it.
 struct VerificationCase {
   std::string name;         ///< that of the file
@@ -41,7 +45,8 @@ Study studyOf(const std::vector<VerificationCase>& cases);
 /// What became of a variant: its history, or why there is none that reaches the end of the scene.
 struct VariantOutcome {
   std::optional<HistoryTable> history;
-  std::string failure;
+  std::string failure{};
+  std::vector<DoubtRecord> doubts{};
 };
 
 /// The outcome of a run in its directory.

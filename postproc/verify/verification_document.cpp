@@ -55,7 +55,7 @@ std::string section(const VerifiedCase& verifiedCase, const fs::path& file, cons
   if (!verified->explanation.empty()) text += verified->explanation + "\n";
   Footnotes sources;
   text += checkTable(*verified, judged, &sources) + "\n";
-  for (const std::string& part : {problemsText(judged), sources.text()})
+  for (const std::string& part : {problemsText(judged), doubtsText(*verified, outcomes), sources.text()})
     if (!part.empty()) text += part + "\n";
   for (const fs::path& picture : drawOrderCharts(*verified, judged, pictures))
     text += markdownPicture(linkTo(picture, file), "") + "\n";

@@ -238,6 +238,24 @@ TEST_F(Verify, ARunThatHasNoValueFailsItsChecks) {
   EXPECT_THAT(problemsText(judged), HasSubstr("- A, p = 2: mesh 2: the run failed\n"));
 }
 
+// A check may hold although its run says that it is not to be trusted.
+TEST_F(Verify, DoubtfulRunsAreNamedBesideTheChecks) {
+  const VerificationCase verified =
+      caseOf(kBlock + kThreeMeshes + checks("quantity: value, expect: value, value: 1, absolute: 1"));
+  const VariantOutcome fine{history({1.0, 1.0, 1.0})};
+  VariantOutcome doubtful = fine;
+  doubtful.doubts = {{"a face penetrates", 0.5, 3}};
+  const CaseOutcomes outcomes{{doubtful, fine, fine}, {fine, fine, doubtful}};
+  const std::string line =
+      "- doubtful (a face penetrates): p = 1, mesh 1 from t = 0.5; p = 2, mesh 3 from t = 0.5\n";
+  EXPECT_EQ(doubtsText(verified, outcomes), line);
+  EXPECT_EQ(doubtsText(verified, {{fine, fine, fine}, {fine, fine, fine}}), "");
+  const fs::path file = scratch_.path() / "verification.md";
+  writeVerification({{&verified, outcomes, judgeChecks(verified, outcomes)}}, file,
+                    scratch_.path() / "images");
+  EXPECT_THAT(readText(file), HasSubstr(line));
+}
+
 TEST_F(Verify, TheDocumentShowsAllMeshesAndDrawsTheOrders) {
   const VerificationCase verified = caseOf(
       kBlock + kThreeMeshes +
