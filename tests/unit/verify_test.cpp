@@ -23,7 +23,6 @@ namespace fs = std::filesystem;
 using samples::ScratchDirectory;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 
 const std::string kBlock = R"(# A block.
 #
@@ -153,7 +152,7 @@ TEST_F(Verify, AQuantityIsARowOrAnExtremeOfAFormula) {
 
 TEST_F(Verify, AQuantityThatCannotBeHadIsAnError) {
   const VerificationCase verified = caseOf(kBlock + checks("quantity: time, expect: range, at_least: 0"));
-  const auto message = [&](CheckSpec check) -> std::string {
+  const auto message = [&](const CheckSpec& check) -> std::string {
     try {
       quantityOf(check, history({3.0, 7.0, 5.0}), verified.scene.definitions);
     } catch (const Error& error) {
