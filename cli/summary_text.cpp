@@ -16,15 +16,13 @@ std::string line(const char* label, const std::string& text) {
 
 /// How far the work done on the body and what became of it are apart.
 std::string balance(const RunSummary& summary) {
-  const StateQuantities& end = summary.end;
-  const double found = end.strainEnergy + end.contactEnergy + end.plasticWork;
-  double done = end.externalWork;
-  for (const auto& rezoning : summary.rezonings) done += rezoning.gapWork;
-  const double scale = std::max(std::abs(found), std::abs(done));
-  if (scale == 0.0) return "nothing stored, no work done";
-  return fmt::format("{} differs by {:.2g} % from energies and plastic work",
+  double gapWork = 0.0;
+  for (const auto& rezoning : summary.rezonings) gapWork += rezoning.gapWork;
+  if (summary.end.externalWork + gapWork == 0.0 && imbalanceOf(summary.end, gapWork) == 0.0)
+    return "nothing stored, no work done";
+  return fmt::format("{} differs by {:.2g} % from energies and plastic work; doubtful above {:.0f} %",
                      summary.rezonings.empty() ? "external work" : "work, that of closing gaps included,",
-                     100.0 * std::abs(done - found) / scale);
+                     100.0 * imbalanceOf(summary.end, gapWork), 100.0 * kDoubtfulBalance);
 }
 
 std::string rezonings(const RunSummary& summary) {
@@ -53,8 +51,10 @@ std::string summaryText(const RunSummary& s) {
   if (!s.rezonings.empty() || s.failedRezonings > 0) text += line("rezonings", rezonings(s));
   text += line("worst residual", fmt::format("{:.2e}, tolerance {:.0e}", s.worstResidual, s.tolerance));
   if (s.stepsAtRoundOff > 0)
-    text += line("rounding", fmt::format("{} steps ended above the tolerance, where rounding allows no less",
-                                         s.stepsAtRoundOff));
+    text += line("rounding",
+                 fmt::format("{} steps ended above the tolerance, at {:.1e} or less, where the rounding of the "
+                             "forces allows no less; this is harmless",
+                             s.stepsAtRoundOff, s.worstResidual));
   if (s.contactParameter > 0.0)
     text += line("contact", fmt::format("parameter {:.4g}, worst averaged gap {:.2e}, tolerance {:.0e}",
                                         s.contactParameter, s.worstConstraint, s.constraintTolerance));
@@ -62,6 +62,12 @@ std::string summaryText(const RunSummary& s) {
                                                   end.strainEnergy, end.contactEnergy, end.plasticWork));
   text += line("external work", fmt::format("{:.8g}", end.externalWork));
   text += line("balance", balance(s));
+  if (s.stabilised)
+    text += line("stabilisation",
+                 fmt::format("carries {:.2g} % of the largest force at the end, {:.2g} % at most; took {:.4g} of "
+                             "the work",
+                             100.0 * end.stabilisedShare, 100.0 * s.largestStabilisedShare,
+                             end.stabilisationWork));
   if (end.maxPlasticStrain > 0.0)
     text +=
         line("plastic strain", fmt::format("at most {:.5g} at quadrature points; projected {:.5g} to {:.5g}",
@@ -74,10 +80,11 @@ std::string summaryText(const RunSummary& s) {
 
 std::vector<std::string> warnings(const RunSummary& summary) {
   std::vector<std::string> texts;
-  for (const Doubt& doubt : summary.doubts)
-    texts.push_back(fmt::format(
-        "{}: first at t = {:.5g}, in {:.1f} % of the steps; do not trust the results from there on",
-        doubt.what, doubt.firstTime, std::min(100.0, 100.0 * doubt.steps / std::max(1, summary.steps))));
+  for (const DoubtRecord& doubt : summary.doubts)
+    texts.push_back(fmt::format("{}: first at t = {:.5g}, in {:.1f} % of the steps{}{}", doubt.what,
+                                doubt.firstTime,
+                                std::min(100.0, 100.0 * doubt.steps / std::max(1, summary.steps)),
+                                doubt.detail.empty() ? "" : "; ", doubt.detail));
   for (const std::string& tool : summary.idleTools)
     texts.push_back(fmt::format("tool '{}' has never touched the body", tool));
   return texts;

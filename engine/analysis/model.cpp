@@ -44,6 +44,9 @@ double defaultParameter(Enforcement enforcement, double E, double L) {
   return (enforcement == Enforcement::AugmentedLagrangian ? 1.0 : 100.0) * E / L;
 }
 
+/// Smallest force that counts over E L (E L² in 3D and axisymmetry).
+constexpr double kForceFloor = 1e-9;
+
 /// Reach of self-contact when the scene does not say, in parts of the body's size.
 constexpr double kReach = 0.05;
 
@@ -60,6 +63,7 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
   bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), formulationOf(scene));
   addBoundary(scene);
   liftTools(scene);
+  addStabilisation(scene);
   InputProblems problems;
   for (const auto& load : toolLoads_) problems.gather([&] { placeFreeTool(*load, scene); });
   problems.throwIfAny();
@@ -77,6 +81,7 @@ Model<Dim>::Model(const Scene& scene, RezonedBody<Dim> rezoned)
   reference.plasticWork = rezoned.plasticWork;
   bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), formulationOf(scene), reference);
   addBoundary(scene);
+  addStabilisation(scene);
   supports_.setValues(startTime_, origin_);
 }
 
@@ -95,7 +100,7 @@ void Model<Dim>::addBoundary(const Scene& scene) {
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k)
     problems.gather([&] { addSelfContact(scene, k); });
   prescribed_.resize(static_cast<std::size_t>(numUnknowns_), false);
-  if (!rezoned_) problems.gather([this] { requireSupported(); });
+  if (!rezoned_ && !scene.stabilise) problems.gather([this] { requireSupported(); });
   problems.throwIfAny();
   std::sort(corners_.begin(), corners_.end());
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
@@ -222,6 +227,27 @@ std::vector<ContactTerm<Dim>*> Model<Dim>::pairsOf(std::size_t tool) const {
 }
 
 template <int Dim>
+void Model<Dim>::addStabilisation(const Scene& scene) {
+  if (!scene.stabilise) return;
+  const double end = scene.stabilise->until.value_or(scene.steps.front().until);
+  // η V (L / T) = strength E L (E L² in 3D)
+  const double force = scene.stabilise->strength * forceFloor() / kForceFloor;
+  const double viscosity = force * end / (quadrature_->volume() * body_.size());
+  stabilisation_ = std::make_unique<Stabilisation<Dim>>(
+      *quadrature_, typename Stabilisation<Dim>::Options{viscosity, startTime_, end});
+}
+
+template <int Dim>
+double Model<Dim>::stabilisedShare(const std::vector<Eigen::VectorXd>& forces) const {
+  if (!stabilisation_ || stabilisation_->force() < forceFloor()) return 0.0;
+  const Eigen::Index n = numDisplacements();
+  double largest = stabilisation_->force();
+  for (std::size_t k = 1; k + 1 < forces.size(); ++k)  // the body's own forces hold one another
+    largest = std::max(largest, forces[k].head(n).template lpNorm<1>());
+  return stabilisation_->force() / largest;
+}
+
+template <int Dim>
 void Model<Dim>::liftTools(const Scene& scene) {
   constexpr int kApproachSteps = 4;
   const double approachTime = kApproachSteps * scene.steps.front().until / scene.steps.front().count;
@@ -329,6 +355,7 @@ std::vector<Term*> Model<Dim>::terms() const {
   for (const auto& contact : selfContacts_) terms.push_back(contact.term.get());
   for (const auto& load : loads_) terms.push_back(load.get());
   for (const auto& load : toolLoads_) terms.push_back(load.get());
+  if (stabilisation_) terms.push_back(stabilisation_.get());
   return terms;
 }
 
@@ -349,7 +376,7 @@ SteppingState Model<Dim>::startState() const {
 
 template <int Dim>
 double Model<Dim>::forceFloor() const {
-  return 1e-9 * youngsModulus(bulk_->material()) * std::pow(body_.size(), body_.axisymmetric ? 2 : Dim - 1);
+  return kForceFloor * youngsModulus(bulk_->material()) * std::pow(body_.size(), body_.axisymmetric ? 2 : Dim - 1);
 }
 
 template <int Dim>

@@ -15,6 +15,7 @@
 #include "engine/solid/bulk_term.h"
 #include "engine/solid/load_term.h"
 #include "engine/solid/span_quadrature.h"
+#include "engine/solid/stabilisation.h"
 #include "engine/solver/newton.h"
 #include "engine/solver/stepping.h"
 
@@ -71,7 +72,14 @@ class Model {
   const std::vector<std::unique_ptr<LoadTerm>>& loads() const { return loads_; }
   const FaceFinder<Dim>& faces() const { return faces_; }
 
-  /// Bulk, contacts, contacts of faces with themselves, loads, loads of tools, in this order.
+  /// Null unless the scene asks for it.
+  const Stabilisation<Dim>* stabilisation() const { return stabilisation_.get(); }
+
+  /// Share of the largest force that the stabilisation carries in the state that the terms have been evaluated
+  /// at. forces: of the terms, in their order.
+  double stabilisedShare(const std::vector<Eigen::VectorXd>& forces) const;
+
+  /// Bulk, contacts, contacts of faces with themselves, loads, loads of tools, stabilisation, in this order.
   std::vector<Term*> terms() const;
 
   int numUnknowns() const { return numUnknowns_; }
@@ -107,13 +115,14 @@ class Model {
   void addContact(const Scene& scene, std::size_t number);
   void addSelfContact(const Scene& scene, std::size_t number);
   void requireReachable(const Tool& tool, const ContactSpec& spec, const std::string& place) const;
+  void addStabilisation(const Scene& scene);
   void liftTools(const Scene& scene);
   void placeFreeTool(const ToolLoad& load, const Scene& scene);
   std::vector<ContactTerm<Dim>*> pairsOf(std::size_t tool) const;
   std::size_t numberOf(const Tool& tool) const;
   void requireSupported() const;
 
-  /// Smallest force that counts: 1e-9 E L (E L² in 3D and axisymmetry).
+  /// Smallest force that counts, a share of E L (E L² in 3D and axisymmetry).
   double forceFloor() const;
 
   Model(const Scene& scene, NamedBody<Dim> body);
@@ -129,6 +138,7 @@ class Model {
   std::vector<SelfContact> selfContacts_;  ///< none in 3D
   std::vector<std::unique_ptr<LoadTerm>> loads_;
   std::vector<std::unique_ptr<ToolLoad>> toolLoads_;
+  std::unique_ptr<Stabilisation<Dim>> stabilisation_;
   std::vector<bool> prescribed_;
   std::vector<double> corners_;
   int numUnknowns_ = 0;

@@ -4,23 +4,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <utility>
 #include <variant>
 
 #include "engine/analysis/boundary_crossing.h"
+#include "engine/analysis/contact_side.h"
 #include "engine/core/stopwatch.h"
 #include "engine/fields/body_fields.h"
 
 namespace burnish {
 namespace {
 
-constexpr double kDoubtfulSpanShare = 0.1;
-constexpr double kDoubtfulRadiusShare = 0.01;
-constexpr double kDoubtfulJ = 0.05;
-constexpr double kDoubtfulBoundary = 0.005;
+/// So many states are needed before sums of work mean much; a run of fewer is judged by its end alone.
+constexpr int kCoarseStates = 10;
+
 constexpr double kCrossing = 1e-9;  // relative to the body's size
-constexpr std::size_t kFirstToolDoubt = 5;
 
 /// Largest penetration over the size of a span.
 template <class Contact>
@@ -56,30 +56,12 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
       measures_(scene, model, projection),
       toolWatch_(model),
       tipWatch_(model),
-      doubts_{
-          {"point-wise penetration above a tenth of a knot span or 1 % of the tool's radius"},
-          {"smallest J below 0.05"},
-          {scene.rezoning
-               ? "fewer than three control points carry a contact for which no new mesh was found, or whose "
-                 "face penetrates by more than a tenth of a knot span: the mesh does not resolve it any "
-                 "more; give new meshes more spans (rezoning.spans)"
-               : "fewer than three control points carry a contact whose face penetrates by more than a tenth "
-                 "of a knot span: the mesh does not resolve it any more; `rezoning: {}` in the scene of a "
-                 "plane body meshes it anew under way"},
-          {scene.selfContact.empty()
-               ? "a contact face crosses itself, as contact of the body with itself is not computed; "
-                 "self_contact computes it for plane and axisymmetric bodies"
-               : "a contact face crosses itself: name it under self_contact or, if it is there, give it a "
-                 "larger "
-                 "reach, finer steps or more knot spans"},
-          {"the boundary of a new mesh is farther than 0.5 % of the body's size from the old one; give new "
-           "meshes more spans (rezoning.spans)"}},
+      doubts_(commonDoubts(scene.rezoning.has_value(), !scene.selfContact.empty())),
+      tipDoubts_(model.contacts().size()),
+      tips_(model.contacts().size()),
       touched_(model.tools().size(), false),
       rezones_(scene.rezoning.has_value()) {
-  for (auto& sentence : toolWatch_.sentences()) doubts_.push_back({std::move(sentence)});
-  firstTipDoubt_ = doubts_.size();
-  doubts_.resize(firstTipDoubt_ + model.contacts().size());
-  tips_.resize(model.contacts().size());
+  for (auto& sentence : toolWatch_.sentences()) toolDoubts_.push_back({std::move(sentence)});
 }
 
 template <int Dim>
@@ -168,12 +150,16 @@ double Recorder<Dim>::toolWork(const StateQuantities& next) const {
 }
 
 template <int Dim>
-void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force) {
+void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force,
+                           const Equilibrium& equilibrium) {
   const Eigen::VectorXd& x = state.x;
   Eigen::VectorXd loads = loadForces();
   StateQuantities next;
   next.time = state.time;
   next.externalWork = current_.externalWork + workIncrement(x, force, loads);
+  // A load that is there at once does twice the work of one that grows, and the rest would set the body in
+  // motion.
+  if (++states_ == 2 && loads_.size() > 0) suddenWork_ = 0.5 * loads_.dot((x - x_).head(loads_.size()));
   addTools(state, next);
   addSelfContacts(next);
   if (x_.size() > 0) next.externalWork += toolWork(next);
@@ -183,6 +169,9 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
   next.plasticWork = bulk.plasticWork();
   next.maxPlasticStrain = bulk.summary().maxPlasticStrain;
   next.minJ = bulk.summary().minJ;
+  next.stabilisedShare = equilibrium.stabilisedShare;
+  next.stabilisationWork = current_.stabilisationWork;
+  if (const auto* stabilisation = model_.stabilisation()) next.stabilisationWork += stabilisation->work();
   if (std::holds_alternative<J2Plasticity>(bulk.material())) {
     const Stopwatch stopwatch(projectionSeconds_);
     next.projectedPlasticStrain = extremes_(projection_.project(plasticStrain(bulk)).col(0));
@@ -193,7 +182,7 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
   x_ = x;
   force_ = force;
   loads_ = std::move(loads);
-  watch();
+  watch(equilibrium);
 }
 
 template <int Dim>
@@ -201,7 +190,12 @@ void Recorder<Dim>::continueFrom(const Recorder& before) {
   current_ = before.current_;
   smallestJ_ = before.smallestJ_;
   largestPenetration_ = before.largestPenetration_;
+  largestStabilisedShare_ = before.largestStabilisedShare_;
+  states_ = before.states_;
+  suddenWork_ = before.suddenWork_;
   doubts_ = before.doubts_;
+  toolDoubts_ = before.toolDoubts_;
+  tipDoubts_ = before.tipDoubts_;
   tips_ = before.tips_;
   touched_ = before.touched_;
   rezonings_ = before.rezonings_;
@@ -252,48 +246,88 @@ bool Recorder<Dim>::anyFaceCrossesItself() const {
 }
 
 template <int Dim>
-void Recorder<Dim>::watch() {
+void Recorder<Dim>::note(Condition condition, bool holds, double value) {
+  if (holds) doubts_[static_cast<std::size_t>(condition)].note(current_.time, value);
+}
+
+template <int Dim>
+void Recorder<Dim>::watch(const Equilibrium& equilibrium) {
   smallestJ_ = std::min(smallestJ_, current_.minJ);
   largestPenetration_ = std::max({largestPenetration_, current_.maxPenetration, current_.maxSelfPenetration});
+  largestStabilisedShare_ = std::max(largestStabilisedShare_, current_.stabilisedShare);
+  crossesItself_ = anyFaceCrossesItself();
+  note(Condition::SmallJ, current_.minJ < kDoubtfulJ, 1.0 / current_.minJ);
+  note(Condition::CrossesItself, crossesItself_);
+  note(Condition::NewBoundary, boundaryError_ > kDoubtfulBoundary * model_.body().size());
+  note(Condition::Unstable, equilibrium.unstableDirections > 0, equilibrium.unstableDirections);
+  note(Condition::Stabilisation, current_.stabilisedShare > kDoubtfulStabilisation, current_.stabilisedShare);
+  watchContacts();
+  if (states_ > kCoarseStates) watchWork();
+  watchTools();
+}
 
-  bool penetrates = false;
+template <int Dim>
+void Recorder<Dim>::watchContacts() {
+  double refinement = 0.0, inside = 0.0;
+  bool lost = false;
   for (const auto& pair : model_.contacts()) {
     const double radius = halfThickness(model_.tools()[pair.tool]->shape);
-    penetrates |= penetrationPerSpan(*pair.term) > kDoubtfulSpanShare ||
-                  pair.term->state().largestPenetration() > kDoubtfulRadiusShare * radius;
+    // On finer spans the penetration falls with the square of their size.
+    refinement =
+        std::max({refinement, penetrationPerSpan(*pair.term) / kDoubtfulSpanShare,
+                  std::sqrt(pair.term->state().largestPenetration() / (kDoubtfulRadiusShare * radius))});
+    inside = std::max(inside, forceFromInside(model_.body(), pair, x_));
+    lost = lost || hasLostResolution(pair);
+    if (pair.term->state().pressure.maxCoeff() > 0.0) touched_[pair.tool] = true;
   }
   for (const auto& contact : model_.selfContacts())
-    penetrates |= penetrationPerSpan(*contact.term) > kDoubtfulSpanShare;
-  const auto& contacts = model_.contacts();
-  crossesItself_ = anyFaceCrossesItself();
-  const auto note = [&](Doubt& doubt, bool holds) {
-    if (!holds) return;
-    if (doubt.steps == 0) doubt.firstTime = current_.time;
-    ++doubt.steps;
-  };
-  note(doubts_[0], penetrates);
-  note(doubts_[1], current_.minJ < kDoubtfulJ);
-  note(doubts_[2], std::any_of(contacts.begin(), contacts.end(),
-                               [&](const auto& pair) { return hasLostResolution(pair); }));
-  note(doubts_[3], crossesItself_);
-  note(doubts_[4], boundaryError_ > kDoubtfulBoundary * model_.body().size());
+    refinement = std::max(refinement, penetrationPerSpan(*contact.term) / kDoubtfulSpanShare);
+  note(Condition::Penetration, refinement > 1.0, refinement);
+  note(Condition::LostContact, lost);
+  note(Condition::InsideTheBody, inside > kDoubtfulInside, inside);
+}
+
+template <int Dim>
+void Recorder<Dim>::watchWork() {
+  const double imbalance = imbalanceOf(current_, gapWork_ - suddenWork_);
+  note(Condition::Balance, imbalance > kDoubtfulBalance, imbalance);
+}
+
+template <int Dim>
+void Recorder<Dim>::noteEnd() {
+  if (states_ <= kCoarseStates) watchWork();
+}
+
+template <int Dim>
+void Recorder<Dim>::watchTools() {
   const auto reached = toolWatch_.reached(current_.toolPoses, x_);
-  for (std::size_t k = 0; k < reached.size(); ++k) note(doubts_[kFirstToolDoubt + k], reached[k]);
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    if (reached[k]) toolDoubts_[k].note(current_.time, 0.0);
   const auto tips = tipWatch_.tips(current_.toolPoses, x_);
   for (std::size_t k = 0; k < tips.size(); ++k) {
     if (tips_[k].depth == 0.0) tips_[k] = tips[k];
-    note(doubts_[firstTipDoubt_ + k], tips[k].depth > 0.0);
+    if (tips[k].depth > 0.0) tipDoubts_[k].note(current_.time, 0.0);
   }
   nameTips();
-
-  for (const auto& pair : model_.contacts())
-    if (pair.term->state().pressure.maxCoeff() > 0.0) touched_[pair.tool] = true;
 }
 
 template <int Dim>
 void Recorder<Dim>::nameTips() {
   for (std::size_t k = 0; k < tips_.size(); ++k)
-    if (tips_[k].depth > 0.0) doubts_[firstTipDoubt_ + k].what = tipWatch_.sentence(k, tips_[k]);
+    if (tips_[k].depth > 0.0) tipDoubts_[k].what = tipWatch_.sentence(k, tips_[k]);
+}
+
+template <int Dim>
+std::vector<DoubtRecord> Recorder<Dim>::doubts() const {
+  std::vector<DoubtRecord> records;
+  const auto add = [&](const Doubt& doubt, std::string detail) {
+    if (doubt.steps > 0) records.push_back({doubt.what, doubt.firstTime, doubt.steps, std::move(detail)});
+  };
+  for (std::size_t k = 0; k < doubts_.size(); ++k)
+    add(doubts_[k], detailOf(static_cast<Condition>(k), doubts_[k]));
+  for (const Doubt& doubt : toolDoubts_) add(doubt, "");
+  for (const Doubt& doubt : tipDoubts_) add(doubt, "");
+  return records;
 }
 
 template <int Dim>
@@ -336,6 +370,13 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
   return row;
 }
 
+double imbalanceOf(const StateQuantities& state, double otherWork) {
+  const double found = state.strainEnergy + state.contactEnergy + state.plasticWork + state.stabilisationWork;
+  const double done = state.externalWork + otherWork;
+  const double scale = std::max(std::abs(found), std::abs(done));
+  return scale > 0.0 ? std::abs(done - found) / scale : 0.0;
+}
+
 void StateQuantities::archive(StateArchive& archive) {
   archive.field("time", time);
   const std::size_t tools = toolPoses.size();
@@ -359,6 +400,8 @@ void StateQuantities::archive(StateArchive& archive) {
   archive.field("max_self_penetration", maxSelfPenetration);
   archive.field("self_contact_force", selfForce);
   archive.field("min_J", minJ);
+  archive.field("stabilisation_work", stabilisationWork);
+  archive.field("stabilised_share", stabilisedShare);
 }
 
 template <int Dim>
@@ -374,10 +417,14 @@ void Recorder<Dim>::archive(StateArchive& archive) {
   archive.field("loads", loads_);
   archive.field("smallest_J", smallestJ_);
   archive.field("largest_penetration", largestPenetration_);
-  for (std::size_t k = 0; k < doubts_.size(); ++k) {
-    archive.field(fmt::format("doubt{}_first_time", k), doubts_[k].firstTime);
-    archive.field(fmt::format("doubt{}_steps", k), doubts_[k].steps);
-  }
+  archive.field("largest_stabilised_share", largestStabilisedShare_);
+  archive.field("states", states_);
+  archive.field("sudden_work", suddenWork_);
+  for (std::size_t k = 0; k < doubts_.size(); ++k) archive.part(fmt::format("doubt{}", k), doubts_[k]);
+  for (std::size_t k = 0; k < toolDoubts_.size(); ++k)
+    archive.part(fmt::format("tool_doubt{}", k), toolDoubts_[k]);
+  for (std::size_t k = 0; k < tipDoubts_.size(); ++k)
+    archive.part(fmt::format("tip_doubt{}", k), tipDoubts_[k]);
   int crosses = crossesItself_ ? 1 : 0;
   archive.field("crosses_itself", crosses);
   crossesItself_ = crosses == 1;

@@ -3,21 +3,20 @@
 #include <string>
 #include <vector>
 
+#include "engine/results/doubts.h"
 #include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/tip_watch.h"
 #include "engine/analysis/tool_watch.h"
 #include "engine/fields/projection.h"
 #include "engine/fields/span_extremes.h"
-#include "engine/results/summary_file.h"
 
 namespace burnish {
 
-/// A condition that makes results doubtful, and for how long it held.
-struct Doubt {
-  std::string what;
-  double firstTime = 0.0;
-  int steps = 0;  ///< 0: never
+/// What is to be known of how the forces of an accepted state balance.
+struct Equilibrium {
+  int unstableDirections = 0;    ///< see `Inertia`
+  double stabilisedShare = 0.0;  ///< see `Model::stabilisedShare`
 };
 
 /// Quantities of one accepted state, in the units of the scene.
@@ -38,9 +37,15 @@ struct StateQuantities {
   double maxSelfPenetration = 0.0;
   double selfForce = 0.0;  ///< between the parts of a face, summed over the faces
   double minJ = 1.0;
+  double stabilisationWork = 0.0;  ///< taken from the body by a drag that holds it
+  double stabilisedShare = 0.0;    ///< of the largest force, see `Model::stabilisedShare`
 
   void archive(StateArchive& archive);
 };
+
+/// Difference between the work done on the body, externalWork and otherWork, and what became of it, over the
+/// larger of both.
+double imbalanceOf(const StateQuantities& state, double otherWork);
 
 /// Follows a run: sums the external work, watches extremes and doubts, and makes history rows.
 template <int Dim>
@@ -54,10 +59,13 @@ class Recorder {
 
   /// Takes in the accepted state that the terms have just been evaluated at. `force`: sum of all terms'
   /// forces there.
-  void update(const MeasuredState& state, const Eigen::VectorXd& force);
+  void update(const MeasuredState& state, const Eigen::VectorXd& force, const Equilibrium& equilibrium);
 
   /// Goes on with the sums and extremes of a recorder of the same scene on another mesh.
   void continueFrom(const Recorder& before);
+
+  /// The run ends with the current state.
+  void noteEnd();
 
   /// The current state is the first one after the body was meshed anew.
   void noteRezoning(const RezoningRecord& rezoning);
@@ -72,7 +80,11 @@ class Recorder {
   double smallestJ() const { return smallestJ_; }
   double largestPenetration() const { return largestPenetration_; }
 
-  const std::vector<Doubt>& doubts() const { return doubts_; }
+  /// Largest share of the forces that the stabilisation has carried.
+  double largestStabilisedShare() const { return largestStabilisedShare_; }
+
+  /// The conditions that held at some time, with how badly.
+  std::vector<DoubtRecord> doubts() const;
 
   /// Whether a contact face crosses itself in the current state (2D); parts that touch by self-contact do
   /// not.
@@ -94,7 +106,11 @@ class Recorder {
   void addTools(const MeasuredState& state, StateQuantities& next) const;
   void addSelfContacts(StateQuantities& next) const;
   Eigen::VectorXd loadForces() const;
-  void watch();
+  void watch(const Equilibrium& equilibrium);
+  void watchContacts();
+  void watchWork();
+  void watchTools();
+  void note(Condition condition, bool holds, double value = 0.0);
   void nameTips();
   bool hasLostResolution(const ContactPair<Dim>& pair) const;
   bool faceCrossesItself(const ContactPair<Dim>& pair) const;
@@ -111,9 +127,13 @@ class Recorder {
   Eigen::VectorXd x_, force_, loads_;  ///< of the last state; empty before the first
   double smallestJ_ = 1.0;
   double largestPenetration_ = 0.0;
-  std::vector<Doubt> doubts_;
+  double largestStabilisedShare_ = 0.0;
+  int states_ = 0;           ///< taken in, that at the start among them
+  double suddenWork_ = 0.0;  ///< half of the work on the first step of loads that were there from the start
+  std::vector<Doubt> doubts_;           ///< those of any scene
+  std::vector<Doubt> toolDoubts_;       ///< one for each tool and face that `ToolWatch` watches
+  std::vector<Doubt> tipDoubts_;        ///< one for each contact pair
   bool crossesItself_ = false;
-  std::size_t firstTipDoubt_ = 0;  ///< of one for each contact pair
   std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool
   bool rezones_;

@@ -129,7 +129,7 @@ class Run {
   /// Brings lifted tools down and records the state at t = 0.
   Walk approach() {
     const auto forces = stage_->evaluateHere();
-    stage_->recorder.update({state().time, state().x, forces.bulk}, forces.total);
+    stage_->recorder.update({state().time, state().x, forces.bulk}, forces.total, {});
     for (Term* term : stage_->terms) term->accept();
     Walk walk = Walk::Arrived;
     const double startTime = stage_->model->startTime();
@@ -304,6 +304,7 @@ class Run {
 
   void fillSummary() {
     noteTimings();
+    if (!summary_.halted) stage_->recorder.noteEnd();
     const Recorder<Dim>& recorder = stage_->recorder;
     summary_.timings.total = seconds();
     summary_.program = record_.program;
@@ -323,8 +324,12 @@ class Run {
     summary_.end = recorder.current();
     summary_.smallestJ = recorder.smallestJ();
     summary_.largestPenetration = recorder.largestPenetration();
-    for (const Doubt& doubt : recorder.doubts())
-      if (doubt.steps > 0) summary_.doubts.push_back(doubt);
+    summary_.stabilised = stage_->model->stabilisation() != nullptr;
+    summary_.largestStabilisedShare = recorder.largestStabilisedShare();
+    summary_.doubts = recorder.doubts();
+    std::stable_sort(
+        summary_.doubts.begin(), summary_.doubts.end(),
+        [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
     summary_.idleTools = recorder.idleTools();
     summary_.timings.projection = recorder.projectionSeconds();
     if (!rezoner_) return;

@@ -1,20 +1,6 @@
 #include "engine/analysis/run_summary.h"
 
-#include <algorithm>
-
 namespace burnish {
-namespace {
-
-std::vector<DoubtRecord> doubtRecords(const std::vector<Doubt>& doubts) {
-  std::vector<DoubtRecord> records;
-  for (const Doubt& doubt : doubts) records.push_back({doubt.what, doubt.firstTime, doubt.steps});
-  std::sort(records.begin(), records.end(),
-            [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
-  return records;
-}
-
-}  // namespace
-
 void RunTimings::archive(StateArchive& archive) {
   archive.field("assembly", assembly);
   archive.field("contact", contact);
@@ -38,11 +24,11 @@ void RunSummary::archive(StateArchive& archive) {
 }
 
 SummaryRecord makeSummaryRecord(const RunSummary& s) {
-  return {.program = s.program,
+  SummaryRecord record{.program = s.program,
           .completed = s.completed,
           .stoppedBecause = s.stoppedBecause,
           .advice = s.advice,
-          .doubts = doubtRecords(s.doubts),
+          .doubts = s.doubts,
           .rezonings = s.rezonings,
           .rezoningFailure = s.rezoningFailure,
           .numbers = {{"end_time", s.end.time},
@@ -74,6 +60,12 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
                       {"solve_seconds", s.timings.solve},
                       {"projection_seconds", s.timings.projection},
                       {"output_seconds", s.timings.output}}};
+  if (s.stabilised) {
+    record.numbers["stabilised_share"] = s.end.stabilisedShare;
+    record.numbers["largest_stabilised_share"] = s.largestStabilisedShare;
+    record.numbers["stabilisation_work"] = s.end.stabilisationWork;
+  }
+  return record;
 }
 
 }  // namespace burnish

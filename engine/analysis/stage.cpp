@@ -33,8 +33,9 @@ typename Stage<Dim>::Forces Stage<Dim>::evaluateHere() {
 template <int Dim>
 void Stage<Dim>::record() {
   Eigen::VectorXd total = Eigen::VectorXd::Zero(model->numUnknowns());
-  for (std::size_t k = 0; k < terms.size(); ++k) total += newton.force(k);
-  recorder.update({stepping.state().time, stepping.state().x, newton.force(0)}, total);
+  for (const Eigen::VectorXd& force : newton.forces()) total += force;
+  recorder.update({stepping.state().time, stepping.state().x, newton.forces().front()}, total,
+                  {newton.unstableDirections(), model->stabilisedShare(newton.forces())});
 }
 
 template struct Stage<2>;

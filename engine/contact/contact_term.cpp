@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -24,6 +25,9 @@ namespace {
 /// side, where the nearest surface would pull it on: such a state is not admissible.
 constexpr double kDeepestShare = 0.5;
 
+/// The way of a point is looked at in pieces of at least this share of that depth.
+constexpr double kShortestShare = 0.5;
+
 }  // namespace
 
 template <int Dim>
@@ -34,6 +38,7 @@ ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, con
       options_(options),
       firstMultiplier_(firstMultiplier),
       axisymmetric_(body.axisymmetric),
+      deepest_(kDeepestShare * halfThickness(tool.shape)),
       A_(Eigen::VectorXd::Zero(face_.numFunctions())) {
   for (std::size_t way = 0; way < kToolWays; ++way)
     if (tool.isFree(way)) ways_.push_back(way);
@@ -179,10 +184,36 @@ double ContactTerm<Dim>::smallestReferenceGap(const ToolPose& pose) const {
 }
 
 template <int Dim>
-bool ContactTerm<Dim>::passesThrough(const Mortar& mortar) const {
-  const double deepest = -kDeepestShare * halfThickness(tool_.shape);
+bool ContactTerm<Dim>::isTooDeep(const Mortar& mortar) const {
   return std::any_of(mortar.points.begin(), mortar.points.end(),
-                     [&](const ToolGap& query) { return query.point.gap < deepest; });
+                     [&](const ToolGap& query) { return query.point.gap < -deepest_; });
+}
+
+template <int Dim>
+Eigen::VectorXd ContactTerm<Dim>::pointsInTool(const ToolPose& pose, const Eigen::MatrixXd& positions) const {
+  if (std::isinf(deepest_)) return {};
+  Eigen::VectorXd points(3 * positions.cols());
+  for (Eigen::Index q = 0; q < positions.cols(); ++q) {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    x.head<Dim>() = positions.col(q);
+    points.segment<3>(3 * q) = tool_.toReference(pose, x);
+  }
+  return points;
+}
+
+template <int Dim>
+bool ContactTerm<Dim>::hasPassedThrough() const {
+  for (Eigen::Index q = 0; 3 * q < pointsInTool_.size(); ++q) {
+    const Eigen::Vector3d from = pointsInTool_.segment<3>(3 * q), to = trialPointsInTool_.segment<3>(3 * q);
+    const double way = (to - from).norm();
+    // Gaps change by no more than the way. A short one that begins and ends near the surface stays there.
+    for (double done = 0.0; way > deepest_ && done < way;) {
+      const double gap = queryGap(tool_.shape, from + done / way * (to - from)).gap;
+      if (gap < -deepest_) return true;
+      done += std::max(gap + deepest_, kShortestShare * deepest_);
+    }
+  }
+  return false;
 }
 
 template <int Dim>
@@ -197,7 +228,8 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
   const ToolPose pose = tool_.pose(t, x);
   Mortar mortar = integrate(pose, x);
   if (gapOrigin_.size() > 0) mortar.G -= A_.cwiseProduct(gapOrigin_);
-  if (passesThrough(mortar)) return false;
+  trialPointsInTool_ = pointsInTool(pose, mortar.positions);
+  if (isTooDeep(mortar) || hasPassedThrough()) return false;
   const std::vector<bool> before = std::move(state_.active);
   state_ = {};
   state_.averageGap = mortar.G.cwiseQuotient(A_);
@@ -218,6 +250,11 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
   measureReaction(pose, mortar);
   if (out.system != nullptr) addGeometricTangent(out, mortar);
   return true;
+}
+
+template <int Dim>
+void ContactTerm<Dim>::accept() {
+  pointsInTool_ = trialPointsInTool_;
 }
 
 template <int Dim>

@@ -71,6 +71,8 @@ class ContactTerm final : public Term {
 
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+  void accept() override;
+  void archive(StateArchive& archive) override { archive.field("points_in_tool", pointsInTool_); }
 
   const ContactState& state() const { return state_; }
   const FaceQuadrature<Dim>& face() const { return face_; }
@@ -100,7 +102,14 @@ class ContactTerm final : public Term {
 
   Mortar integrate(const ToolPose& pose, const Eigen::VectorXd& x) const;
   Mortar integrateReference(const ToolPose& pose) const;
-  bool passesThrough(const Mortar& mortar) const;
+  bool isTooDeep(const Mortar& mortar) const;
+
+  /// Positions of the quadrature points in the tool's reference position, one after the other.
+  Eigen::VectorXd pointsInTool(const ToolPose& pose, const Eigen::MatrixXd& positions) const;
+
+  /// Whether a point has gone through a thin part of the tool on its way from the accepted state, which the
+  /// gap at the way's end does not tell.
+  bool hasPassedThrough() const;
   bool isAlone() const;
   void chooseActive(const Eigen::VectorXd& x, const Mortar& mortar);
   void evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
@@ -121,6 +130,7 @@ class ContactTerm final : public Term {
   Options options_;
   int firstMultiplier_;
   bool axisymmetric_;
+  double deepest_;  ///< inside the tool that a point may be
   Eigen::VectorXd A_;
   Eigen::VectorXd gapOrigin_;
   std::vector<std::vector<int>> supports_;  ///< per function: functions that share a span with it, sorted
@@ -129,6 +139,8 @@ class ContactTerm final : public Term {
   bool keepsInTouch_ = false;
   std::vector<const ContactTerm*> others_;
   ContactState state_;
+  Eigen::VectorXd pointsInTool_;       ///< in the accepted state; empty before the first
+  Eigen::VectorXd trialPointsInTool_;  ///< in the last evaluated one; both empty for a tool of any depth
 };
 
 }  // namespace burnish

@@ -27,6 +27,11 @@ ToolPose Tool::pose(double t, const Eigen::VectorXd& x) const {
   return result;
 }
 
+Eigen::Vector3d Tool::toReference(const ToolPose& pose, const Eigen::Vector3d& x) const {
+  if (pose.angle == 0.0) return x - pose.displacement;
+  return Eigen::AngleAxisd(-pose.angle, axis) * (x - pose.displacement - pivot) + pivot;
+}
+
 GapQuery Tool::query(const ToolPose& pose, const Eigen::Vector3d& x) const {
   if (pose.angle == 0.0) return queryGap(shape, x - pose.displacement);
   const Eigen::Matrix3d R = Eigen::AngleAxisd(pose.angle, axis).toRotationMatrix();

@@ -59,6 +59,9 @@ struct Tool {
   /// Place at time t of a tool whose free ways are at zero.
   ToolPose pose(double t) const;
 
+  /// A point that is at x, in the tool's reference position.
+  Eigen::Vector3d toReference(const ToolPose& pose, const Eigen::Vector3d& x) const;
+
   /// Gap, normal and curvature for a point x.
   GapQuery query(const ToolPose& pose, const Eigen::Vector3d& x) const;
 

@@ -39,10 +39,13 @@ void writeSummary(const std::filesystem::path& directory, const SummaryRecord& s
   if (!summary.advice.empty()) yaml << YAML::Key << "advice" << YAML::Value << summary.advice;
   if (!summary.doubts.empty()) {
     yaml << YAML::Key << "doubts" << YAML::Value << YAML::BeginSeq;
-    for (const DoubtRecord& doubt : summary.doubts)
+    for (const DoubtRecord& doubt : summary.doubts) {
       yaml << YAML::BeginMap << YAML::Key << "what" << YAML::Value << doubt.what << YAML::Key << "first_time"
            << YAML::Value << fmt::format("{}", doubt.firstTime) << YAML::Key << "steps" << YAML::Value
-           << doubt.steps << YAML::EndMap;
+           << doubt.steps;
+      if (!doubt.detail.empty()) yaml << YAML::Key << "detail" << YAML::Value << doubt.detail;
+      yaml << YAML::EndMap;
+    }
     yaml << YAML::EndSeq;
   }
   if (!summary.rezonings.empty()) {
@@ -80,7 +83,8 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
       else if (name == "doubts")
         for (const auto& doubt : entry.second)
           summary.doubts.push_back(
-              {doubt["what"].as<std::string>(), doubt["first_time"].as<double>(), doubt["steps"].as<int>()});
+              {doubt["what"].as<std::string>(), doubt["first_time"].as<double>(), doubt["steps"].as<int>(),
+               doubt["detail"].as<std::string>("")});
       else if (name == "rezoning_failure")
         summary.rezoningFailure = entry.second.as<std::string>();
       else if (name == "rezonings")

@@ -10,7 +10,8 @@ namespace burnish {
 struct DoubtRecord {
   std::string what;
   double firstTime = 0.0;
-  int steps = 0;  ///< in which it held
+  int steps = 0;         ///< in which it held
+  std::string detail{};  ///< how bad it was at its worst, and what would do; may be empty
 };
 
 /// The body meshed anew.

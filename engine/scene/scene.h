@@ -199,6 +199,12 @@ struct SelfContactSpec {
   std::optional<double> gapLimit;       ///< as in `ContactSpec`
 };
 
+/// A drag on a body that nothing but contact holds, see `Stabilisation`.
+struct StabiliseSpec {
+  std::optional<double> until;  ///< time at which it has faded; the end of the first phase when left out
+  double strength = 1e-5;       ///< force on the body that moves by its size in that time, over E L (E L² in 3D)
+};
+
 /// A phase of the run: `count` equal nominal steps from the end of the previous phase (or 0) to `until`.
 struct PhaseSpec {
   double until = 0.0;
@@ -375,6 +381,7 @@ struct Scene {
   std::vector<PhaseSpec> steps;
   SolverSpec solver;
   std::optional<RezoningSpec> rezoning;
+  std::optional<StabiliseSpec> stabilise;
   OutputSpec output;
   std::vector<PictureSpec> pictures;
   std::vector<SceneMeasureSpec> measures;

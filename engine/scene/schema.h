@@ -82,6 +82,9 @@ void describe(Visitor& v, Scene& s) {
       "that come down on the body they were cut from. Mortar augmented Lagrangian.");
   v.field("steps", s.steps, {.required = true, .minEntries = 1}, "Phases of the run, from time 0 on.");
   v.field("solver", s.solver, {}, "Newton's method and the control of the step size.");
+  v.field("stabilise", s.stabilise, {},
+          "Holds a body that nothing but contact holds by a drag that fades while contact sets in: "
+          "`stabilise: {}`. What it carries is reported.");
   v.field("rezoning", s.rezoning, {},
           "Meshes the body anew while a tool moves along it, so that its surface stays resolved under the "
           "tool; a "

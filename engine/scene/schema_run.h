@@ -33,6 +33,16 @@ void describe(Visitor& v, SolverSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, StabiliseSpec& s) {
+  v.field("until", s.until, {.above = 0, .unit = "time"},
+          "Time at which the drag has faded to a thousandth, which stays; the end of the first phase when left "
+          "out.");
+  v.field("strength", s.strength, {.above = 0, .atMost = 1},
+          "Force on the body while it moves by its size in that time, over E L (E L^2 in space and "
+          "axisymmetry), L its size.");
+}
+
+template <class Visitor>
 void describe(Visitor& v, RezoningSpec& s) {
   v.field(
       "travel", s.travel, {.above = 0, .unit = "length"},

@@ -34,6 +34,9 @@ class LinearSolver {
   /// changes.
   Eigen::Index factorNonZeros();
 
+  /// Whether K and the Schur complement of the border were definite at the last factorisation.
+  bool isDefinite() const { return isDefinite_; }
+
   /// Factorisations that UMFPACK did.
   long numGeneral() const;
 

@@ -57,6 +57,7 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
       options_(options),
       system_(std::move(prescribed), couplingsOf(terms_)),
       linear_(numFreeBelow(system_, scales_.numForces), tangentKind(terms_)),
+      inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);
 }
@@ -106,6 +107,13 @@ double Newton::roundOff(const Eigen::VectorXd& x) const {
   for (const int i : system_.freeUnknowns())
     if (i < scales_.numForces) sum += bound(i) * bound(i);
   return 4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(sum);
+}
+
+int Newton::countUnstableDirections() {
+  // The last iterate is so near that a definite tangent there is one here.
+  if (system_.freeUnknowns().empty() || linear_.isDefinite()) return 0;
+  const Stopwatch watch(timings_.factorisation);
+  return inertia_.unstableDirections(system_.freeTangent());
 }
 
 NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const {
@@ -187,6 +195,7 @@ NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::Vecto
     correction(system_.freeUnknowns()).setZero();
     if (report.outcome == NewtonOutcome::Converged && !correction.isZero(0.0))
       report.outcome = NewtonOutcome::TooManyIterations;
+    if (report.outcome == NewtonOutcome::Converged) unstableDirections_ = countUnstableDirections();
     if (report.outcome != NewtonOutcome::TooManyIterations || report.iterations == options_.maxIterations)
       return report;
 

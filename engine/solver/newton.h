@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/solver/inertia.h"
 #include "engine/solver/linear_solver.h"
 #include "engine/solver/sparse_system.h"
 #include "engine/solver/term.h"
@@ -91,8 +92,11 @@ class Newton {
   /// The remembered tangent, and what is counted and timed.
   void archive(StateArchive& archive);
 
-  /// Force vectors of the terms at the last evaluated state.
-  const Eigen::VectorXd& force(std::size_t term) const { return forces_[term]; }
+  /// Force vectors of the terms, in their order, at the last evaluated state.
+  const std::vector<Eigen::VectorXd>& forces() const { return forces_; }
+
+  /// Of the equilibrium that was found last, see `Inertia`.
+  int unstableDirections() const { return unstableDirections_; }
 
   const SparseSystem& system() const { return system_; }
   LinearSolver& linearSolver() { return linear_; }
@@ -113,6 +117,8 @@ class Newton {
   /// spans. F = I + ∇u is rounded like a number of order one however small the displacements are.
   double roundOff(const Eigen::VectorXd& x) const;
 
+  int countUnstableDirections();
+
   NewtonOutcome judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const;
 
   /// `correction` holds the increments of the prescribed unknowns on entry; false if the tangent is singular.
@@ -127,9 +133,11 @@ class Newton {
   NewtonOptions options_;
   SparseSystem system_;
   LinearSolver linear_;
+  Inertia inertia_;
   std::vector<Eigen::VectorXd> forces_;
   Eigen::VectorXd remembered_;  ///< entries of a tangent; empty before the first
   NewtonTimings timings_;
+  int unstableDirections_ = 0;
 };
 
 }  // namespace burnish

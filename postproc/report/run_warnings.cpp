@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 
+#include "engine/results/doubts.h"
 #include "engine/solid/face_quadrature.h"
 #include "postproc/draw/ticks.h"
 #include "postproc/mesh/patch_geometry.h"
@@ -14,11 +15,6 @@
 
 namespace burnish {
 namespace {
-
-// The limits that the program warns of at the end of a run.
-constexpr double kDoubtfulSpanShare = 0.1;
-constexpr double kDoubtfulRadiusShare = 0.01;
-constexpr double kDoubtfulJ = 0.05;
 
 template <int Dim>
 double smallestSpan(const MeshRecord& mesh, const ContactRecord& contact) {
@@ -44,10 +40,10 @@ double largestSoundPenetration(const ResultReader& result) {
   return limit;
 }
 
-/// share: of the steps.
-std::string sentenceOf(const std::string& what, double firstTime, double share) {
-  return fmt::format("{}: first at t = {}, in {:.1f} % of the steps. Do not trust the results from there on.",
-                     what, numberText(firstTime, 5), 100.0 * std::min(1.0, share));
+/// share: of the steps. detail: may be empty.
+std::string sentenceOf(const std::string& what, double firstTime, double share, const std::string& detail) {
+  return fmt::format("{}: first at t = {}, in {:.1f} % of the steps{}{}.", what, numberText(firstTime, 5),
+                     100.0 * std::min(1.0, share), detail.empty() ? "" : "; ", detail);
 }
 
 /// Since when and how often a column is doubtful; empty if never.
@@ -61,7 +57,7 @@ std::string doubt(const HistoryTable& history, const std::string& column, const 
   const auto count = std::count_if(first, values->end(), isDoubtful);
   const auto steps = std::max<std::ptrdiff_t>(1, std::ssize(*values) - 1);  // the first row is the start
   return sentenceOf(what, (*times)[static_cast<std::size_t>(first - values->begin())],
-                    static_cast<double>(count) / static_cast<double>(steps));
+                    static_cast<double>(count) / static_cast<double>(steps), "");
 }
 
 std::string penetrationDoubt(const RunRecord& run) {
@@ -82,7 +78,7 @@ std::vector<std::string> ownDoubts(const RunRecord& run) {
     std::string what = doubt.what;
     if (!what.empty() && what.front() >= 'a' && what.front() <= 'z')
       what.front() = static_cast<char>(what.front() - 'a' + 'A');
-    texts.push_back(sentenceOf(what, doubt.firstTime, doubt.steps / steps));
+    texts.push_back(sentenceOf(what, doubt.firstTime, doubt.steps / steps, doubt.detail));
   }
   return texts;
 }
@@ -117,8 +113,10 @@ std::string excess(const RunRecord& run, const std::string& entry, const std::st
 std::string roundOff(const RunRecord& run) {
   const double steps = run.number("steps_at_round_off").value_or(0.0);
   if (steps == 0.0) return {};
-  return fmt::format("{} {} ended above the tolerance, where rounding allows no less.", steps,
-                     steps == 1.0 ? "step" : "steps");
+  return fmt::format(
+      "{} {} ended above the tolerance, at {} or less, where the rounding of the forces allows no less; this "
+      "is harmless.",
+      steps, steps == 1.0 ? "step" : "steps", plainNumber(run.number("worst_residual").value_or(0.0)));
 }
 
 }  // namespace

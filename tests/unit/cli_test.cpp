@@ -72,11 +72,11 @@ TEST(Summary, SaysHowWellWorkIsBalanced) {
 TEST(Summary, WarnsWithTimeAndShare) {
   RunSummary summary;
   summary.steps = 220;
-  summary.doubts.push_back({.what = "smallest J below 0.05", .firstTime = 1.25, .steps = 55});
+  summary.doubts.push_back(
+      {.what = "smallest J below 0.05", .firstTime = 1.25, .steps = 55, .detail = "at worst 0.01"});
   ASSERT_EQ(warnings(summary).size(), 1u);
   EXPECT_EQ(warnings(summary)[0],
-            "smallest J below 0.05: first at t = 1.25, in 25.0 % of the steps; do not trust the results from "
-            "there on");
+            "smallest J below 0.05: first at t = 1.25, in 25.0 % of the steps; at worst 0.01");
 }
 
 /// Parses a command line that must fail and returns the message.

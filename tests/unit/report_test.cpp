@@ -64,11 +64,13 @@ TEST_F(Report, WarnsOfRunsThatDidNotComeToTheirEnd) {
 TEST_F(Report, WarnsOfStepsAboveATolerance) {
   changeSummary([](SummaryRecord& s) {
     s.numbers["steps_at_round_off"] = 3.0;
+    s.numbers["worst_residual"] = 2e-9;
     s.numbers["worst_constraint"] = 2e-12;
     s.numbers["constraint_tolerance"] = 1e-12;
   });
   EXPECT_THAT(warnings(),
-              ElementsAre("3 steps ended above the tolerance, where rounding allows no less.",
+              ElementsAre("3 steps ended above the tolerance, at 2×10⁻⁹ or less, where the rounding of the forces "
+                          "allows no less; this is harmless.",
                           "The largest averaged gap of 2×10⁻¹² is above the tolerance of 1×10⁻¹²."));
 }
 

@@ -121,7 +121,7 @@ TEST(Ironing, TheToolsReactionIsTheReactionOfTheBottom) {
           [&, tol = tolerance](Model<2>& model, const Newton& newton, const StepReport&) {
             Eigen::Vector2d bottom = Eigen::Vector2d::Zero();
             for (int i = 0; i < model.numDisplacements(); ++i)
-              if (model.prescribed()[static_cast<std::size_t>(i)]) bottom(i % 2) += newton.force(0)(i);
+              if (model.prescribed()[static_cast<std::size_t>(i)]) bottom(i % 2) += newton.forces()[0](i);
             const Eigen::Vector2d tool = model.contacts().front().term->state().reaction.head<2>();
             // The body hangs between the two: what its bottom is held with, the tool presses against.
             EXPECT_LT((bottom - tool).norm(), tol * tool.norm());

@@ -1,0 +1,48 @@
+#pragma once
+#include <Eigen/Dense>
+
+#include "engine/solid/span_quadrature.h"
+#include "engine/solver/term.h"
+
+namespace burnish {
+
+/// A drag that holds a body which only contact holds, until that does. A node a that moves by Δu in a step of
+/// length Δt is held back by η(t) m_a Δu / Δt with m_a = ∫ R_a dV; η falls linearly to a small remainder,
+/// which keeps the tangent regular in directions that no contact resists.
+template <int Dim>
+class Stabilisation final : public Term {
+ public:
+  struct Options {
+    double viscosity = 0.0;  ///< η at the start: stress times time per length²
+    double start = 0.0;      ///< time of the body's first state
+    double end = 0.0;        ///< > 0: time from which on the remainder is left
+  };
+
+  /// Share of the viscosity that is left at the end.
+  static constexpr double kRemainder = 1e-3;
+
+  Stabilisation(const SpanQuadrature<Dim>& quadrature, const Options& options);
+
+  CouplingGroups couplings() const override;
+  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+  void accept() override;
+  void archive(StateArchive& archive) override;
+
+  /// Sum of the magnitudes of the drag's components at the nodes, and the work that it takes from the body on
+  /// the step that led to the last evaluated state.
+  double force() const { return force_; }
+  double work() const { return work_; }
+
+ private:
+  double viscosity(double t) const;
+
+  Options options_;
+  Eigen::VectorXd masses_;  ///< m_a
+  Eigen::VectorXd x_;       ///< displacements in the accepted state
+  double time_, step_;      ///< of the accepted state and the step that led there
+  Eigen::VectorXd trial_;
+  double trialTime_;
+  double force_ = 0.0, work_ = 0.0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,78 @@
+// What a run says about answers that it should not be believed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/results/doubts.h"
+#include "tests/verification/run_scene.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+bool hasDoubt(const RunSummary& summary, const std::string& text) {
+  return std::any_of(summary.doubts.begin(), summary.doubts.end(), [&](const DoubtRecord& doubt) {
+    return doubt.what.find(text) != std::string::npos;
+  });
+}
+
+double last(const HistoryTable& history, const std::string& column) {
+  return findColumn(history, column)->back();
+}
+
+/// A block of 2 x 1 into which a disc of radius 0.5 goes 0.9 deep.
+Scene deepDisc(int steps, const std::string& tool = "shape: cylinder, center: [1, 1.5], radius: 0.5") {
+  return parseScene(R"(
+geometry: {shape: rectangle, size: [2, 1], functions: [21, 11]}
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports: [{face: bottom, fix: [x, y]}]
+tools: [{name: disc, )" + tool + R"(, motion: {times: [0, 1], y: [0, -0.9]}}]
+contact: [{tool: disc, face: top}]
+steps: [{until: 1, count: )" + std::to_string(steps) + "}]\n",
+                    "deep disc");
+}
+
+TEST(Passage, AToolThatGoesFurtherThanItsRadiusInOneStepStaysInFrontOfTheSurface) {
+  const auto once = test::run(deepDisc(1), "once"), often = test::run(deepDisc(20), "often");
+  ASSERT_TRUE(once.summary.completed);
+  EXPECT_GT(once.summary.cuts, 0);
+  EXPECT_NEAR(last(once.history, "disc.fy"), last(often.history, "disc.fy"), 1e-6);
+}
+
+TEST(Passage, AToolThatGoesAllTheWayThroughIsNotLost) {
+  // Far enough for the disc to come out below the body, where no gap is negative any more.
+  Scene scene = deepDisc(1);
+  scene.tools.front().motion->y = std::vector<double>{0.0, -3.0};
+  const auto outcome = test::run(scene, "through");
+  EXPECT_FALSE(outcome.summary.completed);
+  EXPECT_THAT(outcome.summary.stoppedBecause, HasSubstr("a tool that passes through the surface"));
+}
+
+TEST(Stability, AColumnAboveItsBucklingLoadIsDoubted) {
+  // Cantilever of length 2 and width 0.1: P_cr = pi^2 E I / (4 l^2) = 0.0514 for E = 1000.
+  const auto column = [](double traction) {
+    return test::run(parseScene(R"(
+geometry: {shape: rectangle, size: [0.1, 2], functions: [4, 22]}
+material: {law: neo-hookean, E: 1000, nu: 0}
+supports: [{face: bottom, fix: [x, y]}]
+loads: [{face: top, traction: ["0", "-)" + std::to_string(traction) + R"(*t"]}]
+steps: [{until: 1, count: 20}]
+)",
+                                "column"),
+                     "column");
+  };
+  EXPECT_FALSE(hasDoubt(column(0.9 * 0.514).summary, "unstable"));
+  const auto buckled = column(1.1 * 0.514);
+  ASSERT_TRUE(hasDoubt(buckled.summary, "unstable"));
+  EXPECT_NEAR(buckled.summary.doubts.front().firstTime, 1.0 / 1.1, 0.051);  // a step
+  EXPECT_THAT(buckled.summary.doubts.front().detail, HasSubstr("in up to 1 direction "));
+  // At 90 times the load the modes with (2 k - 1)^2 < 90 are unstable: k = 1 ... 5.
+  const auto far = column(90.0 * 0.514);
+  ASSERT_TRUE(hasDoubt(far.summary, "unstable"));
+  EXPECT_THAT(far.summary.doubts.front().detail, HasSubstr("in up to 5 directions "));
+}
+
+}  // namespace
+}  // namespace burnish
