@@ -37,7 +37,8 @@ std::string sentenceOf(Condition condition, bool rezones, bool touchesItself) {
       return fmt::format("work and energies differ by more than {:.0f} % of the work",
                          100.0 * kDoubtfulBalance);
     case Condition::Unstable:
-      return "the equilibrium is unstable: the body would leave it by itself, by buckling or a jump";
+      return "the equilibrium is unstable: the body would leave it by itself, by buckling, a jump or rolling "
+             "away";
     case Condition::Stabilisation:
       return fmt::format("the stabilisation carries more than {:.0f} % of the largest force",
                          100.0 * kDoubtfulStabilisation);

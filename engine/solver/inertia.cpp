@@ -2,7 +2,6 @@
 
 #include <Eigen/CholmodSupport>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -31,6 +30,7 @@ struct SimplicialFactors : Eigen::CholmodSimplicialLDLT<Matrix, Eigen::Upper> {
 /// of the others are empty.
 void addBorder(const Matrix& A, Matrix& K) {
   const Eigen::Index n = K.rows();
+  const Eigen::VectorXd diagonal = K.diagonal().cwiseAbs();  // before anything is added
   for (Eigen::Index column = n; column < A.cols(); ++column) {
     std::vector<std::pair<Eigen::Index, double>> entries;
     double square = 0.0, largest = 0.0;
@@ -38,7 +38,7 @@ void addBorder(const Matrix& A, Matrix& K) {
       if (entry.row() >= n || entry.value() == 0.0) continue;
       entries.emplace_back(entry.row(), entry.value());
       square += entry.value() * entry.value();
-      largest = std::max(largest, std::abs(K.coeff(entry.row(), entry.row())));
+      largest = std::max(largest, diagonal(entry.row()));
     }
     for (const auto& [j, bj] : entries)
       for (const auto& [i, bi] : entries)
