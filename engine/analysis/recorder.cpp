@@ -420,11 +420,9 @@ void Recorder<Dim>::archive(StateArchive& archive) {
   archive.field("largest_stabilised_share", largestStabilisedShare_);
   archive.field("states", states_);
   archive.field("sudden_work", suddenWork_);
-  for (std::size_t k = 0; k < doubts_.size(); ++k) archive.part(fmt::format("doubt{}", k), doubts_[k]);
-  for (std::size_t k = 0; k < toolDoubts_.size(); ++k)
-    archive.part(fmt::format("tool_doubt{}", k), toolDoubts_[k]);
-  for (std::size_t k = 0; k < tipDoubts_.size(); ++k)
-    archive.part(fmt::format("tip_doubt{}", k), tipDoubts_[k]);
+  archiveDoubts(archive, "doubts", doubts_);
+  archiveDoubts(archive, "tool_doubts", toolDoubts_);
+  archiveDoubts(archive, "tip_doubts", tipDoubts_);
   int crosses = crossesItself_ ? 1 : 0;
   archive.field("crosses_itself", crosses);
   crossesItself_ = crosses == 1;

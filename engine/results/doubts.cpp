@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burnish {
@@ -59,12 +60,20 @@ void Doubt::note(double time, double value) {
   worstTime = time;
 }
 
-void Doubt::archive(StateArchive& archive) {
-  archive.field("first_time", firstTime);
-  archive.field("steps", steps);
-  archive.field("worst", worst);
-  archive.field("worst_time", worstTime);
-  archive.field("last_time", lastTime);
+void archiveDoubts(StateArchive& archive, const char* name, std::vector<Doubt>& doubts) {
+  // One field for all: a field of its own costs a file more than its values.
+  constexpr std::array kNumbers{&Doubt::firstTime, &Doubt::worst, &Doubt::worstTime, &Doubt::lastTime};
+  std::vector<double> values;
+  for (const Doubt& doubt : doubts) {
+    values.push_back(doubt.steps);
+    for (const auto number : kNumbers) values.push_back(doubt.*number);
+  }
+  archive.fixedField(name, values);
+  auto value = values.begin();
+  for (Doubt& doubt : doubts) {
+    doubt.steps = static_cast<int>(*value++);
+    for (const auto number : kNumbers) doubt.*number = *value++;
+  }
 }
 
 std::vector<Doubt> commonDoubts(bool rezones, bool touchesItself) {

@@ -43,9 +43,10 @@ struct Doubt {
 
   /// Takes in a state in which the condition holds.
   void note(double time, double value);
-
-  void archive(StateArchive& archive);
 };
+
+/// Saves or restores how long conditions held, and how badly.
+void archiveDoubts(StateArchive& archive, const char* name, std::vector<Doubt>& doubts);
 
 /// The conditions of any scene, in their order.
 std::vector<Doubt> commonDoubts(bool rezones, bool touchesItself);
