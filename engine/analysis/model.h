@@ -70,6 +70,7 @@ class Model {
   const std::vector<SelfContact>& selfContacts() const { return selfContacts_; }
   const std::vector<std::unique_ptr<LoadTerm>>& loads() const { return loads_; }
   const FaceFinder<Dim>& faces() const { return faces_; }
+  const Supports<Dim>& supports() const { return supports_; }
 
   /// Bulk, contacts, contacts of faces with themselves, loads, loads of tools, in this order.
   std::vector<Term*> terms() const;

@@ -5,6 +5,7 @@
 
 #include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
+#include "engine/analysis/reactions.h"
 #include "engine/analysis/tip_watch.h"
 #include "engine/analysis/tool_watch.h"
 #include "engine/fields/projection.h"
@@ -74,6 +75,8 @@ class Recorder {
 
   const std::vector<Doubt>& doubts() const { return doubts_; }
 
+  const Reactions<Dim>& reactions() const { return reactions_; }
+
   /// Whether a contact face crosses itself in the current state (2D); parts that touch by self-contact do
   /// not.
   bool crossesItself() const { return crossesItself_; }
@@ -104,6 +107,8 @@ class Recorder {
   const Projection<Dim>& projection_;
   SpanExtremes<Dim> extremes_;
   Measures<Dim> measures_;
+  Reactions<Dim> reactions_;
+  bool listsReactions_;  ///< in the history
   ToolWatch<Dim> toolWatch_;
   TipWatch<Dim> tipWatch_;
   StateQuantities current_;

@@ -43,6 +43,8 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
           .stoppedBecause = s.stoppedBecause,
           .advice = s.advice,
           .doubts = doubtRecords(s.doubts),
+          .warnings = s.warnings,
+          .reactions = s.reactions,
           .rezonings = s.rezonings,
           .rezoningFailure = s.rezoningFailure,
           .numbers = {{"end_time", s.end.time},

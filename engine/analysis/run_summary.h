@@ -47,8 +47,10 @@ struct RunSummary {
   StateQuantities end;            ///< the last state
   double smallestJ = 1.0;
   double largestPenetration = 0.0;
-  std::vector<Doubt> doubts;           ///< those that held
-  std::vector<std::string> idleTools;  ///< with contact pairs, but never in touch
+  std::vector<Doubt> doubts;              ///< those that held
+  std::vector<std::string> warnings;      ///< of the scene, with their keys
+  std::vector<ReactionRecord> reactions;  ///< one per support
+  std::vector<std::string> idleTools;     ///< with contact pairs, but never in touch
   std::vector<RezoningRecord> rezonings;
   int failedRezonings = 0;      ///< that found no sound mesh or no equilibrium on it
   std::string rezoningFailure;  ///< why the last of them failed
