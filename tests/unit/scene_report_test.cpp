@@ -154,7 +154,7 @@ TEST(SceneReport, WarnsOfPlasticFlowWithoutFbar) {
     return reportOf(parseScene(flows, "test.yaml", overrides)).warnings;
   };
   EXPECT_THAT(warningsOf({}),
-              ElementsAre(StartsWith("test.yaml:2:12: material.law: plastic flow is nearly incompressible")));
+              ElementsAre(StartsWith("test.yaml:2:17: material.law: plastic flow is nearly incompressible")));
   EXPECT_THAT(warningsOf({"formulation=fbar"}), ElementsAre());
 }
 

@@ -34,7 +34,7 @@ supports:
   - {face: left, symmetry: true}
 loads: [{face: right, traction: [0.02*t, 0.01*t]}]
 tools:
-  - {name: disc, shape: cylinder, center: [1.2, 1.5], radius: 0.5, motion: {times: [0, 1, 2], y: [0, -0.08, -0.02]}}
+  - {name: disc, shape: cylinder, center: [1.2, 1.5], radius: 0.5, motion: {times: [0, 1, 2], y: [0, -0.08, -0.06]}}
 contact: [{tool: disc, face: top}]
 solver: {tolerance: 1e-12}
 steps: [{until: 2, count: 6}]
@@ -49,7 +49,7 @@ supports:
   - {face: left, symmetry: true}
 loads: [{face: right, traction: [0.02*t, 0.01*t, -0.03*t]}]
 tools:
-  - {name: ball, shape: sphere, center: [0.4, 0.6, 1.5], radius: 0.5, motion: {times: [0, 1], z: [0, -0.08]}}
+  - {name: ball, shape: sphere, center: [0.4, 0.6, 1.5], radius: 0.5, motion: {times: [0, 1], z: [0, -0.15]}}
 contact: [{tool: ball, face: front}]
 solver: {tolerance: 1e-12}
 steps: [{until: 1, count: 2}]
