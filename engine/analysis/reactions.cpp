@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "engine/scene/support_names.h"
@@ -78,12 +79,21 @@ void Reactions<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& f
 
 template <int Dim>
 void Reactions<Dim>::archive(StateArchive& archive) {
-  for (std::size_t k = 0; k < records_.size(); ++k) {
-    const std::string name = fmt::format("support{}_", k);
-    archive.fixedField(name + "force", records_[k].force);
-    archive.fixedField(name + "moment", records_[k].moment);
-    archive.field(name + "largest", records_[k].largest);
-    archive.field(name + "largest_time", records_[k].largestTime);
+  std::vector<double> numbers;  // of all supports in one field, which is smaller than many
+  forEachNumber([&](double& number) { numbers.push_back(number); });
+  archive.fixedField("reactions", numbers);
+  auto next = numbers.begin();
+  forEachNumber([&](double& number) { number = *next++; });
+}
+
+template <int Dim>
+template <class F>
+void Reactions<Dim>::forEachNumber(const F& f) {
+  for (ReactionRecord& record : records_) {
+    std::for_each(record.force.begin(), record.force.end(), f);
+    std::for_each(record.moment.begin(), record.moment.end(), f);
+    f(record.largest);
+    f(record.largestTime);
   }
 }
 

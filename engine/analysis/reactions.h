@@ -38,6 +38,10 @@ class Reactions {
   void archive(StateArchive& archive);
 
  private:
+  /// Calls f with everything that changes from state to state.
+  template <class F>
+  void forEachNumber(const F& f);
+
   const Model<Dim>& model_;
   Eigen::MatrixXd nodes_;  ///< reference positions, Dim x nodes
   std::vector<ReactionRecord> records_;

@@ -396,7 +396,7 @@ void Recorder<Dim>::archive(StateArchive& archive) {
   }
   nameTips();
   archive.fixedField("touched", touched_);
-  archive.part("reactions", reactions_);
+  reactions_.archive(archive);
   archive.field("projection_seconds", projectionSeconds_);
   int needsNewMesh = needsNewMesh_ ? 1 : 0;
   archive.field("needs_new_mesh", needsNewMesh);
