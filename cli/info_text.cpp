@@ -80,12 +80,20 @@ std::string historyText(const std::filesystem::path& file) {
   return line("history", fmt::format("{} rows: {}", history.numRows(), fmt::join(history.columns, ", ")));
 }
 
+std::string summaryText(const SummaryRecord& summary) {
+  std::string text =
+      line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
+  for (const std::string& warning : summary.warnings) text += line("warning", warning);
+  for (const ReactionRecord& reaction : summary.reactions)
+    text += line("support", fmt::format("{}: {}", reaction.support, reactionText(reaction)));
+  return text;
+}
+
 /// How far the run in a directory is; of a summary that is damaged, what is wrong with it.
 std::string runText(const std::filesystem::path& directory) {
   if (std::filesystem::exists(directory / "summary.yaml")) {
     try {
-      const SummaryRecord summary = readSummary(directory);
-      return line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
+      return summaryText(readSummary(directory));
     } catch (const Error& error) {
       return line("run", error.what());
     }

@@ -41,6 +41,10 @@ RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress
   if (showProgress) progress_.emplace(stdout);
 }
 
+void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
 void RunOutputs::onStart(const ModelRecord& model) {
   hasStarted_ = true;
   model_ = model;

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cli/progress.h"
@@ -16,6 +17,7 @@ class RunOutputs : public RunObserver {
   /// The scene must outlive the object.
   RunOutputs(const Scene& scene, std::filesystem::path directory, bool showProgress);
 
+  void onWarnings(const std::vector<std::string>& warnings) override;
   void onStart(const ModelRecord& model) override;
   void onStep(const RunProgress& progress) override;
   void onFrame(const ModelRecord& model, const FrameRecord& frame) override;

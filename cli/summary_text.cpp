@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-std::string line(const char* label, const std::string& text) {
+std::string line(const std::string& label, const std::string& text) {
   return fmt::format("  {:<22}{}\n", label, text);
 }
 
@@ -73,6 +73,7 @@ std::string summaryText(const RunSummary& s) {
         line("plastic strain", fmt::format("at most {:.5g} at quadrature points; projected {:.5g} to {:.5g}",
                                            end.maxPlasticStrain, end.projectedPlasticStrain.min,
                                            end.projectedPlasticStrain.max));
+  for (const ReactionRecord& reaction : s.reactions) text += line(reaction.support, reactionText(reaction));
   text += line("smallest J", fmt::format("{:.5g} at quadrature points", s.smallestJ));
   text += line("largest penetration", fmt::format("{:.3g} at quadrature points", s.largestPenetration));
   return text;

@@ -71,6 +71,7 @@ class Model {
   const std::vector<SelfContact>& selfContacts() const { return selfContacts_; }
   const std::vector<std::unique_ptr<LoadTerm>>& loads() const { return loads_; }
   const FaceFinder<Dim>& faces() const { return faces_; }
+  const Supports<Dim>& supports() const { return supports_; }
 
   /// Null unless the scene asks for it.
   const Stabilisation<Dim>* stabilisation() const { return stabilisation_.get(); }

@@ -54,6 +54,8 @@ Recorder<Dim>::Recorder(const Scene& scene, const Model<Dim>& model, const Proje
       projection_(projection),
       extremes_(model.body()),
       measures_(scene, model, projection),
+      reactions_(scene, model),
+      listsReactions_(scene.output.reactions),
       toolWatch_(model),
       tipWatch_(model),
       doubts_(commonDoubts(scene.rezoning.has_value(), !scene.selfContact.empty())),
@@ -87,6 +89,8 @@ std::vector<std::string> Recorder<Dim>::columns() const {
     for (const char* name : {"rezonings", "rezoning_energy_lost", "rezoning_gap_work",
                              "rezoning_volume_drift", "rezoning_boundary_error", "crosses_itself"})
       columns.emplace_back(name);
+  if (listsReactions_)
+    for (auto& column : reactions_.columns()) columns.push_back(std::move(column));
   for (auto& column : measures_.columns()) columns.push_back(std::move(column));
   return columns;
 }
@@ -178,6 +182,7 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
   }
 
   measured_ = measures_.values(state);
+  reactions_.update(state, force);
   current_ = std::move(next);
   x_ = x;
   force_ = force;
@@ -198,6 +203,7 @@ void Recorder<Dim>::continueFrom(const Recorder& before) {
   tipDoubts_ = before.tipDoubts_;
   tips_ = before.tips_;
   touched_ = before.touched_;
+  reactions_.continueFrom(before.reactions_);
   rezonings_ = before.rezonings_;
   energyLost_ = before.energyLost_;
   gapWork_ = before.gapWork_;
@@ -366,6 +372,8 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
     for (const double value : {static_cast<double>(rezonings_), energyLost_, gapWork_, volumeDrift_,
                                boundaryError_, crossesItself_ ? 1.0 : 0.0})
       row.push_back(value);
+  if (listsReactions_)
+    for (const double value : reactions_.values()) row.push_back(value);
   row.insert(row.end(), measured_.begin(), measured_.end());
   return row;
 }
@@ -433,6 +441,7 @@ void Recorder<Dim>::archive(StateArchive& archive) {
   }
   nameTips();
   archive.fixedField("touched", touched_);
+  reactions_.archive(archive);
   archive.field("projection_seconds", projectionSeconds_);
   int needsNewMesh = needsNewMesh_ ? 1 : 0;
   archive.field("needs_new_mesh", needsNewMesh);

@@ -6,6 +6,7 @@
 #include "engine/results/doubts.h"
 #include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
+#include "engine/analysis/reactions.h"
 #include "engine/analysis/tip_watch.h"
 #include "engine/analysis/tool_watch.h"
 #include "engine/fields/projection.h"
@@ -86,6 +87,8 @@ class Recorder {
   /// The conditions that held at some time, with how badly.
   std::vector<DoubtRecord> doubts() const;
 
+  const Reactions<Dim>& reactions() const { return reactions_; }
+
   /// Whether a contact face crosses itself in the current state (2D); parts that touch by self-contact do
   /// not.
   bool crossesItself() const { return crossesItself_; }
@@ -120,6 +123,8 @@ class Recorder {
   const Projection<Dim>& projection_;
   SpanExtremes<Dim> extremes_;
   Measures<Dim> measures_;
+  Reactions<Dim> reactions_;
+  bool listsReactions_;  ///< in the history
   ToolWatch<Dim> toolWatch_;
   TipWatch<Dim> tipWatch_;
   StateQuantities current_;

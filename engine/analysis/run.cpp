@@ -18,6 +18,7 @@
 #include "engine/analysis/frames.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/rezoner.h"
+#include "engine/analysis/scene_report.h"
 #include "engine/analysis/stage.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/core/blas.h"
@@ -51,6 +52,7 @@ class Run {
   }
 
   RunSummary execute() {
+    warn();
     observer_.onStart(record_);
     try {
       end(begin() ? walk() : Walk::Failed);
@@ -215,6 +217,13 @@ class Run {
     }
   }
 
+  void warn() {
+    const auto warnings = sceneWarnings(scene_, *stage_->model);
+    for (const InputProblem& warning : warnings)
+      summary_.warnings.push_back(fmt::format("{}: {}", warning.path, warning.text));
+    observer_.onWarnings(warningLines(scene_, warnings));
+  }
+
   void noteResiduals(const NewtonReport& report) {
     summary_.worstResidual = std::max(summary_.worstResidual, report.residual);
     summary_.worstConstraint = std::max(summary_.worstConstraint, report.constraint);
@@ -330,6 +339,7 @@ class Run {
     std::stable_sort(
         summary_.doubts.begin(), summary_.doubts.end(),
         [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
+    summary_.reactions = recorder.reactions().records();
     summary_.idleTools = recorder.idleTools();
     summary_.timings.projection = recorder.projectionSeconds();
     if (!rezoner_) return;

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "engine/analysis/run_summary.h"
 #include "engine/results/result.h"
@@ -32,6 +33,9 @@ struct RunProgress {
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
+
+  /// Before the run begins: what is probably not meant in the scene, with places.
+  virtual void onWarnings(const std::vector<std::string>&) {}
   virtual void onStart(const ModelRecord&) {}
   virtual void onStep(const RunProgress&) {}
 

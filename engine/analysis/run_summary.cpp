@@ -29,6 +29,8 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
           .stoppedBecause = s.stoppedBecause,
           .advice = s.advice,
           .doubts = s.doubts,
+          .warnings = s.warnings,
+          .reactions = s.reactions,
           .rezonings = s.rezonings,
           .rezoningFailure = s.rezoningFailure,
           .numbers = {{"end_time", s.end.time},

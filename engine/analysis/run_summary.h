@@ -47,10 +47,12 @@ struct RunSummary {
   StateQuantities end;            ///< the last state
   double smallestJ = 1.0;
   double largestPenetration = 0.0;
-  bool stabilised = false;            ///< by `stabilise`
-  double largestStabilisedShare = 0.0;  ///< of the largest force
-  std::vector<DoubtRecord> doubts;     ///< those that held, in the order of their first times
-  std::vector<std::string> idleTools;  ///< with contact pairs, but never in touch
+  bool stabilised = false;                ///< by `stabilise`
+  double largestStabilisedShare = 0.0;    ///< of the largest force
+  std::vector<DoubtRecord> doubts;        ///< those that held, in the order of their first times
+  std::vector<std::string> warnings;      ///< of the scene, with their keys
+  std::vector<ReactionRecord> reactions;  ///< one per support
+  std::vector<std::string> idleTools;     ///< with contact pairs, but never in touch
   std::vector<RezoningRecord> rezonings;
   int failedRezonings = 0;      ///< that found no sound mesh or no equilibrium on it
   std::string rezoningFailure;  ///< why the last of them failed

@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
+#include "engine/analysis/locking.h"
 #include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/tool_start.h"
@@ -52,25 +54,27 @@ double smallestGap(const Model<Dim>& model, std::size_t number, double end) {
 }
 
 template <int Dim>
-std::vector<InputProblem> doubtsOf(const Scene& scene, const Model<Dim>& model) {
+std::vector<InputProblem> toolWarnings(const Scene& scene, const Model<Dim>& model) {
   const double end = scene.steps.back().until;
-  std::vector<InputProblem> doubts;
+  std::vector<InputProblem> warnings;
   for (std::size_t k = 0; k < model.tools().size(); ++k) {
     const Tool& tool = *model.tools()[k];
     const std::string path = fmt::format("tools[{}]", k);
     const bool named = std::any_of(model.contacts().begin(), model.contacts().end(),
                                    [k](const ContactPair<Dim>& pair) { return pair.tool == k; });
     if (!named) {
-      doubts.push_back({path, fmt::format("no face can touch tool '{}'; name it under contact", tool.name)});
+      warnings.push_back(
+          {path, fmt::format("no face can touch tool '{}'; name it under contact", tool.name)});
       continue;
     }
     if (!tool.freeUnknowns().empty() || !restsByItself(scene)) continue;
     if (const double gap = smallestGap(model, k, end); gap > 0.0)
-      doubts.push_back({path, fmt::format("tool '{}' stays {:.3g} or more away from the faces that may touch "
-                                          "it as long as these are undeformed; move it closer",
-                                          tool.name, gap)});
+      warnings.push_back(
+          {path, fmt::format("tool '{}' stays {:.3g} or more away from the faces that may touch "
+                             "it as long as these are undeformed; move it closer",
+                             tool.name, gap)});
   }
-  return doubts;
+  return warnings;
 }
 
 std::vector<std::string> linesOf(const std::string& text) {
@@ -88,13 +92,27 @@ SceneReport reportInDimension(const Scene& scene) {
   const auto model = buildModel<Dim>(scene);
   if (!scene.measures.empty())
     static_cast<void>(Measures<Dim>(scene, *model, Projection<Dim>(model->quadrature())));
-  return {summaryOf(scene, *model), linesOf(textWithPlaces(scene, doubtsOf(scene, *model)))};
+  return {summaryOf(scene, *model), warningLines(scene, sceneWarnings(scene, *model))};
 }
 
 }  // namespace
 
+template <int Dim>
+std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& model) {
+  std::vector<InputProblem> warnings = lockingWarnings(scene, model);
+  std::ranges::move(toolWarnings(scene, model), std::back_inserter(warnings));
+  return warnings;
+}
+
+std::vector<std::string> warningLines(const Scene& scene, const std::vector<InputProblem>& warnings) {
+  return linesOf(textWithPlaces(scene, warnings));
+}
+
 SceneReport reportOf(const Scene& scene) {
   return scene.dim() == 2 ? reportInDimension<2>(scene) : reportInDimension<3>(scene);
 }
+
+template std::vector<InputProblem> sceneWarnings<2>(const Scene&, const Model<2>&);
+template std::vector<InputProblem> sceneWarnings<3>(const Scene&, const Model<3>&);
 
 }  // namespace burnish

@@ -140,6 +140,7 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
                         const FaceFinder<Dim>& faces) {
   const auto& patch = faces.body().patches[static_cast<std::size_t>(faces.patch(spec.place.patch))];
   const auto trace = tracePatch(patch, faceFromName<Dim>(spec.place.face));
+  owned_.emplace_back();
   faces.requireOuter(spec.place, place);
   const auto nodes = faces.nodes(spec.place);
   const auto chosen = functionsInPart(trace.basis(), spec.place.part);
@@ -232,7 +233,10 @@ void Supports<Dim>::append(Motion motion, const std::string& place, const std::s
                           now(unknown)));
     }
   }
-  for (const int unknown : motion.unknowns) prescribed_[static_cast<std::size_t>(unknown)] = true;
+  for (const int unknown : motion.unknowns) {
+    if (!prescribed_[static_cast<std::size_t>(unknown)]) owned_.back().push_back(unknown);
+    prescribed_[static_cast<std::size_t>(unknown)] = true;
+  }
   motions_.push_back(std::move(motion));
 }
 

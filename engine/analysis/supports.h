@@ -64,6 +64,9 @@ class Supports {
   /// Writes the values at time t into the prescribed entries.
   void setValues(double t, Eigen::VectorXd& x) const;
 
+  /// Unknowns that a support prescribes, by its place in the scene, without those of a support before it.
+  const std::vector<int>& owned(std::size_t support) const { return owned_[support]; }
+
   /// Times at which a schedule has a corner.
   const std::vector<double>& corners() const { return corners_; }
 
@@ -92,6 +95,7 @@ class Supports {
 
   std::vector<bool> prescribed_;
   std::vector<Motion> motions_;
+  std::vector<std::vector<int>> owned_;  ///< per support
   std::vector<double> corners_;
   std::vector<double> times_;  ///< at which two supports of one component are compared
 };

@@ -28,6 +28,32 @@ std::filesystem::path summaryFile(const std::filesystem::path& directory) {
   return directory / "summary.yaml";
 }
 
+std::vector<std::string> exactly(const std::vector<double>& numbers) {
+  std::vector<std::string> texts;
+  for (const double number : numbers) texts.push_back(fmt::format("{}", number));
+  return texts;
+}
+
+void writeReactions(YAML::Emitter& yaml, const std::vector<ReactionRecord>& reactions) {
+  yaml << YAML::Key << "reactions" << YAML::Value << YAML::BeginSeq;
+  for (const ReactionRecord& reaction : reactions)
+    yaml << YAML::Flow << YAML::BeginMap << YAML::Key << "support" << YAML::Value << reaction.support
+         << YAML::Key << "place" << YAML::Value << reaction.place << YAML::Key << "force" << YAML::Value
+         << exactly(reaction.force) << YAML::Key << "moment" << YAML::Value << exactly(reaction.moment)
+         << YAML::Key << "largest" << YAML::Value << fmt::format("{}", reaction.largest) << YAML::Key
+         << "largest_time" << YAML::Value << fmt::format("{}", reaction.largestTime) << YAML::EndMap;
+  yaml << YAML::EndSeq;
+}
+
+ReactionRecord readReaction(const YAML::Node& stored) {
+  return {.support = stored["support"].as<std::string>(),
+          .place = stored["place"].as<std::string>(),
+          .force = stored["force"].as<std::vector<double>>(),
+          .moment = stored["moment"].as<std::vector<double>>(),
+          .largest = stored["largest"].as<double>(),
+          .largestTime = stored["largest_time"].as<double>()};
+}
+
 }  // namespace
 
 void writeSummary(const std::filesystem::path& directory, const SummaryRecord& summary) {
@@ -48,6 +74,8 @@ void writeSummary(const std::filesystem::path& directory, const SummaryRecord& s
     }
     yaml << YAML::EndSeq;
   }
+  if (!summary.warnings.empty()) yaml << YAML::Key << "warnings" << YAML::Value << summary.warnings;
+  if (!summary.reactions.empty()) writeReactions(yaml, summary.reactions);
   if (!summary.rezonings.empty()) {
     yaml << YAML::Key << "rezonings" << YAML::Value << YAML::BeginSeq;
     for (const RezoningRecord& rezoning : summary.rezonings) {
@@ -85,6 +113,10 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
           summary.doubts.push_back(
               {doubt["what"].as<std::string>(), doubt["first_time"].as<double>(), doubt["steps"].as<int>(),
                doubt["detail"].as<std::string>("")});
+      else if (name == "warnings")
+        summary.warnings = entry.second.as<std::vector<std::string>>();
+      else if (name == "reactions")
+        for (const auto& stored : entry.second) summary.reactions.push_back(readReaction(stored));
       else if (name == "rezoning_failure")
         summary.rezoningFailure = entry.second.as<std::string>();
       else if (name == "rezonings")

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/results/reaction_record.h"
+
 namespace burnish {
 
 /// A condition that makes results doubtful from a time on.
@@ -30,9 +32,11 @@ struct RezoningRecord {
 struct SummaryRecord {
   std::string program;  ///< as in the result's model: version and digest of the engine
   bool completed = false;
-  std::string stoppedBecause;       ///< empty when completed
-  std::string advice{};             ///< what usually helps; may be empty
-  std::vector<DoubtRecord> doubts;  ///< in the order of the first times
+  std::string stoppedBecause;               ///< empty when completed
+  std::string advice{};                     ///< what usually helps; may be empty
+  std::vector<DoubtRecord> doubts;          ///< in the order of the first times
+  std::vector<std::string> warnings{};      ///< of the scene, with their keys: what is probably not meant
+  std::vector<ReactionRecord> reactions{};  ///< one per support
   std::vector<RezoningRecord> rezonings{};
   std::string rezoningFailure{};          ///< why the last one failed that did; may be empty
   std::map<std::string, double> numbers;  ///< steps, cut_backs, iterations, seconds, …: see docs/results.md

@@ -10,6 +10,7 @@
 #include "engine/scene/check_context.h"
 #include "engine/scene/check_motion.h"
 #include "engine/scene/nearest.h"
+#include "engine/scene/support_names.h"
 
 namespace burnish {
 namespace {
@@ -47,6 +48,24 @@ void checkSupport(const CheckContext& c, const std::string& path, const SupportS
                     "{{x: ..., y: ...}} and symmetry: true.",
                     given.empty() ? "none of fix, move, prescribe and symmetry"
                                   : fmt::format("{}", fmt::join(given, " and "))));
+}
+
+/// Supports are told apart by name. Where the history lists them, its other columns have other names.
+void checkSupportNames(const CheckContext& c) {
+  const std::vector<std::string> names = supportNames(c.scene);
+  std::set<std::string> taken;
+  if (c.scene.output.reactions) {
+    for (const ToolSpec& tool : c.scene.tools) taken.insert(tool.name);
+    for (const SceneMeasureSpec& measure : c.scene.measures) taken.insert(measure.name);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string path = fmt::format("supports[{}]", i);
+    if (!taken.insert(names[i]).second && c.clean(path))
+      c.report(path,
+               fmt::format("found the name {}, which another support, a tool or a measure has; allowed: "
+                           "a name of its own (name: ...).",
+                           names[i]));
+  }
 }
 
 void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& load) {
@@ -154,6 +173,7 @@ void checkFace(const CheckContext& c, const std::string& path, const FaceSpec& f
 void checkBoundary(const CheckContext& c) {
   for (std::size_t i = 0; i < c.scene.supports.size(); ++i)
     checkSupport(c, fmt::format("supports[{}]", i), c.scene.supports[i]);
+  checkSupportNames(c);
   for (std::size_t i = 0; i < c.scene.loads.size(); ++i)
     checkLoad(c, fmt::format("loads[{}]", i), c.scene.loads[i]);
   checkContact(c, checkTools(c));

@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/nearest.h"
+#include "engine/scene/support_names.h"
 
 namespace burnish {
 namespace {
@@ -114,11 +115,13 @@ void checkFamilies(const CheckContext& c, const std::string& path, const CheckSp
   }
 }
 
-/// Names of tools and measures, which the names of columns with a dot begin with.
+/// Names of tools, measures and listed supports, which the names of columns with a dot begin with.
 std::vector<std::string> ownersOfColumns(const Scene& scene) {
   std::vector<std::string> names;
   for (const ToolSpec& tool : scene.tools) names.push_back(tool.name);
   for (const SceneMeasureSpec& measure : scene.measures) names.push_back(measure.name);
+  if (scene.output.reactions)
+    for (std::string& support : supportNames(scene)) names.push_back(std::move(support));
   return names;
 }
 
@@ -127,11 +130,14 @@ void checkColumn(const CheckContext& c, const std::string& path, const std::stri
   const std::vector<std::string> owners = ownersOfColumns(c.scene);
   const std::string owner = column.substr(0, dot);
   if (dot == std::string::npos || std::find(owners.begin(), owners.end(), owner) != owners.end()) return;
+  const std::vector<std::string> supports = supportNames(c.scene);
+  const bool isSupport = std::find(supports.begin(), supports.end(), owner) != supports.end();
   c.report(path,
            fmt::format("found {}, but no tool or measure has the name {}; allowed: {}.{}", column, owner,
                        owners.empty() ? "a scene with tools or measures"
                                       : fmt::format("{}", fmt::join(owners, " | ")),
-                       didYouMean(owner, owners)));
+                       isSupport ? " The history has columns of supports with output: {reactions: true}."
+                                 : didYouMean(owner, owners)));
 }
 
 /// Columns without a dot are known to the run alone, and so is what stands behind the dot.

@@ -161,6 +161,7 @@ struct PrescribedSpec {
 
 /// Exactly one of `fix`, `move`, `prescribe`, `symmetry`.
 struct SupportSpec {
+  std::string name;  ///< see `supportNames`
   FaceSpec place;
   std::vector<std::string> fix;             ///< components held: x, y, z
   std::optional<MotionSpec> move;           ///< prescribed components; those left out are free
@@ -222,6 +223,7 @@ struct OutputSpec {
   std::optional<double> every;  ///< a frame every so much time
   int subdivision = 4;          ///< cells per knot span and direction in VTU files and pictures
   bool vtu = true;
+  bool reactions = false;  ///< columns of the history for the forces on supports
 };
 
 /// Meshing the body anew while a tool moves along it.

@@ -46,6 +46,10 @@ void describe(Visitor& v, PrescribedSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, SupportSpec& s) {
+  v.field(
+      "name", s.name, {.identifier = true},
+      "Name under which results list the force of the body on it; support1, support2, ... by its place in "
+      "the list when left out.");
   describeFace(v, s.place);
   describePart(
       v, s.place,

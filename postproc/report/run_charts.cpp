@@ -162,10 +162,14 @@ std::vector<CaptionedChart> stateCharts(const RunRecord& run) {
   const ModelRecord& model = run.result.model();
   HistoryCharts charts(run.history);
   const std::string depth = model.dim == 2 ? " (per unit of depth)" : "";
-  for (const ToolRecord& tool : model.tools)
-    charts.add(fmt::format("Force of the body on the tool “{}”{}", tool.name, depth),
+  const auto addForce = [&](const char* kind, const std::string& name) {
+    charts.add(fmt::format("Force of the body on the {} “{}”{}", kind, name, depth),
                withUnit("force", model, model.dim - 1),
-               {{tool.name + ".fx", "x"}, {tool.name + ".fy", "y"}, {tool.name + ".fz", "z"}});
+               {{name + ".fx", "x"}, {name + ".fy", "y"}, {name + ".fz", "z"}});
+  };
+  for (const ToolRecord& tool : model.tools) addForce("tool", tool.name);
+  if (run.summary)
+    for (const ReactionRecord& reaction : run.summary->reactions) addForce("support", reaction.support);
   charts.add("Energies and work" + depth, withUnit("energy", model, model.dim),
              {{"strain_energy", "strain energy"},
               {"contact_energy", "contact energy"},

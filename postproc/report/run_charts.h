@@ -12,7 +12,7 @@ struct CaptionedChart {
   Chart chart;
 };
 
-/// Force on each tool, energies and work, plastic strain, penetration and volume ratio over time, as far as
+/// Force on each tool and, where the history lists them, each support; energies and work, plastic strain, penetration and volume ratio over time, as far as
 /// the history has them and they are not zero throughout.
 std::vector<CaptionedChart> stateCharts(const RunRecord& run);
 

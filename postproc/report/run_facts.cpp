@@ -106,6 +106,9 @@ Facts runFacts(const RunRecord& run) {
   facts.add("contact parameter", {"contact_parameter"}, alone);
   facts.add("smallest J", {"smallest_J"}, alone);
   facts.add("largest penetration", {"largest_penetration"}, alone);
+  if (run.summary)
+    for (const ReactionRecord& reaction : run.summary->reactions)
+      facts.add(reaction.support, reactionText(reaction));
   if (const std::string text = balance(run.history); !text.empty()) facts.add("balance", text);
   if (const std::string text = rezonings(run); !text.empty()) facts.add("rezonings", text);
   facts.add("time taken", {"seconds"}, [](const Numbers& n) { return n[0] + " s"; });

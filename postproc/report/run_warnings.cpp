@@ -70,9 +70,10 @@ std::string penetrationDoubt(const RunRecord& run) {
                [limit](double value) { return value > limit; });
 }
 
-/// What a run that has ended says itself.
-std::vector<std::string> ownDoubts(const RunRecord& run) {
+/// What a run that has ended says itself: of its scene, and of its results.
+std::vector<std::string> ownWarnings(const RunRecord& run) {
   std::vector<std::string> texts;
+  for (const std::string& warning : run.summary->warnings) texts.push_back(warning + ".");
   const double steps = std::max(1.0, run.number("steps").value_or(0.0));
   for (const DoubtRecord& doubt : run.summary->doubts) {
     std::string what = doubt.what;
@@ -125,7 +126,7 @@ std::vector<std::string> runWarnings(const RunRecord& run) {
   std::vector<std::string> texts{
       incompleteness(run), roundOff(run),
       excess(run, "worst_constraint", "constraint_tolerance", "The largest averaged gap")};
-  std::ranges::move(run.summary ? ownDoubts(run) : doubtsOfHistory(run), std::back_inserter(texts));
+  std::ranges::move(run.summary ? ownWarnings(run) : doubtsOfHistory(run), std::back_inserter(texts));
   std::erase(texts, "");
   return texts;
 }

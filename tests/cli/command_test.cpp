@@ -79,12 +79,31 @@ TEST_F(Command, RunsASceneAndTellsWhatIsInIt) {
   EXPECT_NE(info.out.find("disc: cylinder of radius 0.5"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("5, t = 0 to 2"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("has come to its end"), std::string::npos) << info.out;
+  EXPECT_NE(run.out.find("support1              force of the body on face bottom: (0, "), std::string::npos)
+      << run.out;
+  EXPECT_NE(info.out.find("support1: force of the body on face bottom: (0, "), std::string::npos) << info.out;
 
   write("out/summary.yaml", "program: [");
   const Outcome damaged = burnish("info out");
   EXPECT_EQ(damaged.code, 0) << damaged.err;
   EXPECT_NE(damaged.out.find("5, t = 0 to 2"), std::string::npos) << damaged.out;
   EXPECT_NE(damaged.out.find("cannot be read as the summary of a run"), std::string::npos) << damaged.out;
+}
+
+TEST_F(Command, WarnsOfLockingBeforeAndAfterARun) {
+  const std::string warning =
+      "material.nu: 0.4999 is nearly incompressible: the displacement formulation of degree 2 locks";
+  const Outcome validated = burnish("validate scene.yaml --set material.nu=0.4999");
+  EXPECT_EQ(validated.code, 0);
+  EXPECT_NE(validated.err.find(warning), std::string::npos) << validated.err;
+  const Outcome run = burnish("run --quiet scene.yaml -o out --set material.nu=0.4999");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.err.find(warning), std::string::npos) << run.err;
+  EXPECT_NE(read("out/summary.yaml").find(warning), std::string::npos);
+  EXPECT_NE(burnish("info out").out.find(warning), std::string::npos);
+  const Outcome projected =
+      burnish("run --quiet scene.yaml -o out --set material.nu=0.4999 --set formulation=fbar");
+  EXPECT_EQ(projected.err.find("incompressible"), std::string::npos) << projected.err;
 }
 
 TEST_F(Command, DescribesASceneSoThatItCanBeRunAgain) {

@@ -119,7 +119,7 @@ TEST_F(InterruptedRun, SignalsFinishTheStepAndSayHowToGoOn) {
 TEST_F(InterruptedRun, NoRoomLeftKeepsTheFramesAndCanBeResumed) {
   // The first frame fits, the history of the whole run does not.
   const Outcome outcome = shell(
-      dir, fmt::format("bash -c 'ulimit -f 36; exec {} run scene.yaml -o part --quiet'", BURNISH_COMMAND));
+      dir, fmt::format("bash -c 'ulimit -f 40; exec {} run scene.yaml -o part --quiet'", BURNISH_COMMAND));
   ASSERT_EQ(outcome.code, 2) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("File too large"));
   EXPECT_THAT(outcome.err, HasSubstr("burnish run --resume part"));

@@ -118,6 +118,30 @@ TEST_F(Report, RepeatsWhatARunDoubtedItself) {
                           "not trust the results from there on."));
 }
 
+TEST_F(Report, ShowsWarningsOfTheScene) {
+  changeSummary([](SummaryRecord& s) { s.warnings = {"material.nu: 0.4999 is nearly incompressible"}; });
+  EXPECT_THAT(warnings(), ElementsAre("material.nu: 0.4999 is nearly incompressible."));
+}
+
+TEST_F(Report, TellsWhatSupportsCarry) {
+  changeSummary([](SummaryRecord& s) {
+    s.reactions = {{.support = "floor",
+                    .place = "bottom",
+                    .force = {1e-15, -2.5},
+                    .moment = {3.0},
+                    .largest = 4.0,
+                    .largestTime = 1.5}};
+  });
+  const Facts::value_type expected("floor",
+                                   "force of the body on face bottom: (0, -2.5), largest 4 at t = 1.5");
+  EXPECT_THAT(runFacts(readRun(run_)), testing::Contains(expected));
+  writeHistory({"time", "floor.fx", "floor.fy"}, {{0, 0, 0}, {1, 0, -2.5}});
+  const auto charts = stateCharts(readRun(run_));
+  ASSERT_EQ(charts.size(), 1U);
+  EXPECT_THAT(charts[0].caption, HasSubstr("Force of the body on the support “floor”"));
+  EXPECT_THAT(charts[0].chart.curves[0].y, ElementsAre(0, -2.5));
+}
+
 TEST_F(Report, ChartsShowWhatTheHistoryHas) {
   writeHistory({"time", "disc.fx", "disc.fy", "strain_energy", "contact_energy", "newton_iterations"},
                {{0, 0, 0, 0, 0, 0}, {0.1, 0, 2, 1, 0, 7}, {0.15, 0, 3, 2, 0, 3}});

@@ -1,7 +1,12 @@
 #include "engine/analysis/scene_report.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "tests/unit/scene_samples.h"
@@ -116,6 +121,41 @@ TEST(SceneReport, WarnsOfToolsThatNothingTouches) {
   EXPECT_THAT(warningsOf(replaced(kPress, "1.5]", "1.6]")),
               ElementsAre(StartsWith("test.yaml:6:5: tools[0]: tool 'disc' stays 0.05 or more away")));
   EXPECT_THAT(warningsOf(replaced(kPress, "1.5]", "1.54]")), ElementsAre());
+}
+
+/// Warnings of the press with another Poisson's ratio, degree, formulation.
+std::vector<std::string> lockingOf(double nu, int degree, const std::string& formulation) {
+  return reportOf(parseScene(kPress, "test.yaml",
+                             {fmt::format("material.nu={}", nu), fmt::format("degree={}", degree),
+                              "formulation=" + formulation}))
+      .warnings;
+}
+
+TEST(SceneReport, WarnsOfLockingFromAPoissonsRatioOnThatGrowsWithTheDegree) {
+  EXPECT_THAT(lockingOf(0.4999, 2, "displacement"),
+              ElementsAre(HasSubstr("material.nu: 0.4999 is nearly incompressible: the displacement "
+                                    "formulation of degree 2 locks from 0.49 on")));
+  const std::array<std::pair<double, double>, 4> ratios{
+      {{0.44, 0.45}, {0.48, 0.49}, {0.495, 0.499}, {0.4995, 0.4999}}};
+  for (int degree = 1; degree <= 5; ++degree) {
+    const auto& [sound, locking] = ratios[std::min<std::size_t>(static_cast<std::size_t>(degree), 4) - 1];
+    EXPECT_THAT(lockingOf(sound, degree, "displacement"), ElementsAre()) << degree;
+    EXPECT_THAT(lockingOf(locking, degree, "displacement"), ElementsAre(HasSubstr("add formulation: fbar")))
+        << degree;
+    EXPECT_THAT(lockingOf(locking, degree, "fbar"), ElementsAre()) << degree;
+  }
+}
+
+TEST(SceneReport, WarnsOfPlasticFlowWithoutFbar) {
+  const std::string flows = replaced(kPress, "{law: neo-hookean, E: 1, nu: 0.3}",
+                                     "{law: j2, E: 1, nu: 0.3, hardening: {law: linear, sigma0: 0.01, "
+                                     "modulus: 0.1}}");
+  const auto warningsOf = [&](const std::vector<std::string>& overrides) {
+    return reportOf(parseScene(flows, "test.yaml", overrides)).warnings;
+  };
+  EXPECT_THAT(warningsOf({}),
+              ElementsAre(StartsWith("test.yaml:2:17: material.law: plastic flow is nearly incompressible")));
+  EXPECT_THAT(warningsOf({"formulation=fbar"}), ElementsAre());
 }
 
 }  // namespace

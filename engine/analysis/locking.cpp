@@ -1,0 +1,54 @@
+#include "engine/analysis/locking.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+namespace burnish {
+namespace {
+
+/// Poisson's ratios from which the displacement formulation of degree 1, 2, … (the last: and higher) is more
+/// than 5 % too stiff on a mesh of 16 x 8 spans; docs/scene.md has the measurements.
+constexpr std::array kLockingRatios{0.45, 0.49, 0.499, 0.4999};
+
+template <int Dim>
+int lowestDegree(const Body<Dim>& body) {
+  int lowest = body.patches.front().basis().direction(0).degree();
+  for (const auto& patch : body.patches)
+    for (int d = 0; d < Dim; ++d) lowest = std::min(lowest, patch.basis().direction(d).degree());
+  return lowest;
+}
+
+double lockingRatio(int degree) {
+  const auto last = static_cast<int>(kLockingRatios.size());
+  return kLockingRatios[static_cast<std::size_t>(std::min(degree, last) - 1)];
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<InputProblem> lockingWarnings(const Scene& scene, const Model<Dim>& model) {
+  if (scene.formulation != FormulationChoice::Displacement) return {};
+  std::vector<InputProblem> warnings;
+  const double nu = std::visit([](const auto& material) { return material.nu; }, scene.material);
+  const int degree = lowestDegree(model.body());
+  if (nu >= lockingRatio(degree))
+    warnings.push_back(
+        {"material.nu",
+         fmt::format("{} is nearly incompressible: the displacement formulation of degree {} locks from {} "
+                     "on, its forces are too large by 5 % and more; add formulation: fbar",
+                     nu, degree, lockingRatio(degree))});
+  if (std::holds_alternative<J2Spec>(scene.material))
+    warnings.push_back(
+        {"material.law",
+         "plastic flow is nearly incompressible: where the body flows, pressures of the displacement "
+         "formulation oscillate from span to span, and forces are too large; add formulation: fbar"});
+  return warnings;
+}
+
+template std::vector<InputProblem> lockingWarnings<2>(const Scene&, const Model<2>&);
+template std::vector<InputProblem> lockingWarnings<3>(const Scene&, const Model<3>&);
+
+}  // namespace burnish
