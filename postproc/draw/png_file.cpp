@@ -6,8 +6,11 @@
 
 #include <array>
 #include <csetjmp>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "engine/core/error.h"
@@ -19,6 +22,12 @@ namespace {
 /// Level 5 with all filters takes four times as long for files that are a tenth to a quarter smaller.
 constexpr int kLevel = 3;
 constexpr int kFilters = PNG_FILTER_NONE;
+
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;
+
+struct FreeImage {
+  void operator()(png_image* image) const { png_image_free(image); }
+};
 
 void append(png_structp png, png_bytep bytes, png_size_t count) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
@@ -42,6 +51,28 @@ bool encode(png_structp png, png_infop info, vtkImageData& picture, png_bytepp r
 }
 
 }  // namespace
+
+void readPng(const std::filesystem::path& file, bool keepsAlpha,
+             const std::function<std::byte*(const PngSize&)>& place) {
+  std::error_code unreadable;
+  if (!std::filesystem::is_regular_file(file, unreadable))
+    throw Error(fmt::format("{}: there is no such picture", file.string()));
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, FreeImage> guard(&image);
+  if (png_image_begin_read_from_file(&image, file.c_str()) == 0)
+    throw Error(fmt::format("{}: found no PNG picture ({})", file.string(), image.message));
+  const bool hasAlpha = keepsAlpha && (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
+  image.format = hasAlpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  if (std::uint64_t{image.width} * image.height > kMostPixels)
+    throw Error(fmt::format("{}: found {} x {} pixels; expected at most {} in all", file.string(), image.width,
+                            image.height, kMostPixels));
+  std::byte* pixels = place({static_cast<int>(image.width), static_cast<int>(image.height), hasAlpha});
+  const png_color white{255, 255, 255};
+  const auto upwards = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(image));
+  if (png_image_finish_read(&image, &white, pixels, upwards, nullptr) == 0)
+    throw Error(fmt::format("{}: the PNG picture is damaged ({})", file.string(), image.message));
+}
 
 void writePng(vtkImageData& picture, const std::filesystem::path& file) {
   std::vector<png_bytep> rows;  // the highest one first

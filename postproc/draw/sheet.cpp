@@ -6,12 +6,12 @@
 #include <vtkImageResize.h>
 #include <vtkImageTranslateExtent.h>
 #include <vtkNew.h>
-#include <vtkPNGReader.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include "engine/core/error.h"
@@ -35,27 +35,22 @@ constexpr double kAboveCaption = 0.45;
 constexpr double kLine = 1.25;
 constexpr double kDescent = 0.25;
 
-vtkSmartPointer<vtkImageData> readPicture(const fs::path& file) {
-  vtkNew<vtkPNGReader> reader;
-  std::error_code unreadable;
-  if (!fs::is_regular_file(file, unreadable) || !reader->CanReadFile(file.c_str()))
-    throw Error(fmt::format("{}: there is no such PNG picture", file.string()));
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkImageData& picture = *reader->GetOutput();
-  if (reader->GetErrorCode() != 0 || picture.GetNumberOfPoints() == 0)
-    throw Error(fmt::format("{}: the PNG picture is damaged", file.string()));
-  if (picture.GetScalarType() != VTK_UNSIGNED_CHAR)
-    throw Error(fmt::format("{}: found a picture of 16 bits per channel; expected 8", file.string()));
-  return &picture;
-}
-
-vtkSmartPointer<vtkImageData> resized(vtkImageData& picture, int width) {
-  const int* size = picture.GetDimensions();
-  if (size[0] == width) return &picture;
+/// A picture from a file, in a width of pixels.
+vtkSmartPointer<vtkImageData> readPanel(const fs::path& file, int width) {
+  vtkNew<vtkImageData> picture;
+  readPng(file, true, [&](const PngSize& size) {
+    picture->SetDimensions(size.width, size.height, 1);
+    picture->AllocateScalars(VTK_UNSIGNED_CHAR, size.hasAlpha ? 4 : 3);
+    return static_cast<std::byte*>(picture->GetScalarPointer());
+  });
+  const int* size = picture->GetDimensions();
+  if (size[0] == width) return picture;
   const double height = static_cast<double>(size[1]) * width / size[0];
+  if (height > kLargestSide)
+    throw Error(fmt::format("{}: {} x {} pixels would be {:.0f} pixels high on the sheet; expected up to {}",
+                            file.string(), size[0], size[1], height, kLargestSide));
   vtkNew<vtkImageResize> resize;
-  resize->SetInputData(&picture);
+  resize->SetInputData(picture);
   resize->SetResizeMethodToOutputDimensions();
   resize->SetOutputDimensions(width, std::max(1, static_cast<int>(std::lround(height))), 1);
   resize->BorderOn();  // pixels are areas, not points
@@ -127,7 +122,7 @@ Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, c
   sheet.panelWidth = sheetPanelWidth(columns, width);
   sheet.style = {theme.textSize * sheetTextSize(sheet.panelWidth), theme.ink, theme.font};
   for (const SheetPanel& panel : panels)
-    sheet.tiles.push_back({resized(*readPicture(panel.picture), sheet.panelWidth),
+    sheet.tiles.push_back({readPanel(panel.picture, sheet.panelWidth),
                            wrapped(panel.caption, sheet.style, sheet.panelWidth)});
   place(sheet, columns);
   if (sheet.height > kLargestSide)

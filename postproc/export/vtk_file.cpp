@@ -1,6 +1,7 @@
 #include "postproc/export/vtk_file.h"
 
 #include <fmt/format.h>
+#include <vtkAbstractArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -13,9 +14,12 @@
 
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/results/atomic_file.h"
+#include "postproc/html/page.h"
 #include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
@@ -33,9 +37,36 @@ class CurvedGridWriter : public vtkXMLUnstructuredGridWriter {
 };
 vtkStandardNewMacro(CurvedGridWriter);
 
+/// Gives all arrays of a data set names that can stand in XML, which VTK 9.1 writes as they are; its readers
+/// give the names back. For the life of the object.
+class EscapedNames {
+ public:
+  explicit EscapedNames(vtkDataObject& data) {
+    for (const int kind : {vtkDataObject::POINT, vtkDataObject::CELL, vtkDataObject::FIELD})
+      if (vtkFieldData* fields = data.GetAttributesAsFieldData(kind))
+        for (int k = 0; k < fields->GetNumberOfArrays(); ++k) escape(*fields->GetAbstractArray(k));
+  }
+  ~EscapedNames() {
+    for (const auto& [array, name] : before_) array->SetName(name.c_str());
+  }
+  EscapedNames(const EscapedNames&) = delete;
+  EscapedNames& operator=(const EscapedNames&) = delete;
+
+ private:
+  void escape(vtkAbstractArray& array) {
+    const std::string name = array.GetName();
+    if (escaped(name) == name) return;
+    before_.emplace_back(&array, name);
+    array.SetName(escaped(name).c_str());
+  }
+
+  std::vector<std::pair<vtkAbstractArray*, std::string>> before_;
+};
+
 template <class Writer>
 void write(vtkDataObject& data, double time, const std::filesystem::path& file) {
   data.GetFieldData()->AddArray(makeArray("TimeValue", Eigen::MatrixXd::Constant(1, 1, time), {}));
+  const EscapedNames names(data);
   vtkNew<Writer> writer;
   writer->SetInputData(&data);
   writer->SetDataModeToAppended();

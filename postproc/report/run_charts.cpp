@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -156,6 +157,11 @@ CaptionedChart slowestStepsChart(std::vector<StepResiduals> steps) {
   return made;
 }
 
+/// Residuals of exactly zero, of a body on which nothing acts, have no place on a logarithmic axis.
+bool hasPoints(const ChartCurve& curve) {
+  return std::any_of(curve.y.begin(), curve.y.end(), [](double value) { return std::isfinite(value); });
+}
+
 }  // namespace
 
 std::vector<CaptionedChart> stateCharts(const RunRecord& run) {
@@ -193,8 +199,8 @@ std::vector<CaptionedChart> convergenceCharts(const RunRecord& run) {
     charts.push_back(iterationsChart(run.history, steps));
   if (run.history.numRows() > 1) charts.push_back(stepsChart(run));
   if (steps.empty()) return charts;
-  charts.push_back(endResidualsChart(run, steps));
-  charts.push_back(slowestStepsChart(steps));
+  for (CaptionedChart& chart : std::array{endResidualsChart(run, steps), slowestStepsChart(steps)})
+    if (hasPoints(chart.chart.curves.front())) charts.push_back(std::move(chart));
   return charts;
 }
 

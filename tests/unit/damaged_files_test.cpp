@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,7 @@
 #include "engine/results/summary_file.h"
 #include "engine/scene/reader.h"
 #include "postproc/compare/picture.h"
+#include "postproc/draw/sheet.h"
 #include "postproc/study/study_reader.h"
 #include "postproc/study/text_file.h"
 #include "tests/image/sample_records.h"
@@ -191,6 +193,25 @@ TEST_F(DamagedFiles, Pictures) {
         {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(k * k), static_cast<std::uint8_t>(7 * k)});
   const fs::path file = write("picture.png", encodePng(picture));
   expectRefusedOrRead(file, [&file] { readPicture(file); });
+  expectRefusedOrRead(file, [&file] { drawSheet({{file, ""}}, 1, 200, file.parent_path() / "made.png"); });
+}
+
+TEST_F(DamagedFiles, PicturesThatWouldFillTheMemory) {
+  // A header of 50,000 x 50,000 pixels with its checksum, and nothing behind it.
+  std::string bytes("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xc3\x50\0\0\xc3\x50\x08\x02\0\0\0", 29);
+  const auto crc = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()) + 12, 17);
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(crc >> shift & 0xff);
+  bytes += std::string("\0\0\0\0IDAT\x35\xaf\x06\x1e", 12);
+  const fs::path file = write("bomb.png", bytes);
+  for (const auto& read : std::array<std::function<void()>, 2>{
+           [&] { readPicture(file); }, [&] { drawSheet({{file, ""}}, 1, 200, file.parent_path() / "made.png"); }})
+    try {
+      read();
+      ADD_FAILURE() << "was read";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("bomb.png: found 50000 x 50000 pixels"), std::string::npos)
+          << error.what();
+    }
 }
 
 constexpr const char* kScene =

@@ -86,10 +86,10 @@ TEST(RezoningRun, DoubtsAContactOfFewControlPointsOnceNoNewMeshIsFound) {
     few += times[k] > due + 1e-9 && active[k] > 0.0 && active[k] < 3.0 ? 1 : 0;
   ASSERT_GT(few, 0);
   const auto found = [](const RunSummary& s) {
-    const auto doubt = std::find_if(s.doubts.begin(), s.doubts.end(), [](const Doubt& d) {
+    const auto doubt = std::find_if(s.doubts.begin(), s.doubts.end(), [](const DoubtRecord& d) {
       return d.what.starts_with("fewer than three control points");
     });
-    return doubt == s.doubts.end() ? Doubt{} : *doubt;
+    return doubt == s.doubts.end() ? DoubtRecord{} : *doubt;
   };
   EXPECT_EQ(found(summary).steps, few);
   EXPECT_GT(found(summary).firstTime, due);

@@ -333,7 +333,7 @@ TEST(ToolsTest, AToolThatSlidesOverTheEndOfItsFaceIsNoticed) {
                                        "{tool: tool, face: top}", 20),
                                  "over_the_end");
   const auto& doubts = outcome.summary.doubts;
-  const auto inside = std::find_if(doubts.begin(), doubts.end(), [](const Doubt& doubt) {
+  const auto inside = std::find_if(doubts.begin(), doubts.end(), [](const DoubtRecord& doubt) {
     return doubt.what == "tool 'tool' is inside the body at face 'right', which it has no contact with";
   });
   ASSERT_NE(inside, doubts.end());
@@ -341,9 +341,9 @@ TEST(ToolsTest, AToolThatSlidesOverTheEndOfItsFaceIsNoticed) {
 }
 
 /// The doubts about tips that the mesh is too coarse for.
-std::vector<Doubt> tipDoubts(const test::Outcome& outcome) {
-  std::vector<Doubt> found;
-  std::ranges::copy_if(outcome.summary.doubts, std::back_inserter(found), [](const Doubt& doubt) {
+std::vector<DoubtRecord> tipDoubts(const test::Outcome& outcome) {
+  std::vector<DoubtRecord> found;
+  std::ranges::copy_if(outcome.summary.doubts, std::back_inserter(found), [](const DoubtRecord& doubt) {
     return doubt.what.find("too sharp for the mesh") != std::string::npos;
   });
   return found;
@@ -476,7 +476,7 @@ TEST(ToolsTest, AToolThatNeverTouchesIsNamed) {
   EXPECT_TRUE(pressed.summary.idleTools.empty());
   EXPECT_TRUE(std::none_of(
       pressed.summary.doubts.begin(), pressed.summary.doubts.end(),
-      [](const Doubt& doubt) { return doubt.what.find("inside the body") != std::string::npos; }));
+      [](const DoubtRecord& doubt) { return doubt.what.find("inside the body") != std::string::npos; }));
 }
 
 TEST(ToolsTest, AToolThatIsPulledOffStopsTheRunAndSaysSo) {

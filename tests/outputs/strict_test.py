@@ -1,0 +1,118 @@
+"""Every text that the program writes is read back by a parser that others have written and that forgives nothing, from a run
+whose title and units are hostile to each of the formats.
+
+Usage: strict_test.py BURNISH
+"""
+
+import csv
+import html.parser
+import pathlib
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+import yaml
+
+TITLE = 'Press <3> "quoted" & \'single\', %s {0} | `code` *b* #1 \\n'
+LENGTH = 'in "<&>\''
+STRESS = 'lb/in² & <psi>'
+SCENE = {
+    "title": TITLE,
+    "units": {"length": LENGTH, "stress": STRESS},
+    "geometry": {"shape": "rectangle", "size": [2, 1], "functions": [5, 4]},
+    "material": {"law": "neo-hookean", "E": 1, "nu": 0.3},
+    "supports": [{"face": "bottom", "fix": ["x", "y"]}],
+    "tools": [{"name": "disc", "shape": "cylinder", "center": [1, 1.5], "radius": 0.5,
+               "motion": {"times": [0, 1], "y": [0, -0.05]}}],
+    "contact": [{"tool": "disc", "face": "top"}],
+    "steps": [{"until": 1, "count": 2}],
+    "pictures": [{"field": "von_mises", "size": [400, 300]}],
+}
+VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
+
+
+class Page(html.parser.HTMLParser):
+    """Elements that are closed in the order in which they were opened, and their text."""
+
+    def __init__(self):
+        super().__init__(convert_charrefs=True)
+        self.open, self.text, self.mistakes = [], "", []
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag in VOID:
+            return
+        if not self.open or self.open.pop() != tag:
+            self.mistakes.append(f"</{tag}> at {self.getpos()}")
+
+    def handle_data(self, data):
+        self.text += data
+
+
+def run(*arguments):
+    done = subprocess.run(arguments, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{arguments[1]} exits with {done.returncode}: {done.stderr}")
+
+
+def array_names(file):
+    return {array.get("Name") for array in xml.parse(file).getroot().iter("DataArray")}
+
+
+def main():
+    burnish = pathlib.Path(sys.argv[1]).resolve()
+    mistakes = []
+
+    def expect(condition, sentence):
+        if not condition:
+            mistakes.append(sentence)
+
+    with tempfile.TemporaryDirectory() as name:
+        work = pathlib.Path(name)
+        scene, out = work / "scene.yaml", work / "out"
+        scene.write_text(yaml.safe_dump(SCENE, allow_unicode=True), encoding="utf-8")
+        run(burnish, "run", scene, "-o", out, "--quiet")
+        for cells in ("linear", "lagrange", "bezier"):
+            run(burnish, "export", out, "-o", work / cells, "--cells", cells,
+                "--parts", "body,tools,contact,points,net")
+        run(burnish, "plot", out, "-o", work / "chart.svg", "--csv", work / "chart.csv", "--title", TITLE,
+            "--x-title", STRESS)
+        run(burnish, "report", out, "-o", work / "report.html")
+
+        files = sorted(work.rglob("*.vt[up]")) + sorted(work.rglob("*.pvd")) + sorted(work.rglob("*.svg"))
+        expect(len(files) > 20, f"only {len(files)} XML files were found")
+        for file in files:
+            try:
+                xml.parse(file)
+            except xml.ParseError as error:
+                mistakes.append(f"{file.relative_to(work)}: {error}")
+        if not mistakes:
+            names = array_names(next((out / "frames").glob("body_*.vtu")))
+            expect(f"displacement [{LENGTH}]" in names, f"array names are {sorted(names)}")
+            expect(f"von_mises [{STRESS}]" in names, f"array names are {sorted(names)}")
+            drawn = "".join(xml.parse(work / "chart.svg").getroot().itertext())
+            expect("quoted" in drawn, "the chart lost its title")
+
+        summary = yaml.safe_load((out / "summary.yaml").read_text(encoding="utf-8"))
+        expect(summary["completed"] is True, "summary.yaml does not say that the run was completed")
+        for table in (out / "history.csv", out / "convergence.csv", work / "chart.csv"):
+            with table.open(newline="", encoding="utf-8") as stream:
+                rows = list(csv.reader(stream, strict=True))
+            expect(len({len(row) for row in rows}) == 1, f"{table.name} has rows of several lengths")
+
+        page = Page()
+        page.feed((work / "report.html").read_text(encoding="utf-8"))
+        page.close()
+        expect(not page.mistakes and not page.open, f"report.html: {page.mistakes[:3]} {page.open[:3]}")
+        expect(TITLE.strip() in page.text, "report.html does not show the title as it is")
+
+    for mistake in mistakes:
+        print(mistake)
+    sys.exit(1 if mistakes else 0)
+
+
+main()
