@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/console.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
@@ -34,7 +35,7 @@ bool isStudy(const fs::path& file) {
 std::string validateScene(const fs::path& file, const std::vector<std::string>& overrides,
                           const std::string& who) {
   const SceneReport report = reportOf(readScene(file, overrides));
-  for (const std::string& warning : report.warnings) fmt::print(stderr, "warning: {}{}\n", who, warning);
+  for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);
   return report.summary;
 }
 
@@ -62,12 +63,12 @@ ExitCode validate(const ValidateArguments& arguments) {
     try {
       const std::string summary = isStudy(file) ? validateStudy(file, arguments.overrides)
                                                 : validateScene(file, arguments.overrides, "");
-      fmt::print("{}: fine ({})\n", file.string(), summary);
+      printOut("{}: fine ({})\n", file.string(), summary);
     } catch (const Error& error) {
-      fmt::print(stderr, "{}\n", error.what());
+      printError("{}\n", error.what());
       allAreGood = false;
     }
-    std::fflush(stdout);
+    flushOutput();
   }
   return allAreGood ? ExitCode::Fine : ExitCode::BadInput;
 }
