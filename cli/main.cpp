@@ -1,5 +1,9 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -57,6 +61,24 @@ ExitCode execute(int argc, char** argv) {
   return action();
 }
 
+constexpr const char* kLittleMemory =
+    "burnish: the memory of this machine, or that which is allowed (ulimit -v), does not suffice; take fewer "
+    "basis "
+    "functions, a lower degree or smaller pictures\n";
+
+/// What ends the program where no handler is: in threads and destructors, memory is all that can be missing.
+[[noreturn]] void endAtOnce() {
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    [[maybe_unused]] const ssize_t written =
+        ::write(STDERR_FILENO, kLittleMemory, std::strlen(kLittleMemory));
+    ::_exit(static_cast<int>(ExitCode::BadInput));
+  } catch (...) {
+  }
+  std::abort();
+}
+
 /// The exit code of an action; what it throws is told.
 ExitCode guarded(const Action& action) {
   try {
@@ -68,9 +90,7 @@ ExitCode guarded(const Action& action) {
     printError("burnish: interrupted by a signal; what was finished before is kept\n");
     return codeOfSignal(interruption());
   } catch (const std::bad_alloc&) {
-    printError(
-        "burnish: the memory of this machine does not suffice; take fewer basis functions or a lower "
-        "degree\n");
+    printErrorText(kLittleMemory);
     return ExitCode::BadInput;
   } catch (const std::exception& error) {
     printError("burnish: internal error: {}; this is a fault of the program, please report it\n",
@@ -83,6 +103,7 @@ ExitCode guarded(const Action& action) {
 
 int main(int argc, char** argv) {
   openStandardDescriptors();
+  std::set_terminate(endAtOnce);
   std::signal(SIGXFSZ, SIG_IGN);  // a file above a limit is an error with its name, not the end
   const bool computing = argc > 1 && computes(argv[1]);
   if (computing) {

@@ -336,9 +336,8 @@ class Run {
     summary_.stabilised = stage_->model->stabilisation() != nullptr;
     summary_.largestStabilisedShare = recorder.largestStabilisedShare();
     summary_.doubts = recorder.doubts();
-    std::stable_sort(
-        summary_.doubts.begin(), summary_.doubts.end(),
-        [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
+    std::stable_sort(summary_.doubts.begin(), summary_.doubts.end(),
+                     [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
     summary_.reactions = recorder.reactions().records();
     summary_.idleTools = recorder.idleTools();
     summary_.timings.projection = recorder.projectionSeconds();
@@ -375,7 +374,8 @@ RunSummary runInDimension(const Scene& scene, const std::filesystem::path& direc
 RunSummary runOrResume(const Scene& scene, const std::filesystem::path& directory, bool resumes,
                        const RunOptions& options, RunObserver& observer) {
   pinLibrariesToOneThread();
-  const auto threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  const auto threads =
+      threadsWithMemory(options.threads > 0 ? options.threads : tbb::info::default_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   if (scene.dim() == 2) return runInDimension<2>(scene, directory, resumes, options, observer);

@@ -4,11 +4,21 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <vector>
+
+#include "engine/core/memory_limit.h"
+
+/// Buffers for one thread each, which OpenBLAS keeps when they are given back.
+extern "C" {
+void* blas_memory_alloc(int);
+void blas_memory_free(void*);
+}
 
 namespace burnish {
 namespace {
@@ -32,6 +42,7 @@ void useFastestBlasKernels(char** argv) {
   const char* kernels = fastestKernels();
   if (kernels == nullptr || std::getenv(choice) != nullptr) return;
   ::setenv(choice, kernels, 0);
+  ::setenv("OPENBLAS_NUM_THREADS", "1", 1);  // as pinLibrariesToOneThread() would have it a moment later
   std::error_code unknown;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   if (!unknown)
@@ -41,6 +52,18 @@ void useFastestBlasKernels(char** argv) {
 void pinLibrariesToOneThread() {
   openblas_set_num_threads(1);
   omp_set_max_active_levels(0);  // CHOLMOD asks for threads of its own, whatever their default number is
+}
+
+int threadsWithMemory(int wanted) {
+  if (!memoryIsLimited()) return wanted;
+  constexpr std::uint64_t perThread = 144 * kMegabyte;  // OpenBLAS's buffer and the stack
+  constexpr std::uint64_t rest = 48 * kMegabyte;        // for a small problem
+  requireMemory(perThread + rest, "computing");
+  const auto fitting = static_cast<int>((freeMemory() - rest) / perThread);
+  std::vector<void*> buffers(static_cast<std::size_t>(std::min(wanted, fitting)));
+  for (void*& buffer : buffers) buffer = blas_memory_alloc(0);
+  for (void* buffer : buffers) blas_memory_free(buffer);
+  return static_cast<int>(buffers.size());
 }
 
 void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C) {

@@ -13,6 +13,11 @@ void useFastestBlasKernels(char** argv);
 /// depend on the number of threads, and starting threads costs more than the small matrices here give back.
 void pinLibrariesToOneThread();
 
+/// How many of these threads can compute at a time where the memory is limited: all of them without a limit.
+/// Has OpenBLAS take the room that it needs for each of them, for which it would wait for ever later. Throws
+/// `Error` if there is none for a single one.
+int threadsWithMemory(int wanted);
+
 /// C = A Bᵀ by BLAS, which is faster than the compiler's code from about 30 x 10 on. C is resized.
 void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C);
 

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "engine/core/interruption.h"
+#include "engine/core/memory_limit.h"
 
 #ifdef VTK_OPENGL_HAS_OSMESA
 #include <vtkOSOpenGLRenderWindow.h>
@@ -119,6 +120,15 @@ int stripsFor(int width, int height) {
 /// Rows of a strip; the last strip may have fewer.
 int rowsFor(int height, int strips) {
   return (height + strips - 1) / strips;
+}
+
+/// Bytes that a picture takes (measured, and a little more): Mesa, which ends the program where it gets less,
+/// with its compiler; the buffers of a strip; the picture itself and as a PNG.
+std::uint64_t memoryFor(int width, int height, int strips, bool hasContext) {
+  constexpr std::uint64_t mesa = 130 * kMegabyte, compiler = 30 * kMegabyte, perPixel = 20;
+  const auto w = static_cast<std::uint64_t>(width), h = static_cast<std::uint64_t>(height);
+  const std::uint64_t strip = w * kFactor * (static_cast<std::uint64_t>(rowsFor(height, strips)) * kFactor);
+  return (hasContext ? 0 : mesa) + compiler + perPixel * strip + 5 * w * h;
 }
 
 /// One renderer of a picture that is drawn in horizontal strips.
@@ -231,11 +241,11 @@ void OffscreenCanvas::saveMemory() {
 }
 
 OffscreenCanvas::OffscreenCanvas(int width, int height)
-    : height_(height),
-      strips_(stripsFor(width, height)),
-      overlap_(strips_ == 1 ? 0 : kOverlap),
-      surface_(Surface::idle() ? std::move(Surface::idle()) : std::make_unique<Surface>()) {
+    : height_(height), strips_(stripsFor(width, height)), overlap_(strips_ == 1 ? 0 : kOverlap) {
   throwIfInterrupted();
+  std::unique_ptr<Surface>& idle = Surface::idle();
+  requireMemory(memoryFor(width, height, strips_, idle != nullptr), "drawing");
+  surface_ = idle ? std::move(idle) : std::make_unique<Surface>();
   surface_->makeCurrent();
   window().SetSize(width * kFactor, rowsFor(height, strips_) * kFactor + 2 * overlap_);
 }

@@ -1,0 +1,64 @@
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+/// What has to be done before the libraries start where the address space is limited (ulimit -v): OpenBLAS
+/// starts threads when it is loaded, each with 136 MB, and waits for ever for what it does not get.
+namespace {
+
+/// With the libraries and one thread the program has some 330 MB.
+constexpr rlim_t kLeastMegabytes = 400;
+
+/// Threads and arenas of libraries, each of which reserves room; results and pictures do not depend on them.
+constexpr std::array kSavings{"OPENBLAS_NUM_THREADS=1", "MALLOC_ARENA_MAX=1", "LP_NUM_THREADS=1"};
+
+bool isSet(const char* assignment, char** environment) {
+  for (; *environment != nullptr; ++environment)
+    if (std::strcmp(*environment, assignment) == 0) return true;
+  return false;
+}
+
+/// Starts the program again with all savings; comes back only if that fails.
+void startAgain(char** argv, char** environment) {
+  std::array<char*, 4096> variables{};
+  std::size_t count = 0;
+  for (const char* assignment : kSavings) variables[count++] = const_cast<char*>(assignment);
+  for (; *environment != nullptr; ++environment) {
+    bool isReplaced = false;
+    for (const char* assignment : kSavings) {
+      const auto name = static_cast<std::size_t>(std::strchr(assignment, '=') - assignment) + 1;
+      isReplaced = isReplaced || std::strncmp(*environment, assignment, name) == 0;
+    }
+    if (isReplaced) continue;
+    if (count + 1 == variables.size()) return;
+    variables[count++] = *environment;
+  }
+  std::array<char, 4096> program{};
+  const ssize_t length = ::readlink("/proc/self/exe", program.data(), program.size() - 1);
+  if (length > 0) ::execve(program.data(), argv, variables.data());
+}
+
+/// Runs before the libraries are initialised, and so with system calls alone.
+__attribute__((no_sanitize("address", "undefined"))) void beforeLibraries(int, char** argv,
+                                                                          char** environment) {
+  struct ::rlimit limit = {};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  if (limit.rlim_cur >> 20U < kLeastMegabytes) {
+    constexpr char text[] =
+        "burnish: the memory that the program may use (ulimit -v) is below the 400 MB that it takes to "
+        "start; raise "
+        "the limit\n";
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
+    ::_exit(2);
+  }
+  for (const char* assignment : kSavings)
+    if (!isSet(assignment, environment)) return startAgain(argv, environment);
+}
+
+__attribute__((section(".preinit_array"), used)) void (*const entry)(int, char**, char**) = beforeLibraries;
+
+}  // namespace

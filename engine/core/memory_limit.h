@@ -1,0 +1,19 @@
+#pragma once
+#include <cstdint>
+
+/// Where the address space of the process is limited (ulimit -v), libraries that get no memory end the
+/// program or wait for ever; what they will need is therefore asked for before they are called.
+namespace burnish {
+
+constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
+
+/// Whether there is a limit.
+bool memoryIsLimited();
+
+/// Bytes of address space up to the limit; the largest number without one.
+std::uint64_t freeMemory();
+
+/// Throws `Error` unless as many bytes are free. purpose: what needs them, such as "drawing".
+void requireMemory(std::uint64_t bytes, const char* purpose);
+
+}  // namespace burnish
