@@ -6,12 +6,13 @@
 #include <cstddef>
 #include <cstring>
 
-/// What has to be done before the libraries start where the address space is limited (ulimit -v): OpenBLAS
-/// starts threads when it is loaded, each with 136 MB, and waits for ever for what it does not get.
+/// What has to be done before the libraries start where the address space or the data are limited (ulimit -v,
+/// -d): OpenBLAS starts threads when it is loaded, each with 136 MB, and waits for ever for what it does not
+/// get.
 namespace {
 
-/// With the libraries and one thread the program has some 330 MB.
-constexpr rlim_t kLeastMegabytes = 400;
+/// With the libraries and one thread the program has some 330 MB, of which 15 are data.
+constexpr rlim_t kLeastSpace = 400, kLeastData = 32;  // MB
 
 /// Threads and arenas of libraries, each of which reserves room; results and pictures do not depend on them.
 constexpr std::array kSavings{"OPENBLAS_NUM_THREADS=1", "MALLOC_ARENA_MAX=1", "LP_NUM_THREADS=1"};
@@ -45,13 +46,14 @@ void startAgain(char** argv, char** environment) {
 /// Runs before the libraries are initialised, and so with system calls alone.
 __attribute__((no_sanitize("address", "undefined"))) void beforeLibraries(int, char** argv,
                                                                           char** environment) {
-  struct ::rlimit limit = {};
-  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
-  if (limit.rlim_cur >> 20U < kLeastMegabytes) {
+  struct ::rlimit space = {}, data = {};
+  if (::getrlimit(RLIMIT_AS, &space) != 0 || ::getrlimit(RLIMIT_DATA, &data) != 0) return;
+  if (space.rlim_cur == RLIM_INFINITY && data.rlim_cur == RLIM_INFINITY) return;
+  if (space.rlim_cur >> 20U < kLeastSpace || data.rlim_cur >> 20U < kLeastData) {
     constexpr char text[] =
-        "burnish: the memory that the program may use (ulimit -v) is below the 400 MB that it takes to "
-        "start; raise "
-        "the limit\n";
+        "burnish: the memory that the program may use is below what it takes to start, 400 MB (ulimit -v) "
+        "with 32 MB "
+        "of data (ulimit -d); raise the limit\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
     ::_exit(2);
   }

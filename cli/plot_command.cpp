@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/child_process.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/look_options.h"
@@ -33,7 +32,6 @@ std::string differenceText(const LargestDifference& difference, const std::strin
 }
 
 ExitCode plot(const PlotArguments& arguments, const PlotOutputs& outputs) {
-  const SignalGuard signals(SecondSignal::Ends);
   if (outputs.picture.empty() && outputs.csv.empty())
     throw Error("-o: found no name of a chart; expected one that ends in .png, .svg or .pdf, or --csv FILE");
   std::vector<std::filesystem::path> inputs;

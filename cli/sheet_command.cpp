@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/child_process.h"
 #include "cli/command.h"
 #include "cli/look_options.h"
 #include "engine/core/error.h"
@@ -28,7 +27,6 @@ struct SheetArguments {
 };
 
 ExitCode sheet(const SheetArguments& arguments) {
-  const SignalGuard signals(SecondSignal::Ends);
   const std::size_t count = arguments.pictures.size();
   if (arguments.sheet.extension() != ".png")
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png",

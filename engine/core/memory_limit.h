@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-/// Where the address space of the process is limited (ulimit -v), libraries that get no memory end the
+/// Where the address space or the data of the process are limited (ulimit -v, ulimit -d), libraries that get no memory end the
 /// program or wait for ever; what they will need is therefore asked for before they are called.
 namespace burnish {
 
@@ -10,7 +10,7 @@ constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 /// Whether there is a limit.
 bool memoryIsLimited();
 
-/// Bytes of address space up to the limit; the largest number without one.
+/// Bytes up to the closest limit; the largest number without one.
 std::uint64_t freeMemory();
 
 /// Throws `Error` unless as many bytes are free. purpose: what needs them, such as "drawing".

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "engine/core/error.h"
+#include "engine/core/interruption.h"
 #include "engine/results/atomic_file.h"
 #include "postproc/draw/chart_layout.h"
 #include "postproc/draw/chart_output.h"
@@ -87,6 +88,7 @@ bool Chart::hasRightAxis() const {
 }
 
 void drawChart(const Chart& chart, const std::filesystem::path& file) {
+  throwIfInterrupted();
   check(chart);
   writeSketch(sketchChart(layOutChart(chart), chart.size, chart.theme), file);
 }
