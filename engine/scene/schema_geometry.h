@@ -115,7 +115,7 @@ void describe(Visitor& v, PatchSpec& s) {
                    {"tube", "Part of a tube: radius first, then angle, then axis."},
                    {"cylinder", "A solid cylinder, whole or a sector of it; third direction along the axis."},
                    {"ball-octant", "An eighth of a ball: half of it, cut by two planes of symmetry."},
-                   {"control-net", "Control points, weights and knots."}}},
+                   {"control-net", "Control points, weights and knots; needs no functions or spans."}}},
                  "Kind of patch.");
   describe(v, s.mesh);
 }

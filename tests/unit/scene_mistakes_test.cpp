@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
                 "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
                 "quadrature_points, definitions, geometry, material, supports, loads, tools, contact, "
-                "self_contact, steps, solver, rezoning, output, pictures, measures, variants, checks, "
+                "self_contact, steps, solver, stabilise, rezoning, output, pictures, measures, variants, checks, "
                 "charts. Did you mean \"degree\"?"},
         Mistake{"unknownInside", &block, "nu: 0.3", "nu: 0.3, poisson: 1", "poisson", "material.poisson",
                 "found an unknown key; allowed: law, E, nu, volumetric."},

@@ -371,12 +371,27 @@ TEST(SceneListing, namesEveryKeyWithTypeDefaultAndSentence) {
   for (const char* line : {
            "- `degree`: a whole number from 1 to 10, default 2. ",
            "- `geometry`: a mapping, required. ",
-           "    - `shape: annulus`: Part of a ring",
+           "- `shape: annulus`: Part of a ring",
            "      - `nu`: a number above -1 and below 0.5, required. Poisson's ratio.\n",
            "            - `sigma_inf`: a number above 0 (stress), required. ",
            "  - `tolerance`: a number from 1e-14 to 0.001, default 1e-09. ",
        })
     EXPECT_NE(listing.find(line), std::string::npos) << line;
+}
+
+TEST(SceneListing, ListsWhatSeveralKeysShareOnceWithLinks) {
+  const std::string list = describeScene();
+  const auto count = [&list](const std::string& text) {
+    int found = 0;
+    for (std::size_t at = list.find(text); at != std::string::npos; at = list.find(text, at + 1)) ++found;
+    return found;
+  };
+  for (const char* shape : {"rectangle", "annulus", "control-net", "patches", "torus", "edge", "union"})
+    EXPECT_EQ(count(std::string("- `shape: ") + shape + "`: "), 1) << shape;
+  EXPECT_EQ(count("](#geometry-shape)"), 2);
+  EXPECT_EQ(count("\n### geometry shape\n"), 1);
+  EXPECT_EQ(count("](#tools-shape)"), 2);
+  EXPECT_EQ(count("\n### tools shape\n"), 1);
 }
 
 TEST(SceneListing, isWhatTheDocumentationShows) {
