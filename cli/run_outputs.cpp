@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/picture_planes_check.h"
 #include "engine/core/error.h"
-#include "postproc/draw/contour.h"
 
 namespace burnish {
 namespace {
@@ -19,26 +19,15 @@ bool sameTime(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b));
 }
 
-ContourOptions contourOptions(const PictureSpec& picture) {
-  ContourOptions options;
-  options.field = picture.field;
-  options.range = picture.range;
-  options.size = picture.size;
-  options.bands = picture.bands;
-  options.knots = picture.knots;
-  options.undeformed = picture.undeformed;
-  if (picture.cut) options.cut = cutPlaneNamed(*picture.cut);
-  if (picture.slice) options.slice = cutPlaneNamed(*picture.slice);
-  if (picture.mirror) options.mirror = mirrorPlanesNamed(*picture.mirror).value();
-  options.toolOpacity = picture.toolOpacity;
-  return options;
-}
-
 }  // namespace
 
 RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress)
     : scene_(scene), directory_(std::move(directory)) {
   if (showProgress) progress_.emplace(stdout);
+}
+
+void RunOutputs::onModel(const ModelRecord& model) {
+  requirePlanes(scene_, model);
 }
 
 void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
@@ -63,23 +52,10 @@ void RunOutputs::onStep(const RunProgress& progress) {
 
 void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
   if (vtu_) vtu_->write(frame);
-  if (!lastFrame_) requirePlanes(frame);
   for (const PictureSpec& picture : scene_.pictures)
     for (const double time : picture.times)
       if (sameTime(frame.time, time)) draw(picture, pictureFile(picture, time), frame);
   lastFrame_ = frame;
-}
-
-void RunOutputs::requirePlanes(const FrameRecord& frame) const {
-  for (std::size_t k = 0; k < scene_.pictures.size(); ++k) {
-    const ContourOptions options = contourOptions(scene_.pictures[k]);
-    if (options.mirror.empty() && !options.cut && !options.slice) continue;
-    try {
-      contentOf(model_, frame, options);
-    } catch (const Error& error) {
-      throw Error(fmt::format("{}: pictures[{}]: {}", scene_.source, k, error.what()));
-    }
-  }
 }
 
 void RunOutputs::finish() {

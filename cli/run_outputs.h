@@ -17,6 +17,7 @@ class RunOutputs : public RunObserver {
   /// The scene must outlive the object.
   RunOutputs(const Scene& scene, std::filesystem::path directory, bool showProgress);
 
+  void onModel(const ModelRecord& model) override;
   void onWarnings(const std::vector<std::string>& warnings) override;
   void onStart(const ModelRecord& model) override;
   void onStep(const RunProgress& progress) override;
@@ -33,9 +34,6 @@ class RunOutputs : public RunObserver {
 
  private:
   std::filesystem::path pictureFile(const PictureSpec& picture, std::optional<double> time) const;
-
-  /// Throws `Error` before the run goes on if the planes of a picture are none of symmetry or miss the body.
-  void requirePlanes(const FrameRecord& frame) const;
 
   void draw(const PictureSpec& picture, const std::filesystem::path& file, const FrameRecord& frame);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/picture_planes_check.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
@@ -33,7 +34,9 @@ bool isStudy(const fs::path& file) {
 /// What is said of a good scene. Warnings begin with who has them.
 std::string validateScene(const fs::path& file, const std::vector<std::string>& overrides,
                           const std::string& who) {
-  const SceneReport report = reportOf(readScene(file, overrides));
+  const Scene scene = readScene(file, overrides);
+  const SceneReport report = reportOf(scene);
+  requirePlanes(scene, report.model);
   for (const std::string& warning : report.warnings) fmt::print(stderr, "warning: {}{}\n", who, warning);
   return report.summary;
 }
