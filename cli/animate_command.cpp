@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/picture_options.h"
 #include "engine/core/error.h"
 #include "postproc/draw/contour_series.h"
@@ -25,20 +27,6 @@ struct AnimateArguments {
   double framesPerSecond = 10.0;
 };
 
-/// Writes what the name's ending says and returns the file that was written: without ffmpeg an animated PNG
-/// instead of an MP4.
-fs::path write(const std::vector<fs::path>& frames, double rate, const fs::path& file) {
-  const fs::path animatedPng = fs::path(file).replace_extension(".png");
-  if (file.extension() == ".mp4" && writeVideo(frames, rate, file)) return file;
-  if (file.extension() == ".gif") {
-    if (writeGif(frames, rate, file)) return file;
-    throw Error(fmt::format("{}: GIF needs the program ffmpeg, which is not in PATH; take {} instead",
-                            file.string(), animatedPng.string()));
-  }
-  writeAnimatedPng(frames, rate, animatedPng);
-  return animatedPng;
-}
-
 void checkName(const AnimateArguments& arguments) {
   const std::string ending = arguments.video.extension().string();
   if (ending != ".mp4" && ending != ".png" && ending != ".gif")
@@ -46,9 +34,22 @@ void checkName(const AnimateArguments& arguments) {
                             arguments.video.string()));
   if (ending == ".mp4" && arguments.options.transparent)
     throw Error("--transparent: an MP4 video has no alpha channel; take .png or .gif");
+  if (ending != ".png" && !haveFfmpeg())
+    throw Error(
+        fmt::format("-o: {} needs the program ffmpeg, which is not in PATH; install it (Debian: apt-get "
+                    "install ffmpeg), or take {}, an animated PNG",
+                    arguments.video.string(), fs::path(arguments.video).replace_extension(".png").string()));
+}
+
+/// Writes what the name's ending says.
+void write(const std::vector<fs::path>& frames, double rate, const fs::path& file) {
+  if (file.extension() == ".png") return writeAnimatedPng(frames, rate, file);
+  if (!(file.extension() == ".gif" ? writeGif(frames, rate, file) : writeVideo(frames, rate, file)))
+    throw Error(fmt::format("cannot write {}: the program ffmpeg has vanished from PATH", file.string()));
 }
 
 ExitCode animate(const AnimateArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
   checkName(arguments);
   const ResultReader result(arguments.options.result);
   const std::vector<int> frames = frameIndices(arguments.options.frame, result.times());
@@ -58,10 +59,8 @@ ExitCode animate(const AnimateArguments& arguments) {
   std::vector<fs::path> pictures;
   for (const int frame : frames) pictures.push_back(scratch.path() / fmt::format("{}.png", frame));
   drawSeries(result, frames, options, pictures);
-  const fs::path written = write(pictures, arguments.framesPerSecond, arguments.video);
-  if (written != arguments.video)
-    fmt::print("ffmpeg is not in PATH: an animated PNG was written instead of a video\n");
-  fmt::print("{} frames in {}\n", frames.size(), written.string());
+  write(pictures, arguments.framesPerSecond, arguments.video);
+  printOut("{} frames in {}\n", frames.size(), arguments.video.string());
   return ExitCode::Fine;
 }
 
@@ -77,7 +76,7 @@ void addAnimateCommand(CLI::App& app, Action& action) {
       ->type_name("FPS");
   command
       ->add_option("-o,--output", arguments->video,
-                   "Name of the video: .mp4 (an animated PNG where ffmpeg is missing), .png (animated), .gif")
+                   "Name of the video: .mp4 or .gif, which need the program ffmpeg, or .png (animated)")
       ->type_name("VIDEO.mp4|png|gif")
       ->required();
   command->callback([&action, arguments] { action = [arguments] { return animate(*arguments); }; });

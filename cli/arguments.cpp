@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -98,6 +99,11 @@ std::vector<int> frameIndices(const std::string& text, const std::vector<double>
 std::vector<std::filesystem::path> pictureNames(const std::string& pattern, const std::vector<int>& frames,
                                                 const std::vector<double>& times) {
   std::vector<std::filesystem::path> names;
+  // A width of millions would fill the memory with zeros.
+  if (std::regex_search(pattern, std::regex(R"(\{[^{}]*[0-9]{3}[^{}]*\})")))
+    throw Error(
+        fmt::format("-o: found \"{}\"; expected at most two digits for the width of a number, as in {}",
+                    pattern, "frame_{frame:04}.png"));
   try {
     for (const int frame : frames)
       names.emplace_back(fmt::format(fmt::runtime(pattern), fmt::arg("frame", frame),
@@ -170,6 +176,30 @@ Color colorFromText(const char* option, const std::string& text) {
   if (const auto color = colorNamed(text)) return *color;
   throw Error(fmt::format("{}: found \"{}\"; expected {}.{}", option, text, kColorWords,
                           didYouMean(text, colorNames())));
+}
+
+std::string shellWord(const std::string& word) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+void requireNotInput(const char* option, const std::filesystem::path& output,
+                     const std::vector<std::filesystem::path>& inputs) {
+  namespace fs = std::filesystem;
+  if (output.empty()) return;
+  std::error_code absent;
+  const auto place = [&](const fs::path& path) {
+    return fs::weakly_canonical(fs::absolute(path, absent), absent);
+  };
+  for (const fs::path& input : inputs) {
+    if (input.empty()) continue;
+    if (place(output) == place(input) || fs::equivalent(output, input, absent))
+      throw Error(fmt::format("{}: {} is also read ({}) and would be overwritten; choose another name",
+                              option, output.string(), input.string()));
+  }
 }
 
 void makeDirectoryOf(const std::filesystem::path& file) {

@@ -69,6 +69,14 @@ int bandsFromText(const std::string& text);
 /// As `colorNamed` has it.
 Color colorFromText(const char* option, const std::string& text);
 
+/// A word of a command line for the shell, in quotes where it needs them.
+std::string shellWord(const std::string& word);
+
+/// Throws `Error` if a file that an option asks for is one of those that the command reads, under whatever
+/// name. Inputs that are empty stand for none.
+void requireNotInput(const char* option, const std::filesystem::path& output,
+                     const std::vector<std::filesystem::path>& inputs);
+
 /// Creates the directory that a file given with -o goes to.
 void makeDirectoryOf(const std::filesystem::path& file);
 

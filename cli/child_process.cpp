@@ -12,16 +12,13 @@
 #include <cstring>
 
 #include "engine/core/error.h"
+#include "engine/core/interruption.h"
 
 namespace burnish {
 namespace {
 
-volatile std::sig_atomic_t lastSignal = 0;
-volatile std::sig_atomic_t signalCount = 0;
-
 void note(int signal) {
-  lastSignal = signal;
-  signalCount = signalCount + 1;
+  noteInterruption(signal);
 }
 
 }  // namespace
@@ -54,21 +51,23 @@ std::optional<int> endOf(pid_t process) {
   return std::nullopt;
 }
 
+ExitCode codeOfSignal(int signal) {
+  return signal == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated;
+}
+
 struct SignalGuard::Saved {
   int signal;
   struct sigaction action;
 };
 
 SignalGuard::SignalGuard(SecondSignal second) {
-  lastSignal = 0;
-  signalCount = 0;
+  forgetInterruptions();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction current = {};
     ::sigaction(signal, nullptr, &current);
     if (current.sa_handler != SIG_IGN)  // else as nohup and shells want it
       set(signal, note, second == SecondSignal::Ends ? static_cast<int>(SA_RESETHAND | SA_RESTART) : 0);
   }
-  set(SIGPIPE, SIG_IGN, 0);  // whoever reads the progress may go away; the jobs are not to be left alone
   set(SIGCHLD, SIG_DFL, 0);  // else children end without leaving how
 }
 
@@ -86,11 +85,11 @@ SignalGuard::~SignalGuard() {
 }
 
 int SignalGuard::signal() const {
-  return lastSignal;
+  return interruption();
 }
 
 int SignalGuard::count() const {
-  return signalCount;
+  return numInterruptions();
 }
 
 }  // namespace burnish

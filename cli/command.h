@@ -17,7 +17,7 @@ enum class ExitCode {
   ChecksFail = 1,     ///< verify: a check does not hold, or a run stopped
   BadInput = 2,       ///< a scene, study, result, file or option that cannot be used
   Stopped = 3,        ///< the run could not be brought to its end
-  Incomplete = 4,     ///< runs or figures of a study failed
+  Incomplete = 4,     ///< runs or figures of a study failed, or pictures of a run
   Interrupted = 130,  ///< by SIGINT
   Terminated = 143,   ///< by SIGTERM
 };

@@ -13,6 +13,7 @@
 
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "engine/core/error.h"
 #include "postproc/compare/comparison.h"
 #include "postproc/compare/comparison_json.h"
@@ -54,21 +55,13 @@ void checkDifferenceName(const CompareArguments& arguments) {
   if (fs::is_directory(arguments.actual, status))
     throw Error(fmt::format("--diff: {} is a directory; expected two pictures, or --report instead",
                             arguments.actual.string()));
-}
-
-/// A word of a command line for the shell.
-std::string quoted(const std::string& word) {
-  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+  requireNotInput("--diff", arguments.difference, {arguments.actual, arguments.baseline});
 }
 
 /// This call, for the page to complete with the names of pictures.
 std::string acceptCommand(const CompareArguments& arguments) {
-  std::string line = fmt::format("burnish compare {} {}", quoted(arguments.actual.string()),
-                                 quoted(arguments.baseline.string()));
+  std::string line = fmt::format("burnish compare {} {}", shellWord(arguments.actual.string()),
+                                 shellWord(arguments.baseline.string()));
   if (arguments.metric != "ssim") line += " --metric " + arguments.metric;
   if (arguments.threshold) line += fmt::format(" --threshold {}", *arguments.threshold);
   return line;
@@ -82,11 +75,11 @@ void writeDifference(const Comparison& comparison, const fs::path& file) {
 
 void print(const std::vector<Comparison>& comparisons) {
   for (const Comparison& comparison : comparisons)
-    if (comparison.verdict != Verdict::Unusable) fmt::print("{}: {}\n", comparison.name, comparison.message);
+    if (comparison.verdict != Verdict::Unusable) printOut("{}: {}\n", comparison.name, comparison.message);
   if (comparisons.size() == 1) return;
   const auto equal = std::count_if(comparisons.begin(), comparisons.end(),
                                    [](const Comparison& each) { return each.verdict == Verdict::Equal; });
-  fmt::print("{} of {} pictures are equal to their baselines\n", equal, comparisons.size());
+  printOut("{} of {} pictures are equal to their baselines\n", equal, comparisons.size());
 }
 
 ExitCode exitCodeOf(const std::vector<Comparison>& comparisons) {
@@ -108,14 +101,14 @@ ExitCode compare(const CompareArguments& arguments) {
   if (!arguments.report.empty())
     page = writeReport(comparisons, rule, acceptCommand(arguments), arguments.report);
   for (const Comparison& comparison : comparisons)
-    if (comparison.verdict == Verdict::Unusable) fmt::print(stderr, "burnish: {}\n", comparison.message);
+    if (comparison.verdict == Verdict::Unusable) printError("burnish: {}\n", comparison.message);
   if (arguments.json) {
-    fmt::print("{}", comparisonsText(comparisons, rule));
+    printText(comparisonsText(comparisons, rule));
     return exitCodeOf(comparisons);
   }
-  for (const std::string& name : accepted) fmt::print("{}: accepted as the new baseline\n", name);
+  for (const std::string& name : accepted) printOut("{}: accepted as the new baseline\n", name);
   print(comparisons);
-  if (!page.empty()) fmt::print("report: {}\n", page.string());
+  if (!page.empty()) printOut("report: {}\n", page.string());
   return exitCodeOf(comparisons);
 }
 

@@ -12,8 +12,11 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "engine/core/error.h"
+#include "engine/core/interruption.h"
 #include "engine/results/result_reader.h"
 #include "engine/scene/nearest.h"
 #include "postproc/export/vtu_series_writer.h"
@@ -51,6 +54,7 @@ VtuOptions optionsFrom(const ExportArguments& arguments) {
 }
 
 ExitCode exportResult(const ExportArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
   const VtuOptions options = optionsFrom(arguments);
   const ResultReader reader(arguments.result);
   const auto directory = arguments.directory.empty() ? reader.file().parent_path() : arguments.directory;
@@ -59,8 +63,11 @@ ExitCode exportResult(const ExportArguments& arguments) {
         fmt::format("{}: the result has no frames to export; is the folder 'result' beside it missing?",
                     reader.file().string()));
   VtuSeriesWriter writer(directory, reader.model(), options);
-  for (int i = 0; i < reader.numFrames(); ++i) writer.write(reader.frame(i));
-  fmt::print("{} frames in {}\n", reader.numFrames(), (directory / "frames.pvd").string());
+  for (int i = 0; i < reader.numFrames(); ++i) {
+    throwIfInterrupted();
+    writer.write(reader.frame(i));
+  }
+  printOut("{} frames in {}\n", reader.numFrames(), (directory / "frames.pvd").string());
   return ExitCode::Fine;
 }
 

@@ -9,7 +9,10 @@
 #include <thread>
 #include <vector>
 
+#include "cli/arguments.h"
+#include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/directory_lock.h"
 #include "cli/study_plan.h"
 #include "cli/study_progress.h"
@@ -34,6 +37,7 @@ struct FiguresArguments {
 };
 
 ExitCode draw(const Study& study, const FiguresArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
   for (const std::string& name : arguments.only)
     drawAndRecord(study, findFigure(study, name), arguments.directory);
   return ExitCode::Fine;
@@ -41,10 +45,10 @@ ExitCode draw(const Study& study, const FiguresArguments& arguments) {
 
 void announce(const StudyPlan& plan) {
   const auto isDue = [](const auto& item) { return item.job.has_value(); };
-  fmt::print("runs: {}, of which to compute: {}; figures: {}, of which to draw: {}\n", plan.runs.size(),
-             std::count_if(plan.runs.begin(), plan.runs.end(), isDue), plan.figures.size(),
-             std::count_if(plan.figures.begin(), plan.figures.end(), isDue));
-  std::fflush(stdout);
+  printOut("runs: {}, of which to compute: {}; figures: {}, of which to draw: {}\n", plan.runs.size(),
+           std::count_if(plan.runs.begin(), plan.runs.end(), isDue), plan.figures.size(),
+           std::count_if(plan.figures.begin(), plan.figures.end(), isDue));
+  flushOutput();
 }
 
 /// Wall-clock seconds until the last run had ended, and from then on.
@@ -53,19 +57,19 @@ void printTimes(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
   for (const PlannedRun& run : plan.runs)
     if (run.job) runs = std::max(runs, jobs[*run.job].end);
   for (const JobStatus& job : jobs) all = std::max(all, job.end);
-  fmt::print("wall-clock time: {:.1f} s for the runs, {:.1f} s more for the figures\n", runs, all - runs);
+  printOut("wall-clock time: {:.1f} s for the runs, {:.1f} s more for the figures\n", runs, all - runs);
 }
 
 void printResults(const StudyPlan& plan, const std::vector<JobStatus>& jobs, const fs::path& directory) {
-  fmt::print("\n{}\n", runsTable(plan, jobs));
+  printOut("\n{}\n", runsTable(plan, jobs));
   for (const PlannedFigure& figure : plan.figures) {
     const std::vector<fs::path> files = drawnFiles(directory, figure.figure->name);
     const std::string more = files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : "";
-    fmt::print("figure {}: {}{}\n", figure.figure->name, files.empty() ? "missing" : files.front().string(),
-               more);
+    printOut("figure {}: {}{}\n", figure.figure->name, files.empty() ? "missing" : files.front().string(),
+             more);
   }
   printTimes(plan, jobs);
-  std::fflush(stdout);
+  flushOutput();
 }
 
 ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
@@ -75,7 +79,7 @@ ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
   prepareJobs(plan, arguments.directory);
   PoolResult result;
   {
-    StudyProgress progress(plan, stdout);
+    StudyProgress progress(plan);
     result = runJobs(plan.jobs, arguments.jobs, progress);
   }
   if (result.signal != 0) return interrupted(result.signal);
@@ -84,7 +88,7 @@ ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
     const std::string csv = runsCsv(plan, result.jobs);
     writeFileAtomically(arguments.directory / "runs.csv", std::as_bytes(std::span(csv)));
     writeDocument(study, arguments.directory, {.file = arguments.document, .gallery = arguments.gallery});
-    fmt::print("document {}\n", arguments.document.string());
+    printOut("document {}\n", arguments.document.string());
   }
   const bool allFine = std::all_of(result.jobs.begin(), result.jobs.end(),
                                    [](const JobStatus& job) { return job.state == JobState::Fine; });
@@ -96,6 +100,7 @@ ExitCode figures(FiguresArguments arguments) {
   if (arguments.directory.empty()) arguments.directory = fs::path("out") / arguments.study.stem();
   if (arguments.document.empty())
     arguments.document = arguments.directory / arguments.study.stem().concat(".md");
+  requireNotInput("--document", arguments.document, {arguments.study});
   return arguments.drawOnly ? draw(study, arguments) : makeEverything(study, arguments);
 }
 

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/info_text.h"
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
@@ -23,15 +24,15 @@ struct InfoArguments {
 };
 
 ExitCode info(const InfoArguments& arguments) {
-  if (arguments.keys) fmt::print("{}", describeScene());
-  if (arguments.studyKeys) fmt::print("{}", describeStudy());
+  if (arguments.keys) printText(describeScene());
+  if (arguments.studyKeys) printText(describeStudy());
   const fs::path& path = arguments.path;
   if (path.empty()) return ExitCode::Fine;
   std::error_code status;
   if (!fs::exists(path, status))
     throw Error(fmt::format("{}: there is no such file or directory", path.string()));
   const bool isResult = fs::is_directory(path, status) || path.extension() == ".h5";
-  fmt::print("{}", isResult ? resultText(ResultReader(path)) : sceneText(readScene(path)));
+  printText(isResult ? resultText(ResultReader(path)) : sceneText(readScene(path)));
   return ExitCode::Fine;
 }
 

@@ -1,6 +1,5 @@
 #include "cli/job_pool.h"
 
-#include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
 
@@ -10,13 +9,15 @@
 #include <thread>
 
 #include "cli/child_process.h"
+#include "cli/console.h"
 
 namespace burnish {
 namespace {
 
-/// A run that stopped before its end has results, too.
+/// A run that stopped before its end has results, too, and so has one without some of its pictures.
 bool isFine(int exitCode) {
-  return exitCode == static_cast<int>(ExitCode::Fine) || exitCode == static_cast<int>(ExitCode::Stopped);
+  return exitCode == static_cast<int>(ExitCode::Fine) || exitCode == static_cast<int>(ExitCode::Stopped) ||
+         exitCode == static_cast<int>(ExitCode::Incomplete);
 }
 
 class Pool {
@@ -141,8 +142,8 @@ PoolResult runJobs(const std::vector<Job>& jobs, int atOnce, JobObserver& observ
 }
 
 ExitCode interrupted(int signal) {
-  fmt::print(stderr, "burnish: interrupted; what is finished is kept, the same command does the rest\n");
-  return signal == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated;
+  printError("burnish: interrupted; what is finished is kept, the same command does the rest\n");
+  return codeOfSignal(signal);
 }
 
 }  // namespace burnish

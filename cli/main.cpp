@@ -1,15 +1,19 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
+#include <new>
+#include <sstream>
 #include <string>
 
+#include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/usage_error.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
+#include "engine/core/interruption.h"
 #include "engine/core/version.h"
+#include "postproc/offscreen/silence.h"
 
 namespace {
 
@@ -43,7 +47,9 @@ ExitCode execute(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
-    app.exit(request);  // prints the help or the version
+    std::ostringstream text;  // the help or the version
+    app.exit(request, text, text);
+    printText(text.str());
     return ExitCode::Fine;
   } catch (const CLI::ParseError& error) {
     throw Error(usageMessage(app, error));
@@ -51,24 +57,43 @@ ExitCode execute(int argc, char** argv) {
   return action();
 }
 
+/// The exit code of an action; what it throws is told.
+ExitCode guarded(const Action& action) {
+  try {
+    return action();
+  } catch (const Error& error) {
+    printError("burnish: {}\n", error.what());
+    return ExitCode::BadInput;
+  } catch (const Interrupted&) {
+    printError("burnish: interrupted by a signal; what was finished before is kept\n");
+    return codeOfSignal(interruption());
+  } catch (const std::bad_alloc&) {
+    printError(
+        "burnish: the memory of this machine does not suffice; take fewer basis functions or a lower "
+        "degree\n");
+    return ExitCode::BadInput;
+  } catch (const std::exception& error) {
+    printError("burnish: internal error: {}; this is a fault of the program, please report it\n",
+               error.what());
+  }
+  return ExitCode::Internal;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  openStandardDescriptors();
   std::signal(SIGXFSZ, SIG_IGN);  // a file above a limit is an error with its name, not the end
-  if (argc > 1 && computes(argv[1])) burnish::useFastestBlasKernels(argv);
-  try {
-    return static_cast<int>(execute(argc, argv));
-  } catch (const burnish::Error& error) {
-    fmt::print(stderr, "burnish: {}\n", error.what());
-    return static_cast<int>(ExitCode::BadInput);
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr,
-               "burnish: the memory of this machine does not suffice; take fewer basis functions or a lower "
-               "degree\n");
-    return static_cast<int>(ExitCode::BadInput);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "burnish: internal error: {}; this is a fault of the program, please report it\n",
-               error.what());
+  const bool computing = argc > 1 && computes(argv[1]);
+  if (computing) {
+    std::signal(SIGPIPE, SIG_IGN);  // whoever reads the progress may go away; the results are still wanted
+    useFastestBlasKernels(argv);
   }
-  return static_cast<int>(ExitCode::Internal);
+  silenceVtk();
+  const ExitCode done = guarded([&] { return execute(argc, argv); });
+  const ExitCode printed = guarded([&] {
+    requirePrinted(computing ? GoneReader::IsFine : GoneReader::Fails);
+    return ExitCode::Fine;
+  });
+  return static_cast<int>(done == ExitCode::Fine ? printed : done);
 }

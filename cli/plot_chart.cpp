@@ -27,12 +27,6 @@ struct Run {
   HistoryTable history;
 };
 
-/// DIR/history.csv for the directory of a run, else the file itself.
-fs::path historyFile(const fs::path& path) {
-  std::error_code status;
-  return fs::is_directory(path, status) ? path / "history.csv" : path;
-}
-
 /// The name of the directory of a run, or of the file if it has another name than that of a run.
 std::string nameOf(const fs::path& history) {
   if (history.filename() != "history.csv") return history.stem().string();
@@ -198,6 +192,11 @@ class ChartMaker {
 };
 
 }  // namespace
+
+fs::path historyFile(const fs::path& path) {
+  std::error_code status;
+  return fs::is_directory(path, status) ? path / "history.csv" : path;
+}
 
 PlottedChart chartOf(const PlotArguments& arguments) {
   return ChartMaker(arguments).take();

@@ -25,6 +25,9 @@ struct PlotArguments {
   LookOptions look;
 };
 
+/// DIR/history.csv for the directory of a run, else the file itself.
+std::filesystem::path historyFile(const std::filesystem::path& path);
+
 /// The largest difference of a run from the reference.
 struct LargestDifference {
   std::string run, y;

@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/arguments.h"
+#include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/look_options.h"
 #include "cli/plot_chart.h"
 #include "engine/core/error.h"
@@ -30,20 +33,30 @@ std::string differenceText(const LargestDifference& difference, const std::strin
 }
 
 ExitCode plot(const PlotArguments& arguments, const PlotOutputs& outputs) {
+  const SignalGuard signals(SecondSignal::Ends);
   if (outputs.picture.empty() && outputs.csv.empty())
     throw Error("-o: found no name of a chart; expected one that ends in .png, .svg or .pdf, or --csv FILE");
+  std::vector<std::filesystem::path> inputs;
+  for (const std::filesystem::path& path : arguments.histories) inputs.push_back(historyFile(path));
+  if (!arguments.reference.empty()) inputs.push_back(historyFile(arguments.reference));
+  requireNotInput("-o", outputs.picture, inputs);
+  inputs.push_back(outputs.picture);  // not read, but not to be replaced by the data either
+  const bool printed = outputs.csv == "-";
+  if (!printed) requireNotInput("--csv", outputs.csv, inputs);
   const PlottedChart plotted = chartOf(arguments);
   if (!outputs.picture.empty()) {
     makeDirectoryOf(outputs.picture);
     drawChart(plotted.chart, outputs.picture);
   }
-  const bool printed = outputs.csv == "-";
   if (printed)
-    fmt::print("{}", chartDataText(plotted.chart));
+    printText(chartDataText(plotted.chart));
   else if (!outputs.csv.empty())
     writeChartData(plotted.chart, outputs.csv);
   for (const LargestDifference& difference : plotted.differences)
-    fmt::print(printed ? stderr : stdout, "{}", differenceText(difference, arguments.x));
+    if (printed)
+      printErrorText(differenceText(difference, arguments.x));
+    else
+      printText(differenceText(difference, arguments.x));
   return ExitCode::Fine;
 }
 

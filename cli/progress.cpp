@@ -1,4 +1,5 @@
 #include "cli/progress.h"
+#include "cli/console.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -22,21 +23,21 @@ std::string progressLine(const RunProgress& progress, double elapsedSeconds) {
                      durationText(elapsedSeconds), expected);
 }
 
-Progress::Progress(std::FILE* out) : out_(out), terminal_(::isatty(::fileno(out)) != 0) {}
+Progress::Progress() : terminal_(::isatty(STDOUT_FILENO) != 0) {}
 
 void Progress::show(const RunProgress& progress) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   const std::string line = progressLine(progress, elapsed.count());
   if (terminal_)
-    fmt::print(out_, "\r{}\x1b[K", line);
+    printOut("\r{}\x1b[K", line);
   else
-    fmt::print(out_, "{}\n", line);
-  std::fflush(out_);
+    printOut("{}\n", line);
+  flushOutput();
   lineIsOpen_ = terminal_;
 }
 
 void Progress::finish() {
-  if (lineIsOpen_) fmt::print(out_, "\n");
+  if (lineIsOpen_) printOut("\n");
   lineIsOpen_ = false;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <chrono>
-#include <cstdio>
 #include <string>
 
 #include "engine/analysis/run.h"
@@ -13,10 +12,11 @@ std::string durationText(double seconds);
 /// Step, time, iterations, cut-backs, elapsed and expected total time in one line of less than 80 columns.
 std::string progressLine(const RunProgress& progress, double elapsedSeconds);
 
-/// Shows how a run gets on: on a terminal one line that is written over, elsewhere a line per step.
+/// Shows on standard output how a run gets on: on a terminal one line that is written over, elsewhere a line
+/// per step.
 class Progress {
  public:
-  explicit Progress(std::FILE* out);
+  Progress();
   ~Progress() { finish(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -27,7 +27,6 @@ class Progress {
   void finish();
 
  private:
-  std::FILE* out_;
   bool terminal_;
   bool lineIsOpen_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "cli/arguments.h"
+#include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/picture_options.h"
 #include "engine/core/error.h"
 #include "postproc/draw/contour_series.h"
@@ -20,6 +22,7 @@ struct RenderArguments {
 };
 
 ExitCode render(const RenderArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
   if (std::filesystem::path(arguments.picture).extension() != ".png")
     throw Error(
         fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png", arguments.picture));
@@ -31,7 +34,7 @@ ExitCode render(const RenderArguments& arguments) {
   for (const std::filesystem::path& name : names) makeDirectoryOf(name);
   drawSeries(result, frames, options, names);
   if (names.size() > 1)
-    fmt::print("{} pictures, {} to {}\n", names.size(), names.front().string(), names.back().string());
+    printOut("{} pictures, {} to {}\n", names.size(), names.front().string(), names.back().string());
   return ExitCode::Fine;
 }
 

@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "engine/core/error.h"
 #include "postproc/report/report.h"
 
@@ -19,6 +21,7 @@ struct ReportArguments {
 };
 
 ExitCode report(ReportArguments arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
   if (arguments.page.empty()) arguments.page = arguments.directory / "report.html";
   if (arguments.page.extension() != ".html")
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a page that ends in .html",
@@ -27,7 +30,7 @@ ExitCode report(ReportArguments arguments) {
   if (clip && !(*clip > 50.0 && *clip <= 100.0))
     throw Error(fmt::format("--clip: found {}; expected a percentile above 50, up to 100", *clip));
   writeReport(arguments.directory, arguments.options, arguments.page);
-  fmt::print("report {}\n", arguments.page.string());
+  printOut("report {}\n", arguments.page.string());
   return ExitCode::Fine;
 }
 

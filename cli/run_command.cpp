@@ -9,6 +9,7 @@
 
 #include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/run_outputs.h"
 #include "cli/summary_text.h"
 #include "engine/core/error.h"
@@ -31,10 +32,10 @@ struct RunArguments {
 };
 
 void printResults(const RunArguments& arguments, const RunSummary& summary, const RunOutputs& outputs) {
-  fmt::print("{}", summaryText(summary));
-  if (arguments.timings) fmt::print("{}", timingsText(summary));
-  fmt::print("results in {}\n", arguments.directory.string());
-  for (const auto& picture : outputs.pictures()) fmt::print("  picture {}\n", picture.string());
+  printText(summaryText(summary));
+  if (arguments.timings) printText(timingsText(summary));
+  printOut("results in {}\n", arguments.directory.string());
+  for (const auto& picture : outputs.pictures()) printOut("  picture {}\n", picture.string());
 }
 
 std::string howToResume(const std::filesystem::path& directory) {
@@ -50,7 +51,7 @@ RunSummary compute(const Scene& scene, const RunArguments& arguments, const Sign
         return resumeRun(scene, arguments.directory, options, outputs);
       } catch (const Error& error) {
         if (outputs.hasStarted()) throw;
-        fmt::print(stderr, "burnish: begins anew: {}\n", error.what());
+        printError("burnish: begins anew: {}\n", error.what());
       }
     }
     return arguments.resumes ? resumeRun(scene, arguments.directory, options, outputs)
@@ -62,17 +63,35 @@ RunSummary compute(const Scene& scene, const RunArguments& arguments, const Sign
   }
 }
 
-ExitCode reportEnd(const RunArguments& arguments, const RunSummary& summary, int signal) {
-  for (const std::string& warning : warnings(summary)) fmt::print(stderr, "warning: {}\n", warning);
-  if (summary.completed) return ExitCode::Fine;
-  if (summary.halted) {
-    fmt::print(stderr, "burnish: {} by a signal; nothing is lost; {}\n", summary.stoppedBecause,
-               howToResume(arguments.directory));
-    return signal == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated;
+/// Tells which pictures are missing, why, and how to draw them.
+void reportMissing(const RunOutputs& outputs) {
+  int interrupted = 0;
+  for (const auto& [file, reason, command] : outputs.missing()) {
+    if (!reason.empty())
+      printError("burnish: the picture {} was not drawn: {}; the results are there, this draws it: {}\n",
+                 file.string(), reason, command);
+    else if (interrupted++ == 0)
+      printError(
+          "burnish: interrupted by a signal before all pictures were drawn; the results are complete, "
+          "this draws the next one: {}\n",
+          command);
   }
-  fmt::print(stderr, "burnish: the run did not reach its end: {}; the results up to there are kept\n",
+}
+
+ExitCode reportEnd(const RunArguments& arguments, const RunSummary& summary, const RunOutputs& outputs,
+                   int signal) {
+  for (const std::string& warning : warnings(summary)) printError("warning: {}\n", warning);
+  if (!summary.halted) reportMissing(outputs);  // a run that goes on draws them
+  if (summary.completed && outputs.missing().empty()) return ExitCode::Fine;
+  if (summary.completed) return signal == 0 ? ExitCode::Incomplete : codeOfSignal(signal);
+  if (summary.halted) {
+    printError("burnish: {} by a signal; nothing is lost; {}\n", summary.stoppedBecause,
+               howToResume(arguments.directory));
+    return codeOfSignal(signal);
+  }
+  printError("burnish: the run did not reach its end: {}; the results up to there are kept\n",
              summary.stoppedBecause);
-  if (!summary.advice.empty()) fmt::print(stderr, "burnish: what usually helps: {}\n", summary.advice);
+  if (!summary.advice.empty()) printError("burnish: what usually helps: {}\n", summary.advice);
   return ExitCode::Stopped;
 }
 
@@ -82,11 +101,12 @@ ExitCode run(const RunArguments& arguments) {
   OffscreenCanvas::saveMemory();  // for the solver
   const SignalGuard signals(SecondSignal::Ends);
   RunOutputs outputs(scene, arguments.directory, !arguments.quiet);
+  if (!arguments.resumes) outputs.requireNoForeignFiles();
   const RunSummary summary = compute(scene, arguments, signals, outputs);
   if (!summary.halted) outputs.finish();
   if (!arguments.quiet) printResults(arguments, summary, outputs);
-  std::fflush(stdout);
-  return reportEnd(arguments, summary, signals.signal());
+  flushOutput();
+  return reportEnd(arguments, summary, outputs, signals.signal());
 }
 
 bool isComplete(const std::filesystem::path& directory) {
@@ -95,8 +115,7 @@ bool isComplete(const std::filesystem::path& directory) {
 
 ExitCode runOrResume(RunArguments arguments) {
   if (arguments.resumes && isComplete(arguments.directory)) {
-    fmt::print("the run in {} has come to its end; there is nothing to resume\n",
-               arguments.directory.string());
+    printOut("the run in {} has come to its end; there is nothing to resume\n", arguments.directory.string());
     return ExitCode::Fine;
   }
   if (!arguments.resumes && arguments.directory.empty())

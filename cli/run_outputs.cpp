@@ -4,11 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <system_error>
 #include <utility>
 
+#include "cli/arguments.h"
+#include "cli/console.h"
 #include "cli/picture_planes_check.h"
 #include "engine/core/error.h"
+#include "engine/core/interruption.h"
+#include "engine/results/history.h"
+#include "engine/results/result_files.h"
+#include "postproc/draw/contour.h"
+#include "postproc/study/text_file.h"
 
 namespace burnish {
 namespace {
@@ -19,11 +27,76 @@ bool sameTime(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b));
 }
 
+/// The call that draws a picture of a scene from the results.
+std::string renderCommand(const PictureSpec& picture, std::optional<double> time, const fs::path& directory,
+                          const fs::path& file) {
+  const PictureSpec usual;
+  std::string line =
+      fmt::format("burnish render {} --field {}", shellWord(directory.string()), shellWord(picture.field));
+  const auto add = [&](const char* option, const std::string& value) {
+    line += fmt::format(" {} {}", option, shellWord(value));
+  };
+  if (time) add("--frame", fmt::format("time={}", *time));
+  if (picture.range) add("--range", fmt::format("{},{}", (*picture.range)[0], (*picture.range)[1]));
+  if (picture.size != usual.size) add("--size", fmt::format("{},{}", picture.size[0], picture.size[1]));
+  if (picture.bands != usual.bands) add("--bands", std::to_string(picture.bands));
+  if (picture.knots) line += " --knots";
+  if (!picture.undeformed) add("--undeformed", "off");
+  if (picture.cut) add("--cut", *picture.cut);
+  if (picture.slice) add("--slice", *picture.slice);
+  if (picture.mirror) add("--mirror", *picture.mirror);
+  if (picture.toolOpacity != usual.toolOpacity) add("--tool-opacity", fmt::format("{}", picture.toolOpacity));
+  add("-o", file.string());
+  return line;
+}
+
+/// Whether a run has written to the directory before. The model file goes first when a run begins anew, and
+/// says itself if it is not a run's.
+bool isOfARun(const fs::path& directory) {
+  std::error_code absent;
+  if (fs::exists(modelFile(directory), absent)) return true;
+  try {
+    return readHistory(directory / "history.csv").columns.front() == "step";
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Files of a series for ParaView that is there already.
+std::vector<fs::path> seriesFiles(const fs::path& directory) {
+  std::vector<fs::path> files{directory / "frames.pvd"};
+  std::error_code absent;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory / "frames", absent))
+    if (entry.path().extension() == ".vtu" || entry.path().extension() == ".vtp")
+      files.push_back(entry.path());
+  return files;
+}
+
 }  // namespace
 
 RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress)
     : scene_(scene), directory_(std::move(directory)) {
-  if (showProgress) progress_.emplace(stdout);
+  if (showProgress) progress_.emplace();
+}
+
+void RunOutputs::requireNoForeignFiles() const {
+  if (isOfARun(directory_)) return;
+  std::vector<fs::path> files{directory_ / "history.csv", directory_ / "convergence.csv",
+                              directory_ / "summary.yaml"};
+  if (scene_.output.vtu)
+    for (fs::path& file : seriesFiles(directory_)) files.push_back(std::move(file));
+  for (const PictureSpec& picture : scene_.pictures) {
+    files.push_back(pictureFile(picture, std::nullopt));
+    for (const double time : picture.times) files.push_back(pictureFile(picture, time));
+  }
+  for (const fs::path& file : files) {
+    std::error_code absent;
+    if (fs::symlink_status(file, absent).type() != fs::file_type::not_found)
+      throw Error(
+          fmt::format("-o: {} is not of a run of burnish and would be overwritten; choose another directory, "
+                      "or move it away",
+                      file.string()));
+  }
 }
 
 void RunOutputs::onModel(const ModelRecord& model) {
@@ -31,7 +104,7 @@ void RunOutputs::onModel(const ModelRecord& model) {
 }
 
 void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : warnings) printError("warning: {}\n", warning);
 }
 
 void RunOutputs::onStart(const ModelRecord& model) {
@@ -54,7 +127,7 @@ void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
   if (vtu_) vtu_->write(frame);
   for (const PictureSpec& picture : scene_.pictures)
     for (const double time : picture.times)
-      if (sameTime(frame.time, time)) draw(picture, pictureFile(picture, time), frame);
+      if (sameTime(frame.time, time)) draw(picture, time, frame);
   lastFrame_ = frame;
 }
 
@@ -62,7 +135,7 @@ void RunOutputs::finish() {
   if (progress_) progress_->finish();
   if (!lastFrame_) return;
   for (const PictureSpec& picture : scene_.pictures)
-    if (picture.times.empty()) draw(picture, pictureFile(picture, std::nullopt), *lastFrame_);
+    if (picture.times.empty()) draw(picture, std::nullopt, *lastFrame_);
 }
 
 fs::path RunOutputs::pictureFile(const PictureSpec& picture, std::optional<double> time) const {
@@ -70,14 +143,23 @@ fs::path RunOutputs::pictureFile(const PictureSpec& picture, std::optional<doubl
   return directory_ / "pictures" / (time ? fmt::format("{}_t{}.png", stem, *time) : stem + ".png");
 }
 
-void RunOutputs::draw(const PictureSpec& picture, const fs::path& file, const FrameRecord& frame) {
-  std::error_code status;
-  fs::create_directories(file.parent_path(), status);
-  if (status)
-    throw Error(
-        fmt::format("cannot create the directory {}: {}", file.parent_path().string(), status.message()));
-  drawContour(model_, frame, contourOptions(picture), file);
-  pictures_.push_back(file);
+void RunOutputs::draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame) {
+  const fs::path file = pictureFile(picture, time);
+  const auto note = [&](const char* reason) {
+    missing_.push_back({file, reason, renderCommand(picture, time, directory_, file)});
+  };
+  if (interruption() != 0) return note("");
+  try {
+    makeDirectory(file.parent_path());
+    drawContour(model_, frame, contourOptions(picture), file);
+    pictures_.push_back(file);
+  } catch (const Interrupted&) {
+    note("");
+  } catch (const Error& error) {
+    note(error.what());
+  } catch (const std::bad_alloc&) {
+    note("the memory of this machine does not suffice");
+  }
 }
 
 }  // namespace burnish

@@ -17,6 +17,10 @@ class RunOutputs : public RunObserver {
   /// The scene must outlive the object.
   RunOutputs(const Scene& scene, std::filesystem::path directory, bool showProgress);
 
+  /// Throws `Error` if the directory is not that of an earlier run and has files that the run would
+  /// overwrite.
+  void requireNoForeignFiles() const;
+
   void onModel(const ModelRecord& model) override;
   void onWarnings(const std::vector<std::string>& warnings) override;
   void onStart(const ModelRecord& model) override;
@@ -32,10 +36,19 @@ class RunOutputs : public RunObserver {
   /// Pictures drawn so far.
   const std::vector<std::filesystem::path>& pictures() const { return pictures_; }
 
+  /// A picture that was not drawn.
+  struct Missing {
+    std::filesystem::path file;
+    std::string reason;   ///< empty: interrupted
+    std::string command;  ///< that draws it from the results
+  };
+  const std::vector<Missing>& missing() const { return missing_; }
+
  private:
   std::filesystem::path pictureFile(const PictureSpec& picture, std::optional<double> time) const;
 
-  void draw(const PictureSpec& picture, const std::filesystem::path& file, const FrameRecord& frame);
+  /// A picture of the frame, or of the last one without a time. What goes wrong costs this picture only.
+  void draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame);
 
   const Scene& scene_;
   std::filesystem::path directory_;
@@ -45,6 +58,7 @@ class RunOutputs : public RunObserver {
   ModelRecord model_;
   std::optional<FrameRecord> lastFrame_;
   std::vector<std::filesystem::path> pictures_;
+  std::vector<Missing> missing_;
 };
 
 }  // namespace burnish

@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
 #include "cli/command.h"
+#include "cli/console.h"
 #include "engine/scene/explanation.h"
 #include "engine/scene/json_schema.h"
 #include "engine/scene/scene_listing.h"
@@ -19,8 +18,8 @@ void addSchemaCommand(CLI::App& app, Action& action) {
   command->add_flag("--study", *study, "The schema of studies instead");
   command->callback([&action, study] {
     action = [study] {
-      fmt::print("{}", *study ? jsonSchema("burnish study", studyDeclarations())
-                              : jsonSchema("burnish scene", sceneDeclarations()));
+      printText(*study ? jsonSchema("burnish study", studyDeclarations())
+                       : jsonSchema("burnish scene", sceneDeclarations()));
       return ExitCode::Fine;
     };
   });
@@ -38,8 +37,7 @@ void addExplainCommand(CLI::App& app, Action& action) {
   command->add_flag("--study", arguments->study, "A key of a study instead");
   command->callback([&action, arguments] {
     action = [arguments] {
-      fmt::print("{}",
-                 explainKey(arguments->study ? studyDeclarations() : sceneDeclarations(), arguments->key));
+      printText(explainKey(arguments->study ? studyDeclarations() : sceneDeclarations(), arguments->key));
       return ExitCode::Fine;
     };
   });

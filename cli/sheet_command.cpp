@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/child_process.h"
 #include "cli/command.h"
 #include "cli/look_options.h"
 #include "engine/core/error.h"
@@ -27,6 +28,7 @@ struct SheetArguments {
 };
 
 ExitCode sheet(const SheetArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
   const std::size_t count = arguments.pictures.size();
   if (arguments.sheet.extension() != ".png")
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png",
@@ -34,6 +36,7 @@ ExitCode sheet(const SheetArguments& arguments) {
   if (!arguments.captions.empty() && arguments.captions.size() != count)
     throw Error(fmt::format("--caption: found {} captions for {} pictures; expected one for each",
                             arguments.captions.size(), count));
+  requireNotInput("-o", arguments.sheet, arguments.pictures);
   std::vector<SheetPanel> panels;
   for (std::size_t k = 0; k < count; ++k)
     panels.push_back({arguments.pictures[k], arguments.captions.empty() ? "" : arguments.captions[k]});

@@ -10,6 +10,7 @@
 #include <deque>
 #include <fstream>
 
+#include "cli/console.h"
 #include "cli/progress.h"
 #include "engine/core/error.h"
 #include "engine/results/summary_file.h"
@@ -53,10 +54,10 @@ std::string runText(const fs::path& directory) {
   }
 }
 
-std::size_t terminalColumns(std::FILE* out) {
+std::size_t terminalColumns() {
   constexpr std::size_t usual = 80;
   winsize size{};
-  return ::ioctl(::fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
 }
 
 int numEnded(const std::vector<JobStatus>& all, const std::vector<std::size_t>& jobs) {
@@ -87,8 +88,8 @@ double lastTimeOf(const fs::path& history) {
 
 }  // namespace
 
-StudyProgress::StudyProgress(const StudyPlan& plan, std::FILE* out)
-    : plan_(plan), subjects_(plan.jobs.size()), out_(out), terminal_(::isatty(::fileno(out)) != 0) {
+StudyProgress::StudyProgress(const StudyPlan& plan)
+    : plan_(plan), subjects_(plan.jobs.size()), terminal_(::isatty(STDOUT_FILENO) != 0) {
   for (const PlannedRun& run : plan.runs)
     if (run.job) subjects_[*run.job].run = &run;
   for (const PlannedFigure& figure : plan.figures)
@@ -103,8 +104,8 @@ std::string StudyProgress::name(std::size_t job) const {
 void StudyProgress::onEnd(std::size_t job, const std::vector<JobStatus>& all) {
   clear();
   if (all[job].state == JobState::Interrupted) return;
-  fmt::print(out_, "{}: {}\n", name(job), endText(job, all));
-  std::fflush(out_);
+  printOut("{}: {}\n", name(job), endText(job, all));
+  flushOutput();
 }
 
 std::string StudyProgress::endText(std::size_t job, const std::vector<JobStatus>& all) const {
@@ -123,14 +124,14 @@ void StudyProgress::onWait(const std::vector<JobStatus>& all) {
   clear();
   lastShown_ = now;
   const double seconds = std::chrono::duration<double>(now - begin_).count();
-  const auto show = [&, columns = terminalColumns(out_)](const std::string& line) {
-    fmt::print(out_, "{}\n", line.substr(0, columns - 1));
+  const auto show = [&, columns = terminalColumns()](const std::string& line) {
+    printOut("{}\n", line.substr(0, columns - 1));
     ++linesShown_;
   };
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].state == JobState::Running) show(runningText(i, seconds - all[i].start));
   show(overallText(all, seconds));
-  std::fflush(out_);
+  flushOutput();
 }
 
 std::string StudyProgress::runningText(std::size_t job, double seconds) const {
@@ -165,7 +166,7 @@ std::string StudyProgress::overallText(const std::vector<JobStatus>& all, double
 }
 
 void StudyProgress::clear() {
-  if (linesShown_ > 0) fmt::print(out_, "\x1b[{}A\x1b[J", linesShown_);
+  if (linesShown_ > 0) printOut("\x1b[{}A\x1b[J", linesShown_);
   linesShown_ = 0;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <chrono>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -9,12 +8,12 @@
 
 namespace burnish {
 
-/// Shows how a study gets on: a line for every job that has ended and, on a terminal, below them the jobs
-/// that go on and the expected rest, written over in place.
+/// Shows on standard output how a study gets on: a line for every job that has ended and, on a terminal,
+/// below them the jobs that go on and the expected rest, written over in place.
 class StudyProgress : public JobObserver {
  public:
   /// The plan must outlive the object.
-  StudyProgress(const StudyPlan& plan, std::FILE* out);
+  explicit StudyProgress(const StudyPlan& plan);
   ~StudyProgress() override { clear(); }
   StudyProgress(const StudyProgress&) = delete;
   StudyProgress& operator=(const StudyProgress&) = delete;
@@ -39,7 +38,6 @@ class StudyProgress : public JobObserver {
 
   const StudyPlan& plan_;
   std::vector<Subject> subjects_;
-  std::FILE* out_;
   bool terminal_;
   int linesShown_ = 0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/picture_planes_check.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
@@ -37,7 +38,7 @@ std::string validateScene(const fs::path& file, const std::vector<std::string>& 
   const Scene scene = readScene(file, overrides);
   const SceneReport report = reportOf(scene);
   requirePlanes(scene, report.model);
-  for (const std::string& warning : report.warnings) fmt::print(stderr, "warning: {}{}\n", who, warning);
+  for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);
   return report.summary;
 }
 
@@ -65,12 +66,12 @@ ExitCode validate(const ValidateArguments& arguments) {
     try {
       const std::string summary = isStudy(file) ? validateStudy(file, arguments.overrides)
                                                 : validateScene(file, arguments.overrides, "");
-      fmt::print("{}: fine ({})\n", file.string(), summary);
+      printOut("{}: fine ({})\n", file.string(), summary);
     } catch (const Error& error) {
-      fmt::print(stderr, "{}\n", error.what());
+      printError("{}\n", error.what());
       allAreGood = false;
     }
-    std::fflush(stdout);
+    flushOutput();
   }
   return allAreGood ? ExitCode::Fine : ExitCode::BadInput;
 }

@@ -8,7 +8,10 @@
 #include <thread>
 #include <vector>
 
+#include "cli/arguments.h"
+#include "cli/child_process.h"
 #include "cli/command.h"
+#include "cli/console.h"
 #include "cli/directory_lock.h"
 #include "cli/study_plan.h"
 #include "cli/study_progress.h"
@@ -53,10 +56,10 @@ std::vector<fs::path> scenesIn(const fs::path& path) {
 int computeRuns(const std::vector<VerificationCase>& cases, const VerifyArguments& arguments) {
   const Study study = studyOf(cases);
   const StudyPlan plan = planStudy(study, arguments.directory, {}, arguments.jobs);
-  fmt::print("runs: {}, of which to compute: {}\n", plan.runs.size(), plan.jobs.size());
-  std::fflush(stdout);
+  printOut("runs: {}, of which to compute: {}\n", plan.runs.size(), plan.jobs.size());
+  flushOutput();
   prepareJobs(plan, arguments.directory);
-  StudyProgress progress(plan, stdout);
+  StudyProgress progress(plan);
   return runJobs(plan.jobs, arguments.jobs, progress).signal;
 }
 
@@ -75,12 +78,12 @@ bool printVerdicts(const std::vector<VerifiedCase>& cases) {
   std::size_t all = 0, holding = 0;
   for (const auto& [verified, outcomes, judged] : cases) {
     const std::string& title = verified->scene.title;
-    fmt::print("\n{}{}\n{}{}{}", verified->name, title.empty() ? "" : ": " + title,
-               checkTable(*verified, judged), problemsText(judged), doubtsText(*verified, outcomes));
+    printOut("\n{}{}\n{}{}{}", verified->name, title.empty() ? "" : ": " + title,
+             checkTable(*verified, judged), problemsText(judged), doubtsText(*verified, outcomes));
     all += judged.size();
     holding += numHolding(judged);
   }
-  fmt::print("\n{} of {} checks hold\n", holding, all);
+  printOut("\n{} of {} checks hold\n", holding, all);
   return holding == all;
 }
 
@@ -88,6 +91,7 @@ ExitCode verify(const VerifyArguments& arguments) {
   std::vector<VerificationCase> cases;
   for (const fs::path& path : arguments.scenes)
     for (const fs::path& scene : scenesIn(path)) cases.push_back(readCase(scene));
+  requireNotInput("--document", arguments.document, arguments.scenes);
   const DirectoryLock lock(arguments.directory);
   const int signal = computeRuns(cases, arguments);
   if (signal != 0) return interrupted(signal);
@@ -99,11 +103,12 @@ ExitCode verify(const VerifyArguments& arguments) {
   }
   const bool allHold = printVerdicts(verified);
   if (!arguments.document.empty()) {
+    const SignalGuard signals(SecondSignal::Ends);
     const fs::path pictures = arguments.gallery.empty()
                                   ? arguments.document.parent_path() / "images" / arguments.document.stem()
                                   : arguments.gallery;
     writeVerification(verified, arguments.document, pictures);
-    fmt::print("document {}\n", arguments.document.string());
+    printOut("document {}\n", arguments.document.string());
   }
   return allHold ? ExitCode::Fine : ExitCode::ChecksFail;
 }

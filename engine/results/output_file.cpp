@@ -15,20 +15,29 @@ namespace burnish {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* action) {
-  const std::string reason = std::generic_category().message(errno);
+  const std::string reason = errno == ELOOP
+                                 ? "it is a symbolic link, and what that points to is not ours to change"
+                                 : std::generic_category().message(errno);
   throw Error(fmt::format("cannot {} {}: {}", action, path.string(), reason));
+}
+
+/// An empty file of that name, opened; negative if there can be none.
+int create(const std::filesystem::path& path) {
+  std::error_code status;
+  if (std::filesystem::is_symlink(path, status)) std::filesystem::remove(path, status);
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path)
-    : path_(std::move(path)),
-      descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), descriptor_(create(path_)) {
   if (descriptor_ < 0) fail(path_, "write");
 }
 
 OutputFile::OutputFile(std::filesystem::path path, std::uint64_t size)
-    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_CLOEXEC)), size_(size) {
+    : path_(std::move(path)),
+      descriptor_(::open(path_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC)),
+      size_(size) {
   if (descriptor_ < 0) fail(path_, "go on with");
   struct ::stat status = {};
   const bool isLong =

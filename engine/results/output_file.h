@@ -10,10 +10,11 @@ namespace burnish {
 /// reason, a full disk included.
 class OutputFile {
  public:
-  /// Creates or empties the file.
+  /// Creates or empties the file. A symbolic link of that name is replaced, never written through.
   explicit OutputFile(std::filesystem::path path);
 
-  /// Goes on behind the first `size` bytes of a file and drops what follows them. Throws if it is shorter.
+  /// Goes on behind the first `size` bytes of a file and drops what follows them. Throws if it is shorter, or
+  /// a symbolic link.
   OutputFile(std::filesystem::path path, std::uint64_t size);
 
   ~OutputFile();

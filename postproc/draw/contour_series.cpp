@@ -6,6 +6,7 @@
 #include <future>
 #include <limits>
 
+#include "engine/core/interruption.h"
 #include "postproc/draw/color_range.h"
 #include "postproc/draw/png_file.h"
 
@@ -28,6 +29,7 @@ std::array<double, 2> commonRange(const ResultReader& result, const std::vector<
   std::array<double, 2> range{infinity, -infinity};
   const int subdivision = options.subdivision.value_or(result.model().subdivision);
   for (const int k : frames) {
+    throwIfInterrupted();
     const auto [low, high] = rangeOf(result.model(), result.frame(k), options, subdivision);
     range = {std::min(range[0], low), std::max(range[1], high)};
   }
@@ -37,7 +39,10 @@ std::array<double, 2> commonRange(const ResultReader& result, const std::vector<
 Eigen::AlignedBox2d commonWindow(const ResultReader& result, const std::vector<int>& frames,
                                  const ContourOptions& options) {
   Eigen::AlignedBox2d window;
-  for (const int k : frames) window.extend(contentOf(result.model(), result.frame(k), options));
+  for (const int k : frames) {
+    throwIfInterrupted();
+    window.extend(contentOf(result.model(), result.frame(k), options));
+  }
   return window;
 }
 

@@ -12,10 +12,17 @@
 namespace burnish {
 
 ScratchDirectory::ScratchDirectory() {
-  std::string name = (std::filesystem::temp_directory_path() / "burnish_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr)
-    throw Error(fmt::format("cannot make a directory like {}: {}", name,
-                            std::error_code(errno, std::generic_category()).message()));
+  std::error_code problem;
+  const std::filesystem::path place = std::filesystem::temp_directory_path(problem);
+  std::string name = (place / "burnish_XXXXXX").string();
+  if (!problem && mkdtemp(name.data()) == nullptr) problem.assign(errno, std::generic_category());
+  if (problem) {
+    const char* chosen = std::getenv("TMPDIR");
+    throw Error(
+        fmt::format("cannot make a directory for temporary files in {}: {}; let TMPDIR name one in which "
+                    "there can be files",
+                    place.empty() && chosen != nullptr ? chosen : place.string(), problem.message()));
+  }
   path_ = name;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <sys/wait.h>
@@ -9,12 +10,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <thread>
+#include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/interruption.h"
 #include "engine/results/atomic_file.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/export/video_frames.h"
@@ -55,8 +60,14 @@ Outcome runFfmpeg(std::vector<std::string> arguments, const fs::path& log) {
     throw Error(fmt::format("cannot start ffmpeg: {}", std::generic_category().message(problem)));
 
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) throw Error("lost sight of ffmpeg while it was running");
+  bool isTold = false;
+  while (true) {
+    const pid_t ended = ::waitpid(process, &status, WNOHANG);
+    if (ended == process) break;
+    if (ended < 0 && errno != EINTR) throw Error("lost sight of ffmpeg while it was running");
+    if (interruption() != 0 && !std::exchange(isTold, true)) ::kill(process, SIGTERM);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Outcome::Fine : Outcome::Failed;
 }
 
@@ -99,18 +110,24 @@ void encode(const std::vector<fs::path>& frames, double framesPerSecond, const S
   arguments.insert(arguments.end(), how.begin(), how.end());
   arguments.push_back("file:" + partial.string());
   std::error_code problem;
+  fs::remove(partial, problem);  // ffmpeg would write through a symbolic link
   if (runFfmpeg(arguments, log) == Outcome::Fine) {
     fs::rename(partial, file, problem);
     if (!problem) return;
   }
   std::error_code ignored;
   fs::remove(partial, ignored);
+  throwIfInterrupted();
   const std::string words = problem ? problem.message() : textOf(log);
   throw Error(fmt::format("cannot write the video {}: {}", file.string(),
                           words.substr(words.size() - std::min(words.size(), kLastWords))));
 }
 
 }  // namespace
+
+bool haveFfmpeg() {
+  return runFfmpeg({"-version"}, "/dev/null") != Outcome::Missing;
+}
 
 bool writeVideo(const std::vector<fs::path>& frames, double framesPerSecond, const fs::path& mp4) {
   checkFrames(frames, framesPerSecond);
@@ -132,8 +149,8 @@ bool writeVideo(const std::vector<fs::path>& frames, double framesPerSecond, con
 
 bool writeGif(const std::vector<fs::path>& frames, double framesPerSecond, const fs::path& gif) {
   checkFrames(frames, framesPerSecond);
+  if (!haveFfmpeg()) return false;
   const ScratchDirectory scratch;
-  if (runFfmpeg({"-version"}, scratch.path() / "log") == Outcome::Missing) return false;
   encode(frames, framesPerSecond, scratch,
          {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none", "-fflags",
           "+bitexact", "-loop", "0", "-f", "gif"},

@@ -4,6 +4,9 @@
 
 namespace burnish {
 
+/// Whether the program ffmpeg, which videos and GIFs need, is in PATH.
+bool haveFfmpeg();
+
 /// Makes a video (MP4: H.264 where ffmpeg has it, else MPEG-4) from pictures of one size, each shown for
 /// 1/framesPerSecond seconds; sides of odd length get one more row or column of white pixels. The file
 /// appears under its name only when it is complete. Returns false, and writes nothing, where the program

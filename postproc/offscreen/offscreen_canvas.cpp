@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/interruption.h"
+
 #ifdef VTK_OPENGL_HAS_OSMESA
 #include <vtkOSOpenGLRenderWindow.h>
 #else
@@ -233,6 +235,7 @@ OffscreenCanvas::OffscreenCanvas(int width, int height)
       strips_(stripsFor(width, height)),
       overlap_(strips_ == 1 ? 0 : kOverlap),
       surface_(Surface::idle() ? std::move(Surface::idle()) : std::make_unique<Surface>()) {
+  throwIfInterrupted();
   surface_->makeCurrent();
   window().SetSize(width * kFactor, rowsFor(height, strips_) * kFactor + 2 * overlap_);
 }
@@ -270,6 +273,7 @@ vtkSmartPointer<vtkImageData> OffscreenCanvas::capture() {
   picture->SetDimensions(window().GetSize()[0] / kFactor, height_, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   for (int row = 0; row < height_; row += rowsPerStrip) {
+    throwIfInterrupted();
     for (const StripView& view : views) view.show(row * kFactor - overlap_, stripHeight + 2 * overlap_);
     captureStrip(std::min(rowsPerStrip, height_ - row),
                  static_cast<unsigned char*>(picture->GetScalarPointer(0, row, 0)));

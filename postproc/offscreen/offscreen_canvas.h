@@ -22,7 +22,7 @@ class OffscreenCanvas {
   static void saveMemory();
 
   /// Renders `kSupersampling` times larger than width x height (pixels) and averages: antialiasing without
-  /// multisamples. Throws `Error` if no GL context of this size can be had.
+  /// multisamples. Throws `Error` if no GL context of this size can be had, and `Interrupted`.
   OffscreenCanvas(int width, int height);
   ~OffscreenCanvas();
   OffscreenCanvas(const OffscreenCanvas&) = delete;
@@ -34,8 +34,9 @@ class OffscreenCanvas {
 
   int supersampling() const { return kSupersampling; }
 
-  /// Renders and returns the picture, width x height RGB bytes, lowest row first. Once per canvas: the
-  /// cameras, which must be parallel, and the positions of flat actors are left at the last strip.
+  /// Renders and returns the picture (or throws `Interrupted`), width x height RGB bytes, lowest row first.
+  /// Once per canvas: the cameras, which must be parallel, and the positions of flat actors are left at the
+  /// last strip.
   vtkSmartPointer<vtkImageData> capture();
 
  private:

@@ -1,0 +1,71 @@
+#include "cli/console.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+int outputProblem = 0;  ///< the first errno of standard output
+
+void noteProblem(bool fine) {
+  if (!fine && outputProblem == 0 && errno != EINTR) outputProblem = errno;
+}
+
+/// While it lives, writing to a pipe that nobody reads is an error of the call and does not end the program.
+class NoBrokenPipe {
+ public:
+  NoBrokenPipe() {
+    struct sigaction ignore = {};
+    ignore.sa_handler = SIG_IGN;
+    ::sigaction(SIGPIPE, &ignore, &before_);
+  }
+  ~NoBrokenPipe() { ::sigaction(SIGPIPE, &before_, nullptr); }
+  NoBrokenPipe(const NoBrokenPipe&) = delete;
+  NoBrokenPipe& operator=(const NoBrokenPipe&) = delete;
+
+ private:
+  struct sigaction before_ = {};
+};
+
+}  // namespace
+
+void openStandardDescriptors() {
+  // open() takes the lowest number that is free.
+  for (int descriptor = ::open("/dev/null", O_RDWR); descriptor >= 0;
+       descriptor = ::open("/dev/null", O_RDWR))
+    if (descriptor > STDERR_FILENO) {
+      ::close(descriptor);
+      return;
+    }
+}
+
+void printText(std::string_view text) {
+  noteProblem(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
+}
+
+void printErrorText(std::string_view text) {
+  flushOutput();
+  const NoBrokenPipe guard;
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void flushOutput() {
+  noteProblem(std::fflush(stdout) == 0);
+}
+
+void requirePrinted(GoneReader reader) {
+  flushOutput();
+  if (outputProblem == 0 || (outputProblem == EPIPE && reader == GoneReader::IsFine)) return;
+  throw Error(
+      fmt::format("cannot print on standard output: {}", std::generic_category().message(outputProblem)));
+}
+
+}  // namespace burnish
