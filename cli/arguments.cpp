@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/core/drawable_range.h"
 #include "postproc/draw/color_name.h"
 
 namespace burnish {
@@ -120,13 +121,12 @@ std::vector<std::filesystem::path> pictureNames(const std::string& pattern, cons
   return names;
 }
 
-std::array<double, 2> rangeFromText(const std::string& text) {
+std::array<double, 2> rangeFromText(const char* option, const std::string& text,
+                                    const std::vector<std::string>& words) {
   const auto range = listFrom<double, 2>(text);
-  if (range && std::isfinite((*range)[0]) && std::isfinite((*range)[1]) && (*range)[0] < (*range)[1])
-    return *range;
-  throw Error(fmt::format(
-      "--range: found \"{}\"; expected LO,HI: two numbers, the first one smaller; or auto, frame, run.{}",
-      text, didYouMean(text, {"auto", "frame", "run"})));
+  if (range && isDrawableRange(*range)) return *range;
+  throw Error(fmt::format("{}: found \"{}\"; expected LO,HI: {}{}{}.{}", option, text, kDrawableRangeWords,
+                          words.empty() ? "" : "; or ", fmt::join(words, ", "), didYouMean(text, words)));
 }
 
 std::array<int, 2> sizeFromText(const std::string& text) {
@@ -143,7 +143,7 @@ Eigen::AlignedBox2d windowFromText(const std::string& text) {
   if (corners) {
     const Eigen::Vector4d c = Eigen::Map<const Eigen::Vector4d>(corners->data());
     window.extend(Eigen::Vector2d(c.head<2>())).extend(Eigen::Vector2d(c.tail<2>()));
-    if (c.allFinite() && window.sizes().minCoeff() > 0.0) return window;
+    if (c.allFinite() && window.sizes().minCoeff() > 0.0 && window.sizes().allFinite()) return window;
   }
   throw Error(fmt::format("--zoom: found \"{}\"; expected X0,Y0,X1,Y1: two corners of a window", text));
 }

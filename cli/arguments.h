@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/shown_text.h"
 #include "engine/scene/nearest.h"
 #include "postproc/draw/color_scale.h"
 #include "postproc/mesh/mirror.h"
@@ -31,6 +32,11 @@ auto chosen(const char* option, const std::string& word, const Choices& choices)
                           didYouMean(word, words)));
 }
 
+/// For `CLI::Option::check`: why a title or a label cannot be shown, or nothing.
+inline std::string cannotBeShown(const std::string& text) {
+  return shownTextFault(text);
+}
+
 /// `on` or `off`.
 bool isOn(const char* option, const std::string& word);
 
@@ -45,8 +51,9 @@ std::vector<int> frameIndices(const std::string& text, const std::vector<double>
 std::vector<std::filesystem::path> pictureNames(const std::string& pattern, const std::vector<int>& frames,
                                                 const std::vector<double>& times);
 
-/// `LO,HI` with LO < HI.
-std::array<double, 2> rangeFromText(const std::string& text);
+/// `LO,HI`, a range that can be drawn. words: what the option may be instead.
+std::array<double, 2> rangeFromText(const char* option, const std::string& text,
+                                    const std::vector<std::string>& words = {});
 
 /// `W,H` in pixels.
 std::array<int, 2> sizeFromText(const std::string& text);

@@ -106,7 +106,7 @@ void setRange(const PictureOptions& options, const ResultReader& result, const s
     return;
   }
   if (options.clip) throw Error("--clip and --range both say where the colours end; give one of them");
-  contour.range = rangeFromText(options.range);
+  contour.range = rangeFromText("--range", options.range, {"auto", "frame", "run"});
 }
 
 }  // namespace

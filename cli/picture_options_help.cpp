@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 
+#include "cli/arguments.h"
 #include "cli/picture_options.h"
 #include "postproc/draw/color_scale.h"
 #include "postproc/draw/contour_view.h"
@@ -112,6 +113,7 @@ void addView(CLI::App& command, PictureOptions& options) {
 
 void addLook(CLI::App& command, PictureOptions& options) {
   command.add_option("--title", options.title, "Title of the picture, empty for none [that of the scene]")
+      ->check(cannotBeShown)
       ->type_name("TEXT");
   addLookOptions(command, options.look);
   command.add_option("--background", options.background, "Colour of the paper [that of the theme]")

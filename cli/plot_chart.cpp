@@ -8,7 +8,6 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -76,13 +75,7 @@ ChartCurve rowsOf(const HistoryTable& history, const PlotArguments& arguments, c
 
 std::optional<std::array<double, 2>> axisRange(const char* option, const std::string& text) {
   if (text.empty()) return std::nullopt;
-  std::istringstream stream(text);
-  std::array<double, 2> range{};
-  char comma = 0;
-  if (stream >> range[0] >> comma >> range[1] && comma == ',' && stream.eof() && range[0] < range[1])
-    return range;
-  throw Error(
-      fmt::format("{}: found \"{}\"; expected LO,HI: two numbers, the first one smaller", option, text));
+  return rangeFromText(option, text);
 }
 
 ChartMarkers markersOf(const std::string& word) {

@@ -92,9 +92,11 @@ void addAxisOptions(CLI::App& command, PlotArguments& arguments) {
   const auto add = [&](const char* name, std::string& value, const char* help, const char* type) {
     return command.add_option(name, value, help)->type_name(type);
   };
-  add("--x-title", arguments.xTitle, "Title of the x axis [the formula]", "TEXT");
-  add("--y-title", arguments.yTitle, "Title of the y axis [the formulas]", "TEXT");
-  add("--y2-title", arguments.y2Title, "Title of the axis at the right [the formulas]", "TEXT")->needs(right);
+  add("--x-title", arguments.xTitle, "Title of the x axis [the formula]", "TEXT")->check(cannotBeShown);
+  add("--y-title", arguments.yTitle, "Title of the y axis [the formulas]", "TEXT")->check(cannotBeShown);
+  add("--y2-title", arguments.y2Title, "Title of the axis at the right [the formulas]", "TEXT")
+      ->check(cannotBeShown)
+      ->needs(right);
   add("--x-range", arguments.xRange, "Ends of the x axis [round values around the data]", "LO,HI");
   add("--y-range", arguments.yRange, "Ends of the y axis [the same]", "LO,HI");
   add("--y2-range", arguments.y2Range, "Ends of the axis at the right [the same]", "LO,HI")->needs(right);
@@ -108,12 +110,15 @@ void addAxisOptions(CLI::App& command, PlotArguments& arguments) {
 }
 
 void addDrawingOptions(CLI::App& command, PlotArguments& arguments) {
-  command.add_option("--title", arguments.title, "Title of the chart [none]")->type_name("TEXT");
+  command.add_option("--title", arguments.title, "Title of the chart [none]")
+      ->check(cannotBeShown)
+      ->type_name("TEXT");
   command
       .add_option("--label", arguments.labels,
                   "Name in the legend, once per history or once per curve [directory, formula or both]")
       ->expected(1)
       ->take_all()
+      ->check(cannotBeShown)
       ->type_name("TEXT");
   command
       .add_option("--markers", arguments.markers,

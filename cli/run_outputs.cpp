@@ -10,6 +10,7 @@
 
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "cli/picture_planes_check.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/results/history.h"
@@ -24,21 +25,6 @@ namespace fs = std::filesystem;
 
 bool sameTime(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b));
-}
-
-ContourOptions contourOptions(const PictureSpec& picture) {
-  ContourOptions options;
-  options.field = picture.field;
-  options.range = picture.range;
-  options.size = picture.size;
-  options.bands = picture.bands;
-  options.knots = picture.knots;
-  options.undeformed = picture.undeformed;
-  if (picture.cut) options.cut = cutPlaneNamed(*picture.cut);
-  if (picture.slice) options.slice = cutPlaneNamed(*picture.slice);
-  if (picture.mirror) options.mirror = mirrorPlanesNamed(*picture.mirror).value();
-  options.toolOpacity = picture.toolOpacity;
-  return options;
 }
 
 /// The call that draws a picture of a scene from the results.
@@ -113,6 +99,10 @@ void RunOutputs::requireNoForeignFiles() const {
   }
 }
 
+void RunOutputs::onModel(const ModelRecord& model) {
+  requirePlanes(scene_, model);
+}
+
 void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) printError("warning: {}\n", warning);
 }
@@ -135,23 +125,10 @@ void RunOutputs::onStep(const RunProgress& progress) {
 
 void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
   if (vtu_) vtu_->write(frame);
-  if (!lastFrame_) requirePlanes(frame);
   for (const PictureSpec& picture : scene_.pictures)
     for (const double time : picture.times)
       if (sameTime(frame.time, time)) draw(picture, time, frame);
   lastFrame_ = frame;
-}
-
-void RunOutputs::requirePlanes(const FrameRecord& frame) const {
-  for (std::size_t k = 0; k < scene_.pictures.size(); ++k) {
-    const ContourOptions options = contourOptions(scene_.pictures[k]);
-    if (options.mirror.empty() && !options.cut && !options.slice) continue;
-    try {
-      contentOf(model_, frame, options);
-    } catch (const Error& error) {
-      throw Error(fmt::format("{}: pictures[{}]: {}", scene_.source, k, error.what()));
-    }
-  }
 }
 
 void RunOutputs::finish() {

@@ -21,6 +21,7 @@ class RunOutputs : public RunObserver {
   /// overwrite.
   void requireNoForeignFiles() const;
 
+  void onModel(const ModelRecord& model) override;
   void onWarnings(const std::vector<std::string>& warnings) override;
   void onStart(const ModelRecord& model) override;
   void onStep(const RunProgress& progress) override;
@@ -45,9 +46,6 @@ class RunOutputs : public RunObserver {
 
  private:
   std::filesystem::path pictureFile(const PictureSpec& picture, std::optional<double> time) const;
-
-  /// Throws `Error` before the run goes on if the planes of a picture are none of symmetry or miss the body.
-  void requirePlanes(const FrameRecord& frame) const;
 
   /// A picture of the frame, or of the last one without a time. What goes wrong costs this picture only.
   void draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame);

@@ -59,6 +59,7 @@ void addSheetCommand(CLI::App& app, Action& action) {
                    "What stands under a picture, once per picture [nothing]")
       ->expected(1)
       ->take_all()
+      ->check(cannotBeShown)
       ->type_name("TEXT");
   command->add_option("--width", arguments->width, "Width of the sheet in pixels [1600]")->type_name("W");
   addLookOptions(*command, arguments->look);

@@ -9,6 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/picture_planes_check.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
@@ -34,7 +35,9 @@ bool isStudy(const fs::path& file) {
 /// What is said of a good scene. Warnings begin with who has them.
 std::string validateScene(const fs::path& file, const std::vector<std::string>& overrides,
                           const std::string& who) {
-  const SceneReport report = reportOf(readScene(file, overrides));
+  const Scene scene = readScene(file, overrides);
+  const SceneReport report = reportOf(scene);
+  requirePlanes(scene, report.model);
   for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);
   return report.summary;
 }

@@ -37,6 +37,21 @@ Patch<2> coarse<2>(const AnnulusSpec& spec) {
   return annulus(vector<2>(spec.center), spec.innerRadius, spec.outerRadius, radians(spec.startAngle),
                  radians(spec.openingAngle));
 }
+/// A disc, whole or a sector; `Spec`: a `DiscSpec` or a `CylinderSpec`.
+template <class Spec>
+Patch<2> discOf(const Spec& spec, const Eigen::Vector2d& center) {
+  const double start = radians(spec.startAngle);
+  return spec.openingAngle == 360.0 ? disc(center, spec.radius, start)
+                                    : discSector(center, spec.radius, start, radians(spec.openingAngle));
+}
+template <>
+Patch<2> coarse<2>(const DiscSpec& spec) {
+  return discOf(spec, vector<2>(spec.center));
+}
+template <>
+Patch<2> coarse<2>(const EllipseSpec& spec) {
+  return ellipse(vector<2>(spec.center), vector<2>(spec.size));
+}
 template <>
 Patch<3> coarse<3>(const BoxSpec& spec) {
   return box(vector<3>(spec.origin), vector<3>(spec.size));
@@ -49,11 +64,7 @@ Patch<3> coarse<3>(const TubeSpec& spec) {
 }
 template <>
 Patch<3> coarse<3>(const CylinderSpec& spec) {
-  const double start = radians(spec.startAngle);
-  const Patch<2> base = spec.openingAngle == 360.0
-                            ? disc({0.0, 0.0}, spec.radius, start)
-                            : discSector({0.0, 0.0}, spec.radius, start, radians(spec.openingAngle));
-  return swept(base, vector<3>(spec.center), vector<3>(spec.axis), spec.length);
+  return swept(discOf(spec, {0.0, 0.0}), vector<3>(spec.center), vector<3>(spec.axis), spec.length);
 }
 template <>
 Patch<3> coarse<3>(const BallOctantSpec& spec) {

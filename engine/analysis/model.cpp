@@ -11,6 +11,7 @@
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/geometry_check.h"
 #include "engine/analysis/materials.h"
+#include "engine/analysis/time_grid.h"
 #include "engine/analysis/tool_start.h"
 #include "engine/analysis/tools.h"
 #include "engine/core/input_error.h"
@@ -47,6 +48,33 @@ double defaultParameter(Enforcement enforcement, double E, double L) {
 /// Smallest force that counts over E L (E L² in 3D and axisymmetry).
 constexpr double kForceFloor = 1e-9;
 
+/// Path of what a load is given by.
+std::string loadKey(const Scene& scene, std::size_t number) {
+  const LoadSpec& load = scene.loads[number];
+  return fmt::format("loads[{}].{}", number,
+                     !load.bodyForce.empty()  ? "body_force"
+                     : !load.traction.empty() ? "traction"
+                     : load.pressure          ? "pressure"
+                                              : "shear");
+}
+
+/// Gathers the formulas of a motion or load of tools, in t alone, that have no finite value at one of the
+/// times.
+template <class Spec>
+void gatherInfinite(const std::string& path, const Spec& spec, const std::optional<FormulaText>& turn,
+                    const char* turnKey, const Scene& scene, const std::vector<double>& times,
+                    InputProblems& problems) {
+  const std::array<std::pair<const char*, const std::optional<FormulaText>*>, kToolWays> ways{
+      {{"x", &spec.x}, {"y", &spec.y}, {"z", &spec.z}, {turnKey, &turn}}};
+  for (const auto& [key, text] : ways)
+    if (*text)
+      problems.gather([&] {
+        placed(fmt::format("{}.{}", path, key), [&] {
+          requireFinite({Formula(**text, scene.definitions)}, Eigen::Matrix3Xd::Zero(3, 1), times);
+        });
+      });
+}
+
 /// Reach of self-contact when the scene does not say, in parts of the body's size.
 constexpr double kReach = 0.05;
 
@@ -62,6 +90,7 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
   quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
   bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), formulationOf(scene));
   addBoundary(scene);
+  requireFiniteFormulas(scene);
   liftTools(scene);
   addStabilisation(scene);
   InputProblems problems;
@@ -91,7 +120,11 @@ void Model<Dim>::addBoundary(const Scene& scene) {
   prescribed_ = supports_.prescribed();
   corners_ = supports_.corners();
   InputProblems problems;
-  for (std::size_t k = 0; k < scene.loads.size(); ++k) problems.gather([&] { addLoad(scene, k); });
+  for (std::size_t k = 0; k < scene.loads.size(); ++k)
+    problems.gather([&] {
+      if (rezoned_) return addLoad(scene, k);  // of a run under way
+      placed(loadKey(scene, k), [&] { addLoad(scene, k); });
+    });
   numForces_ = numDisplacements();
   for (std::size_t k = 0; k < scene.tools.size(); ++k) problems.gather([&] { addTool(scene, k); });
   problems.throwIfAny();
@@ -133,6 +166,25 @@ void Model<Dim>::addLoad(const Scene& scene, std::size_t number) {
   loads_.push_back(std::make_unique<FollowerLoad<Dim>>(
       body_, patch, side, std::move(face), direction,
       Formula(load.pressure ? *load.pressure : *load.shear, scene.definitions), factor));
+}
+
+template <int Dim>
+void Model<Dim>::requireFiniteFormulas(const Scene& scene) const {
+  std::vector<double> times{0.0};
+  for (const Landing& landing : timeGrid(scene, corners_)) times.push_back(landing.time);
+  InputProblems problems;
+  problems.gather([&] { supports_.requireFinite(times); });
+  for (std::size_t k = 0; k < loads_.size(); ++k)
+    problems.gather([&] { placed(loadKey(scene, k), [&] { loads_[k]->requireFinite(times); }); });
+  for (std::size_t k = 0; k < scene.tools.size(); ++k) {
+    const ToolSpec& tool = scene.tools[k];
+    const std::string path = fmt::format("tools[{}]", k);
+    if (const auto& p = tool.prescribe)
+      gatherInfinite(path + ".prescribe", *p, p->angle, "angle", scene, times, problems);
+    if (const auto& c = tool.carry)
+      gatherInfinite(path + ".carry", *c, c->moment, "moment", scene, times, problems);
+  }
+  problems.throwIfAny();
 }
 
 template <int Dim>
@@ -376,7 +428,8 @@ SteppingState Model<Dim>::startState() const {
 
 template <int Dim>
 double Model<Dim>::forceFloor() const {
-  return kForceFloor * youngsModulus(bulk_->material()) * std::pow(body_.size(), body_.axisymmetric ? 2 : Dim - 1);
+  return kForceFloor * youngsModulus(bulk_->material()) *
+         std::pow(body_.size(), body_.axisymmetric ? 2 : Dim - 1);
 }
 
 template <int Dim>

@@ -53,7 +53,7 @@ class Model {
  public:
   /// Throws `InputError` if the scene cannot be computed: patches that do not fit, folded geometry, supports
   /// that contradict each other or leave the body free to move away, a tool that overlaps the body at the
-  /// start.
+  /// start, a formula without a finite value at a time on which the steps land.
   explicit Model(const Scene& scene);
 
   /// The same tools, supports and contact pairs for a body that was meshed anew; what the scene's own body
@@ -76,8 +76,8 @@ class Model {
   /// Null unless the scene asks for it.
   const Stabilisation<Dim>* stabilisation() const { return stabilisation_.get(); }
 
-  /// Share of the largest force that the stabilisation carries in the state that the terms have been evaluated
-  /// at. forces: of the terms, in their order.
+  /// Share of the largest force that the stabilisation carries in the state that the terms have been
+  /// evaluated at. forces: of the terms, in their order.
   double stabilisedShare(const std::vector<Eigen::VectorXd>& forces) const;
 
   /// Bulk, contacts, contacts of faces with themselves, loads, loads of tools, stabilisation, in this order.
@@ -112,6 +112,7 @@ class Model {
 
  private:
   void addLoad(const Scene& scene, std::size_t number);
+  void requireFiniteFormulas(const Scene& scene) const;
   void addTool(const Scene& scene, std::size_t number);
   void addContact(const Scene& scene, std::size_t number);
   void addSelfContact(const Scene& scene, std::size_t number);

@@ -46,7 +46,7 @@ class Run {
         record_(makeModelRecord(scene, *model)),
         stage_(makeStage(scene, std::move(model))),
         directory_(directory),
-        files_(directory, record_, stage_->recorder.columns(), resumes) {
+        files_(directory, record_, checkedColumns(resumes), resumes) {
     if constexpr (Dim == 2)
       if (scene.rezoning) rezoner_.emplace(scene, *stage_);
   }
@@ -84,6 +84,15 @@ class Run {
   static std::unique_ptr<Stage<Dim>> makeStage(const Scene& scene, std::unique_ptr<Model<Dim>> model) {
     SteppingState start = model->startState();
     return std::make_unique<Stage<Dim>>(scene, std::move(model), std::move(start));
+  }
+
+  /// Columns of the history; before anything is written, refuses what can be seen to have no good end.
+  std::vector<std::string> checkedColumns(bool resumes) {
+    std::vector<std::string> columns = stage_->recorder.columns();
+    if (resumes) return columns;
+    requireKnownColumns(scene_, columns);
+    observer_.onModel(record_);
+    return columns;
   }
 
   const SteppingState& state() const { return stage_->stepping.state(); }
@@ -218,7 +227,7 @@ class Run {
   }
 
   void warn() {
-    const auto warnings = sceneWarnings(scene_, *stage_->model);
+    const auto warnings = sceneWarnings(scene_, *stage_->model, stage_->recorder.columns());
     for (const InputProblem& warning : warnings)
       summary_.warnings.push_back(fmt::format("{}: {}", warning.path, warning.text));
     observer_.onWarnings(warningLines(scene_, warnings));

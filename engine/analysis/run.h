@@ -34,6 +34,9 @@ class RunObserver {
  public:
   virtual ~RunObserver() = default;
 
+  /// Before anything is written, but for a resumed run: may throw `Error` to refuse the scene.
+  virtual void onModel(const ModelRecord&) {}
+
   /// Before the run begins: what is probably not meant in the scene, with places.
   virtual void onWarnings(const std::vector<std::string>&) {}
   virtual void onStart(const ModelRecord&) {}

@@ -7,9 +7,12 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/analysis/check_columns.h"
+#include "engine/analysis/frames.h"
 #include "engine/analysis/locking.h"
-#include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
+#include "engine/analysis/recorder.h"
+#include "engine/analysis/softening.h"
 #include "engine/analysis/tool_start.h"
 #include "engine/scene/scene_places.h"
 
@@ -77,6 +80,11 @@ std::vector<InputProblem> toolWarnings(const Scene& scene, const Model<Dim>& mod
   return warnings;
 }
 
+/// Whether `burnish verify` runs other scenes than this one, whose histories may have other columns.
+bool isChangedByVariants(const Scene& scene) {
+  return scene.variants && !(scene.variants->families.empty() && scene.variants->meshes.empty());
+}
+
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -90,18 +98,33 @@ std::vector<std::string> linesOf(const std::string& text) {
 template <int Dim>
 SceneReport reportInDimension(const Scene& scene) {
   const auto model = buildModel<Dim>(scene);
-  if (!scene.measures.empty())
-    static_cast<void>(Measures<Dim>(scene, *model, Projection<Dim>(model->quadrature())));
-  return {summaryOf(scene, *model), warningLines(scene, sceneWarnings(scene, *model))};
+  std::vector<std::string> columns;
+  if (!scene.measures.empty() || !scene.checks.empty() || !scene.charts.empty()) {
+    const Projection<Dim> projection(model->quadrature());
+    columns = Recorder<Dim>(scene, *model, projection).columns();
+    requireKnownColumns(scene, columns);
+  }
+  return {summaryOf(scene, *model), warningLines(scene, sceneWarnings(scene, *model, columns)),
+          makeModelRecord(scene, *model)};
 }
 
 }  // namespace
 
 template <int Dim>
-std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& model) {
+std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& model,
+                                        const std::vector<std::string>& columns) {
   std::vector<InputProblem> warnings = lockingWarnings(scene, model);
+  std::ranges::move(softeningWarnings(model.bulk().material()), std::back_inserter(warnings));
   std::ranges::move(toolWarnings(scene, model), std::back_inserter(warnings));
+  if (isChangedByVariants(scene))
+    std::ranges::move(unknownColumns(scene, columns), std::back_inserter(warnings));
   return warnings;
+}
+
+void requireKnownColumns(const Scene& scene, const std::vector<std::string>& columns) {
+  if (isChangedByVariants(scene)) return;
+  const auto problems = unknownColumns(scene, columns);
+  if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
 }
 
 std::vector<std::string> warningLines(const Scene& scene, const std::vector<InputProblem>& warnings) {
@@ -112,7 +135,9 @@ SceneReport reportOf(const Scene& scene) {
   return scene.dim() == 2 ? reportInDimension<2>(scene) : reportInDimension<3>(scene);
 }
 
-template std::vector<InputProblem> sceneWarnings<2>(const Scene&, const Model<2>&);
-template std::vector<InputProblem> sceneWarnings<3>(const Scene&, const Model<3>&);
+template std::vector<InputProblem> sceneWarnings<2>(const Scene&, const Model<2>&,
+                                                    const std::vector<std::string>&);
+template std::vector<InputProblem> sceneWarnings<3>(const Scene&, const Model<3>&,
+                                                    const std::vector<std::string>&);
 
 }  // namespace burnish

@@ -4,6 +4,7 @@
 
 #include "engine/analysis/model.h"
 #include "engine/core/input_error.h"
+#include "engine/results/result.h"
 #include "engine/scene/scene.h"
 
 namespace burnish {
@@ -12,16 +13,22 @@ namespace burnish {
 struct SceneReport {
   std::string summary;                ///< dimension, basis, unknowns, tools
   std::vector<std::string> warnings;  ///< with their places: what is probably not meant
+  ModelRecord model;                  ///< as a result has it
 };
 
-/// What is probably not meant in a scene that can be computed, each with its key.
+/// What is probably not meant in a scene that can be computed, each with its key. columns: of its history.
 template <int Dim>
-std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& model);
+std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& model,
+                                        const std::vector<std::string>& columns);
+
+/// Throws `Error` with the places of what a scene expects of columns that its history, with these columns,
+/// does not have. Where variants change the scene, theirs may have them: that is a warning.
+void requireKnownColumns(const Scene& scene, const std::vector<std::string>& columns);
 
 /// The same as lines, each with its place in the scene's file.
 std::vector<std::string> warningLines(const Scene& scene, const std::vector<InputProblem>& warnings);
 
-/// Builds the model of a scene. Throws `Error` if it cannot be computed, as `buildModel` does.
+/// Builds the model of a scene. Throws `Error` if it cannot be computed, as a run does before it begins.
 SceneReport reportOf(const Scene& scene);
 
 }  // namespace burnish

@@ -175,6 +175,7 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
   for (int d = 0; d < Dim; ++d) {
     const auto k = static_cast<std::size_t>(d);
     Motion motion;
+    motion.place = place;
     if (spec.move && schedules[k]->has_value()) {
       motion.schedule = {spec.move->times, **schedules[k]};
     } else if (spec.prescribe && formulas[k]->has_value()) {
@@ -184,7 +185,7 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
       continue;
     }
     for (const std::size_t a : chosen) motion.unknowns.push_back(Dim * nodes[a] + d);
-    append(std::move(motion), place, spec.place.face, d);
+    append(std::move(motion), spec.place.face, d);
   }
 }
 
@@ -211,7 +212,7 @@ typename Supports<Dim>::Interpolation Supports<Dim>::interpolationOn(const Patch
 }
 
 template <int Dim>
-void Supports<Dim>::append(Motion motion, const std::string& place, const std::string& face, int component) {
+void Supports<Dim>::append(Motion motion, const std::string& face, int component) {
   // A control point that two supports hold must be moved by both in the same way.
   std::vector<int> shared;
   for (const int unknown : motion.unknowns)
@@ -226,7 +227,7 @@ void Supports<Dim>::append(Motion motion, const std::string& place, const std::s
       for (const int unknown : shared)
         if (!(std::abs(before(unknown) - now(unknown)) <= 1e-9 * scale))
           throw InputError(
-              place,
+              motion.place,
               fmt::format("face '{}' meets another support where component {} is prescribed differently "
                           "by the two at t = {:.6g} ({:.6g} and {:.6g}); give both the same motion",
                           face, kComponents[static_cast<std::size_t>(component)], t, before(unknown),
@@ -243,6 +244,18 @@ void Supports<Dim>::append(Motion motion, const std::string& place, const std::s
 template <int Dim>
 void Supports<Dim>::setValues(double t, Eigen::VectorXd& x) const {
   for (const Motion& motion : motions_) x(motion.unknowns) = motion.values(t);
+}
+
+template <int Dim>
+void Supports<Dim>::requireFinite(const std::vector<double>& times) const {
+  InputProblems problems;
+  for (const Motion& motion : motions_)
+    if (motion.formula)
+      problems.gather([&] {
+        placed(motion.place + ".prescribe",
+               [&] { burnish::requireFinite({*motion.formula}, motion.interpolation->places, times); });
+      });
+  problems.throwIfAny();
 }
 
 template class FaceFinder<2>;

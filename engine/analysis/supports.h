@@ -70,6 +70,9 @@ class Supports {
   /// Times at which a schedule has a corner.
   const std::vector<double>& corners() const { return corners_; }
 
+  /// Throws `InputError` at every support whose formulas have no finite value at one of these times.
+  void requireFinite(const std::vector<double>& times) const;
+
  private:
   /// How the trace of the basis interpolates on a part of a face.
   struct Interpolation {
@@ -79,6 +82,7 @@ class Supports {
 
   /// Values of one component on the control points of one face over time.
   struct Motion {
+    std::string place;  ///< of the support in the scene
     std::vector<int> unknowns;
     Schedule schedule;               ///< the same for all; or, if there is one,
     std::optional<Formula> formula;  ///< interpolated
@@ -91,7 +95,7 @@ class Supports {
            const FaceFinder<Dim>& faces);
   static Interpolation interpolationOn(const Patch<Dim - 1, Dim>& trace,
                                        const std::vector<std::size_t>& chosen);
-  void append(Motion motion, const std::string& place, const std::string& face, int component);
+  void append(Motion motion, const std::string& face, int component);
 
   std::vector<bool> prescribed_;
   std::vector<Motion> motions_;

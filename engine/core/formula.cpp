@@ -122,6 +122,23 @@ bool Formula::dependsOn(const std::string& variable) const {
   return parsers_->used.contains(variable);
 }
 
+void requireFinite(const std::vector<Formula>& formulas, const Eigen::Matrix3Xd& points,
+                   const std::vector<double>& times) {
+  constexpr std::size_t kMostPairs = 1'000'000;
+  for (const Formula& formula : formulas) {
+    const bool inSpace = formula.dependsOn("X") || formula.dependsOn("Y") || formula.dependsOn("Z");
+    const std::size_t numTimes =
+        formula.dependsOn("t") ? times.size() : std::min<std::size_t>(1, times.size());
+    const Eigen::Index numPoints = inSpace ? points.cols() : std::min<Eigen::Index>(1, points.cols());
+    const std::size_t stride = 1 + numTimes * static_cast<std::size_t>(numPoints) / kMostPairs;
+    const auto probe = [&](double t) {
+      for (Eigen::Index k = 0; k < numPoints; ++k) static_cast<void>(formula(points.col(k), t));
+    };
+    for (std::size_t k = 0; k < numTimes; k += stride) probe(times[k]);
+    if (numTimes > 1) probe(times.back());
+  }
+}
+
 std::vector<Formula> makeFormulas(const std::vector<FormulaText>& texts,
                                   const std::vector<DefinitionSpec>& definitions) {
   std::vector<Formula> formulas;

@@ -58,6 +58,11 @@ class Formula {
   std::shared_ptr<Parsers> parsers_;
 };
 
+/// Throws `FormulaError` if a formula in X, Y, Z and t has no finite value at one of the points (columns) at
+/// one of the times. Of very many pairs of the two only a part is looked at, the last time always.
+void requireFinite(const std::vector<Formula>& formulas, const Eigen::Matrix3Xd& points,
+                   const std::vector<double>& times);
+
 /// One formula in X, Y, Z and t per text. Throws as the constructor does.
 std::vector<Formula> makeFormulas(const std::vector<FormulaText>& texts,
                                   const std::vector<DefinitionSpec>& definitions);

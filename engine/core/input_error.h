@@ -34,6 +34,18 @@ class InputError : public Error {
   std::vector<InputProblem> problems_;
 };
 
+/// Acts; what `Error` it throws becomes an `InputError` at this path.
+template <class Act>
+void placed(const std::string& path, const Act& act) {
+  try {
+    act();
+  } catch (const InputError&) {
+    throw;
+  } catch (const Error& error) {
+    throw InputError(path, error.what());
+  }
+}
+
 /// Gathers problems that do not depend on each other, so that a person sees them all at once.
 class InputProblems {
  public:

@@ -129,6 +129,13 @@ Patch<2> disc(const Eigen::Vector2d& center, double radius, double startAngle) {
   return squarePatch(net);
 }
 
+Patch<2> ellipse(const Eigen::Vector2d& center, const Eigen::Vector2d& size) {
+  if (!(size.array() > 0.0).all())
+    throw Error(fmt::format("ellipse: size {} x {}; both must be positive", size(0), size(1)));
+  const Patch<2> unit = disc({0.0, 0.0}, 1.0, 0.0);
+  return {unit.basis(), (0.5 * size.asDiagonal() * unit.points()).colwise() + center, unit.weights()};
+}
+
 Patch<2> discSector(const Eigen::Vector2d& center, double radius, double startAngle, double openingAngle) {
   requireRadius(radius);
   const double half = 0.5 * openingAngle;

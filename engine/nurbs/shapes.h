@@ -20,6 +20,9 @@ Patch<2> disc(const Eigen::Vector2d& center, double radius, double startAngle);
 /// and `top` are the halves of the arc, between which the map is not invertible. Degrees 2 and 2.
 Patch<2> discSector(const Eigen::Vector2d& center, double radius, double startAngle, double openingAngle);
 
+/// A whole ellipse of this width and height: a disc, stretched along x and y.
+Patch<2> ellipse(const Eigen::Vector2d& center, const Eigen::Vector2d& size);
+
 Patch<3> box(const Eigen::Vector3d& origin, const Eigen::Vector3d& size);
 
 /// A plane patch swept along an axis, third parameter: the plane's origin goes from `begin` in the direction

@@ -37,11 +37,6 @@ void requireColumns(const std::filesystem::path& path, const std::vector<std::st
     throw Error(fmt::format("{}: its columns are not those of the run that is to be resumed", path.string()));
 }
 
-void writeLine(OutputFile& file, std::string line) {
-  line += '\n';
-  file.write(std::as_bytes(std::span(line)));
-}
-
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> cells;
   while (true) {
@@ -61,19 +56,46 @@ std::string readAll(const std::filesystem::path& path) {
   return contents.str();
 }
 
+/// Of what the table holds before the mark. Throws if that is not what was written; what is missing is found
+/// out when the file is opened.
+Fingerprint fingerprintBefore(const TableMark& mark, const std::filesystem::path& path) {
+  Fingerprint found;
+  std::error_code unreadable;
+  const std::uintmax_t size = std::filesystem::file_size(path, unreadable);
+  if (unreadable || size < mark.bytes) return found;
+  const std::string contents = readAll(path).substr(0, mark.bytes);
+  found.add(std::as_bytes(std::span(contents)));
+  if (found.text() != mark.fingerprint)
+    throw Error(
+        fmt::format("{} is not as the run wrote it: something in its first {} bytes was changed; bring it "
+                    "back, or compute the scene again",
+                    path.string(), mark.bytes));
+  return found;
+}
+
 }  // namespace
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string> columns)
     : columns_((checkColumns(columns, path), std::move(columns))), file_(std::move(path)) {
-  writeLine(file_, fmt::format("{}", fmt::join(columns_, ",")));
+  write(fmt::format("{}", fmt::join(columns_, ",")));
 }
 
-HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string> columns, std::uint64_t size)
-    : columns_((requireColumns(path, columns), std::move(columns))), file_(std::move(path), size) {}
+HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string> columns,
+                             const TableMark& mark)
+    : columns_((requireColumns(path, columns), std::move(columns))),
+      written_(fingerprintBefore(mark, path)),
+      file_(std::move(path), mark.bytes) {}
 
-std::uint64_t HistoryWriter::sync() {
+void HistoryWriter::write(std::string line) {
+  line += '\n';
+  const auto bytes = std::as_bytes(std::span(line));
+  file_.write(bytes);
+  written_.add(bytes);
+}
+
+TableMark HistoryWriter::sync() {
   file_.sync();
-  return file_.size();
+  return {file_.size(), written_.text()};
 }
 
 void HistoryWriter::append(const std::vector<double>& row) {
@@ -87,7 +109,7 @@ void HistoryWriter::append(const std::vector<double>& row) {
     if (!line.empty()) line += ',';
     line.append(text.data(), end);
   }
-  writeLine(file_, std::move(line));
+  write(std::move(line));
 }
 
 const std::vector<double>& HistoryTable::column(const std::string& name) const {

@@ -4,9 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/fingerprint.h"
 #include "engine/results/output_file.h"
 
 namespace burnish {
+
+/// How far a table had been written, and what was in it.
+struct TableMark {
+  std::uint64_t bytes = 0;
+  std::string fingerprint;  ///< of these bytes
+};
 
 /// Writes a table of numbers as CSV with a header, every number in the shortest form that reads back exactly.
 class HistoryWriter {
@@ -15,18 +22,22 @@ class HistoryWriter {
   /// a comma, quote or line break in it.
   HistoryWriter(std::filesystem::path path, std::vector<std::string> columns);
 
-  /// Goes on behind the first `size` bytes. Throws `Error` if the file is shorter or its header another one.
-  HistoryWriter(std::filesystem::path path, std::vector<std::string> columns, std::uint64_t size);
+  /// Goes on behind a mark. Throws `Error` if the file is shorter, its header another one, or what stands
+  /// before the mark is not what was written.
+  HistoryWriter(std::filesystem::path path, std::vector<std::string> columns, const TableMark& mark);
 
   /// Hands a row of one value per column to the system as a whole, so that readers and a killed run see whole
   /// rows. Throws `Error` if the file cannot be written.
   void append(const std::vector<double>& row);
 
-  /// Returns the size of the file, in bytes, when all of it is on the disk.
-  std::uint64_t sync();
+  /// Returns how far the file goes, when all of it is on the disk.
+  TableMark sync();
 
  private:
+  void write(std::string line);
+
   std::vector<std::string> columns_;
+  Fingerprint written_;
   OutputFile file_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/error.h"
+#include "engine/core/fingerprint.h"
 #include "engine/results/check_records.h"
 #include "engine/results/file_header.h"
 #include "engine/results/mesh_io.h"
@@ -70,17 +71,12 @@ RecordedShape readShape(const InputGroup& group) {
   throw Error(fmt::format("{}: shape \"{}\" is none of plane, cylinder, sphere, mesh", group.place(), shape));
 }
 
-/// FNV-1a, 64 bits.
-std::string fingerprint(const std::vector<std::byte>& bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3u;
-  return fmt::format("{:016x}", hash);
-}
-
 }  // namespace
 
 std::string modelId(const ModelRecord& model) {
-  return fingerprint(modelImage({.id = "", .record = model}));
+  Fingerprint fingerprint;
+  fingerprint.add(modelImage({.id = "", .record = model}));
+  return fingerprint.text();
 }
 
 std::vector<std::byte> modelImage(const StoredModel& model) {

@@ -15,6 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void writeMark(const hdf5::OutputGroup& root, const std::string& table, const TableMark& mark) {
+  root.attribute(table + "_bytes", static_cast<double>(mark.bytes));
+  root.attribute(table + "_fingerprint", mark.fingerprint);
+}
+
 std::vector<std::byte> restartImage(const RestartRecord& record, const std::string& modelId) {
   hdf5::OutputImage image;
   {
@@ -22,19 +27,20 @@ std::vector<std::byte> restartImage(const RestartRecord& record, const std::stri
     writeHeader(root, "restart", modelId);
     root.attribute("step", record.step);
     root.attribute("frames", record.frames);
-    root.attribute("history_bytes", static_cast<double>(record.historyBytes));
-    root.attribute("convergence_bytes", static_cast<double>(record.convergenceBytes));
+    writeMark(root, "history", record.history);
+    writeMark(root, "convergence", record.convergence);
     const hdf5::OutputGroup state = root.group("state");
     for (const auto& [name, values] : record.state) state.dataset(name, values);
   }
   return image.finish();
 }
 
-std::uint64_t readSize(const hdf5::InputGroup& root, const std::string& name) {
-  const double size = root.real(name);
+TableMark readMark(const hdf5::InputGroup& root, const std::string& table) {
+  const double size = root.real(table + "_bytes");
   constexpr double exact = 9007199254740992.0;
-  if (!(size >= 0.0 && size <= exact)) throw Error(fmt::format("{}: {} is {}", root.place(), name, size));
-  return static_cast<std::uint64_t>(size);
+  if (!(size >= 0.0 && size <= exact))
+    throw Error(fmt::format("{}: {}_bytes is {}", root.place(), table, size));
+  return {static_cast<std::uint64_t>(size), root.text(table + "_fingerprint")};
 }
 
 RestartRecord readRestart(const fs::path& path, const StoredModel& model) {
@@ -44,8 +50,8 @@ RestartRecord readRestart(const fs::path& path, const StoredModel& model) {
     throw Error(fmt::format("{} belongs to another run than the result file beside it", root.place()));
   RestartRecord record{.step = root.integer("step"),
                        .frames = root.integer("frames"),
-                       .historyBytes = readSize(root, "history_bytes"),
-                       .convergenceBytes = readSize(root, "convergence_bytes"),
+                       .history = readMark(root, "history"),
+                       .convergence = readMark(root, "convergence"),
                        .state = {}};
   const hdf5::InputGroup state = root.group("state");
   for (const std::string& name : state.names()) record.state[name] = state.dataset(name).vector();

@@ -1,17 +1,17 @@
 #pragma once
-#include <cstdint>
 #include <filesystem>
 
 #include "engine/core/state_archive.h"
+#include "engine/results/history.h"
 #include "engine/results/model_io.h"
 
 namespace burnish {
 
 /// Where a stopped run goes on.
 struct RestartRecord {
-  int step = 0;                                          ///< number of steps taken; names the record
-  int frames = 0;                                        ///< frames of the result up to this state
-  std::uint64_t historyBytes = 0, convergenceBytes = 0;  ///< of the tables up to this state
+  int step = 0;                    ///< number of steps taken; names the record
+  int frames = 0;                  ///< frames of the result up to this state
+  TableMark history, convergence;  ///< the tables up to this state
   SavedState state;
 };
 

@@ -8,8 +8,8 @@ namespace burnish {
 namespace {
 
 HistoryWriter makeTable(const std::filesystem::path& path, const std::vector<std::string>& columns,
-                        const std::optional<std::uint64_t>& size) {
-  if (size) return HistoryWriter(path, columns, *size);
+                        const TableMark* mark) {
+  if (mark != nullptr) return HistoryWriter(path, columns, *mark);
   return HistoryWriter(path, columns);
 }
 
@@ -20,16 +20,15 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const ModelRecord& mo
     : directory_(directory),
       restart_(resumes ? std::optional<RestartRecord>(std::in_place) : std::nullopt),
       writer_(restart_ ? ResultWriter(directory, model, *restart_) : ResultWriter(directory, model)),
-      history_(makeTable(directory / "history.csv", columns,
-                         restart_ ? std::optional(restart_->historyBytes) : std::nullopt)),
+      history_(makeTable(directory / "history.csv", columns, restart_ ? &restart_->history : nullptr)),
       convergence_(makeTable(directory / "convergence.csv", {"step", "time", "iteration", "residual"},
-                             restart_ ? std::optional(restart_->convergenceBytes) : std::nullopt)) {}
+                             restart_ ? &restart_->convergence : nullptr)) {}
 
 RestartRecord RunFiles::makeRestart(int step, int frames, SavedState state) {
   return {.step = step,
           .frames = frames,
-          .historyBytes = history_.sync(),
-          .convergenceBytes = convergence_.sync(),
+          .history = history_.sync(),
+          .convergence = convergence_.sync(),
           .state = std::move(state)};
 }
 

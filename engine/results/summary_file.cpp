@@ -110,9 +110,8 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
         summary.advice = entry.second.as<std::string>();
       else if (name == "doubts")
         for (const auto& doubt : entry.second)
-          summary.doubts.push_back(
-              {doubt["what"].as<std::string>(), doubt["first_time"].as<double>(), doubt["steps"].as<int>(),
-               doubt["detail"].as<std::string>("")});
+          summary.doubts.push_back({doubt["what"].as<std::string>(), doubt["first_time"].as<double>(),
+                                    doubt["steps"].as<int>(), doubt["detail"].as<std::string>("")});
       else if (name == "warnings")
         summary.warnings = entry.second.as<std::vector<std::string>>();
       else if (name == "reactions")

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <muParser.h>
 
 #include <algorithm>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/nearest.h"
+#include "engine/scene/quantity_names.h"
 #include "engine/scene/support_names.h"
 
 namespace burnish {
@@ -140,24 +140,18 @@ void checkColumn(const CheckContext& c, const std::string& path, const std::stri
                                  : didYouMean(owner, owners)));
 }
 
-/// Columns without a dot are known to the run alone, and so is what stands behind the dot.
+/// Columns without a dot are known to the model alone, and so is what stands behind the dot: see
+/// `unknownColumns`.
 void checkQuantity(const CheckContext& c, const std::string& path, const std::string& quantity) {
   if (!c.clean(path) || !c.clean("tools") || !c.clean("measures")) return;
   const std::vector<std::string> owners = ownersOfColumns(c.scene);
   const std::string owner = quantity.substr(0, quantity.find('.'));
   if (std::find(owners.begin(), owners.end(), owner) != owners.end()) return;  // the name may have a dash
-  std::vector<std::string> columns;
   try {
-    mu::Parser probe;
-    probe.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
-    probe.SetExpr(quantity);
-    for (const auto& [name, unused] : probe.GetUsedVar()) columns.push_back(name);
-  } catch (const mu::Parser::exception_type& problem) {
-    return c.report(path, fmt::format("found \"{}\", which cannot be understood: {}; allowed: a column of "
-                                      "the history or a formula in columns.",
-                                      quantity, problem.GetMsg()));
+    for (const std::string& column : namesInQuantity(quantity)) checkColumn(c, path, column);
+  } catch (const Error& problem) {
+    c.report(path, problem.what());
   }
-  for (const std::string& column : columns) checkColumn(c, path, column);
 }
 
 void checkCheck(const CheckContext& c, const std::string& path, const CheckSpec& check) {

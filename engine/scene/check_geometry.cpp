@@ -26,6 +26,8 @@ class PatchCheck {
   void operator()(const RectangleSpec&) { checkNamed({1, 1}); }
   void operator()(const BoxSpec&) { checkNamed({1, 1, 1}); }
   void operator()(const AnnulusSpec& ring);
+  void operator()(const DiscSpec& disc);
+  void operator()(const EllipseSpec& ellipse);
   void operator()(const TubeSpec& tube);
   void operator()(const CylinderSpec& cylinder);
   void operator()(const BallOctantSpec& ball);
@@ -44,6 +46,7 @@ class PatchCheck {
   }
 
   void checkRadii(double inner, double outer) const;
+  void checkOpening(double angle, const char* shape) const;
   void checkDirection(const char* name, const std::vector<double>& direction) const;
   void checkArcDegree(const char* shape) const;
   void checkNamed(const std::vector<int>& degrees);
@@ -65,6 +68,17 @@ void PatchCheck::operator()(const AnnulusSpec& ring) {
   checkNamed({1, 2});
 }
 
+void PatchCheck::operator()(const DiscSpec& disc) {
+  checkOpening(disc.openingAngle, "disc");
+  checkArcDegree("a disc");
+  checkNamed({2, 2});
+}
+
+void PatchCheck::operator()(const EllipseSpec&) {
+  checkArcDegree("an ellipse");
+  checkNamed({2, 2});
+}
+
 void PatchCheck::operator()(const TubeSpec& tube) {
   checkRadii(tube.innerRadius, tube.outerRadius);
   checkDirection("axis", tube.axis);
@@ -73,10 +87,7 @@ void PatchCheck::operator()(const TubeSpec& tube) {
 }
 
 void PatchCheck::operator()(const CylinderSpec& cylinder) {
-  if (const double angle = cylinder.openingAngle; clean("opening_angle") && angle >= 180.0 && angle != 360.0)
-    report("opening_angle", fmt::format("found {}; allowed: a number above 0 and below 180, or 360 for the "
-                                        "whole cylinder.",
-                                        angle));
+  checkOpening(cylinder.openingAngle, "cylinder");
   checkDirection("axis", cylinder.axis);
   checkArcDegree("a cylinder");
   checkNamed({2, 2, 1});
@@ -92,6 +103,13 @@ void PatchCheck::checkRadii(double inner, double outer) const {
   if (clean("inner_radius") && clean("outer_radius") && outer <= inner)
     report("outer_radius",
            fmt::format("found {}; allowed: a number above the inner radius {}.", outer, inner));
+}
+
+void PatchCheck::checkOpening(double angle, const char* shape) const {
+  if (clean("opening_angle") && angle >= 180.0 && angle != 360.0)
+    report("opening_angle",
+           fmt::format("found {}; allowed: a number above 0 and below 180, or 360 for the whole {}.", angle,
+                       shape));
 }
 
 void PatchCheck::checkDirection(const char* name, const std::vector<double>& direction) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/core/drawable_range.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/picture_planes.h"
 
@@ -71,6 +72,12 @@ void checkMirror(const CheckContext& c, const std::string& path, const std::opti
     c.report(path, fmt::format("found \"{}\"; allowed in two dimensions: planes of x and y.", *text));
 }
 
+void checkColors(const CheckContext& c, const std::string& path,
+                 const std::optional<std::array<double, 2>>& range) {
+  if (range && c.clean(path) && !isDrawableRange(*range))
+    c.report(path, fmt::format("found {}, {}; allowed: {}.", (*range)[0], (*range)[1], kDrawableRangeWords));
+}
+
 void checkPlanes(const CheckContext& c, const std::string& path, const PictureSpec& picture) {
   checkCut(c, path + ".cut", picture.cut);
   checkCut(c, path + ".slice", picture.slice);
@@ -87,6 +94,7 @@ void checkPictures(const CheckContext& c) {
     checkField(c, path + ".field", picture.field);
     if (c.clean("steps")) checkTimes(c, path + ".times", picture.times);
     checkPlanes(c, path, picture);
+    checkColors(c, path + ".range", picture.range);
     if (!c.clean(path)) continue;
     const std::string name = picture.name.value_or(picture.field);
     if (!names.insert(name).second)

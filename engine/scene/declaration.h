@@ -42,7 +42,8 @@ struct Declaration {
 
 using Declarations = std::vector<Declaration>;
 
-/// The keys as a nested Markdown list: type, range, unit, default and meaning.
+/// The keys as a nested Markdown list: type, range, unit, default and meaning. Alternatives that several keys
+/// share are listed once, in sections behind the list.
 std::string listKeys(const Declarations& keys);
 
 }  // namespace burnish

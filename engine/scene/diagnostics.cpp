@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/shown_text.h"
 
 namespace burnish {
 namespace {
+
+constexpr std::size_t kLongestOverride = 200;  ///< letters of one in a message
 
 /// Whether a path is the outer one or leads through it.
 bool isWithin(const std::string& path, const std::string& outer) {
@@ -42,8 +45,9 @@ std::string Diagnostics::line(const Entry& entry) const {
   const auto number = static_cast<std::size_t>(source);
   const bool inOverride = number > 0 && number <= overrides_.size();
   const std::string& file = number == 0 || inOverride ? file_ : furtherFiles_[number - overrides_.size() - 1];
-  const std::string place = inOverride ? fmt::format("--set {}", overrides_[number - 1])
-                                       : fmt::format("{}:{}:{}", file, row, column);
+  const std::string place =
+      inOverride ? fmt::format("--set {}", forMessage(overrides_[number - 1], kLongestOverride))
+                 : fmt::format("{}:{}:{}", file, row, column);
   return entry.key.empty() ? fmt::format("{}: {}", place, entry.problem)
                            : fmt::format("{}: {}: {}", place, entry.key, entry.problem);
 }

@@ -12,6 +12,12 @@ inline int dimensionOf(const RectangleSpec&) {
 inline int dimensionOf(const AnnulusSpec&) {
   return 2;
 }
+inline int dimensionOf(const DiscSpec&) {
+  return 2;
+}
+inline int dimensionOf(const EllipseSpec&) {
+  return 2;
+}
 inline int dimensionOf(const BoxSpec&) {
   return 3;
 }

@@ -68,6 +68,8 @@ Json::Value entrySchema(const Declaration& key) {
       }
       schema["type"] = names({"string", "number"});  // YAML takes a text such as 12 for a number
       if (key.rule.identifier) schema["pattern"] = "^[A-Za-z0-9_-]+$";
+      if (const std::size_t most = key.rule.mostLetters(); most > 0)
+        schema["maxLength"] = static_cast<Json::UInt64>(most);
       break;
   }
   return schema;

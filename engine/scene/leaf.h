@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/formula.h"
+#include "engine/core/shown_text.h"
 #include "engine/scene/rule.h"
 
 /// The types that a single key of a scene may have: numbers, truth values, texts, formulas, named choices,
@@ -89,7 +90,8 @@ std::string allowedText(const Rule& rule, bool plural = false) {
     if (!rule.choices.empty())
       return fmt::format("{}{}", plural ? "entries out of " : "", fmt::join(rule.choices, " | "));
     if (rule.identifier) return "a name of letters, digits, - and _";
-    return plural ? "texts" : "a text";
+    return (plural ? "texts" : "a text") +
+           (rule.longest > 0 ? fmt::format(" of up to {} letters", rule.longest) : "");
   } else {
     return plural ? "mappings" : "a mapping";
   }

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/core/shown_text.h"
+
 namespace burnish {
 namespace {
 
@@ -64,6 +66,9 @@ void LeafReader::read(const YamlNode& node, const std::string& path, bool& value
 void LeafReader::read(const YamlNode& node, const std::string& path, std::string& value, const Rule& rule) {
   if (node.kind != YamlNode::Kind::Scalar || !rule.admits(node.text))
     return reject(node, path, allowedText<std::string>(rule), rule.choices);
+  const std::size_t most = rule.mostLetters();
+  if (const std::string fault = most > 0 ? shownTextFault(node.text, most) : ""; !fault.empty())
+    return errors_.add(node.place, path, fault + ".");
   value = node.text;
 }
 

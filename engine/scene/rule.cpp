@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/core/shown_text.h"
+
 namespace burnish {
 
 bool Rule::admits(double value) const {
@@ -22,6 +24,10 @@ bool Rule::admits(const std::string& value) const {
 
 bool Rule::admitsEntries(std::size_t entries) const {
   return entries >= minEntries && (maxEntries == 0 || entries <= maxEntries);
+}
+
+std::size_t Rule::mostLetters() const {
+  return longest == 0 && identifier ? kLongestName : longest;
 }
 
 Rule Rule::ofEntry() const {

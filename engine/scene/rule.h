@@ -17,12 +17,16 @@ struct Rule {
   std::size_t maxEntries = 0;                ///< of a list; any number when 0
   std::vector<std::string> choices{};        ///< the texts that are allowed; any when empty
   bool identifier = false;                   ///< a text of letters, digits, '-' and '_'
-  std::string unit{};  ///< "stress", "length", ...; consistent units are the user's affair
+  std::string unit{};       ///< "stress", "length", ...; consistent units are the user's affair
+  std::size_t longest = 0;  ///< most letters of a text; any number when 0, of an identifier `kLongestName`
 
   bool admits(double value) const;
   bool admits(const std::string& value) const;
 
   bool admitsEntries(std::size_t entries) const;
+
+  /// Most letters of a text; 0: any number.
+  std::size_t mostLetters() const;
 
   /// The rule for one entry of a list: the range holds for it, the length of the list does not.
   Rule ofEntry() const;

@@ -33,6 +33,20 @@ struct AnnulusSpec {
   double openingAngle = 90.0;  ///< degrees, (0, 180)
 };
 
+/// A disc, whole or a sector of it.
+struct DiscSpec {
+  std::vector<double> center{0.0, 0.0};
+  double radius = 0.0;
+  double startAngle = 0.0;      ///< degrees
+  double openingAngle = 360.0;  ///< degrees, (0, 180), or 360 for the whole disc
+};
+
+/// A whole ellipse with axes along x and y.
+struct EllipseSpec {
+  std::vector<double> center{0.0, 0.0};
+  std::vector<double> size;  ///< width and height, > 0
+};
+
 struct BoxSpec {
   std::vector<double> origin{0.0, 0.0, 0.0};
   std::vector<double> size;
@@ -93,7 +107,8 @@ struct MeshSpec {
 /// One of several patches.
 struct PatchSpec {
   std::string name;
-  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, TubeSpec, CylinderSpec, BallOctantSpec, ControlNetSpec>
+  std::variant<RectangleSpec, AnnulusSpec, DiscSpec, EllipseSpec, BoxSpec, TubeSpec, CylinderSpec,
+               BallOctantSpec, ControlNetSpec>
       shape;
   MeshSpec mesh;
 };
@@ -104,8 +119,8 @@ struct PatchesSpec {
 };
 
 struct GeometrySpec {
-  std::variant<RectangleSpec, AnnulusSpec, BoxSpec, TubeSpec, CylinderSpec, BallOctantSpec, ControlNetSpec,
-               PatchesSpec>
+  std::variant<RectangleSpec, AnnulusSpec, DiscSpec, EllipseSpec, BoxSpec, TubeSpec, CylinderSpec,
+               BallOctantSpec, ControlNetSpec, PatchesSpec>
       shape;
   MeshSpec mesh;  ///< unused with several patches, which have their own
 };
@@ -203,7 +218,7 @@ struct SelfContactSpec {
 /// A drag on a body that nothing but contact holds, see `Stabilisation`.
 struct StabiliseSpec {
   std::optional<double> until;  ///< time at which it has faded; the end of the first phase when left out
-  double strength = 1e-5;       ///< force on the body that moves by its size in that time, over E L (E L² in 3D)
+  double strength = 1e-5;  ///< force on the body that moves by its size in that time, over E L (E L² in 3D)
 };
 
 /// A phase of the run: `count` equal nominal steps from the end of the previous phase (or 0) to `until`.

@@ -43,13 +43,15 @@ void describe(Visitor& v, DefinitionSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, UnitsSpec& s) {
-  v.field("length", s.length, {}, "Label of the unit of length in pictures and files; nothing is converted.");
-  v.field("stress", s.stress, {}, "Label of the unit of stress.");
+  v.field("length", s.length, {.longest = kLongestShownText},
+          "Label of the unit of length in pictures and files; nothing is converted.");
+  v.field("stress", s.stress, {.longest = kLongestShownText}, "Label of the unit of stress.");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Scene& s) {
-  v.field("title", s.title, {}, "What the scene is about, shown in pictures and summaries.");
+  v.field("title", s.title, {.longest = kLongestShownText},
+          "What the scene is about, shown in pictures and summaries.");
   v.field("units", s.units, {}, "Labels of the consistent units that the numbers of the scene are in.");
   v.field("basis", s.basis, {},
           "Basis functions of the body: NURBS, or Lagrange elements that are continuous only.");

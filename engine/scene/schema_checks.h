@@ -178,8 +178,9 @@ template <class Visitor>
 void describe(Visitor& v, CurveChartSpec& s) {
   v.field("x", s.x, {.required = true}, "A column of the history or a formula in columns.");
   v.field("y", s.y, {.required = true}, "The same along the y axis.");
-  v.field("x_title", s.xTitle, {}, "Title of the x axis; the formula when left out.");
-  v.field("y_title", s.yTitle, {}, "Title of the y axis.");
+  v.field("x_title", s.xTitle, {.longest = kLongestShownText},
+          "Title of the x axis; the formula when left out.");
+  v.field("y_title", s.yTitle, {.longest = kLongestShownText}, "Title of the y axis.");
 }
 
 }  // namespace burnish

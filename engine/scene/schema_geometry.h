@@ -25,6 +25,28 @@ void describe(Visitor& v, AnnulusSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, DiscSpec& s) {
+  v.field("center", s.center, {.perDimension = true, .unit = "length"}, "Centre of the disc.");
+  v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
+  v.field(
+      "start_angle", s.startAngle, {.atLeast = -360, .atMost = 360, .unit = "degrees"},
+      "Angle of the face `bottom` of a sector, of the middle of the face `right` of a whole disc, from the "
+      "x axis, counterclockwise.");
+  v.field(
+      "opening_angle", s.openingAngle, {.above = 0, .atMost = 360, .unit = "degrees"},
+      "360: the whole disc; its faces `right`, `top`, `left` and `bottom` are quarters of the circle. "
+      "Below 180: the angle of a sector from the straight face `bottom` to the straight face `left`, with "
+      "the faces `right` and `top` along its arc.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, EllipseSpec& s) {
+  v.field("center", s.center, {.perDimension = true, .unit = "length"}, "Centre of the ellipse.");
+  v.field("size", s.size, {.required = true, .above = 0, .perDimension = true, .unit = "length"},
+          "Width and height, along x and y; the faces are named as those of a whole disc.");
+}
+
+template <class Visitor>
 void describe(Visitor& v, BoxSpec& s) {
   v.field("origin", s.origin, {.perDimension = true, .unit = "length"},
           "Corner with the smallest coordinates.");
@@ -111,11 +133,13 @@ void describe(Visitor& v, PatchSpec& s) {
   v.alternatives("shape", s.shape,
                  {{{"rectangle", "A rectangle along the axes."},
                    {"annulus", "Part of a ring: radius first, then angle."},
+                   {"disc", "A disc, whole or a sector of it."},
+                   {"ellipse", "A whole ellipse with axes along x and y."},
                    {"box", "A box along the axes."},
                    {"tube", "Part of a tube: radius first, then angle, then axis."},
                    {"cylinder", "A solid cylinder, whole or a sector of it; third direction along the axis."},
                    {"ball-octant", "An eighth of a ball: half of it, cut by two planes of symmetry."},
-                   {"control-net", "Control points, weights and knots."}}},
+                   {"control-net", "Control points, weights and knots; needs no functions or spans."}}},
                  "Kind of patch.");
   describe(v, s.mesh);
 }
@@ -131,6 +155,8 @@ void describe(Visitor& v, GeometrySpec& s) {
   v.alternatives("shape", s.shape,
                  {{{"rectangle", "A rectangle along the axes."},
                    {"annulus", "Part of a ring: radius first, then angle."},
+                   {"disc", "A disc, whole or a sector of it."},
+                   {"ellipse", "A whole ellipse with axes along x and y."},
                    {"box", "A box along the axes."},
                    {"tube", "Part of a tube: radius first, then angle, then axis."},
                    {"cylinder", "A solid cylinder, whole or a sector of it; third direction along the axis."},

@@ -9,6 +9,8 @@
 #include <map>
 #include <sstream>
 
+#include "engine/core/shown_text.h"
+
 namespace burnish {
 namespace {
 
@@ -31,6 +33,7 @@ class TreeBuilder {
       node.kind = YamlNode::Kind::Scalar;
       node.text = from.Scalar();
       node.quoted = from.Tag() == "!" || from.Tag().ends_with(":str");
+      requireText(node.text, node.place, path);
     } else if (from.IsSequence()) {
       node.kind = YamlNode::Kind::Sequence;
       for (const auto& item : from)
@@ -42,7 +45,18 @@ class TreeBuilder {
     return node;
   }
 
+  /// Whether a text is none, so that not even a message should repeat it.
+  bool isBroken() const { return broken_; }
+
  private:
+  bool requireText(const std::string& text, const Place& place, const std::string& path) {
+    const std::string fault = encodingFault(text);
+    if (fault.empty()) return true;
+    errors_.add(place, path, fault + ".");
+    broken_ = true;
+    return false;
+  }
+
   Place place(const YAML::Mark& mark, const Place& parent) const {
     return mark.is_null() ? parent : Place{source_, mark.line + 1, mark.column + 1};
   }
@@ -57,6 +71,7 @@ class TreeBuilder {
         continue;
       }
       const std::string& key = entry.first.Scalar();
+      if (!requireText(key, keyPlace, path)) continue;
       const std::string keyPath = path.empty() ? key : path + "." + key;
       const auto [first, fresh] = seen.try_emplace(key, keyPlace);
       if (!fresh) {
@@ -75,6 +90,7 @@ class TreeBuilder {
   int source_;
   Diagnostics& errors_;
   std::size_t nodes_ = 0;
+  bool broken_ = false;
 };
 
 /// Watches the parser go by and keeps where documents begin.
@@ -110,11 +126,7 @@ std::optional<YAML::Mark> secondDocument(const std::string& text) {
 
 std::string shortened(const std::string& text) {
   constexpr std::size_t longest = 60;
-  if (text.size() <= longest) return text;
-  std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-    --end;  // keep UTF-8 characters whole
-  return text.substr(0, end) + "...";
+  return forMessage(text, longest);
 }
 
 const YamlNode* step(const YamlNode& node, const PathStep& where) {
@@ -157,7 +169,10 @@ std::optional<YamlNode> parseYaml(const std::string& text, int source, Diagnosti
                  "found a second YAML document, or text that belongs to no key; allowed: one document");
       return std::nullopt;
     }
-    return TreeBuilder(source, errors).build(document, {source, 1, 1}, path, 0);
+    TreeBuilder builder(source, errors);
+    YamlNode root = builder.build(document, {source, 1, 1}, path, 0);
+    if (builder.isBroken()) return std::nullopt;
+    return root;
   } catch (const YAML::Exception& e) {
     const Place place =
         e.mark.is_null() ? Place{source, 1, 1} : Place{source, e.mark.line + 1, e.mark.column + 1};

@@ -27,9 +27,10 @@ struct YamlNode {
   std::string describe() const;
 };
 
-/// Parses one YAML document. Malformed YAML, duplicate keys, nesting beyond 50 levels and documents of more
-/// than a million nodes (aliases expanded) are added to `errors`; without a value nothing could be read.
-/// `path` is where the document goes in the scene, for messages.
+/// Parses one YAML document. Malformed YAML, bytes that are no UTF-8, control characters, duplicate keys,
+/// nesting beyond 50 levels and documents of more than a million nodes (aliases expanded) are added to
+/// `errors`; without a value nothing could be read. `path` is where the document goes in the scene, for
+/// messages.
 std::optional<YamlNode> parseYaml(const std::string& text, int source, Diagnostics& errors,
                                   const std::string& path = "");
 

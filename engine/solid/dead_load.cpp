@@ -72,6 +72,18 @@ bool DeadLoad<Dim>::evaluate(double time, const Eigen::VectorXd&, Assembly& out)
   return true;
 }
 
+template <int Dim>
+void DeadLoad<Dim>::requireFinite(const std::vector<double>& times) const {
+  Eigen::Index count = 0;
+  for (const Span& span : spans_) count += span.X.cols();
+  Eigen::Matrix3Xd points(3, count);
+  for (Eigen::Index next = 0; const Span& span : spans_) {
+    points.middleCols(next, span.X.cols()) = span.X;
+    next += span.X.cols();
+  }
+  burnish::requireFinite(components_, points, times);
+}
+
 template class DeadLoad<2>;
 template class DeadLoad<3>;
 

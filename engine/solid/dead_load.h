@@ -26,6 +26,7 @@ class DeadLoad final : public LoadTerm {
 
   CouplingGroups couplings() const override { return {}; }
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+  void requireFinite(const std::vector<double>& times) const override;
 
  private:
   /// Part of the load on one span.

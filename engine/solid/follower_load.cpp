@@ -105,6 +105,19 @@ bool FollowerLoad<Dim>::evaluate(double time, const Eigen::VectorXd& x, Assembly
   return true;
 }
 
+template <int Dim>
+void FollowerLoad<Dim>::requireFinite(const std::vector<double>& times) const {
+  Eigen::Index count = 0;
+  for (const auto& span : face_.spans()) count += span.R.cols();
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, count);
+  for (Eigen::Index next = 0; const auto& span : face_.spans()) {
+    points.template block<Dim, Eigen::Dynamic>(0, next, Dim, span.R.cols()) =
+        face_.points()(Eigen::all, span.functions) * span.R;
+    next += span.R.cols();
+  }
+  burnish::requireFinite({intensity_}, points, times);
+}
+
 template class FollowerLoad<2>;
 template class FollowerLoad<3>;
 

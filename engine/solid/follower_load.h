@@ -30,6 +30,7 @@ class FollowerLoad final : public LoadTerm {
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
   bool hasSymmetricTangent() const override { return false; }
+  void requireFinite(const std::vector<double>& times) const override;
 
  private:
   using Vector = Eigen::Vector<double, Dim>;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <vector>
 
 #include "engine/solver/term.h"
 
@@ -11,6 +12,9 @@ class LoadTerm : public Term {
   /// Forces on the displacement unknowns of the body at the last evaluated state. Their products with
   /// displacement increments are the external work.
   const Eigen::VectorXd& nodalForces() const { return forces_; }
+
+  /// Throws `FormulaError` if a formula of the load has no finite value at one of these times.
+  virtual void requireFinite(const std::vector<double>& times) const = 0;
 
  protected:
   Eigen::VectorXd forces_;

@@ -69,7 +69,7 @@ fs::path writeReport(const std::vector<Comparison>& comparisons, const PictureRu
   body.replace(body.find(place), place.size(),
                inScript(compactText(pageData(comparisons, rule, acceptCommand))));
   const fs::path file = directory / "index.html";
-  writeText(htmlText({"Image regression", kCompareStyle, body, kCompareScript}), file);
+  writeText(htmlText({"Image regression", kCompareStyle, body, kCompareScript, kCompareScriptHash}), file);
   return file;
 }
 

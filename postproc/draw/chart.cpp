@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/core/drawable_range.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/results/atomic_file.h"
@@ -33,25 +34,32 @@ void checkSize(const std::array<int, 2>& size) {
 void checkRange(const ChartAxis& axis, const char* name) {
   if (!axis.range) return;
   const auto [low, high] = *axis.range;
-  if (!std::isfinite(low) || !std::isfinite(high) || low >= high)
-    throw Error(fmt::format("chart: found the range {}, {} of the {} axis; the first number must be smaller",
-                            low, high, name));
-  if (axis.logarithmic && low <= 0.0)
+  if (!isDrawableRange(*axis.range))
+    throw Error(fmt::format("chart: found the range {}, {} of the {} axis; expected {}", low, high, name,
+                            kDrawableRangeWords));
+  if (axis.logarithmic && low < kSmallestDrawnSpan)
     throw Error(fmt::format("chart: found the range {}, {} of the logarithmic {} axis; both must be positive",
                             low, high, name));
 }
 
 /// Only points that are drawn count.
-void checkLogarithmic(const Chart& chart, std::size_t number) {
+void checkPoints(const Chart& chart, std::size_t number) {
   const ChartCurve& curve = chart.curves[number];
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     if (!std::isfinite(curve.x[k]) || !std::isfinite(curve.y[k])) continue;
-    const bool inX = chart.x.logarithmic && curve.x[k] <= 0.0;
+    const bool largeX = std::abs(curve.x[k]) > kLargestDrawn;
+    if (largeX || std::abs(curve.y[k]) > kLargestDrawn)
+      throw Error(fmt::format("chart: point {} of \"{}\" has {} = {}; a chart shows magnitudes up to {}",
+                              k + 1, curveName(chart, number), largeX ? "x" : "y",
+                              largeX ? curve.x[k] : curve.y[k], kLargestDrawn));
+    const bool inX = chart.x.logarithmic && curve.x[k] < kSmallestDrawnSpan;
     const ChartAxis& y = curve.onRight ? chart.y2 : chart.y;
-    if (inX || (y.logarithmic && curve.y[k] <= 0.0))
+    if (inX || (y.logarithmic && curve.y[k] < kSmallestDrawnSpan))
       throw Error(
-          fmt::format("chart: point {} of \"{}\" has {} = {}; a logarithmic axis shows positive values only",
-                      k + 1, curveName(chart, number), inX ? "x" : "y", inX ? curve.x[k] : curve.y[k]));
+          fmt::format("chart: point {} of \"{}\" has {} = {}; a logarithmic axis shows positive values only, "
+                      "from {} on",
+                      k + 1, curveName(chart, number), inX ? "x" : "y", inX ? curve.x[k] : curve.y[k],
+                      kSmallestDrawnSpan));
   }
 }
 
@@ -66,7 +74,7 @@ void check(const Chart& chart) {
     if (curve.x.size() != curve.y.size())
       throw Error(fmt::format("chart: \"{}\" has {} values of x and {} of y", curveName(chart, number),
                               curve.x.size(), curve.y.size()));
-    checkLogarithmic(chart, number);
+    checkPoints(chart, number);
     for (std::size_t k = 0; k < curve.x.size(); ++k)
       empty = empty && !(std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]));
   }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <initializer_list>
 
+#include "engine/core/drawable_range.h"
 #include "postproc/draw/ticks.h"
 
 namespace burnish {
@@ -31,10 +32,16 @@ double roundDown(double value, std::initializer_list<double> factors) {
   return 1.0 / roundUp(1.0 / value, factors);
 }
 
+/// log(a / b), also where the ratio is beyond what numbers can hold.
+double logRatio(double a, double b) {
+  const double ratio = a / b;
+  return std::isnormal(ratio) ? std::log(ratio) : std::log(a) - std::log(b);
+}
+
 /// A range of some width around data that may be constant.
 Range withWidth(const Range& data, bool padded) {
   const double magnitude = std::max(std::abs(data[0]), std::abs(data[1]));
-  if (magnitude == 0.0) return {-1.0, 1.0};
+  if (magnitude < kSmallestDrawnSpan) return {-1.0, 1.0};
   if (data[1] - data[0] <= kConstant * magnitude)
     return {data[0] - 0.1 * magnitude, data[1] + 0.1 * magnitude};
   if (!padded) return data;
@@ -139,8 +146,8 @@ ChartScale logarithmicScale(const ChartAxis& axis, const Range& data, bool padde
     scale.range = *axis.range;
   } else {
     const double margin = data[1] / data[0] < 1.0 + kConstant ? 2.0
-                          : padded                            ? std::pow(data[1] / data[0], kPadding)
-                                                              : 1.0;
+                          : padded ? std::exp(kPadding * logRatio(data[1], data[0]))
+                                   : 1.0;
     scale.range = {roundDown(data[0] / margin, {1.0, 2.0, 5.0}), roundUp(data[1] * margin, {1.0, 2.0, 5.0})};
   }
   const int first = static_cast<int>(std::ceil(std::log10(scale.range[0]) - kSlack));
@@ -157,7 +164,7 @@ ChartScale logarithmicScale(const ChartAxis& axis, const Range& data, bool padde
 }  // namespace
 
 double ChartScale::share(double value) const {
-  if (logarithmic) return std::log(value / range[0]) / std::log(range[1] / range[0]);
+  if (logarithmic) return logRatio(value, range[0]) / logRatio(range[1], range[0]);
   return (value - range[0]) / (range[1] - range[0]);
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/core/drawable_range.h"
 #include "engine/core/error.h"
 #include "postproc/draw/field_choice.h"
 #include "postproc/mesh/patch_geometry.h"
@@ -140,8 +141,8 @@ Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values) {
 
 std::array<double, 2> widened(const std::array<double, 2>& range) {
   const double magnitude = std::max(std::abs(range[0]), std::abs(range[1]));
-  if (magnitude == 0.0) return {0.0, 1.0};
-  if (range[1] - range[0] > 1e-9 * magnitude) return range;
+  if (magnitude < kSmallestDrawnSpan) return {0.0, 1.0};
+  if (range[1] - range[0] > std::max(1e-9 * magnitude, kSmallestDrawnSpan)) return range;
   return {range[0] - 0.1 * magnitude, range[1] + 0.1 * magnitude};
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/core/drawable_range.h"
 #include "engine/core/error.h"
 #include "engine/scene/nearest.h"
 
@@ -121,9 +122,8 @@ ColorScale::ColorScale(const std::string& colormap, const std::array<double, 2>&
                             fmt::join(colormapNames(), ", "), didYouMean(colormap, colormapNames())));
   if (bands < 0 || bands > kSmoothColors)
     throw Error(fmt::format("bands: found {}; expected 0 (smooth) to {}", bands, kSmoothColors));
-  if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || !(range[0] < range[1]))
-    throw Error(fmt::format("range: found {}, {}; expected two finite numbers, the smaller one first",
-                            range[0], range[1]));
+  if (!isDrawableRange(range))
+    throw Error(fmt::format("range: found {}, {}; expected {}", range[0], range[1], kDrawableRangeWords));
   const auto function = transferFunction(map->second);
   const int count = bands == 0 ? kSmoothColors : bands;
   for (int k = 0; k < count; ++k) {

@@ -20,7 +20,7 @@ const std::vector<std::string>& colormapNames();
 class ColorScale {
  public:
   /// bands: 0 for smooth colours. Throws `Error` for an unknown map, bands outside [0, 256] and a range that
-  /// is not finite and increasing.
+  /// is not drawable.
   ColorScale(const std::string& colormap, const std::array<double, 2>& range, int bands);
 
   const std::array<double, 2>& range() const { return range_; }

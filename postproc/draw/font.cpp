@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/shown_text.h"
 #include "engine/scene/nearest.h"
 
 namespace burnish {
@@ -147,25 +148,6 @@ bool isMark(char32_t letter) {
 
 /// Stands for bytes that are no UTF-8.
 constexpr const char* kReplacement = "\xEF\xBF\xBD";
-
-struct Letter {
-  char32_t code;
-  std::size_t length;  ///< bytes; 0 if they are no UTF-8
-};
-
-Letter letterAt(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[at + k]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return {first, 1};
-  const std::size_t length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
-  if (length == 0 || at + length > text.size()) return {0xFFFD, 0};
-  char32_t code = first & (0xFFU >> (length + 1));
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(k) & 0xC0U) != 0x80U) return {0xFFFD, 0};
-    code = code << 6U | (byte(k) & 0x3FU);
-  }
-  return {code, length};
-}
 
 /// The clusters of a text in UTF-8.
 std::vector<Cluster> clustersOf(const std::string& text) {

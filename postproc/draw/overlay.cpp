@@ -19,6 +19,7 @@
 #include <string>
 #include <tuple>
 
+#include "engine/core/shown_text.h"
 #include "postproc/draw/flat_shapes.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
@@ -71,12 +72,15 @@ double advance(const FontPiece& piece, const TextStyle& style) {
   return static_cast<double>(both - boxWidth("||", size, *piece.font)) / scale;
 }
 
-/// Removes the last character (not byte) of a text.
-void dropLast(RichText& text) {
-  std::string& last = text.back().text;
-  while (!last.empty() && (static_cast<unsigned char>(last.back()) & 0xC0) == 0x80) last.pop_back();
-  if (!last.empty()) last.pop_back();
-  if (last.empty()) text.pop_back();
+/// The beginning of a text with so many letters.
+RichText beginning(const RichText& text, std::size_t letters) {
+  RichText kept;
+  for (const TextRun& run : text) {
+    if (letters == 0) break;
+    kept.push_back({std::string(firstLetters(run.text, letters)), run.script});
+    letters -= std::min(letters, letterCount(run.text));
+  }
+  return kept;
 }
 
 }  // namespace
@@ -98,8 +102,14 @@ FittedText fitText(RichText text, TextStyle style, double width, double smallest
     style.size = std::max(smallest, style.size - 1.0);
   if (textWidth(text, style) <= width) return {std::move(text), style};
   const TextRun dots{"…"};
-  do dropLast(text);
-  while (!text.empty() && textWidth(text, style) + textWidth({dots}, style) > width);
+  const double dotted = textWidth({dots}, style);
+  std::size_t fitting = 0, all = 0;  // letters
+  for (const TextRun& run : text) all += letterCount(run.text);
+  for (std::size_t tooMany = all; tooMany - fitting > 1;) {
+    const std::size_t middle = (fitting + tooMany) / 2;
+    (textWidth(beginning(text, middle), style) + dotted > width ? tooMany : fitting) = middle;
+  }
+  text = beginning(text, fitting);
   text.push_back(dots);
   return {std::move(text), style};
 }

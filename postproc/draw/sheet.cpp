@@ -122,8 +122,8 @@ Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, c
   sheet.panelWidth = sheetPanelWidth(columns, width);
   sheet.style = {theme.textSize * sheetTextSize(sheet.panelWidth), theme.ink, theme.font};
   for (const SheetPanel& panel : panels)
-    sheet.tiles.push_back({readPanel(panel.picture, sheet.panelWidth),
-                           wrapped(panel.caption, sheet.style, sheet.panelWidth)});
+    sheet.tiles.push_back(
+        {readPanel(panel.picture, sheet.panelWidth), wrapped(panel.caption, sheet.style, sheet.panelWidth)});
   place(sheet, columns);
   if (sheet.height > kLargestSide)
     throw Error(

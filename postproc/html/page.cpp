@@ -8,6 +8,28 @@
 
 namespace burnish {
 
+namespace {
+
+std::string base64(std::string_view bytes) {
+  std::string encoded((bytes.size() + 2) / 3 * 4 + 4, '\0');
+  const unsigned long length = vtkBase64Utilities::Encode(
+      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<unsigned long>(bytes.size()),
+      reinterpret_cast<unsigned char*>(encoded.data()), 0);
+  encoded.resize(length);
+  return encoded;
+}
+
+/// What the policy of a page says of its script.
+std::string sourceOf(const HtmlPage& page) {
+  if (page.script.empty()) return "'none'";
+  std::string bytes;
+  for (std::size_t k = 0; k + 1 < page.scriptHash.size(); k += 2)
+    bytes += static_cast<char>(std::stoi(page.scriptHash.substr(k, 2), nullptr, 16));
+  return "'sha256-" + base64(bytes) + "'";
+}
+
+}  // namespace
+
 std::string htmlText(const HtmlPage& page) {
   std::string_view rest = kCommonPage;
   std::string text;
@@ -16,6 +38,7 @@ std::string htmlText(const HtmlPage& page) {
     text.append(rest.substr(0, at)).append(replacement);
     rest.remove_prefix(at + mark.size());
   };
+  replace("/*script-source*/", sourceOf(page));
   replace("/*title*/", escaped(page.title));
   replace("/*style*/", kCommonStyle + page.style);
   replace("/*body*/", page.body);
@@ -45,12 +68,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string pngUri(const std::string& png) {
-  std::string encoded((png.size() + 2) / 3 * 4 + 4, '\0');
-  const auto* bytes = reinterpret_cast<const unsigned char*>(png.data());
-  const unsigned long length = vtkBase64Utilities::Encode(
-      bytes, static_cast<unsigned long>(png.size()), reinterpret_cast<unsigned char*>(encoded.data()), 0);
-  encoded.resize(length);
-  return "data:image/png;base64," + encoded;
+  return "data:image/png;base64," + base64(png);
 }
 
 }  // namespace burnish

@@ -4,7 +4,9 @@
 
 namespace burnish {
 
-/// A document in GitHub's Markdown as HTML. Its pictures become what `picture` makes of their address.
+/// A document in GitHub's Markdown as HTML, which stands still: its pictures become what `picture` makes of
+/// their address, elements other than anchors, <sup>, <sub> and <br> are shown as text, and links lead to
+/// http and https, beside the page or within it, or are text.
 std::string markdownHtml(const std::string& markdown,
                          const std::function<std::string(const std::string& address)>& picture);
 

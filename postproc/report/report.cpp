@@ -25,6 +25,7 @@ void writeReport(const std::filesystem::path& directory, const ReportOptions& op
                     directory.string()));
   page.style = kReportStyle;
   page.script = kReportScript;
+  page.scriptHash = kReportScriptHash;
   writeText(htmlText(page), html);
 }
 

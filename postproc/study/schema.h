@@ -20,7 +20,8 @@ void describe(Visitor& v, ParameterSpec& s) {
           "Name of the parameter, for braces: {degree} is its value, {degree.label} its label.");
   v.field("values", s.values, {.required = true, .minEntries = 1},
           "Values that it takes, one after the other.");
-  v.field("labels", s.labels, {}, "Shown instead of the values in legends and tables; one for each value.");
+  v.field("labels", s.labels, {.longest = kLongestShownText},
+          "Shown instead of the values in legends and tables; one for each value.");
 }
 
 template <class Visitor>
@@ -35,7 +36,7 @@ void describe(Visitor& v, RunsSpec& s) {
           "fastest.");
   v.field("set", s.set, {},
           "Changes of the scene as path=value, such as degree={degree}; braces are filled in.");
-  v.field("label", s.label, {},
+  v.field("label", s.label, {.longest = kLongestShownText},
           "What legends and tables call a run, braces filled in; its name when left out.");
 }
 
@@ -59,7 +60,7 @@ void describe(Visitor& v, ClaimSpec& s) {
 template <class Visitor>
 void describe(Visitor& v, StatementSpec& s) {
   v.field("name", s.name, {.required = true, .identifier = true}, "Name of the section, for links.");
-  v.field("title", s.title, {.required = true}, "Heading of the section.");
+  v.field("title", s.title, {.required = true, .longest = kLongestShownText}, "Heading of the section.");
   v.field("text", s.text, {}, "What stands below the heading, as Markdown.");
   v.field("runs", s.runs, {}, "Names of runs, * for any part of a name; each is a row of the table.");
   v.field("measures", s.measures, {}, "Numbers that are read off the runs; each is a column of the table.");
@@ -69,7 +70,7 @@ void describe(Visitor& v, StatementSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, StudySpec& s) {
-  v.field("title", s.title, {}, "Heading of the document.");
+  v.field("title", s.title, {.longest = kLongestShownText}, "Heading of the document.");
   v.field("text", s.text, {}, "What stands below it, as Markdown.");
   v.field("runs", s.runs, {.required = true, .minEntries = 1}, "What is computed.");
   v.field("figures", s.figures, {}, "What is drawn.");

@@ -41,7 +41,8 @@ void describeTimes(Visitor& v, std::vector<double>& times, std::vector<std::stri
   v.field("times", times,
           {.required = true, .atLeast = 0, .increasing = true, .minEntries = 1, .unit = "time"},
           "Times of frames.");
-  v.field("time_labels", labels, {}, "What is written instead of t = ..., one for each time.");
+  v.field("time_labels", labels, {.longest = kLongestShownText},
+          "What is written instead of t = ..., one for each time.");
 }
 
 template <class Visitor>
@@ -55,8 +56,10 @@ template <class Visitor>
 void describe(Visitor& v, HistoryChartSpec& s) {
   describeRuns(v, s.runs);
   describeCurve(v, s.x, s.y, s.where);
-  v.field("x_title", s.xTitle, {}, "Title of the x axis; the formula when left out.");
-  v.field("y_title", s.yTitle, {}, "Title of the y axis; the formula when left out.");
+  v.field("x_title", s.xTitle, {.longest = kLongestShownText},
+          "Title of the x axis; the formula when left out.");
+  v.field("y_title", s.yTitle, {.longest = kLongestShownText},
+          "Title of the y axis; the formula when left out.");
   describeLooks(v, s.looks);
   v.field("reference", s.reference, {},
           "File, relative to the study file: a PNG picture is shown beside the chart, points of a CSV file "
@@ -78,7 +81,8 @@ void describe(Visitor& v, RefinementChartSpec& s) {
   describeRuns(v, s.runs);
   v.field("refine", s.refine, {.required = true}, "Parameter that is the mesh, coarse to fine.");
   v.field("measure", s.measure, {.required = true}, "The number whose error is drawn.");
-  v.field("y_title", s.yTitle, {}, "Title of the y axis; that of the measure when left out.");
+  v.field("y_title", s.yTitle, {.longest = kLongestShownText},
+          "Title of the y axis; that of the measure when left out.");
   describeLooks(v, s.looks);
 }
 
@@ -88,7 +92,7 @@ void describe(Visitor& v, ContourSheetSpec& s) {
   describeTimes(v, s.times, s.timeLabels);
   describeColors(v, s.field, s.clip);
   v.field("scale", s.scale, {}, "What shares a colour scale.");
-  v.field("panel_caption", s.panelCaption, {},
+  v.field("panel_caption", s.panelCaption, {.longest = kLongestShownText},
           "Below a panel; in braces letter, label and time, and the parameters of the run.");
   v.field("panel_size", s.panelSize, {.atLeast = 200, .atMost = 8000}, "Width and height in pixels.");
   v.field("colormap", s.colormap, {.choices = colormapNames()}, "Colours.");
@@ -104,7 +108,7 @@ template <class Visitor>
 void describe(Visitor& v, CompositeSpec& s) {
   v.field("figures", s.figures, {.required = true, .minEntries = 1},
           "Names of figures that are not composites themselves.");
-  v.field("captions", s.captions, {}, "Below each of them; one for each figure.");
+  v.field("captions", s.captions, {.longest = kLongestShownText}, "Below each of them; one for each figure.");
   v.field("columns", s.columns, {.atLeast = 1, .atMost = 10}, "Pictures side by side.");
 }
 

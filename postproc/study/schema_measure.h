@@ -79,7 +79,7 @@ void describe(Visitor&, ConvergenceMeasure&) {}
 template <class Visitor>
 void describe(Visitor& v, MeasureSpec& s) {
   v.field("name", s.name, {.required = true, .identifier = true}, "Name, for claims.");
-  v.field("title", s.title, {.required = true}, "Heading of its column.");
+  v.field("title", s.title, {.required = true, .longest = kLongestShownText}, "Heading of its column.");
   v.alternatives("kind", s.what,
                  {{{"history", "A number of a curve of the history."},
                    {"summary", "A number that the run says about itself at its end."},

@@ -13,11 +13,18 @@ inline bool haveBrowser() {
   return std::filesystem::exists(BURNISH_CHROMIUM);
 }
 
-/// Opens a page with a script behind it that uses the page as a person does and writes what it finds into a
-/// last <pre>, whose text is `out`. `err` has a line with CONSOLE for each error or warning of the page.
+/// Opens a page with a script (HTML) behind it, which its policy then lets in, that uses the page as a person
+/// does and writes what it finds into a last <pre>, whose text is `out`. `err` has a line with CONSOLE for
+/// each error or warning of the page.
 inline Outcome usePage(const std::filesystem::path& dir, const std::filesystem::path& page,
                        const std::string& script) {
-  writeText(readText(page) + script, dir / "used.html");
+  std::string html = readText(page) + script;
+  const auto replace = [&html](const std::string& part, const std::string& replacement) {
+    html.replace(html.rfind(part), part.size(), replacement);
+  };
+  replace("<script>", "<script nonce=\"test\">");
+  replace("script-src ", "script-src 'nonce-test' ");
+  writeText(html, dir / "used.html");
   Outcome outcome = shell(dir, "timeout 100 " BURNISH_CHROMIUM
                                " --headless --no-sandbox --disable-gpu --enable-logging=stderr"
                                " --virtual-time-budget=10000 --user-data-dir=profile --dump-dom used.html");

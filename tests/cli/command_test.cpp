@@ -162,6 +162,39 @@ TEST_F(Command, BadInputIsOneMessageAndLeavesNothingBehind) {
   expectRefused("info file.h5", "file.h5");
 }
 
+TEST_F(Command, ValidateAndRunRefuseTheSameBeforeAnythingIsComputed) {
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"pictures: [{field: von_mises, mirror: x=0.3}]",
+       "bad.yaml:12:39: pictures[0].mirror: found the plane x = 0.3; the undeformed body goes from"},
+      {"loads: [{face: left, pressure: 1/(t - 0.5)}]", "bad.yaml:12:32: loads[0].pressure: the formula"},
+      {"checks: [{name: a, quantity: disc.fyy, expect: range, at_least: 0}]",
+       "bad.yaml:12:30: checks[0].quantity: found disc.fyy, which is no column of the history"},
+  };
+  for (const auto& [more, message] : mistakes) {
+    write("bad.yaml", kScene + more + "\n");
+    const Outcome validated = burnish("validate bad.yaml");
+    EXPECT_EQ(validated.code, 2) << more;
+    EXPECT_TRUE(validated.err.starts_with(message)) << validated.err;
+    expectRefused("run bad.yaml -o out", message);
+  }
+  write("bad.yaml",
+        "geometry: {shape: box, size: [1, 1, 1], spans: [1, 1, 1]}\n"
+        "material: {law: neo-hookean, E: 1, nu: 0.3}\n"
+        "supports: [{face: bottom, fix: [x, y, z]}]\n"
+        "steps: [{until: 1, count: 1}]\n"
+        "pictures: [{field: von_mises, slice: z=3}, {field: pressure, cut: x=-1}]\n");
+  for (const char* command : {"validate bad.yaml", "run bad.yaml -o out"}) {
+    const Outcome outcome = burnish(command);
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_NE(outcome.err.find("bad.yaml:5:38: pictures[0].slice: its plane misses the body"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("\nbad.yaml:5:67: pictures[1].cut: its plane misses the body"),
+              std::string::npos)
+        << outcome.err;
+  }
+}
+
 TEST_F(Command, ControlNetsWithImpossibleKnotsOrWeightsAreRefused) {
   const std::string net =
       "geometry: {shape: control-net, degrees: [1, 1], knots: [[0, 0, 1, 1], [0, 0, 1, 1]], "

@@ -79,8 +79,9 @@ def main():
         for cells in ("linear", "lagrange", "bezier"):
             run(burnish, "export", out, "-o", work / cells, "--cells", cells,
                 "--parts", "body,tools,contact,points,net")
-        run(burnish, "plot", out, "-o", work / "chart.svg", "--csv", work / "chart.csv", "--title", TITLE,
-            "--x-title", STRESS)
+        # Charts show a text with a bar as outlines alone, which cannot be read back.
+        run(burnish, "plot", out, "-o", work / "chart.svg", "--csv", work / "chart.csv",
+            "--title", TITLE.replace("|", "/"), "--x-title", STRESS)
         run(burnish, "report", out, "-o", work / "report.html")
 
         files = sorted(work.rglob("*.vt[up]")) + sorted(work.rglob("*.pvd")) + sorted(work.rglob("*.svg"))

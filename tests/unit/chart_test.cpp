@@ -91,6 +91,20 @@ TEST(ChartScale, LogarithmicScaleHasDecadesOrRoundValues) {
   EXPECT_EQ(small.factor, "×10⁻³");
 }
 
+TEST(ChartScale, ReachesAcrossAllThatCanBeDrawn) {
+  for (const auto& data : std::vector<std::array<double, 2>>{
+           {-1e300, 1e300}, {0.0, 1e300}, {0.0, 5e-324}, {1e-300, 1e-290}, {-1e-289, 2e-289}}) {
+    const ChartScale scale = scaleOf({}, data);
+    EXPECT_GE(scale.ticks.size(), 2U) << data[0];
+    EXPECT_LE(scale.range[0], data[0] * (data[0] < 0.0 ? 1.0 - 1e-8 : 1.0));
+    EXPECT_GE(scale.range[1], data[1] * (1.0 - 1e-8));
+  }
+  const ChartScale decades = scaleOf({.title = "", .logarithmic = true, .range = {}}, {1e-290, 1e300});
+  EXPECT_NEAR(decades.share(1e-290), 0.0, 1e-12);
+  EXPECT_NEAR(decades.share(1e300), 1.0, 1e-12);
+  EXPECT_NEAR(decades.share(1e5), 0.5, 1e-12);
+}
+
 TEST(ChartScale, KeepsAGivenRange) {
   const ChartScale scale = scaleOf({.title = "", .logarithmic = false, .range = {{-0.3, 0.7}}}, {0.0, 5.0});
   EXPECT_EQ(scale.range, (std::array{-0.3, 0.7}));
@@ -446,7 +460,10 @@ TEST_F(ChartFiles, MistakesAreRefusedWithTheCurve) {
   Chart chart = chartOf({1, 2}, {1, 0});
   chart.y.logarithmic = true;
   expectRefused(chart, {"point 2 of \"curve\" has y = 0", "positive"});
+  expectRefused(chartOf({1, 2}, {1, -1e308}), {"point 2 of \"curve\" has y = -1e+308", "up to 1e+300"});
   chart = chartOf({1, 2}, {1, 0});
+  chart.x.range = {{-1e308, 1e308}};
+  expectRefused(chart, {"range -1e+308, 1e+308 of the x axis", "up to 1e300"});
   chart.x.range = {{2.0, 2.0}};
   expectRefused(chart, {"range 2, 2 of the x axis"});
   chart = chartOf({1, 2}, {1, 2});

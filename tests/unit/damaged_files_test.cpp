@@ -193,6 +193,7 @@ TEST_F(DamagedFiles, Pictures) {
         {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(k * k), static_cast<std::uint8_t>(7 * k)});
   const fs::path file = write("picture.png", encodePng(picture));
   expectRefusedOrRead(file, [&file] { readPicture(file); });
+  write("picture.png", encodePng(picture));
   expectRefusedOrRead(file, [&file] { drawSheet({{file, ""}}, 1, 200, file.parent_path() / "made.png"); });
 }
 
@@ -204,7 +205,10 @@ TEST_F(DamagedFiles, PicturesThatWouldFillTheMemory) {
   bytes += std::string("\0\0\0\0IDAT\x35\xaf\x06\x1e", 12);
   const fs::path file = write("bomb.png", bytes);
   for (const auto& read : std::array<std::function<void()>, 2>{
-           [&] { readPicture(file); }, [&] { drawSheet({{file, ""}}, 1, 200, file.parent_path() / "made.png"); }})
+           [&] { readPicture(file); },
+           [&] {
+             drawSheet({{file, ""}}, 1, 200, file.parent_path() / "made.png");
+           }})
     try {
       read();
       ADD_FAILURE() << "was read";

@@ -16,6 +16,7 @@
 #include "engine/core/error.h"
 #include "postproc/compare/lab.h"
 #include "postproc/draw/color_name.h"
+#include "postproc/draw/color_range.h"
 #include "postproc/draw/color_scale.h"
 #include "postproc/draw/contour_layout.h"
 #include "postproc/draw/contour_view.h"
@@ -107,6 +108,13 @@ TEST(ColorScale, BandsAreEquallyWideAndUseTheWholeMap) {
 TEST(ColorScale, RefusesARangeThatDoesNotIncrease) {
   EXPECT_THROW(ColorScale("viridis", {1.0, 1.0}, 0), Error);
   EXPECT_THROW(ColorScale("viridis", {0.0, std::numeric_limits<double>::infinity()}, 0), Error);
+}
+
+TEST(ColorScale, RefusesARangeThatNumbersCannotSpan) {
+  for (const std::array<double, 2>& range :
+       {std::array{-1e308, 1e308}, std::array{0.0, 5e-324}, std::array{1e301, 2e301}})
+    EXPECT_THAT(messageOf([&] { ColorScale("viridis", range, 0); }), HasSubstr("at least 1e-290 apart"));
+  EXPECT_EQ(widened({0.0, 5e-324}), (std::array{0.0, 1.0}));
 }
 
 TEST(ColorScale, PerceptualMapsOnlyGetLighter) {
@@ -303,6 +311,22 @@ TEST(Fonts, LettersThatOneLacksComeFromTheDefault) {
   EXPECT_EQ(pieces[1].font, &other);
   EXPECT_EQ(pieces[2].font, &own);
   EXPECT_EQ(fontPieces("strain ε" + circumflex, kDefaultFont).size(), 1U);
+}
+
+TEST(FittedTexts, OfAnyLengthAreCutAfterTheLastLetterThatFits) {
+  const TextStyle style{.size = 20.0};
+  for (const std::string letter : {"x", "ε̄", "ß"}) {
+    std::string line;
+    for (int k = 0; k < 5000; ++k) line += letter;
+    const FittedText fitted = fitText({{line}, {"after", Script::Super}}, style, 300.0, 10.0);
+    ASSERT_EQ(fitted.text.size(), 2U);
+    EXPECT_EQ(fitted.style.size, 10.0);
+    EXPECT_EQ(fitted.text[1].text, "…");
+    EXPECT_LE(textWidth(fitted.text, fitted.style), 300.0);
+    RichText longer = fitted.text;
+    longer[0].text += letter;
+    EXPECT_GT(textWidth(longer, fitted.style), 300.0) << letter;
+  }
 }
 
 TEST(Fonts, LettersThatNoneHasAndBrokenTextDoNoHarm) {

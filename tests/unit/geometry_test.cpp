@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -123,6 +124,26 @@ TEST(RoundBodies, HaveTheirVolumes) {
   EXPECT_NEAR(volume(cylinder + ", opening_angle: 120}", 10) / (kPi * 4.0), 1.0, 1e-13);
   EXPECT_NEAR(volume("{shape: ball-octant, radius: 2, spans: [3, 3, 3]}", 10) / (kPi * 4.0 / 3.0), 1.0,
               1e-13);
+}
+
+TEST(RoundBodies, HaveTheirAreas) {
+  const auto area = [](const std::string& shape) {
+    return SpanQuadrature<2>(bodyOf<2>(shape).body, 10).volume();
+  };
+  EXPECT_NEAR(area("{shape: disc, center: [7, -3], radius: 2, start_angle: 10, spans: [4, 3]}") / (kPi * 4.0),
+              1.0, 1e-13);
+  EXPECT_NEAR(area("{shape: disc, radius: 2, opening_angle: 120, functions: [6, 5]}") / (kPi * 4.0 / 3.0),
+              1.0, 1e-13);
+  EXPECT_NEAR(area("{shape: ellipse, center: [7, -3], size: [4, 1], spans: [4, 3]}") / kPi, 1.0, 1e-13);
+}
+
+TEST(RoundBodies, AWholeDiscHasAQuarterOfTheCircleOnEveryFace) {
+  const auto patch = patchOf<2>("{shape: disc, center: [7, -3], radius: 2, spans: [4, 4]}");
+  const std::array<std::pair<Eigen::Vector2d, Eigen::Vector2d>, 4> middles{
+      {{{1.0, 0.5}, {2, 0}}, {{0.5, 1.0}, {0, 2}}, {{0.0, 0.5}, {-2, 0}}, {{0.5, 0.0}, {0, -2}}}};
+  for (const auto& [xi, expected] : middles)
+    EXPECT_LT((patch.position(xi) - Eigen::Vector2d(7, -3) - expected).norm(), 1e-14);
+  EXPECT_NEAR((patch.position(Eigen::Vector2d(0.3, 1.0)) - Eigen::Vector2d(7, -3)).norm(), 2.0, 1e-14);
 }
 
 TEST(RoundBodies, ShareTheNodesOfACollapsedEdge) {

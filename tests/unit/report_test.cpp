@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <fstream>
 
 #include "engine/core/error.h"
@@ -68,10 +70,11 @@ TEST_F(Report, WarnsOfStepsAboveATolerance) {
     s.numbers["worst_constraint"] = 2e-12;
     s.numbers["constraint_tolerance"] = 1e-12;
   });
-  EXPECT_THAT(warnings(),
-              ElementsAre("3 steps ended above the tolerance, at 2×10⁻⁹ or less, where the rounding of the forces "
-                          "allows no less; this is harmless.",
-                          "The largest averaged gap of 2×10⁻¹² is above the tolerance of 1×10⁻¹²."));
+  EXPECT_THAT(
+      warnings(),
+      ElementsAre("3 steps ended above the tolerance, at 2×10⁻⁹ or less, where the rounding of the forces "
+                  "allows no less; this is harmless.",
+                  "The largest averaged gap of 2×10⁻¹² is above the tolerance of 1×10⁻¹²."));
 }
 
 TEST_F(Report, TellsOfRezoningsAndCountsTheirWork) {
@@ -81,17 +84,19 @@ TEST_F(Report, TellsOfRezoningsAndCountsTheirWork) {
     return std::string();
   };
   EXPECT_EQ(fact("rezonings"), "");
-  writeHistory({"time", "strain_energy", "contact_energy", "plastic_work", "external_work", "rezoning_gap_work"},
-               {{0, 0, 0, 0, 0, 0}, {2, 1.0, 0.0, 9.0, 9.5, 0.4}});
+  writeHistory(
+      {"time", "strain_energy", "contact_energy", "plastic_work", "external_work", "rezoning_gap_work"},
+      {{0, 0, 0, 0, 0, 0}, {2, 1.0, 0.0, 9.0, 9.5, 0.4}});
   changeSummary([](SummaryRecord& s) {
     s.rezonings = {{.time = 0.5, .boundaryError = 0.002, .quality = 0.5},
                    {.time = 1.25, .boundaryError = 0.001, .quality = 0.25}};
     s.numbers["rezonings_failed"] = 3.0;
     s.rezoningFailure = "t = 1.5: no mesh of the deformed body is sound";
   });
-  EXPECT_EQ(fact("rezonings"),
-            "2, the last at t = 1.25; lowest quality 0.25, largest error of a boundary 0.002; 3 attempts failed, "
-            "the last at t = 1.5: no mesh of the deformed body is sound");
+  EXPECT_EQ(
+      fact("rezonings"),
+      "2, the last at t = 1.25; lowest quality 0.25, largest error of a boundary 0.002; 3 attempts failed, "
+      "the last at t = 1.5: no mesh of the deformed body is sound");
   EXPECT_EQ(fact("balance"),
             "work, that of closing gaps included, differs by 1 % from energies and plastic work at the end");
 }
@@ -210,9 +215,10 @@ TEST_F(Report, PagesAreMadeOfRunsWithoutTools) {
 
 TEST_F(Report, TextsCannotBecomeElements) {
   EXPECT_EQ(escaped("a < \"b\" & c>"), "a &lt; &quot;b&quot; &amp; c&gt;");
-  EXPECT_THAT(htmlText({"<t>", "S", "B /*script*/", "J"}),
+  EXPECT_THAT(htmlText({"<t>", "S", "B /*script*/", "J", "00ff"}),
               testing::AllOf(HasSubstr("<title>&lt;t&gt;</title>"), HasSubstr("B /*script*/"),
-                             HasSubstr("J\n</script>")));
+                             HasSubstr("<script>J</script>"), HasSubstr("script-src 'sha256-AP8=';")));
+  EXPECT_THAT(htmlText({"t", "", "", "", ""}), HasSubstr("script-src 'none';"));
   EXPECT_THAT(htmlWarnings({"<b>"}), HasSubstr("<li>&lt;b&gt;</li>"));
 }
 
@@ -228,6 +234,26 @@ TEST_F(Report, DocumentsBecomeHtml) {
   EXPECT_THAT(html, HasSubstr("<img src=\"data:,f\" alt=\"c\">"));
   EXPECT_THAT(html, Not(HasSubstr("Runs")));
   EXPECT_EQ(withoutSection(text, "Absent"), text);
+}
+
+TEST_F(Report, DocumentsLeadNowhereElse) {
+  const auto html = [](const std::string& markdown) {
+    return markdownHtml(markdown, [](const std::string&) { return "data:,"; });
+  };
+  for (const char* address : {"https://a.b/c?d=e:f", "HTTP://a.b", "page.html#x", "#x", "a/b:c", "../x"})
+    EXPECT_THAT(html(fmt::format("[t]({})", address)),
+                HasSubstr(fmt::format("<a href=\"{}\">t</a>", address)));
+  for (const char* address :
+       {"javascript:alert(1)", "JaVaScript:alert(1)", "<java&#115;cript:alert(1)>", "< javascript:alert(1)>",
+        "data:text/html,x", "file:///etc/passwd", "//host/x", "vbscript:x", "mailto:a@b.c"})
+    EXPECT_EQ(html(fmt::format("[t]({})", address)), "<p>t</p>\n") << address;
+  EXPECT_EQ(html("[*a* ![b](c)](javascript:d \"e>f\") [g](h)\n"),
+            "<p><em>a</em> <img src=\"data:,\" alt=\"b\"> <a href=\"h\">g</a></p>\n");
+  for (const char* element : {"<script>alert(1)</script>", "<img src=x onerror=alert(1)>",
+                              "<a href=\"javascript:alert(1)\">x</a>", "<a id=\"x\" onclick=\"y\">"})
+    EXPECT_THAT(html(std::string("a ") + element), Not(HasSubstr(std::string(element).substr(0, 7))))
+        << element;
+  EXPECT_EQ(html("x<sup>2</sup>"), "<p>x<sup>2</sup></p>\n");
 }
 
 TEST_F(Report, StudiesShowRunsDocumentAndFigures) {

@@ -79,11 +79,12 @@ TEST_P(SceneMistake, isReportedWithPlaceKeyAndRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, SceneMistake,
     testing::Values(
-        Mistake{"unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
-                "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
-                "quadrature_points, definitions, geometry, material, supports, loads, tools, contact, "
-                "self_contact, steps, solver, rezoning, output, pictures, measures, variants, checks, "
-                "charts. Did you mean \"degree\"?"},
+        Mistake{
+            "unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
+            "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
+            "quadrature_points, definitions, geometry, material, supports, loads, tools, contact, "
+            "self_contact, steps, solver, stabilise, rezoning, output, pictures, measures, variants, checks, "
+            "charts. Did you mean \"degree\"?"},
         Mistake{"unknownInside", &block, "nu: 0.3", "nu: 0.3, poisson: 1", "poisson", "material.poisson",
                 "found an unknown key; allowed: law, E, nu, volumetric."},
         Mistake{"ofAnotherAlternative", &block, "origin: [0, 2]", "origin: [0, 2], radius: 1", "radius",
@@ -201,6 +202,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"opening", &solid, kBox, "shape: cylinder, radius: 1, length: 3, opening_angle: 180", "180",
                 "geometry.opening_angle",
                 "found 180; allowed: a number above 0 and below 180, or 360 for the whole cylinder."},
+        Mistake{"discOpening", &block, "shape: rectangle, size: [3.0, 1.0]",
+                "shape: disc, radius: 1, opening_angle: 200", "200", "geometry.opening_angle",
+                "found 200; allowed: a number above 0 and below 180, or 360 for the whole disc."},
+        Mistake{"ellipse", &block, "shape: rectangle, size: [3.0, 1.0]", "shape: ellipse, size: [3, -1]",
+                "-1", "geometry.size[1]", "found -1; allowed: a number above 0"},
+        Mistake{"linearDisc", &block, "degree: 2\ngeometry: {shape: rectangle, size: [3.0, 1.0]",
+                "degree: 1\ngeometry: {shape: disc, radius: 1", "1", "degree",
+                "found 1; allowed for a disc in NURBS: at least 2"},
         Mistake{"pole", &solid, kBox, "shape: ball-octant, radius: 1, pole: [0, 0]", "[0, 0]",
                 "geometry.pole",
                 "found a list of 2; allowed: a list of 3, one entry per dimension of the body."},
@@ -286,7 +295,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "found a, the name of another patch; allowed: a name of its own for each patch."},
         Mistake{"shape", &pair, "shape: rectangle, origin", "shape: patches, origin", "patches",
                 "geometry.patches[1].shape",
-                "found patches; allowed: rectangle | annulus | box | tube | cylinder | "
+                "found patches; allowed: rectangle | annulus | disc | ellipse | box | tube | cylinder | "
                 "ball-octant | control-net."},
         Mistake{"dimension", &pair, "rectangle, origin: [1, 0], size: [1, 1], spans: [2, 2]",
                 "box, size: [1, 1, 1], spans: [2, 2, 2]", "{name: b", "geometry.patches[1]",
@@ -337,8 +346,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"componentTwice", &block, "fix: [x, y]", "fix: [x, x]", "x]", "supports[0].fix[1]",
                 "found x a second time; allowed: each component once."},
         Mistake{"supportNameTwice", &block, "{face: bottom, fix: [x, y]}",
-                "{face: bottom, fix: [x, y], name: floor}\n  - {face: top, fix: [x], name: floor}", "{face: top",
-                "supports[1]", "found the name floor, which another support, a tool or a measure has"},
+                "{face: bottom, fix: [x, y], name: floor}\n  - {face: top, fix: [x], name: floor}",
+                "{face: top", "supports[1]",
+                "found the name floor, which another support, a tool or a measure has"},
         Mistake{"noSupport", &block, "{face: bottom, fix: [x, y]}", "{face: bottom}", "{", "supports[0]",
                 "found none of fix, move, prescribe and symmetry; allowed: exactly one of"},
         Mistake{"severalSupports", &block, "{face: bottom, fix: [x, y]}",
@@ -432,6 +442,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "found plastic_strain, but the material is elastic; allowed here: another field"},
         Mistake{"range", &block, "{field: von_mises,", "{field: von_mises, range: [1, 1],", "1]",
                 "pictures[0].range[1]", "found 1 after 1; allowed: numbers that increase"},
+        Mistake{"rangeBeyondNumbers", &block, "{field: von_mises,",
+                "{field: von_mises, range: [-1e308, 1e308],", "[-1e308", "pictures[0].range",
+                "found -1e+308, 1e+308; allowed: two numbers up to 1e300 in magnitude"},
         Mistake{"mirror", &block, "{field: von_mises,", "{field: von_mises, mirror: w,", "w,",
                 "pictures[0].mirror", "found \"w\"; allowed: one or more of x, y, z, each once, or x=V"},
         Mistake{"mirrorInThePlane", &block, "{field: von_mises,", "{field: von_mises, mirror: z=1,", "z=1",

@@ -158,5 +158,85 @@ TEST(SceneReport, WarnsOfPlasticFlowWithoutFbar) {
   EXPECT_THAT(warningsOf({"formulation=fbar"}), ElementsAre());
 }
 
+TEST(SceneReport, ADiscAwayFromTheAxisIsARing) {
+  const std::string ring = replaced(replaced(kPress, "{shape: rectangle, size: [2, 1], spans: [4, 2]}",
+                                             "{shape: disc, center: [10, 0], radius: 1, spans: [4, 4]}"),
+                                    "shape: cylinder, center: [1, 1.5], radius: 0.5",
+                                    "shape: plane, origin: [0, 1], normal: [0, -1]");
+  const SceneReport report = reportOf(parseScene(ring, "test.yaml", {"kinematics=axisymmetric"}));
+  EXPECT_EQ(report.summary, "2 dimensions, axisymmetric, NURBS of degree 2, 78 unknowns, tool disc");
+  EXPECT_THAT(report.warnings, ElementsAre());
+  EXPECT_THAT(errorOf(ring, {"kinematics=axisymmetric", "geometry.center=[0.9, 0]"}),
+              HasSubstr("crosses the axis of revolution"));
+}
+
+TEST(SceneReport, RefusesFormulasThatHaveNoValueWhereStepsLand) {
+  const auto with = [](const std::string& more) { return errorOf(kPress + more); };
+  EXPECT_EQ(with("loads: [{face: left, pressure: 1/(t - 0.3)}]\n"), "no error");
+  EXPECT_EQ(with("loads: [{face: left, pressure: 1/(t - 0.5)}]\n"),
+            "test.yaml:10:32: loads[0].pressure: the formula \"1/(t - 0.5)\" has no finite value at X = 0, "
+            "Y = 0.0563508, Z = 0, t = 0.5");
+  EXPECT_THAT(with("loads: [{face: left, traction: [ln(0*Y), 0]}]\n"),
+              StartsWith("test.yaml:10:32: loads[0].traction: the formula \"ln(0*Y)\" has no finite value"));
+  EXPECT_THAT(with("loads: [{body_force: [0, sqrt(0.2 - X*t)]}]\n"),
+              StartsWith("test.yaml:10:22: loads[0].body_force: "));
+  EXPECT_THAT(
+      with("loads: [{face: left, shear: \"ln(-1)\"}, {face: right, pressure: 1/(1 - t)}]\n"),
+      testing::AllOf(HasSubstr("loads[0].shear: "), HasSubstr("\ntest.yaml:10:64: loads[1].pressure: ")));
+  EXPECT_THAT(errorOf(replaced(kPress, "fix: [x, y]", "prescribe: {x: 1/(t - 1), y: 0}")),
+              StartsWith("test.yaml:4:31: supports[0].prescribe: the formula \"1/(t - 1)\" has no finite"));
+  EXPECT_THAT(
+      errorOf(replaced(kPress, "motion: {times: [0, 1], y: [0, -0.05]}", "prescribe: {y: -0.01/(1 - t)}")),
+      StartsWith("test.yaml:6:91: tools[0].prescribe.y: the formula"));
+}
+
+TEST(SceneReport, RefusesChecksOfColumnsThatNoHistoryHas) {
+  const auto with = [](const std::string& quantity, const std::string& more = "") {
+    return errorOf(kPress + "definitions: [{name: F, formula: 2}]\nchecks:\n  - {name: force, quantity: " +
+                   quantity + ", expect: range, at_least: 0}\n" + more);
+  };
+  EXPECT_EQ(with("disc.fy/F + strain_energy"), "no error");
+  EXPECT_THAT(
+      with("disc.fyy"),
+      testing::AllOf(StartsWith("test.yaml:12:29: checks[0].quantity: found disc.fyy, which is no column "
+                                "of the history; allowed: step, time, disc.ux, disc.uy, "),
+                     HasSubstr("Did you mean \"disc.fy\"?")));
+  EXPECT_THAT(with("strain_enrgy/F"), HasSubstr("Did you mean \"strain_energy\"?"));
+  EXPECT_THAT(with("disc.fy +"), HasSubstr("cannot be understood"));
+  EXPECT_THAT(with("disc.fy", "charts: [{x: tiem, y: disc.fy}]\n"),
+              StartsWith("test.yaml:13:14: charts[0].x: found tiem, which is no column"));
+  const std::string variants =
+      "variants: {families: [{name: listed, set: [\"output.reactions=true\"]}, {name: plain}]}\n";
+  EXPECT_EQ(with("disc.fyy", variants), "no error") << "a variant may have it";
+}
+
+TEST(SceneReport, WarnsOfColumnsThatTheSceneItselfDoesNotHave) {
+  const auto report = reportOf(parseScene(
+      kPress +
+          "variants: {meshes: [{size: 1}]}\nchecks:\n  - {name: force, quantity: disc.fyy, expect: range, "
+          "at_least: 0}\n",
+      "test.yaml"));
+  EXPECT_THAT(report.warnings,
+              ElementsAre(StartsWith("test.yaml:12:29: checks[0].quantity: found disc.fyy")));
+}
+
+TEST(SceneReport, WarnsOfSoftening) {
+  const auto warningsOf = [](const std::string& hardening) {
+    return reportOf(parseScene(replaced(kPress, "{law: neo-hookean, E: 1, nu: 0.3}",
+                                        "{law: j2, E: 1, nu: 0.3, hardening: {law: " + hardening + "}}"),
+                               "test.yaml", {"formulation=fbar"}))
+        .warnings;
+  };
+  EXPECT_THAT(warningsOf("table, ep: [0, 1], stress: [2, 2]"), ElementsAre());
+  EXPECT_THAT(warningsOf("formula, formula: 2*(0.01 + ep)^0.2"), ElementsAre());
+  EXPECT_THAT(warningsOf("table, ep: [0, 1, 2], stress: [1, 3, 2]"),
+              ElementsAre(StartsWith("test.yaml:2:47: material.hardening: the body softens: its yield stress "
+                                     "falls from 3 at the plastic strain ep = 1 to 2 at ep = 2;")));
+  EXPECT_THAT(warningsOf("voce, sigma0: 2, sigma_inf: 1, beta: 20"),
+              ElementsAre(HasSubstr("the body softens")));
+  EXPECT_THAT(warningsOf("formula, formula: 1 - 2*ep"),
+              ElementsAre(HasSubstr("the yield stress is -0.002 at the plastic strain ep = 0.501, from 1")));
+}
+
 }  // namespace
 }  // namespace burnish

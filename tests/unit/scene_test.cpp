@@ -71,6 +71,29 @@ TEST(Scene, survivesHostileNestingAndAliases) {
   EXPECT_NE(errorOf(laughs).find("more than 1000000 values"), std::string::npos);
 }
 
+TEST(Scene, refusesTextsThatCannotBeShown) {
+  const std::string tooLong = "found a text of 1001 letters; allowed: up to 1000.";
+  EXPECT_EQ(errorOf("title: " + std::string(1001, 'x') + "\n" + block), "test.yaml:1:8: title: " + tooLong);
+  EXPECT_EQ(errorOf(block + "units: {length: " + std::string(1001, 'm') + "}\n").substr(0, 18),
+            "test.yaml:20:17: u");
+  EXPECT_EQ(errorOf(block, {"title=" + std::string(1001, 'x')}),
+            "--set title=" + std::string(194, 'x') + "...: title: " + tooLong);
+  EXPECT_EQ(errorOf(block, {"title=\x1B\xC3"}).substr(0, 24), "--set title=\\x1B\\xC3: ti");
+  EXPECT_EQ(errorOf(replaced(block, "name: plate", "name: " + std::string(201, 'p'))),
+            "test.yaml:11:12: tools[1].name: found a text of 201 letters; allowed: up to 200.");
+  EXPECT_EQ(errorOf("title: ab\xFF\n" + block),
+            "test.yaml:1:8: title: found the byte 0xFF as letter 3; allowed: text in UTF-8.");
+  EXPECT_EQ(
+      errorOf("title: \"a\\x07\"\n" + block),
+      "test.yaml:1:8: title: found the control character U+0007 as letter 2; allowed: letters that can be "
+      "shown.");
+  EXPECT_EQ(errorOf("\"ti\\etle\": a\n" + block).substr(0, 48),
+            "test.yaml:1:1: found the control character U+001");
+  EXPECT_EQ(
+      parseScene("title: >\n  Ein Prüfkörper, ε̄ 漢字\n  \U0001F600\n" + block, "test.yaml").title.back(),
+      '\n');
+}
+
 TEST(Scene, namesAFileThatCannotBeRead) {
   const auto message = [](const std::filesystem::path& file) -> std::string {
     try {
@@ -371,12 +394,27 @@ TEST(SceneListing, namesEveryKeyWithTypeDefaultAndSentence) {
   for (const char* line : {
            "- `degree`: a whole number from 1 to 10, default 2. ",
            "- `geometry`: a mapping, required. ",
-           "    - `shape: annulus`: Part of a ring",
+           "- `shape: annulus`: Part of a ring",
            "      - `nu`: a number above -1 and below 0.5, required. Poisson's ratio.\n",
            "            - `sigma_inf`: a number above 0 (stress), required. ",
            "  - `tolerance`: a number from 1e-14 to 0.001, default 1e-09. ",
        })
     EXPECT_NE(listing.find(line), std::string::npos) << line;
+}
+
+TEST(SceneListing, ListsWhatSeveralKeysShareOnceWithLinks) {
+  const std::string list = describeScene();
+  const auto count = [&list](const std::string& text) {
+    int found = 0;
+    for (std::size_t at = list.find(text); at != std::string::npos; at = list.find(text, at + 1)) ++found;
+    return found;
+  };
+  for (const char* shape : {"rectangle", "annulus", "control-net", "patches", "torus", "edge", "union"})
+    EXPECT_EQ(count(std::string("- `shape: ") + shape + "`: "), 1) << shape;
+  EXPECT_EQ(count("](#geometry-shape)"), 2);
+  EXPECT_EQ(count("\n### geometry shape\n"), 1);
+  EXPECT_EQ(count("](#tools-shape)"), 2);
+  EXPECT_EQ(count("\n### tools shape\n"), 1);
 }
 
 TEST(SceneListing, isWhatTheDocumentationShows) {

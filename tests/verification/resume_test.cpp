@@ -209,6 +209,19 @@ TEST_F(Resume, TablesThatWereShortenedAreRefused) {
   EXPECT_THAT(refusal(part.path()), HasSubstr("history.csv: No such file"));
 }
 
+TEST_F(Resume, TablesWhoseRowsWereChangedAreRefused) {
+  for (const char* table : {"history.csv", "convergence.csv"}) {
+    halt();
+    const fs::path file = part.path() / table;
+    std::string text = filesOf(part.path()).at(table);
+    const std::size_t digit = text.find_first_of("123456789", text.find('\n', text.find('\n') + 1));
+    text[digit] = text[digit] == '1' ? '2' : '1';
+    std::ofstream(file) << text;
+    EXPECT_THAT(refusal(part.path()), HasSubstr(std::string(table) + " is not as the run wrote it"));
+    EXPECT_EQ(filesOf(part.path()).at(table), text) << "was cut";
+  }
+}
+
 TEST_F(Resume, ADamagedRecordIsRefused) {
   halt();
   const fs::path record = restartFiles(modelFile(part.path())).front();

@@ -1,0 +1,49 @@
+#include "engine/analysis/check_columns.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "engine/scene/nearest.h"
+#include "engine/scene/quantity_names.h"
+
+namespace burnish {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The name itself when it is a column with a dash, which no formula can name.
+std::vector<std::string> namesIn(const std::string& quantity, const std::vector<std::string>& columns) {
+  if (contains(columns, quantity)) return {quantity};
+  return namesInQuantity(quantity);
+}
+
+}  // namespace
+
+std::vector<InputProblem> unknownColumns(const Scene& scene, const std::vector<std::string>& columns) {
+  std::vector<std::string> known = columns;
+  for (const DefinitionSpec& definition : scene.definitions) known.push_back(definition.name);
+  std::vector<InputProblem> problems;
+  const auto check = [&](const std::string& path, const std::string& quantity) {
+    try {
+      for (const std::string& name : namesIn(quantity, known))
+        if (!contains(known, name))
+          problems.push_back({path, fmt::format("found {}, which is no column of the history; allowed: {}.{}",
+                                                name, fmt::join(known, ", "), didYouMean(name, known))});
+    } catch (const Error& error) {
+      problems.push_back({path, error.what()});
+    }
+  };
+  for (std::size_t k = 0; k < scene.checks.size(); ++k)
+    check(fmt::format("checks[{}].quantity", k), scene.checks[k].quantity);
+  for (std::size_t k = 0; k < scene.charts.size(); ++k) {
+    check(fmt::format("charts[{}].x", k), scene.charts[k].x);
+    check(fmt::format("charts[{}].y", k), scene.charts[k].y);
+  }
+  return problems;
+}
+
+}  // namespace burnish

@@ -1,0 +1,26 @@
+#include "engine/scene/quantity_names.h"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+
+std::vector<std::string> namesInQuantity(const std::string& quantity) {
+  std::vector<std::string> names;
+  try {
+    mu::Parser probe;
+    probe.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    probe.SetExpr(quantity);
+    for (const auto& [name, unused] : probe.GetUsedVar()) names.push_back(name);
+  } catch (const mu::Parser::exception_type& problem) {
+    throw Error(
+        fmt::format("found \"{}\", which cannot be understood: {}; allowed: a column of the history "
+                    "or a formula in columns.",
+                    quantity, problem.GetMsg()));
+  }
+  return names;
+}
+
+}  // namespace burnish
