@@ -10,6 +10,7 @@
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/version.h"
+#include "postproc/draw/font.h"
 
 namespace {
 
@@ -48,7 +49,9 @@ ExitCode execute(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw Error(usageMessage(app, error));
   }
-  return action();
+  const ExitCode code = action();
+  for (const std::string& warning : takeTextWarnings()) fmt::print(stderr, "warning: {}\n", warning);
+  return code;
 }
 
 }  // namespace
