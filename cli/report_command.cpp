@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "engine/core/error.h"
 #include "postproc/report/report.h"
@@ -16,6 +17,7 @@ struct ReportArguments {
   std::filesystem::path directory;
   std::filesystem::path page;
   ReportOptions options;
+  std::string mirror;
 };
 
 ExitCode report(ReportArguments arguments) {
@@ -26,6 +28,7 @@ ExitCode report(ReportArguments arguments) {
   const std::optional<double>& clip = arguments.options.clip;
   if (clip && !(*clip > 50.0 && *clip <= 100.0))
     throw Error(fmt::format("--clip: found {}; expected a percentile above 50, up to 100", *clip));
+  if (!arguments.mirror.empty()) arguments.options.mirror = mirrorFromText(arguments.mirror);
   writeReport(arguments.directory, arguments.options, arguments.page);
   fmt::print("report {}\n", arguments.page.string());
   return ExitCode::Fine;
@@ -47,6 +50,12 @@ void addReportCommand(CLI::App& app, Action& action) {
       ->add_option("--clip", arguments->options.clip,
                    "End the colours at this percentile and at 100 minus it, as for render [no]")
       ->type_name("P");
+  command
+      ->add_option("--mirror", arguments->mirror,
+                   "Draw also the images of a symmetric part beyond these planes, as for render [no]")
+      ->type_name("x[=V],...");
+  command->add_flag("!--no-doubts", arguments->options.marksDoubts,
+                    "Do not mark pictures of results that the run doubts");
   command
       ->add_option("--frames", arguments->options.frames,
                    fmt::format("Pictures of a run, at most; evenly chosen [{}]", ReportOptions{}.frames))

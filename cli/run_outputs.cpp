@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "engine/core/error.h"
-#include "postproc/draw/contour.h"
+#include "engine/results/result_reader.h"
+#include "postproc/draw/doubt_mark.h"
 
 namespace burnish {
 namespace {
@@ -36,8 +37,8 @@ ContourOptions contourOptions(const PictureSpec& picture) {
 
 }  // namespace
 
-RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress)
-    : scene_(scene), directory_(std::move(directory)) {
+RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress, bool marksDoubts)
+    : scene_(scene), directory_(std::move(directory)), marksDoubts_(marksDoubts) {
   if (showProgress) progress_.emplace(stdout);
 }
 
@@ -82,9 +83,29 @@ void RunOutputs::requirePlanes(const FrameRecord& frame) const {
   }
 }
 
-void RunOutputs::finish() {
+ContourOptions RunOutputs::marked(const PictureSpec& picture) const {
+  ContourOptions options = contourOptions(picture);
+  if (isDoubtful_ && picture.doubtMarks) options.doubt = kDoubtMark;
+  return options;
+}
+
+void RunOutputs::drawMarked() {
+  const ResultReader result(directory_);
+  const std::vector<double> times = result.times();
+  const std::vector<fs::path> drawn = std::exchange(pictures_, {});
+  for (const PictureSpec& picture : scene_.pictures)
+    for (const double time : picture.times)
+      for (std::size_t k = 0; k < times.size() && picture.doubtMarks; ++k)
+        if (sameTime(times[k], time))
+          draw(picture, pictureFile(picture, time), result.frame(static_cast<int>(k)));
+  pictures_ = drawn;
+}
+
+void RunOutputs::finish(bool isDoubtful) {
   if (progress_) progress_->finish();
   if (!lastFrame_) return;
+  isDoubtful_ = isDoubtful && marksDoubts_;
+  if (isDoubtful_) drawMarked();
   for (const PictureSpec& picture : scene_.pictures)
     if (picture.times.empty()) draw(picture, pictureFile(picture, std::nullopt), *lastFrame_);
 }
@@ -100,7 +121,7 @@ void RunOutputs::draw(const PictureSpec& picture, const fs::path& file, const Fr
   if (status)
     throw Error(
         fmt::format("cannot create the directory {}: {}", file.parent_path().string(), status.message()));
-  drawContour(model_, frame, contourOptions(picture), file);
+  drawContour(model_, frame, marked(picture), file);
   pictures_.push_back(file);
 }
 

@@ -203,7 +203,7 @@ struct SelfContactSpec {
 /// A drag on a body that nothing but contact holds, see `Stabilisation`.
 struct StabiliseSpec {
   std::optional<double> until;  ///< time at which it has faded; the end of the first phase when left out
-  double strength = 1e-5;       ///< force on the body that moves by its size in that time, over E L (E L² in 3D)
+  double strength = 1e-5;  ///< force on the body that moves by its size in that time, over E L (E L² in 3D)
 };
 
 /// A phase of the run: `count` equal nominal steps from the end of the previous phase (or 0) to `until`.
@@ -251,6 +251,7 @@ struct PictureSpec {
   /// See `cutPlaneNamed` and `mirrorPlanesNamed`.
   std::optional<std::string> cut, slice, mirror;
   double toolOpacity = 0.3;
+  bool doubtMarks = true;  ///< mark the picture if the run doubts its results
 };
 
 /// Displacement and projected fields at a material point: columns NAME.ux, NAME.stress_xx, ...
