@@ -17,7 +17,7 @@
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/version.h"
-#include "postproc/offscreen/silence.h"
+#include "postproc/offscreen/quiet_libraries.h"
 
 namespace {
 
