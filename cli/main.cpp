@@ -18,7 +18,7 @@
 #include "engine/core/interruption.h"
 #include "engine/core/version.h"
 #include "postproc/draw/font.h"
-#include "postproc/offscreen/silence.h"
+#include "postproc/offscreen/quiet_libraries.h"
 
 namespace {
 

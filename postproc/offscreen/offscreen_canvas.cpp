@@ -20,6 +20,7 @@
 
 #include "engine/core/interruption.h"
 #include "engine/core/memory_limit.h"
+#include "postproc/offscreen/quiet_libraries.h"
 
 #ifdef VTK_OPENGL_HAS_OSMESA
 #include <vtkOSOpenGLRenderWindow.h>
@@ -51,6 +52,7 @@ class Context {
 class Context {
  public:
   Context() {
+    prepareMesa();
     constexpr std::array attributes{OSMESA_FORMAT,
                                     OSMESA_RGBA,
                                     OSMESA_DEPTH_BITS,
