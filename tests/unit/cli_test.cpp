@@ -40,10 +40,10 @@ TEST(Arguments, FrameIsANumberTheLastOneOrATime) {
 }
 
 TEST(Arguments, RangeAndSizeArePairs) {
-  EXPECT_EQ(rangeFromText("-1.5,2e3"), (std::array{-1.5, 2000.0}));
+  EXPECT_EQ(rangeFromText("--range", "-1.5,2e3"), (std::array{-1.5, 2000.0}));
   EXPECT_EQ(sizeFromText("640,480"), (std::array{640, 480}));
   for (const char* text : {"", "1", "1,", ",1", "1;2", "2,1", "1,1", "0,nan", "0,1,2", "0, 1"})
-    expectError([=] { rangeFromText(text); }, "expected LO,HI");
+    expectError([=] { rangeFromText("--range", text); }, "expected LO,HI");
   for (const char* text : {"640x480", "640.5,480", "640,0", "-640,480", "99999,480", "99999999999,480"})
     expectError([=] { sizeFromText(text); }, "expected W,H");
 }
