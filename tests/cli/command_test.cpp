@@ -165,10 +165,10 @@ TEST_F(Command, BadInputIsOneMessageAndLeavesNothingBehind) {
 TEST_F(Command, ValidateAndRunRefuseTheSameBeforeAnythingIsComputed) {
   const std::vector<std::pair<std::string, std::string>> mistakes{
       {"pictures: [{field: von_mises, mirror: x=0.3}]",
-       "bad.yaml:12:39: pictures[0].mirror: found the plane x = 0.3; the undeformed body goes from"},
-      {"loads: [{face: left, pressure: 1/(t - 0.5)}]", "bad.yaml:12:32: loads[0].pressure: the formula"},
+       "bad.yaml:11:39: pictures[0].mirror: found the plane x = 0.3; the undeformed body goes from"},
+      {"loads: [{face: left, pressure: 1/(t - 0.5)}]", "bad.yaml:11:32: loads[0].pressure: the formula"},
       {"checks: [{name: a, quantity: disc.fyy, expect: range, at_least: 0}]",
-       "bad.yaml:12:30: checks[0].quantity: found disc.fyy, which is no column of the history"},
+       "bad.yaml:11:30: checks[0].quantity: found disc.fyy, which is no column of the history"},
   };
   for (const auto& [more, message] : mistakes) {
     write("bad.yaml", kScene + more + "\n");
