@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -83,15 +84,79 @@ Polyline thinnedOut(const Polyline& line) {
 /// Remembers where something has been drawn already that would hide another one there.
 class Taken {
  public:
-  /// Whether nothing has been drawn within the same part of a pixel.
+  /// cell: pixels within which one hides another.
+  explicit Taken(double cell) : cell_(cell) {}
+
+  /// Whether nothing has been drawn in the cell before.
   bool add(const Eigen::Vector2d& p) {
-    constexpr double perPixel = 2.0;
-    return places_.insert({std::floor(perPixel * p.x()), std::floor(perPixel * p.y())}).second;
+    return places_.insert({std::floor(p.x() / cell_), std::floor(p.y() / cell_)}).second;
   }
 
  private:
+  double cell_;
   std::set<std::pair<double, double>> places_;
 };
+
+/// The pixels of a plot that a line has passed.
+class Passed {
+ public:
+  explicit Passed(const PixelRect& plot)
+      : corner_(plot.x, plot.y),
+        columns_(static_cast<std::size_t>(std::ceil(plot.width)) + 2),
+        rows_(static_cast<std::size_t>(std::ceil(plot.height)) + 2),
+        pixels_(columns_ * rows_) {}
+
+  /// Whether a segment of the plot passes a pixel for the first time.
+  bool add(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const int steps = 1 + static_cast<int>((b - a).lpNorm<Eigen::Infinity>());
+    bool isNew = false;
+    for (int k = 0; k <= steps; ++k) {
+      const Eigen::Vector2d p = a + static_cast<double>(k) / steps * (b - a) - corner_;
+      const auto column = static_cast<std::size_t>(std::max(0.0, p.x() + 1.0));
+      const auto row = static_cast<std::size_t>(std::max(0.0, p.y() + 1.0));
+      char& pixel = pixels_[std::min(row, rows_ - 1) * columns_ + std::min(column, columns_ - 1)];
+      isNew = isNew || pixel == 0;
+      pixel = 1;
+    }
+    return isNew;
+  }
+
+ private:
+  Eigen::Vector2d corner_;
+  std::size_t columns_, rows_;
+  std::vector<char> pixels_;
+};
+
+/// Of lines that go to and fro, such as a cloud of points, without the stretches that pass no new pixel.
+std::vector<Polyline> withoutRepeats(const std::vector<Polyline>& pieces, const PixelRect& plot) {
+  constexpr double stretch = 8.0;  // pixels; shorter ones would leave notches in a line
+  Passed passed(plot);
+  std::vector<Polyline> kept;
+  for (const Polyline& piece : pieces) {
+    if (piece.size() == 1) kept.push_back(piece);
+    bool open = false;
+    for (std::size_t first = 0, last = 0; first + 1 < piece.size(); first = last) {
+      bool isNew = false;
+      for (double length = 0.0; last + 1 < piece.size() && length < stretch; ++last) {
+        isNew = passed.add(piece[last], piece[last + 1]) || isNew;
+        length += (piece[last + 1] - piece[last]).norm();
+      }
+      if (isNew && !open) kept.push_back({piece[first]});
+      open = isNew;
+      const auto begin = piece.begin();
+      if (isNew)
+        kept.back().insert(kept.back().end(), begin + static_cast<std::ptrdiff_t>(first) + 1,
+                           begin + static_cast<std::ptrdiff_t>(last) + 1);
+    }
+  }
+  return kept;
+}
+
+std::size_t numPoints(const std::vector<Polyline>& pieces) {
+  std::size_t count = 0;
+  for (const Polyline& piece : pieces) count += piece.size();
+  return count;
+}
 
 bool contains(const PixelRect& rect, const Eigen::Vector2d& p) {
   constexpr double slack = 1e-6;
@@ -136,7 +201,7 @@ PlottedCurve plotCurve(const ChartCurve& curve, const CurveStyle& style, const P
   plotted.style = style;
   Polyline visible;
   const bool many = curve.x.size() > manyPoints(plot);
-  Taken alone, marked;
+  Taken alone(0.5), marked(3.0);
   for (const Polyline& run : finiteRuns(curve, pixel)) {
     if (many && run.size() == 1 && !alone.add(run.front())) continue;
     const Polyline line = withoutTinySteps(run);
@@ -144,6 +209,8 @@ PlottedCurve plotCurve(const ChartCurve& curve, const CurveStyle& style, const P
     std::copy_if(run.begin(), run.end(), std::back_inserter(visible),
                  [&](const Eigen::Vector2d& point) { return contains(plot, point); });
   }
+  if (many && numPoints(plotted.pieces) > 2 * manyPoints(plot))
+    plotted.pieces = withoutRepeats(plotted.pieces, plot);
   if (style.marker < 0 || visible.empty()) return plotted;
   plotted.markers = visible.size() <= most ? visible : spread(visible, phase);
   if (plotted.markers.size() > manyPoints(plot))

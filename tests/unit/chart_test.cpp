@@ -324,6 +324,27 @@ TEST(ChartCurves, ManyPointsAreThinnedOutToThoseThatMakeThePicture) {
   EXPECT_TRUE(std::find(kept.begin(), kept.end(), layout.pixel(77777, 9.0)) != kept.end());
 }
 
+TEST(ChartCurves, StretchesThatPassNoNewPixelAreLeftOut) {
+  constexpr int count = 100000;
+  Chart cloud = chartOf({}, {}), circle = chartOf({}, {});
+  for (int k = 0; k < count; ++k) {
+    cloud.curves[0].x.push_back(std::fmod(0.6180339887 * k, 1.0));
+    cloud.curves[0].y.push_back(std::fmod(0.7548776662 * k, 1.0));
+    circle.curves[0].x.push_back(std::cos(2e-3 * k));  // some thirty times
+    circle.curves[0].y.push_back(std::sin(2e-3 * k));
+  }
+  const auto drawn = [](const Chart& chart) {
+    const ChartLayout layout = layOutChart(chart);
+    std::size_t points = 0;
+    for (const Polyline& piece : layout.curves[0].pieces) points += piece.size();
+    return points;
+  };
+  EXPECT_LT(drawn(cloud), count / 4);
+  EXPECT_GT(drawn(cloud), 1000U);
+  EXPECT_LT(drawn(circle), count / 4);
+  EXPECT_GT(layOutChart(circle).curves[0].pieces[0].size(), 2000U) << "the first round is whole";
+}
+
 TEST(ChartCurves, ManyLonePointsAndMarkersAreDrawnOnceAtAPlace) {
   constexpr int count = 30000;
   Chart chart = chartOf({}, {});
