@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cctype>
 #include <cmath>
 #include <deque>
 #include <map>
@@ -81,11 +82,19 @@ std::vector<std::size_t> neededDefinitions(const std::string& text, const std::v
     const auto found = index.find(name);
     if (found != index.end() && found->second < known) {
       needed.push_back(found->second);
+    } else if (std::isdigit(static_cast<unsigned char>(name.front())) !=
+               0) {  // the parser gives it up as a name
+      throw Error(
+          fmt::format("the formula {} has the number {}, which does not fit into double precision, between "
+                      "1e-308 and 1e308 in size",
+                      quoted(text), shortened(name)));
     } else if (!isConstant(name)) {
       std::vector<std::string> allowed = variables;
       for (std::size_t k = 0; k < known; ++k) allowed.push_back(definitions[k].name);
+      std::vector<std::string> candidates = allowed;
+      candidates.insert(candidates.end(), {"pi", "e"});
       throw Error(fmt::format("the formula {} names {}, which is unknown here{}; known are {}; {}",
-                              quoted(text), shortened(name), orNearest(name, allowed), listed(allowed),
+                              quoted(text), shortened(name), orNearest(name, candidates), listed(allowed),
                               formulaWords()));
     }
   }

@@ -58,7 +58,11 @@ void defineConstants(mu::Parser& parser, const std::vector<std::string>& names) 
 
 std::string formulaProblem(const std::string& formula, const mu::ParserError& problem) {
   const std::string word = unknownFunction(formula);
-  if (word.empty()) return shortened(problem.GetMsg());
+  if (word.empty()) {
+    std::string text = shortened(problem.GetMsg());
+    while (text.ends_with('.')) text.pop_back();
+    return text;
+  }
   return fmt::format("{} is no function{}; {}", quoted(word), orNearest(word, formulaFunctions()),
                      formulaWords());
 }

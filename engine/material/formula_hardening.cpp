@@ -24,7 +24,7 @@ std::shared_ptr<const PiecewiseChebyshev> interpolateFormula(const std::string& 
     parser.SetExpr(formula);
     initial = parser.Eval();
   } catch (const mu::ParserError& problem) {
-    throw Error(place + formulaProblem(formula, problem) + " Write the yield stress as a function of ep.");
+    throw Error(place + formulaProblem(formula, problem) + "; write the yield stress as a function of ep");
   }
   if (!(initial > 0.0) || !std::isfinite(initial))
     throw Error(place + "the yield stress at ep = 0 is " + std::to_string(initial) + ", it must be positive");

@@ -137,6 +137,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "loads[0].traction[0]",
                 "the formula \"sqr(2)\" cannot be understood: \"sqr\" is no function (did you mean "
                 "sqrt?); functions are abs"},
+        Mistake{"overflowInAFormula", &block, "traction: [1, 0]", "traction: [2*1e400, 0]", "2*1e400",
+                "loads[0].traction[0]",
+                "the formula \"2*1e400\" has the number 1e400, which does not fit into double precision, "
+                "between 1e-308 and 1e308 in size."},
+        Mistake{"nearlyAConstant", &block, "traction: [1, 0]", "traction: [2*Pi, 0]", "2*Pi",
+                "loads[0].traction[0]",
+                "the formula \"2*Pi\" names Pi, which is unknown here (did you mean pi?); known are"},
         Mistake{"longFormula", &block, "traction: [1, 0]",
                 "traction: [" + std::string(600'000, '1') + "+, 0]", "1111", "loads[0].traction[0]",
                 "the formula \"" + std::string(60, '1') + "...\" cannot be understood: "},
