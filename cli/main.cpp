@@ -17,6 +17,7 @@
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/version.h"
+#include "postproc/draw/font.h"
 #include "postproc/offscreen/quiet_libraries.h"
 
 namespace {
@@ -58,7 +59,9 @@ ExitCode execute(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw Error(usageMessage(app, error));
   }
-  return action();
+  const ExitCode code = action();
+  for (const std::string& warning : takeTextWarnings()) printError("warning: {}\n", warning);
+  return code;
 }
 
 constexpr const char* kLittleMemory =

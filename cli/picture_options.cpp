@@ -14,6 +14,7 @@
 #include "postproc/draw/contour_layout.h"
 #include "postproc/draw/contour_series.h"
 #include "postproc/draw/contour_view.h"
+#include "postproc/draw/doubt_mark.h"
 #include "postproc/draw/field_choice.h"
 
 namespace burnish {
@@ -122,6 +123,8 @@ ContourOptions contourOptions(const PictureOptions& options, const ResultReader&
   contour.arrows = chosen("--vectors", options.vectors, kArrowFields);
   contour.warp = options.warp;
   contour.title = options.title;
+  if (contour.theme.picture.doubtMarks && !options.noDoubts)
+    contour.doubt = doubtMarkOf(result.file().parent_path());
   if (options.subdivision > 0) contour.subdivision = options.subdivision;
   contour.field = fieldName(options, result.frame(frames.front()));
   setRange(options, result, frames, contour);

@@ -38,6 +38,7 @@ struct PictureOptions {
   LookOptions look;
   std::string background;
   bool transparent = false;
+  bool noDoubts = false;
   std::optional<std::string> title;
 };
 

@@ -120,6 +120,8 @@ void addLook(CLI::App& command, PictureOptions& options) {
       ->type_name("#rrggbb|NAME");
   command.add_flag("--transparent", options.transparent,
                    "No paper: what is behind the picture shows through");
+  command.add_flag("--no-doubts", options.noDoubts,
+                   "Do not mark pictures of results that the run doubts [as the theme has it]");
 }
 
 }  // namespace

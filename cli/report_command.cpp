@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/arguments.h"
 #include "cli/child_process.h"
 #include "cli/command.h"
 #include "cli/console.h"
@@ -18,6 +19,7 @@ struct ReportArguments {
   std::filesystem::path directory;
   std::filesystem::path page;
   ReportOptions options;
+  std::string mirror;
 };
 
 ExitCode report(ReportArguments arguments) {
@@ -29,6 +31,7 @@ ExitCode report(ReportArguments arguments) {
   const std::optional<double>& clip = arguments.options.clip;
   if (clip && !(*clip > 50.0 && *clip <= 100.0))
     throw Error(fmt::format("--clip: found {}; expected a percentile above 50, up to 100", *clip));
+  if (!arguments.mirror.empty()) arguments.options.mirror = mirrorFromText(arguments.mirror);
   writeReport(arguments.directory, arguments.options, arguments.page);
   printOut("report {}\n", arguments.page.string());
   return ExitCode::Fine;
@@ -50,6 +53,12 @@ void addReportCommand(CLI::App& app, Action& action) {
       ->add_option("--clip", arguments->options.clip,
                    "End the colours at this percentile and at 100 minus it, as for render [no]")
       ->type_name("P");
+  command
+      ->add_option("--mirror", arguments->mirror,
+                   "Draw also the images of a symmetric part beyond these planes, as for render [no]")
+      ->type_name("x[=V],...");
+  command->add_flag("!--no-doubts", arguments->options.marksDoubts,
+                    "Do not mark pictures of results that the run doubts");
   command
       ->add_option("--frames", arguments->options.frames,
                    fmt::format("Pictures of a run, at most; evenly chosen [{}]", ReportOptions{}.frames))

@@ -29,6 +29,7 @@ struct RunArguments {
   int threads = 0;
   bool quiet = false;
   bool timings = false;
+  bool noDoubts = false;
 };
 
 void printResults(const RunArguments& arguments, const RunSummary& summary, const RunOutputs& outputs) {
@@ -100,10 +101,10 @@ ExitCode run(const RunArguments& arguments) {
                                         : readScene(arguments.scene, arguments.overrides);
   OffscreenCanvas::saveMemory();  // for the solver
   const SignalGuard signals(SecondSignal::Ends);
-  RunOutputs outputs(scene, arguments.directory, !arguments.quiet);
+  RunOutputs outputs(scene, arguments.directory, !arguments.quiet, !arguments.noDoubts);
   if (!arguments.resumes) outputs.requireNoForeignFiles();
   const RunSummary summary = compute(scene, arguments, signals, outputs);
-  if (!summary.halted) outputs.finish();
+  if (!summary.halted) outputs.finish(!summary.doubts.empty());
   if (!arguments.quiet) printResults(arguments, summary, outputs);
   flushOutput();
   return reportEnd(arguments, summary, outputs, signals.signal());
@@ -161,6 +162,8 @@ void addRunCommand(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 1024));
   command->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
   command->add_flag("--timings", arguments->timings, "Print where the time went");
+  command->add_flag("--no-doubts", arguments->noDoubts,
+                    "Do not mark pictures of results that the run doubts");
   command->callback([&action, arguments] {
     if (arguments->scene.empty() && !arguments->resumes) throw CLI::RequiredError("SCENE or --resume DIR");
     action = [arguments] { return runOrResume(*arguments); };

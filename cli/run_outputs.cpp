@@ -15,7 +15,9 @@
 #include "engine/core/interruption.h"
 #include "engine/results/history.h"
 #include "engine/results/result_files.h"
+#include "engine/results/result_reader.h"
 #include "postproc/draw/contour.h"
+#include "postproc/draw/doubt_mark.h"
 #include "postproc/study/text_file.h"
 
 namespace burnish {
@@ -45,6 +47,7 @@ std::string renderCommand(const PictureSpec& picture, std::optional<double> time
   if (picture.cut) add("--cut", *picture.cut);
   if (picture.slice) add("--slice", *picture.slice);
   if (picture.mirror) add("--mirror", *picture.mirror);
+  if (!picture.doubtMarks) line += " --no-doubts";
   if (picture.toolOpacity != usual.toolOpacity) add("--tool-opacity", fmt::format("{}", picture.toolOpacity));
   add("-o", file.string());
   return line;
@@ -74,8 +77,8 @@ std::vector<fs::path> seriesFiles(const fs::path& directory) {
 
 }  // namespace
 
-RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress)
-    : scene_(scene), directory_(std::move(directory)) {
+RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress, bool marksDoubts)
+    : scene_(scene), directory_(std::move(directory)), marksDoubts_(marksDoubts) {
   if (showProgress) progress_.emplace();
 }
 
@@ -131,9 +134,29 @@ void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
   lastFrame_ = frame;
 }
 
-void RunOutputs::finish() {
+ContourOptions RunOutputs::marked(const PictureSpec& picture) const {
+  ContourOptions options = contourOptions(picture);
+  if (isDoubtful_ && picture.doubtMarks) options.doubt = kDoubtMark;
+  return options;
+}
+
+void RunOutputs::drawMarked() {
+  const ResultReader result(directory_);
+  const std::vector<double> times = result.times();
+  const std::vector<fs::path> drawn = std::exchange(pictures_, {});
+  for (const PictureSpec& picture : scene_.pictures)
+    for (const double time : picture.times)
+      for (std::size_t k = 0; k < times.size() && picture.doubtMarks; ++k)
+        if (sameTime(times[k], time))
+          draw(picture, time, result.frame(static_cast<int>(k)));
+  pictures_ = drawn;
+}
+
+void RunOutputs::finish(bool isDoubtful) {
   if (progress_) progress_->finish();
   if (!lastFrame_) return;
+  isDoubtful_ = isDoubtful && marksDoubts_;
+  if (isDoubtful_) drawMarked();
   for (const PictureSpec& picture : scene_.pictures)
     if (picture.times.empty()) draw(picture, std::nullopt, *lastFrame_);
 }
@@ -146,12 +169,13 @@ fs::path RunOutputs::pictureFile(const PictureSpec& picture, std::optional<doubl
 void RunOutputs::draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame) {
   const fs::path file = pictureFile(picture, time);
   const auto note = [&](const char* reason) {
-    missing_.push_back({file, reason, renderCommand(picture, time, directory_, file)});
+    if (std::ranges::none_of(missing_, [&](const Missing& other) { return other.file == file; }))
+      missing_.push_back({file, reason, renderCommand(picture, time, directory_, file)});
   };
   if (interruption() != 0) return note("");
   try {
     makeDirectory(file.parent_path());
-    drawContour(model_, frame, contourOptions(picture), file);
+    drawContour(model_, frame, marked(picture), file);
     pictures_.push_back(file);
   } catch (const Interrupted&) {
     note("");

@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "engine/analysis/run.h"
 #include "engine/scene/scene.h"
+#include "postproc/draw/contour.h"
 #include "postproc/export/vtu_series_writer.h"
 
 namespace burnish {
@@ -15,7 +16,7 @@ namespace burnish {
 class RunOutputs : public RunObserver {
  public:
   /// The scene must outlive the object.
-  RunOutputs(const Scene& scene, std::filesystem::path directory, bool showProgress);
+  RunOutputs(const Scene& scene, std::filesystem::path directory, bool showProgress, bool marksDoubts = true);
 
   /// Throws `Error` if the directory is not that of an earlier run and has files that the run would
   /// overwrite.
@@ -27,8 +28,9 @@ class RunOutputs : public RunObserver {
   void onStep(const RunProgress& progress) override;
   void onFrame(const ModelRecord& model, const FrameRecord& frame) override;
 
-  /// Draws the pictures of the end of the run from its last frame.
-  void finish();
+  /// Draws the pictures of the end of the run from its last frame; where the run doubts its results, with a
+  /// mark, and those of times before once more.
+  void finish(bool isDoubtful);
 
   /// Whether the run has begun to write.
   bool hasStarted() const { return hasStarted_; }
@@ -50,10 +52,18 @@ class RunOutputs : public RunObserver {
   /// A picture of the frame, or of the last one without a time. What goes wrong costs this picture only.
   void draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame);
 
+  /// How a picture is drawn, with a mark once the run doubts its results.
+  ContourOptions marked(const PictureSpec& picture) const;
+
+  /// Draws the pictures of times before the end that are to be marked.
+  void drawMarked();
+
   const Scene& scene_;
   std::filesystem::path directory_;
   std::optional<Progress> progress_;
   std::optional<VtuSeriesWriter> vtu_;
+  bool marksDoubts_;
+  bool isDoubtful_ = false;
   bool hasStarted_ = false;
   ModelRecord model_;
   std::optional<FrameRecord> lastFrame_;

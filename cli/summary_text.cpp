@@ -71,7 +71,8 @@ std::string summaryText(const RunSummary& s) {
   if (end.maxPlasticStrain > 0.0)
     text +=
         line("plastic strain", fmt::format("at most {:.5g} at quadrature points; projected {:.5g} to {:.5g}",
-                                           end.maxPlasticStrain, end.projectedPlasticStrain.min,
+                                           end.maxPlasticStrain,
+                                           std::max(0.0, end.projectedPlasticStrain.min),
                                            end.projectedPlasticStrain.max));
   for (const ReactionRecord& reaction : s.reactions) text += line(reaction.support, reactionText(reaction));
   text += line("smallest J", fmt::format("{:.5g} at quadrature points", s.smallestJ));

@@ -191,6 +191,12 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
 }
 
 template <int Dim>
+Extremes Recorder<Dim>::projectedVonMises() const {
+  const Eigen::MatrixXd mises = quadratureFields(model_.bulk(), "").at("von_mises").values;
+  return extremes_(projection_.project(mises.transpose()).col(0));
+}
+
+template <int Dim>
 void Recorder<Dim>::continueFrom(const Recorder& before) {
   current_ = before.current_;
   smallestJ_ = before.smallestJ_;

@@ -89,6 +89,9 @@ class Recorder {
 
   const Reactions<Dim>& reactions() const { return reactions_; }
 
+  /// Extremes of the projected von Mises stress in the current state, which the terms have been evaluated at.
+  Extremes projectedVonMises() const;
+
   /// Whether a contact face crosses itself in the current state (2D); parts that touch by self-contact do
   /// not.
   bool crossesItself() const { return crossesItself_; }

@@ -340,6 +340,7 @@ class Run {
     else if (!stage_->model->selfContacts().empty())
       summary_.contactParameter = stage_->model->selfContacts().front().term->options().parameter;
     summary_.end = recorder.current();
+    if (summary_.completed) summary_.endVonMises = recorder.projectedVonMises();
     summary_.smallestJ = recorder.smallestJ();
     summary_.largestPenetration = recorder.largestPenetration();
     summary_.stabilised = stage_->model->stabilisation() != nullptr;

@@ -62,6 +62,11 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
                       {"solve_seconds", s.timings.solve},
                       {"projection_seconds", s.timings.projection},
                       {"output_seconds", s.timings.output}}};
+  if (s.endVonMises) {
+    record.numbers["von_mises_minimum"] = s.endVonMises->min;
+    if (s.end.maxPlasticStrain > 0.0)
+      record.numbers["plastic_strain_minimum"] = s.end.projectedPlasticStrain.min;
+  }
   if (s.stabilised) {
     record.numbers["stabilised_share"] = s.end.stabilisedShare;
     record.numbers["largest_stabilised_share"] = s.largestStabilisedShare;

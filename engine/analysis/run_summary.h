@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct RunSummary {
   int stepsAtRoundOff = 0;        ///< steps that ended above the tolerance because rounding allows no less
   double contactParameter = 0.0;  ///< ε of the first contact pair, 0 without contact
   StateQuantities end;            ///< the last state
+  std::optional<Extremes> endVonMises;  ///< of the projected stress there; of a run that came to its end
   double smallestJ = 1.0;
   double largestPenetration = 0.0;
   bool stabilised = false;                ///< by `stabilise`

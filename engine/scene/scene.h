@@ -266,6 +266,7 @@ struct PictureSpec {
   /// See `cutPlaneNamed` and `mirrorPlanesNamed`.
   std::optional<std::string> cut, slice, mirror;
   double toolOpacity = 0.3;
+  bool doubtMarks = true;  ///< mark the picture if the run doubts its results
 };
 
 /// Displacement and projected fields at a material point: columns NAME.ux, NAME.stress_xx, ...

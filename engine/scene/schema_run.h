@@ -34,9 +34,10 @@ void describe(Visitor& v, SolverSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, StabiliseSpec& s) {
-  v.field("until", s.until, {.above = 0, .unit = "time"},
-          "Time at which the drag has faded to a thousandth, which stays; the end of the first phase when left "
-          "out.");
+  v.field(
+      "until", s.until, {.above = 0, .unit = "time"},
+      "Time at which the drag has faded to a thousandth, which stays; the end of the first phase when left "
+      "out.");
   v.field("strength", s.strength, {.above = 0, .atMost = 1},
           "Force on the body while it moves by its size in that time, over E L (E L^2 in space and "
           "axisymmetry), L its size.");
@@ -108,9 +109,10 @@ void describe(Visitor& v, PictureSpec& s) {
   v.field(
       "mirror", s.mirror, {},
       "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are drawn "
-      "too.");
+      "too. Of an axisymmetric body, x is the axis.");
   v.field("tool_opacity", s.toolOpacity, {.above = 0, .atMost = 1},
           "Of the tools in space; 1 hides what is behind.");
+  v.field("doubt_marks", s.doubtMarks, {}, "Mark the picture if the run doubts its results.");
 }
 
 }  // namespace burnish

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace burnish {
 namespace {
@@ -55,6 +57,42 @@ Polyline withoutTinySteps(const Polyline& line) {
   return kept;
 }
 
+/// More points than a curve needs to look as it does get thinned out.
+std::size_t manyPoints(const PixelRect& plot) {
+  return static_cast<std::size_t>(4.0 * plot.width);
+}
+
+/// Of points that follow each other within a column of pixels, the first, the last, the lowest and the
+/// highest: the line through them covers the same pixels.
+Polyline thinnedOut(const Polyline& line) {
+  Polyline kept;
+  for (std::size_t begin = 0, end = 0; begin < line.size(); begin = end) {
+    const double column = std::floor(line[begin].x());
+    std::size_t low = begin, high = begin;
+    for (end = begin; end < line.size() && std::floor(line[end].x()) == column; ++end) {
+      if (line[end].y() < line[low].y()) low = end;
+      if (line[end].y() > line[high].y()) high = end;
+    }
+    std::array<std::size_t, 4> chosen{begin, std::min(low, high), std::max(low, high), end - 1};
+    const auto last = std::unique(chosen.begin(), chosen.end());
+    for (auto k = chosen.begin(); k != last; ++k) kept.push_back(line[*k]);
+  }
+  return kept;
+}
+
+/// Remembers where something has been drawn already that would hide another one there.
+class Taken {
+ public:
+  /// Whether nothing has been drawn within the same part of a pixel.
+  bool add(const Eigen::Vector2d& p) {
+    constexpr double perPixel = 2.0;
+    return places_.insert({std::floor(perPixel * p.x()), std::floor(perPixel * p.y())}).second;
+  }
+
+ private:
+  std::set<std::pair<double, double>> places_;
+};
+
 bool contains(const PixelRect& rect, const Eigen::Vector2d& p) {
   constexpr double slack = 1e-6;
   return p.x() >= rect.x - slack && p.x() <= rect.right() + slack && p.y() >= rect.y - slack &&
@@ -97,13 +135,19 @@ PlottedCurve plotCurve(const ChartCurve& curve, const CurveStyle& style, const P
   PlottedCurve plotted;
   plotted.style = style;
   Polyline visible;
+  const bool many = curve.x.size() > manyPoints(plot);
+  Taken alone, marked;
   for (const Polyline& run : finiteRuns(curve, pixel)) {
-    appendClipped(withoutTinySteps(run), plot, plotted.pieces);
+    if (many && run.size() == 1 && !alone.add(run.front())) continue;
+    const Polyline line = withoutTinySteps(run);
+    appendClipped(many ? thinnedOut(line) : line, plot, plotted.pieces);
     std::copy_if(run.begin(), run.end(), std::back_inserter(visible),
                  [&](const Eigen::Vector2d& point) { return contains(plot, point); });
   }
-  if (style.marker >= 0 && !visible.empty())
-    plotted.markers = visible.size() <= most ? visible : spread(visible, phase);
+  if (style.marker < 0 || visible.empty()) return plotted;
+  plotted.markers = visible.size() <= most ? visible : spread(visible, phase);
+  if (plotted.markers.size() > manyPoints(plot))
+    std::erase_if(plotted.markers, [&](const Eigen::Vector2d& at) { return !marked.add(at); });
   return plotted;
 }
 

@@ -39,7 +39,8 @@ struct PlottedCurve {
 /// The place in pixels of a pair of values; onRight: y is one of the axis at the right.
 using PixelOf = std::function<Eigen::Vector2d(double x, double y, bool onRight)>;
 
-/// The curves of a chart in the plot, a rectangle of pixels.
+/// The curves of a chart in the plot, a rectangle of pixels. Of more points than pixels can show, those that
+/// make the same picture are left.
 std::vector<PlottedCurve> plotCurves(const Chart& chart, const PixelRect& plot, const PixelOf& pixel);
 
 /// The part of a segment that lies in a rectangle, or nothing.

@@ -96,8 +96,13 @@ class SketchItem : public vtkContextItem {
 
   /// In one piece, or in pieces from the start on if parts of the text need another font.
   void paint(vtkContext2D& painter, const SketchText& text, double shift) const {
+    noteDrawnText(text.text, text.style.font);
     const std::vector<FontPiece> pieces = fontPieces(text.text, text.style.font);
-    if (pieces.size() == 1) return paintPiece(painter, text, *pieces.front().font, VTK_TEXT_CENTERED, shift);
+    if (pieces.size() == 1) {
+      SketchText whole = text;
+      whole.text = pieces.front().text;
+      return paintPiece(painter, whole, *pieces.front().font, VTK_TEXT_CENTERED, shift);
+    }
     const bool up = text.direction == Overlay::Direction::Up;
     const Eigen::Vector2d along(up ? 0.0 : 1.0, up ? 1.0 : 0.0), upwards(-along.y(), along.x());
     const double before = text.anchor == Overlay::Anchor::Start    ? 0.0

@@ -68,9 +68,8 @@ std::vector<PointRow> parts(const PointRow& row, int length) {
 }
 
 /// The (100-p)th and the p-th percentile.
-std::array<double, 2> percentiles(const Tessellation& tessellation, const Eigen::MatrixXd& coefficients,
-                                  double p) {
-  const Eigen::VectorXd values = drawnScalars(tessellation.evaluate(coefficients));
+std::array<double, 2> percentiles(const Tessellation& tessellation, const FieldChoice& choice, double p) {
+  const Eigen::VectorXd values = choice.drawnScalars(tessellation.evaluate(choice.coefficients));
   std::vector<int> byValue(static_cast<std::size_t>(values.size()));
   std::iota(byValue.begin(), byValue.end(), 0);
   std::stable_sort(byValue.begin(), byValue.end(), [&](int a, int b) { return values(a) < values(b); });
@@ -80,7 +79,7 @@ std::array<double, 2> percentiles(const Tessellation& tessellation, const Eigen:
 
 /// Smallest and largest value at the points of a tessellation; nothing if one is not finite. Goes through a
 /// patch span by span of its last direction: a body in space has more points than memory should hold.
-std::optional<std::array<double, 2>> extremes(const MeshRecord& mesh, const Eigen::MatrixXd& coefficients,
+std::optional<std::array<double, 2>> extremes(const MeshRecord& mesh, const FieldChoice& choice,
                                               int subdivision) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> range{infinity, -infinity};
@@ -92,8 +91,9 @@ std::optional<std::array<double, 2>> extremes(const MeshRecord& mesh, const Eige
     }
     for (const PointRow& part : parts(directions.back(), subdivision)) {
       directions.back() = part;
-      const Eigen::VectorXd values = drawnScalars(TensorPoints(patch, directions).evaluate(coefficients));
-      if (!values.allFinite()) return std::nullopt;
+      const Eigen::MatrixXd evaluated = TensorPoints(patch, directions).evaluate(choice.coefficients);
+      if (!evaluated.allFinite()) return std::nullopt;
+      const Eigen::VectorXd values = choice.drawnScalars(evaluated);
       range = {std::min(range[0], values.minCoeff()), std::max(range[1], values.maxCoeff())};
     }
   }
@@ -125,18 +125,13 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
         "clip: found {}; expected a percentile above 50, at which the colours end, up to 100", *clip));
   const FieldChoice choice = chooseField(model, frame, field);
   const MeshRecord& mesh = meshOf(model, frame);
-  const std::optional<std::array<double, 2>> whole = extremes(mesh, choice.coefficients, subdivision);
+  const std::optional<std::array<double, 2>> whole = extremes(mesh, choice, subdivision);
   if (!whole)
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
                             field, frame.index));
   if (!clip || *clip == 100.0) return {*whole, *whole};
-  const auto clipped = percentiles(Tessellation(mesh, subdivision), choice.coefficients, *clip);
+  const auto clipped = percentiles(Tessellation(mesh, subdivision), choice, *clip);
   return {*whole, clipped[0] < clipped[1] ? clipped : *whole};
-}
-
-Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values) {
-  if (values.rows() == 1) return values.row(0).transpose();
-  return values.colwise().norm().transpose();
 }
 
 std::array<double, 2> widened(const std::array<double, 2>& range) {

@@ -23,9 +23,6 @@ struct FieldRange {
 FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
                        int subdivision, std::optional<double> clip);
 
-/// The scalars that are drawn of values (components x points): a scalar itself, the magnitude of a vector.
-Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values);
-
 /// A range that a colour scale can have: a field that is constant gets a scale around it.
 std::array<double, 2> widened(const std::array<double, 2>& range);
 

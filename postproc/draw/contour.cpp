@@ -129,7 +129,7 @@ class ContourPicture {
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
                     parts_.arrows.note, sectionNote(), options_.note,
                     clipped ? clipNote(*options_.clip, model_.dim) : ""}),
-            model_.dim == 3};
+            options_.doubt, model_.dim == 3};
   }
 
   /// Where the section of a slice lies; a cut is seen to be one.
@@ -164,6 +164,7 @@ class ContourPicture {
       overlay.addText(
           layout.note.text, layout.noteAt, layout.note.style,
           layout.barDirection == Overlay::Direction::Up ? Overlay::Anchor::End : Overlay::Anchor::Middle);
+    if (!layout.doubt.text.empty()) overlay.addText(layout.doubt.text, layout.doubtAt, layout.doubt.style);
     FlatShapes shapes(renderer, scale);
     bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody()) drawFrame(shapes, layout.view.area);

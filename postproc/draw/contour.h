@@ -44,6 +44,7 @@ struct ContourOptions {
   double warp = 1.0;                 ///< factor on the displacements of body and tools; values keep theirs
   std::optional<std::string> title;  ///< instead of the model's; empty: none
   std::string note;                  ///< small text below the body; may be empty
+  std::string doubt;                 ///< the same in the lower left corner; see `doubtMarkOf`
   bool time = true;                  ///< write the time of the frame
   std::optional<double> textSize;    ///< in pixels, [6, 200]; follows from the picture's size when left out
   std::optional<Eigen::AlignedBox2d> window;  ///< of the view's plane, that must be seen; see `contentOf`

@@ -24,7 +24,8 @@ constexpr double kBarGap = 1.6;
 constexpr double kShortestBar = 12.0;
 constexpr double kNoteSize = 0.85;
 constexpr double kNoteGap = 0.9;
-constexpr double kPadding = 0.15;  // keeps lines on the border of the content whole
+constexpr double kWidestDoubt = 0.4;  // of the picture
+constexpr double kPadding = 0.15;     // keeps lines on the border of the content whole
 
 struct Placement {
   double scale = 0.0;  ///< pixels per length
@@ -126,14 +127,20 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   if (!caption.time.empty())
     std::tie(layout.time, layout.timeAt) = addLine(caption.time, size, kBelowCaption);
 
-  double bottom = margin;
-  if (!caption.note.empty()) {
-    layout.note = fitText({{caption.note}}, {kNoteSize * size, theme.softInk, theme.font}, width - 2 * margin,
-                          kSmallestNote);
-    bottom += kNoteGap * size + capitalHeight(layout.note.style);
-  }
-
   const double left = margin + (caption.triad ? kTriadRoom * size : 0.0);
+  double bottom = margin, besideNote = 0.0;
+  const TextStyle small{kNoteSize * size, theme.softInk, theme.font};
+  if (!caption.doubt.empty()) {
+    layout.doubt = fitText({{caption.doubt}}, small, kWidestDoubt * width - left, kSmallestNote);
+    layout.doubtAt = {left, margin};
+    // On either side, since a note may stand in the middle.
+    besideNote = 2 * (left - margin + textWidth(layout.doubt.text, layout.doubt.style) + kNoteGap * size);
+  }
+  if (!caption.note.empty())
+    layout.note = fitText({{caption.note}}, small, width - 2 * margin - besideNote, kSmallestNote);
+  if (!caption.note.empty() || !caption.doubt.empty())
+    bottom += kNoteGap * size + capitalHeight(caption.note.empty() ? layout.doubt.style : layout.note.style);
+
   layout.triadAt = {margin, margin};
   const PixelRect room{left, bottom, width - margin - left, top - bottom};
   const Eigen::Vector2d extent = content.sizes().cwiseMax(1e-9 * content.sizes().maxCoeff());

@@ -19,7 +19,8 @@ struct ContourLayout {
   FittedText title;  ///< empty text: none
   FittedText time;   ///< empty text: none
   FittedText note;   ///< empty text: none
-  Eigen::Vector2d titleAt, timeAt;
+  FittedText doubt;  ///< empty text: none
+  Eigen::Vector2d titleAt, timeAt, doubtAt;
   Eigen::Vector2d noteAt;  ///< end (bar upright) or middle (bar across) of its baseline
   PixelRect bar;
   Overlay::Direction barDirection;
@@ -27,10 +28,11 @@ struct ContourLayout {
   Eigen::Vector2d triadAt;  ///< lower left corner of the axes, of which there is room if the caption asks
 };
 
-/// What stands above the body, and small below it and its colour scale; each may be empty. triad: there is
-/// room for the axes at the lower left.
+/// What stands above the body, and small below it and its colour scale; each may be empty. doubt: at the left
+/// of the note. triad: there is room for the axes at the lower left.
 struct ContourCaption {
   std::string title, time, note;
+  std::string doubt{};
   bool triad = false;
 };
 

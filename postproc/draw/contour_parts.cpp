@@ -38,8 +38,9 @@ constexpr double kDotRoom = 0.005;  // for the dots of the control net, of the d
 template <class Mesh>
 void setValues(vtkPointData& points, const Mesh& mesh, const ModelRecord& model, const FrameRecord& frame,
                const ContourOptions& options) {
-  const Eigen::MatrixXd values = mesh.evaluate(chooseField(model, frame, options.field).coefficients);
-  points.SetScalars(makeArray("drawn", drawnScalars(values).transpose(), {}));
+  const FieldChoice choice = chooseField(model, frame, options.field);
+  points.SetScalars(
+      makeArray("drawn", choice.drawnScalars(mesh.evaluate(choice.coefficients)).transpose(), {}));
   if (options.arrows == ArrowField::Displacement)
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
 }

@@ -11,26 +11,22 @@
 #include "postproc/draw/png_file.h"
 
 namespace burnish {
-namespace {
-
-/// Components of a field may have another sign in a mirror.
-std::array<double, 2> rangeOf(const ModelRecord& model, const FrameRecord& frame,
-                              const ContourOptions& options, int subdivision) {
+std::array<double, 2> shownRange(const ModelRecord& model, const FrameRecord& frame,
+                                 const ContourOptions& options) {
+  const int subdivision = options.subdivision.value_or(model.subdivision);
   if (options.mirror.empty()) return fieldRange(model, frame, options.field, subdivision, options.clip);
+  // Components of a field may have another sign in a mirror.
   const ModelFrame whole = mirrored(model, frame, options.mirror);
   return fieldRange(whole.model, whole.frame, options.field, subdivision, options.clip);
 }
-
-}  // namespace
 
 std::array<double, 2> commonRange(const ResultReader& result, const std::vector<int>& frames,
                                   const ContourOptions& options) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> range{infinity, -infinity};
-  const int subdivision = options.subdivision.value_or(result.model().subdivision);
   for (const int k : frames) {
     throwIfInterrupted();
-    const auto [low, high] = rangeOf(result.model(), result.frame(k), options, subdivision);
+    const auto [low, high] = shownRange(result.model(), result.frame(k), options);
     range = {std::min(range[0], low), std::max(range[1], high)};
   }
   return widened(range);

@@ -8,6 +8,10 @@
 /// Pictures of several frames, and what they share so that they can be compared.
 namespace burnish {
 
+/// The range of colours of one frame that is drawn like this.
+std::array<double, 2> shownRange(const ModelRecord& model, const FrameRecord& frame,
+                                 const ContourOptions& options);
+
 /// A range of colours for these frames: from the smallest to the largest value that one of them shows, or
 /// that `options.clip` leaves of it. Throws `Error` as `drawContour` does.
 std::array<double, 2> commonRange(const ResultReader& result, const std::vector<int>& frames,

@@ -80,12 +80,20 @@ std::string fieldToShow(const FrameRecord& frame) {
   return frame.fields.contains("plastic_strain") ? "plastic_strain" : "von_mises";
 }
 
+Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
+  if (values.rows() > 1) return values.colwise().norm().transpose();
+  const Eigen::VectorXd scalars = values.row(0).transpose();
+  return isNonNegative ? Eigen::VectorXd(scalars.cwiseMax(0.0)) : scalars;
+}
+
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
   const auto fields = allFields(frame, model.lengthUnit);
   for (const auto& [fieldName, field] : fields) {
     const auto names = namesOf(fieldName, field);
     if (std::find(names.begin(), names.end(), name) == names.end()) continue;
-    if (name == fieldName) return {titleOf(fieldName, "", isVector(field)), field.unit, field.values};
+    if (name == fieldName)
+      return {titleOf(fieldName, "", isVector(field)), field.unit, field.values,
+              name == "von_mises" || name == "plastic_strain"};
     const std::string component = name.substr(fieldName.size() + 1);
     const auto row = std::find(field.components.begin(), field.components.end(), component);
     return {titleOf(fieldName, component, false), field.unit,

@@ -21,6 +21,11 @@ struct FieldChoice {
   RichText title;                ///< readable name with symbol, without unit
   std::string unit;              ///< may be empty
   Eigen::MatrixXd coefficients;  ///< one row, or the components of a vector whose magnitude is meant
+  bool isNonNegative = false;    ///< in truth; a projection may fall below 0
+
+  /// The scalars that are drawn of values (components x points): a scalar itself, not below 0 if it cannot
+  /// be, or the magnitude of a vector.
+  Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values) const;
 };
 
 /// The field of a name of `fieldNames`. Throws `Error` that lists them and tells the nearest.

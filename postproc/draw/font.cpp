@@ -1,11 +1,13 @@
 #include "postproc/draw/font.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fontconfig/fontconfig.h>
 #include <freetype/freetype.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -32,9 +34,10 @@ struct LoadedFont {
   Font font;
   FacePtr face;
 
+  bool has(char32_t letter) const { return FT_Get_Char_Index(face.get(), letter) != 0; }
+
   bool hasAll(const std::vector<char32_t>& letters) const {
-    return std::all_of(letters.begin(), letters.end(),
-                       [this](char32_t letter) { return FT_Get_Char_Index(face.get(), letter) != 0; });
+    return std::all_of(letters.begin(), letters.end(), [this](char32_t letter) { return has(letter); });
   }
 };
 
@@ -146,8 +149,9 @@ bool isMark(char32_t letter) {
   return letter >= 0x300 && letter <= 0x36F;
 }
 
-/// Stands for bytes that are no UTF-8.
+/// Stand for bytes that are no UTF-8, and for letters that no font has.
 constexpr const char* kReplacement = "\xEF\xBF\xBD";
+constexpr const char* kBox = "□";
 
 /// The clusters of a text in UTF-8.
 std::vector<Cluster> clustersOf(const std::string& text) {
@@ -155,11 +159,22 @@ std::vector<Cluster> clustersOf(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const auto [letter, length] = letterAt(text, at);
     if (clusters.empty() || !isMark(letter)) clusters.emplace_back();
-    clusters.back().text += length > 0 ? text.substr(at, length) : kReplacement;
-    clusters.back().letters.push_back(letter);
+    const bool blank = letter == '\n' || letter == '\t';
+    clusters.back().text += blank ? " " : length > 0 ? text.substr(at, length) : kReplacement;
+    clusters.back().letters.push_back(blank ? U' ' : letter);
     at += std::max<std::size_t>(1, length);
   }
   return clusters;
+}
+
+std::mutex& warningsMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::vector<std::string>& textWarnings() {
+  static std::vector<std::string> warnings;
+  return warnings;
 }
 
 }  // namespace
@@ -178,14 +193,55 @@ std::vector<FontPiece> fontPieces(const std::string& text, const std::string& na
   const LoadedFont& wanted = loadedFont(name);
   const LoadedFont& substitute = loadedFont(kDefaultFont);
   std::vector<FontPiece> pieces;
+  const auto add = [&](const std::string& part, const LoadedFont& in) {
+    if (pieces.empty() || pieces.back().font != &in.font) pieces.push_back({"", &in.font});
+    pieces.back().text += part;
+  };
   for (const Cluster& cluster : clustersOf(text)) {
-    const Font* font = !wanted.hasAll(cluster.letters) && substitute.hasAll(cluster.letters)
-                           ? &substitute.font
-                           : &wanted.font;
-    if (pieces.empty() || pieces.back().font != font) pieces.push_back({"", font});
-    pieces.back().text += cluster.text;
+    if (wanted.hasAll(cluster.letters)) {
+      add(cluster.text, wanted);
+    } else if (substitute.hasAll(cluster.letters)) {
+      add(cluster.text, substitute);
+    } else {  // letter by letter
+      std::size_t at = 0;
+      for (const char32_t letter : cluster.letters) {
+        const std::size_t length = letterAt(cluster.text, at).length;
+        const bool known = wanted.has(letter);
+        add(known || substitute.has(letter) ? cluster.text.substr(at, length) : kBox,
+            known ? wanted : substitute);
+        at += length;
+      }
+    }
   }
   return pieces;
+}
+
+void noteDrawnText(const std::string& text, const std::string& name) {
+  const LoadedFont& wanted = loadedFont(name);
+  const LoadedFont& substitute = loadedFont(kDefaultFont);
+  std::set<char32_t> missing;
+  for (const Cluster& cluster : clustersOf(text))
+    for (const char32_t letter : cluster.letters)
+      if (!wanted.has(letter) && !substitute.has(letter)) missing.insert(letter);
+  if (missing.empty()) return;
+  std::vector<std::string> codes;
+  for (const char32_t letter : missing)
+    codes.push_back(fmt::format("U+{:04X}", static_cast<std::uint32_t>(letter)));
+  constexpr std::size_t longest = 60;
+  const std::string fonts = name == kDefaultFont
+                                ? fmt::format("the font {} has no", name)
+                                : fmt::format("neither the font {} nor {} has", name, kDefaultFont);
+  const std::string warning =
+      fmt::format("{} {}; \"{}\" is drawn with a box for {}", fonts, fmt::join(codes, ", "),
+                  forMessage(text, longest), codes.size() == 1 ? "it" : "each");
+  const std::lock_guard lock(warningsMutex());
+  std::vector<std::string>& warnings = textWarnings();
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+}
+
+std::vector<std::string> takeTextWarnings() {
+  const std::lock_guard lock(warningsMutex());
+  return std::exchange(textWarnings(), {});
 }
 
 }  // namespace burnish

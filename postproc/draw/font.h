@@ -27,7 +27,14 @@ struct FontPiece {
   const Font* font;
 };
 
-/// The text in parts: what the font of this name has not, such as Greek letters, is in the default font.
+/// The text in one line, in parts: what the font of this name has not, such as Greek letters, is in the
+/// default font; a letter that neither has becomes a box.
 std::vector<FontPiece> fontPieces(const std::string& text, const std::string& name);
+
+/// To be told of every text that is drawn: one with a box is worth a warning.
+void noteDrawnText(const std::string& text, const std::string& name);
+
+/// The warnings since the last call, one for each text, with the letters and the font.
+std::vector<std::string> takeTextWarnings();
 
 }  // namespace burnish

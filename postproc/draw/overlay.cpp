@@ -134,6 +134,7 @@ void Overlay::addText(const RichText& text, const Eigen::Vector2d& at, const Tex
     const double lift = run.script == Script::Normal ? 0.0
                         : run.script == Script::Sub  ? -kSubDrop
                                                      : kSuperRise;
+    noteDrawnText(run.text, style.font);
     for (const FontPiece& piece : fontPieces(run.text, style.font)) {
       addPiece(piece, pen + lift * style.size * upwards, own, direction);
       pen += advance(piece, own) * along;

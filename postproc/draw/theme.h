@@ -16,6 +16,7 @@ struct PictureDefaults {
   bool knots = false;
   bool undeformed = true;
   bool tools = true;
+  bool doubtMarks = true;
 
   bool operator==(const PictureDefaults&) const = default;
 };

@@ -42,6 +42,7 @@ void describe(Visitor& v, PictureDefaults& s) {
   v.field("knots", s.knots, {}, "Draw the knot lines.");
   v.field("undeformed", s.undeformed, {}, "Draw the outline of the undeformed body.");
   v.field("tools", s.tools, {}, "Draw the tools.");
+  v.field("doubt_marks", s.doubtMarks, {}, "Mark pictures of results that the run doubts.");
 }
 
 template <class Visitor>

@@ -1,6 +1,7 @@
 #include "postproc/mesh/mirror.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <array>
@@ -75,6 +76,15 @@ struct SameShape {
   }
 };
 
+/// A hollow body of revolution does not touch its axis, in which it is symmetric all the same.
+bool isAxisymmetric(const ModelRecord& model) {
+  try {
+    return YAML::Load(model.sceneYaml)["kinematics"].as<std::string>("") == "axisymmetric";
+  } catch (const YAML::Exception&) {
+    return false;  // a model without a scene that can be read
+  }
+}
+
 /// The nodes of a mesh and of its image.
 struct MirroredNodes {
   int count = 0;               ///< of both together
@@ -123,7 +133,9 @@ class Mirror {
       }
     size_ = box.diagonal().norm();
     const double rounding = kRounding * size_;
-    check(std::abs(low - plane_.at) <= rounding || std::abs(high - plane_.at) <= rounding,
+    const bool isAxis =
+        plane_.axis == 0 && plane_.at == 0.0 && low >= -rounding && isAxisymmetric(whole_.model);
+    check(isAxis || std::abs(low - plane_.at) <= rounding || std::abs(high - plane_.at) <= rounding,
           fmt::format(
               "the undeformed body goes from {0} = {1:.6g} to {0} = {2:.6g}; expected one of these ends",
               nameOf(plane_), low, high));

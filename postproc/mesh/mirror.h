@@ -14,9 +14,10 @@ struct ModelFrame {
 
 /// The whole body of which the model computes the part on one side of these planes: patches, fields, tools
 /// and contact tractions with their images, one plane after the other. Patches share the nodes on a plane; a
-/// tool that is its own image, at rest and in its place, stays one; names of tools are those of the model. Values at quadrature points
-/// of the volume are left out. Throws `Error` for an axis that the model does not have and a plane that is
-/// none of symmetry: through the body, beside it, or left by it.
+/// tool that is its own image, at rest and in its place, stays one; names of tools are those of the model.
+/// Values at quadrature points of the volume are left out. Throws `Error` for an axis that the model does not
+/// have and a plane that is none of symmetry: through the body, beside it (but for the axis of an
+/// axisymmetric body), or left by it.
 ModelFrame mirrored(const ModelRecord& model, const FrameRecord& frame,
                     const std::vector<MirrorPlane>& planes);
 

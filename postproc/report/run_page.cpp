@@ -9,6 +9,7 @@
 #include "engine/core/version.h"
 #include "postproc/draw/color_range.h"
 #include "postproc/draw/contour_series.h"
+#include "postproc/draw/doubt_mark.h"
 #include "postproc/draw/field_choice.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/report/frame_pictures.h"
@@ -24,11 +25,13 @@ namespace {
 constexpr std::array<int, 2> kPictureSize{960, 480};
 constexpr double kTextSize = 18.0;
 
-ContourOptions pictureOptions(const RunRecord& run, const std::string& field, std::optional<double> clip,
+ContourOptions pictureOptions(const RunRecord& run, const ReportOptions& report,
                               const std::vector<int>& frames) {
   ContourOptions options;
-  options.field = field.empty() ? fieldToShow(run.result.frame(frames.back())) : field;
-  options.clip = clip;
+  options.field = report.field.empty() ? fieldToShow(run.result.frame(frames.back())) : report.field;
+  options.clip = report.clip;
+  options.mirror = report.mirror;
+  if (report.marksDoubts) options.doubt = doubtMarkOf(run.result.file().parent_path());
   options.size = kPictureSize;
   options.textSize = kTextSize;
   options.title = "";
@@ -50,7 +53,7 @@ std::string pictures(const RunRecord& run, const ReportOptions& report) {
   const int count = run.result.numFrames();
   if (count == 0) return "<p>There is no frame yet.</p>\n";
   const std::vector<int> frames = evenlyChosen(count, report.frames);
-  const ContourOptions options = pictureOptions(run, report.field, report.clip, frames);
+  const ContourOptions options = pictureOptions(run, report, frames);
   const ScratchDirectory scratch;
   std::string images, last;
   for (const int number : frames) {

@@ -10,6 +10,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/version.h"
+#include "postproc/draw/doubt_mark.h"
 #include "postproc/draw/field_choice.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/report/frame_pictures.h"
@@ -218,6 +219,8 @@ class StudyPage {
     ContourOptions options;
     options.field = options_.field.empty() ? fieldToShow(frame) : options_.field;
     options.clip = options_.clip;
+    options.mirror = options_.mirror;
+    if (options_.marksDoubts) options.doubt = doubtMarkOf(run.result.file().parent_path());
     options.size = kPictureSize;
     options.textSize = kTextSize;
     options.title = "";

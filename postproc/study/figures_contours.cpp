@@ -8,6 +8,7 @@
 #include "engine/core/error.h"
 #include "postproc/draw/color_range.h"
 #include "postproc/draw/contour_series.h"
+#include "postproc/draw/doubt_mark.h"
 #include "postproc/draw/sheet.h"
 #include "postproc/export/video.h"
 #include "postproc/study/figure_kinds.h"
@@ -72,9 +73,9 @@ class ContourSheet {
   Range rowRange(std::size_t row) const {
     Range range = kNothing;
     for (std::size_t column = 0; column < data_.size(); ++column) {
-      const ModelRecord& model = results_[column].model();
-      range = joined(range,
-                     fieldRange(model, frame(row, column).frame, spec_.field, model.subdivision, spec_.clip));
+      ContourOptions options = contourOptions(column);
+      options.clip = spec_.clip;
+      range = joined(range, shownRange(results_[column].model(), frame(row, column).frame, options));
     }
     return range;
   }
@@ -85,17 +86,25 @@ class ContourSheet {
     return range;
   }
 
-  SheetPanel drawPanel(std::size_t row, std::size_t column, const Range& common) const {
-    const FrameAt at = frame(row, column);
-    const std::string letter = letters(row * data_.size() + column);
+  /// What all panels of a run share.
+  ContourOptions contourOptions(std::size_t column) const {
     ContourOptions options;
     options.field = spec_.field;
     options.size = panelSize();
     options.textSize = sheetTextSize(options.size[0]);
     options.bands = spec_.bands;
     options.colormap = spec_.colormap;
+    if (spec_.mirror) options.mirror = mirrorPlanesNamed(*spec_.mirror).value();
+    if (spec_.doubtMarks) options.doubt = doubtMarkOf(results_[column].file().parent_path());
     options.title = "";
     options.time = false;
+    return options;
+  }
+
+  SheetPanel drawPanel(std::size_t row, std::size_t column, const Range& common) const {
+    const FrameAt at = frame(row, column);
+    const std::string letter = letters(row * data_.size() + column);
+    ContourOptions options = contourOptions(column);
     if (spec_.scale == SheetScale::Panel)
       options.clip = spec_.clip;
     else
@@ -129,6 +138,8 @@ Files drawFrames(const FigureTask& task, const AnimationSpec& spec, const StudyR
   ContourOptions options;
   options.field = spec.field;
   options.clip = spec.clip;
+  if (spec.mirror) options.mirror = mirrorPlanesNamed(*spec.mirror).value();
+  if (spec.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
   std::vector<int> all(static_cast<std::size_t>(result.numFrames()));
   std::iota(all.begin(), all.end(), 0);
   options.range = commonRange(result, all, options);

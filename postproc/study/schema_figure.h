@@ -53,6 +53,15 @@ void describeColors(Visitor& v, std::string& field, std::optional<double>& clip)
 }
 
 template <class Visitor>
+void describeBody(Visitor& v, std::optional<std::string>& mirror, bool& doubtMarks) {
+  v.field(
+      "mirror", mirror, {},
+      "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are drawn "
+      "too. Of an axisymmetric body, x is the axis.");
+  v.field("doubt_marks", doubtMarks, {}, "Mark pictures of runs that doubt their results.");
+}
+
+template <class Visitor>
 void describe(Visitor& v, HistoryChartSpec& s) {
   describeRuns(v, s.runs);
   describeCurve(v, s.x, s.y, s.where);
@@ -91,6 +100,7 @@ void describe(Visitor& v, ContourSheetSpec& s) {
   describeRuns(v, s.runs);
   describeTimes(v, s.times, s.timeLabels);
   describeColors(v, s.field, s.clip);
+  describeBody(v, s.mirror, s.doubtMarks);
   v.field("scale", s.scale, {}, "What shares a colour scale.");
   v.field("panel_caption", s.panelCaption, {.longest = kLongestShownText},
           "Below a panel; in braces letter, label and time, and the parameters of the run.");
@@ -116,6 +126,7 @@ template <class Visitor>
 void describe(Visitor& v, AnimationSpec& s) {
   describeRuns(v, s.runs);
   describeColors(v, s.field, s.clip);
+  describeBody(v, s.mirror, s.doubtMarks);
   v.field("size", s.size, {.atLeast = 200, .atMost = 8000}, "Width and height in pixels.");
   v.field("frames_per_second", s.framesPerSecond, {.above = 0, .atMost = 100}, "Speed of the video.");
 }

@@ -123,7 +123,9 @@ struct ContourSheetSpec {
   std::vector<std::string> timeLabels;  ///< "{time}" in the captions; as many as times, or none
   std::string field;
   SheetScale scale = SheetScale::Panel;
-  std::optional<double> clip;  ///< percentile at which the colours end; see ContourOptions
+  std::optional<double> clip;         ///< percentile at which the colours end; see ContourOptions
+  std::optional<std::string> mirror;  ///< see `mirrorPlanesNamed`
+  bool doubtMarks = true;
   std::string panelCaption = "{letter}) {label}, {time}";
   std::array<int, 2> panelSize{960, 480};
   std::string colormap = "viridis";
@@ -147,6 +149,8 @@ struct AnimationSpec {
   std::vector<std::string> runs;
   std::string field;
   std::optional<double> clip;
+  std::optional<std::string> mirror;  ///< see `mirrorPlanesNamed`
+  bool doubtMarks = true;
   std::array<int, 2> size{960, 480};
   double framesPerSecond = 5.0;
 };

@@ -9,6 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/scene/nearest.h"
+#include "engine/scene/picture_planes.h"
 #include "postproc/study/combinations.h"
 
 namespace burnish {
@@ -101,6 +102,7 @@ class NameCheck : Reporter {
   }
   void checkFigure(const std::string& path, const ContourSheetSpec& s) const {
     requireSameLength(path + ".time_labels", s.timeLabels.size(), "times", s.times.size());
+    checkMirror(path, s.mirror);
   }
   void checkFigure(const std::string& path, const CompositeSpec& s) const {
     requireSameLength(path + ".captions", s.captions.size(), "figures", s.figures.size());
@@ -114,7 +116,12 @@ class NameCheck : Reporter {
              fmt::format("found {}; allowed: a file with the ending .png or .csv.", *s.reference));
   }
   void checkFigure(const std::string&, const SetupSpec&) const {}
-  void checkFigure(const std::string&, const AnimationSpec&) const {}
+  void checkFigure(const std::string& path, const AnimationSpec& s) const { checkMirror(path, s.mirror); }
+
+  void checkMirror(const std::string& path, const std::optional<std::string>& mirror) const {
+    if (mirror && !mirrorPlanesNamed(*mirror))
+      report(path + ".mirror", fmt::format("found \"{}\"; allowed: {}.", *mirror, kMirrorPlaneWords));
+  }
 
   void checkMeasure(const std::string& path, const MeasureSpec& measure) const {
     const auto* history = std::get_if<HistoryMeasure>(&measure.what);

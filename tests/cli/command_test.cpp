@@ -106,6 +106,25 @@ TEST_F(Command, WarnsOfLockingBeforeAndAfterARun) {
   EXPECT_EQ(projected.err.find("incompressible"), std::string::npos) << projected.err;
 }
 
+TEST_F(Command, MarksPicturesOfADoubtfulRunAndTellsTheSmallestStress) {
+  const std::string pictures =
+      " --set output.every=1 --set pictures='[{field: von_mises, size: [400, 300]}, {field: von_mises, name: "
+      "early, times: [1], size: [400, 300]}]'";
+  const Outcome run = burnish("run --quiet scene.yaml -o marked" + pictures);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("penetration"), std::string::npos) << "the run has a doubt:" << run.err;
+  EXPECT_NE(read("marked/summary.yaml").find("\nvon_mises_minimum: -"), std::string::npos);
+  ASSERT_EQ(burnish("run --quiet scene.yaml -o unmarked --no-doubts" + pictures).code, 0);
+  ASSERT_EQ(burnish("run --quiet scene.yaml -o own" + pictures + " --set pictures[0].doubt_marks=false").code,
+            0);
+  for (const char* name : {"pictures/von_mises.png", "pictures/early_t1.png"}) {
+    EXPECT_NE(read(std::string("marked/") + name), read(std::string("unmarked/") + name)) << name;
+    EXPECT_FALSE(read(std::string("unmarked/") + name).empty()) << name;
+  }
+  EXPECT_EQ(read("own/pictures/von_mises.png"), read("unmarked/pictures/von_mises.png"));
+  EXPECT_EQ(read("own/pictures/early_t1.png"), read("marked/pictures/early_t1.png"));
+}
+
 TEST_F(Command, DescribesASceneSoThatItCanBeRunAgain) {
   const Outcome info = burnish("info scene.yaml");
   ASSERT_EQ(info.code, 0) << info.err;

@@ -12,6 +12,7 @@
 #include "cli/arguments.h"
 #include "engine/core/error.h"
 #include "engine/results/result_writer.h"
+#include "engine/results/summary_file.h"
 #include "postproc/draw/contour.h"
 #include "postproc/study/text_file.h"
 #include "tests/cli/shell.h"
@@ -168,6 +169,33 @@ TEST_F(RenderCommand, ScaleMagnifiesAllThatIsDrawn) {
   EXPECT_EQ(burnish("render run --size 300,200 --text-size 20 --scale 3 -o scaled.png").code, 0);
   EXPECT_EQ(burnish("render run --size 900,600 --text-size 60 -o large.png").code, 0);
   EXPECT_EQ(readText(dir() / "scaled.png"), readText(dir() / "large.png"));
+}
+
+TEST_F(RenderCommand, DoubtfulResultsAreMarkedUnlessToldOtherwise) {
+  render("--background white", "sound.png");
+  SummaryRecord summary{.program = "p", .completed = true, .stoppedBecause = "", .doubts = {}, .numbers = {}};
+  writeSummary(dir() / "run", summary);
+  render("--background white", "no_doubt.png");
+  summary.doubts.push_back({.what = "smallest J", .firstTime = 0.5, .steps = 3});
+  writeSummary(dir() / "run", summary);
+  render("--background white", "marked.png");
+  render("--background white --no-doubts", "unmarked.png");
+  writeText("base: paper\npicture: {doubt_marks: false}\n", dir() / "trusting.yaml");
+  render("--background white --theme trusting.yaml", "trusting.png");
+  EXPECT_EQ(readText(dir() / "no_doubt.png"), readText(dir() / "sound.png"));
+  EXPECT_EQ(readText(dir() / "unmarked.png"), readText(dir() / "sound.png"));
+  EXPECT_EQ(readText(dir() / "trusting.png"), readText(dir() / "sound.png"));
+  const Picture marked = readPicture(dir() / "marked.png"), sound = readPicture(dir() / "sound.png");
+  const auto ink = [](const Picture& picture) {  // in the lower left corner
+    int count = 0;
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 160; ++x)
+        count += difference(picture.at({x + 0.5, y + 0.5}), {255, 255, 255}) > 60 ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(ink(sound), 0);
+  EXPECT_GT(ink(marked), 100);
+  removeSummary(dir() / "run");
 }
 
 TEST_F(RenderCommand, AnswersWithTheNearestValidValue) {

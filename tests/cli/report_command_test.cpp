@@ -111,5 +111,32 @@ TEST_F(ReportCommand, PageWorksInABrowser) {
   EXPECT_THAT(page.out, HasSubstr("loaded 5<"));
 }
 
+/// Tries what a page must not let happen.
+constexpr const char* kIntruder = R"(<script>{
+const found = [...document.querySelectorAll("#document a")].map((a) => a.textContent + " " + a.href);
+document.body.insertAdjacentHTML("beforeend", "<img src='data:,' onerror='window.hit = 1'>");
+location.href = "javascript:window.hit = 1";
+document.body.append(Object.assign(document.createElement("script"), {textContent: "window.hit = 1"}));
+setTimeout(() => {
+  found.push("hit " + window.hit);
+  document.body.append(Object.assign(document.createElement("pre"), {textContent: found.join("\n")}));
+}, 500);
+}</script>)";
+
+TEST_F(ReportCommand, PageRunsNoScriptButItsOwn) {
+  if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
+  fs::create_directories(dir / "study/runs");
+  fs::rename(dir / "out", dir / "study/runs/press");
+  writeText(
+      "# Press\n\n[a](javascript:window.hit=1) [b](https://b.c/d) [e](#runs)\n\n"
+      "<script>window.hit = 1</script> <b onclick=\"window.hit = 1\">f</b>\n",
+      dir / "study/study.md");
+  ASSERT_EQ(report("study").code, 0);
+  const Outcome page = usePage(dir, dir / "study/report.html", kIntruder);
+  EXPECT_THAT(page.out, HasSubstr("<pre>b https://b.c/d\ne file://"));
+  EXPECT_THAT(page.out, HasSubstr("#runs\nhit undefined<"));
+  EXPECT_THAT(readText(dir / "study/report.html"), HasSubstr("&lt;script&gt;window.hit = 1&lt;/script&gt;"));
+}
+
 }  // namespace
 }  // namespace burnish

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -294,6 +295,48 @@ TEST(ChartCurves, ManyPointsGetFewMarkersThatDoNotHideEachOther) {
   }
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) EXPECT_GT((all[a] - all[b]).norm(), 0.48 * layout.textSize);
+}
+
+TEST(ChartCurves, ManyPointsAreThinnedOutToThoseThatMakeThePicture) {
+  constexpr int count = 200000;
+  Chart chart = chartOf({}, {});
+  for (int k = 0; k < count; ++k) {
+    chart.curves[0].x.push_back(k);
+    chart.curves[0].y.push_back(std::sin(1e-4 * k) + (k % 7 == 0 ? 0.5 : -0.25) * std::sin(12.9898 * k));
+  }
+  chart.curves[0].y[77777] = 9.0;
+  const ChartLayout layout = layOutChart(chart);
+  ASSERT_EQ(layout.curves[0].pieces.size(), 1U);
+  const Polyline& kept = layout.curves[0].pieces[0];
+  EXPECT_LE(kept.size(), 4 * (layout.plot.width + 1));
+  std::map<double, std::array<double, 2>> drawn;  // extremes by column
+  for (const Eigen::Vector2d& p : kept) {
+    const auto [entry, isNew] = drawn.try_emplace(std::floor(p.x()), std::array{p.y(), p.y()});
+    entry->second = {std::min(entry->second[0], p.y()), std::max(entry->second[1], p.y())};
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const Eigen::Vector2d p = layout.pixel(chart.curves[0].x[k], chart.curves[0].y[k]);
+    const auto [low, high] = drawn.at(std::floor(p.x()));
+    ASSERT_GE(p.y(), low - 0.25);
+    ASSERT_LE(p.y(), high + 0.25);
+  }
+  EXPECT_EQ(kept.front(), layout.pixel(0, chart.curves[0].y[0]));
+  EXPECT_TRUE(std::find(kept.begin(), kept.end(), layout.pixel(77777, 9.0)) != kept.end());
+}
+
+TEST(ChartCurves, ManyLonePointsAndMarkersAreDrawnOnceAtAPlace) {
+  constexpr int count = 30000;
+  Chart chart = chartOf({}, {});
+  for (int k = 0; k < count; ++k) {
+    chart.curves[0].x.insert(chart.curves[0].x.end(), {std::fmod(0.1 * k, 10.0), kNone});
+    chart.curves[0].y.insert(chart.curves[0].y.end(), {static_cast<double>(k % 3), kNone});
+  }
+  chart.markers = ChartMarkers::All;
+  const PlottedCurve curve = layOutChart(chart).curves[0];
+  EXPECT_LE(curve.pieces.size(), 600U);
+  EXPECT_GE(curve.pieces.size(), 300U);
+  EXPECT_LE(curve.markers.size(), 600U);
+  EXPECT_GE(curve.markers.size(), 300U);
 }
 
 TEST(ChartCurves, DashesFollowThePattern) {

@@ -164,6 +164,18 @@ TEST(FieldNames, AreScalarsVectorsAndComponents) {
 }
 
 /// A bar that is shorter than the picture has other labels, and may need more room.
+TEST(FieldNames, WhatCannotBeNegativeIsDrawnFromZeroOn) {
+  ModelRecord model;
+  FrameRecord frame;
+  frame.displacement = Eigen::MatrixXd::Zero(2, 3);
+  const Eigen::MatrixXd values{{-0.5, 0.25, 1.0}};
+  for (const char* name : {"plastic_strain", "von_mises", "pressure"}) frame.fields[name] = {{}, "", values};
+  EXPECT_EQ(chooseField(model, frame, "plastic_strain").drawnScalars(values),
+            Eigen::Vector3d(0.0, 0.25, 1.0));
+  EXPECT_EQ(chooseField(model, frame, "von_mises").drawnScalars(values), Eigen::Vector3d(0.0, 0.25, 1.0));
+  EXPECT_EQ(chooseField(model, frame, "pressure").drawnScalars(values), Eigen::Vector3d(-0.5, 0.25, 1.0));
+}
+
 TEST(ContourLayout, HasRoomForTheTextsOfTheBarAtEverySize) {
   const Theme theme;
   for (const std::array<int, 2> size :
@@ -274,9 +286,9 @@ TEST(Themes, FileOfPaperStatesEveryKey) {
   const fs::path paper = fs::path(BURNISH_SOURCE_DIR) / "postproc/draw/themes/paper.yaml";
   std::ifstream stream(paper);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  for (const char* key :
-       {"paper", "ink", "soft_ink", "outline", "undeformed", "knots", "tool", "control_net", "font",
-        "text_size", "picture", "  colormap", "  bands", "  isolines", "  knots", "  undeformed", "  tools"})
+  for (const char* key : {"paper", "ink", "soft_ink", "outline", "undeformed", "knots", "tool", "control_net",
+                          "font", "text_size", "picture", "  colormap", "  bands", "  isolines", "  knots",
+                          "  undeformed", "  tools", "  doubt_marks"})
     EXPECT_THAT(text, HasSubstr("\n" + std::string(key) + ":")) << key;
   EXPECT_EQ(readTheme(paper), Theme{});
 }
@@ -313,9 +325,32 @@ TEST(Fonts, LettersThatOneLacksComeFromTheDefault) {
   EXPECT_EQ(fontPieces("strain ε" + circumflex, kDefaultFont).size(), 1U);
 }
 
+TEST(Fonts, LettersThatNoneHasAreBoxesAndWorthAWarning) {
+  takeTextWarnings();
+  for (const char* font : {kDefaultFont, "DejaVu Serif"}) {
+    const auto pieces = fontPieces(
+        "a漢\x01"
+        "b\xCC\x81\n",
+        font);
+    std::string drawn;
+    for (const FontPiece& piece : pieces) drawn += piece.text;
+    EXPECT_EQ(drawn, "a□□b\xCC\x81 ");
+    EXPECT_GT(textWidth({{"漢漢漢"}}, {.size = 20.0, .font = font}), 30.0);
+    noteDrawnText("a漢字", font);
+    noteDrawnText("a漢字", font);
+    noteDrawnText("abc ε̄", font);
+  }
+  EXPECT_THAT(
+      takeTextWarnings(),
+      ElementsAre("the font DejaVu Sans has no U+5B57, U+6F22; \"a漢字\" is drawn with a box for each",
+                  "neither the font DejaVu Serif nor DejaVu Sans has U+5B57, U+6F22; "
+                  "\"a漢字\" is drawn with a box for each"));
+  EXPECT_THAT(takeTextWarnings(), testing::IsEmpty());
+}
+
 TEST(FittedTexts, OfAnyLengthAreCutAfterTheLastLetterThatFits) {
   const TextStyle style{.size = 20.0};
-  for (const std::string letter : {"x", "ε̄", "ß"}) {
+  for (const std::string letter : {"x", "ε̄", "漢"}) {
     std::string line;
     for (int k = 0; k < 5000; ++k) line += letter;
     const FittedText fitted = fitText({{line}, {"after", Script::Super}}, style, 300.0, 10.0);

@@ -86,6 +86,27 @@ bool bodyIsBright(const fs::path& png) {
   return false;
 }
 
+TEST_F(StudyFigures, SheetsMarkDoubtfulRunsAndShowImages) {
+  ContourSheetSpec spec = sheetOfFine();
+  draw("sound", spec);
+  spec.mirror = "x";
+  draw("whole", spec);
+  const fs::path run = directory_.path() / "runs/nurbs-fine";
+  SummaryRecord summary = readSummary(run);
+  summary.doubts.push_back({.what = "smallest J", .firstTime = 0.5, .steps = 3});
+  writeSummary(run, summary);
+  draw("marked_whole", spec);
+  spec.mirror.reset();
+  draw("marked", spec);
+  spec.doubtMarks = false;
+  draw("unmarked", spec);
+  EXPECT_EQ(text("unmarked_a.png"), text("sound_a.png"));
+  EXPECT_NE(text("marked_a.png"), text("sound_a.png"));
+  EXPECT_EQ(text("marked_b.png"), text("sound_b.png")) << "another run";
+  EXPECT_NE(text("whole_a.png"), text("sound_a.png"));
+  EXPECT_NE(text("marked_whole_a.png"), text("whole_a.png"));
+}
+
 TEST_F(StudyFigures, HistoryChartHasItsDataBesideIt) {
   EXPECT_THAT(draw("value", valueChart()), ElementsAre("value.png", "value.csv"));
   EXPECT_THAT(text("value.csv"), HasSubstr("Lagrange, fine (stopped at t = 1.4) x"));
