@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/core/drawable_range.h"
+#include "engine/scene/end_of_run.h"
 #include "postproc/draw/color_name.h"
 
 namespace burnish {
@@ -63,17 +64,18 @@ bool isOn(const char* option, const std::string& word) {
 int frameIndex(const std::string& text, const std::vector<double>& times) {
   if (times.empty()) throw Error("the result has no frames yet");
   const int last = static_cast<int>(times.size()) - 1;
-  if (text == "last") return last;
+  if (isEndOfRun(text)) return last;
   if (text.starts_with("time=")) {
+    if (isEndOfRun(text.substr(5))) return last;
     const auto time = numberFrom<double>(std::string_view(text).substr(5));
     if (time && std::isfinite(*time)) return frameAtTime(*time, times);
   }
   const auto index = numberFrom<int>(text);
   if (!index) {
     const std::string word = text.substr(0, text.find_first_of("0123456789."));
-    throw Error(
-        fmt::format("--frame: found \"{}\"; expected a number, last, or time=T; or for several A-B, all.{}",
-                    text, didYouMean(word, {"last", "all", "time="})));
+    throw Error(fmt::format(
+        "--frame: found \"{}\"; expected a number, last or end, or time=T; or for several A-B, all.{}", text,
+        didYouMean(word, {"last", "end", "all", "time="})));
   }
   if (*index < 0 || *index > last)
     throw Error(fmt::format("--frame: there is no frame {}; the result has frames 0 to {}", *index, last));
@@ -82,7 +84,7 @@ int frameIndex(const std::string& text, const std::vector<double>& times) {
 
 std::vector<int> frameIndices(const std::string& text, const std::vector<double>& times) {
   std::string first = text, last = text;
-  const std::size_t dash = text.starts_with("time=") ? std::string::npos : text.find('-', 1);
+  const std::size_t dash = text.starts_with("time=") ? text.find("-time=") : text.find('-', 1);
   if (text == "all") {
     first = "0";
     last = "last";

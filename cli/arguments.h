@@ -40,7 +40,7 @@ inline std::string cannotBeShown(const std::string& text) {
 /// `on` or `off`.
 bool isOn(const char* option, const std::string& word);
 
-/// `N`, `last` or `time=T` as an index into the frames with these times.
+/// `N`, `last`, `end` or `time=T` as an index into the frames with these times.
 int frameIndex(const std::string& text, const std::vector<double>& times);
 
 /// The same, or `A-B` or `all`: indices in ascending order.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/shown_text.h"
 #include "engine/results/history.h"
 #include "engine/results/run_files.h"
 #include "engine/results/summary_file.h"
@@ -17,6 +18,11 @@ namespace {
 
 std::string line(const std::string& label, const std::string& text) {
   return fmt::format("{:<12}{}\n", label, text);
+}
+
+/// A text of a result, which may be older than what a scene allows.
+std::string shown(const std::string& text) {
+  return forMessage(text, kLongestShownText);
 }
 
 std::string patchText(const PatchRecord& patch) {
@@ -54,7 +60,7 @@ std::string shapeText(const RecordedShape& shape) {
 std::string fieldText(const std::string& name, const FieldRecord& field) {
   std::string text = name;
   if (!field.components.empty()) text += fmt::format(" ({})", fmt::join(field.components, " "));
-  if (!field.unit.empty()) text += fmt::format(" [{}]", field.unit);
+  if (!field.unit.empty()) text += fmt::format(" [{}]", shown(field.unit));
   return text;
 }
 
@@ -109,12 +115,12 @@ std::string runText(const std::filesystem::path& directory) {
 std::string resultText(const ResultReader& result) {
   const ModelRecord& model = result.model();
   std::string text = line("result", result.file().string());
-  text += line("title", model.title);
+  text += line("title", shown(model.title));
   text += line("written by", model.program);
   text += line("model", fmt::format("{} dimensions, {} nodes", model.dim, model.mesh.numNodes));
   text += patchesText(model.mesh);
   for (const ToolRecord& tool : model.tools)
-    text += line("tool", fmt::format("{}: {}", tool.name, shapeText(tool.shape)));
+    text += line("tool", fmt::format("{}: {}", shown(tool.name), shapeText(tool.shape)));
   text += framesText(result);
   const std::filesystem::path directory = result.file().parent_path();
   text += historyText(directory / "history.csv");

@@ -15,9 +15,9 @@ namespace {
 void addWhat(CLI::App& command, PictureOptions& options) {
   command.add_option("RESULT", options.result, "Directory of a run or the result file in it")->required();
   command
-      .add_option(
-          "--frame", options.frame,
-          fmt::format("Number of the frame, last, or time=T; for several A-B or all [{}]", options.frame))
+      .add_option("--frame", options.frame,
+                  fmt::format("Number of the frame, last or end, or time=T; for several A-B or all [{}]",
+                              options.frame))
       ->type_name("N|A-B|all|last|time=T");
   command
       .add_option(

@@ -141,6 +141,8 @@ ContourOptions RunOutputs::marked(const PictureSpec& picture) const {
 }
 
 void RunOutputs::drawMarked() {
+  const auto isDrawnBefore = [](const PictureSpec& picture) { return !picture.times.empty(); };
+  if (std::none_of(scene_.pictures.begin(), scene_.pictures.end(), isDrawnBefore)) return;
   const ResultReader result(directory_);
   const std::vector<double> times = result.times();
   const std::vector<fs::path> drawn = std::exchange(pictures_, {});

@@ -1,10 +1,10 @@
 #include "engine/analysis/check_columns.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "engine/core/formula_words.h"
 #include "engine/scene/nearest.h"
 #include "engine/scene/quantity_names.h"
 
@@ -25,6 +25,7 @@ std::vector<std::string> namesIn(const std::string& quantity, const std::vector<
 
 std::vector<InputProblem> unknownColumns(const Scene& scene, const std::vector<std::string>& columns) {
   std::vector<std::string> known = columns;
+  known.insert(known.end(), {"pi", "e"});
   for (const DefinitionSpec& definition : scene.definitions) known.push_back(definition.name);
   std::vector<InputProblem> problems;
   const auto check = [&](const std::string& path, const std::string& quantity) {
@@ -32,7 +33,7 @@ std::vector<InputProblem> unknownColumns(const Scene& scene, const std::vector<s
       for (const std::string& name : namesIn(quantity, known))
         if (!contains(known, name))
           problems.push_back({path, fmt::format("found {}, which is no column of the history; allowed: {}.{}",
-                                                name, fmt::join(known, ", "), didYouMean(name, known))});
+                                                name, listed(known), didYouMean(name, known))});
     } catch (const Error& error) {
       problems.push_back({path, error.what()});
     }

@@ -63,7 +63,8 @@ std::unique_ptr<Measure> Measures<Dim>::make(const FaceMeasureSpec& spec) {
                       model_.faces().patch(load.place.patch) == patch;
     if (!here) elsewhere.push_back(model_.loads()[k].get());
   }
-  FaceQuadrature<Dim> face(model_.body(), patch, faceFromName<Dim>(spec.place.face), 0, spec.place.part);
+  FaceQuadrature<Dim> face(model_.body(), patch, faceFromName<Dim>(spec.place.face), 0,
+                           model_.faces().part(spec.place, "face"));
   return std::make_unique<FaceMeasure<Dim>>(std::move(face), std::move(elsewhere));
 }
 

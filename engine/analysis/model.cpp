@@ -155,7 +155,7 @@ void Model<Dim>::addLoad(const Scene& scene, std::size_t number) {
   faces_.requireOuter(load.place, fmt::format("loads[{}]", number));
   const int patch = faces_.patch(load.place.patch);
   const FaceId side = faceFromName<Dim>(load.place.face);
-  FaceQuadrature<Dim> face(body_, patch, side, 0, load.place.part);
+  FaceQuadrature<Dim> face(body_, patch, side, 0, faces_.part(load.place, fmt::format("loads[{}]", number)));
   if (!load.traction.empty()) {
     loads_.push_back(
         std::make_unique<DeadLoad<Dim>>(body_, face, makeFormulas(load.traction, scene.definitions), factor));

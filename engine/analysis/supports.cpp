@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <utility>
 
 #include "engine/core/input_error.h"
+#include "engine/nurbs/quadrature.h"
 
 namespace burnish {
 namespace {
@@ -24,22 +26,70 @@ std::vector<Eigen::Vector<double, P>> anchorsOf(const TensorBasis<P>& trace) {
   return anchors;
 }
 
-/// Functions of a face whose anchors lie in a part of it, given in shares of the parameter ranges.
+/// Functions of a face whose anchors lie in a part of it, given in shares of the parameter ranges; where the
+/// part is a point, the one that is nearest.
 template <int P>
 std::vector<std::size_t> functionsInPart(const TensorBasis<P>& trace, const std::vector<double>& part) {
   constexpr double kRounding = 1e-12;
   const auto anchors = anchorsOf(trace);
+  const auto shareOf = [&](std::size_t a, std::size_t d) {
+    return trace.direction(static_cast<int>(d)).shareOf(anchors[a](static_cast<Eigen::Index>(d)));
+  };
+  std::vector<double> begin, end;
+  for (std::size_t d = 0; 2 * d + 1 < part.size(); ++d) {
+    begin.push_back(part[2 * d]);
+    end.push_back(part[2 * d + 1]);
+    if (begin.back() < end.back()) continue;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < anchors.size(); ++a)
+      if (std::abs(shareOf(a, d) - part[2 * d]) < std::abs(nearest - part[2 * d])) nearest = shareOf(a, d);
+    begin.back() = end.back() = nearest;
+  }
   std::vector<std::size_t> inside;
   for (std::size_t a = 0; a < anchors.size(); ++a) {
     bool isInside = true;
-    for (std::size_t d = 0; 2 * d + 1 < part.size(); ++d) {
-      const double share =
-          trace.direction(static_cast<int>(d)).shareOf(anchors[a](static_cast<Eigen::Index>(d)));
-      isInside = isInside && share >= part[2 * d] - kRounding && share <= part[2 * d + 1] + kRounding;
-    }
+    for (std::size_t d = 0; d < begin.size(); ++d)
+      isInside = isInside && shareOf(a, d) >= begin[d] - kRounding && shareOf(a, d) <= end[d] + kRounding;
     if (isInside) inside.push_back(a);
   }
   return inside;
+}
+
+/// Shares of the parameter range of a curve at which it has these lengths. Throws `InputError` at `key` for
+/// lengths that it does not have.
+std::vector<double> sharesAt(const Patch<1, 2>& curve, const std::vector<double>& lengths,
+                             const std::string& key) {
+  constexpr int kPieces = 64, kPoints = 6;
+  constexpr double kRounding = 1e-9;
+  const UnivariateBasis& basis = curve.basis().direction(0);
+  const QuadratureRule rule = gaussLegendre(kPoints);
+  std::vector<double> parameters{basis.breakpoints().front()}, at{0.0};
+  for (int span = 0; span < basis.numSpans(); ++span)
+    for (int k = 0; k < kPieces; ++k) {
+      const double width = (basis.spanEnd(span) - basis.spanBegin(span)) / kPieces;
+      const double begin = basis.spanBegin(span) + k * width;
+      double length = 0.0;
+      for (Eigen::Index q = 0; q < rule.points.size(); ++q) {
+        const auto shape = curve.shape(span, Eigen::Vector<double, 1>(begin + rule.points(q) * width));
+        const Eigen::Vector2d tangent =
+            curve.points()(Eigen::all, curve.basis().spanFunctions(span)) * shape.dR;
+        length += rule.weights(q) * width * tangent.norm();
+      }
+      parameters.push_back(begin + width);
+      at.push_back(at.back() + length);
+    }
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    if (lengths[k] > at.back() * (1.0 + kRounding))
+      throw InputError(
+          fmt::format("{}[{}]", key, k),
+          fmt::format("found {}; allowed: up to {:.6g}, the length of the face", lengths[k], at.back()));
+    const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, lengths[k]);
+    const auto n = static_cast<std::size_t>(next - at.begin());
+    const double s = std::min(1.0, (lengths[k] - at[n - 1]) / (at[n] - at[n - 1]));
+    shares.push_back(basis.shareOf((1.0 - s) * parameters[n - 1] + s * parameters[n]));
+  }
+  return shares;
 }
 
 /// The chosen anchor that is nearest: a formula for a part of a face need not have values elsewhere.
@@ -98,6 +148,16 @@ void FaceFinder<Dim>::requireOuter(const FaceSpec& place, const std::string& key
 }
 
 template <int Dim>
+std::vector<double> FaceFinder<Dim>::part(const FaceSpec& place, const std::string& key) const {
+  if constexpr (Dim == 2)
+    if (!place.length.empty()) {
+      const auto& own = body_.patches[static_cast<std::size_t>(patch(place.patch))];
+      return sharesAt(tracePatch(own, faceFromName<2>(place.face)), place.length, key + ".length");
+    }
+  return place.part;
+}
+
+template <int Dim>
 std::vector<int> FaceFinder<Dim>::functions(const FaceSpec& place) const {
   return faceFunctions(body_.patches[static_cast<std::size_t>(patch(place.patch))].basis(),
                        faceFromName<Dim>(place.face));
@@ -143,7 +203,7 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
   owned_.emplace_back();
   faces.requireOuter(spec.place, place);
   const auto nodes = faces.nodes(spec.place);
-  const auto chosen = functionsInPart(trace.basis(), spec.place.part);
+  const auto chosen = functionsInPart(trace.basis(), faces.part(spec.place, place));
   if (chosen.empty())
     throw InputError(
         place, fmt::format("no control point belongs to this part of face '{}'; make it wider, or the mesh "

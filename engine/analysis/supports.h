@@ -38,6 +38,10 @@ class FaceFinder {
   /// Throws `InputError` at `key` if the face is joined to another patch: it lies inside the body.
   void requireOuter(const FaceSpec& place, const std::string& key) const;
 
+  /// The part of a face as begin and end in [0, 1] for each of its directions; empty for all of it. Throws
+  /// `InputError` below `key`, that of the place, for lengths that the face does not have.
+  std::vector<double> part(const FaceSpec& place, const std::string& key) const;
+
   /// Functions of the patch on the face, and their nodes.
   std::vector<int> functions(const FaceSpec& place) const;
   std::vector<int> nodes(const FaceSpec& place) const;

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "engine/contact/line_crossing.h"
 #include "engine/contact/surface_file.h"
 #include "engine/core/error.h"
 
@@ -14,35 +15,17 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Whether the segments ab and cd have a point in common.
-bool meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-          const Eigen::Vector2d& d) {
-  const auto side = [](const auto& p, const auto& q, const auto& r) {
-    const double s = cross(q - p, r - p);
-    return s > 0.0 ? 1 : s < 0.0 ? -1 : 0;
-  };
-  const auto covers = [](const auto& p, const auto& q, const auto& r) {
-    return ((r - p).cwiseProduct(r - q)).maxCoeff() <= 0.0;
-  };
-  const int c1 = side(a, b, c), d1 = side(a, b, d), a1 = side(c, d, a), b1 = side(c, d, b);
-  if (c1 * d1 < 0 && a1 * b1 < 0) return true;
-  return (c1 == 0 && covers(a, b, c)) || (d1 == 0 && covers(a, b, d)) || (a1 == 0 && covers(c, d, a)) ||
-         (b1 == 0 && covers(c, d, b));
-}
-
 void requireSimple(const std::vector<Eigen::Vector2d>& points, bool closed) {
   const std::size_t n = points.size(), segments = closed ? n : n - 1;
   for (std::size_t i = 0; i < segments; ++i)
     if (points[i] == points[(i + 1) % n])
       throw Error(fmt::format("points {} and {} are both ({}, {})", i + 1, (i + 1) % n + 1, points[i].x(),
                               points[i].y()));
-  for (std::size_t i = 0; i < segments; ++i)
-    for (std::size_t j = i + 2; j < segments; ++j) {
-      if (closed && i == 0 && j + 1 == segments) continue;
-      if (meet(points[i], points[i + 1], points[j], points[(j + 1) % n]))
-        throw Error(fmt::format("the line crosses itself: its pieces {} and {} meet near ({}, {})", i + 1,
-                                j + 1, points[j].x(), points[j].y()));
-    }
+  if (const auto crossing = findLineCrossing(points, closed)) {
+    const auto [i, j] = *crossing;
+    throw Error(fmt::format("the line crosses itself: its pieces {} and {} meet near ({}, {})", i + 1, j + 1,
+                            points[j].x(), points[j].y()));
+  }
 }
 
 }  // namespace

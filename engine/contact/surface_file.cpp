@@ -38,6 +38,9 @@ using Face = Mesh::Face_index;
 /// Number of places that an error names.
 constexpr std::size_t kNamed = 3;
 
+/// So many pairs of triangles that intersect are enough: in a heap of loose ones every pair may.
+constexpr unsigned kMostCrossings = 10'000;
+
 /// "3 triangles without area, at (0, 0, 1), ...".
 std::string countedAt(std::size_t count, const char* noun, const char* rest,
                       const std::vector<Point>& places) {
@@ -188,11 +191,13 @@ void requireSound(const Mesh& mesh, bool open) {
     throw Error(countedAt(rim.size(), "edge", " on a rim", rim) +
                 "; allowed: a closed surface, or open: true for a tool behind its triangles");
   std::vector<std::pair<Face, Face>> crossings;
-  pmp::self_intersections(mesh, std::back_inserter(crossings));
+  pmp::self_intersections(mesh, std::back_inserter(crossings),
+                          CGAL::parameters::maximum_number(kMostCrossings));
   if (crossings.empty()) return;
   std::vector<Face> first;
   for (const auto& [one, other] : crossings) first.push_back(one);
-  throw Error(countedAt(crossings.size(), "pair", " of triangles that intersect", middlesOf(mesh, first)));
+  throw Error((crossings.size() < kMostCrossings ? "" : "at least ") +
+              countedAt(crossings.size(), "pair", " of triangles that intersect", middlesOf(mesh, first)));
 }
 
 SurfaceMesh exported(const Mesh& mesh) {
@@ -218,8 +223,10 @@ void requireFile(const std::filesystem::path& file, const char* kind) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     throw Error(fmt::format("{}: this is a directory; allowed: the file of a {}", file.string(), kind));
-  if (!std::filesystem::is_regular_file(file, ignored))
+  if (!std::filesystem::exists(file, ignored))
     throw Error(fmt::format("{}: there is no such file", file.string()));
+  if (!std::filesystem::is_regular_file(file, ignored))
+    throw Error(fmt::format("{}: this is no regular file; allowed: the file of a {}", file.string(), kind));
 }
 
 SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool open) {

@@ -7,7 +7,8 @@
 
 namespace burnish {
 
-/// Throws `Error` if there is no such file, or if it is a directory. kind: "mesh", ... for the message.
+/// Throws `Error` if there is no such file, or if it is a directory or a device. kind: "mesh", ... for the
+/// message.
 void requireFile(const std::filesystem::path& file, const char* kind);
 
 /// Triangulated surface from a file (STL, OBJ, PLY, OFF), its coordinates times `scale`. Points that coincide

@@ -11,9 +11,14 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
+#include "engine/core/definitions.h"
 #include "engine/core/error.h"
+#include "engine/core/formula_words.h"
+#include "engine/core/quoted.h"
 
 namespace burnish {
 
@@ -23,14 +28,71 @@ void requireSingleValue(const std::string& formula) {
   for (std::size_t k = 0; k < formula.size(); ++k) {
     depth += formula[k] == '(' ? 1 : formula[k] == ')' ? -1 : 0;
     if (formula[k] == ',' && depth == 0)
-      throw Error(fmt::format(
-          "the formula \"{}\" has a comma outside of a function; write numbers with a point", formula));
+      throw Error(fmt::format("the formula {} has a comma outside of a function; write numbers with a point",
+                              quoted(formula)));
     const bool comparison =
         at(k + 1) == '=' || (k > 0 && std::string("=<>!").find(formula[k - 1]) != std::string::npos);
     if (formula[k] == '=' && !comparison)
-      throw Error(fmt::format("the formula \"{}\" assigns a value; write == to compare", formula));
+      throw Error(fmt::format("the formula {} assigns a value; write == to compare", quoted(formula)));
   }
 }
+
+namespace {
+
+/// Where definitions stand, by name.
+using DefinitionIndex = std::unordered_map<std::string_view, std::size_t>;
+
+DefinitionIndex indexOf(const std::vector<DefinitionSpec>& definitions) {
+  DefinitionIndex index;
+  for (std::size_t k = 0; k < definitions.size(); ++k) index.try_emplace(definitions[k].name, k);
+  return index;
+}
+
+/// Names that a formula needs from elsewhere, constants among them.
+std::vector<std::string> namesIn(mu::Parser& probe, const std::string& text) {
+  probe.SetExpr(text);
+  std::vector<std::string> names;
+  for (const auto& [name, unused] : probe.GetUsedVar()) names.push_back(name);
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool isConstant(const std::string& name) {
+  return name == "pi" || name == "e";
+}
+
+Error notUnderstood(const std::string& text, const mu::ParserError& problem) {
+  return Error(
+      fmt::format("the formula {} cannot be understood: {}", quoted(text), formulaProblem(text, problem)));
+}
+
+/// Places, in the definitions before `known`, of those that a formula names. Throws `Error` for names that
+/// are nothing.
+std::vector<std::size_t> neededDefinitions(const std::string& text, const std::vector<std::string>& names,
+                                           const std::vector<std::string>& variables,
+                                           const std::vector<DefinitionSpec>& definitions,
+                                           const DefinitionIndex& index, std::size_t known) {
+  std::vector<std::size_t> needed;
+  for (const std::string& name : names) {
+    if (contains(variables, name)) continue;
+    const auto found = index.find(name);
+    if (found != index.end() && found->second < known) {
+      needed.push_back(found->second);
+    } else if (!isConstant(name)) {
+      std::vector<std::string> allowed = variables;
+      for (std::size_t k = 0; k < known; ++k) allowed.push_back(definitions[k].name);
+      throw Error(fmt::format("the formula {} names {}, which is unknown here{}; known are {}; {}",
+                              quoted(text), shortened(name), orNearest(name, allowed), listed(allowed),
+                              formulaWords()));
+    }
+  }
+  return needed;
+}
+
+}  // namespace
 
 /// The formula itself comes last, after the definitions that it needs.
 struct Formula::Parsers {
@@ -45,49 +107,69 @@ struct Formula::Parsers {
   std::deque<Entry> entries;  // entries keep their addresses: parsers refer to values of earlier ones
   std::set<std::string> used;
 
-  /// Adds a formula and, before it, the definitions that it needs. `known`: number of definitions it may use.
-  Entry& add(const std::string& text, const std::vector<DefinitionSpec>& definitions, std::size_t known,
-             std::map<std::string, double*>& values);
+  void addAll(const std::string& text, const std::vector<DefinitionSpec>& definitions);
+
+ private:
+  void add(const std::string& text, const std::vector<std::string>& names,
+           const std::unordered_map<std::string, double*>& values);
 };
 
-Formula::Parsers::Entry& Formula::Parsers::add(const std::string& text,
-                                               const std::vector<DefinitionSpec>& definitions,
-                                               std::size_t known, std::map<std::string, double*>& values) {
-  requireSingleValue(text);
+/// values: of the definitions added so far.
+void Formula::Parsers::add(const std::string& text, const std::vector<std::string>& names,
+                           const std::unordered_map<std::string, double*>& values) {
+  Entry& entry = entries.emplace_back();
+  entry.text = text;
   try {
-    mu::Parser probe;
-    probe.SetExpr(text);
-    std::vector<std::string> names;
-    for (const auto& [name, unused] : probe.GetUsedVar()) names.push_back(name);
-    for (const std::string& name : names) {
-      if (std::find(variables.begin(), variables.end(), name) != variables.end()) {
-        used.insert(name);
-        continue;
-      }
-      if (values.contains(name)) continue;
-      const auto limit = definitions.begin() + static_cast<std::ptrdiff_t>(known);
-      const auto definition =
-          std::find_if(definitions.begin(), limit, [&](const auto& d) { return d.name == name; });
-      if (definition == limit) {
-        std::vector<std::string> allowed = variables;
-        for (auto d = definitions.begin(); d != limit; ++d) allowed.push_back(d->name);
-        throw Error(fmt::format("the formula \"{}\" names {}, which is unknown here; known are {}", text,
-                                name, fmt::join(allowed, ", ")));
-      }
-      values[name] = &add(definition->formula.text, definitions,
-                          static_cast<std::size_t>(definition - definitions.begin()), values)
-                          .value;
-    }
-    Entry& entry = entries.emplace_back();
-    entry.text = text;
     for (std::size_t k = 0; k < variables.size(); ++k) entry.parser.DefineVar(variables[k], &point[k]);
-    for (const auto& [name, value] : values) entry.parser.DefineVar(name, value);
+    std::vector<std::string> taken = variables;
+    for (const std::string& name : names) {
+      if (contains(variables, name)) {
+        used.insert(name);
+      } else if (const auto value = values.find(name); value != values.end()) {
+        entry.parser.DefineVar(name, value->second);
+        taken.push_back(name);
+      }
+    }
+    defineConstants(entry.parser, taken);
     entry.parser.SetExpr(text);
     entry.parser.Eval();
-    return entry;
   } catch (const mu::ParserError& problem) {
-    throw Error(fmt::format("the formula \"{}\" cannot be understood: {}", text, problem.GetMsg()));
+    throw notUnderstood(text, problem);
   }
+}
+
+/// A formula and, before it, the definitions that it needs, these in their order.
+void Formula::Parsers::addAll(const std::string& text, const std::vector<DefinitionSpec>& definitions) {
+  const DefinitionIndex index = indexOf(definitions);
+  mu::Parser probe;
+  const auto namesOf = [&](const std::string& formula) {
+    requireSingleValue(formula);
+    try {
+      return namesIn(probe, formula);
+    } catch (const mu::ParserError& problem) {
+      throw notUnderstood(formula, problem);
+    }
+  };
+  const std::vector<std::string> own = namesOf(text);
+  std::map<std::size_t, std::vector<std::string>> needed;  // names in the definitions, by place
+  std::vector<std::size_t> open =
+      neededDefinitions(text, own, variables, definitions, index, definitions.size());
+  while (!open.empty()) {
+    const std::size_t k = open.back();
+    open.pop_back();
+    const auto [added, isNew] = needed.try_emplace(k);
+    if (!isNew) continue;
+    const std::string& formula = definitions[k].formula.text;
+    added->second = namesOf(formula);
+    const auto more = neededDefinitions(formula, added->second, variables, definitions, index, k);
+    open.insert(open.end(), more.begin(), more.end());
+  }
+  std::unordered_map<std::string, double*> values;
+  for (const auto& [k, names] : needed) {
+    add(definitions[k].formula.text, names, values);
+    values[definitions[k].name] = &entries.back().value;
+  }
+  add(text, own, values);
 }
 
 Formula::Formula(const FormulaText& formula, const std::vector<DefinitionSpec>& definitions,
@@ -95,8 +177,7 @@ Formula::Formula(const FormulaText& formula, const std::vector<DefinitionSpec>& 
     : parsers_(std::make_shared<Parsers>()) {
   parsers_->point.resize(variables.size());
   parsers_->variables = std::move(variables);
-  std::map<std::string, double*> values;
-  parsers_->add(formula.text, definitions, definitions.size(), values);
+  parsers_->addAll(formula.text, definitions);
 }
 
 double Formula::operator()(const Eigen::Vector3d& X, double t) const {
@@ -113,7 +194,7 @@ double Formula::at(std::span<const double> values) const {
     for (std::size_t k = 0; k < values.size(); ++k)
       place.push_back(fmt::format("{} = {:.6g}", parsers_->variables[k], values[k]));
     throw FormulaError(
-        fmt::format("the formula \"{}\" has no finite value at {}", last.text, fmt::join(place, ", ")));
+        fmt::format("the formula {} has no finite value at {}", quoted(last.text), fmt::join(place, ", ")));
   }
   return last.value;
 }
@@ -137,6 +218,30 @@ void requireFinite(const std::vector<Formula>& formulas, const Eigen::Matrix3Xd&
     for (std::size_t k = 0; k < numTimes; k += stride) probe(times[k]);
     if (numTimes > 1) probe(times.back());
   }
+}
+
+std::vector<DefinitionProblem> problemsOf(const std::vector<DefinitionSpec>& definitions,
+                                          const std::vector<std::string>& variables) {
+  const DefinitionIndex index = indexOf(definitions);
+  std::vector<DefinitionProblem> problems;
+  mu::Parser parser;
+  double anything = 1.0;
+  for (std::size_t k = 0; k < definitions.size(); ++k) {
+    const std::string& text = definitions[k].formula.text;
+    try {
+      requireSingleValue(text);
+      parser.ClearVar();
+      const auto names = namesIn(parser, text);
+      static_cast<void>(neededDefinitions(text, names, variables, definitions, index, k));
+      for (const std::string& name : names) parser.DefineVar(name, &anything);
+      parser.Eval();
+    } catch (const mu::ParserError& problem) {
+      problems.push_back({k, notUnderstood(text, problem).what()});
+    } catch (const Error& error) {
+      problems.push_back({k, error.what()});
+    }
+  }
+  return problems;
 }
 
 std::vector<Formula> makeFormulas(const std::vector<FormulaText>& texts,

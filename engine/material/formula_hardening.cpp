@@ -6,22 +6,25 @@
 
 #include "engine/core/error.h"
 #include "engine/core/formula.h"
+#include "engine/core/formula_words.h"
+#include "engine/core/quoted.h"
 
 namespace burnish {
 namespace {
 
 std::shared_ptr<const PiecewiseChebyshev> interpolateFormula(const std::string& formula) {
-  const std::string place = "hardening formula \"" + formula + "\": ";
+  const std::string place = "hardening formula " + quoted(formula) + ": ";
   double ep = 0.0;
   double initial = 0.0;
   mu::Parser parser;
   requireSingleValue(formula);
   try {
     parser.DefineVar("ep", &ep);
+    defineConstants(parser, {});
     parser.SetExpr(formula);
     initial = parser.Eval();
-  } catch (const mu::Parser::exception_type& problem) {
-    throw Error(place + problem.GetMsg() + " Write the yield stress as a function of ep.");
+  } catch (const mu::ParserError& problem) {
+    throw Error(place + formulaProblem(formula, problem) + " Write the yield stress as a function of ep.");
   }
   if (!(initial > 0.0) || !std::isfinite(initial))
     throw Error(place + "the yield stress at ep = 0 is " + std::to_string(initial) + ", it must be positive");

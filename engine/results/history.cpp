@@ -52,6 +52,8 @@ std::string readAll(const std::filesystem::path& path) {
   std::ostringstream contents;
   if (!file || std::filesystem::is_directory(path))
     throw Error(fmt::format("{}: there is no such file, or it cannot be read", path.string()));
+  if (!std::filesystem::is_regular_file(path) && !std::filesystem::is_fifo(path))
+    throw Error(fmt::format("{}: this is no regular file; allowed: a table of numbers", path.string()));
   if (file.peek() != std::ifstream::traits_type::eof()) contents << file.rdbuf();
   return contents.str();
 }

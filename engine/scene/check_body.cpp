@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <muParser.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
+#include "engine/core/error.h"
 #include "engine/scene/check_context.h"
 
 namespace burnish {
@@ -39,21 +39,15 @@ void checkFormula(const CheckContext& c, const std::string& formula) {
   const std::string path = "material.hardening.formula";
   if (!c.clean(path)) return;
   try {
-    double ep = 0.0;
-    mu::Parser parser;
-    parser.DefineVar("ep", &ep);
-    parser.SetExpr(formula);
-    const double yield = parser.Eval();
-    requireSingleValue(formula);
-    if (!std::isfinite(yield) || yield <= 0.0)
+    const double yield = Formula({formula}, {}, {"ep"}).at(std::array{0.0});
+    if (yield <= 0.0)
       c.report(path,
                fmt::format("found a yield stress of {} at ep = 0; allowed: a formula that is positive there.",
                            yield));
+  } catch (const FormulaError&) {
+    c.report(path, "found no finite yield stress at ep = 0; allowed: a formula that is positive there.");
   } catch (const Error& e) {
-    c.report(path, fmt::format("{}.", e.what()));
-  } catch (const mu::ParserError& e) {
-    c.report(path, fmt::format("found \"{}\", which cannot be understood ({}); allowed: a formula in ep.",
-                               formula, e.GetMsg()));
+    c.report(path, fmt::format("{}; allowed: a formula in ep.", e.what()));
   }
 }
 

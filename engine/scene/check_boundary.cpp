@@ -28,7 +28,7 @@ void checkFixed(const CheckContext& c, const std::string& path, const std::vecto
 }
 
 void checkSupport(const CheckContext& c, const std::string& path, const SupportSpec& support) {
-  checkFace(c, path, support.place);
+  checkFace(c, path, support.place, true);
   checkFixed(c, path + ".fix", support.fix);
   if (support.move) checkTable(c, path + ".move", support.move->times, componentsOf(*support.move));
   if (support.prescribe)
@@ -79,7 +79,7 @@ void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& l
                                given.empty() ? "no load" : fmt::format("{}", fmt::join(given, " and "))));
   if (load.bodyForce.empty())
     checkFace(c, path, load.place);
-  else if (!load.place.face.empty() || !load.place.part.empty())
+  else if (!load.place.face.empty() || !load.place.part.empty() || !load.place.length.empty())
     c.report(path, "found a face beside body_force; allowed: at most the patch on which it acts.");
   else if (!load.place.patch.empty())
     checkPatch(c, path + ".patch", load.place.patch);
@@ -145,7 +145,7 @@ void checkSelfContact(const CheckContext& c) {
 
 }  // namespace
 
-void checkFace(const CheckContext& c, const std::string& path, const FaceSpec& face) {
+void checkFace(const CheckContext& c, const std::string& path, const FaceSpec& face, bool pointsToo) {
   checkPatch(c, path + ".patch", face.patch);
   const std::string place = path + ".face";
   if (!c.dimensionIsKnown()) return;
@@ -157,17 +157,26 @@ void checkFace(const CheckContext& c, const std::string& path, const FaceSpec& f
              fmt::format(
                  "found {}, a face of three-dimensional bodies; allowed here: left | right | bottom | top.",
                  face.face));
+  const auto checkPart = [&](const std::string& key, const std::vector<double>& part) {
+    for (std::size_t d = 0; 2 * d + 1 < part.size(); ++d)
+      if (pointsToo ? part[2 * d] > part[2 * d + 1] : part[2 * d] >= part[2 * d + 1])
+        c.report(fmt::format("{}[{}]", key, 2 * d + 1),
+                 fmt::format("found {} after {}; allowed: an end after the beginning.", part[2 * d + 1],
+                             part[2 * d]));
+  };
+  const std::string length = path + ".length";
+  if (!face.length.empty() && c.clean(length)) {
+    if (dim == 3) return c.report(length, "found in a scene of three dimensions; allowed: part.");
+    if (!face.part.empty()) return c.report(length, "found beside part; allowed: one of the two.");
+    checkPart(length, face.length);
+  }
   const std::string part = path + ".part";
   if (face.part.empty() || !c.clean(part)) return;
   if (face.part.size() != static_cast<std::size_t>(2 * (dim - 1)))
     return c.report(
         part, fmt::format("found {} numbers; allowed: {}, begin and end for each direction of the face.",
                           face.part.size(), 2 * (dim - 1)));
-  for (std::size_t d = 0; 2 * d + 1 < face.part.size(); ++d)
-    if (!(face.part[2 * d] < face.part[2 * d + 1]))
-      c.report(fmt::format("{}[{}]", part, 2 * d + 1),
-               fmt::format("found {} after {}; allowed: an end after the beginning.", face.part[2 * d + 1],
-                           face.part[2 * d]));
+  checkPart(part, face.part);
 }
 
 void checkBoundary(const CheckContext& c) {

@@ -27,8 +27,9 @@ struct CheckContext {
 /// The patch of a scene by name: it exists, and is named if there are several.
 void checkPatch(const CheckContext& context, const std::string& path, const std::string& patch);
 
-/// A face of a patch that the dimension has, and its part.
-void checkFace(const CheckContext& context, const std::string& path, const FaceSpec& face);
+/// A face of a patch that the dimension has, and its part. pointsToo: of which begin and end may be alike.
+void checkFace(const CheckContext& context, const std::string& path, const FaceSpec& face,
+               bool pointsToo = false);
 
 /// A formula in X, Y, Z, t and the definitions; constant: in the definitions alone.
 void checkFormula(const CheckContext& context, const std::string& path, const FormulaText& formula,

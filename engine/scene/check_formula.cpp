@@ -1,23 +1,25 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <muParser.h>
-
 #include <algorithm>
 #include <cctype>
+#include <unordered_set>
 
+#include "engine/core/definitions.h"
 #include "engine/core/error.h"
+#include "engine/core/formula_words.h"
+#include "engine/core/quoted.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/nearest.h"
 
 namespace burnish {
 namespace {
 
-/// Other names would be taken apart or for functions, without a word.
+/// Other names would be taken apart, without a word.
 bool isVariableName(const std::string& name) {
   const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-         std::all_of(name.begin(), name.end(), isPart) && !mu::Parser().GetFunDef().contains(name);
+         std::all_of(name.begin(), name.end(), isPart);
 }
 
 }  // namespace
@@ -28,13 +30,13 @@ void checkFormula(const CheckContext& c, const std::string& path, const FormulaT
     const Formula formula(text, c.scene.definitions);
     for (const char* variable : {"X", "Y", "Z", "t"})
       if (constant && formula.dependsOn(variable))
-        return c.report(
-            path, fmt::format("found \"{}\", which depends on {}; allowed: a number or a formula in the "
-                              "definitions alone.",
-                              text.text, variable));
+        return c.report(path,
+                        fmt::format("found {}, which depends on {}; allowed: a number or a formula in the "
+                                    "definitions alone.",
+                                    quoted(text.text), variable));
     if (c.dimensionIsKnown() && c.scene.dim() == 2 && formula.dependsOn("Z"))
-      c.report(path, fmt::format("found \"{}\", which depends on Z; allowed in two dimensions: X, Y and t.",
-                                 text.text));
+      c.report(path, fmt::format("found {}, which depends on Z; allowed in two dimensions: X, Y and t.",
+                                 quoted(text.text)));
   } catch (const Error& problem) {
     c.report(path, fmt::format("{}.", problem.what()));
   }
@@ -46,8 +48,8 @@ void checkTimeFormula(const CheckContext& c, const std::string& path, const Form
   const Formula formula(text, c.scene.definitions);
   for (const char* variable : {"X", "Y", "Z"})
     if (formula.dependsOn(variable))
-      return c.report(path, fmt::format("found \"{}\", which depends on {}; allowed: t and the definitions.",
-                                        text.text, variable));
+      return c.report(path, fmt::format("found {}, which depends on {}; allowed: t and the definitions.",
+                                        quoted(text.text), variable));
 }
 
 void checkPatch(const CheckContext& c, const std::string& path, const std::string& patch) {
@@ -67,28 +69,24 @@ void checkPatch(const CheckContext& c, const std::string& path, const std::strin
 }
 
 void checkDefinitions(const CheckContext& c) {
-  std::vector<std::string> taken{"X", "Y", "Z", "t", "s"};
+  std::unordered_set<std::string> taken{"X", "Y", "Z", "t", "s"};
+  const auto functions = formulaFunctions();
   for (std::size_t k = 0; k < c.scene.definitions.size(); ++k) {
-    const auto& definition = c.scene.definitions[k];
+    const std::string& name = c.scene.definitions[k].name;
     const std::string path = fmt::format("definitions[{}]", k);
     if (!c.clean(path)) continue;
-    if (std::find(taken.begin(), taken.end(), definition.name) != taken.end())
+    if (!taken.insert(name).second)
       c.report(path + ".name",
-               fmt::format("found {}, which already has a meaning; allowed: another name.", definition.name));
-    if (!isVariableName(definition.name))
+               fmt::format("found {}, which already has a meaning; allowed: another name.", shortened(name)));
+    if (!isVariableName(name) || std::find(functions.begin(), functions.end(), name) != functions.end())
       c.report(path + ".name",
                fmt::format("found {}; allowed: a letter, then letters, digits and _, and not the name "
                            "of a function such as min.",
-                           definition.name));
-    taken.push_back(definition.name);
-    try {
-      static_cast<void>(Formula(
-          definition.formula,
-          {c.scene.definitions.begin(), c.scene.definitions.begin() + static_cast<std::ptrdiff_t>(k)}));
-    } catch (const Error& problem) {
-      c.report(path + ".formula", fmt::format("{}.", problem.what()));
-    }
+                           shortened(name)));
   }
+  if (!c.clean("definitions")) return;
+  for (const DefinitionProblem& problem : problemsOf(c.scene.definitions))
+    c.report(fmt::format("definitions[{}].formula", problem.definition), fmt::format("{}.", problem.text));
 }
 
 }  // namespace burnish

@@ -58,7 +58,8 @@ void checkRezoning(const CheckContext& c) {
     const std::string path = fmt::format("supports[{}]", k);
     refuse(c, c.scene.supports[k].prescribe.has_value(), path + ".prescribe",
            "displacements given by formulas of places, which new meshes would move,");
-    refuse(c, !c.scene.supports[k].place.part.empty(), path + ".part", "a support on a part of a face");
+    refuse(c, !c.scene.supports[k].place.part.empty() || !c.scene.supports[k].place.length.empty(), path,
+           "a support on a part of a face");
   }
   for (std::size_t k = 0; k < c.scene.tools.size(); ++k)
     refuse(c, c.scene.tools[k].carry.has_value(), fmt::format("tools[{}].carry", k),

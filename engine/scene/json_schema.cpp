@@ -10,6 +10,9 @@ namespace {
 
 using Kind = ValueType::Kind;
 
+/// Of a number that is given as a formula of the constants pi or e.
+constexpr const char* kConstantPattern = "(^|[^A-Za-z0-9_])(pi|e)([^A-Za-z0-9_]|$)";
+
 Json::Value names(const std::vector<std::string>& texts) {
   Json::Value list(Json::arrayValue);
   for (const std::string& text : texts) list.append(text);
@@ -50,7 +53,10 @@ Json::Value entrySchema(const Declaration& key) {
       setRange(schema, key.rule);
       break;
     case Kind::Number:
-      schema["type"] = "number";
+      schema["type"] = names({"number", "string"});
+      schema["pattern"] = key.key == "time" || key.key == "times"
+                              ? std::string(kConstantPattern) + "|^(end|last)$"
+                              : kConstantPattern;
       setRange(schema, key.rule);
       break;
     case Kind::Formula:

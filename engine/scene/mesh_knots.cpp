@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/core/quoted.h"
 #include "engine/nurbs/refinement.h"
 
 namespace burnish {
@@ -23,10 +24,10 @@ std::vector<double> equalFractions(int parts) {
 }
 
 [[noreturn]] void rejectGrading(const std::string& text, double s, double value, const std::string& after) {
-  throw Error(fmt::format(
-      "found \"{}\", which takes s = {:.6g} to {:.6g}{}; allowed: a formula in s that grows from 0 "
-      "at s = 0 to 1 at s = 1",
-      text, s, value, after));
+  throw Error(
+      fmt::format("found {}, which takes s = {:.6g} to {:.6g}{}; allowed: a formula in s that grows from 0 "
+                  "at s = 0 to 1 at s = 1",
+                  quoted(text), s, value, after));
 }
 
 /// The grading at the inner ones of the points k/n.
@@ -72,9 +73,9 @@ KnotVector meshKnots(const Scene& scene, const MeshSpec& mesh, std::size_t direc
     const auto graded = gradedFractions(text, scene.definitions, parts);
     if (shape.numSpans() > 1 && !areEqual(graded, fractions))
       throw Error(fmt::format(
-          "found \"{}\", but the control net has {} knot spans in this direction, not one to be graded; "
+          "found {}, but the control net has {} knot spans in this direction, not one to be graded; "
           "allowed: s, and graded knots in the net itself",
-          text.text, shape.numSpans()));
+          quoted(text.text), shape.numSpans()));
     fractions = graded;
   }
   KnotVector knots = divided(elevated(shape, std::max(scene.degree - shape.degree(), 0)), fractions);

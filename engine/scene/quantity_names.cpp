@@ -4,6 +4,8 @@
 #include <muParser.h>
 
 #include "engine/core/error.h"
+#include "engine/core/formula_words.h"
+#include "engine/core/quoted.h"
 
 namespace burnish {
 
@@ -14,11 +16,11 @@ std::vector<std::string> namesInQuantity(const std::string& quantity) {
     probe.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
     probe.SetExpr(quantity);
     for (const auto& [name, unused] : probe.GetUsedVar()) names.push_back(name);
-  } catch (const mu::Parser::exception_type& problem) {
+  } catch (const mu::ParserError& problem) {
     throw Error(
-        fmt::format("found \"{}\", which cannot be understood: {}; allowed: a column of the history "
+        fmt::format("found {}, which cannot be understood: {}; allowed: a column of the history "
                     "or a formula in columns.",
-                    quantity, problem.GetMsg()));
+                    quoted(quantity), formulaProblem(quantity, problem)));
   }
   return names;
 }

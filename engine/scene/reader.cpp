@@ -8,6 +8,7 @@
 #include "engine/scene/check.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/control_net_file.h"
+#include "engine/scene/end_of_run.h"
 #include "engine/scene/mapping_reader.h"
 #include "engine/scene/overrides.h"
 #include "engine/scene/scene_places.h"
@@ -31,6 +32,9 @@ YamlNode readTree(const std::string& yaml, const std::string& name, const std::v
   const std::filesystem::path directory = std::filesystem::path(name).parent_path();
   insertControlNetFiles(root, directory, errors);
   resolveToolFiles(root, directory);
+  if (const YamlNode* steps = root.find("steps"); steps != nullptr && !steps->children.empty())
+    if (const YamlNode* until = steps->children.back().find("until"); until != nullptr)
+      replaceEndOfRun(root, until->text);
   return root;
 }
 

@@ -164,9 +164,10 @@ using MaterialSpec = std::variant<NeoHookeanSpec, J2Spec>;
 
 /// A face of a patch, or a part of it.
 struct FaceSpec {
-  std::string patch;         ///< name; may be left out for a body of one patch
-  std::string face;          ///< left, right, bottom, top, back, front
-  std::vector<double> part;  ///< begin and end in [0, 1] per direction of the face; all of it when empty
+  std::string patch;             ///< name; may be left out for a body of one patch
+  std::string face;              ///< left, right, bottom, top, back, front
+  std::vector<double> part;      ///< begin and end in [0, 1] per direction of the face; all of it when empty
+  std::vector<double> length{};  ///< instead of `part`: begin and end along the undeformed face (2D)
 };
 
 /// Displacement components as formulas.

@@ -1,5 +1,9 @@
 #include "engine/scene/scene_listing.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "engine/core/formula_words.h"
 #include "engine/scene/declaration_collector.h"
 #include "engine/scene/schema.h"
 
@@ -10,7 +14,18 @@ Declarations sceneDeclarations() {
 }
 
 std::string describeScene() {
-  return listKeys(sceneDeclarations());
+  return fmt::format(
+      "{}\n## Formulas\n\n"
+      "What formulas know beside the variables of their keys and the `definitions` before them. A number may "
+      "be a "
+      "formula of `pi` and `e` alone, such as `2*pi`.\n\n"
+      "| | |\n| --- | --- |\n"
+      "| functions | `{}` (`log` and `ln` are natural; `avg`, `max`, `min` and `sum` take any number of "
+      "values) |\n"
+      "| constants | `pi`, `e`, unless a definition has this name (`_pi` and `_e` as well) |\n"
+      "| operators | `+`, `-`, `*`, `/`, `^`; `<`, `<=`, `>`, `>=`, `==`, `!=`; `&&`, `\\|\\|`; `a ? b : c` "
+      "|\n",
+      listKeys(sceneDeclarations()), fmt::join(formulaFunctions(), "`, `"));
 }
 
 }  // namespace burnish

@@ -35,6 +35,9 @@ void describeFace(Visitor& v, FaceSpec& s) {
 template <class Visitor>
 void describePart(Visitor& v, FaceSpec& s, const char* sentence = kPartSentence) {
   v.field("part", s.part, {.atLeast = 0, .atMost = 1, .minEntries = 2, .maxEntries = 4}, sentence);
+  v.field(
+      "length", s.length, {.atLeast = 0, .minEntries = 2, .maxEntries = 2, .unit = "length"},
+      "The same in lengths along the undeformed face from its beginning, instead of part (two dimensions).");
 }
 
 template <class Visitor>
@@ -55,7 +58,8 @@ void describe(Visitor& v, SupportSpec& s) {
       v, s.place,
       "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of "
       "the face; it holds the control points whose Greville abscissae (nodes of a Lagrange basis) lie "
-      "in it.");
+      "in it. Begin and end alike name a point: that of the control point nearest to it, such as [0, 0], the "
+      "corner at the beginning.");
   v.field("fix", s.fix, {.minEntries = 1, .choices = {"x", "y", "z"}},
           "Displacement components that are held.");
   v.field("move", s.move, {}, "Displacement components that follow a schedule; those left out are free.");

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "engine/core/quoted.h"
 #include "engine/core/shown_text.h"
 
 namespace burnish {
@@ -17,14 +18,19 @@ namespace {
 constexpr int deepestLevel = 50;
 constexpr std::size_t mostNodes = 1'000'000;
 
+std::string tooDeep() {
+  return fmt::format(
+      "nested deeper than {} levels of lists and mappings in one another, the most that are allowed",
+      deepestLevel);
+}
+
 /// Copies a document of yaml-cpp, whose nodes are shared and may be cyclic, into a bounded tree.
 class TreeBuilder {
  public:
   TreeBuilder(int source, Diagnostics& errors) : source_(source), errors_(errors) {}
 
   YamlNode build(const YAML::Node& from, const Place& parent, const std::string& path, int level) {
-    if (level > deepestLevel)
-      throw YAML::ParserException(from.Mark(), fmt::format("nested deeper than {} levels", deepestLevel));
+    if (level > deepestLevel) throw YAML::ParserException(from.Mark(), tooDeep());
     if (++nodes_ > mostNodes)
       throw YAML::ParserException(from.Mark(), fmt::format("more than {} values", mostNodes));
     YamlNode node;
@@ -124,11 +130,6 @@ std::optional<YAML::Mark> secondDocument(const std::string& text) {
   return starts.marks().back();
 }
 
-std::string shortened(const std::string& text) {
-  constexpr std::size_t longest = 60;
-  return forMessage(text, longest);
-}
-
 const YamlNode* step(const YamlNode& node, const PathStep& where) {
   if (const auto* key = std::get_if<std::string>(&where)) return node.find(*key);
   const std::size_t index = std::get<std::size_t>(where);
@@ -157,7 +158,7 @@ std::string YamlNode::describe() const {
     case Kind::Scalar:
       break;
   }
-  return quoted ? fmt::format("the text \"{}\"", shortened(text)) : shortened(text);
+  return quoted ? fmt::format("the text {}", burnish::quoted(text)) : shortened(text);
 }
 
 std::optional<YamlNode> parseYaml(const std::string& text, int source, Diagnostics& errors,
@@ -176,6 +177,11 @@ std::optional<YamlNode> parseYaml(const std::string& text, int source, Diagnosti
   } catch (const YAML::Exception& e) {
     const Place place =
         e.mark.is_null() ? Place{source, 1, 1} : Place{source, e.mark.line + 1, e.mark.column + 1};
+    // The parser has this text for nesting that it does not follow; there is no file that could be bad.
+    if (e.msg == YAML::ErrorMsg::BAD_FILE || e.msg == tooDeep()) {
+      errors.add(place, path, tooDeep());
+      return std::nullopt;
+    }
     errors.add(
         place, path,
         fmt::format("malformed YAML: {}; look at brackets, quotes and indentation here and just before",

@@ -24,8 +24,7 @@ constexpr double kBarGap = 1.6;
 constexpr double kShortestBar = 12.0;
 constexpr double kNoteSize = 0.85;
 constexpr double kNoteGap = 0.9;
-constexpr double kWidestDoubt = 0.4;  // of the picture
-constexpr double kPadding = 0.15;     // keeps lines on the border of the content whole
+constexpr double kPadding = 0.15;  // keeps lines on the border of the content whole
 
 struct Placement {
   double scale = 0.0;  ///< pixels per length
@@ -128,18 +127,16 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
     std::tie(layout.time, layout.timeAt) = addLine(caption.time, size, kBelowCaption);
 
   const double left = margin + (caption.triad ? kTriadRoom * size : 0.0);
-  double bottom = margin, besideNote = 0.0;
-  const TextStyle small{kNoteSize * size, theme.softInk, theme.font};
-  if (!caption.doubt.empty()) {
-    layout.doubt = fitText({{caption.doubt}}, small, kWidestDoubt * width - left, kSmallestNote);
-    layout.doubtAt = {left, margin};
-    // On either side, since a note may stand in the middle.
-    besideNote = 2 * (left - margin + textWidth(layout.doubt.text, layout.doubt.style) + kNoteGap * size);
-  }
-  if (!caption.note.empty())
-    layout.note = fitText({{caption.note}}, small, width - 2 * margin - besideNote, kSmallestNote);
-  if (!caption.note.empty() || !caption.doubt.empty())
-    bottom += kNoteGap * size + capitalHeight(caption.note.empty() ? layout.doubt.style : layout.note.style);
+  double bottom = margin;
+  const auto addSmallLine = [&](const std::string& text, double begin) {
+    const TextStyle style{kNoteSize * size, theme.softInk, theme.font};
+    FittedText line = fitText({{text}}, style, width - begin - margin, kSmallestNote);
+    bottom += kNoteGap * size + capitalHeight(line.style);
+    return line;
+  };
+  layout.doubtAt = {left, margin};
+  if (!caption.doubt.empty()) layout.doubt = addSmallLine(caption.doubt, left);
+  if (!caption.note.empty()) layout.note = addSmallLine(caption.note, margin);
 
   layout.triadAt = {margin, margin};
   const PixelRect room{left, bottom, width - margin - left, top - bottom};

@@ -28,8 +28,8 @@ struct ContourLayout {
   Eigen::Vector2d triadAt;  ///< lower left corner of the axes, of which there is room if the caption asks
 };
 
-/// What stands above the body, and small below it and its colour scale; each may be empty. doubt: at the left
-/// of the note. triad: there is room for the axes at the lower left.
+/// What stands above the body, and small below it and its colour scale; each may be empty. doubt: in the
+/// lower left corner, below the note. triad: there is room for the axes at the lower left.
 struct ContourCaption {
   std::string title, time, note;
   std::string doubt{};

@@ -170,7 +170,7 @@ std::vector<CaptionedChart> stateCharts(const RunRecord& run) {
   const std::string depth = model.dim == 2 ? " (per unit of depth)" : "";
   const auto addForce = [&](const char* kind, const std::string& name) {
     charts.add(fmt::format("Force of the body on the {} “{}”{}", kind, name, depth),
-               withUnit("force", model, model.dim - 1),
+               withUnit(fmt::format("force of the body on the {}", kind), model, model.dim - 1),
                {{name + ".fx", "x"}, {name + ".fy", "y"}, {name + ".fz", "z"}});
   };
   for (const ToolRecord& tool : model.tools) addForce("tool", tool.name);

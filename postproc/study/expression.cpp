@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
+#include "engine/core/formula_words.h"
 #include "engine/scene/nearest.h"
 
 namespace burnish {
@@ -61,6 +62,7 @@ std::vector<double> evaluate(const HistoryTable& history, const std::string& exp
   try {
     for (std::size_t c = 0; c < row.size(); ++c)
       if (isName(history.columns[c])) parser.DefineVar(history.columns[c], &row[c]);
+    defineConstants(parser, history.columns);
     parser.SetExpr(expression);
     parser.Eval();  // finds mistakes in an empty history too
     if (parser.GetNumResults() != 1)

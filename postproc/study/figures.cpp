@@ -134,7 +134,8 @@ std::optional<CurveStyle> styleOf(const Study& study, const StudyRun& run, const
 
 std::string timeText(const std::vector<double>& times, const std::vector<std::string>& labels,
                      std::size_t number) {
-  return labels.empty() ? fmt::format("t = {:.4g}", times[number]) : labels[number];
+  if (!labels.empty()) return labels[number];
+  return times[number] == kEndOfRun ? "at the end" : fmt::format("t = {:.4g}", times[number]);
 }
 
 std::string withStop(const std::string& text, double stoppedAt) {

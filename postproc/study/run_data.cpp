@@ -54,6 +54,8 @@ FrameAt frameAt(const RunData& data, const ResultReader& result, double time) {
       std::find_if(times.begin(), times.end(), [&](double t) { return std::abs(t - time) <= tolerance; });
   if (found != times.end()) return {result.frame(static_cast<int>(found - times.begin()))};
   const auto stopped = data.stoppedAt();
+  if (time == kEndOfRun && !times.empty())
+    return {result.frame(static_cast<int>(times.size()) - 1), stopped.has_value()};
   if (stopped && *stopped < time && !times.empty())
     return {result.frame(static_cast<int>(times.size()) - 1), true};
   throw Error(fmt::format("run {}: there is no frame at t = {:.6g}; its frames are at t = {:.6g}",

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -39,6 +40,9 @@ bool hasEnded(const StudyRun& run, const std::filesystem::path& studyDirectory);
 
 /// "stopped at t = 1.43".
 std::string stoppedText(double time);
+
+/// The time that stands for the end of a run, whatever that is.
+inline constexpr double kEndOfRun = std::numeric_limits<double>::max();
 
 /// The frame at a time, or the last one of a run that stopped before. Throws `Error` naming the times of the
 /// frames if there is none.

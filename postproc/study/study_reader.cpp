@@ -6,10 +6,12 @@
 #include <cctype>
 
 #include "engine/core/error.h"
+#include "engine/scene/end_of_run.h"
 #include "engine/scene/mapping_reader.h"
 #include "engine/scene/reader.h"
 #include "engine/scene/yaml_document.h"
 #include "postproc/study/combinations.h"
+#include "postproc/study/run_data.h"
 #include "postproc/study/schema.h"
 #include "postproc/study/study_check.h"
 
@@ -103,7 +105,8 @@ class Expansion {
 
 Study readStudy(const std::filesystem::path& file) {
   Diagnostics errors(file.string(), {});
-  const YamlNode root = parseDocument(readDocument(file, kStudyKind), kStudyKind, errors);
+  YamlNode root = parseDocument(readDocument(file, kStudyKind), kStudyKind, errors);
+  replaceEndOfRun(root, fmt::format("{}", kEndOfRun));
   Study study{.spec = {}, .file = file, .runs = {}};
   std::vector<DimensionedList> dimensioned;  // a study has none
   MappingReader(root, "", errors, dimensioned).readInto(study.spec);

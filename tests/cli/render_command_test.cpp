@@ -171,6 +171,17 @@ TEST_F(RenderCommand, ScaleMagnifiesAllThatIsDrawn) {
   EXPECT_EQ(readText(dir() / "scaled.png"), readText(dir() / "large.png"));
 }
 
+TEST_F(RenderCommand, TextsOfOlderResultsAreShownEscapedOrAsBoxes) {
+  samples::Sample sample = samples::slab();
+  sample.model.title = "a\x1B[31m\xFF";
+  ResultWriter(dir() / "old", sample.model).append(sample.frame);
+  EXPECT_THAT(burnish("info old").out, HasSubstr("title       a\\x1B[31m\\xFF\n"));
+  const Outcome outcome = burnish("render old --size 400,300 -o old.png");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err,
+            "warning: the font DejaVu Sans has no U+001B; \"a\\x1B[31m\\xFF\" is drawn with a box for it\n");
+}
+
 TEST_F(RenderCommand, DoubtfulResultsAreMarkedUnlessToldOtherwise) {
   render("--background white", "sound.png");
   SummaryRecord summary{.program = "p", .completed = true, .stoppedBecause = "", .doubts = {}, .numbers = {}};

@@ -31,19 +31,21 @@ TEST(Arguments, FrameIsANumberTheLastOneOrATime) {
   EXPECT_EQ(frameIndex("2", times), 2);
   EXPECT_EQ(frameIndex("last", times), 2);
   EXPECT_EQ(frameIndex("time=0.3", times), 2);
+  for (const char* text : {"end", "time=end", "time=last"}) EXPECT_EQ(frameIndex(text, times), 2);
+  EXPECT_EQ(frameIndices("time=0-time=end", times), (std::vector<int>{0, 1, 2}));
   expectError([&] { frameIndex("3", times); }, "there is no frame 3; the result has frames 0 to 2");
   expectError([&] { frameIndex("-1", times); }, "there is no frame -1");
   expectError([&] { frameIndex("time=0.2", times); }, "the nearest is frame");
   for (const char* text : {"", "1x", "first", "time=", "time=now", "time=nan", "1.5"})
-    expectError([&] { frameIndex(text, times); }, "expected a number, last, or time=T");
+    expectError([&] { frameIndex(text, times); }, "expected a number, last or end, or time=T");
   expectError([] { frameIndex("last", {}); }, "no frames yet");
 }
 
 TEST(Arguments, RangeAndSizeArePairs) {
-  EXPECT_EQ(rangeFromText("-1.5,2e3"), (std::array{-1.5, 2000.0}));
+  EXPECT_EQ(rangeFromText("--range", "-1.5,2e3"), (std::array{-1.5, 2000.0}));
   EXPECT_EQ(sizeFromText("640,480"), (std::array{640, 480}));
   for (const char* text : {"", "1", "1,", ",1", "1;2", "2,1", "1,1", "0,nan", "0,1,2", "0, 1"})
-    expectError([=] { rangeFromText(text); }, "expected LO,HI");
+    expectError([=] { rangeFromText("--range", text); }, "expected LO,HI");
   for (const char* text : {"640x480", "640.5,480", "640,0", "-640,480", "99999,480", "99999999999,480"})
     expectError([=] { sizeFromText(text); }, "expected W,H");
 }

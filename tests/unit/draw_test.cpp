@@ -20,6 +20,7 @@
 #include "postproc/draw/color_scale.h"
 #include "postproc/draw/contour_layout.h"
 #include "postproc/draw/contour_view.h"
+#include "postproc/draw/doubt_mark.h"
 #include "postproc/draw/field_choice.h"
 #include "postproc/draw/overlay.h"
 #include "postproc/draw/theme.h"
@@ -196,6 +197,23 @@ TEST(ContourLayout, HasRoomForTheTextsOfTheBarAtEverySize) {
         EXPECT_LE(layout.bar.right(), size[0]);
         EXPECT_GE(std::min(layout.view.area.x, layout.bar.y), 0.0);
       }
+}
+
+TEST(ContourLayout, MarkOfDoubtHasALineOfItsOwn) {
+  const std::array<int, 2> size{800, 450};
+  const double text = textSizeFor(size);
+  const ScalarBar bar(ColorScale("viridis", {0.0, 1.0}, 0), {{{"field"}}, "", 0.0, 1.0}, text, Theme{});
+  const auto layOut = [&](const ContourCaption& caption) {
+    return layOutContour(size, text, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}, ViewAxes::Identity(),
+                         caption, bar, Theme{});
+  };
+  const std::string note(150, 'n');
+  const ContourLayout plain = layOut({"Title", "t = 2", note});
+  const ContourLayout marked = layOut({"Title", "t = 2", note, kDoubtMark});
+  EXPECT_EQ(marked.note.style.size, plain.note.style.size);
+  EXPECT_EQ(marked.note.text[0].text, plain.note.text[0].text);
+  EXPECT_GT(marked.noteAt.y(), marked.doubtAt.y() + capitalHeight(marked.doubt.style));
+  EXPECT_EQ(marked.doubt.text[0].text, kDoubtMark);
 }
 
 TEST(ColorNames, AreDigitsOrThoseOfCss) {

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <numbers>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -275,6 +277,66 @@ TEST(Polyline, ThatIsOpenHasTheToolToItsLeft) {
   const FacetedShape line = makeFacetedShape(polyline({{1.0, 0.0}, {0.5, 0.0}, {0.0, 0.0}}, false, "points"));
   EXPECT_NEAR(line.query({0.4, 0.1, 0.0}).gap, 0.1, 1e-12);
   EXPECT_NEAR(line.query({0.4, -0.1, 0.0}).gap, -0.1, 1e-12);
+}
+
+/// Lines that bend by less than rounding; the pieces of one go ever on in one direction.
+TEST(Polyline, ThatIsAlmostStraightDoesNotCrossItself) {
+  constexpr double kApart = 1.6e-5;
+  for (const double radius : {1e3, 1e11, 1e13, 1e14})
+    for (int k = 1; k < 200; ++k) {
+      const Eigen::Rotation2D<double> turn(0.0157 * k);
+      std::vector<Eigen::Vector2d> points;
+      for (int i = 0; i < 40; ++i) {
+        const double along = kApart * i;
+        points.push_back(turn * Eigen::Vector2d(along, along * along / (2.0 * radius)));
+      }
+      EXPECT_NO_THROW(polyline(std::move(points), false, "points")) << radius << ' ' << k;
+    }
+}
+
+double secondsOf(const std::function<void()>& act) {
+  const auto begin = std::chrono::steady_clock::now();
+  act();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+TEST(Polyline, OfAHundredThousandPointsIsReadInSeconds) {
+  constexpr int kPoints = 100'000;
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPoints;
+    points.push_back((1.0 + 0.1 * std::sin(50.0 * angle)) *
+                     Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  EXPECT_LT(secondsOf([&] { EXPECT_TRUE(polyline(points, true, "points").closed); }), 5.0);
+  std::swap(points[10], points[kPoints / 2]);
+  EXPECT_LT(secondsOf([&] { EXPECT_THROW(polyline(points, true, "points"), Error); }), 5.0);
+  for (int i = 0; i < kPoints; ++i)
+    points[static_cast<std::size_t>(i)] = {i % 2 == 0 ? 0.0 : 1.0, (i * 7919 % 97) / 97.0};
+  EXPECT_LT(secondsOf([&] { EXPECT_THROW(polyline(points, false, "points"), Error); }), 5.0)
+      << "every piece crosses all others";
+}
+
+TEST(MeshTool, OfManyLooseTrianglesIsJudgedInSeconds) {
+  Soup soup;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(0.0, 1.0), beside(-0.3, 0.3);
+  for (int t = 0; t < 200'000; ++t) {
+    const Vector3d corner(place(random), place(random), place(random));
+    const auto near = [&] { return Vector3d(beside(random), beside(random), beside(random)); };
+    soup.points.insert(soup.points.end(), {corner, corner + near(), corner + near()});
+    soup.faces.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  const auto file = writeOff("loose", soup);
+  EXPECT_LT(secondsOf([&] {
+              try {
+                readSurface(file, 1.0, true);
+                ADD_FAILURE();
+              } catch (const Error& error) {
+                EXPECT_THAT(error.what(), HasSubstr("at least 10000 pairs of triangles that intersect"));
+              }
+            }),
+            60.0);
 }
 
 TEST(Polyline, MistakesAreNamed) {

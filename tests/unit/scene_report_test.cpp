@@ -158,6 +158,24 @@ TEST(SceneReport, WarnsOfPlasticFlowWithoutFbar) {
   EXPECT_THAT(warningsOf({"formulation=fbar"}), ElementsAre());
 }
 
+TEST(SceneReport, APartOfAFaceMayBeAPointOrALength) {
+  const std::string oneWay = "supports: they leave the body free to move as a rigid whole in 1 way";
+  for (const char* point :
+       {"part=[0.45, 0.45]", "part=[0, 0]", "part=[1, 1]", "length=[0.9, 0.9]", "length=[2, 2]"})
+    EXPECT_THAT(errorOf(kPress, {std::string("supports[0].") + point}), HasSubstr(oneWay)) << point;
+  EXPECT_EQ(errorOf(kPress, {"supports[0].length=[0.4, 1.6]"}), "no error");
+  EXPECT_THAT(errorOf(kPress, {"supports[0].length=[0.6, 0.7]"}),
+              HasSubstr("no control point belongs to this part"));
+  EXPECT_EQ(errorOf(kPress, {"supports[0].length=[1, 3]"}),
+            "--set supports[0].length=[1, 3]: supports[0].length[1]: found 3; allowed: up to 2, the length "
+            "of the face");
+  EXPECT_THAT(errorOf(kPress, {"supports[0].length=[1, 2]", "supports[0].part=[0, 1]"}),
+              HasSubstr("supports[0].length: found beside part; allowed: one of the two."));
+  EXPECT_THAT(errorOf(kPress, {"loads=[{face: left, pressure: 1, length: [0.3, 0.3]}]"}),
+              HasSubstr("loads[0].length[1]: found 0.3 after 0.3; allowed: an end after the beginning."));
+  EXPECT_EQ(errorOf(kPress, {"loads=[{face: left, pressure: 1, length: [0.3, 0.6]}]"}), "no error");
+}
+
 TEST(SceneReport, ADiscAwayFromTheAxisIsARing) {
   const std::string ring = replaced(replaced(kPress, "{shape: rectangle, size: [2, 1], spans: [4, 2]}",
                                              "{shape: disc, center: [10, 0], radius: 1, spans: [4, 4]}"),
@@ -186,8 +204,8 @@ TEST(SceneReport, RefusesFormulasThatHaveNoValueWhereStepsLand) {
   EXPECT_THAT(errorOf(replaced(kPress, "fix: [x, y]", "prescribe: {x: 1/(t - 1), y: 0}")),
               StartsWith("test.yaml:4:31: supports[0].prescribe: the formula \"1/(t - 1)\" has no finite"));
   EXPECT_THAT(
-      errorOf(replaced(kPress, "motion: {times: [0, 1], y: [0, -0.05]}", "prescribe: {y: -0.01/(1 - t)}")),
-      StartsWith("test.yaml:6:91: tools[0].prescribe.y: the formula"));
+      errorOf(replaced(kPress, "motion: {times: [0, 1], y: [0, -0.05]}", "prescribe: {y: 0.01*t/(t - 1)}")),
+      StartsWith("test.yaml:6:81: tools[0].prescribe.y: the formula"));
 }
 
 TEST(SceneReport, RefusesChecksOfColumnsThatNoHistoryHas) {

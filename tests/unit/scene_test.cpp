@@ -1,11 +1,14 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
@@ -54,7 +57,8 @@ TEST(Scene, namesWhatIsNotAYamlMapping) {
 }
 
 TEST(Scene, survivesHostileNestingAndAliases) {
-  EXPECT_NE(errorOf("title: " + std::string(100'000, '[')).find("malformed YAML"), std::string::npos);
+  EXPECT_NE(errorOf("title: " + std::string(100'000, '[')).find("nested deeper than 50 levels"),
+            std::string::npos);
   EXPECT_NE(
       errorOf("title: " + std::string(60, '[') + std::string(60, ']')).find("nested deeper than 50 levels"),
       std::string::npos);
@@ -92,6 +96,42 @@ TEST(Scene, refusesTextsThatCannotBeShown) {
   EXPECT_EQ(
       parseScene("title: >\n  Ein Prüfkörper, ε̄ 漢字\n  \U0001F600\n" + block, "test.yaml").title.back(),
       '\n');
+}
+
+TEST(Scene, takesConstantsInNumbersAndFormulas) {
+  const Scene scene =
+      parseScene(replaced(replaced(samples::block, "E: 1.0", "E: 2*pi"), "[1, 0]", "[pi*t, e]"), "s");
+  EXPECT_EQ(std::get<NeoHookeanSpec>(scene.material).E, 2.0 * std::numbers::pi);
+  EXPECT_EQ(Formula(scene.loads[0].traction[0])(Eigen::Vector3d::Zero(), 2.0), 2.0 * std::numbers::pi);
+  EXPECT_EQ(Formula(scene.loads[0].traction[1]).constant(), std::numbers::e);
+  const Scene own =
+      parseScene(replaced(samples::block, "basis: nurbs", "definitions: [{name: e, formula: 7}]"), "s");
+  EXPECT_EQ(Formula({"2*e"}, own.definitions).constant(), 14.0) << "a name of the scene comes first";
+  EXPECT_EQ(errorOf(replaced(samples::block, "E: 1.0", "E: 2*pie")),
+            "test.yaml:4:33: material.E: found 2*pie; allowed: a number above 0.");
+}
+
+TEST(Scene, takesTheEndOfTheRunAsATime) {
+  const Scene scene = parseScene(replaced(replaced(samples::block, "times: [1, 1.5, 2]", "times: [1, end]"),
+                                          "output: {every: 0.1,", "output: {times: [0.5, last],"),
+                                 "s");
+  EXPECT_EQ(scene.pictures[0].times, (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(scene.output.times, (std::vector<double>{0.5, 2.0}));
+}
+
+TEST(Scene, withAHundredThousandDefinitionsIsReadInSeconds) {
+  for (const bool chain : {false, true}) {
+    const int count = chain ? 10'000 : 100'000;  // a chain takes a parser for each of its links
+    std::string yaml = samples::block + "definitions:\n";
+    for (int k = 0; k < count; ++k)
+      yaml += fmt::format("  - {{name: d{}, formula: {}}}\n", k,
+                          chain && k > 0 ? fmt::format("d{} + 1", k - 1) : "2*X");
+    yaml = replaced(yaml, "[1, 0]", fmt::format("[d{}, 0]", count - 1));
+    const auto begin = std::chrono::steady_clock::now();
+    const Scene scene = parseScene(yaml, "test.yaml");
+    EXPECT_EQ(scene.definitions.size(), static_cast<std::size_t>(count));
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 60.0) << chain;
+  }
 }
 
 TEST(Scene, namesAFileThatCannotBeRead) {

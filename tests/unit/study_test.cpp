@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/scene/json_schema.h"
 #include "postproc/study/combinations.h"
+#include "postproc/study/run_data.h"
 #include "postproc/study/study_listing.h"
 #include "postproc/study/study_reader.h"
 
@@ -118,6 +119,13 @@ TEST_F(StudyFile, figuresAndStatementsAreRead) {
   EXPECT_EQ(sheet.panelCaption, "{letter}) {label}, {time}");
   const auto& measure = std::get<HistoryMeasure>(study.spec.statements.at(0).measures.at(0).what);
   EXPECT_EQ(measure.reduce, Reduction::Max);
+}
+
+TEST_F(StudyFile, aTimeMayBeTheEndOfTheRuns) {
+  std::string text = kStudy;
+  text.replace(text.find("times: [0, 1]"), 13, "times: [0, end]");
+  const Study study = read(text);
+  EXPECT_THAT(std::get<ContourSheetSpec>(study.spec.figures[1].what).times, ElementsAre(0.0, kEndOfRun));
 }
 
 TEST_F(StudyFile, patternsNameRunsOnceInTheirOrder) {

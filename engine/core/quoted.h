@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+/// How messages show what they have read.
+namespace burnish {
+
+/// A text as `forMessage` shows it, cut after 60 letters.
+std::string shortened(const std::string& text);
+
+/// The same in quotation marks.
+std::string quoted(const std::string& text);
+
+}  // namespace burnish
