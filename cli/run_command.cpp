@@ -130,7 +130,8 @@ void addRunCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("run", "Compute a scene; write results, VTU files and pictures");
   const auto arguments = std::make_shared<RunArguments>();
   command->footer(
-      "Exit codes: 0 done, 2 unusable input, 3 the run stopped before its end, 4 all is computed but a picture\n"
+      "Exit codes: 0 done, 2 unusable input, 3 the run stopped before its end, 4 all is computed but a "
+      "picture\n"
       "failed, 130 and 143 interrupted. What was computed is kept.");
   CLI::Option* scene = command->add_option("SCENE", arguments->scene, "Scene file (YAML)");
   CLI::Option* output =

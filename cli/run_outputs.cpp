@@ -149,8 +149,7 @@ void RunOutputs::drawMarked() {
   for (const PictureSpec& picture : scene_.pictures)
     for (const double time : picture.times)
       for (std::size_t k = 0; k < times.size() && picture.doubtMarks; ++k)
-        if (sameTime(times[k], time))
-          draw(picture, time, result.frame(static_cast<int>(k)));
+        if (sameTime(times[k], time)) draw(picture, time, result.frame(static_cast<int>(k)));
   pictures_ = drawn;
 }
 

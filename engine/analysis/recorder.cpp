@@ -180,6 +180,7 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
     const Stopwatch stopwatch(projectionSeconds_);
     next.projectedPlasticStrain = extremes_(projection_.project(plasticStrain(bulk)).col(0));
   }
+  next.largestEnergy = std::max(current_.largestEnergy, std::abs(next.energyFound()));
 
   measured_ = measures_.values(state);
   reactions_.update(state, force);
@@ -385,9 +386,9 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
 }
 
 double imbalanceOf(const StateQuantities& state, double otherWork) {
-  const double found = state.strainEnergy + state.contactEnergy + state.plasticWork + state.stabilisationWork;
+  const double found = state.energyFound();
   const double done = state.externalWork + otherWork;
-  const double scale = std::max(std::abs(found), std::abs(done));
+  const double scale = std::max({std::abs(found), std::abs(done), 0.01 * state.largestEnergy});
   return scale > 0.0 ? std::abs(done - found) / scale : 0.0;
 }
 
@@ -416,6 +417,7 @@ void StateQuantities::archive(StateArchive& archive) {
   archive.field("min_J", minJ);
   archive.field("stabilisation_work", stabilisationWork);
   archive.field("stabilised_share", stabilisedShare);
+  archive.field("largest_energy", largestEnergy);
 }
 
 template <int Dim>

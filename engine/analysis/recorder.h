@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/results/doubts.h"
 #include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/reactions.h"
@@ -11,6 +10,7 @@
 #include "engine/analysis/tool_watch.h"
 #include "engine/fields/projection.h"
 #include "engine/fields/span_extremes.h"
+#include "engine/results/doubts.h"
 
 namespace burnish {
 
@@ -40,12 +40,17 @@ struct StateQuantities {
   double minJ = 1.0;
   double stabilisationWork = 0.0;  ///< taken from the body by a drag that holds it
   double stabilisedShare = 0.0;    ///< of the largest force, see `Model::stabilisedShare`
+  double largestEnergy = 0.0;      ///< up to this state: of what work became, see `energyFound`
+
+  /// What became of the work done: energies, plastic work, and what a drag took.
+  double energyFound() const { return strainEnergy + contactEnergy + plasticWork + stabilisationWork; }
 
   void archive(StateArchive& archive);
 };
 
 /// Difference between the work done on the body, externalWork and otherWork, and what became of it, over the
-/// larger of both.
+/// larger of both; over a hundredth of the largest energy before where they are less, as at the end of a run
+/// that lets go of the body.
 double imbalanceOf(const StateQuantities& state, double otherWork);
 
 /// Follows a run: sums the external work, watches extremes and doubts, and makes history rows.
@@ -136,14 +141,14 @@ class Recorder {
   double smallestJ_ = 1.0;
   double largestPenetration_ = 0.0;
   double largestStabilisedShare_ = 0.0;
-  int states_ = 0;           ///< taken in, that at the start among them
-  double suddenWork_ = 0.0;  ///< half of the work on the first step of loads that were there from the start
-  std::vector<Doubt> doubts_;           ///< those of any scene
-  std::vector<Doubt> toolDoubts_;       ///< one for each tool and face that `ToolWatch` watches
-  std::vector<Doubt> tipDoubts_;        ///< one for each contact pair
+  int states_ = 0;             ///< taken in, that at the start among them
+  double suddenWork_ = 0.0;    ///< half of the work on the first step of loads that were there from the start
+  std::vector<Doubt> doubts_;  ///< those of any scene
+  std::vector<Doubt> toolDoubts_;  ///< one for each tool and face that `ToolWatch` watches
+  std::vector<Doubt> tipDoubts_;   ///< one for each contact pair
   bool crossesItself_ = false;
-  std::vector<FoundTip> tips_;     ///< the first ones
-  std::vector<bool> touched_;      ///< per tool
+  std::vector<FoundTip> tips_;  ///< the first ones
+  std::vector<bool> touched_;   ///< per tool
   bool rezones_;
   bool needsNewMesh_ = false;  ///< of this mesh, since a rezoning that failed; the next one's begins anew
   int rezonings_ = 0;

@@ -116,11 +116,13 @@ TEST_F(Report, WarnsOfDoubtfulPenetrationAndVolumeInARunWithoutAnEnd) {
 TEST_F(Report, RepeatsWhatARunDoubtedItself) {
   changeSummary([](SummaryRecord& s) {
     s.numbers["steps"] = 4;
-    s.doubts = {{.what = "tool 'disc' is too sharp", .firstTime = 0.5, .steps = 1}};
+    s.doubts = {{.what = "tool 'disc' is too sharp",
+                 .firstTime = 0.5,
+                 .steps = 1,
+                 .detail = "1.7 times as many spans would do"}};
   });
-  EXPECT_THAT(warnings(),
-              ElementsAre("Tool 'disc' is too sharp: first at t = 0.5, in 25.0 % of the steps. Do "
-                          "not trust the results from there on."));
+  EXPECT_THAT(warnings(), ElementsAre("Tool 'disc' is too sharp: first at t = 0.5, in 25.0 % of the steps; "
+                                      "1.7 times as many spans would do."));
 }
 
 TEST_F(Report, ShowsWarningsOfTheScene) {

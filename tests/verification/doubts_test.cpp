@@ -132,5 +132,21 @@ steps: [{until: 1, count: 1}]
   EXPECT_FALSE(hasDoubt(outcome.summary, "work and energies"));
 }
 
+TEST(Balance, ABodyThatIsLetGoOfIsNoReasonToDoubt) {
+  const auto outcome = test::run(parseScene(R"(
+geometry: {shape: rectangle, size: [2, 1], functions: [20, 6]}
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports: [{face: bottom, fix: [x, y]}]
+tools:
+  - {name: disc, shape: cylinder, center: [1, 1.5], radius: 0.5, motion: {times: [0, 1, 2], y: [0, -0.01, 0]}}
+contact: [{tool: disc, face: top}]
+steps: [{until: 2, count: 8}]
+)",
+                                            "let go"),
+                                 "let_go");
+  EXPECT_LT(outcome.summary.end.energyFound(), 1e-12 * outcome.summary.end.largestEnergy);
+  EXPECT_FALSE(hasDoubt(outcome.summary, "work and energies"));
+}
+
 }  // namespace
 }  // namespace burnish
