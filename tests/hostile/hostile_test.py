@@ -128,7 +128,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="burnish_hostile_") as root:
         bench = Bench(program, table, pathlib.Path(root))
         if bench.sanitized:  # address sanitizers reserve terabytes
-            rows = [(number, row) for number, row in rows if "ulimit -v" not in row["run"]]
+            rows = [(number, row) for number, row in rows if not re.search("ulimit -[vds]", row["run"])]
         with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
             for (number, row), (faults, seconds, memory) in zip(
                     rows, pool.map(lambda entry: judge(bench, *entry), rows)):
