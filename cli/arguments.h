@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/nearest.h"
 #include "engine/core/shown_text.h"
-#include "engine/scene/nearest.h"
 #include "postproc/draw/color_scale.h"
 #include "postproc/mesh/mirror.h"
 #include "postproc/mesh/plane_section.h"

@@ -17,8 +17,8 @@
 #include "cli/console.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
+#include "engine/core/nearest.h"
 #include "engine/results/result_reader.h"
-#include "engine/scene/nearest.h"
 #include "postproc/export/vtu_series_writer.h"
 
 namespace burnish {

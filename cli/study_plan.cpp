@@ -15,13 +15,13 @@
 #include <thread>
 
 #include "engine/core/error.h"
+#include "engine/core/nearest.h"
 #include "engine/core/version.h"
 #include "engine/results/atomic_file.h"
 #include "engine/results/result_reader.h"
 #include "engine/results/summary_file.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
-#include "engine/scene/nearest.h"
 #include "engine/scene/reader.h"
 #include "postproc/study/figures.h"
 

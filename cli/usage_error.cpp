@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 
 namespace burnish {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/core/formula_words.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 #include "engine/scene/quantity_names.h"
 
 namespace burnish {

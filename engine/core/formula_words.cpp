@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/nearest.h"
 #include "engine/core/quoted.h"
-#include "engine/scene/nearest.h"
 
 namespace burnish {
 namespace {

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "engine/core/nearest.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/check_motion.h"
-#include "engine/scene/nearest.h"
 #include "engine/scene/support_names.h"
 
 namespace burnish {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "engine/core/error.h"
+#include "engine/core/nearest.h"
 #include "engine/scene/check_context.h"
-#include "engine/scene/nearest.h"
 #include "engine/scene/quantity_names.h"
 #include "engine/scene/support_names.h"
 

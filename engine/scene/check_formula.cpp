@@ -8,9 +8,9 @@
 #include "engine/core/definitions.h"
 #include "engine/core/error.h"
 #include "engine/core/formula_words.h"
+#include "engine/core/nearest.h"
 #include "engine/core/quoted.h"
 #include "engine/scene/check_context.h"
-#include "engine/scene/nearest.h"
 
 namespace burnish {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 #include "engine/scene/tool_files.h"
 #include "engine/scene/yaml_document.h"
 

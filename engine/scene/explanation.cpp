@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 #include "engine/scene/yaml_tree.h"
 
 namespace burnish {

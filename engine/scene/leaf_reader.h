@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
+#include "engine/core/nearest.h"
 #include "engine/scene/leaf.h"
-#include "engine/scene/nearest.h"
 #include "engine/scene/yaml_tree.h"
 
 namespace burnish {

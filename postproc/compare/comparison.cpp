@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 #include "postproc/study/text_file.h"
 
 namespace burnish {

@@ -11,7 +11,7 @@
 
 #include "engine/core/drawable_range.h"
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 
 namespace burnish {
 namespace {

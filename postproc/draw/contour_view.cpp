@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 
 namespace burnish {
 

@@ -18,8 +18,8 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/nearest.h"
 #include "engine/core/shown_text.h"
-#include "engine/scene/nearest.h"
 
 namespace burnish {
 namespace {

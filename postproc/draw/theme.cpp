@@ -6,8 +6,8 @@
 #include <map>
 
 #include "engine/core/error.h"
+#include "engine/core/nearest.h"
 #include "engine/scene/mapping_reader.h"
-#include "engine/scene/nearest.h"
 #include "engine/scene/yaml_document.h"
 #include "postproc/draw/color_name.h"
 #include "postproc/draw/theme_files.h"

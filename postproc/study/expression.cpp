@@ -9,7 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/formula_words.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 
 namespace burnish {
 namespace {

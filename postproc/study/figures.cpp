@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 #include "postproc/draw/setup_figure.h"
 #include "postproc/draw/sheet.h"
 #include "postproc/study/figure_kinds.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 #include "postproc/draw/field_choice.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/study/reductions.h"

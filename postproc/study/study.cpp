@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 
 namespace burnish {
 namespace {

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "engine/core/error.h"
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 #include "engine/scene/picture_planes.h"
 #include "postproc/study/combinations.h"
 

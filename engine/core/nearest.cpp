@@ -1,4 +1,4 @@
-#include "engine/scene/nearest.h"
+#include "engine/core/nearest.h"
 
 #include <algorithm>
 #include <cctype>
