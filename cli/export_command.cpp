@@ -15,6 +15,7 @@
 #include "cli/child_process.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/foreign_files.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/nearest.h"
@@ -62,6 +63,7 @@ ExitCode exportResult(const ExportArguments& arguments) {
     throw Error(
         fmt::format("{}: the result has no frames to export; is the folder 'result' beside it missing?",
                     reader.file().string()));
+  if (!isOfARun(directory) && !hasSeries(directory)) requireAbsent(seriesFiles(directory));
   VtuSeriesWriter writer(directory, reader.model(), options);
   for (int i = 0; i < reader.numFrames(); ++i) {
     throwIfInterrupted();

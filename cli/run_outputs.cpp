@@ -10,11 +10,10 @@
 
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "cli/foreign_files.h"
 #include "cli/picture_planes_check.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
-#include "engine/results/history.h"
-#include "engine/results/result_files.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour.h"
 #include "postproc/draw/doubt_mark.h"
@@ -53,28 +52,6 @@ std::string renderCommand(const PictureSpec& picture, std::optional<double> time
   return line;
 }
 
-/// Whether a run has written to the directory before. The model file goes first when a run begins anew, and
-/// says itself if it is not a run's.
-bool isOfARun(const fs::path& directory) {
-  std::error_code absent;
-  if (fs::exists(modelFile(directory), absent)) return true;
-  try {
-    return readHistory(directory / "history.csv").columns.front() == "step";
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-/// Files of a series for ParaView that is there already.
-std::vector<fs::path> seriesFiles(const fs::path& directory) {
-  std::vector<fs::path> files{directory / "frames.pvd"};
-  std::error_code absent;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory / "frames", absent))
-    if (entry.path().extension() == ".vtu" || entry.path().extension() == ".vtp")
-      files.push_back(entry.path());
-  return files;
-}
-
 }  // namespace
 
 RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress, bool marksDoubts)
@@ -92,14 +69,7 @@ void RunOutputs::requireNoForeignFiles() const {
     files.push_back(pictureFile(picture, std::nullopt));
     for (const double time : picture.times) files.push_back(pictureFile(picture, time));
   }
-  for (const fs::path& file : files) {
-    std::error_code absent;
-    if (fs::symlink_status(file, absent).type() != fs::file_type::not_found)
-      throw Error(
-          fmt::format("-o: {} is not of a run of burnish and would be overwritten; choose another directory, "
-                      "or move it away",
-                      file.string()));
-  }
+  requireAbsent(files);
 }
 
 void RunOutputs::onModel(const ModelRecord& model) {
