@@ -65,8 +65,8 @@ void readPng(const std::filesystem::path& file, bool keepsAlpha,
   const bool hasAlpha = keepsAlpha && (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   image.format = hasAlpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
   if (std::uint64_t{image.width} * image.height > kMostPixels)
-    throw Error(fmt::format("{}: found {} x {} pixels; expected at most {} in all", file.string(), image.width,
-                            image.height, kMostPixels));
+    throw Error(fmt::format("{}: found {} x {} pixels; expected at most {} in all", file.string(),
+                            image.width, image.height, kMostPixels));
   std::byte* pixels = place({static_cast<int>(image.width), static_cast<int>(image.height), hasAlpha});
   const png_color white{255, 255, 255};
   const auto upwards = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(image));

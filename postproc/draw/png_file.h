@@ -14,9 +14,9 @@ struct PngSize {
 };
 
 /// Reads a PNG of any kind into rows of bytes, the lowest first: grey and palette become RGB, 16 bits per
-/// channel 8. place: gives the room for the pixels when the size is known, RGB or, if there is an alpha channel
-/// and `keepsAlpha`, RGBA; otherwise what is translucent stands on white. Throws `Error` naming the file if it
-/// is missing, no PNG, damaged, or above 2^28 pixels, the last before any room is asked for.
+/// channel 8. place: gives the room for the pixels when the size is known, RGB or, if there is an alpha
+/// channel and `keepsAlpha`, RGBA; otherwise what is translucent stands on white. Throws `Error` naming the
+/// file if it is missing, no PNG, damaged, or above 2^28 pixels, the last before any room is asked for.
 void readPng(const std::filesystem::path& file, bool keepsAlpha,
              const std::function<std::byte*(const PngSize&)>& place);
 
