@@ -139,10 +139,26 @@ class ChartMaker {
   std::string axisTitle(const std::string& given, const std::vector<std::string>& formulas) const {
     if (!given.empty()) return given;
     const std::string title = fmt::format("{}", fmt::join(formulas, ", "));
-    if (!reference_) return title;
+    if (!reference_) return areToolForces(formulas) ? title + " (force of the body on the tool)" : title;
     const bool relative = differenceKind(arguments_.difference) == DifferenceKind::Relative;
     return fmt::format("{} of {} from {}", relative ? "relative difference" : "difference", title,
                        reference_->name);
+  }
+
+  /// Whether all are columns of forces of tools, whose sign is worth a word. Tools alone have displacements
+  /// beside their forces.
+  bool areToolForces(const std::vector<std::string>& formulas) const {
+    const auto isForce = [](const HistoryTable& history, const std::string& formula) {
+      const std::size_t dot = formula.rfind(".f");
+      if (dot == std::string::npos || dot + 3 != formula.size()) return false;
+      const auto has = [&](const std::string& column) {
+        return std::ranges::find(history.columns, column) != history.columns.end();
+      };
+      return has(formula) && has(formula.substr(0, dot) + ".u" + formula.back());
+    };
+    return !formulas.empty() && std::ranges::all_of(runs_, [&](const Run& run) {
+      return std::ranges::all_of(formulas, [&](const auto& f) { return isForce(run.history, f); });
+    });
   }
 
   void addCurves(const std::vector<std::string>& formulas, bool onRight) {

@@ -102,6 +102,18 @@ TEST_F(PlotCommand, WritesTextThatCanBeSelected) {
   EXPECT_THAT(readText(dir_ / "c.pdf"), HasSubstr("/FontFile2"));
 }
 
+TEST_F(PlotCommand, TellsTheSignOfToolForces) {
+  writeRun("tool", "time,tool.ux,tool.uy,tool.fx,tool.fy,face.fy\n0,0,0,0,0,0\n1,0,-1,0,2,-2\n");
+  const auto svgOf = [&](const std::string& arguments) {
+    EXPECT_EQ(plot(arguments + " -o signed.svg").code, 0);
+    return readText(dir_ / "signed.svg");
+  };
+  EXPECT_THAT(svgOf("tool --y tool.fy"), HasSubstr("tool.fy (force of the body on the tool)"));
+  for (const char* other :
+       {"face.fy", "tool.uy", "'tool.fy / 2'", "tool.fy --y face.fy", "tool.fy --y-title F"})
+    EXPECT_THAT(svgOf(std::string("tool --y ") + other), Not(HasSubstr("force of the body"))) << other;
+}
+
 TEST_F(PlotCommand, RefusesWhatDoesNotFit) {
   expectRefused("coarse --y enrgy -o c.png", {"coarse/history.csv", "no column \"enrgy\"", "\"energy\"?"});
   expectRefused("coarse --y energy --y2 'tool.fx*2' -o c.png", {"character 1", "\"tool.fy\"?"});
