@@ -66,8 +66,7 @@ ExitCode execute(int argc, char** argv) {
 
 constexpr const char* kLittleMemory =
     "burnish: the memory of this machine, or that which is allowed (ulimit -v), does not suffice; take fewer "
-    "basis "
-    "functions, a lower degree or smaller pictures\n";
+    "basis functions, a lower degree or smaller pictures\n";
 
 /// What ends the program where no handler is: in threads and destructors, memory is all that can be missing.
 [[noreturn]] void endAtOnce() {

@@ -98,10 +98,20 @@ void RunOutputs::onStep(const RunProgress& progress) {
 
 void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
   if (vtu_) vtu_->write(frame);
+  drawDue(frame);
+  lastFrame_ = frame;
+}
+
+bool RunOutputs::isDue(double time) const {
+  return std::ranges::any_of(scene_.pictures, [time](const PictureSpec& picture) {
+    return std::ranges::any_of(picture.times, [time](double wanted) { return sameTime(time, wanted); });
+  });
+}
+
+void RunOutputs::drawDue(const FrameRecord& frame) {
   for (const PictureSpec& picture : scene_.pictures)
     for (const double time : picture.times)
       if (sameTime(frame.time, time)) draw(picture, time, frame);
-  lastFrame_ = frame;
 }
 
 ContourOptions RunOutputs::marked(const PictureSpec& picture) const {
@@ -111,16 +121,13 @@ ContourOptions RunOutputs::marked(const PictureSpec& picture) const {
 }
 
 void RunOutputs::drawMarked() {
-  const auto isDrawnBefore = [](const PictureSpec& picture) { return !picture.times.empty(); };
-  if (std::none_of(scene_.pictures.begin(), scene_.pictures.end(), isDrawnBefore)) return;
+  if (pictures_.empty() && missing_.empty()) return;  // nothing was due before the end
+  pictures_.clear();
+  missing_.clear();
   const ResultReader result(directory_);
   const std::vector<double> times = result.times();
-  const std::vector<fs::path> drawn = std::exchange(pictures_, {});
-  for (const PictureSpec& picture : scene_.pictures)
-    for (const double time : picture.times)
-      for (std::size_t k = 0; k < times.size() && picture.doubtMarks; ++k)
-        if (sameTime(times[k], time)) draw(picture, time, result.frame(static_cast<int>(k)));
-  pictures_ = drawn;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (isDue(times[k])) drawDue(result.frame(static_cast<int>(k)));
 }
 
 void RunOutputs::finish(bool isDoubtful) {
@@ -140,8 +147,7 @@ fs::path RunOutputs::pictureFile(const PictureSpec& picture, std::optional<doubl
 void RunOutputs::draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame) {
   const fs::path file = pictureFile(picture, time);
   const auto note = [&](const char* reason) {
-    if (std::ranges::none_of(missing_, [&](const Missing& other) { return other.file == file; }))
-      missing_.push_back({file, reason, renderCommand(picture, time, directory_, file)});
+    missing_.push_back({file, reason, renderCommand(picture, time, directory_, file)});
   };
   if (interruption() != 0) return note("");
   try {

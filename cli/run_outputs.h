@@ -55,7 +55,13 @@ class RunOutputs : public RunObserver {
   /// How a picture is drawn, with a mark once the run doubts its results.
   ContourOptions marked(const PictureSpec& picture) const;
 
-  /// Draws the pictures of times before the end that are to be marked.
+  /// Whether a picture of this time is wanted.
+  bool isDue(double time) const;
+
+  /// Draws the pictures that are wanted of the time of a frame.
+  void drawDue(const FrameRecord& frame);
+
+  /// Draws those of times before the end once more: now it is known that they are to be marked.
   void drawMarked();
 
   const Scene& scene_;

@@ -19,6 +19,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/core/quoted.h"
 #include "engine/core/shown_text.h"
 
 namespace burnish {
@@ -227,13 +228,12 @@ void noteDrawnText(const std::string& text, const std::string& name) {
   std::vector<std::string> codes;
   for (const char32_t letter : missing)
     codes.push_back(fmt::format("U+{:04X}", static_cast<std::uint32_t>(letter)));
-  constexpr std::size_t longest = 60;
   const std::string fonts = name == kDefaultFont
                                 ? fmt::format("the font {} has no", name)
                                 : fmt::format("neither the font {} nor {} has", name, kDefaultFont);
   const std::string warning =
-      fmt::format("{} {}; \"{}\" is drawn with a box for {}", fonts, fmt::join(codes, ", "),
-                  forMessage(text, longest), codes.size() == 1 ? "it" : "each");
+      fmt::format("{} {}; {} is drawn with a box for {}", fonts, fmt::join(codes, ", "), quoted(text),
+                  codes.size() == 1 ? "it" : "each");
   const std::lock_guard lock(warningsMutex());
   std::vector<std::string>& warnings = textWarnings();
   if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
