@@ -52,8 +52,7 @@ __attribute__((no_sanitize("address", "undefined"))) void beforeLibraries(int, c
   if (space.rlim_cur >> 20U < kLeastSpace || data.rlim_cur >> 20U < kLeastData) {
     constexpr char text[] =
         "burnish: the memory that the program may use is below what it takes to start, 400 MB (ulimit -v) "
-        "with 32 MB "
-        "of data (ulimit -d); raise the limit\n";
+        "with 32 MB of data (ulimit -d); raise the limit\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
     ::_exit(2);
   }

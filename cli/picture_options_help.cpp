@@ -96,10 +96,9 @@ void addView(CLI::App& command, PictureOptions& options) {
                   "Draw only the section of body and tools with this plane, seen against its normal [no]")
       ->type_name("z=V|X,Y,Z,NX,NY,NZ");
   command
-      .add_option(
-          "--mirror", options.mirror,
-          "Draw also the images of a symmetric part beyond these planes: x, or x,z=V where one is not "
-          "at 0 [no]")
+      .add_option("--mirror", options.mirror,
+                  "Draw also the images of a symmetric part beyond these planes: x, or x,z=V where one is "
+                  "not at 0 [no]")
       ->type_name("x[=V],...");
   command.add_option("--size", options.size, "Size of the picture in pixels [1600,900]")->type_name("W,H");
   command

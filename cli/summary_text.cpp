@@ -51,11 +51,9 @@ std::string summaryText(const RunSummary& s) {
   if (!s.rezonings.empty() || s.failedRezonings > 0) text += line("rezonings", rezonings(s));
   text += line("worst residual", fmt::format("{:.2e}, tolerance {:.0e}", s.worstResidual, s.tolerance));
   if (s.stepsAtRoundOff > 0)
-    text +=
-        line("rounding",
-             fmt::format("{} steps ended above the tolerance, at {:.1e} or less, where the rounding of the "
-                         "forces allows no less; this is harmless",
-                         s.stepsAtRoundOff, s.worstResidual));
+    text += line("rounding", fmt::format("{} steps ended above the tolerance, at {:.1e} or less, where the "
+                                         "rounding of the forces allows no less; this is harmless",
+                                         s.stepsAtRoundOff, s.worstResidual));
   if (s.contactParameter > 0.0)
     text += line("contact", fmt::format("parameter {:.4g}, worst averaged gap {:.2e}, tolerance {:.0e}",
                                         s.contactParameter, s.worstConstraint, s.constraintTolerance));
@@ -66,9 +64,9 @@ std::string summaryText(const RunSummary& s) {
   if (s.stabilised)
     text += line(
         "stabilisation",
-        fmt::format("carries {:.2g} % of the largest force at the end, {:.2g} % at most; took {:.4g} of "
-                    "the work",
-                    100.0 * end.stabilisedShare, 100.0 * s.largestStabilisedShare, end.stabilisationWork));
+        fmt::format(
+            "carries {:.2g} % of the largest force at the end, {:.2g} % at most; took {:.4g} of the work",
+            100.0 * end.stabilisedShare, 100.0 * s.largestStabilisedShare, end.stabilisationWork));
   if (end.maxPlasticStrain > 0.0)
     text += line(
         "plastic strain",

@@ -57,10 +57,9 @@ void requirePositive(const Patch<Dim>& patch, const std::string& path) {
     throw InputError(path,
                      "the body is inside out: the determinant of its map is negative at all knots; reverse "
                      "the order of the control points in one direction");
-  throw InputError(
-      path, fmt::format("the map is folded near ({:.4g}): its determinant is {:.3g}; move the control points "
-                        "so that it is positive everywhere",
-                        fmt::join(found.place, ", "), found.lowest));
+  throw InputError(path, fmt::format("the map is folded near ({:.4g}): its determinant is {:.3g}; move the "
+                                     "control points so that it is positive everywhere",
+                                     fmt::join(found.place, ", "), found.lowest));
 }
 
 /// Samples of a face in order. The inner ones stand at odd places, so that lines which cross at round numbers

@@ -249,15 +249,13 @@ void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec, con
   const NearestPoint nearest =
       nearestPoint(body_, faces_.patch(spec.place.patch), faceFromName<Dim>(spec.place.face), tool, 0.0);
   if (-nearest.gap > kTouching * std::min(halfThickness(tool.shape), body_.size()))
-    throw InputError(
-        place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; move it away by at least "
-                           "that much (touching is fine)",
-                           spec.tool, spec.place.face, -nearest.gap));
+    throw InputError(place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; move it away "
+                                        "by at least that much (touching is fine)",
+                                        spec.tool, spec.place.face, -nearest.gap));
   if (nearest.facing > 0.5)
-    throw InputError(
-        place, fmt::format("tool '{}' is behind face '{}' at the start, inside the body or on its other "
-                           "side; put it in front of the face",
-                           spec.tool, spec.place.face));
+    throw InputError(place, fmt::format("tool '{}' is behind face '{}' at the start, inside the body or on "
+                                        "its other side; put it in front of the face",
+                                        spec.tool, spec.place.face));
   const auto nodes = faces_.nodes(spec.place);
   const bool held = std::all_of(nodes.begin(), nodes.end(), [&](int node) {
     const auto first = prescribed_.begin() + Dim * node;
@@ -265,9 +263,10 @@ void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec, con
   });
   if (held)
     throw InputError(
-        place, fmt::format("face '{}' is held in all its components, so tool '{}' cannot move it; name a "
-                           "face that is free",
-                           spec.place.face, spec.tool));
+        place,
+        fmt::format(
+            "face '{}' is held in all its components, so tool '{}' cannot move it; name a face that is free",
+            spec.place.face, spec.tool));
 }
 
 template <int Dim>
@@ -394,10 +393,11 @@ void Model<Dim>::requireSupported() const {
   qr.setThreshold(1e-10);
   const int freeWays = numRigid - (held.empty() ? 0 : static_cast<int>(qr.rank()));
   if (freeWays > 0)
-    throw InputError("supports",
-                     fmt::format("they leave the body free to move as a rigid whole in {} way{}; hold more "
-                                 "components or faces",
-                                 freeWays, freeWays == 1 ? "" : "s"));
+    throw InputError(
+        "supports",
+        fmt::format(
+            "they leave the body free to move as a rigid whole in {} way{}; hold more components or faces",
+            freeWays, freeWays == 1 ? "" : "s"));
 }
 
 template <int Dim>

@@ -132,8 +132,8 @@ class Run {
     stage_->record();
     if (const std::string pulled = stage_->model->pulledTool(); !pulled.empty())
       throw RunError(
-          fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a "
-                      "free way has to be pressed on the body, or its motion prescribed",
+          fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a free way "
+                      "has to be pressed on the body, or its motion prescribed",
                       pulled));
   }
 
@@ -278,9 +278,8 @@ class Run {
     if (const std::string way = stage_->model->runawayWay(); !way.empty())
       summary_.stoppedBecause += fmt::format(
           "; {}: the tool would have turned by more than 0.2 radians, or moved by more than the body's size, "
-          "in "
-          "one step, as too little resists it in this way: leave it out of carry, prescribe it, or place the "
-          "tool so that it rests on several control points",
+          "in one step, as too little resists it in this way: leave it out of carry, prescribe it, or place "
+          "the tool so that it rests on several control points",
           way);
   }
 

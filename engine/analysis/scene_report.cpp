@@ -72,10 +72,9 @@ std::vector<InputProblem> toolWarnings(const Scene& scene, const Model<Dim>& mod
     }
     if (!tool.freeUnknowns().empty() || !restsByItself(scene)) continue;
     if (const double gap = smallestGap(model, k, end); gap > 0.0)
-      warnings.push_back(
-          {path, fmt::format("tool '{}' stays {:.3g} or more away from the faces that may touch "
-                             "it as long as these are undeformed; move it closer",
-                             tool.name, gap)});
+      warnings.push_back({path, fmt::format("tool '{}' stays {:.3g} or more away from the faces that may "
+                                            "touch it as long as these are undeformed; move it closer",
+                                            tool.name, gap)});
   }
   return warnings;
 }

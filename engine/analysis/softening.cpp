@@ -26,10 +26,10 @@ std::vector<InputProblem> softeningWarnings(const Material& material) {
     const double ep = kLargestStrain * k / kSamples, stress = stressAt(ep);
     if (!(stress > 0.0))
       return {{"material.hardening",
-               fmt::format("the yield stress is {:.4g} at the plastic strain ep = {:.4g}, from {:.4g} at "
-                           "ep = {:.4g}: there is no answer where the body flows so far; give a law that "
-                           "stays above 0",
-                           stress, ep, highest, highestAt)}};
+               fmt::format(
+                   "the yield stress is {:.4g} at the plastic strain ep = {:.4g}, from {:.4g} at ep = "
+                   "{:.4g}: there is no answer where the body flows so far; give a law that stays above 0",
+                   stress, ep, highest, highestAt)}};
     if (stress >= highest) {
       highest = stress;
       highestAt = ep;
@@ -41,9 +41,9 @@ std::vector<InputProblem> softeningWarnings(const Material& material) {
   }
   if (to == 0.0) return {};
   return {{"material.hardening",
-           fmt::format("the body softens: its yield stress falls from {:.4g} at the plastic strain "
-                       "ep = {:.4g} to {:.4g} at ep = {:.4g}; there plastic flow gathers in a band as wide "
-                       "as a knot span, so that answers depend on the mesh and the run may stop",
+           fmt::format("the body softens: its yield stress falls from {:.4g} at the plastic strain ep = "
+                       "{:.4g} to {:.4g} at ep = {:.4g}; there plastic flow gathers in a band as wide as a "
+                       "knot span, so that answers depend on the mesh and the run may stop",
                        stressAt(from), from, stressAt(to), to)}};
 }
 

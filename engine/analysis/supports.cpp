@@ -142,9 +142,10 @@ template <int Dim>
 void FaceFinder<Dim>::requireOuter(const FaceSpec& place, const std::string& key) const {
   if (const auto other = neighbour(place))
     throw InputError(
-        key, fmt::format("face '{}' of patch '{}' is joined to patch '{}', so it lies inside the body; name "
-                         "an outer face",
-                         place.face, place.patch, *other));
+        key,
+        fmt::format(
+            "face '{}' of patch '{}' is joined to patch '{}', so it lies inside the body; name an outer face",
+            place.face, place.patch, *other));
 }
 
 template <int Dim>
@@ -206,9 +207,9 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
   const auto chosen = functionsInPart(trace.basis(), faces.part(spec.place, place));
   if (chosen.empty())
     throw InputError(
-        place, fmt::format("no control point belongs to this part of face '{}'; make it wider, or the mesh "
-                           "finer",
-                           spec.place.face));
+        place,
+        fmt::format("no control point belongs to this part of face '{}'; make it wider, or the mesh finer",
+                    spec.place.face));
 
   std::array<bool, 3> held{};
   for (std::size_t d = 0; d < Dim; ++d)
@@ -217,10 +218,9 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
     const Eigen::VectorXd extent = trace.points().rowwise().maxCoeff() - trace.points().rowwise().minCoeff();
     Eigen::Index normal = 0;
     if (extent.minCoeff(&normal) > 1e-12 * faces.body().size())
-      throw InputError(
-          place, fmt::format("face '{}' is not flat along an axis, so symmetry has no direction to hold; use "
-                             "fix with the components to hold",
-                             spec.place.face));
+      throw InputError(place, fmt::format("face '{}' is not flat along an axis, so symmetry has no direction "
+                                          "to hold; use fix with the components to hold",
+                                          spec.place.face));
     held[static_cast<std::size_t>(normal)] = true;
   }
 
@@ -288,8 +288,8 @@ void Supports<Dim>::append(Motion motion, const std::string& face, int component
         if (!(std::abs(before(unknown) - now(unknown)) <= 1e-9 * scale))
           throw InputError(
               motion.place,
-              fmt::format("face '{}' meets another support where component {} is prescribed differently "
-                          "by the two at t = {:.6g} ({:.6g} and {:.6g}); give both the same motion",
+              fmt::format("face '{}' meets another support where component {} is prescribed differently by "
+                          "the two at t = {:.6g} ({:.6g} and {:.6g}); give both the same motion",
                           face, kComponents[static_cast<std::size_t>(component)], t, before(unknown),
                           now(unknown)));
     }

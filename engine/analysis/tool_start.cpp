@@ -159,11 +159,9 @@ Eigen::Vector3d liftToSeparate(const std::vector<const ContactTerm<Dim>*>& pairs
     if (smallestGap(pairs, pose) > 0.0) return height * direction;
     height *= kMargin;
   }
-  throw InputError(
-      place,
-      fmt::format("tool '{}' cannot be lifted off the face that it touches, averaged gaps stay negative; "
-                  "start it farther away",
-                  tool.name));
+  throw InputError(place, fmt::format("tool '{}' cannot be lifted off the face that it touches, averaged "
+                                      "gaps stay negative; start it farther away",
+                                      tool.name));
 }
 
 void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize) {
@@ -185,11 +183,10 @@ void requireDetermined(const Tool& tool, const std::string& place, int dim, doub
   const std::string others =
       keys.size() == 1 ? ""
                        : fmt::format(", together with {},", fmt::join(keys.begin() + 1, keys.end(), " and "));
-  throw InputError(
-      keys.front(),
-      fmt::format("tool '{}' moves in itself in this way{} so that no contact force resists it; leave "
-                  "it out of carry, then it is held, or prescribe it",
-                  tool.name, others));
+  throw InputError(keys.front(),
+                   fmt::format("tool '{}' moves in itself in this way{} so that no contact force resists it; "
+                               "leave it out of carry, then it is held, or prescribe it",
+                               tool.name, others));
 }
 
 Eigen::Vector3d firstDirection(const ToolLoad& load, double end) {
@@ -215,22 +212,18 @@ Eigen::Vector3d shiftToTouch(const std::vector<const ContactTerm<Dim>*>& pairs, 
     if (gap > 1e3 * bodySize) break;
     way += gap;  // gaps fall by no more than the way, so that this does not go too far
   }
-  throw InputError(
-      place,
-      fmt::format("tool '{}' does not meet its face when it moves along the force that it carries; place "
-                  "it so that the force presses it on the body",
-                  tool.name));
+  throw InputError(place, fmt::format("tool '{}' does not meet its face when it moves along the force that "
+                                      "it carries; place it so that the force presses it on the body",
+                                      tool.name));
 }
 
 template <int Dim>
 void requireTouch(const std::vector<const ContactTerm<Dim>*>& pairs, const Tool& tool, double bodySize,
                   const std::string& place) {
   if (smallestGap(pairs, tool.pose(0.0)) > kNearlyTouching * bodySize)
-    throw InputError(
-        place,
-        fmt::format("tool '{}' is free to turn, but does not touch its face at the start; place it on the "
-                    "face, or let it carry a force too",
-                    tool.name));
+    throw InputError(place, fmt::format("tool '{}' is free to turn, but does not touch its face at the "
+                                        "start; place it on the face, or let it carry a force too",
+                                        tool.name));
 }
 
 template NearestPoint nearestPoint(const Body<2>&, int, FaceId, const Tool&, double);

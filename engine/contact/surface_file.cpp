@@ -130,11 +130,10 @@ void requireAreas(const std::vector<Point>& points, const Polygons& polygons) {
     places.push_back(CGAL::centroid(own.begin(), own.end()));
   }
   if (!places.empty())
-    throw Error(
-        countedAt(places.size(), "face", " without area", places) +
-        fmt::format(", the first is number {}; their corners coincide or lie on one line: remove them, or "
-                    "repair the mesh where it was made",
-                    first));
+    throw Error(countedAt(places.size(), "face", " without area", places) +
+                fmt::format(", the first is number {}; their corners coincide or lie on one line: remove "
+                            "them, or repair the mesh where it was made",
+                            first));
 }
 
 /// A mesh without coincident points, its faces oriented alike.

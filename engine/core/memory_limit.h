@@ -1,8 +1,9 @@
 #pragma once
 #include <cstdint>
 
-/// Where the address space or the data of the process are limited (ulimit -v, ulimit -d), libraries that get no memory end the
-/// program or wait for ever; what they will need is therefore asked for before they are called.
+/// Where the address space or the data of the process are limited (ulimit -v, ulimit -d), libraries that get
+/// no memory end the program or wait for ever; what they will need is therefore asked for before they are
+/// called.
 namespace burnish {
 
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;

@@ -36,10 +36,10 @@ KnotVector::KnotVector(int degree, std::vector<double> knots) : degree_(degree),
   }
   if (breakpoints_.size() < 2) throw Error("knot vector: all knots are equal, so there is no knot span");
   if (multiplicities.front() != degree_ + 1 || multiplicities.back() != degree_ + 1)
-    throw Error(fmt::format(
-        "knot vector: the end knots stand {} and {} times; an open knot vector of degree {} repeats "
-        "each of them {} times",
-        multiplicities.front(), multiplicities.back(), degree_, degree_ + 1));
+    throw Error(
+        fmt::format("knot vector: the end knots stand {} and {} times; an open knot vector of degree {} "
+                    "repeats each of them {} times",
+                    multiplicities.front(), multiplicities.back(), degree_, degree_ + 1));
   for (std::size_t b = 1; b + 1 < breakpoints_.size(); ++b)
     if (multiplicities[b] > degree_)
       throw Error(fmt::format(

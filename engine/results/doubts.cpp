@@ -32,8 +32,7 @@ std::string sentenceOf(Condition condition, bool rezones, bool touchesItself) {
              "meshes more spans (rezoning.spans)";
     case Condition::InsideTheBody:
       return "a tool presses on a contact face from inside the body: it has come through, or the face has "
-             "turned "
-             "over; take finer steps or more knot spans";
+             "turned over; take finer steps or more knot spans";
     case Condition::Balance:
       return fmt::format("work and energies differ by more than {:.0f} % of the work",
                          100.0 * kDoubtfulBalance);
@@ -97,8 +96,7 @@ std::string detailOf(Condition condition, const Doubt& doubt) {
     case Condition::Balance:
       return fmt::format(
           "at worst {:.3g} % (at t = {:.5g}); steps of half the size tell whether the sums of work are "
-          "coarse or "
-          "the body has jumped",
+          "coarse or the body has jumped",
           100.0 * doubt.worst, time);
     case Condition::Unstable:
       return fmt::format(

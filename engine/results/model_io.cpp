@@ -50,10 +50,9 @@ SurfaceMesh readSurface(const InputGroup& group) {
   const std::vector<int> cells = group.dataset("cells").integers();
   const int rows = group.integer("points_per_cell");
   if (points.rows() != 3 || rows < 2 || rows > 3 || cells.size() % static_cast<std::size_t>(rows) != 0)
-    throw Error(
-        fmt::format("{}: the mesh of a tool has points of {} coordinates and {} numbers of points "
-                    "for cells of {}",
-                    group.place(), points.rows(), cells.size(), rows));
+    throw Error(fmt::format(
+        "{}: the mesh of a tool has points of {} coordinates and {} numbers of points for cells of {}",
+        group.place(), points.rows(), cells.size(), rows));
   mesh.points = points;
   mesh.cells =
       Eigen::Map<const Eigen::MatrixXi>(cells.data(), rows, static_cast<Eigen::Index>(cells.size()) / rows);

@@ -46,10 +46,9 @@ OutputFile::OutputFile(std::filesystem::path path, std::uint64_t size)
   if (isLong && ::ftruncate(descriptor_, end) == 0 && ::lseek(descriptor_, end, SEEK_SET) == end) return;
   ::close(descriptor_);
   if (isLong) fail(path_, "go on with");
-  throw Error(
-      fmt::format("{} is shorter than the {} bytes that the run had written; bring it back, or compute "
-                  "the scene again",
-                  path_.string(), size));
+  throw Error(fmt::format(
+      "{} is shorter than the {} bytes that the run had written; bring it back, or compute the scene again",
+      path_.string(), size));
 }
 
 OutputFile::~OutputFile() {

@@ -17,11 +17,9 @@ void checkMortarDegree(const CheckContext& c) {
         return pair.method != ContactMethod::PointwisePenalty;
       });
   if (mortar && c.scene.basis == BasisChoice::Lagrange && c.scene.degree > highest && c.clean("degree"))
-    c.report(
-        "degree",
-        fmt::format("found {}; allowed for mortar contact with Lagrange elements: at most {}, above it the "
-                    "integral of a basis function is no longer positive.",
-                    c.scene.degree, highest));
+    c.report("degree", fmt::format("found {}; allowed for mortar contact with Lagrange elements: at most {}, "
+                                   "above it the integral of a basis function is no longer positive.",
+                                   c.scene.degree, highest));
 }
 
 void checkTable(const CheckContext& c, const TableHardeningSpec& table) {

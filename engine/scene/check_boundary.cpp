@@ -42,12 +42,10 @@ void checkSupport(const CheckContext& c, const std::string& path, const SupportS
   if (support.prescribe) given.emplace_back("prescribe");
   if (support.symmetry) given.emplace_back("symmetry");
   if (given.size() != 1 && c.clean(path))
-    c.report(
-        path,
-        fmt::format("found {}; allowed: exactly one of fix: [x, y], move: {{times: ..., y: ...}}, prescribe: "
-                    "{{x: ..., y: ...}} and symmetry: true.",
-                    given.empty() ? "none of fix, move, prescribe and symmetry"
-                                  : fmt::format("{}", fmt::join(given, " and "))));
+    c.report(path, fmt::format("found {}; allowed: exactly one of fix: [x, y], move: {{times: ..., y: ...}}, "
+                               "prescribe: {{x: ..., y: ...}} and symmetry: true.",
+                               given.empty() ? "none of fix, move, prescribe and symmetry"
+                                             : fmt::format("{}", fmt::join(given, " and "))));
 }
 
 /// Supports are told apart by name. Where the history lists them, its other columns have other names.
@@ -61,10 +59,9 @@ void checkSupportNames(const CheckContext& c) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string path = fmt::format("supports[{}]", i);
     if (!taken.insert(names[i]).second && c.clean(path))
-      c.report(path,
-               fmt::format("found the name {}, which another support, a tool or a measure has; allowed: "
-                           "a name of its own (name: ...).",
-                           names[i]));
+      c.report(path, fmt::format("found the name {}, which another support, a tool or a measure has; "
+                                 "allowed: a name of its own (name: ...).",
+                                 names[i]));
   }
 }
 

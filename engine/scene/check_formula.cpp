@@ -30,10 +30,11 @@ void checkFormula(const CheckContext& c, const std::string& path, const FormulaT
     const Formula formula(text, c.scene.definitions);
     for (const char* variable : {"X", "Y", "Z", "t"})
       if (constant && formula.dependsOn(variable))
-        return c.report(path,
-                        fmt::format("found {}, which depends on {}; allowed: a number or a formula in the "
-                                    "definitions alone.",
-                                    quoted(text.text), variable));
+        return c.report(
+            path,
+            fmt::format(
+                "found {}, which depends on {}; allowed: a number or a formula in the definitions alone.",
+                quoted(text.text), variable));
     if (c.dimensionIsKnown() && c.scene.dim() == 2 && formula.dependsOn("Z"))
       c.report(path, fmt::format("found {}, which depends on Z; allowed in two dimensions: X, Y and t.",
                                  quoted(text.text)));
@@ -79,10 +80,9 @@ void checkDefinitions(const CheckContext& c) {
       c.report(path + ".name",
                fmt::format("found {}, which already has a meaning; allowed: another name.", shortened(name)));
     if (!isVariableName(name) || std::find(functions.begin(), functions.end(), name) != functions.end())
-      c.report(path + ".name",
-               fmt::format("found {}; allowed: a letter, then letters, digits and _, and not the name "
-                           "of a function such as min.",
-                           shortened(name)));
+      c.report(path + ".name", fmt::format("found {}; allowed: a letter, then letters, digits and _, and not "
+                                           "the name of a function such as min.",
+                                           shortened(name)));
   }
   if (!c.clean("definitions")) return;
   for (const DefinitionProblem& problem : problemsOf(c.scene.definitions))

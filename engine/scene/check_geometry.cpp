@@ -119,10 +119,11 @@ void PatchCheck::checkDirection(const char* name, const std::vector<double>& dir
 
 void PatchCheck::checkArcDegree(const char* shape) const {
   if (c_.scene.basis == BasisChoice::Nurbs && c_.scene.degree < 2 && c_.clean("degree"))
-    c_.report("degree",
-              fmt::format("found {}; allowed for {} in NURBS: at least 2, a circular arc is a rational "
-                          "curve of degree 2.",
-                          c_.scene.degree, shape));
+    c_.report(
+        "degree",
+        fmt::format(
+            "found {}; allowed for {} in NURBS: at least 2, a circular arc is a rational curve of degree 2.",
+            c_.scene.degree, shape));
 }
 
 void PatchCheck::checkNumberOfFunctions(std::size_t direction) const {
@@ -133,11 +134,10 @@ void PatchCheck::checkNumberOfFunctions(std::size_t direction) const {
                        fmt::format("found {}; allowed: at least {}, the degree plus one.", n, p + 1));
   if (c_.scene.basis == BasisChoice::Lagrange && (n - 1) % p != 0) {
     const int elements = (n - 1) / p;
-    reportEntry(
-        "functions", direction,
-        fmt::format("found {}; allowed for Lagrange elements of degree {}: a multiple of {} plus one, "
-                    "such as {} or {}.",
-                    n, p, p, elements * p + 1, (elements + 1) * p + 1));
+    reportEntry("functions", direction,
+                fmt::format("found {}; allowed for Lagrange elements of degree {}: a multiple of {} plus "
+                            "one, such as {} or {}.",
+                            n, p, p, elements * p + 1, (elements + 1) * p + 1));
   }
 }
 

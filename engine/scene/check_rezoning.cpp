@@ -16,8 +16,8 @@ void checkContact(const CheckContext& c) {
   const auto& contact = c.scene.contact;
   if (contact.empty())
     c.report("rezoning",
-             "found in a scene without contact; allowed: with one contact face, which tells where knot "
-             "spans are needed.");
+             "found in a scene without contact; allowed: with one contact face, which tells where knot spans "
+             "are needed.");
   for (std::size_t k = 0; k < contact.size(); ++k) {
     refuse(c, k > 0, fmt::format("contact[{}]", k), "a second contact pair");
     if (contact[k].method != ContactMethod::AugmentedLagrangian &&

@@ -41,11 +41,9 @@ void checkField(const CheckContext& c, const std::string& path, const std::strin
   if (!c.clean(path)) return;
   const bool threeD = field == "displacement.z" || field == "stress.yz" || field == "stress.zx";
   if (threeD && c.dimensionIsKnown() && c.scene.dim() == 2)
-    c.report(path,
-             fmt::format(
-                 "found {}, a component of three-dimensional scenes; allowed here: the components in x and "
-                 "y, and stress.zz.",
-                 field));
+    c.report(path, fmt::format("found {}, a component of three-dimensional scenes; allowed here: the "
+                               "components in x and y, and stress.zz.",
+                               field));
   if (field == "plastic_strain" && std::holds_alternative<NeoHookeanSpec>(c.scene.material) &&
       c.clean("material"))
     c.report(
@@ -98,10 +96,11 @@ void checkPictures(const CheckContext& c) {
     if (!c.clean(path)) continue;
     const std::string name = picture.name.value_or(picture.field);
     if (!names.insert(name).second)
-      c.report(path,
-               fmt::format("found the file name {} a second time; allowed: a name of its own for each entry "
-                           "(name: ...).",
-                           name));
+      c.report(
+          path,
+          fmt::format(
+              "found the file name {} a second time; allowed: a name of its own for each entry (name: ...).",
+              name));
   }
 }
 

@@ -67,8 +67,7 @@ void insertFile(YamlNode& shape, const std::string& path, const std::filesystem:
     if (isKey(other))
       return errors.add(
           other.keyPlace, fmt::format("{}.{}", path, other.key),
-          fmt::format("found {} beside file; allowed: all of the control net either here or in the "
-                      "file.",
+          fmt::format("found {} beside file; allowed: all of the control net either here or in the file.",
                       other.key));
   auto net = readNet(directory / name.text, name.place, path, errors);
   std::erase_if(shape.children, [](const YamlNode& c) { return c.key == "file"; });

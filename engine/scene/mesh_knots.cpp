@@ -72,10 +72,10 @@ KnotVector meshKnots(const Scene& scene, const MeshSpec& mesh, std::size_t direc
     const FormulaText& text = mesh.grading[direction];
     const auto graded = gradedFractions(text, scene.definitions, parts);
     if (shape.numSpans() > 1 && !areEqual(graded, fractions))
-      throw Error(fmt::format(
-          "found {}, but the control net has {} knot spans in this direction, not one to be graded; "
-          "allowed: s, and graded knots in the net itself",
-          quoted(text.text), shape.numSpans()));
+      throw Error(
+          fmt::format("found {}, but the control net has {} knot spans in this direction, not one to be "
+                      "graded; allowed: s, and graded knots in the net itself",
+                      quoted(text.text), shape.numSpans()));
     fractions = graded;
   }
   KnotVector knots = divided(elevated(shape, std::max(scene.degree - shape.degree(), 0)), fractions);

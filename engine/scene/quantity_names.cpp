@@ -17,10 +17,9 @@ std::vector<std::string> namesInQuantity(const std::string& quantity) {
     probe.SetExpr(quantity);
     for (const auto& [name, unused] : probe.GetUsedVar()) names.push_back(name);
   } catch (const mu::ParserError& problem) {
-    throw Error(
-        fmt::format("found {}, which cannot be understood: {}; allowed: a column of the history "
-                    "or a formula in columns.",
-                    quoted(quantity), formulaProblem(quantity, problem)));
+    throw Error(fmt::format(
+        "found {}, which cannot be understood: {}; allowed: a column of the history or a formula in columns.",
+        quoted(quantity), formulaProblem(quantity, problem)));
   }
   return names;
 }

@@ -17,8 +17,7 @@ std::string describeScene() {
   return fmt::format(
       "{}\n## Formulas\n\n"
       "What formulas know beside the variables of their keys and the `definitions` before them. A number may "
-      "be a "
-      "formula of `pi` and `e` alone, such as `2*pi`.\n\n"
+      "be a formula of `pi` and `e` alone, such as `2*pi`.\n\n"
       "| | |\n| --- | --- |\n"
       "| functions | `{}` (`log` and `ln` are natural; `avg`, `max`, `min` and `sum` take any number of "
       "values) |\n"

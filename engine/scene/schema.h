@@ -9,10 +9,9 @@
 /// The one declaration of every option of a scene. Each struct of scene.h has a `describe(visitor, struct)`
 /// that hands its fields to a visitor, in the order in which they are written:
 ///
-///     visitor.field(key, value, rule, sentence)                  a leaf, a struct, a list or an optional of
-///     these visitor.alternatives(key, variant, alternatives, sentence)  the key chooses the alternative,
-///     whose fields follow
-///                                                                 in the same mapping
+///     visitor.field(key, value, rule, sentence)                         a leaf, a struct, a list or an optional of these
+///     visitor.alternatives(key, variant, alternatives, sentence)        the key chooses the alternative, whose fields
+///                                                                       follow in the same mapping
 ///
 /// The default is what the field of a fresh struct holds. Reading, writing and listing a scene are visitors.
 namespace burnish {
@@ -57,15 +56,13 @@ void describe(Visitor& v, Scene& s) {
           "Basis functions of the body: NURBS, or Lagrange elements that are continuous only.");
   v.field("degree", s.degree, {.atLeast = 1, .atMost = 10},
           "Polynomial degree in every direction. Control nets of a lower degree are raised to it; a body of "
-          "nets alone "
-          "keeps theirs when the key is left out.");
+          "nets alone keeps theirs when the key is left out.");
   v.field("kinematics", s.kinematics, {},
           "Of a body of two dimensions; axisymmetric: x is the radius, y the axis, forces are those of the "
           "whole ring.");
   v.field("formulation", s.formulation, {},
           "displacement alone, or fbar: with a projected change of volume, which does not lock when the "
-          "material is "
-          "nearly incompressible.");
+          "material is nearly incompressible.");
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Gauss points of the body per knot span and direction; the degree plus one when left out.");
   v.field("definitions", s.definitions, {},
@@ -78,10 +75,9 @@ void describe(Visitor& v, Scene& s) {
   v.field("loads", s.loads, {}, "Tractions and pressures on faces of the body, and body forces.");
   v.field("tools", s.tools, {}, "Rigid tools with their motion.");
   v.field("contact", s.contact, {}, "Which tool may touch which face, without friction.");
-  v.field(
-      "self_contact", s.selfContact, {},
-      "Faces of a plane or axisymmetric body that may touch themselves, without friction: folds, and chips "
-      "that come down on the body they were cut from. Mortar augmented Lagrangian.");
+  v.field("self_contact", s.selfContact, {},
+          "Faces of a plane or axisymmetric body that may touch themselves, without friction: folds, and "
+          "chips that come down on the body they were cut from. Mortar augmented Lagrangian.");
   v.field("steps", s.steps, {.required = true, .minEntries = 1}, "Phases of the run, from time 0 on.");
   v.field("solver", s.solver, {}, "Newton's method and the control of the step size.");
   v.field("stabilise", s.stabilise, {},
@@ -89,8 +85,7 @@ void describe(Visitor& v, Scene& s) {
           "`stabilise: {}`. What it carries is reported.");
   v.field("rezoning", s.rezoning, {},
           "Meshes the body anew while a tool moves along it, so that its surface stays resolved under the "
-          "tool; a "
-          "plane or axisymmetric body of one patch.");
+          "tool; a plane or axisymmetric body of one patch.");
   v.field("output", s.output, {}, "When and how finely results are written.");
   v.field("pictures", s.pictures, {}, "Contour pictures, drawn as the run passes their times.");
   v.field("measures", s.measures, {}, "Columns of the history beside those that every run has.");

@@ -19,8 +19,7 @@ inline std::vector<std::string> faceNames() {
 inline constexpr const char* kPatchSentence = "Name of the patch; to be left out if there is only one.";
 inline constexpr const char* kFaceSentence =
     "Face of the patch: left and right end the first direction, bottom and top the second, back and front "
-    "the "
-    "third.";
+    "the third.";
 
 inline constexpr const char* kPartSentence =
     "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of the face.";
@@ -49,17 +48,15 @@ void describe(Visitor& v, PrescribedSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, SupportSpec& s) {
-  v.field(
-      "name", s.name, {.identifier = true},
-      "Name under which results list the force of the body on it; support1, support2, ... by its place in "
-      "the list when left out.");
+  v.field("name", s.name, {.identifier = true},
+          "Name under which results list the force of the body on it; support1, support2, ... by its place "
+          "in the list when left out.");
   describeFace(v, s.place);
-  describePart(
-      v, s.place,
-      "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of "
-      "the face; it holds the control points whose Greville abscissae (nodes of a Lagrange basis) lie "
-      "in it. Begin and end alike name a point: that of the control point nearest to it, such as [0, 0], the "
-      "corner at the beginning.");
+  describePart(v, s.place,
+               "Begin and end of a part of the face, in parameters from 0 to 1, two numbers per direction of "
+               "the face; it holds the control points whose Greville abscissae (nodes of a Lagrange basis) "
+               "lie in it. Begin and end alike name a point: that of the control point nearest to it, such "
+               "as [0, 0], the corner at the beginning.");
   v.field("fix", s.fix, {.minEntries = 1, .choices = {"x", "y", "z"}},
           "Displacement components that are held.");
   v.field("move", s.move, {}, "Displacement components that follow a schedule; those left out are free.");
@@ -94,27 +91,24 @@ void describe(Visitor& v, ContactSpec& s) {
   describeFace(v, s.place);
   v.field("method", s.method, {},
           "Mortar augmented Lagrangian (no penetration on average), mortar penalty, or penalty at every "
-          "quadrature "
-          "point.");
+          "quadrature point.");
   v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
           "Penalty or augmentation parameter; when left out E/L (augmented Lagrangian) or 100 E/L "
           "(penalties), L the body's largest extent.");
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Quadrature points per knot span and direction; twice the degree when left out.");
-  v.field(
-      "gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
-      "Gaps count in averages in full up to this share of the knot span's length, then ever less; what is "
-      "open by three times that counts as twice that and bears no pressure. For a face that turns away from "
-      "the tool sharply, as at the lip of a chip: 0.02. All gaps count in full when left out.");
+  v.field("gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
+          "Gaps count in averages in full up to this share of the knot span's length, then ever less; what "
+          "is open by three times that counts as twice that and bears no pressure. For a face that turns "
+          "away from the tool sharply, as at the lip of a chip: 0.02. All gaps count in full when left out.");
 }
 
 template <class Visitor>
 void describe(Visitor& v, SelfContactSpec& s) {
   describeFace(v, s.place);
-  v.field(
-      "reach", s.reach, {.above = 0, .unit = "length"},
-      "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of the "
-      "body's largest extent when left out.");
+  v.field("reach", s.reach, {.above = 0, .unit = "length"},
+          "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of "
+          "the body's largest extent when left out.");
   v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
           "Augmentation parameter; E/L when left out, L the body's largest extent.");
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},

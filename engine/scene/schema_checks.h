@@ -87,12 +87,11 @@ void describe(Visitor& v, SceneMeasureSpec& s) {
          "Mean displacement of a face by undeformed area, and the force that its supports, tools and loads "
          "apply to the body, summed over its control points: NAME.ux, NAME.fx, ..."},
         {"error",
-         "Errors against an exact displacement, relative to its norm: NAME.L2, and NAME.H1 of the "
-         "gradient."},
+         "Errors against an exact displacement, relative to its norm: NAME.L2, and NAME.H1 of the gradient."},
         {"ellipse",
-         "The half ellipse that fits the contact pressure best, as p^2 over the square of the distance "
-         "from its middle: NAME.peak, NAME.half_width, NAME.middle, and NAME.deviation, the largest "
-         "one over the peak."},
+         "The half ellipse that fits the contact pressure best, as p^2 over the square of the distance from "
+         "its middle: NAME.peak, NAME.half_width, NAME.middle, and NAME.deviation, the largest one over the "
+         "peak."},
         {"extent",
          "How far a face reaches now, over its quadrature points: NAME.xmin, NAME.xmax, NAME.ymin, ..."},
         {"percentile",
@@ -139,8 +138,7 @@ void describe(Visitor& v, OrderCheckSpec& s) {
           "The observed order, that of the two finest meshes, may be lower by so much.");
   v.field("limit", s.limit, {},
           "Exact value of the quantity, a number or a formula in the definitions; the quantity is an error "
-          "itself when "
-          "left out.");
+          "itself when left out.");
   v.field("floor", s.floor, {.atLeast = 0}, "Meshes with a smaller error are left out.");
 }
 

@@ -28,15 +28,13 @@ template <class Visitor>
 void describe(Visitor& v, DiscSpec& s) {
   v.field("center", s.center, {.perDimension = true, .unit = "length"}, "Centre of the disc.");
   v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
-  v.field(
-      "start_angle", s.startAngle, {.atLeast = -360, .atMost = 360, .unit = "degrees"},
-      "Angle of the face `bottom` of a sector, of the middle of the face `right` of a whole disc, from the "
-      "x axis, counterclockwise.");
-  v.field(
-      "opening_angle", s.openingAngle, {.above = 0, .atMost = 360, .unit = "degrees"},
-      "360: the whole disc; its faces `right`, `top`, `left` and `bottom` are quarters of the circle. "
-      "Below 180: the angle of a sector from the straight face `bottom` to the straight face `left`, with "
-      "the faces `right` and `top` along its arc.");
+  v.field("start_angle", s.startAngle, {.atLeast = -360, .atMost = 360, .unit = "degrees"},
+          "Angle of the face `bottom` of a sector, of the middle of the face `right` of a whole disc, from "
+          "the x axis, counterclockwise.");
+  v.field("opening_angle", s.openingAngle, {.above = 0, .atMost = 360, .unit = "degrees"},
+          "360: the whole disc; its faces `right`, `top`, `left` and `bottom` are quarters of the circle. "
+          "Below 180: the angle of a sector from the straight face `bottom` to the straight face `left`, "
+          "with the faces `right` and `top` along its arc.");
 }
 
 template <class Visitor>
@@ -78,10 +76,9 @@ void describe(Visitor& v, CylinderSpec& s) {
           "Direction of the axis, from the face `back` to the face `front`.");
   v.field("radius", s.radius, {.required = true, .above = 0, .unit = "length"}, "Radius.");
   v.field("length", s.length, {.required = true, .above = 0, .unit = "length"}, "Length of the axis.");
-  v.field(
-      "start_angle", s.startAngle, {.atLeast = -360, .atMost = 360, .unit = "degrees"},
-      "Angle about the axis of the face `bottom` of a sector, of the middle of the face `right` of a whole "
-      "cylinder; counted as that of a tube.");
+  v.field("start_angle", s.startAngle, {.atLeast = -360, .atMost = 360, .unit = "degrees"},
+          "Angle about the axis of the face `bottom` of a sector, of the middle of the face `right` of a "
+          "whole cylinder; counted as that of a tube.");
   v.field("opening_angle", s.openingAngle, {.above = 0, .atMost = 360, .unit = "degrees"},
           "360: the whole cylinder, with the faces `right`, `top`, `left` and `bottom` around its surface. "
           "Below 180: the angle of a sector from the plane face `bottom` to the plane face `left`, with the "
@@ -120,8 +117,7 @@ void describe(Visitor& v, MeshSpec& s) {
           "Of a control net: parts into which every knot span is divided, in each direction.");
   v.field("grading", s.grading, {.perDimension = true},
           "A formula in s for each direction that takes equally spaced breakpoints s from 0 to 1 to graded "
-          "ones, such "
-          "as s^2.");
+          "ones, such as s^2.");
   v.field("creases", s.creases, {.perDimension = true},
           "For each direction the breakpoints, from 0 to 1, at which NURBS are continuous only.");
 }

@@ -34,10 +34,9 @@ void describe(Visitor& v, SolverSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, StabiliseSpec& s) {
-  v.field(
-      "until", s.until, {.above = 0, .unit = "time"},
-      "Time at which the drag has faded to a thousandth, which stays; the end of the first phase when left "
-      "out.");
+  v.field("until", s.until, {.above = 0, .unit = "time"},
+          "Time at which the drag has faded to a thousandth, which stays; the end of the first phase when "
+          "left out.");
   v.field("strength", s.strength, {.above = 0, .atMost = 1},
           "Force on the body while it moves by its size in that time, over E L (E L^2 in space and "
           "axisymmetry), L its size.");
@@ -45,22 +44,19 @@ void describe(Visitor& v, StabiliseSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, RezoningSpec& s) {
-  v.field(
-      "travel", s.travel, {.above = 0, .unit = "length"},
-      "A new mesh after so much travel of a tool; 0.16 half thicknesses of the tool when left out, or of a "
-      "sixth of the body's size if that is less. What is left out below counts from the same length.");
+  v.field("travel", s.travel, {.above = 0, .unit = "length"},
+          "A new mesh after so much travel of a tool; 0.16 half thicknesses of the tool when left out, or of "
+          "a sixth of the body's size if that is less. What is left out below counts from the same length.");
   v.field("stretch", s.stretch, {.above = 1},
           "A new mesh earlier if the largest principal stretch since the last one exceeds this.");
   v.field("quality", s.quality, {.atLeast = 0, .below = 1},
           "A new mesh earlier if the smallest determinant of the deformed mesh's map over the largest falls "
-          "below "
-          "this; 0: not for this reason.");
+          "below this; 0: not for this reason.");
   v.field("spans", s.spans, {.atLeast = 1, .atMost = 10'000, .perDimension = true},
           "Knot spans of new meshes per direction; as many as before when left out.");
   v.field("ahead", s.ahead, {.atLeast = 0, .unit = "length"},
           "Knot spans stay finest so far ahead of the contact, along the face; 0.4 half thicknesses of the "
-          "tool when "
-          "left out.");
+          "tool when left out.");
   v.field("behind", s.behind, {.atLeast = 0, .unit = "length"},
           "The same behind it; a tenth of the tool's half thickness when left out.");
   v.field("growth", s.growth, {.above = 0, .atMost = 2},
@@ -101,15 +97,13 @@ void describe(Visitor& v, PictureSpec& s) {
   v.field("bands", s.bands, {.atLeast = 0, .atMost = 256}, "Number of colour bands; 0 for smooth colours.");
   v.field("knots", s.knots, {}, "Draw the knot lines.");
   v.field("undeformed", s.undeformed, {}, "Draw the outline of the undeformed body.");
-  v.field(
-      "cut", s.cut, {},
-      "Plane, x=V, y=V or z=V, or X,Y,Z,NX,NY,NZ: a point and a normal; what is on the eye's side of it is "
-      "left out (3D).");
+  v.field("cut", s.cut, {},
+          "Plane, x=V, y=V or z=V, or X,Y,Z,NX,NY,NZ: a point and a normal; what is on the eye's side of it "
+          "is left out (3D).");
   v.field("slice", s.slice, {}, "Plane, given like that of cut; only the section is drawn (3D).");
-  v.field(
-      "mirror", s.mirror, {},
-      "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are drawn "
-      "too. Of an axisymmetric body, x is the axis.");
+  v.field("mirror", s.mirror, {},
+          "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are "
+          "drawn too. Of an axisymmetric body, x is the axis.");
   v.field("tool_opacity", s.toolOpacity, {.above = 0, .atMost = 1},
           "Of the tools in space; 1 hides what is behind.");
   v.field("doubt_marks", s.doubtMarks, {}, "Mark the picture if the run doubts its results.");

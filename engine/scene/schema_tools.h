@@ -51,10 +51,8 @@ inline constexpr const char* kFrontSentence = "Direction from the tool to the fr
 inline constexpr const char* kRoundingSentence = "Radius of the rounding; sharp when 0.";
 inline constexpr const char* kSmoothingSentence =
     "Spacing of the grid on which the distance is made smooth, and about the radius that sharp edges get; "
-    "when "
-    "left out the typical length of an edge, at most 1/32 of the smallest extent, of an open surface 1/256 "
-    "of "
-    "the largest.";
+    "when left out the typical length of an edge, at most 1/32 of the smallest extent, of an open surface "
+    "1/256 of the largest.";
 
 template <class Visitor>
 void describe(Visitor& v, EdgeToolSpec& s) {
@@ -106,10 +104,9 @@ void describe(Visitor& v, NurbsToolSpec& s) {
   v.field("degrees", s.degrees, {.atLeast = 1, .atMost = 10, .minEntries = 1, .maxEntries = 2},
           "Degree in the direction of a curve (two dimensions), in both directions of a surface (3D).");
   v.field("knots", s.knots, {.minEntries = 1, .maxEntries = 2}, "An open knot vector for each direction.");
-  v.field(
-      "points", s.points, {.minEntries = 2, .unit = "length"},
-      "Coordinates of the control points, the first direction fastest. The tool is to the left of a curve, "
-      "behind a surface whose parameters go counterclockwise.");
+  v.field("points", s.points, {.minEntries = 2, .unit = "length"},
+          "Coordinates of the control points, the first direction fastest. The tool is to the left of a "
+          "curve, behind a surface whose parameters go counterclockwise.");
   v.field("weights", s.weights, {.above = 0}, "One weight per control point; all 1 when left out.");
   v.field("flip", s.flip, {}, "The tool is on the other side.");
 }
@@ -119,10 +116,9 @@ void describe(Visitor& v, PolylineToolSpec& s) {
   v.field("file", s.file, {},
           "Text file with x and y of a point in every line, beside the scene; instead of points.");
   v.field("points", s.points, {.minEntries = 2, .unit = "length"}, "Coordinates of the points.");
-  v.field(
-      "closed", s.closed, {},
-      "Whether the last point is joined to the first. The tool is inside a closed line, to the left of an "
-      "open one.");
+  v.field("closed", s.closed, {},
+          "Whether the last point is joined to the first. The tool is inside a closed line, to the left of "
+          "an open one.");
   v.field("smoothing", s.smoothing, {.above = 0, .unit = "length"}, kSmoothingSentence);
 }
 
@@ -217,9 +213,9 @@ void describe(Visitor& v, ToolSpec& s) {
   v.field("motion", s.motion, {},
           "Motion over time as a table; at rest when left out, and so is a component left out.");
   v.field("prescribe", s.prescribe, {}, "Motion as formulas in t, instead of a table.");
-  v.field("carry", s.carry, {},
-          "Forces and moment, formulas in t, that press the tool on the body; in these ways it is free to "
-          "move.");
+  v.field(
+      "carry", s.carry, {},
+      "Forces and moment, formulas in t, that press the tool on the body; in these ways it is free to move.");
 }
 
 }  // namespace burnish

@@ -146,10 +146,10 @@ class Joiner {
     }
     // Two faces of one patch may enclose it and be close, in a thin lens.
     if (difference && a.patch != b.patch && liesOn(a.trace, b.trace, kTouching * a.size))
-      throw Error(fmt::format(
-          "face '{}' of patch '{}' and face '{}' of patch '{}' lie on each other but do not match: "
-          "{}; allowed: the same degree, knots, weights and control points along both",
-          faceName(a.id), name(a.patch), faceName(b.id), name(b.patch), *difference));
+      throw Error(
+          fmt::format("face '{}' of patch '{}' and face '{}' of patch '{}' lie on each other but do not "
+                      "match: {}; allowed: the same degree, knots, weights and control points along both",
+                      faceName(a.id), name(a.patch), faceName(b.id), name(b.patch), *difference));
   }
 
   /// Faces of two patches that touch along a stretch without being joined would let the body open there.

@@ -52,8 +52,8 @@ void requireSound(const Body<Dim>& body, std::size_t patch, const Eigen::Vector<
   if (!(det > 0.0))
     throw InputError(
         "geometry",
-        fmt::format("the map of patch {} is folded near ({:.4g}, {:.4g}): its determinant is "
-                    "{:.3g}; reorder or move the control points so that it is positive everywhere",
+        fmt::format("the map of patch {} is folded near ({:.4g}, {:.4g}): its determinant is {:.3g}; reorder "
+                    "or move the control points so that it is positive everywhere",
                     patch + 1, X(0), X(1), det));
   if (body.axisymmetric && !(X(0) > 0.0))
     throw InputError("geometry",

@@ -174,8 +174,8 @@ void SetupLayout::findView() {
   view_.pixelsPerLength = std::min(width / extent.x(), height / extent.y());
   if (!(view_.pixelsPerLength > 0.0))
     throw Error(
-        fmt::format("size: {} x {} pixels leave no room for the body beside supports, loads and "
-                    "measures; take a larger height",
+        fmt::format("size: {} x {} pixels leave no room for the body beside supports, loads and measures; "
+                    "take a larger height",
                     size_[0], size_[1]));
   view_.area = {0.0, 0.0, static_cast<double>(size_[0]), static_cast<double>(size_[1])};
   const Vector2d shift = textSize_ / 2 * Vector2d(left - right, bottom - top);

@@ -127,8 +127,7 @@ Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, c
   place(sheet, columns);
   if (sheet.height > kLargestSide)
     throw Error(
-        fmt::format("sheet: it would be {} pixels high; expected up to {}: take more columns or fewer "
-                    "panels",
+        fmt::format("sheet: it would be {} pixels high; expected up to {}: take more columns or fewer panels",
                     sheet.height, kLargestSide));
   return sheet;
 }

@@ -50,10 +50,9 @@ FacePoints facePoints(const MeshRecord& mesh, const ContactRecord& contact) {
     face.spans.extent[static_cast<std::size_t>(d)] = trace.basis().direction(d).numSpans();
   while (face.points().size() < contact.quadraturePoints.cols()) ++face.perSpan;
   if (face.points().size() != contact.quadraturePoints.cols())
-    throw Error(
-        fmt::format("contact face {}: found {} quadrature points on {} knot spans; expected the same "
-                    "number on each",
-                    contact.face, contact.quadraturePoints.cols(), face.spans.size()));
+    throw Error(fmt::format(
+        "contact face {}: found {} quadrature points on {} knot spans; expected the same number on each",
+        contact.face, contact.quadraturePoints.cols(), face.spans.size()));
   return face;
 }
 

@@ -19,8 +19,8 @@ namespace {
 int checkedDegree(const DirectionRecord& direction) {
   if (direction.degree > CurvedCells::kHighestDegree)
     throw Error(
-        fmt::format("found a patch of degree {}; Lagrange and Bezier cells have degrees up to {}; "
-                    "linear cells take every degree",
+        fmt::format("found a patch of degree {}; Lagrange and Bezier cells have degrees up to {}; linear "
+                    "cells take every degree",
                     direction.degree, CurvedCells::kHighestDegree));
   return direction.degree;
 }

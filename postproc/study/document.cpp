@@ -147,8 +147,7 @@ class Document {
     if (count == 0) return {};
     return fmt::format(
         "{} of the {} runs are doubtful from some time on (the table of runs says from when, and why): do "
-        "not trust "
-        "numbers and claims about later times. Where a table shows such a run, a note says so.\n\n",
+        "not trust numbers and claims about later times. Where a table shows such a run, a note says so.\n\n",
         count, data_.size());
   }
 

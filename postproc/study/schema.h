@@ -47,10 +47,9 @@ void describe(Visitor& v, ClaimSpec& s) {
   v.field("vary", s.vary, {}, "Parameters: there is a claim for every combination of their values.");
   v.field("runs", s.runs, {.required = true, .minEntries = 1},
           "Names of the runs whose numbers are compared, braces filled in.");
-  v.field(
-      "expect", s.expect, {},
-      "What the numbers should be like: growing in the order of the runs, equal, different, or between two "
-      "values.");
+  v.field("expect", s.expect, {},
+          "What the numbers should be like: growing in the order of the runs, equal, different, or between "
+          "two values.");
   v.field("within", s.within, {.above = 0, .atMost = 1},
           "How far numbers may be apart to count as equal, as a part of the largest; required with equal and "
           "different.");

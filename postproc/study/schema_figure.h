@@ -54,10 +54,9 @@ void describeColors(Visitor& v, std::string& field, std::optional<double>& clip)
 
 template <class Visitor>
 void describeBody(Visitor& v, std::optional<std::string>& mirror, bool& doubtMarks) {
-  v.field(
-      "mirror", mirror, {},
-      "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are drawn "
-      "too. Of an axisymmetric body, x is the axis.");
+  v.field("mirror", mirror, {},
+          "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are "
+          "drawn too. Of an axisymmetric body, x is the axis.");
   v.field("doubt_marks", doubtMarks, {}, "Mark pictures of runs that doubt their results.");
 }
 

@@ -85,8 +85,8 @@ void describe(Visitor& v, MeasureSpec& s) {
                    {"summary", "A number that the run says about itself at its end."},
                    {"line", "A number of a field along a line through the body."},
                    {"difference",
-                    "The largest |difference| of a curve from that of another run, as a part of the "
-                    "other's largest |y|."},
+                    "The largest |difference| of a curve from that of another run, as a part of the other's "
+                    "largest |y|."},
                    {"convergence", "Median order of convergence of Newton's method over the steps."}}},
                  "Where the number comes from.");
 }

@@ -79,8 +79,7 @@ VerificationCase readCase(const fs::path& file) {
   VerificationCase result{file.stem().string(), readScene(file), leadingComment(readText(file)), {}};
   if (result.scene.checks.empty())
     throw Error(
-        fmt::format("{}: found no checks; allowed: a scene that states under checks what it must "
-                    "produce",
+        fmt::format("{}: found no checks; allowed: a scene that states under checks what it must produce",
                     file.string()));
   VariantsSpec variants = result.scene.variants.value_or(VariantsSpec{});
   const bool hasMeshes = !variants.meshes.empty();
@@ -103,8 +102,8 @@ Study studyOf(const std::vector<VerificationCase>& cases) {
       for (const CaseVariant& variant : family.variants) {
         if (!names.insert(variant.run.name).second)
           throw Error(
-              fmt::format("{}: a second run would have the name {}; allowed: scenes and families whose "
-                          "names differ in letters and digits",
+              fmt::format("{}: a second run would have the name {}; allowed: scenes and families whose names "
+                          "differ in letters and digits",
                           variant.run.scene.string(), variant.run.name));
         study.runs.push_back(variant.run);
       }
