@@ -10,8 +10,8 @@
 #include "engine/analysis/frames.h"
 #include "engine/analysis/model.h"
 #include "engine/scene/reader.h"
-#include "postproc/draw/contour.h"
-#include "tests/unit/model_samples.h"
+#include "postproc/draw/contour/contour.h"
+#include "tests/engine/analysis/model_samples.h"
 
 namespace burnish {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "engine/core/drawable_range.h"
 #include "engine/scene/end_of_run.h"
-#include "postproc/draw/color_name.h"
+#include "postproc/draw/page/color_name.h"
 
 namespace burnish {
 namespace {

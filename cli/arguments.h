@@ -12,7 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "engine/core/shown_text.h"
-#include "postproc/draw/color_scale.h"
+#include "postproc/draw/page/color_scale.h"
 #include "postproc/mesh/mirror.h"
 #include "postproc/mesh/plane_section.h"
 

@@ -9,15 +9,15 @@
 #include <sstream>
 #include <string>
 
-#include "cli/child_process.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/jobs/child_process.h"
 #include "cli/usage_error.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/version.h"
-#include "postproc/draw/font.h"
+#include "postproc/draw/page/font.h"
 #include "postproc/offscreen/quiet_libraries.h"
 
 namespace {

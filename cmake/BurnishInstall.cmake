@@ -8,7 +8,7 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOC
 install(FILES "${PROJECT_SOURCE_DIR}/docs/scene.schema.json" "${PROJECT_SOURCE_DIR}/docs/study.schema.json"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish")
 # Built in, but also what a theme of one's own starts from.
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/postproc/draw/themes/" DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish/themes"
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/postproc/draw/page/themes/" DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish/themes"
   FILES_MATCHING PATTERN "*.yaml")
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/contact/contact_term.h"
-#include "engine/contact/tool.h"
 #include "engine/nurbs/patch.h"
+#include "engine/tools/tool.h"
 
 namespace burnish {
 

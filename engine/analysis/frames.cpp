@@ -3,9 +3,9 @@
 #include <string>
 #include <type_traits>
 
-#include "engine/contact/shape_outline.h"
 #include "engine/core/version.h"
 #include "engine/fields/body_fields.h"
+#include "engine/tools/shape_outline.h"
 
 namespace burnish {
 namespace {

@@ -7,8 +7,6 @@
 #include "engine/analysis/supports.h"
 #include "engine/contact/contact_term.h"
 #include "engine/contact/self_contact_term.h"
-#include "engine/contact/tool.h"
-#include "engine/contact/tool_load.h"
 #include "engine/rezoning/state_transfer.h"
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
@@ -18,6 +16,8 @@
 #include "engine/solid/stabilisation.h"
 #include "engine/solver/newton.h"
 #include "engine/solver/stepping.h"
+#include "engine/tools/tool.h"
+#include "engine/tools/tool_load.h"
 
 namespace burnish {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/analysis/model.h"
-#include "engine/contact/tool.h"
 #include "engine/solid/face_quadrature.h"
+#include "engine/tools/tool.h"
 
 namespace burnish {
 

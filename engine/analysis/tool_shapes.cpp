@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/contact/surface_file.h"
+#include "engine/tools/surface_file.h"
 
 namespace burnish {
 namespace {

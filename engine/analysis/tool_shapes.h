@@ -1,6 +1,6 @@
 #pragma once
-#include "engine/contact/rigid_shape.h"
 #include "engine/scene/tool_spec.h"
+#include "engine/tools/rigid_shape.h"
 
 namespace burnish {
 

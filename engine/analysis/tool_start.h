@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "engine/contact/contact_term.h"
-#include "engine/contact/tool.h"
-#include "engine/contact/tool_load.h"
 #include "engine/solid/body.h"
+#include "engine/tools/tool.h"
+#include "engine/tools/tool_load.h"
 
 namespace burnish {
 

@@ -2,9 +2,9 @@
 #include <memory>
 #include <vector>
 
-#include "engine/contact/tool.h"
-#include "engine/contact/tool_load.h"
 #include "engine/scene/scene.h"
+#include "engine/tools/tool.h"
+#include "engine/tools/tool_load.h"
 
 namespace burnish {
 

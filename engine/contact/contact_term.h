@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "engine/contact/averaged_gaps.h"
-#include "engine/contact/tool.h"
 #include "engine/solid/face_quadrature.h"
 #include "engine/solver/term.h"
+#include "engine/tools/tool.h"
 
 namespace burnish {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
-#include "engine/results/atomic_file.h"
 #include "engine/results/file_header.h"
 #include "engine/results/result_files.h"
 

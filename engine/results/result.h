@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "engine/contact/rigid_shape.h"
-#include "engine/contact/surface_mesh.h"
 #include "engine/nurbs/univariate_basis.h"
+#include "engine/tools/rigid_shape.h"
+#include "engine/tools/surface_mesh.h"
 
 /// What a result holds, as plain values: the one place where engine and post-processor meet.
 namespace burnish {

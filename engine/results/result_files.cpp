@@ -7,8 +7,8 @@
 #include <system_error>
 #include <vector>
 
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
-#include "engine/results/atomic_file.h"
 #include "engine/results/file_header.h"
 #include "engine/results/summary_file.h"
 

@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
-#include "engine/results/atomic_file.h"
 #include "engine/results/check_records.h"
 #include "engine/results/frame_io.h"
 #include "engine/results/result_files.h"

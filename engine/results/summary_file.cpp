@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
-#include "engine/results/atomic_file.h"
 
 namespace burnish {
 namespace {

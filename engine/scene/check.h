@@ -1,6 +1,6 @@
 #pragma once
 #include "engine/scene/scene.h"
-#include "engine/scene/yaml_tree.h"
+#include "engine/schema/yaml_tree.h"
 
 namespace burnish {
 

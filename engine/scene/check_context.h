@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
-#include "engine/scene/yaml_tree.h"
+#include "engine/schema/yaml_tree.h"
 
 namespace burnish {
 

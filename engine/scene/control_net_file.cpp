@@ -12,7 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "engine/scene/tool_files.h"
-#include "engine/scene/yaml_document.h"
+#include "engine/schema/yaml_document.h"
 
 namespace burnish {
 namespace {

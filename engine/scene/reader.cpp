@@ -9,13 +9,13 @@
 #include "engine/scene/check_context.h"
 #include "engine/scene/control_net_file.h"
 #include "engine/scene/end_of_run.h"
-#include "engine/scene/mapping_reader.h"
-#include "engine/scene/overrides.h"
 #include "engine/scene/scene_places.h"
 #include "engine/scene/schema.h"
 #include "engine/scene/tool_files.h"
 #include "engine/scene/writer.h"
-#include "engine/scene/yaml_document.h"
+#include "engine/schema/mapping_reader.h"
+#include "engine/schema/overrides.h"
+#include "engine/schema/yaml_document.h"
 
 namespace burnish {
 namespace {

@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "engine/core/formula_words.h"
-#include "engine/scene/declaration_collector.h"
 #include "engine/scene/schema.h"
+#include "engine/schema/declaration_collector.h"
 
 namespace burnish {
 

@@ -4,7 +4,7 @@
 
 #include "engine/core/input_error.h"
 #include "engine/scene/scene.h"
-#include "engine/scene/yaml_tree.h"
+#include "engine/schema/yaml_tree.h"
 
 namespace burnish {
 

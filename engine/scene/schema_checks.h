@@ -1,7 +1,7 @@
 #pragma once
-#include "engine/scene/leaf.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/schema_boundary.h"
+#include "engine/schema/leaf.h"
 
 namespace burnish {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "engine/scene/leaf.h"
 #include "engine/scene/scene.h"
+#include "engine/schema/leaf.h"
 
 namespace burnish {
 

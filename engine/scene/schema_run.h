@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/leaf.h"
 #include "engine/scene/scene.h"
+#include "engine/schema/leaf.h"
 
 namespace burnish {
 

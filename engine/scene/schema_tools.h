@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/scene/leaf.h"
 #include "engine/scene/tool_spec.h"
+#include "engine/schema/leaf.h"
 
 namespace burnish {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "engine/scene/yaml_tree.h"
+#include "engine/schema/yaml_tree.h"
 
 namespace burnish {
 

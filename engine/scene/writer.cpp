@@ -1,7 +1,7 @@
 #include "engine/scene/writer.h"
 
-#include "engine/scene/leaf_writer.h"
 #include "engine/scene/schema.h"
+#include "engine/schema/leaf_writer.h"
 
 namespace burnish {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
-#include "postproc/study/text_file.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {

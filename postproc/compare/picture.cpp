@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <new>
 
-#include "postproc/draw/png_file.h"
+#include "postproc/draw/page/png_file.h"
 
 namespace burnish {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/draw/color_scale.h"
+#include "postproc/draw/page/color_scale.h"
 
 namespace burnish {
 

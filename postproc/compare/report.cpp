@@ -9,8 +9,8 @@
 #include "postproc/compare/comparison_json.h"
 #include "postproc/compare/difference_picture.h"
 #include "postproc/compare/report_page.h"
-#include "postproc/html/page.h"
-#include "postproc/study/text_file.h"
+#include "postproc/text/page.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {

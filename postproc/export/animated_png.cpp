@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
-#include "engine/results/atomic_file.h"
 #include "postproc/export/video.h"
 #include "postproc/export/video_frames.h"
 

@@ -18,9 +18,9 @@
 #include <thread>
 #include <utility>
 
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
-#include "engine/results/atomic_file.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/export/video_frames.h"
 

@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
-#include "engine/results/atomic_file.h"
-#include "postproc/html/page.h"
 #include "postproc/mesh/vtk_arrays.h"
+#include "postproc/text/page.h"
 
 namespace burnish {
 namespace {

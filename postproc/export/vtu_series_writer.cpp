@@ -11,8 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
-#include "engine/results/atomic_file.h"
 #include "engine/results/check_records.h"
 #include "postproc/export/vtk_file.h"
 #include "postproc/mesh/frame_parts.h"

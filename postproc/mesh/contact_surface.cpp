@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/contact/rigid_shape.h"
 #include "engine/core/error.h"
+#include "engine/tools/rigid_shape.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/index_box.h"
 #include "postproc/mesh/patch_geometry.h"

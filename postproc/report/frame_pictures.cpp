@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "postproc/study/text_file.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/results/result_reader.h"
-#include "postproc/draw/contour.h"
+#include "postproc/draw/contour/contour.h"
 
 namespace burnish {
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "postproc/export/scratch_directory.h"
-#include "postproc/html/page.h"
-#include "postproc/study/text_file.h"
+#include "postproc/text/page.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {

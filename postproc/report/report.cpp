@@ -4,11 +4,11 @@
 
 #include "engine/core/error.h"
 #include "engine/results/result_files.h"
-#include "postproc/html/page.h"
 #include "postproc/report/report_texts.h"
 #include "postproc/report/run_page.h"
 #include "postproc/report/study_page.h"
-#include "postproc/study/text_file.h"
+#include "postproc/text/page.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
-#include "postproc/draw/ticks.h"
-#include "postproc/study/markdown.h"
+#include "postproc/text/markdown.h"
+#include "postproc/text/ticks.h"
 
 namespace burnish {
 namespace {

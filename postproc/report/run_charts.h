@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/draw/chart.h"
+#include "postproc/draw/chart/chart.h"
 #include "postproc/report/run_record.h"
 
 namespace burnish {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "postproc/study/markdown.h"
+#include "postproc/text/markdown.h"
 
 namespace burnish {
 namespace {

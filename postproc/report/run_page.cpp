@@ -7,17 +7,17 @@
 #include <utility>
 
 #include "engine/core/version.h"
-#include "postproc/draw/color_range.h"
-#include "postproc/draw/contour_series.h"
-#include "postproc/draw/doubt_mark.h"
-#include "postproc/draw/field_choice.h"
+#include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/contour_series.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/page/doubt_mark.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/report/frame_pictures.h"
 #include "postproc/report/html_parts.h"
 #include "postproc/report/run_facts.h"
 #include "postproc/report/run_record.h"
 #include "postproc/report/run_warnings.h"
-#include "postproc/study/markdown.h"
+#include "postproc/text/markdown.h"
 
 namespace burnish {
 namespace {

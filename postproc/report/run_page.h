@@ -1,8 +1,8 @@
 #pragma once
 #include <filesystem>
 
-#include "postproc/html/page.h"
 #include "postproc/report/report.h"
+#include "postproc/text/page.h"
 
 namespace burnish {
 

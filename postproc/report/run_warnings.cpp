@@ -9,9 +9,9 @@
 
 #include "engine/results/doubts.h"
 #include "engine/solid/face_quadrature.h"
-#include "postproc/draw/ticks.h"
 #include "postproc/mesh/patch_geometry.h"
-#include "postproc/study/markdown.h"
+#include "postproc/text/markdown.h"
+#include "postproc/text/ticks.h"
 
 namespace burnish {
 namespace {

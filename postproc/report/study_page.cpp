@@ -10,18 +10,18 @@
 
 #include "engine/core/error.h"
 #include "engine/core/version.h"
-#include "postproc/draw/doubt_mark.h"
-#include "postproc/draw/field_choice.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/page/doubt_mark.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/report/frame_pictures.h"
 #include "postproc/report/html_parts.h"
-#include "postproc/report/markdown_html.h"
 #include "postproc/report/run_facts.h"
 #include "postproc/report/run_record.h"
 #include "postproc/report/run_warnings.h"
-#include "postproc/study/claims.h"
-#include "postproc/study/markdown.h"
-#include "postproc/study/text_file.h"
+#include "postproc/study/evidence/claims.h"
+#include "postproc/text/markdown.h"
+#include "postproc/text/markdown_html.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {

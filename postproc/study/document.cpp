@@ -12,11 +12,11 @@
 
 #include "engine/core/error.h"
 #include "engine/core/version.h"
-#include "postproc/study/claims.h"
-#include "postproc/study/markdown.h"
-#include "postproc/study/measures.h"
+#include "postproc/study/evidence/claims.h"
+#include "postproc/study/evidence/measures.h"
 #include "postproc/study/run_data.h"
-#include "postproc/study/text_file.h"
+#include "postproc/text/markdown.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {

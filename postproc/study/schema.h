@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/scene/schema_run.h"
-#include "postproc/study/schema_figure.h"
-#include "postproc/study/schema_measure.h"
+#include "postproc/study/evidence/schema_measure.h"
+#include "postproc/study/figures/schema_figure.h"
 #include "postproc/study/study.h"
 
 /// The one declaration of every option of a study, in the manner of engine/scene/schema.h.

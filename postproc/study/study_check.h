@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/scene/yaml_tree.h"
+#include "engine/schema/yaml_tree.h"
 #include "postproc/study/study.h"
 
 namespace burnish {

@@ -1,6 +1,6 @@
 #include "postproc/study/study_listing.h"
 
-#include "engine/scene/declaration_collector.h"
+#include "engine/schema/declaration_collector.h"
 #include "postproc/study/schema.h"
 
 namespace burnish {

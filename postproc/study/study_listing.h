@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "engine/scene/declaration.h"
+#include "engine/schema/declaration.h"
 
 namespace burnish {
 

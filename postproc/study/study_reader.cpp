@@ -7,9 +7,9 @@
 
 #include "engine/core/error.h"
 #include "engine/scene/end_of_run.h"
-#include "engine/scene/mapping_reader.h"
 #include "engine/scene/reader.h"
-#include "engine/scene/yaml_document.h"
+#include "engine/schema/mapping_reader.h"
+#include "engine/schema/yaml_document.h"
 #include "postproc/study/combinations.h"
 #include "postproc/study/run_data.h"
 #include "postproc/study/schema.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "postproc/study/text_file.h"
+#include "postproc/text/text_file.h"
 #include "tests/cli/shell.h"
 
 /// Pages in a real browser. BURNISH_CHROMIUM is its path, or none where it is not installed.

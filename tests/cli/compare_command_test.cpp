@@ -8,7 +8,7 @@
 #include "postproc/compare/picture.h"
 #include "tests/cli/browser.h"
 #include "tests/cli/shell.h"
-#include "tests/image/spoiled_pictures.h"
+#include "tests/postproc/spoiled_pictures.h"
 
 /// `burnish compare` as the user meets it, its report in a browser, and image tests in a project of the
 /// user's. BURNISH_COMMAND is the program, BURNISH_BUILD_DIR what `cmake --install` takes, BURNISH_CHROMIUM a

@@ -12,7 +12,7 @@
 #include "engine/results/result_reader.h"
 #include "engine/results/run_files.h"
 #include "tests/cli/shell.h"
-#include "tests/unit/scene_samples.h"
+#include "tests/engine/scene/scene_samples.h"
 
 /// The program is killed, interrupted, or has no room left: what it leaves is whole, and what is resumed
 /// comes out as if nothing had happened. BURNISH_COMMAND is its path.

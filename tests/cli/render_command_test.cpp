@@ -13,11 +13,11 @@
 #include "engine/core/error.h"
 #include "engine/results/result_writer.h"
 #include "engine/results/summary_file.h"
-#include "postproc/draw/contour.h"
-#include "postproc/study/text_file.h"
+#include "postproc/draw/contour/contour.h"
+#include "postproc/text/text_file.h"
 #include "tests/cli/shell.h"
-#include "tests/image/picture.h"
-#include "tests/image/sample_records.h"
+#include "tests/postproc/picture.h"
+#include "tests/postproc/sample_records.h"
 
 /// `burnish render`, `sheet` and `animate` as the user meets them. BURNISH_COMMAND is the program.
 namespace burnish {

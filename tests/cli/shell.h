@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "postproc/study/text_file.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 

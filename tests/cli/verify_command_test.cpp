@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "postproc/study/text_file.h"
+#include "postproc/text/text_file.h"
 #include "tests/cli/shell.h"
-#include "tests/unit/study_samples.h"
+#include "tests/postproc/study/study_samples.h"
 
 /// `burnish verify` as the user meets it. BURNISH_COMMAND is the program.
 namespace burnish {

@@ -1,6 +1,6 @@
 #pragma once
 #include "engine/results/model_io.h"
-#include "tests/unit/model_samples.h"
+#include "tests/engine/analysis/model_samples.h"
 
 namespace burnish::fuzz {
 

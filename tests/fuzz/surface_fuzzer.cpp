@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/contact/surface_file.h"
 #include "engine/core/error.h"
+#include "engine/tools/surface_file.h"
 #include "tests/fuzz/temporary_file.h"
 
 /// Files of tools: the first byte chooses the format.

@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/foreign_files.h"
+#include "cli/jobs/child_process.h"
+#include "engine/core/error.h"
+#include "engine/core/interruption.h"
+#include "engine/core/nearest.h"
+#include "engine/results/result_reader.h"
+#include "postproc/export/vtu_series_writer.h"
+
+namespace burnish {
+namespace {
+
+struct ExportArguments {
+  std::filesystem::path result;
+  std::filesystem::path directory;
+  std::string cells = "linear";
+  std::optional<std::string> parts;
+  bool controlNet = false;
+};
+
+constexpr std::array kCellKinds{std::pair{"linear", CellKind::Linear},
+                                std::pair{"lagrange", CellKind::Lagrange},
+                                std::pair{"bezier", CellKind::Bezier}};
+
+constexpr std::array kParts{std::pair{"body", ExportPart::Body}, std::pair{"tools", ExportPart::Tools},
+                            std::pair{"contact", ExportPart::Contact},
+                            std::pair{"points", ExportPart::Points}, std::pair{"net", ExportPart::Net}};
+
+VtuOptions optionsFrom(const ExportArguments& arguments) {
+  VtuOptions options;
+  options.cells = chosen("--cells", arguments.cells, kCellKinds);
+  if (arguments.parts) {
+    options.parts.clear();
+    std::istringstream words(*arguments.parts + ",");
+    for (std::string word; std::getline(words, word, ',');)
+      options.parts.insert(chosen("--parts", word, kParts));
+  }
+  if (arguments.controlNet) options.parts.insert(ExportPart::Net);
+  return options;
+}
+
+ExitCode exportResult(const ExportArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
+  const VtuOptions options = optionsFrom(arguments);
+  const ResultReader reader(arguments.result);
+  const auto directory = arguments.directory.empty() ? reader.file().parent_path() : arguments.directory;
+  if (reader.numFrames() == 0)
+    throw Error(
+        fmt::format("{}: the result has no frames to export; is the folder 'result' beside it missing?",
+                    reader.file().string()));
+  if (!isOfARun(directory) && !hasSeries(directory)) requireAbsent(seriesFiles(directory));
+  VtuSeriesWriter writer(directory, reader.model(), options);
+  for (int i = 0; i < reader.numFrames(); ++i) {
+    throwIfInterrupted();
+    writer.write(reader.frame(i));
+  }
+  printOut("{} frames in {}\n", reader.numFrames(), (directory / "frames.pvd").string());
+  return ExitCode::Fine;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("export", "Write VTK files and a PVD collection for ParaView from the results");
+  const auto arguments = std::make_shared<ExportArguments>();
+  command->add_option("RESULT", arguments->result, "Directory of a run or the result file in it")->required();
+  command->add_option("-o,--output", arguments->directory,
+                      "Directory for frames.pvd and frames/ [that of the result]");
+  command
+      ->add_option("--cells", arguments->cells,
+                   "Cells of the body: linear, lagrange, or bezier, which are exact [linear]")
+      ->type_name("KIND");
+  command
+      ->add_option("--parts", arguments->parts,
+                   "What to write, separated by commas: body, tools, contact, points (values at quadrature "
+                   "points), net (control net) [body,tools,contact]")
+      ->type_name("PART,...");
+  command->add_flag("--control-net", arguments->controlNet, "Add the control net to the parts");
+  command->callback([&action, arguments] { action = [arguments] { return exportResult(*arguments); }; });
+}
+
+}  // namespace burnish

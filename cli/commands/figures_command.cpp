@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/directory_lock.h"
+#include "cli/jobs/child_process.h"
+#include "cli/jobs/study_plan.h"
+#include "cli/jobs/study_progress.h"
+#include "cli/jobs/study_table.h"
+#include "engine/core/atomic_file.h"
+#include "postproc/study/document.h"
+#include "postproc/study/study_reader.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FiguresArguments {
+  fs::path study;
+  fs::path directory;
+  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  std::vector<std::string> only;
+  fs::path document;
+  fs::path gallery;
+  bool drawOnly = false;  ///< in a process that another one has started
+};
+
+ExitCode draw(const Study& study, const FiguresArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
+  for (const std::string& name : arguments.only)
+    drawAndRecord(study, findFigure(study, name), arguments.directory);
+  return ExitCode::Fine;
+}
+
+void announce(const StudyPlan& plan) {
+  const auto isDue = [](const auto& item) { return item.job.has_value(); };
+  printOut("runs: {}, of which to compute: {}; figures: {}, of which to draw: {}\n", plan.runs.size(),
+           std::count_if(plan.runs.begin(), plan.runs.end(), isDue), plan.figures.size(),
+           std::count_if(plan.figures.begin(), plan.figures.end(), isDue));
+  flushOutput();
+}
+
+/// Wall-clock seconds until the last run had ended, and from then on.
+void printTimes(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
+  double runs = 0.0, all = 0.0;
+  for (const PlannedRun& run : plan.runs)
+    if (run.job) runs = std::max(runs, jobs[*run.job].end);
+  for (const JobStatus& job : jobs) all = std::max(all, job.end);
+  printOut("wall-clock time: {:.1f} s for the runs, {:.1f} s more for the figures\n", runs, all - runs);
+}
+
+void printResults(const StudyPlan& plan, const std::vector<JobStatus>& jobs, const fs::path& directory) {
+  printOut("\n{}\n", runsTable(plan, jobs));
+  for (const PlannedFigure& figure : plan.figures) {
+    const std::vector<fs::path> files = drawnFiles(directory, figure.figure->name);
+    const std::string more = files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : "";
+    printOut("figure {}: {}{}\n", figure.figure->name, files.empty() ? "missing" : files.front().string(),
+             more);
+  }
+  printTimes(plan, jobs);
+  flushOutput();
+}
+
+ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
+  const DirectoryLock lock(arguments.directory);
+  const StudyPlan plan = planStudy(study, arguments.directory, arguments.only, arguments.jobs);
+  announce(plan);
+  prepareJobs(plan, arguments.directory);
+  PoolResult result;
+  {
+    StudyProgress progress(plan);
+    result = runJobs(plan.jobs, arguments.jobs, progress);
+  }
+  if (result.signal != 0) return interrupted(result.signal);
+  printResults(plan, result.jobs, arguments.directory);
+  if (arguments.only.empty()) {
+    const std::string csv = runsCsv(plan, result.jobs);
+    writeFileAtomically(arguments.directory / "runs.csv", std::as_bytes(std::span(csv)));
+    writeDocument(study, arguments.directory, {.file = arguments.document, .gallery = arguments.gallery});
+    printOut("document {}\n", arguments.document.string());
+  }
+  const bool allFine = std::all_of(result.jobs.begin(), result.jobs.end(),
+                                   [](const JobStatus& job) { return job.state == JobState::Fine; });
+  return allFine ? ExitCode::Fine : ExitCode::Incomplete;
+}
+
+ExitCode figures(FiguresArguments arguments) {
+  const Study study = readStudy(arguments.study);
+  if (arguments.directory.empty()) arguments.directory = fs::path("out") / arguments.study.stem();
+  if (arguments.document.empty())
+    arguments.document = arguments.directory / arguments.study.stem().concat(".md");
+  requireNotInput("--document", arguments.document, {arguments.study});
+  return arguments.drawOnly ? draw(study, arguments) : makeEverything(study, arguments);
+}
+
+}  // namespace
+
+void addFiguresCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("figures", "Compute the runs of a study and draw its figures");
+  const auto arguments = std::make_shared<FiguresArguments>();
+  command->add_option("STUDY", arguments->study, "Study file (YAML)")->required();
+  command->add_option("-o,--output", arguments->directory,
+                      "Directory for everything that is written [out/NAME of the study]");
+  command->add_option("--jobs", arguments->jobs, "Runs or figures at a time [one per processor]")
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--only", arguments->only,
+                   "Draw only this figure, from the runs that it needs; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("--document", arguments->document, "Name of the document [NAME of the study.md in DIR]")
+      ->type_name("FILE.md");
+  command
+      ->add_option("--gallery", arguments->gallery, "Directory to which the document's pictures are copied")
+      ->type_name("DIR");
+  command->add_flag("--draw-only", arguments->drawOnly)->group("");
+  command->callback([&action, arguments] { action = [arguments] { return figures(*arguments); }; });
+}
+
+}  // namespace burnish

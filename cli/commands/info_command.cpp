@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "cli/command.h"
+#include "cli/commands/info_text.h"
+#include "cli/console.h"
+#include "engine/core/error.h"
+#include "engine/scene/reader.h"
+#include "engine/scene/scene_listing.h"
+#include "postproc/study/study_listing.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InfoArguments {
+  fs::path path;
+  bool keys = false, studyKeys = false;
+};
+
+ExitCode info(const InfoArguments& arguments) {
+  if (arguments.keys) printText(describeScene());
+  if (arguments.studyKeys) printText(describeStudy());
+  const fs::path& path = arguments.path;
+  if (path.empty()) return ExitCode::Fine;
+  std::error_code status;
+  if (!fs::exists(path, status))
+    throw Error(fmt::format("{}: there is no such file or directory", path.string()));
+  const bool isResult = fs::is_directory(path, status) || path.extension() == ".h5";
+  printText(isResult ? resultText(ResultReader(path)) : sceneText(readScene(path)));
+  return ExitCode::Fine;
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("info", "Tell what is in a result or a scene");
+  const auto arguments = std::make_shared<InfoArguments>();
+  command->add_option("RESULT|SCENE", arguments->path,
+                      "Directory of a run, result file (.h5), or scene file");
+  command->add_flag("--keys", arguments->keys,
+                    "List every key of a scene with its type, default and meaning");
+  command->add_flag("--study-keys", arguments->studyKeys, "List every key of a study");
+  command->require_option(1, 3);
+  command->callback([&action, arguments] { action = [arguments] { return info(*arguments); }; });
+}
+
+}  // namespace burnish

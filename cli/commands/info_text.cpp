@@ -1,0 +1,135 @@
+#include "cli/commands/info_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/shown_text.h"
+#include "engine/results/history.h"
+#include "engine/results/run_files.h"
+#include "engine/results/summary_file.h"
+
+namespace burnish {
+namespace {
+
+std::string line(const std::string& label, const std::string& text) {
+  return fmt::format("{:<12}{}\n", label, text);
+}
+
+/// A text of a result, which may be older than what a scene allows.
+std::string shown(const std::string& text) {
+  return forMessage(text, kLongestShownText);
+}
+
+std::string patchText(const PatchRecord& patch) {
+  std::vector<int> degrees;
+  std::vector<std::size_t> spans;
+  for (const DirectionRecord& direction : patch.directions) {
+    degrees.push_back(direction.degree);
+    const bool spline = direction.family == BasisFamily::BSpline;
+    spans.push_back(spline
+                        ? static_cast<std::size_t>(KnotVector(direction.degree, direction.knots).numSpans())
+                        : direction.knots.size() - 1);
+  }
+  return fmt::format("{} of degree {}, {} spans, {} functions",
+                     patch.directions.front().family == BasisFamily::BSpline ? "NURBS" : "Lagrange",
+                     fmt::join(degrees, " x "), fmt::join(spans, " x "), patch.nodes.size());
+}
+
+std::string patchesText(const MeshRecord& mesh) {
+  std::string text;
+  for (const PatchRecord& patch : mesh.patches) text += line("patch", patchText(patch));
+  return text;
+}
+
+std::string shapeText(const RecordedShape& shape) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape))
+    return fmt::format("cylinder of radius {}", cylinder->radius);
+  if (const auto* sphere = std::get_if<Sphere>(&shape))
+    return fmt::format("sphere of radius {}", sphere->radius);
+  if (const auto* mesh = std::get_if<SurfaceMesh>(&shape))
+    return fmt::format("surface of {} {}", mesh->cells.cols(),
+                       mesh->cells.rows() == 2 ? "segments" : "triangles");
+  return "plane";
+}
+
+std::string fieldText(const std::string& name, const FieldRecord& field) {
+  std::string text = name;
+  if (!field.components.empty()) text += fmt::format(" ({})", fmt::join(field.components, " "));
+  if (!field.unit.empty()) text += fmt::format(" [{}]", shown(field.unit));
+  return text;
+}
+
+std::string framesText(const ResultReader& result) {
+  const std::vector<double> times = result.times();
+  if (times.empty()) return line("frames", "none yet");
+  std::string text =
+      line("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
+  const FrameRecord last = result.frame(result.numFrames() - 1);
+  if (last.mesh)
+    text += line("last mesh", fmt::format("{} nodes", last.mesh->numNodes)) + patchesText(*last.mesh);
+  for (const auto& [name, field] : last.fields) text += line("field", fieldText(name, field));
+  for (const ContactRecord& contact : last.contact)
+    text += line("contact",
+                 fmt::format("{} on {}, {} control points", contact.tool.empty() ? "self" : contact.tool,
+                             contact.face, contact.nodes.size()));
+  return text;
+}
+
+std::string historyText(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return "";
+  const HistoryTable history = readHistory(file);
+  return line("history", fmt::format("{} rows: {}", history.numRows(), fmt::join(history.columns, ", ")));
+}
+
+std::string summaryText(const SummaryRecord& summary) {
+  std::string text =
+      line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
+  for (const std::string& warning : summary.warnings) text += line("warning", warning);
+  for (const ReactionRecord& reaction : summary.reactions)
+    text += line("support", fmt::format("{}: {}", reaction.support, reactionText(reaction)));
+  return text;
+}
+
+/// How far the run in a directory is; of a summary that is damaged, what is wrong with it.
+std::string runText(const std::filesystem::path& directory) {
+  if (std::filesystem::exists(directory / "summary.yaml")) {
+    try {
+      return summaryText(readSummary(directory));
+    } catch (const Error& error) {
+      return line("run", error.what());
+    }
+  }
+  if (canBeResumed(directory))
+    return line("run", fmt::format("not at its end; if it does not go on any more: burnish run --resume {}",
+                                   directory.string()));
+  return "";
+}
+
+}  // namespace
+
+std::string resultText(const ResultReader& result) {
+  const ModelRecord& model = result.model();
+  std::string text = line("result", result.file().string());
+  text += line("title", shown(model.title));
+  text += line("written by", model.program);
+  text += line("model", fmt::format("{} dimensions, {} nodes", model.dim, model.mesh.numNodes));
+  text += patchesText(model.mesh);
+  for (const ToolRecord& tool : model.tools)
+    text += line("tool", fmt::format("{}: {}", shown(tool.name), shapeText(tool.shape)));
+  text += framesText(result);
+  const std::filesystem::path directory = result.file().parent_path();
+  text += historyText(directory / "history.csv");
+  text += runText(directory);
+  return text;
+}
+
+std::string sceneText(const Scene& scene) {
+  return scene.resolvedYaml.ends_with('\n') ? scene.resolvedYaml : scene.resolvedYaml + "\n";
+}
+
+}  // namespace burnish

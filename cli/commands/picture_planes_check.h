@@ -1,0 +1,15 @@
+#pragma once
+#include "engine/results/result.h"
+#include "engine/scene/scene.h"
+#include "postproc/draw/contour/contour.h"
+
+namespace burnish {
+
+/// A picture of a scene as options of `drawContour`.
+ContourOptions contourOptions(const PictureSpec& picture);
+
+/// Throws `Error` with places in the scene's file if the planes of its pictures are none of symmetry or miss
+/// the undeformed body.
+void requirePlanes(const Scene& scene, const ModelRecord& model);
+
+}  // namespace burnish

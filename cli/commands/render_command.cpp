@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/commands/picture_options.h"
+#include "cli/console.h"
+#include "cli/jobs/child_process.h"
+#include "engine/core/error.h"
+#include "postproc/draw/contour/contour_series.h"
+
+namespace burnish {
+namespace {
+
+struct RenderArguments {
+  PictureOptions options;
+  std::string picture;
+};
+
+ExitCode render(const RenderArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
+  if (std::filesystem::path(arguments.picture).extension() != ".png")
+    throw Error(
+        fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png", arguments.picture));
+  const ResultReader result(arguments.options.result);
+  const std::vector<double> times = result.times();
+  const std::vector<int> frames = frameIndices(arguments.options.frame, times);
+  const auto names = pictureNames(arguments.picture, frames, times);
+  const ContourOptions options = contourOptions(arguments.options, result, frames);
+  for (const std::filesystem::path& name : names) makeDirectoryOf(name);
+  drawSeries(result, frames, options, names);
+  if (names.size() > 1)
+    printOut("{} pictures, {} to {}\n", names.size(), names.front().string(), names.back().string());
+  return ExitCode::Fine;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("render", "Draw contour pictures of frames");
+  const auto arguments = std::make_shared<RenderArguments>();
+  addPictureOptions(*command, arguments->options);
+  command
+      ->add_option("-o,--output", arguments->picture,
+                   "Name of the picture; for several frames with {frame} or {frame:04} or {time} in it")
+      ->type_name("PICTURE.png")
+      ->required();
+  command->callback([&action, arguments] { action = [arguments] { return render(*arguments); }; });
+}
+
+}  // namespace burnish

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/commands/run_outputs.h"
+#include "cli/commands/summary_text.h"
+#include "cli/console.h"
+#include "cli/jobs/child_process.h"
+#include "engine/core/error.h"
+#include "engine/results/run_files.h"
+#include "engine/scene/reader.h"
+#include "postproc/offscreen/offscreen_canvas.h"
+
+namespace burnish {
+namespace {
+
+struct RunArguments {
+  std::filesystem::path scene;
+  std::filesystem::path directory;
+  bool resumes = false;    ///< --resume
+  bool continues = false;  ///< --continue
+  std::vector<std::string> overrides;
+  int threads = 0;
+  bool quiet = false;
+  bool timings = false;
+  bool noDoubts = false;
+};
+
+void printResults(const RunArguments& arguments, const RunSummary& summary, const RunOutputs& outputs) {
+  printText(summaryText(summary));
+  if (arguments.timings) printText(timingsText(summary));
+  printOut("results in {}\n", arguments.directory.string());
+  for (const auto& picture : outputs.pictures()) printOut("  picture {}\n", picture.string());
+}
+
+std::string howToResume(const std::filesystem::path& directory) {
+  return fmt::format("go on with: burnish run --resume {}", directory.string());
+}
+
+RunSummary compute(const Scene& scene, const RunArguments& arguments, const SignalGuard& signals,
+                   RunOutputs& outputs) {
+  const RunOptions options{.threads = arguments.threads, .halt = [&] { return signals.count() > 0; }};
+  try {
+    if (arguments.continues && canBeResumed(arguments.directory)) {
+      try {
+        return resumeRun(scene, arguments.directory, options, outputs);
+      } catch (const Error& error) {
+        if (outputs.hasStarted()) throw;
+        printError("burnish: begins anew: {}\n", error.what());
+      }
+    }
+    return arguments.resumes ? resumeRun(scene, arguments.directory, options, outputs)
+                             : runScene(scene, arguments.directory, options, outputs);
+  } catch (const Error& error) {
+    if (!outputs.hasStarted() || !canBeResumed(arguments.directory)) throw;
+    throw Error(fmt::format("{}\nburnish: the results up to the last frame are kept; when this is mended, {}",
+                            error.what(), howToResume(arguments.directory)));
+  }
+}
+
+/// Tells which pictures are missing, why, and how to draw them.
+void reportMissing(const RunOutputs& outputs) {
+  int interrupted = 0;
+  for (const auto& [file, reason, command] : outputs.missing()) {
+    if (!reason.empty())
+      printError("burnish: the picture {} was not drawn: {}; the results are there, this draws it: {}\n",
+                 file.string(), reason, command);
+    else if (interrupted++ == 0)
+      printError(
+          "burnish: interrupted by a signal before all pictures were drawn; the results are complete, "
+          "this draws the next one: {}\n",
+          command);
+  }
+}
+
+ExitCode reportEnd(const RunArguments& arguments, const RunSummary& summary, const RunOutputs& outputs,
+                   int signal) {
+  for (const std::string& warning : warnings(summary)) printError("warning: {}\n", warning);
+  if (!summary.halted) reportMissing(outputs);  // a run that goes on draws them
+  if (summary.completed && outputs.missing().empty()) return ExitCode::Fine;
+  if (summary.completed) return signal == 0 ? ExitCode::Incomplete : codeOfSignal(signal);
+  if (summary.halted) {
+    printError("burnish: {} by a signal; nothing is lost; {}\n", summary.stoppedBecause,
+               howToResume(arguments.directory));
+    return codeOfSignal(signal);
+  }
+  printError("burnish: the run did not reach its end: {}; the results up to there are kept\n",
+             summary.stoppedBecause);
+  if (!summary.advice.empty()) printError("burnish: what usually helps: {}\n", summary.advice);
+  return ExitCode::Stopped;
+}
+
+ExitCode run(const RunArguments& arguments) {
+  const Scene scene = arguments.resumes ? readResultScene(arguments.directory)
+                                        : readScene(arguments.scene, arguments.overrides);
+  OffscreenCanvas::saveMemory();  // for the solver
+  const SignalGuard signals(SecondSignal::Ends);
+  RunOutputs outputs(scene, arguments.directory, !arguments.quiet, !arguments.noDoubts);
+  if (!arguments.resumes) outputs.requireNoForeignFiles();
+  const RunSummary summary = compute(scene, arguments, signals, outputs);
+  if (!summary.halted) outputs.finish(!summary.doubts.empty());
+  if (!arguments.quiet) printResults(arguments, summary, outputs);
+  flushOutput();
+  return reportEnd(arguments, summary, outputs, signals.signal());
+}
+
+bool isComplete(const std::filesystem::path& directory) {
+  return std::filesystem::exists(directory / "summary.yaml") && readSummary(directory).completed;
+}
+
+ExitCode runOrResume(RunArguments arguments) {
+  if (arguments.resumes && isComplete(arguments.directory)) {
+    printOut("the run in {} has come to its end; there is nothing to resume\n", arguments.directory.string());
+    return ExitCode::Fine;
+  }
+  if (!arguments.resumes && arguments.directory.empty())
+    arguments.directory = std::filesystem::path("out") / arguments.scene.stem();
+  return run(arguments);
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("run", "Compute a scene; write results, VTU files and pictures");
+  const auto arguments = std::make_shared<RunArguments>();
+  command->footer(
+      "Exit codes: 0 done, 2 unusable input, 3 the run stopped before its end, 4 all is computed but a "
+      "picture\n"
+      "failed, 130 and 143 interrupted. What was computed is kept.");
+  CLI::Option* scene = command->add_option("SCENE", arguments->scene, "Scene file (YAML)");
+  CLI::Option* output =
+      command->add_option("-o,--output", arguments->directory,
+                          "Directory for everything that is written [out/NAME of the scene]");
+  CLI::Option* set = command
+                         ->add_option("--set", arguments->overrides,
+                                      "path=value: change an entry of the scene, e.g. --set degree=3; may be "
+                                      "repeated")
+                         ->type_name("PATH=VALUE")
+                         ->allow_extra_args(false);
+  command->add_flag(
+      "--continue", arguments->continues,
+      "Go on with the run in the output directory if it was stopped and is of the same scene; else "
+      "begin anew");
+  command
+      ->add_option_function<std::string>(
+          "--resume",
+          [arguments](const std::string& directory) {
+            arguments->directory = directory;
+            arguments->resumes = true;
+          },
+          "Go on with the run that was stopped in this directory, instead of SCENE")
+      ->type_name("DIR")
+      ->excludes(scene)
+      ->excludes(output)
+      ->excludes(set);
+  command->add_option("--threads", arguments->threads, "Number of threads; results do not depend on it [all]")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
+  command->add_flag("--timings", arguments->timings, "Print where the time went");
+  command->add_flag("--no-doubts", arguments->noDoubts,
+                    "Do not mark pictures of results that the run doubts");
+  command->callback([&action, arguments] {
+    if (arguments->scene.empty() && !arguments->resumes) throw CLI::RequiredError("SCENE or --resume DIR");
+    action = [arguments] { return runOrResume(*arguments); };
+  });
+}
+
+}  // namespace burnish

@@ -1,0 +1,166 @@
+#include "cli/commands/run_outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "cli/arguments.h"
+#include "cli/commands/picture_planes_check.h"
+#include "cli/console.h"
+#include "cli/foreign_files.h"
+#include "engine/core/error.h"
+#include "engine/core/interruption.h"
+#include "engine/results/result_reader.h"
+#include "postproc/draw/contour/contour.h"
+#include "postproc/draw/page/doubt_mark.h"
+#include "postproc/text/text_file.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool sameTime(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b));
+}
+
+/// The call that draws a picture of a scene from the results.
+std::string renderCommand(const PictureSpec& picture, std::optional<double> time, const fs::path& directory,
+                          const fs::path& file) {
+  const PictureSpec usual;
+  std::string line =
+      fmt::format("burnish render {} --field {}", shellWord(directory.string()), shellWord(picture.field));
+  const auto add = [&](const char* option, const std::string& value) {
+    line += fmt::format(" {} {}", option, shellWord(value));
+  };
+  if (time) add("--frame", fmt::format("time={}", *time));
+  if (picture.range) add("--range", fmt::format("{},{}", (*picture.range)[0], (*picture.range)[1]));
+  if (picture.size != usual.size) add("--size", fmt::format("{},{}", picture.size[0], picture.size[1]));
+  if (picture.bands != usual.bands) add("--bands", std::to_string(picture.bands));
+  if (picture.knots) line += " --knots";
+  if (!picture.undeformed) add("--undeformed", "off");
+  if (picture.cut) add("--cut", *picture.cut);
+  if (picture.slice) add("--slice", *picture.slice);
+  if (picture.mirror) add("--mirror", *picture.mirror);
+  if (!picture.doubtMarks) line += " --no-doubts";
+  if (picture.toolOpacity != usual.toolOpacity) add("--tool-opacity", fmt::format("{}", picture.toolOpacity));
+  add("-o", file.string());
+  return line;
+}
+
+}  // namespace
+
+RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress, bool marksDoubts)
+    : scene_(scene), directory_(std::move(directory)), marksDoubts_(marksDoubts) {
+  if (showProgress) progress_.emplace();
+}
+
+void RunOutputs::requireNoForeignFiles() const {
+  if (isOfARun(directory_)) return;
+  std::vector<fs::path> files{directory_ / "history.csv", directory_ / "convergence.csv",
+                              directory_ / "summary.yaml"};
+  if (scene_.output.vtu)
+    for (fs::path& file : seriesFiles(directory_)) files.push_back(std::move(file));
+  for (const PictureSpec& picture : scene_.pictures) {
+    files.push_back(pictureFile(picture, std::nullopt));
+    for (const double time : picture.times) files.push_back(pictureFile(picture, time));
+  }
+  requireAbsent(files);
+}
+
+void RunOutputs::onModel(const ModelRecord& model) {
+  requirePlanes(scene_, model);
+}
+
+void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) printError("warning: {}\n", warning);
+}
+
+void RunOutputs::onStart(const ModelRecord& model) {
+  hasStarted_ = true;
+  model_ = model;
+  if (scene_.output.vtu) vtu_.emplace(directory_, model);
+  std::error_code absent;
+  for (const PictureSpec& picture : scene_.pictures) {
+    // A picture of an earlier run would pass for one of this run if this one stops before.
+    fs::remove(pictureFile(picture, std::nullopt), absent);
+    for (const double time : picture.times) fs::remove(pictureFile(picture, time), absent);
+  }
+}
+
+void RunOutputs::onStep(const RunProgress& progress) {
+  if (progress_) progress_->show(progress);
+}
+
+void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
+  if (vtu_) vtu_->write(frame);
+  drawDue(frame);
+  lastFrame_ = frame;
+}
+
+bool RunOutputs::isDue(double time) const {
+  return std::ranges::any_of(scene_.pictures, [time](const PictureSpec& picture) {
+    return std::ranges::any_of(picture.times, [time](double wanted) { return sameTime(time, wanted); });
+  });
+}
+
+void RunOutputs::drawDue(const FrameRecord& frame) {
+  for (const PictureSpec& picture : scene_.pictures)
+    for (const double time : picture.times)
+      if (sameTime(frame.time, time)) draw(picture, time, frame);
+}
+
+ContourOptions RunOutputs::marked(const PictureSpec& picture) const {
+  ContourOptions options = contourOptions(picture);
+  if (isDoubtful_ && picture.doubtMarks) options.doubt = kDoubtMark;
+  return options;
+}
+
+void RunOutputs::drawMarked() {
+  if (pictures_.empty() && missing_.empty()) return;  // nothing was due before the end
+  pictures_.clear();
+  missing_.clear();
+  const ResultReader result(directory_);
+  const std::vector<double> times = result.times();
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (isDue(times[k])) drawDue(result.frame(static_cast<int>(k)));
+}
+
+void RunOutputs::finish(bool isDoubtful) {
+  if (progress_) progress_->finish();
+  if (!lastFrame_) return;
+  isDoubtful_ = isDoubtful && marksDoubts_;
+  if (isDoubtful_) drawMarked();
+  for (const PictureSpec& picture : scene_.pictures)
+    if (picture.times.empty()) draw(picture, std::nullopt, *lastFrame_);
+}
+
+fs::path RunOutputs::pictureFile(const PictureSpec& picture, std::optional<double> time) const {
+  const std::string stem = picture.name.value_or(picture.field);
+  return directory_ / "pictures" / (time ? fmt::format("{}_t{}.png", stem, *time) : stem + ".png");
+}
+
+void RunOutputs::draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame) {
+  const fs::path file = pictureFile(picture, time);
+  const auto note = [&](const char* reason) {
+    missing_.push_back({file, reason, renderCommand(picture, time, directory_, file)});
+  };
+  if (interruption() != 0) return note("");
+  try {
+    makeDirectory(file.parent_path());
+    drawContour(model_, frame, marked(picture), file);
+    pictures_.push_back(file);
+  } catch (const Interrupted&) {
+    note("");
+  } catch (const Error& error) {
+    note(error.what());
+  } catch (const std::bad_alloc&) {
+    note("the memory of this machine does not suffice");
+  }
+}
+
+}  // namespace burnish

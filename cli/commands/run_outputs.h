@@ -1,0 +1,80 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/progress.h"
+#include "engine/analysis/run.h"
+#include "engine/scene/scene.h"
+#include "postproc/draw/contour/contour.h"
+#include "postproc/export/vtu_series_writer.h"
+
+namespace burnish {
+
+/// What a run leaves beside its results while it goes on: progress, VTU files, and the pictures of the scene.
+class RunOutputs : public RunObserver {
+ public:
+  /// The scene must outlive the object.
+  RunOutputs(const Scene& scene, std::filesystem::path directory, bool showProgress, bool marksDoubts = true);
+
+  /// Throws `Error` if the directory is not that of an earlier run and has files that the run would
+  /// overwrite.
+  void requireNoForeignFiles() const;
+
+  void onModel(const ModelRecord& model) override;
+  void onWarnings(const std::vector<std::string>& warnings) override;
+  void onStart(const ModelRecord& model) override;
+  void onStep(const RunProgress& progress) override;
+  void onFrame(const ModelRecord& model, const FrameRecord& frame) override;
+
+  /// Draws the pictures of the end of the run from its last frame; where the run doubts its results, with a
+  /// mark, and those of times before once more.
+  void finish(bool isDoubtful);
+
+  /// Whether the run has begun to write.
+  bool hasStarted() const { return hasStarted_; }
+
+  /// Pictures drawn so far.
+  const std::vector<std::filesystem::path>& pictures() const { return pictures_; }
+
+  /// A picture that was not drawn.
+  struct Missing {
+    std::filesystem::path file;
+    std::string reason;   ///< empty: interrupted
+    std::string command;  ///< that draws it from the results
+  };
+  const std::vector<Missing>& missing() const { return missing_; }
+
+ private:
+  std::filesystem::path pictureFile(const PictureSpec& picture, std::optional<double> time) const;
+
+  /// A picture of the frame, or of the last one without a time. What goes wrong costs this picture only.
+  void draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame);
+
+  /// How a picture is drawn, with a mark once the run doubts its results.
+  ContourOptions marked(const PictureSpec& picture) const;
+
+  /// Whether a picture of this time is wanted.
+  bool isDue(double time) const;
+
+  /// Draws the pictures that are wanted of the time of a frame.
+  void drawDue(const FrameRecord& frame);
+
+  /// Draws those of times before the end once more: now it is known that they are to be marked.
+  void drawMarked();
+
+  const Scene& scene_;
+  std::filesystem::path directory_;
+  std::optional<Progress> progress_;
+  std::optional<VtuSeriesWriter> vtu_;
+  bool marksDoubts_;
+  bool isDoubtful_ = false;
+  bool hasStarted_ = false;
+  ModelRecord model_;
+  std::optional<FrameRecord> lastFrame_;
+  std::vector<std::filesystem::path> pictures_;
+  std::vector<Missing> missing_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/directory_lock.h"
+#include "cli/jobs/child_process.h"
+#include "cli/jobs/study_plan.h"
+#include "cli/jobs/study_progress.h"
+#include "engine/core/error.h"
+#include "postproc/study/evidence/check_table.h"
+#include "postproc/study/evidence/verification_document.h"
+#include "postproc/text/text_file.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct VerifyArguments {
+  std::vector<fs::path> scenes{fs::path("scenes") / "verification"};
+  fs::path directory = fs::path("out") / "verification";
+  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  fs::path document;
+  fs::path gallery;
+};
+
+/// Control nets may lie beside the scenes that name them; only scenes have a geometry.
+bool isScene(const fs::path& file) {
+  const std::string text = "\n" + readText(file);
+  return text.find("\ngeometry:") != std::string::npos;
+}
+
+/// The scenes of a directory in the order of their names, or the file itself.
+std::vector<fs::path> scenesIn(const fs::path& path) {
+  std::error_code status;
+  if (!fs::is_directory(path, status)) return {path};
+  std::vector<fs::path> scenes;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path, status))
+    if (entry.path().extension() == ".yaml" && isScene(entry.path())) scenes.push_back(entry.path());
+  if (status) throw Error(fmt::format("{}: cannot be read: {}", path.string(), status.message()));
+  if (scenes.empty()) throw Error(fmt::format("{}: found no scene; expected *.yaml", path.string()));
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+/// Runs what is missing or out of date; the signal that ended the work, or 0.
+int computeRuns(const std::vector<VerificationCase>& cases, const VerifyArguments& arguments) {
+  const Study study = studyOf(cases);
+  const StudyPlan plan = planStudy(study, arguments.directory, {}, arguments.jobs);
+  printOut("runs: {}, of which to compute: {}\n", plan.runs.size(), plan.jobs.size());
+  flushOutput();
+  prepareJobs(plan, arguments.directory);
+  StudyProgress progress(plan);
+  return runJobs(plan.jobs, arguments.jobs, progress).signal;
+}
+
+CaseOutcomes outcomesOf(const VerificationCase& verified, const fs::path& directory) {
+  CaseOutcomes outcomes;
+  for (const CaseFamily& family : verified.families) {
+    auto& added = outcomes.emplace_back();
+    for (const CaseVariant& variant : family.variants)
+      added.push_back(outcomeOf(runDirectory(directory, variant.run)));
+  }
+  return outcomes;
+}
+
+/// Prints a table for each case and a last line for all; whether all checks hold.
+bool printVerdicts(const std::vector<VerifiedCase>& cases) {
+  std::size_t all = 0, holding = 0;
+  for (const auto& [verified, outcomes, judged] : cases) {
+    const std::string& title = verified->scene.title;
+    printOut("\n{}{}\n{}{}{}", verified->name, title.empty() ? "" : ": " + title,
+             checkTable(*verified, judged), problemsText(judged), doubtsText(*verified, outcomes));
+    all += judged.size();
+    holding += numHolding(judged);
+  }
+  printOut("\n{} of {} checks hold\n", holding, all);
+  return holding == all;
+}
+
+ExitCode verify(const VerifyArguments& arguments) {
+  std::vector<VerificationCase> cases;
+  for (const fs::path& path : arguments.scenes)
+    for (const fs::path& scene : scenesIn(path)) cases.push_back(readCase(scene));
+  requireNotInput("--document", arguments.document, arguments.scenes);
+  const DirectoryLock lock(arguments.directory);
+  const int signal = computeRuns(cases, arguments);
+  if (signal != 0) return interrupted(signal);
+  std::vector<VerifiedCase> verified;
+  for (const VerificationCase& one : cases) {
+    CaseOutcomes outcomes = outcomesOf(one, arguments.directory);
+    auto judged = judgeChecks(one, outcomes);
+    verified.push_back({&one, std::move(outcomes), std::move(judged)});
+  }
+  const bool allHold = printVerdicts(verified);
+  if (!arguments.document.empty()) {
+    const SignalGuard signals(SecondSignal::Ends);
+    const fs::path pictures = arguments.gallery.empty()
+                                  ? arguments.document.parent_path() / "images" / arguments.document.stem()
+                                  : arguments.gallery;
+    writeVerification(verified, arguments.document, pictures);
+    printOut("document {}\n", arguments.document.string());
+  }
+  return allHold ? ExitCode::Fine : ExitCode::ChecksFail;
+}
+
+}  // namespace
+
+void addVerifyCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("verify", "Compute scenes and check what they must produce");
+  const auto arguments = std::make_shared<VerifyArguments>();
+  command->add_option("SCENE", arguments->scenes, "Scene files (YAML) or directories [scenes/verification]");
+  command->add_option("-o,--output", arguments->directory, "Directory for all results [out/verification]");
+  command->add_option("--jobs", arguments->jobs, "Runs at a time [one per processor]")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--document", arguments->document, "Write a document with tables and charts")
+      ->type_name("FILE.md");
+  command
+      ->add_option("--gallery", arguments->gallery,
+                   "Directory of the document's charts [images/NAME of the document, beside it]")
+      ->type_name("DIR");
+  command->callback([&action, arguments] { action = [arguments] { return verify(*arguments); }; });
+}
+
+}  // namespace burnish

@@ -1,0 +1,76 @@
+#include "cli/jobs/study_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/results/summary_file.h"
+
+namespace burnish {
+namespace {
+
+struct Column {
+  const char* entry;  ///< of the summary
+  const char* title;
+  int digits;  ///< significant ones
+};
+
+constexpr std::array kColumns{Column{"end_time", "end time", 6},
+                              Column{"steps", "steps", 9},
+                              Column{"cut_backs", "cut-backs", 9},
+                              Column{"smallest_step", "smallest step", 4},
+                              Column{"mean_iterations", "mean iter.", 3},
+                              Column{"max_iterations", "max iter.", 9},
+                              Column{"seconds", "seconds", 4}};
+
+struct Row {
+  std::string state;
+  SummaryRecord summary;  ///< empty when the run has not ended well
+};
+
+Row rowOf(const PlannedRun& run, const std::vector<JobStatus>& jobs) {
+  const JobState state = run.job ? jobs[*run.job].state : JobState::Fine;
+  if (state == JobState::Failed) return {"failed", {}};
+  if (state != JobState::Fine) return {"missing", {}};
+  SummaryRecord summary = readSummary(run.directory);
+  return {summary.completed ? "completed" : "stopped", std::move(summary)};
+}
+
+}  // namespace
+
+std::string runsTable(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
+  std::size_t width = 3;
+  for (const PlannedRun& run : plan.runs) width = std::max(width, run.run->name.size());
+  std::string text = fmt::format("{:<{}}  {:<9}", "run", width, "state");
+  for (const Column& column : kColumns) text += fmt::format("  {}", column.title);
+  text += "\n";
+  for (const PlannedRun& run : plan.runs) {
+    const Row row = rowOf(run, jobs);
+    text += fmt::format("{:<{}}  {:<9}", run.run->name, width, row.state);
+    if (!row.summary.numbers.empty())
+      for (const Column& column : kColumns)
+        text += fmt::format("  {:>{}.{}g}", row.summary.numbers.at(column.entry),
+                            std::string_view(column.title).size(), column.digits);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string runsCsv(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
+  std::string text = "run,state";
+  for (const Column& column : kColumns) text += fmt::format(",{}", column.entry);
+  text += "\n";
+  for (const PlannedRun& run : plan.runs) {
+    const Row row = rowOf(run, jobs);
+    text += run.run->name + "," + row.state;
+    for (const Column& column : kColumns) {
+      const auto number = row.summary.numbers.find(column.entry);
+      text += number == row.summary.numbers.end() ? "," : fmt::format(",{}", number->second);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace burnish

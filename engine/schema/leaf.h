@@ -1,0 +1,100 @@
+#pragma once
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <concepts>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "engine/core/formula.h"
+#include "engine/core/shown_text.h"
+#include "engine/schema/rule.h"
+
+/// The types that a single key of a scene may have: numbers, truth values, texts, formulas, named choices,
+/// lists of these.
+namespace burnish {
+
+/// Specialised for every enumeration of a scene: `values`, pairs of name and value.
+template <class E>
+struct EnumNames;
+
+template <class T>
+struct ListTraits : std::false_type {};
+template <class T>
+struct ListTraits<std::vector<T>> : std::true_type {
+  using Item = T;
+  static constexpr std::size_t length = 0;
+};
+template <class T, std::size_t N>
+struct ListTraits<std::array<T, N>> : std::true_type {
+  using Item = T;
+  static constexpr std::size_t length = N;
+};
+
+template <class T>
+concept List = ListTraits<T>::value;
+
+template <class T>
+struct OptionalTraits : std::false_type {};
+template <class T>
+struct OptionalTraits<std::optional<T>> : std::true_type {};
+
+template <class T>
+concept Optional = OptionalTraits<T>::value;
+
+template <class T>
+struct IsLeaf
+    : std::bool_constant<std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>> {};
+template <>
+struct IsLeaf<FormulaText> : std::true_type {};
+template <List T>
+struct IsLeaf<T> : IsLeaf<typename ListTraits<T>::Item> {};
+
+template <class T>
+concept Leaf = IsLeaf<T>::value;
+
+template <class E>
+std::vector<std::string> enumNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : EnumNames<E>::values) names.emplace_back(name);
+  return names;
+}
+
+/// What is allowed for a value of type T, in words: "a number above 0", "a list of 2 whole numbers", "a
+/// mapping".
+template <class T>
+std::string allowedText(const Rule& rule, bool plural = false) {
+  if constexpr (Optional<T>) {
+    return allowedText<typename T::value_type>(rule, plural);
+  } else if constexpr (List<T>) {
+    using Item = typename ListTraits<T>::Item;
+    const std::size_t length = ListTraits<T>::length;
+    const std::string count = length > 0 ? fmt::format("{} ", length) : rule.entries();
+    return fmt::format("{} of {}{}{}{}", plural ? "lists" : "a list", count,
+                       rule.increasing ? "increasing " : "", allowedText<Item>(rule.ofEntry(), true),
+                       rule.perDimension ? ", one per dimension" : "");
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return "true or false";
+  } else if constexpr (std::is_integral_v<T>) {
+    return (plural ? "whole numbers" : "a whole number") + rule.range();
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return (plural ? "numbers" : "a number") + rule.range();
+  } else if constexpr (std::is_same_v<T, FormulaText>) {
+    return plural ? "numbers or formulas" : "a number or a formula";
+  } else if constexpr (std::is_enum_v<T>) {
+    return fmt::format("{}", fmt::join(enumNames<T>(), " | "));
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    if (!rule.choices.empty())
+      return fmt::format("{}{}", plural ? "entries out of " : "", fmt::join(rule.choices, " | "));
+    if (rule.identifier) return "a name of letters, digits, - and _";
+    return (plural ? "texts" : "a text") +
+           (rule.longest > 0 ? fmt::format(" of up to {} letters", rule.longest) : "");
+  } else {
+    return plural ? "mappings" : "a mapping";
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,249 @@
+#include "postproc/draw/chart/chart_output.h"
+
+#include <fmt/format.h>
+#include <vtkActor2D.h>
+#include <vtkBrush.h>
+#include <vtkContext2D.h>
+#include <vtkContextActor.h>
+#include <vtkContextDevice2D.h>
+#include <vtkContextItem.h>
+#include <vtkContextScene.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPDFContextDevice2D.h>
+#include <vtkPDFExporter.h>
+#include <vtkPen.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSVGContextDevice2D.h>
+#include <vtkSVGExporter.h>
+#include <vtkTextProperty.h>
+
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <variant>
+#include <vector>
+
+#include "engine/core/atomic_file.h"
+#include "engine/core/error.h"
+#include "engine/results/output_file.h"
+#include "postproc/draw/chart/chart_glyphs.h"
+#include "postproc/draw/page/font.h"
+#include "postproc/draw/page/png_file.h"
+#include "postproc/offscreen/offscreen_canvas.h"
+
+namespace burnish {
+namespace {
+
+constexpr double kPointsPerPixel = 0.75;  ///< of SVG
+
+/// Paints a sketch, `scale` times larger, in a scene of VTK, whatever that becomes: pixels, SVG or PDF.
+class SketchItem : public vtkContextItem {
+ public:
+  static SketchItem* New();
+  SketchItem() { movedByStrips_->VisibilityOff(); }
+
+  void set(const ChartSketch& sketch, double scale) {
+    sketch_ = &sketch;
+    scale_ = scale;
+  }
+
+  /// The canvas draws a picture in strips and moves flat actors down by what lies under a strip; a scene does
+  /// not move, but this actor does.
+  vtkActor2D& movedByStrips() { return *movedByStrips_; }
+
+  bool Paint(vtkContext2D* painter) override {
+    const double shift = movedByStrips_->GetPosition()[1];
+    for (const auto& shape : sketch_->shapes)
+      std::visit([&](const auto& drawn) { paint(*painter, drawn, shift); }, shape);
+    return true;
+  }
+
+ private:
+  /// Coordinates as VTK takes them: x, y, x, y, …
+  std::vector<float> scaled(const Polyline& points, double shift) const {
+    std::vector<float> result;
+    for (const Eigen::Vector2d& p : points) {
+      result.push_back(static_cast<float>(scale_ * p.x()));
+      result.push_back(static_cast<float>(scale_ * p.y() + shift));
+    }
+    return result;
+  }
+
+  void paint(vtkContext2D& painter, const SketchLine& line, double shift) const {
+    if (line.points.size() < 2) return;
+    std::vector<float> points = scaled(line.points, shift);
+    painter.GetPen()->SetLineType(vtkPen::SOLID_LINE);
+    painter.GetPen()->SetColor(line.color[0], line.color[1], line.color[2]);
+    painter.GetPen()->SetWidth(static_cast<float>(scale_ * line.width));
+    painter.DrawPoly(points.data(), static_cast<int>(line.points.size()));
+  }
+
+  void paint(vtkContext2D& painter, const SketchArea& area, double shift) const {
+    std::vector<float> points = scaled(area.corners, shift);
+    painter.GetBrush()->SetColor(area.color[0], area.color[1], area.color[2]);
+    // The context would draw the outline too.
+    painter.GetDevice()->DrawPolygon(points.data(), static_cast<int>(area.corners.size()));
+  }
+
+  /// In one piece, or in pieces from the start on if parts of the text need another font.
+  void paint(vtkContext2D& painter, const SketchText& text, double shift) const {
+    noteDrawnText(text.text, text.style.font);
+    const std::vector<FontPiece> pieces = fontPieces(text.text, text.style.font);
+    if (pieces.size() == 1) {
+      SketchText whole = text;
+      whole.text = pieces.front().text;
+      return paintPiece(painter, whole, *pieces.front().font, VTK_TEXT_CENTERED, shift);
+    }
+    const bool up = text.direction == Overlay::Direction::Up;
+    const Eigen::Vector2d along(up ? 0.0 : 1.0, up ? 1.0 : 0.0), upwards(-along.y(), along.x());
+    const double before = text.anchor == Overlay::Anchor::Start    ? 0.0
+                          : text.anchor == Overlay::Anchor::Middle ? 0.5
+                                                                   : 1.0;
+    Eigen::Vector2d pen = text.at - before * textWidth({{text.text}}, text.style) * along -
+                          capitalHeight(text.style) / 2 * upwards;
+    SketchText part = text;
+    part.anchor = Overlay::Anchor::Start;
+    for (const FontPiece& piece : pieces) {
+      part.text = piece.text;
+      part.at = pen - piece.font->descent * text.style.size * upwards;
+      paintPiece(painter, part, *piece.font, VTK_TEXT_BOTTOM, shift);
+      pen += textWidth({{piece.text}}, text.style) * along;
+    }
+  }
+
+  void paintPiece(vtkContext2D& painter, const SketchText& text, const Font& font, int vertical,
+                  double shift) const {
+    const auto& [size, color, name] = text.style;
+    vtkNew<vtkTextProperty> property;
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(font.file.c_str());
+    property->SetFontSize(static_cast<int>(std::lround(scale_ * size)));
+    property->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+    property->SetJustification(text.anchor == Overlay::Anchor::Start    ? VTK_TEXT_LEFT
+                               : text.anchor == Overlay::Anchor::Middle ? VTK_TEXT_CENTERED
+                                                                        : VTK_TEXT_RIGHT);
+    property->SetVerticalJustification(vertical);
+    if (text.direction == Overlay::Direction::Up) property->SetOrientation(90.0);
+    const std::vector<float> at = scaled({text.at}, shift);
+    const auto draw = [&](const std::string& string) {
+      painter.ApplyTextProp(property);
+      painter.DrawString(at[0], at[1], string.c_str());
+    };
+    // A picture that looks the same everywhere has outlines of letters; text that can be selected lies over
+    // them, unseen.
+    if (auto* svg = vtkSVGContextDevice2D::SafeDownCast(painter.GetDevice())) {
+      draw(text.text);
+      property->SetOpacity(0.0);
+      property->SetFontSize(static_cast<int>(std::lround(kPointsPerPixel * scale_ * size)));
+      svg->SetTextAsPath(false);
+      draw(text.text);
+      svg->SetTextAsPath(true);
+    } else if (vtkPDFContextDevice2D::SafeDownCast(painter.GetDevice())) {
+      paintOutlines(painter, text, *property);
+      property->SetOpacity(0.0);
+      property->SetFontFile(fontNamed(kDefaultFont).file.c_str());  // a PDF cannot hold fonts of every kind
+      draw(asciiText(text.text));
+    } else {
+      draw(text.text);
+    }
+  }
+
+  void paintOutlines(vtkContext2D& painter, const SketchText& text, vtkTextProperty& property) const {
+    for (Polyline& letter : glyphPolygons(text.text, property)) {
+      for (Eigen::Vector2d& point : letter) point += text.at;
+      paint(painter, SketchArea{std::move(letter), text.style.color}, 0.0);
+    }
+  }
+
+  const ChartSketch* sketch_ = nullptr;
+  double scale_ = 1.0;
+  vtkNew<vtkActor2D> movedByStrips_;
+};
+vtkStandardNewMacro(SketchItem)
+
+    /// Paints on the device of an exporter: the actor that VTK's factory gives needs an OpenGL context even
+    /// then.
+    class ExportActor : public vtkContextActor {
+ public:
+  static ExportActor* New();
+
+ private:
+  void Initialize(vtkViewport*) override {
+    Context->Begin(ForceDevice);
+    Initialized = true;
+  }
+};
+vtkStandardNewMacro(ExportActor)
+
+    /// A renderer that shows the sketch through an actor of the given type.
+    template <class Actor>
+    vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale) {
+  vtkNew<SketchItem> item;
+  item->set(sketch, scale);
+  vtkNew<Actor> actor;
+  actor->GetScene()->AddItem(item);
+  const auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetBackground(sketch.paper[0] / 255.0, sketch.paper[1] / 255.0, sketch.paper[2] / 255.0);
+  renderer->SetBackgroundAlpha(1.0);
+  renderer->AddActor2D(&item->movedByStrips());
+  renderer->AddActor(actor);
+  return renderer;
+}
+
+void writePicture(const ChartSketch& sketch, const std::filesystem::path& file) {
+  OffscreenCanvas canvas(sketch.size[0], sketch.size[1]);
+  canvas.window().AddRenderer(rendererOf<vtkContextActor>(sketch, canvas.supersampling()));
+  writePng(*canvas.capture(), file);
+}
+
+std::string contentsOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Writes with an exporter of VTK, which neither throws nor says whether it failed: the file must have its
+/// `end`.
+template <class Exporter>
+void writeExport(const ChartSketch& sketch, const std::filesystem::path& file, std::string_view end) {
+  const std::filesystem::path partial = partialName(file);
+  OutputFile(partial).close();                  // throws with the reason if there can be no such file
+  vtkNew<vtkGenericOpenGLRenderWindow> window;  // never rendered: it needs no context
+  window->SetDPI(72);
+  window->SetSize(sketch.size[0], sketch.size[1]);
+  const auto renderer = rendererOf<ExportActor>(sketch, 1.0);
+  window->AddRenderer(renderer);
+  vtkNew<Exporter> exporter;
+  exporter->SetRenderWindow(window);
+  exporter->SetTitle("chart");
+  exporter->SetFileName(partial.c_str());
+  exporter->Write();
+  renderer->RemoveAllViewProps();  // the actor keeps the exporter's device, and that of PDF the renderer
+  const std::string contents = contentsOf(partial);
+  std::error_code ignored;
+  std::filesystem::remove(partial, ignored);
+  if (std::string_view(contents).substr(0, contents.find_last_not_of(" \r\n") + 1).ends_with(end))
+    return writeFileAtomically(file, std::as_bytes(std::span(contents)));
+  throw Error(fmt::format("cannot write {}: the disk may be full", file.string()));
+}
+
+}  // namespace
+
+void writeSketch(const ChartSketch& sketch, const std::filesystem::path& file) {
+  const auto ending = file.extension();
+  if (ending == ".png") return writePicture(sketch, file);
+  if (ending == ".svg") return writeExport<vtkSVGExporter>(sketch, file, "</svg>");
+  if (ending == ".pdf") return writeExport<vtkPDFExporter>(sketch, file, "%%EOF");
+  throw Error(
+      fmt::format("\"{}\": expected the name of a chart that ends in .png, .svg or .pdf", file.string()));
+}
+
+}  // namespace burnish

@@ -1,0 +1,12 @@
+#pragma once
+#include <filesystem>
+
+#include "postproc/draw/chart/chart_sketch.h"
+
+namespace burnish {
+
+/// Paints a sketch into a file that ends in .png, .svg or .pdf and appears under its name only when it is
+/// complete. Throws `Error` for other endings and for a file that cannot be written.
+void writeSketch(const ChartSketch& sketch, const std::filesystem::path& file);
+
+}  // namespace burnish

@@ -1,0 +1,176 @@
+#include "postproc/draw/chart/chart_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <initializer_list>
+
+#include "engine/core/drawable_range.h"
+#include "postproc/text/ticks.h"
+
+namespace burnish {
+namespace {
+
+using Range = std::array<double, 2>;
+using Fit = std::function<bool(const ChartScale&)>;
+
+constexpr int kMostIntervals = 6;
+constexpr double kPadding = 0.03;   ///< part of the data's range
+constexpr double kSlack = 1e-9;     ///< round-off, in parts of a step
+constexpr double kConstant = 1e-8;  ///< below this part of its magnitude, a variation is not shown
+
+/// The smallest of `factors` times a power of ten that is not below the value.
+double roundUp(double value, std::initializer_list<double> factors) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : factors)
+    if (factor * power >= value * (1.0 - kSlack)) return factor * power;
+  return 10.0 * power;
+}
+
+double roundDown(double value, std::initializer_list<double> factors) {
+  return 1.0 / roundUp(1.0 / value, factors);
+}
+
+/// log(a / b), also where the ratio is beyond what numbers can hold.
+double logRatio(double a, double b) {
+  const double ratio = a / b;
+  return std::isnormal(ratio) ? std::log(ratio) : std::log(a) - std::log(b);
+}
+
+/// A range of some width around data that may be constant.
+Range withWidth(const Range& data, bool padded) {
+  const double magnitude = std::max(std::abs(data[0]), std::abs(data[1]));
+  if (magnitude < kSmallestDrawnSpan) return {-1.0, 1.0};
+  if (data[1] - data[0] <= kConstant * magnitude)
+    return {data[0] - 0.1 * magnitude, data[1] + 0.1 * magnitude};
+  if (!padded) return data;
+  const double padding = kPadding * (data[1] - data[0]);
+  // Data that do not change sign keep 0 as the end of the axis.
+  const double low = data[0] >= 0.0 ? std::max(0.0, data[0] - padding) : data[0] - padding;
+  const double high = data[1] <= 0.0 ? std::min(0.0, data[1] + padding) : data[1] + padding;
+  return {low, high};
+}
+
+/// Removes ticks, from the middle on, until the others fit.
+void thinOut(ChartScale& scale, const Fit& fit) {
+  while (scale.ticks.size() > 1 && !fit(scale)) {
+    const auto middle = static_cast<std::ptrdiff_t>(scale.ticks.size() / 2);
+    scale.ticks.erase(scale.ticks.begin() + middle);
+    scale.labels.erase(scale.labels.begin() + middle);
+  }
+}
+
+/// Takes a power of ten out of labels that would be long with zeros; returns it.
+double takeFactor(ChartScale& scale) {
+  constexpr double smallest = 0.01, largest = 1e4;
+  const double magnitude = std::max(std::abs(scale.range[0]), std::abs(scale.range[1]));
+  const bool plain = magnitude >= smallest && magnitude < largest;
+  const int exponent = plain ? 0 : 3 * static_cast<int>(std::floor(std::log10(magnitude) / 3.0 + kSlack));
+  scale.factor = plain ? "" : "×10" + superscript(exponent);
+  return std::pow(10.0, exponent);
+}
+
+void setTicks(ChartScale& scale, int most) {
+  const double unit = takeFactor(scale);
+  const Ticks ticks = makeTicks({scale.range[0] / unit, scale.range[1] / unit}, most);
+  scale.ticks.clear();
+  for (const double value : ticks.values) scale.ticks.push_back(value * unit);
+  scale.labels = ticks.labels;
+}
+
+ChartScale linearScale(const ChartAxis& axis, const Range& data, bool padded, const Fit& fit) {
+  ChartScale scale;
+  const Range wanted = withWidth(data, padded);
+  for (int intervals = kMostIntervals; intervals > 0; --intervals) {
+    int most = intervals + 1;
+    if (axis.range) {
+      scale.range = *axis.range;
+    } else {
+      const double step = roundUp((wanted[1] - wanted[0]) / intervals, {1.0, 2.0, 2.5, 5.0});
+      const double first = std::floor(wanted[0] / step + kSlack), last = std::ceil(wanted[1] / step - kSlack);
+      scale.range = {first * step, last * step};
+      most = static_cast<int>(last - first) + 1;
+    }
+    setTicks(scale, std::max(2, most));
+    if (fit(scale)) return scale;
+  }
+  thinOut(scale, fit);
+  return scale;
+}
+
+/// Labels at powers of ten, all or every second, third, …
+void labelDecades(ChartScale& scale, int first, int last, const Fit& fit) {
+  for (int every = 1; every == 1 || scale.ticks.size() > 1; ++every) {
+    scale.ticks.clear();
+    scale.labels.clear();
+    scale.factor.clear();
+    for (int e = first; e <= last; ++e) {
+      if (e % every != 0) continue;
+      scale.ticks.push_back(std::pow(10.0, e));
+      scale.labels.push_back("10" + superscript(e));
+    }
+    if (fit(scale)) return;
+  }
+}
+
+/// Labels at 1, 2 and 5 times powers of ten.
+void labelRoundValues(ChartScale& scale, int firstDecade, int lastDecade) {
+  constexpr int digits = 1;
+  const double unit = takeFactor(scale);
+  for (int e = firstDecade - 1; e <= lastDecade; ++e) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double value = factor * std::pow(10.0, e);
+      if (scale.share(value) < -kSlack || scale.share(value) > 1.0 + kSlack) continue;
+      scale.ticks.push_back(value);
+      scale.labels.push_back(numberText(value / unit, digits));
+    }
+  }
+}
+
+void setMinorTicks(ChartScale& scale, int firstDecade, int lastDecade) {
+  constexpr int mostDecades = 10;
+  for (int e = firstDecade - 1; e <= lastDecade; ++e) {
+    const int last = lastDecade - firstDecade > mostDecades ? 1 : 9;
+    for (int k = 1; k <= last; ++k) {
+      const double value = k * std::pow(10.0, e);
+      if (scale.share(value) > kSlack && scale.share(value) < 1.0 - kSlack) scale.minorTicks.push_back(value);
+    }
+  }
+}
+
+ChartScale logarithmicScale(const ChartAxis& axis, const Range& data, bool padded, const Fit& fit) {
+  ChartScale scale;
+  scale.logarithmic = true;
+  if (axis.range) {
+    scale.range = *axis.range;
+  } else {
+    const double margin = data[1] / data[0] < 1.0 + kConstant ? 2.0
+                          : padded ? std::exp(kPadding * logRatio(data[1], data[0]))
+                                   : 1.0;
+    scale.range = {roundDown(data[0] / margin, {1.0, 2.0, 5.0}), roundUp(data[1] * margin, {1.0, 2.0, 5.0})};
+  }
+  const int first = static_cast<int>(std::ceil(std::log10(scale.range[0]) - kSlack));
+  const int last = static_cast<int>(std::floor(std::log10(scale.range[1]) + kSlack));
+  const bool narrow = scale.range[1] < 100.0 * scale.range[0];
+  if (narrow) labelRoundValues(scale, first, last);
+  if (narrow && scale.ticks.size() < 3) setTicks(scale, kMostIntervals);
+  if (!narrow || (!fit(scale) && last > first)) labelDecades(scale, first, last, fit);
+  thinOut(scale, fit);
+  setMinorTicks(scale, first, last);
+  return scale;
+}
+
+}  // namespace
+
+double ChartScale::share(double value) const {
+  if (logarithmic) return logRatio(value, range[0]) / logRatio(range[1], range[0]);
+  return (value - range[0]) / (range[1] - range[0]);
+}
+
+ChartScale makeChartScale(const ChartAxis& axis, const std::array<double, 2>& data, bool padded,
+                          const std::function<bool(const ChartScale&)>& fit) {
+  return axis.logarithmic ? logarithmicScale(axis, data, padded, fit) : linearScale(axis, data, padded, fit);
+}
+
+}  // namespace burnish

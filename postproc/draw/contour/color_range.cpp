@@ -1,0 +1,149 @@
+#include "postproc/draw/contour/color_range.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "engine/core/drawable_range.h"
+#include "engine/core/error.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/mesh/patch_geometry.h"
+#include "postproc/mesh/tensor_points.h"
+#include "postproc/mesh/tessellation.h"
+
+namespace burnish {
+namespace {
+
+/// Area or volume of a cell: exact for a plane quadrilateral; of a hexahedron its Jacobian in the middle.
+template <int Dim>
+double cellSize(const Eigen::MatrixXd& points, const Eigen::VectorXi& corners) {
+  Eigen::Matrix<double, Dim, Dim> jacobian = Eigen::Matrix<double, Dim, Dim>::Zero();
+  for (int corner = 0; corner < (1 << Dim); ++corner) {
+    // VTK goes round the quadrilateral, then round the one above it.
+    const std::array<int, 3> upper{(corner ^ (corner >> 1)) & 1, (corner >> 1) & 1, corner >> 2};
+    for (int d = 0; d < Dim; ++d)
+      jacobian.col(d) += (upper[static_cast<std::size_t>(d)] ? 1.0 : -1.0) * points.col(corners(corner));
+  }
+  return std::abs((jacobian / (1 << (Dim - 1))).determinant());
+}
+
+/// The part of the undeformed body that belongs to each point: equal shares of its cells.
+Eigen::VectorXd pointSizes(const Tessellation& tessellation) {
+  Eigen::VectorXd sizes = Eigen::VectorXd::Zero(tessellation.numPoints());
+  const auto sizeOf = tessellation.dim() == 2 ? cellSize<2> : cellSize<3>;
+  for (const auto& corners : tessellation.cells().colwise()) {
+    const double share =
+        sizeOf(tessellation.referencePoints(), corners) / static_cast<double>(corners.size());
+    for (const int point : corners) sizes(point) += share;
+  }
+  return sizes;
+}
+
+/// The smallest value that is not exceeded in at least this part of the whole.
+double quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& sizes, const std::vector<int>& byValue,
+                double part) {
+  const double wanted = part * sizes.sum() * (1.0 - 1e-12);
+  double size = 0.0;
+  for (const int point : byValue) {
+    size += sizes(point);
+    if (size >= wanted) return values(point);
+  }
+  return values(byValue.back());
+}
+
+/// A row cut into rows of `length` points or, the last one, fewer.
+std::vector<PointRow> parts(const PointRow& row, int length) {
+  std::vector<PointRow> parts;
+  const auto size = static_cast<int>(row.firstFunction.size());
+  for (int first = 0; first < size; first += length) {
+    const int count = std::min(length, size - first);
+    const auto begin = row.firstFunction.begin() + first;
+    parts.push_back({row.numFunctions, {begin, begin + count}, row.factors.middleCols(first, count)});
+  }
+  return parts;
+}
+
+/// The (100-p)th and the p-th percentile.
+std::array<double, 2> percentiles(const Tessellation& tessellation, const FieldChoice& choice, double p) {
+  const Eigen::VectorXd values = choice.drawnScalars(tessellation.evaluate(choice.coefficients));
+  std::vector<int> byValue(static_cast<std::size_t>(values.size()));
+  std::iota(byValue.begin(), byValue.end(), 0);
+  std::stable_sort(byValue.begin(), byValue.end(), [&](int a, int b) { return values(a) < values(b); });
+  const Eigen::VectorXd sizes = pointSizes(tessellation);
+  return {quantile(values, sizes, byValue, 1.0 - p / 100.0), quantile(values, sizes, byValue, p / 100.0)};
+}
+
+/// Smallest and largest value at the points of a tessellation; nothing if one is not finite. Goes through a
+/// patch span by span of its last direction: a body in space has more points than memory should hold.
+std::optional<std::array<double, 2>> extremes(const MeshRecord& mesh, const FieldChoice& choice,
+                                              int subdivision) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> range{infinity, -infinity};
+  for (const PatchRecord& patch : mesh.patches) {
+    std::vector<PointRow> directions;
+    for (const DirectionRecord& direction : patch.directions) {
+      const UnivariateBasis basis = basisOf(direction);
+      directions.push_back(valuesAt(basis, subdividedSpans(basis, subdivision)));
+    }
+    for (const PointRow& part : parts(directions.back(), subdivision)) {
+      directions.back() = part;
+      const Eigen::MatrixXd evaluated = TensorPoints(patch, directions).evaluate(choice.coefficients);
+      if (!evaluated.allFinite()) return std::nullopt;
+      const Eigen::VectorXd values = choice.drawnScalars(evaluated);
+      range = {std::min(range[0], values.minCoeff()), std::max(range[1], values.maxCoeff())};
+    }
+  }
+  return range;
+}
+
+/// 1st, 2nd, 99th, 2.5th.
+std::string ordinal(double number) {
+  const std::string digits = fmt::format("{:.6g}", number);
+  const double rest = std::fmod(number, 10.0);
+  const bool teen = number > 10.0 && number < 20.0;
+  if (rest == 1.0 && !teen) return digits + "st";
+  if (rest == 2.0 && !teen) return digits + "nd";
+  if (rest == 3.0 && !teen) return digits + "rd";
+  return digits + "th";
+}
+
+}  // namespace
+
+std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
+                                 int subdivision, std::optional<double> clip) {
+  return fieldRanges(model, frame, field, subdivision, clip).shown;
+}
+
+FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
+                       int subdivision, std::optional<double> clip) {
+  if (clip && !(*clip > 50.0 && *clip <= 100.0))
+    throw Error(fmt::format(
+        "clip: found {}; expected a percentile above 50, at which the colours end, up to 100", *clip));
+  const FieldChoice choice = chooseField(model, frame, field);
+  const MeshRecord& mesh = meshOf(model, frame);
+  const std::optional<std::array<double, 2>> whole = extremes(mesh, choice, subdivision);
+  if (!whole)
+    throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
+                            field, frame.index));
+  if (!clip || *clip == 100.0) return {*whole, *whole};
+  const auto clipped = percentiles(Tessellation(mesh, subdivision), choice, *clip);
+  return {*whole, clipped[0] < clipped[1] ? clipped : *whole};
+}
+
+std::array<double, 2> widened(const std::array<double, 2>& range) {
+  const double magnitude = std::max(std::abs(range[0]), std::abs(range[1]));
+  if (magnitude < kSmallestDrawnSpan) return {0.0, 1.0};
+  if (range[1] - range[0] > std::max(1e-9 * magnitude, kSmallestDrawnSpan)) return range;
+  return {range[0] - 0.1 * magnitude, range[1] + 0.1 * magnitude};
+}
+
+std::string clipNote(double clip, int dim) {
+  return fmt::format("colours end at the {} and {} percentiles of the {}", ordinal(100.0 - clip),
+                     ordinal(clip), dim == 2 ? "area" : "volume");
+}
+
+}  // namespace burnish

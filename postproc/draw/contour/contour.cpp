@@ -1,0 +1,299 @@
+#include "postproc/draw/contour/contour.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkActor.h>
+#include <vtkContourFilter.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "postproc/draw/contour/axes_triad.h"
+#include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/contour_layout.h"
+#include "postproc/draw/contour/contour_parts.h"
+#include "postproc/draw/contour/contour_transparency.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/scalar_bar.h"
+#include "postproc/draw/contour/shape_lines.h"
+#include "postproc/draw/contour/space_actors.h"
+#include "postproc/draw/contour/tool_drawing.h"
+#include "postproc/draw/page/flat_shapes.h"
+#include "postproc/draw/page/overlay.h"
+#include "postproc/draw/page/png_file.h"
+#include "postproc/offscreen/offscreen_canvas.h"
+
+namespace burnish {
+namespace {
+
+constexpr int kSmallestWidth = 200, kSmallestHeight = 150, kLargestSide = 8000;
+constexpr double kSmallestText = 6.0, kLargestText = 200.0;
+
+constexpr int kMostIsolines = 100;
+
+constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
+
+/// Order in which things lie over each other in a 2D picture.
+enum Layer {
+  kBehindBody = -1,
+  kToolFill,
+  kBody,
+  kIsolines,
+  kKnots,
+  kNet,
+  kUndeformed,
+  kBodyOutline,
+  kToolLines,
+  kArrows
+};
+
+void checkOptions(const ContourOptions& options) {
+  const auto [width, height] = options.size;
+  if (width < kSmallestWidth || height < kSmallestHeight || std::max(width, height) > kLargestSide)
+    throw Error(fmt::format("size: found {} x {} pixels; expected {} x {} to {} x {}", width, height,
+                            kSmallestWidth, kSmallestHeight, kLargestSide, kLargestSide));
+  if (options.textSize && !(*options.textSize >= kSmallestText && *options.textSize <= kLargestText))
+    throw Error(fmt::format("text size: found {}; expected {} to {} pixels", *options.textSize, kSmallestText,
+                            kLargestText));
+  if (options.range && options.clip)
+    throw Error("range and clip both say where the colours end; give one of them");
+  if (options.isolines < 0 || options.isolines > kMostIsolines)
+    throw Error(fmt::format("isolines: found {}; expected 0 to {}", options.isolines, kMostIsolines));
+  if (!std::isfinite(options.warp))
+    throw Error(fmt::format("warp: found {}; expected a number", options.warp));
+  if (options.arrows == ArrowField::Traction && options.warp != 1.0)
+    throw Error("contact tractions belong to the true displacements; draw them without a warp");
+}
+
+void checkPlanes(const ContourOptions& options, int dim) {
+  if (!(options.toolOpacity > 0.0 && options.toolOpacity <= 1.0))
+    throw Error(fmt::format("tool opacity: found {}; expected more than 0, up to 1", options.toolOpacity));
+  if (!options.cut && !options.slice) return;
+  if (options.cut && options.slice) throw Error("cut and slice exclude each other; give one of them");
+  const char* option = options.cut ? "cut" : "slice";
+  const CutPlane& plane = options.cut ? *options.cut : *options.slice;
+  if (dim == 2) throw Error(fmt::format("{}: the body is plane; only one in space can be cut", option));
+  if (!plane.point.allFinite() || !plane.normal.allFinite() || plane.normal.norm() == 0.0)
+    throw Error(fmt::format("{}: expected a point and a normal that is not 0,0,0", option));
+  if (options.controlNet)
+    throw Error(fmt::format("{}: the control net belongs to the whole body; draw it without", option));
+  if (options.arrows == ArrowField::Traction)
+    throw Error(fmt::format("{}: contact tractions act on the whole body; draw them without", option));
+}
+
+/// The notes that there are, in one line.
+std::string joined(const std::vector<std::string>& notes) {
+  std::string line;
+  for (const std::string& note : notes)
+    if (!note.empty()) line += (line.empty() ? "" : "; ") + note;
+  return line;
+}
+
+/// Makes one picture, part by part.
+class ContourPicture {
+ public:
+  ContourPicture(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options)
+      : model_(model),
+        frame_(frame),
+        options_(options),
+        textSize_(options.textSize.value_or(options.theme.textSize * textSizeFor(options.size))),
+        field_(chooseField(model, frame, options.field)),
+        parts_(contourParts(model, frame, options)) {}
+
+  ContourImage draw() const {
+    const auto [whole, unclipped] =
+        fieldRanges(model_, frame_, options_.field, subdivisionOf(model_, options_), options_.clip);
+    const std::array<double, 2> shown = options_.range.value_or(unclipped);
+    const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), options_.bands);
+    const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1]}, textSize_, options_.theme);
+    const ContourLayout layout = layOutContour(
+        options_.size, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim),
+        parts_.axes, caption(options_.clip && shown != whole), bar, options_.theme);
+    if (!options_.transparent) return {capture(options_.theme.paper, layout, bar, scale), layout.view};
+    return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
+            layout.view};
+  }
+
+ private:
+  ContourCaption caption(bool clipped) const {
+    return {options_.title.value_or(model_.title),
+            options_.time ? fmt::format("t = {:.6g}", frame_.time) : "",
+            joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
+                    parts_.arrows.note, sectionNote(), options_.note,
+                    clipped ? clipNote(*options_.clip, model_.dim) : ""}),
+            options_.doubt, model_.dim == 3};
+  }
+
+  /// Where the section of a slice lies; a cut is seen to be one.
+  std::string sectionNote() const {
+    if (!options_.slice) return "";
+    const Eigen::Vector3d normal = options_.slice->normal.normalized(), &point = options_.slice->point;
+    for (Eigen::Index d = 0; d < 3; ++d)
+      if (std::abs(normal(d)) > 1.0 - 1e-12) return fmt::format("section {} = {:.6g}", "xyz"[d], point(d));
+    return fmt::format("section through ({:.6g}) across ({:.3g})", fmt::join(point, ", "),
+                       fmt::join(normal, ", "));
+  }
+
+  vtkSmartPointer<vtkImageData> capture(const Color& background, const ContourLayout& layout,
+                                        const ScalarBar& bar, const ColorScale& scale) const {
+    OffscreenCanvas canvas(options_.size[0], options_.size[1]);
+    vtkNew<vtkRenderer> paper, space;
+    canvas.window().SetNumberOfLayers(2);
+    canvas.window().AddRenderer(paper);
+    canvas.window().AddRenderer(space);
+    paper->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
+    drawTexts(*paper, canvas.supersampling(), layout, bar);
+    space->SetLayer(1);
+    drawSpace(*space, canvas.supersampling(), layout.view, scale);
+    return canvas.capture();
+  }
+
+  void drawTexts(vtkRenderer& renderer, int scale, const ContourLayout& layout, const ScalarBar& bar) const {
+    Overlay overlay(renderer, scale);
+    if (!layout.title.text.empty()) overlay.addText(layout.title.text, layout.titleAt, layout.title.style);
+    if (!layout.time.text.empty()) overlay.addText(layout.time.text, layout.timeAt, layout.time.style);
+    if (!layout.note.text.empty())
+      overlay.addText(
+          layout.note.text, layout.noteAt, layout.note.style,
+          layout.barDirection == Overlay::Direction::Up ? Overlay::Anchor::End : Overlay::Anchor::Middle);
+    if (!layout.doubt.text.empty()) overlay.addText(layout.doubt.text, layout.doubtAt, layout.doubt.style);
+    FlatShapes shapes(renderer, scale);
+    bar.draw(overlay, shapes, layout.bar, layout.barDirection);
+    if (cutsBody()) drawFrame(shapes, layout.view.area);
+    if (model_.dim == 3)
+      drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, options_.theme);
+  }
+
+  /// Whether only a part of the body is seen.
+  bool cutsBody() const {
+    return options_.window && !options_.window->contains(boxOf(*parts_.body, parts_.axes));
+  }
+
+  /// Round a part of the body, whose edges are not those of the body.
+  void drawFrame(FlatShapes& shapes, const PixelRect& area) const {
+    const double left = area.x - 0.5, right = area.right() + 0.5, low = area.y - 0.5, top = area.top() + 0.5;
+    shapes.addPolyline({{left, low}, {right, low}, {right, top}, {left, top}, {left, low}},
+                       std::max(1.0, textSize_ / 24.0), options_.theme.softInk);
+  }
+
+  /// Whether what is drawn lies in a plane.
+  bool isFlat() const { return model_.dim == 2 || options_.slice; }
+
+  void drawSpace(vtkRenderer& renderer, int scale, const View& view, const ColorScale& colors) const {
+    const double line = scale * std::max(0.8, textSize_ / 16.0);
+    const double depth = parts_.body->GetLength() / (isFlat() ? 100.0 : 1000.0);
+    const Eigen::Vector3d eye = view.towardsEye();
+    const auto add = [&](const vtkSmartPointer<vtkActor>& actor, Layer layer) {
+      const Eigen::Vector3d shift = static_cast<double>(layer) * depth * eye;
+      actor->SetPosition(shift.x(), shift.y(), shift.z());
+      renderer.AddActor(actor);
+    };
+    const Theme& theme = options_.theme;
+    add(contourActor(*parts_.body, colors, !isFlat()), kBody);
+    if (parts_.section) add(contourActor(*parts_.section, colors, false), kBody);
+    for (const auto& part : {parts_.body, parts_.section})
+      if (part && options_.isolines > 0)
+        add(lineActor(*isolines(*part, colors.range()), theme.outline, 0.7 * line, 1.0), kIsolines);
+    if (parts_.knots) add(lineActor(*parts_.knots, theme.knots, 0.5 * line, 0.5), kKnots);
+    if (parts_.net) {
+      add(lineActor(*parts_.net, theme.controlNet, 0.6 * line, 1.0), kNet);
+      add(pointActor(*parts_.net, theme.controlNet, 4.0 * line), kNet);
+    }
+    if (parts_.undeformed)
+      add(lineActor(*parts_.undeformed, theme.undeformed, 0.8 * line, 1.0),
+          isFlat() ? kUndeformed : kBehindBody);
+    add(lineActor(*parts_.outline, theme.outline, line, 1.0), kBodyOutline);
+    if (!isFlat()) add(lineActor(*silhouetteOf(*parts_.body, eye), theme.outline, line, 1.0), kBodyOutline);
+    for (const ShownTool& tool : parts_.tools) {
+      const ToolDrawing drawing = drawTool(tool, view);
+      if (drawing.area) add(plainActor(*drawing.area, theme.tool, false, 1.0), kToolFill);
+      if (drawing.surface)
+        add(plainActor(*drawing.surface, theme.tool, true, options_.toolOpacity), kToolFill);
+      if (drawing.lines) add(lineActor(*drawing.lines, theme.outline, 1.2 * line, 1.0), kToolLines);
+    }
+    if (parts_.arrows.areas) drawArrows(renderer, line, eye);
+    aim(renderer, view, options_.size, 10.0 * parts_.body->GetLength());
+  }
+
+  ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
+    const Eigen::AlignedBox3d visible = visibleBox(view);
+    const double stroke = textSize_ * 0.6 / view.pixelsPerLength;
+    if (model_.dim == 2) return drawPlaneTool(tool.record, visible, stroke, tool.turn);
+    if (options_.slice) return drawToolSection(tool.record, visible, *parts_.plane, stroke);
+    return drawSpaceTool(tool.record, visible, view.towardsEye(), parts_.plane);
+  }
+
+  /// In front of everything: white with a dark edge, which is seen on every colour.
+  void drawArrows(vtkRenderer& renderer, double line, const Eigen::Vector3d& eye) const {
+    const auto areas = plainActor(*parts_.arrows.areas, kWhite, false, 1.0);
+    const auto edges = lineActor(*parts_.arrows.edges, kBlack, 0.5 * line, 1.0);
+    double nearness = isFlat() ? static_cast<double>(kArrows) / 100.0 : 2.0;
+    for (const auto& actor : {areas, edges}) {
+      const Eigen::Vector3d shift = nearness * parts_.body->GetLength() * eye;
+      actor->SetPosition(shift.x(), shift.y(), shift.z());
+      renderer.AddActor(actor);
+      nearness += 0.005;
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> isolines(vtkPolyData& part, const std::array<double, 2>& range) const {
+    vtkNew<vtkContourFilter> filter;
+    filter->SetInputData(&part);
+    for (int k = 0; k < options_.isolines; ++k)
+      filter->SetValue(k, std::lerp(range[0], range[1], (k + 1.0) / (options_.isolines + 1.0)));
+    filter->Update();
+    return filter->GetOutput();
+  }
+
+  /// A box that covers all that is seen of the body.
+  Eigen::AlignedBox3d visibleBox(const View& view) const {
+    if (model_.dim == 3) return parts_.box;
+    const Eigen::Vector2d half =
+        Eigen::Vector2d(view.area.width, view.area.height) / (2.0 * view.pixelsPerLength);
+    Eigen::Vector3d low(0, 0, 0), high(0, 0, 0);
+    low.head<2>() = view.center - half;
+    high.head<2>() = view.center + half;
+    return {low, high};
+  }
+
+  const ModelRecord& model_;
+  const FrameRecord& frame_;
+  const ContourOptions& options_;
+  double textSize_;
+  FieldChoice field_;
+  ContourParts parts_;
+};
+
+}  // namespace
+
+ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+  checkOptions(options);
+  checkPlanes(options, model.dim);
+  if (options.mirror.empty()) return ContourPicture(model, frame, options).draw();
+  const ModelFrame whole = mirrored(model, frame, options.mirror);
+  return ContourPicture(whole.model, whole.frame, options).draw();
+}
+
+View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                 const std::filesystem::path& png) {
+  const ContourImage image = contourImage(model, frame, options);
+  writePng(*image.picture, png);
+  return image.view;
+}
+
+Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,
+                              const ContourOptions& options) {
+  if (options.mirror.empty()) return contentOf(contourParts(model, frame, options), model.dim);
+  const ModelFrame whole = mirrored(model, frame, options.mirror);
+  return contentOf(contourParts(whole.model, whole.frame, options), model.dim);
+}
+
+}  // namespace burnish

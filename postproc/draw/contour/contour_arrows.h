@@ -1,0 +1,27 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Dense>
+#include <string>
+
+#include "engine/results/result.h"
+#include "postproc/draw/contour/contour.h"
+#include "postproc/draw/page/view.h"
+
+class vtkPolyData;
+
+namespace burnish {
+
+/// Flat arrows that lie in the plane of a view, their lengths as those of their vectors.
+struct ContourArrows {
+  vtkSmartPointer<vtkPolyData> areas, edges;  ///< null without arrows
+  std::string note;                           ///< what they show and how much the longest stands for
+};
+
+/// Arrows that begin on the body (displacement) or end on its contact faces (traction). body: the drawn
+/// surface with the point data `displacement` and, in space, normals; of a body in space only what faces the
+/// eye has arrows. longest: length of the longest arrow; arrows keep most of it as their distance.
+ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const FrameRecord& frame,
+                            vtkPolyData& body, const ViewAxes& axes, double longest);
+
+}  // namespace burnish

@@ -1,0 +1,155 @@
+#include "postproc/draw/contour/contour_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "postproc/draw/contour/axes_triad.h"
+
+namespace burnish {
+namespace {
+
+using Direction = Overlay::Direction;
+
+constexpr double kSmallestText = 10.0, kSmallestNote = 6.0;  // pixels
+
+// Measures as parts of the text size.
+constexpr double kMargin = 1.2;
+constexpr double kBareMargin = 0.4;  // without a caption, for pictures in a sheet
+constexpr double kTitleSize = 1.15;
+constexpr double kLine = 1.5;
+constexpr double kBelowCaption = 1.0;
+constexpr double kBarGap = 1.6;
+constexpr double kShortestBar = 12.0;
+constexpr double kNoteSize = 0.85;
+constexpr double kNoteGap = 0.9;
+constexpr double kPadding = 0.15;  // keeps lines on the border of the content whole
+
+struct Placement {
+  double scale = 0.0;  ///< pixels per length
+  double barDepth = 0.0;
+  PixelRect room;  ///< for content and bar together
+};
+
+double fit(const Eigen::Vector2d& extent, double width, double height) {
+  return std::max(1e-12, std::min(width / extent.x(), height / extent.y()));
+}
+
+/// Width and height of the content in pixels.
+Eigen::Vector2d drawnSize(const Eigen::Vector2d& extent, double scale, double size) {
+  return {std::ceil(scale * extent.x() + 2.0 * kPadding * size),
+          std::ceil(scale * extent.y() + 2.0 * kPadding * size)};
+}
+
+/// As long as the content, unless that is too short for its labels.
+double barLength(const PixelRect& room, const Eigen::Vector2d& drawn, Direction direction, double size) {
+  if (direction == Direction::Up)
+    return std::clamp(drawn.y(), std::min(kShortestBar * size, room.height), room.height);
+  return std::clamp(drawn.x(), std::min(3 * kShortestBar * size, room.width), room.width);
+}
+
+/// The content as large as possible with the bar at its right (Up) or below (Right).
+Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const ScalarBar& bar,
+                Direction direction, double size) {
+  const double padding = 2.0 * kPadding * size;
+  Placement p;
+  p.room = room;
+  double depth = bar.depth(direction, direction == Direction::Up ? room.height : room.width);
+  // A shorter bar has other labels, and may need more room for them.
+  while (depth > p.barDepth) {
+    p.barDepth = depth;
+    const double taken = p.barDepth + kBarGap * size + padding;
+    p.scale = direction == Direction::Up ? fit(extent, room.width - taken, room.height - padding)
+                                         : fit(extent, room.width - padding, room.height - taken);
+    depth = bar.depth(direction, barLength(room, drawnSize(extent, p.scale, size), direction, size));
+  }
+  return p;
+}
+
+/// Content and bar as one group in the middle of the room.
+void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& extent, double size) {
+  const Eigen::Vector2d drawn = drawnSize(extent, p.scale, size);
+  const bool up = layout.barDirection == Direction::Up;
+  const double gap = kBarGap * size, length = barLength(p.room, drawn, layout.barDirection, size);
+  const double group = (up ? drawn.x() : drawn.y()) + gap + p.barDepth;
+  const Eigen::Vector2d middle = p.room.center();
+  if (up) {
+    const double left = std::floor(middle.x() - group / 2);
+    layout.view.area = {left, std::floor(middle.y() - drawn.y() / 2), drawn.x(), drawn.y()};
+    layout.bar = {left + drawn.x() + gap, middle.y() - length / 2, p.barDepth, length};
+  } else {
+    const double bottom = std::floor(middle.y() - group / 2);
+    layout.view.area = {std::floor(middle.x() - drawn.x() / 2), std::ceil(bottom + p.barDepth + gap),
+                        drawn.x(), drawn.y()};
+    layout.bar = {middle.x() - length / 2, bottom, length, p.barDepth};
+  }
+}
+
+/// Below content and bar: under the right end of an upright bar, under the middle of one across.
+void placeNote(ContourLayout& layout, double size, double margin) {
+  if (layout.note.text.empty()) return;
+  const double baseline =
+      std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.style);
+  const double length = textWidth(layout.note.text, layout.note.style);
+  layout.noteAt = layout.barDirection == Direction::Up
+                      ? Eigen::Vector2d(std::max(layout.bar.right(), margin + length), baseline)
+                      : Eigen::Vector2d(layout.bar.center().x(), baseline);
+}
+
+}  // namespace
+
+double textSizeFor(const std::array<int, 2>& pictureSize) {
+  return std::max(kSmallestText, std::round(std::min(0.027 * pictureSize[1], 0.018 * pictureSize[0])));
+}
+
+ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSize,
+                            const Eigen::AlignedBox2d& content, const Eigen::Matrix<double, 2, 3>& axes,
+                            const ContourCaption& caption, const ScalarBar& bar, const Theme& theme) {
+  const double width = pictureSize[0], height = pictureSize[1], size = textSize;
+  const bool bare = caption.title.empty() && caption.time.empty();
+  const double margin = std::round((bare ? kBareMargin : kMargin) * size);
+  ContourLayout layout;
+
+  double top = height - margin;
+  const auto addLine = [&](const std::string& text, double textHeight, double gap) {
+    const FittedText line = fitText({{text}}, {textHeight, theme.ink, theme.font}, width - 2 * margin,
+                                    std::min(textHeight, kSmallestText));
+    const Eigen::Vector2d at(margin, top - capitalHeight(line.style));
+    top = at.y() - gap * size;
+    return std::pair(line, at);
+  };
+  if (!caption.title.empty())
+    std::tie(layout.title, layout.titleAt) =
+        addLine(caption.title, std::round(kTitleSize * size),
+                caption.time.empty() ? kBelowCaption : kLine - capitalHeight(1.0));
+  if (!caption.time.empty())
+    std::tie(layout.time, layout.timeAt) = addLine(caption.time, size, kBelowCaption);
+
+  const double left = margin + (caption.triad ? kTriadRoom * size : 0.0);
+  double bottom = margin;
+  const auto addSmallLine = [&](const std::string& text, double begin) {
+    const TextStyle style{kNoteSize * size, theme.softInk, theme.font};
+    FittedText line = fitText({{text}}, style, width - begin - margin, kSmallestNote);
+    bottom += kNoteGap * size + capitalHeight(line.style);
+    return line;
+  };
+  layout.doubtAt = {left, margin};
+  if (!caption.doubt.empty()) layout.doubt = addSmallLine(caption.doubt, left);
+  if (!caption.note.empty()) layout.note = addSmallLine(caption.note, margin);
+
+  layout.triadAt = {margin, margin};
+  const PixelRect room{left, bottom, width - margin - left, top - bottom};
+  const Eigen::Vector2d extent = content.sizes().cwiseMax(1e-9 * content.sizes().maxCoeff());
+  const Placement up = place(room, extent, bar, Direction::Up, size);
+  const Placement across = place(room, extent, bar, Direction::Right, size);
+  layout.barDirection = up.scale >= across.scale ? Direction::Up : Direction::Right;
+  layout.view.axes = axes;
+  layout.view.center = content.center();
+  layout.view.pixelsPerLength = std::max(up.scale, across.scale);
+  arrange(layout, up.scale >= across.scale ? up : across, extent, size);
+  placeNote(layout, size, margin);
+  return layout;
+}
+
+}  // namespace burnish

@@ -1,0 +1,255 @@
+#include "postproc/draw/contour/contour_parts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <variant>
+
+#include "engine/core/error.h"
+#include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/contour_view.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/tool_drawing.h"
+#include "postproc/mesh/body_surface.h"
+#include "postproc/mesh/frame_parts.h"
+#include "postproc/mesh/outlines.h"
+#include "postproc/mesh/plane_section.h"
+#include "postproc/mesh/tessellation.h"
+#include "postproc/mesh/vtk_arrays.h"
+
+namespace burnish {
+namespace {
+
+/// Longest arrow as a part of the diagonal of what is seen of the body.
+constexpr double kArrowLength = 0.07;
+
+/// A tool is shown whole if it reaches no further than this beyond the body (part of the body's diagonal),
+/// else cut off at the smaller distance.
+constexpr double kToolReach = 0.4, kToolCut = 0.2;
+
+constexpr double kDotRoom = 0.005;  // for the dots of the control net, of the diagonal
+
+/// Gives points what is drawn at them. mesh: knows their number and how to evaluate there.
+template <class Mesh>
+void setValues(vtkPointData& points, const Mesh& mesh, const ModelRecord& model, const FrameRecord& frame,
+               const ContourOptions& options) {
+  const FieldChoice choice = chooseField(model, frame, options.field);
+  points.SetScalars(
+      makeArray("drawn", choice.drawnScalars(mesh.evaluate(choice.coefficients)).transpose(), {}));
+  if (options.arrows == ArrowField::Displacement)
+    points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
+}
+
+vtkSmartPointer<vtkPolyData> makeBody(const ModelRecord& model, const FrameRecord& frame,
+                                      const ContourOptions& options) {
+  const BodySurface surface(meshOf(model, frame), subdivisionOf(model, options));
+  const auto body = surface.displaced(options.warp * frame.displacement);
+  setValues(*body->GetPointData(), surface, model, frame, options);
+  return body;
+}
+
+/// Cuts the parts of a picture of a body in space.
+class BodyCut {
+ public:
+  BodyCut(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+          ContourParts& parts)
+      : model_(model),
+        frame_(frame),
+        mesh_(meshOf(model, frame)),
+        options_(options),
+        parts_(parts),
+        subdivision_(subdivisionOf(model, options)),
+        plane_(inside(options.cut ? *options.cut : *options.slice)) {}
+
+  void apply() {
+    parts_.plane = plane_;
+    const auto section = sectionWithValues(), border = sectionOf(*parts_.body, plane_);
+    if (options_.knots) parts_.knots = sectionKnots();
+    if (options_.slice) {
+      parts_.body = section;
+      parts_.outline = border;
+      if (parts_.undeformed)
+        parts_.undeformed = sectionOf(*BodySurface(model_.mesh, subdivision_).displaced({}), plane_);
+      return;
+    }
+    parts_.body = behind(*parts_.body, plane_);
+    parts_.section = section;
+    parts_.outline = together(*behind(*parts_.outline, plane_), *border);
+    if (parts_.undeformed) parts_.undeformed = behind(*parts_.undeformed, plane_);
+    if (parts_.knots)
+      parts_.knots =
+          together(*parts_.knots, *behind(*knotLines(mesh_, parts_.displacement, subdivision_), plane_));
+  }
+
+ private:
+  const char* option() const { return options_.cut ? "cut" : "slice"; }
+
+  /// A plane in a face of the body has a section only on its inner side.
+  CutPlane inside(CutPlane plane) const {
+    constexpr double kNudge = 1e-6, kEdgeOn = 1e-3;
+    const Eigen::Vector3d eye = parts_.axes.row(0).cross(parts_.axes.row(1)).transpose();
+    plane.normal.normalize();
+    if (plane.normal.dot(eye) < 0.0) plane.normal = -plane.normal;
+    if (plane.normal.dot(eye) < kEdgeOn)
+      throw Error(
+          fmt::format("{}: its plane is seen edge-on; choose another direction for the eye", option()));
+    const Eigen::AlignedBox3d& box = parts_.box;
+    const double side = (box.center() - plane.point).dot(plane.normal) > 0.0 ? 1.0 : -1.0;
+    plane.point += side * kNudge * box.diagonal().norm() * plane.normal;
+    return plane;
+  }
+
+  /// Of the tessellated volume.
+  vtkSmartPointer<vtkPolyData> sectionWithValues() const {
+    const Tessellation cells(mesh_, subdivision_);
+    FrameRecord shape;
+    shape.displacement = parts_.displacement;
+    const auto grid = makeGrid(cells, shape, true);
+    grid->GetPointData()->Initialize();
+    setValues(*grid->GetPointData(), cells, model_, frame_, options_);
+    const auto section = sectionOf(*grid, plane_);
+    if (section->GetNumberOfCells() == 0) missed();
+    section->GetPointData()->SetNormals(
+        makeArray("normals", plane_.normal.replicate(1, section->GetNumberOfPoints()), {}));
+    return section;
+  }
+
+  [[noreturn]] void missed() const {
+    const Eigen::AlignedBox3d& box = parts_.box;
+    throw Error(
+        fmt::format("{}: its plane misses the body, which in frame {} reaches from ({:.6g}) to ({:.6g})",
+                    option(), frame_.index, fmt::join(box.min().begin(), box.min().end(), ", "),
+                    fmt::join(box.max().begin(), box.max().end(), ", ")));
+  }
+
+  /// Where the plane cuts the faces between knot spans.
+  vtkSmartPointer<vtkPolyData> sectionKnots() const {
+    const BodySurface faces(mesh_, subdivision_, BodySurface::Faces::OfSpans);
+    return sectionOf(*faces.displaced(parts_.displacement), plane_);
+  }
+
+  const ModelRecord& model_;
+  const FrameRecord& frame_;
+  const MeshRecord& mesh_;  ///< of the frame
+  const ContourOptions& options_;
+  ContourParts& parts_;
+  int subdivision_;
+  CutPlane plane_;
+};
+
+std::vector<ShownTool> shownTools(const ModelRecord& model, const FrameRecord& frame, double warp) {
+  std::vector<ShownTool> tools;
+  for (std::size_t k = 0; k < model.tools.size(); ++k) {
+    tools.push_back({placedTool(model, frame, k, warp), {}});
+    const auto tool = static_cast<Eigen::Index>(k);
+    if (frame.toolAngle.size() > tool && frame.toolAngle(tool) != 0.0)
+      tools.back().turn = warp * frame.toolAngle(tool);
+  }
+  return tools;
+}
+
+/// Parts of what is seen, so that it is the same for a body and for a part of it.
+double arrowLength(vtkPolyData& body, const ViewAxes& axes, const ContourOptions& options) {
+  Eigen::AlignedBox2d box = boxOf(body, axes);
+  if (options.window && options.window->intersects(box)) box = options.window->intersection(box);
+  return kArrowLength * box.diagonal().norm();
+}
+
+Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double part) {
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(part * box.diagonal().norm());
+  return {box.min() - margin, box.max() + margin};
+}
+
+Eigen::Map<const Eigen::Matrix3Xd> pointsOf(vtkPolyData& part) {
+  return {static_cast<const double*>(part.GetPoints()->GetVoidPointer(0)), 3, part.GetNumberOfPoints()};
+}
+
+/// Points of what is shown of a tool, in the picture's plane.
+Eigen::Matrix2Xd landmarksOf(const ToolRecord& tool, const ContourParts& parts, int dim) {
+  if (dim == 2) return parts.axes * toolLandmarks(tool, parts.box);
+  auto shape = toolOutline(tool, 3, parts.box);
+  if (parts.plane) shape = parts.section ? behind(*shape, *parts.plane) : sectionOf(*shape, *parts.plane);
+  return parts.axes * pointsOf(*shape);
+}
+
+/// All of a tool if it is near, else its part in the smaller box. asPoints: the landmarks are themselves what
+/// should be seen, not corners of a box.
+Eigen::AlignedBox2d seenOf(const Eigen::Matrix2Xd& landmarks, bool asPoints, const Eigen::AlignedBox2d& near,
+                           const Eigen::AlignedBox2d& cut) {
+  Eigen::AlignedBox2d whole, seen;
+  for (const auto& point : landmarks.colwise()) {
+    whole.extend(point);
+    if (cut.contains(point)) seen.extend(point);
+  }
+  if (near.contains(whole)) return whole;
+  return asPoints ? seen : cut.intersection(whole);
+}
+
+}  // namespace
+
+int subdivisionOf(const ModelRecord& model, const ContourOptions& options) {
+  return options.subdivision.value_or(model.subdivision);
+}
+
+ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+  const int subdivision = subdivisionOf(model, options);
+  const MeshRecord& mesh = meshOf(model, frame);
+  ContourParts parts;
+  parts.axes = options.axes    ? *options.axes
+               : options.slice ? viewFrom(options.slice->normal)
+                               : viewNamed("auto", model.dim);
+  parts.displacement = options.warp * frame.displacement;
+  if (options.tools) parts.tools = shownTools(model, frame, options.warp);
+  parts.body = makeBody(model, frame, options);
+  parts.box = boxOf(*parts.body);
+  parts.outline = bodyOutline(mesh, parts.displacement, subdivision);
+  if (options.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, subdivision);
+  if (options.cut || options.slice)
+    BodyCut(model, frame, options, parts).apply();
+  else if (options.knots)
+    parts.knots = knotLines(mesh, parts.displacement, subdivision);
+  if (options.controlNet) {
+    FrameRecord shape;
+    shape.mesh = frame.mesh;
+    shape.displacement = parts.displacement;
+    parts.net = controlNet(model, shape);
+  }
+  if (options.arrows != ArrowField::None) {
+    const auto body = parts.section ? together(*parts.body, *parts.section) : parts.body;
+    parts.arrows = contourArrows(options.arrows, model, frame, *body, parts.axes,
+                                 arrowLength(*body, parts.axes, options));
+  }
+  return parts;
+}
+
+Eigen::AlignedBox3d boxOf(vtkPolyData& part) {
+  const double* b = part.GetBounds();
+  return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
+}
+
+Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes) {
+  if (part.GetNumberOfPoints() == 0) return {};
+  const Eigen::Matrix2Xd projected = axes * pointsOf(part);
+  return {projected.rowwise().minCoeff(), projected.rowwise().maxCoeff()};
+}
+
+Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
+  Eigen::AlignedBox2d box = boxOf(*parts.body, parts.axes);
+  if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes));
+  if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes)), kDotRoom);
+  if (parts.arrows.edges) box.extend(boxOf(*parts.arrows.edges, parts.axes));
+  const Eigen::AlignedBox2d near = grown(box, kToolReach), cut = grown(box, kToolCut);
+  for (const ShownTool& tool : parts.tools) {
+    const bool asPoints = dim == 2 && std::holds_alternative<SurfaceMesh>(tool.record.shape);
+    const Eigen::AlignedBox2d seen = seenOf(landmarksOf(tool.record, parts, dim), asPoints, near, cut);
+    if (!seen.isEmpty()) box.extend(seen);
+  }
+  return box;
+}
+
+}  // namespace burnish

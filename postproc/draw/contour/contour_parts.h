@@ -1,0 +1,50 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "engine/results/result.h"
+#include "postproc/draw/contour/contour.h"
+#include "postproc/draw/contour/contour_arrows.h"
+#include "postproc/draw/page/view.h"
+
+class vtkPolyData;
+
+namespace burnish {
+
+/// A tool that is shown, where it stands.
+struct ShownTool {
+  ToolRecord record;
+  std::optional<double> turn;  ///< of one that has turned, in radians
+};
+
+/// What a contour picture shows in space, where it stands in the frame: displacements times the warp.
+struct ContourParts {
+  ViewAxes axes;
+  Eigen::AlignedBox3d box;       ///< of the body before it is cut
+  Eigen::MatrixXd displacement;  ///< of the body, dim x nodes of the frame's mesh
+  std::vector<ShownTool> tools;
+  vtkSmartPointer<vtkPolyData> body;     ///< its point scalars are the values that are drawn
+  vtkSmartPointer<vtkPolyData> section;  ///< the same, of a cut; null without one
+  vtkSmartPointer<vtkPolyData> outline;
+  vtkSmartPointer<vtkPolyData> knots, undeformed, net;  ///< null where they are not shown
+  std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye
+  ContourArrows arrows;
+};
+
+/// Throws `Error` for an unknown field, and for a plane that misses the body or is seen edge-on.
+ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
+
+/// Cells per knot span and direction.
+int subdivisionOf(const ModelRecord& model, const ContourOptions& options);
+
+/// The smallest box round a part in space, and in the picture's plane.
+Eigen::AlignedBox3d boxOf(vtkPolyData& part);
+Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes);
+
+/// The projected box that is to be seen, of a body in so many dimensions.
+Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim);
+
+}  // namespace burnish

@@ -1,0 +1,107 @@
+#include "postproc/draw/contour/field_choice.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "engine/core/error.h"
+#include "engine/core/nearest.h"
+
+namespace burnish {
+namespace {
+
+/// How a field is called in a picture.
+struct Wording {
+  std::string words;
+  RichText symbol;  ///< an index for the component is added
+};
+
+const std::map<std::string, Wording>& wordings() {
+  static const std::map<std::string, Wording> table{
+      {"displacement", {"Displacement", {{"u"}}}},
+      {"plastic_strain", {"Equivalent plastic strain", {{"ε̄"}, {"p", Script::Super}}}},
+      {"von_mises", {"von Mises stress", {{"σ"}, {"v", Script::Sub}}}},
+      {"stress", {"Cauchy stress", {{"σ"}}}},
+      {"pressure", {"Pressure", {{"p"}}}}};
+  return table;
+}
+
+bool isVector(const FieldRecord& field) {
+  constexpr std::array axes{"x", "y", "z"};
+  return !field.components.empty() && field.components.size() <= axes.size() &&
+         std::equal(field.components.begin(), field.components.end(), axes.begin());
+}
+
+/// The displacement together with the frame's fields.
+std::map<std::string, FieldRecord> allFields(const FrameRecord& frame, const std::string& lengthUnit) {
+  std::map<std::string, FieldRecord> fields = frame.fields;
+  std::vector<std::string> axes{"x", "y", "z"};
+  axes.resize(static_cast<std::size_t>(std::min<Eigen::Index>(3, frame.displacement.rows())));
+  fields["displacement"] = {axes, lengthUnit, frame.displacement};
+  return fields;
+}
+
+std::vector<std::string> namesOf(const std::string& name, const FieldRecord& field) {
+  std::vector<std::string> names;
+  if (field.components.empty() || isVector(field)) names.push_back(name);
+  for (const std::string& component : field.components) names.push_back(name + "." + component);
+  return names;
+}
+
+RichText titleOf(const std::string& name, const std::string& component, bool magnitude) {
+  const auto wording = wordings().find(name);
+  if (wording == wordings().end()) return {{component.empty() ? name : name + " " + component}};
+  RichText symbol = wording->second.symbol;
+  if (!component.empty()) symbol.push_back({component, Script::Sub});
+  if (magnitude) {
+    symbol.insert(symbol.begin(), {"|"});
+    symbol.push_back({"|"});
+  }
+  RichText title{{wording->second.words + " "}};
+  title.insert(title.end(), symbol.begin(), symbol.end());
+  return title;
+}
+
+}  // namespace
+
+std::vector<std::string> fieldNames(const FrameRecord& frame) {
+  std::vector<std::string> names = namesOf("displacement", allFields(frame, "").at("displacement"));
+  for (const auto& [name, field] : frame.fields) {
+    const auto more = namesOf(name, field);
+    names.insert(names.end(), more.begin(), more.end());
+  }
+  return names;
+}
+
+std::string fieldToShow(const FrameRecord& frame) {
+  return frame.fields.contains("plastic_strain") ? "plastic_strain" : "von_mises";
+}
+
+Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
+  if (values.rows() > 1) return values.colwise().norm().transpose();
+  const Eigen::VectorXd scalars = values.row(0).transpose();
+  return isNonNegative ? Eigen::VectorXd(scalars.cwiseMax(0.0)) : scalars;
+}
+
+FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
+  const auto fields = allFields(frame, model.lengthUnit);
+  for (const auto& [fieldName, field] : fields) {
+    const auto names = namesOf(fieldName, field);
+    if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+    if (name == fieldName)
+      return {titleOf(fieldName, "", isVector(field)), field.unit, field.values,
+              name == "von_mises" || name == "plastic_strain"};
+    const std::string component = name.substr(fieldName.size() + 1);
+    const auto row = std::find(field.components.begin(), field.components.end(), component);
+    return {titleOf(fieldName, component, false), field.unit,
+            field.values.row(row - field.components.begin())};
+  }
+  const auto names = fieldNames(frame);
+  throw Error(fmt::format("field: found \"{}\"; available in frame {}: {}.{}", name, frame.index,
+                          fmt::join(names, ", "), didYouMean(name, names)));
+}
+
+}  // namespace burnish

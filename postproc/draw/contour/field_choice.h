@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "engine/results/result.h"
+#include "postproc/draw/page/rich_text.h"
+
+namespace burnish {
+
+/// Names of everything that can be drawn of a frame: `displacement`, `displacement.x`, …, then the frame's
+/// fields; a vector alone stands for its magnitude, a tensor only has components.
+std::vector<std::string> fieldNames(const FrameRecord& frame);
+
+/// What one most probably wants to see: plastic strain where there is any law for it, else the von Mises
+/// stress.
+std::string fieldToShow(const FrameRecord& frame);
+
+/// A scalar that is to be drawn.
+struct FieldChoice {
+  RichText title;                ///< readable name with symbol, without unit
+  std::string unit;              ///< may be empty
+  Eigen::MatrixXd coefficients;  ///< one row, or the components of a vector whose magnitude is meant
+  bool isNonNegative = false;    ///< in truth; a projection may fall below 0
+
+  /// The scalars that are drawn of values (components x points): a scalar itself, not below 0 if it cannot
+  /// be, or the magnitude of a vector.
+  Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values) const;
+};
+
+/// The field of a name of `fieldNames`. Throws `Error` that lists them and tells the nearest.
+FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name);
+
+}  // namespace burnish

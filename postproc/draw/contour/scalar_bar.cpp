@@ -1,0 +1,230 @@
+#include "postproc/draw/contour/scalar_bar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burnish {
+namespace {
+
+using Anchor = Overlay::Anchor;
+using Direction = ScalarBar::Direction;
+
+// Measures as parts of the text size.
+constexpr double kLabelSize = 0.9;
+constexpr double kEndSize = 0.85;
+constexpr double kBarDepth = 1.0;
+constexpr double kTick = 0.35;
+constexpr double kGap = 0.3;
+constexpr double kTitleGap = 0.75;
+constexpr double kTitleDepth = 1.05;  // ascent and index of a line
+constexpr double kEndGap = 0.85;
+constexpr double kSmallestTitle = 0.6;
+constexpr double kArrow = 1.2;
+constexpr double kEndLine = 1.2;  // from line to line at an end
+
+constexpr int kMostTicks = 11;
+constexpr int kEndDigits = 4;
+constexpr double kRoundOff = 1e-9;  // of the range
+constexpr double kVisible = 1e-3;   // of the range
+
+/// What stands in brackets behind the title: power of ten and unit.
+RichText unitText(int exponent, const std::string& unit) {
+  if (exponent == 0 && unit.empty()) return {};
+  if (exponent == 0) return {{" [" + unit + "]"}};
+  const std::string power = (exponent < 0 ? "−" : "") + std::to_string(std::abs(exponent));
+  return {{" [10"}, {power, Script::Super}, {(unit.empty() ? "" : " " + unit) + "]"}};
+}
+
+PixelRect rounded(const PixelRect& r) {
+  const double x = std::round(r.x), y = std::round(r.y);
+  return {x, y, std::round(r.right()) - x, std::round(r.top()) - y};
+}
+
+}  // namespace
+
+ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme& theme)
+    : scale_(std::move(scale)),
+      title_(std::move(texts.title)),
+      size_(textSize),
+      ink_(theme.ink),
+      titleStyle_{textSize, theme.ink, theme.font},
+      labelStyle_{kLabelSize * textSize, theme.ink, theme.font},
+      endStyle_{kEndSize * textSize, theme.softInk, theme.font} {
+  const int exponent = makeTicks(scale_.range(), kMostTicks).exponent;
+  const RichText unit = unitText(exponent, texts.unit);
+  title_.insert(title_.end(), unit.begin(), unit.end());
+  const double power = std::pow(10.0, exponent);
+  const double extent = scale_.range()[1] - scale_.range()[0], slack = kRoundOff * extent;
+  // No digits that cannot be seen.
+  const double spread = texts.largest - texts.smallest,
+               seen = spread > 0.0 ? std::min(spread, extent) : extent;
+  const double smallestStep = std::pow(10.0, std::floor(std::log10(kVisible * seen)));
+  const auto text = [&](const char* before, double value) {
+    return RichText{
+        {before + numberText(std::round(value / smallestStep) * smallestStep / power, kEndDigits)}};
+  };
+  low_ = {text("min ", texts.smallest), text("≤ ", scale_.range()[0]),
+          texts.smallest < scale_.range()[0] - slack};
+  high_ = {text("max ", texts.largest), text("≥ ", scale_.range()[1]),
+           texts.largest > scale_.range()[1] + slack};
+}
+
+double ScalarBar::depth(Direction direction, double length) const {
+  const double besideLabels = size_ * (kBarDepth + kTick + kGap + kTitleGap + kTitleDepth);
+  if (direction == Direction::Right) return besideLabels + capitalHeight(labelStyle_);
+  const double withLabels = besideLabels + longestLabel(ticksUp(barLengthUp(length)));
+  if (!reachesEnds(fitText(title_, titleStyle_, length, kSmallestTitle * size_), length))
+    return std::max(withLabels, longestEnd());
+  return std::max(withLabels, longestEnd() + size_ * (kTitleGap + kTitleDepth));
+}
+
+double ScalarBar::longestEnd() const {
+  return std::max(textWidth(low_.extreme, endStyle_), textWidth(high_.extreme, endStyle_));
+}
+
+bool ScalarBar::reachesEnds(const FittedText& title, double length) const {
+  return textWidth(title.text, title.style) > barLengthUp(length);
+}
+
+void ScalarBar::draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& space,
+                     Direction direction) const {
+  if (direction == Direction::Up)
+    drawUp(overlay, shapes, space);
+  else
+    drawAcross(overlay, shapes, space);
+}
+
+void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
+  const double endText = size_ * kEndGap + capitalHeight(endStyle_);
+  const PixelRect bar = rounded({space.x, space.y + endText + (low_.passed ? kArrow * size_ : 0.0),
+                                 kBarDepth * size_, barLengthUp(space.height)});
+  const Ticks ticks = ticksUp(bar.height);
+  drawFrameAndTicks(overlay, shapes, bar, Direction::Up, ticks);
+  const double labelStart = bar.right() + size_ * (kTick + kGap), labelHeight = capitalHeight(labelStyle_);
+  for (std::size_t k = 0; k < ticks.values.size(); ++k)
+    overlay.addText({{ticks.labels[k]}},
+                    {labelStart, bar.y + along(ticks.values[k]) * bar.height - labelHeight / 2}, labelStyle_);
+  const double arrow = kArrow * size_;
+  if (high_.passed)
+    overlay.addText(high_.limit, {labelStart, bar.top() + arrow - labelHeight / 2}, labelStyle_);
+  if (low_.passed) overlay.addText(low_.limit, {labelStart, bar.y - arrow - labelHeight / 2}, labelStyle_);
+
+  const FittedText title = fitText(title_, titleStyle_, space.height, kSmallestTitle * size_);
+  double labelEnd = labelStart + longestLabel(ticks);
+  if (reachesEnds(title, space.height)) labelEnd = std::max(labelEnd, space.x + longestEnd());
+  const double baseline = labelEnd + size_ * kTitleGap + capitalHeight(title.style);
+  const double middle = bar.center().y() + (high_.passed ? arrow / 2 : 0.0) - (low_.passed ? arrow / 2 : 0.0);
+  overlay.addText(title.text, {baseline, middle}, title.style, Anchor::Middle, Direction::Up);
+  const double endGap = size_ * kEndGap;
+  overlay.addText(high_.extreme, {bar.x, bar.top() + (high_.passed ? arrow : 0.0) + endGap}, endStyle_);
+  overlay.addText(low_.extreme,
+                  {bar.x, bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_)},
+                  endStyle_);
+}
+
+void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
+  const double left = endAcross(false), right = endAcross(true);
+  const PixelRect bar = rounded(
+      {space.x + left, space.top() - kBarDepth * size_, space.width - left - right, kBarDepth * size_});
+  const Ticks ticks = ticksAcross(bar.width);
+  drawFrameAndTicks(overlay, shapes, bar, Direction::Right, ticks);
+  const double labelBase = bar.y - size_ * (kTick + kGap) - capitalHeight(labelStyle_);
+  for (std::size_t k = 0; k < ticks.values.size(); ++k)
+    overlay.addText({{ticks.labels[k]}}, {bar.x + along(ticks.values[k]) * bar.width, labelBase}, labelStyle_,
+                    Anchor::Middle);
+  const FittedText title = fitText(title_, titleStyle_, space.width, kSmallestTitle * size_);
+  const double baseline = labelBase - size_ * kTitleGap - capitalHeight(title.style);
+  overlay.addText(title.text, {space.center().x(), baseline}, title.style, Anchor::Middle);
+  drawEndAcross(overlay, bar, false, space.x);
+  drawEndAcross(overlay, bar, true, space.right());
+}
+
+/// edge: where the text ends, away from the bar.
+void ScalarBar::drawEndAcross(Overlay& overlay, const PixelRect& bar, bool high, double edge) const {
+  const End& end = high ? high_ : low_;
+  const Anchor anchor = high ? Anchor::End : Anchor::Start;
+  const double base = bar.center().y() - capitalHeight(endStyle_) / 2;
+  if (end.passed) overlay.addText(end.limit, {edge, base}, endStyle_, anchor);
+  overlay.addText(end.extreme, {edge, base - (end.passed ? kEndLine * size_ : 0.0)}, endStyle_, anchor);
+}
+
+void ScalarBar::drawArrow(FlatShapes& shapes, const PixelRect& bar, Direction direction, bool high) const {
+  const Eigen::Vector2d along = direction == Direction::Up ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(1, 0);
+  const Eigen::Vector2d across(along.y(), along.x());
+  const Eigen::Vector2d end = high ? Eigen::Vector2d(bar.right(), bar.top()) : Eigen::Vector2d(bar.x, bar.y);
+  const double inwards = high ? -1.0 : 1.0;
+  const Eigen::Vector2d other = end + inwards * kBarDepth * size_ * across;
+  const Eigen::Vector2d tip = (end + other) / 2 - inwards * kArrow * size_ * along;
+  shapes.addConvexPolygon({end, other, tip}, high ? scale_.colors().back() : scale_.colors().front());
+  shapes.addPolyline({end, tip, other}, lineWidth(), ink_);
+}
+
+void ScalarBar::drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const PixelRect& bar,
+                                  Direction direction, const Ticks& ticks) const {
+  overlay.addStripes(bar, scale_.colors(), direction);
+  // On the middles of pixels, where thin lines are crisp.
+  const Eigen::Vector2d low(bar.x - 0.5, bar.y - 0.5), high(bar.right() + 0.5, bar.top() + 0.5);
+  const Eigen::Vector2d lowRight(high.x(), low.y()), highLeft(low.x(), high.y());
+  std::vector<Eigen::Vector2d> lines{low, lowRight, lowRight, high, high, highLeft, highLeft, low};
+  for (const double value : ticks.values) {
+    const bool up = direction == Direction::Up;
+    const double place =
+        std::floor((up ? bar.y : bar.x) + along(value) * (up ? bar.height : bar.width)) + 0.5;
+    const Eigen::Vector2d foot = up ? Eigen::Vector2d(high.x(), place) : Eigen::Vector2d(place, low.y());
+    lines.push_back(foot);
+    lines.push_back(foot + size_ * kTick * (up ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, -1)));
+  }
+  if (low_.passed) drawArrow(shapes, bar, direction, false);
+  if (high_.passed) drawArrow(shapes, bar, direction, true);
+  overlay.addSegments(lines, lineWidth(), ink_);
+}
+
+Ticks ScalarBar::ticksUp(double barLength) const {
+  const int most = static_cast<int>(barLength / (2.4 * size_));
+  return makeTicks(scale_.range(), std::clamp(most, 2, kMostTicks));
+}
+
+Ticks ScalarBar::ticksAcross(double barLength) const {
+  for (int most = kMostTicks; most > 2; --most) {
+    Ticks ticks = makeTicks(scale_.range(), most);
+    const double spacing =
+        ticks.values.size() < 2 ? barLength : (along(ticks.values[1]) - along(ticks.values[0])) * barLength;
+    if (longestLabel(ticks) + 1.2 * size_ <= spacing) return ticks;
+  }
+  return makeTicks(scale_.range(), 2);
+}
+
+double ScalarBar::barLengthUp(double length) const {
+  const int arrows = (low_.passed ? 1 : 0) + (high_.passed ? 1 : 0);
+  return length - 2.0 * (size_ * kEndGap + capitalHeight(endStyle_)) - arrows * kArrow * size_;
+}
+
+/// Room that an end takes beside a bar across.
+double ScalarBar::endAcross(bool high) const {
+  const End& end = high ? high_ : low_;
+  const double extreme = textWidth(end.extreme, endStyle_);
+  if (!end.passed) return extreme + size_ * kEndGap;
+  return std::max(extreme, textWidth(end.limit, endStyle_)) + size_ * (kEndGap + kArrow);
+}
+
+double ScalarBar::longestLabel(const Ticks& ticks) const {
+  double longest = 0.0;
+  for (const std::string& label : ticks.labels)
+    longest = std::max(longest, textWidth({{label}}, labelStyle_));
+  for (const End& end : {low_, high_})
+    if (end.passed) longest = std::max(longest, textWidth(end.limit, labelStyle_));
+  return longest;
+}
+
+double ScalarBar::lineWidth() const {
+  return std::max(1.0, size_ / 20.0);
+}
+
+double ScalarBar::along(double value) const {
+  return (value - scale_.range()[0]) / (scale_.range()[1] - scale_.range()[0]);
+}
+
+}  // namespace burnish

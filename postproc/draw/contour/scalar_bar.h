@@ -1,0 +1,68 @@
+#pragma once
+#include <string>
+
+#include "postproc/draw/page/color_scale.h"
+#include "postproc/draw/page/flat_shapes.h"
+#include "postproc/draw/page/overlay.h"
+#include "postproc/draw/page/theme.h"
+#include "postproc/text/ticks.h"
+
+namespace burnish {
+
+/// The colour scale with ticks and title; beyond its ends stand the smallest and the largest value of the
+/// field. An end that values pass is an arrow with the value where the colours end (≥ 0.2).
+class ScalarBar {
+ public:
+  using Direction = Overlay::Direction;
+
+  struct Texts {
+    RichText title;
+    std::string unit;          ///< may be empty
+    double smallest, largest;  ///< values of the field
+  };
+
+  /// textSize: of the title, in pixels.
+  ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme& theme);
+
+  /// Pixels it takes across when it is `length` pixels long, ends included.
+  double depth(Direction direction, double length) const;
+
+  /// Draws it into a space of that depth: labels and title at its right or its lower side. Both drawers must
+  /// be of the same renderer.
+  void draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& space, Direction direction) const;
+
+ private:
+  void drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const;
+  void drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const;
+  void drawEndAcross(Overlay& overlay, const PixelRect& bar, bool high, double edge) const;
+  void drawArrow(FlatShapes& shapes, const PixelRect& bar, Direction direction, bool high) const;
+  void drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const PixelRect& bar, Direction direction,
+                         const Ticks& ticks) const;
+  Ticks ticksUp(double barLength) const;
+  Ticks ticksAcross(double barLength) const;
+  double barLengthUp(double length) const;
+  double longestEnd() const;
+
+  /// Whether a title along the upright bar stands beside the texts at its ends.
+  bool reachesEnds(const FittedText& title, double length) const;
+  double endAcross(bool high) const;
+  double longestLabel(const Ticks& ticks) const;
+  double lineWidth() const;
+  double along(double value) const;
+
+  ColorScale scale_;
+  RichText title_;
+
+  /// What stands at an end.
+  struct End {
+    RichText extreme;  ///< of the field
+    RichText limit;    ///< of the colours, if values pass it
+    bool passed = false;
+  };
+  End low_, high_;
+  double size_;
+  Color ink_;
+  TextStyle titleStyle_, labelStyle_, endStyle_;
+};
+
+}  // namespace burnish

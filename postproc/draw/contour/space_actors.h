@@ -1,0 +1,32 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <array>
+
+#include "postproc/draw/page/color_scale.h"
+#include "postproc/draw/page/view.h"
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+
+/// Actors of the part of a picture that shows space.
+namespace burnish {
+
+/// A surface in one colour; `shaded` where its shape must be seen; opacity: 1 hides what is behind.
+vtkSmartPointer<vtkActor> plainActor(vtkPolyData& surface, const Color& color, bool shaded, double opacity);
+
+/// A surface whose colours are looked up pixel by pixel from its point scalars.
+vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& scale, bool shaded);
+
+/// Lines. width: in pixels of the window.
+vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);
+
+/// The points as round dots. diameter: in pixels of the window.
+vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter);
+
+/// Lets a renderer show a view in its part of a picture of this size (pixels), when all actors have been
+/// added. distance: of the eye, large enough to have everything in front of it.
+void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance);
+
+}  // namespace burnish

@@ -1,0 +1,247 @@
+#include "postproc/draw/page/font.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fontconfig/fontconfig.h>
+#include <freetype/freetype.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/core/nearest.h"
+#include "engine/core/quoted.h"
+#include "engine/core/shown_text.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+using FacePtr = std::unique_ptr<FT_FaceRec_, decltype(&FT_Done_Face)>;
+using PatternPtr = std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)>;
+using FontSetPtr = std::unique_ptr<FcFontSet, decltype(&FcFontSetDestroy)>;
+
+struct LoadedFont {
+  Font font;
+  FacePtr face;
+
+  bool has(char32_t letter) const { return FT_Get_Char_Index(face.get(), letter) != 0; }
+
+  bool hasAll(const std::vector<char32_t>& letters) const {
+    return std::all_of(letters.begin(), letters.end(), [this](char32_t letter) { return has(letter); });
+  }
+};
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::vector<std::string> familiesOf(FcPattern* pattern) {
+  std::vector<std::string> families;
+  FcChar8* family = nullptr;
+  for (int k = 0; FcPatternGetString(pattern, FC_FAMILY, k, &family) == FcResultMatch; ++k)
+    families.emplace_back(reinterpret_cast<const char*>(family));
+  return families;
+}
+
+std::vector<std::string> installedFamilies() {
+  const PatternPtr all(FcPatternBuild(nullptr, FC_SCALABLE, FcTypeBool, FcTrue, nullptr), FcPatternDestroy);
+  const std::unique_ptr<FcObjectSet, decltype(&FcObjectSetDestroy)> wanted(
+      FcObjectSetBuild(FC_FAMILY, nullptr), FcObjectSetDestroy);
+  const FontSetPtr fonts(FcFontList(nullptr, all.get(), wanted.get()), FcFontSetDestroy);
+  std::set<std::string> families;
+  for (int k = 0; fonts && k < fonts->nfont; ++k)
+    for (const std::string& family : familiesOf(fonts->fonts[k])) families.insert(family);
+  return {families.begin(), families.end()};
+}
+
+/// File of a family's regular style; nothing if fontconfig would give another family in its place.
+std::optional<std::string> fileOfFamily(const std::string& family) {
+  const PatternPtr wanted(FcPatternBuild(nullptr, FC_FAMILY, FcTypeString, family.c_str(), FC_SCALABLE,
+                                         FcTypeBool, FcTrue, nullptr),
+                          FcPatternDestroy);
+  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+  FcDefaultSubstitute(wanted.get());
+  FcResult result = FcResultNoMatch;
+  const PatternPtr found(FcFontMatch(nullptr, wanted.get(), &result), FcPatternDestroy);
+  if (!found) return std::nullopt;
+  const std::vector<std::string> families = familiesOf(found.get());
+  const bool same = std::any_of(families.begin(), families.end(),
+                                [&](const std::string& name) { return lower(name) == lower(family); });
+  FcChar8* file = nullptr;
+  if (!same || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return std::nullopt;
+  return reinterpret_cast<const char*>(file);
+}
+
+std::string fileOf(const std::string& name) {
+  std::error_code unreadable;
+  if (fs::is_regular_file(name, unreadable)) return name;
+  if (isFontFile(name)) throw Error(fmt::format("font: found \"{}\"; there is no such file", name));
+  if (const auto file = fileOfFamily(name)) return *file;
+  if (name == kDefaultFont)
+    throw Error(fmt::format("the font {} is not installed; install the package fonts-dejavu-core", name));
+  throw Error(fmt::format(
+      "font: found \"{}\"; expected a family that is installed (fc-list tells them) or a font file.{}", name,
+      didYouMean(name, installedFamilies())));
+}
+
+/// Smallest and greatest height over the line that one of these letters reaches, as parts of the font size.
+std::pair<double, double> reachOf(FT_Face face, std::string_view letters) {
+  double low = 0.0, high = 0.0;
+  for (const char letter : letters) {
+    if (FT_Load_Char(face, static_cast<unsigned char>(letter), FT_LOAD_NO_SCALE) != 0) continue;
+    const FT_Glyph_Metrics& metrics = face->glyph->metrics;
+    high = std::max(high, static_cast<double>(metrics.horiBearingY));
+    low = std::min(low, static_cast<double>(metrics.horiBearingY - metrics.height));
+  }
+  return {low / face->units_per_EM, high / face->units_per_EM};
+}
+
+FacePtr openFace(const std::string& file) {
+  static FT_Library library = [] {
+    FT_Library made = nullptr;
+    FT_Init_FreeType(&made);
+    return made;
+  }();
+  FT_Face face = nullptr;
+  if (FT_New_Face(library, file.c_str(), 0, &face) != 0)
+    throw Error(fmt::format("font: {} is not a font that can be read", file));
+  FacePtr owner(face, FT_Done_Face);
+  if (!FT_IS_SCALABLE(face))
+    throw Error(fmt::format("font: {} has letters of fixed sizes only; expected a scalable font", file));
+  return owner;
+}
+
+LoadedFont load(const std::string& name) {
+  LoadedFont loaded{{.file = fileOf(name)}, {nullptr, FT_Done_Face}};
+  loaded.face = openFace(loaded.font.file);
+  loaded.font.capitals = reachOf(loaded.face.get(), "H").second;
+  // The letters by which VTK finds the lower edge of a line.
+  loaded.font.descent = -reachOf(loaded.face.get(), "_/7Agfy").first;
+  return loaded;
+}
+
+const LoadedFont& loadedFont(const std::string& name) {
+  static std::mutex mutex;
+  static std::map<std::string, LoadedFont> fonts;
+  const std::lock_guard lock(mutex);
+  const auto known = fonts.find(name);
+  return known != fonts.end() ? known->second : fonts.emplace(name, load(name)).first->second;
+}
+
+/// A letter with the marks over it.
+struct Cluster {
+  std::string text;
+  std::vector<char32_t> letters;
+};
+
+bool isMark(char32_t letter) {
+  return letter >= 0x300 && letter <= 0x36F;
+}
+
+/// Stand for bytes that are no UTF-8, and for letters that no font has.
+constexpr const char* kReplacement = "\xEF\xBF\xBD";
+constexpr const char* kBox = "□";
+
+/// The clusters of a text in UTF-8.
+std::vector<Cluster> clustersOf(const std::string& text) {
+  std::vector<Cluster> clusters;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [letter, length] = letterAt(text, at);
+    if (clusters.empty() || !isMark(letter)) clusters.emplace_back();
+    const bool blank = letter == '\n' || letter == '\t';
+    clusters.back().text += blank ? " " : length > 0 ? text.substr(at, length) : kReplacement;
+    clusters.back().letters.push_back(blank ? U' ' : letter);
+    at += std::max<std::size_t>(1, length);
+  }
+  return clusters;
+}
+
+std::mutex& warningsMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::vector<std::string>& textWarnings() {
+  static std::vector<std::string> warnings;
+  return warnings;
+}
+
+}  // namespace
+
+bool isFontFile(const std::string& name) {
+  const std::string ending = lower(fs::path(name).extension().string());
+  return name.find('/') != std::string::npos || ending == ".ttf" || ending == ".otf" || ending == ".ttc" ||
+         ending == ".pfb";
+}
+
+const Font& fontNamed(const std::string& name) {
+  return loadedFont(name).font;
+}
+
+std::vector<FontPiece> fontPieces(const std::string& text, const std::string& name) {
+  const LoadedFont& wanted = loadedFont(name);
+  const LoadedFont& substitute = loadedFont(kDefaultFont);
+  std::vector<FontPiece> pieces;
+  const auto add = [&](const std::string& part, const LoadedFont& in) {
+    if (pieces.empty() || pieces.back().font != &in.font) pieces.push_back({"", &in.font});
+    pieces.back().text += part;
+  };
+  for (const Cluster& cluster : clustersOf(text)) {
+    if (wanted.hasAll(cluster.letters)) {
+      add(cluster.text, wanted);
+    } else if (substitute.hasAll(cluster.letters)) {
+      add(cluster.text, substitute);
+    } else {  // letter by letter
+      std::size_t at = 0;
+      for (const char32_t letter : cluster.letters) {
+        const std::size_t length = letterAt(cluster.text, at).length;
+        const bool known = wanted.has(letter);
+        add(known || substitute.has(letter) ? cluster.text.substr(at, length) : kBox,
+            known ? wanted : substitute);
+        at += length;
+      }
+    }
+  }
+  return pieces;
+}
+
+void noteDrawnText(const std::string& text, const std::string& name) {
+  const LoadedFont& wanted = loadedFont(name);
+  const LoadedFont& substitute = loadedFont(kDefaultFont);
+  std::set<char32_t> missing;
+  for (const Cluster& cluster : clustersOf(text))
+    for (const char32_t letter : cluster.letters)
+      if (!wanted.has(letter) && !substitute.has(letter)) missing.insert(letter);
+  if (missing.empty()) return;
+  std::vector<std::string> codes;
+  for (const char32_t letter : missing)
+    codes.push_back(fmt::format("U+{:04X}", static_cast<std::uint32_t>(letter)));
+  const std::string fonts = name == kDefaultFont
+                                ? fmt::format("the font {} has no", name)
+                                : fmt::format("neither the font {} nor {} has", name, kDefaultFont);
+  const std::string warning =
+      fmt::format("{} {}; {} is drawn with a box for {}", fonts, fmt::join(codes, ", "), quoted(text),
+                  codes.size() == 1 ? "it" : "each");
+  const std::lock_guard lock(warningsMutex());
+  std::vector<std::string>& warnings = textWarnings();
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+}
+
+std::vector<std::string> takeTextWarnings() {
+  const std::lock_guard lock(warningsMutex());
+  return std::exchange(textWarnings(), {});
+}
+
+}  // namespace burnish

@@ -1,0 +1,189 @@
+#include "postproc/draw/page/sheet.h"
+
+#include <fmt/format.h>
+#include <vtkImageBlend.h>
+#include <vtkImageData.h>
+#include <vtkImageResize.h>
+#include <vtkImageTranslateExtent.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "engine/core/error.h"
+#include "postproc/draw/page/overlay.h"
+#include "postproc/draw/page/png_file.h"
+#include "postproc/offscreen/offscreen_canvas.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kNarrowestPanel = 100, kLargestSide = 20000;
+
+constexpr double kPointsPerInch = 72.0, kMillimetresPerInch = 25.4;
+constexpr double kPrintedColumn = 80.0;  // mm
+
+// Measures as parts of the text size.
+constexpr double kGutter = 0.6;
+constexpr double kAboveCaption = 0.45;
+constexpr double kLine = 1.25;
+constexpr double kDescent = 0.25;
+
+/// A picture from a file, in a width of pixels.
+vtkSmartPointer<vtkImageData> readPanel(const fs::path& file, int width) {
+  vtkNew<vtkImageData> picture;
+  readPng(file, true, [&](const PngSize& size) {
+    picture->SetDimensions(size.width, size.height, 1);
+    picture->AllocateScalars(VTK_UNSIGNED_CHAR, size.hasAlpha ? 4 : 3);
+    return static_cast<std::byte*>(picture->GetScalarPointer());
+  });
+  const int* size = picture->GetDimensions();
+  if (size[0] == width) return picture;
+  const double height = static_cast<double>(size[1]) * width / size[0];
+  if (height > kLargestSide)
+    throw Error(fmt::format("{}: {} x {} pixels would be {:.0f} pixels high on the sheet; expected up to {}",
+                            file.string(), size[0], size[1], height, kLargestSide));
+  vtkNew<vtkImageResize> resize;
+  resize->SetInputData(picture);
+  resize->SetResizeMethodToOutputDimensions();
+  resize->SetOutputDimensions(width, std::max(1, static_cast<int>(std::lround(height))), 1);
+  resize->BorderOn();  // pixels are areas, not points
+  resize->Update();
+  return resize->GetOutput();
+}
+
+/// The text in lines that are not longer than `width`, broken at blanks.
+std::vector<std::string> wrapped(const std::string& text, const TextStyle& style, double width) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (word.empty()) continue;
+    if (!lines.empty() && textWidth({{lines.back() + " " + word}}, style) <= width)
+      lines.back() += " " + word;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
+
+/// A panel that is ready to be placed.
+struct Tile {
+  vtkSmartPointer<vtkImageData> picture;
+  std::vector<std::string> caption;
+  int left = 0, bottom = 0;  ///< of the picture, in pixels from the lower left corner of the sheet
+};
+
+struct Sheet {
+  int width = 0, height = 0, panelWidth = 0;
+  TextStyle style;
+  std::vector<Tile> tiles;
+};
+
+int captionHeight(const std::vector<Tile>& tiles, std::size_t first, std::size_t last,
+                  const TextStyle& style) {
+  std::size_t lines = 0;
+  for (std::size_t k = first; k < last; ++k) lines = std::max(lines, tiles[k].caption.size());
+  if (lines == 0) return 0;
+  return static_cast<int>(
+      std::ceil((kAboveCaption + kLine * static_cast<double>(lines - 1) + kDescent) * style.size +
+                capitalHeight(style)));
+}
+
+/// Places the tiles from the top down; the pictures of a row stand on one line.
+void place(Sheet& sheet, int columns) {
+  const int gutter = sheet.width / columns - sheet.panelWidth;
+  int top = -gutter / 2;  // from the upper edge, downwards negative, until the height is known
+  for (std::size_t first = 0; first < sheet.tiles.size(); first += static_cast<std::size_t>(columns)) {
+    const std::size_t last = std::min(first + static_cast<std::size_t>(columns), sheet.tiles.size());
+    int height = 0;
+    for (std::size_t k = first; k < last; ++k)
+      height = std::max(height, sheet.tiles[k].picture->GetDimensions()[1]);
+    for (std::size_t k = first; k < last; ++k) {
+      sheet.tiles[k].left = static_cast<int>(k - first) * (sheet.width / columns) + gutter / 2;
+      sheet.tiles[k].bottom = top - height;
+    }
+    top -= height + captionHeight(sheet.tiles, first, last, sheet.style) + gutter;
+  }
+  sheet.height = -top - gutter + gutter / 2;
+  for (Tile& tile : sheet.tiles) tile.bottom += sheet.height;
+}
+
+Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, const Theme& theme) {
+  Sheet sheet;
+  sheet.width = width;
+  sheet.panelWidth = sheetPanelWidth(columns, width);
+  sheet.style = {theme.textSize * sheetTextSize(sheet.panelWidth), theme.ink, theme.font};
+  for (const SheetPanel& panel : panels)
+    sheet.tiles.push_back(
+        {readPanel(panel.picture, sheet.panelWidth), wrapped(panel.caption, sheet.style, sheet.panelWidth)});
+  place(sheet, columns);
+  if (sheet.height > kLargestSide)
+    throw Error(
+        fmt::format("sheet: it would be {} pixels high; expected up to {}: take more columns or fewer panels",
+                    sheet.height, kLargestSide));
+  return sheet;
+}
+
+/// Paper with the captions.
+vtkSmartPointer<vtkImageData> drawCaptions(const Sheet& sheet, const Color& ground) {
+  OffscreenCanvas canvas(sheet.width, sheet.height);
+  vtkNew<vtkRenderer> paper;
+  canvas.window().AddRenderer(paper);
+  paper->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
+  Overlay overlay(*paper, canvas.supersampling());
+  const double size = sheet.style.size;
+  for (const Tile& tile : sheet.tiles) {
+    double baseline = tile.bottom - kAboveCaption * size - capitalHeight(sheet.style);
+    for (const std::string& line : tile.caption) {
+      const FittedText fitted = fitText({{line}}, sheet.style, sheet.panelWidth, 0.7 * size);
+      overlay.addText(fitted.text, {tile.left + sheet.panelWidth / 2.0, baseline}, fitted.style,
+                      Overlay::Anchor::Middle);
+      baseline -= kLine * size;
+    }
+  }
+  return canvas.capture();
+}
+
+}  // namespace
+
+int sheetPanelWidth(int columns, int width) {
+  if (columns < 1) throw Error(fmt::format("columns: found {}; expected at least 1", columns));
+  const int column = width / columns;
+  const int panel = static_cast<int>(column / (1.0 + kGutter * sheetTextSize(1000) / 1000.0));
+  if (panel < kNarrowestPanel || width > kLargestSide)
+    throw Error(
+        fmt::format("width: found {} pixels for {} columns; expected up to {}, and columns of {} or more",
+                    width, columns, kLargestSide, kNarrowestPanel + kNarrowestPanel / 20));
+  return panel;
+}
+
+double sheetTextSize(int panelWidth, double points) {
+  return std::round(panelWidth * points * kMillimetresPerInch / kPointsPerInch / kPrintedColumn);
+}
+
+void drawSheet(const std::vector<SheetPanel>& panels, int columns, int width, const fs::path& png,
+               const Theme& theme) {
+  if (panels.empty()) throw Error("sheet: found no panel; expected at least one");
+  const Sheet sheet = makeSheet(panels, columns, width, theme);
+  vtkNew<vtkImageBlend> blend;
+  blend->AddInputData(drawCaptions(sheet, theme.paper));
+  for (const Tile& tile : sheet.tiles) {
+    vtkNew<vtkImageTranslateExtent> shift;
+    shift->SetInputData(tile.picture);
+    shift->SetTranslation(tile.left, tile.bottom, 0);
+    shift->Update();
+    blend->AddInputData(shift->GetOutput());
+  }
+  blend->Update();
+  writePng(*blend->GetOutput(), png);
+}
+
+}  // namespace burnish

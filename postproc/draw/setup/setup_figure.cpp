@@ -1,0 +1,272 @@
+#include "postproc/draw/setup/setup_figure.h"
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "engine/tools/outline_parts.h"
+#include "postproc/draw/contour/space_actors.h"
+#include "postproc/draw/contour/tool_drawing.h"
+#include "postproc/draw/page/png_file.h"
+#include "postproc/draw/setup/setup_layout.h"
+#include "postproc/draw/setup/setup_loads.h"
+#include "postproc/draw/setup/setup_motion.h"
+#include "postproc/draw/setup/setup_symbols.h"
+#include "postproc/mesh/body_surface.h"
+#include "postproc/mesh/outlines.h"
+#include "postproc/offscreen/offscreen_canvas.h"
+#include "postproc/text/ticks.h"
+
+namespace burnish {
+namespace {
+
+using Eigen::Vector2d;
+using Points = SetupSymbols::Points;
+
+constexpr int kSmallestSide = 200, kLargestSide = 8000;
+constexpr Color kBodyColor{226, 226, 226}, kToolColor{248, 248, 248}, kInk{20, 20, 20},
+    kKnotColor{190, 190, 190};
+
+/// Digits of a load that is not the same everywhere on its face.
+constexpr int kDigitsInMiddle = 3;
+
+bool isUpright(const Vector2d& v) {
+  return std::abs(v.y()) >= std::abs(v.x());
+}
+
+class SetupPicture {
+ public:
+  SetupPicture(const ModelRecord& model, const std::array<int, 2>& size, bool knots)
+      : model_(model), size_(size), knots_(knots), layout_(model, size) {}
+
+  void draw(const std::filesystem::path& png) {
+    OffscreenCanvas canvas(size_[0], size_[1]);
+    vtkNew<vtkRenderer> space;
+    canvas.window().AddRenderer(space);
+    space->SetBackground(1.0, 1.0, 1.0);
+    drawSpace(*space, canvas.supersampling());
+    SetupSymbols symbols(*space, canvas.supersampling(), size_, layout_.textSize());
+    if (const auto axis = layout_.axis()) symbols.addAxisLine((*axis)[0], (*axis)[1], "axis");
+    drawMeasures(symbols);
+    for (const SupportSpec& support : scene().supports) drawSupport(symbols, support);
+    for (const LoadSpec& load : scene().loads) drawLoad(symbols, load);
+    for (std::size_t k = 0; k < scene().tools.size(); ++k) drawToolTexts(symbols, k);
+    drawMotions(symbols);
+    writePng(*canvas.capture(), png);
+  }
+
+ private:
+  const Scene& scene() const { return layout_.scene(); }
+  const View& view() const { return layout_.view(); }
+  double textSize() const { return layout_.textSize(); }
+
+  void drawSpace(vtkRenderer& renderer, int scale) const {
+    const auto body = BodySurface(model_.mesh, layout_.subdivision()).displaced({});
+    const double line = scale * std::max(1.2, 0.075 * textSize()), depth = body->GetLength() / 100.0;
+    int layer = 0;
+    const auto add = [&](const vtkSmartPointer<vtkActor>& actor) {
+      actor->SetPosition(0.0, 0.0, depth * ++layer);
+      renderer.AddActor(actor);
+    };
+    add(plainActor(*body, kBodyColor, false, 1.0));
+    if (knots_)
+      add(lineActor(*knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line, 1.0));
+    add(lineActor(*outlineBesideAxis(), kInk, line, 1.0));
+    for (const ToolRecord& record : layout_.tools()) {
+      const ToolDrawing drawing =
+          drawPlaneTool(record, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
+      if (drawing.area) add(plainActor(*drawing.area, kToolColor, false, 1.0));
+      if (drawing.lines) add(lineActor(*drawing.lines, kInk, line, 1.0));
+    }
+    aim(renderer, view(), size_, 10.0 * body->GetLength());
+  }
+
+  /// Half of a section ends at the axis, but the body does not.
+  vtkSmartPointer<vtkPolyData> outlineBesideAxis() const {
+    const auto outline = bodyOutline(model_.mesh, {}, layout_.subdivision());
+    for (vtkIdType k = 0; k < outline->GetNumberOfCells(); ++k) {
+      const double* b = outline->GetCell(k)->GetBounds();
+      if (layout_.isOnAxis({{b[0], b[2]}, {b[1], b[3]}})) outline->DeleteCell(k);
+    }
+    outline->RemoveDeletedCells();
+    return outline;
+  }
+
+  void drawMeasures(SetupSymbols& symbols) const {
+    const Eigen::AlignedBox3d& box = layout_.box();
+    const Vector2d low = view().pixel(box.min().head<2>()), high = view().pixel(box.max().head<2>());
+    const Eigen::Vector3d extent = box.sizes();
+    symbols.addDimension(low, {high.x(), low.y()}, layout_.belowBody(), layout_.length(extent.x()));
+    symbols.addDimension(low, {low.x(), high.y()}, layout_.besideBody(), layout_.length(extent.y()));
+    if (const auto axis = layout_.axis(); axis && low.x() - (*axis)[0].x() > textSize())
+      symbols.addDimension({(*axis)[0].x(), low.y()}, low, layout_.belowBody(),
+                           layout_.length(box.min().x()));
+    symbols.addAxes({0.9 * textSize(), 0.9 * textSize()});
+  }
+
+  void drawSupport(SetupSymbols& symbols, const SupportSpec& support) const {
+    if (layout_.isOnAxis(layout_.faces().line(support.place).points)) return;
+    const FaceLine face = layout_.pixels(support.place);
+    const Vector2d normal = face.meanNormal();
+    const std::string across = isUpright(normal) ? "y" : "x";
+    if (support.symmetry || (support.fix.size() == 1 && support.fix.front() == across))
+      symbols.addRollers(face.points, face.outward);
+    else
+      symbols.addHatching(face.points, face.outward);
+    if (support.fix.size() != 1 || support.fix.front() == across) return;
+    symbols.addText({{"u"}, {support.fix.front(), Script::Sub}, {" = 0"}},
+                    face.middle + 1.5 * textSize() * normal);
+  }
+
+  void drawLoad(SetupSymbols& symbols, const LoadSpec& load) const {
+    if (!load.bodyForce.empty()) return drawBodyForce(symbols, load);
+    const FaceLine face = layout_.pixels(load.place);
+    const FaceLoad found = faceLoad(load, layout_.faces().line(load.place), scene(), layout_.endTime());
+    const std::string label =
+        found.varies ? "≈ " + SetupLayout::number(found.middle, model_.stressUnit, kDigitsInMiddle)
+                     : SetupLayout::number(found.middle, model_.stressUnit);
+    symbols.addLoad(face.points, face.outward, found.vectors, label);
+  }
+
+  void drawBodyForce(SetupSymbols& symbols, const LoadSpec& load) const {
+    const Vector2d middle = layout_.faces().middleOf(load.place.patch);
+    const Vector2d force = bodyForceAt(load, middle, scene(), layout_.endTime());
+    if (force.norm() == 0.0) return;
+    const bool hasUnits = !model_.stressUnit.empty() && !model_.lengthUnit.empty();
+    const std::string unit = hasUnits ? model_.stressUnit + "/" + model_.lengthUnit : "";
+    symbols.addForce(view().pixel(middle), force.normalized(), SetupLayout::number(force.norm(), unit));
+  }
+
+  void drawToolTexts(SetupSymbols& symbols, std::size_t k) const {
+    const Vector2d end = layout_.endOf(k);
+    if (end.norm() > 0.0)
+      for (const Points& line : layout_.toolPixels(k, end)) symbols.addDashes(line);
+    nameTool(symbols, k);
+    drawTurn(symbols, k);
+    if (scene().tools[k].carry) drawCarried(symbols, k);
+  }
+
+  void nameTool(SetupSymbols& symbols, std::size_t k) const {
+    const ToolRecord& tool = layout_.tools()[k];
+    const Vector2d center = layout_.middleOf(k);
+    if (const auto* plane = std::get_if<Plane>(&tool.shape)) {
+      const Points line = layout_.toolPixels(k, Vector2d(0, 0)).front();
+      const Vector2d away = -plane->normal.head<2>().normalized();
+      symbols.addText({{tool.name}},
+                      line.front() + 0.15 * (line.back() - line.front()) + 1.3 * textSize() * away);
+    } else if (const auto* disc = std::get_if<Cylinder>(&tool.shape)) {
+      const Vector2d direction =
+          Vector2d(center.x() < view().area.center().x() ? 1.0 : -1.0, 1.0).normalized();
+      symbols.addRadius(center, center + disc->radius * view().pixelsPerLength * direction,
+                        "R = " + layout_.length(disc->radius));
+    } else if (const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape)) {
+      if (isSolid(*mesh))
+        symbols.addText({{tool.name}}, center + Vector2d(0.0, 0.9 * textSize()));
+      else if (mesh->cells.size() > 0)
+        nameOpenTool(symbols, tool.name, *mesh);
+    }
+  }
+
+  /// On the side of the tool, at a quarter of its longest segment.
+  void nameOpenTool(SetupSymbols& symbols, const std::string& name, const SurfaceMesh& mesh) const {
+    Vector2d at(0.0, 0.0), along(0.0, 0.0);
+    for (const auto& cell : mesh.cells.colwise()) {
+      const Vector2d begin = view().pixel(mesh.points.col(cell(0))),
+                     end = view().pixel(mesh.points.col(cell(1)));
+      if ((end - begin).norm() <= along.norm()) continue;
+      along = end - begin;
+      at = (begin.x() < end.x() ? begin : end) + (begin.x() < end.x() ? 0.25 : -0.25) * along;
+    }
+    const Vector2d side = Vector2d(-along.y(), along.x()).normalized();
+    const double half = textWidth({{name}}, {.size = textSize()}) / 2.0;
+    symbols.addText({{name}}, at + (1.4 * textSize() + std::abs(side.x()) * half) * side);
+  }
+
+  void drawTurn(SetupSymbols& symbols, std::size_t k) const {
+    const double turn = turnOf(scene().tools[k], scene().definitions, layout_.endTime());
+    if (turn != 0.0)
+      symbols.addTurn(view().pixel(layout_.tools()[k].pivot), turnRadius(k), turn > 0.0,
+                      "φ = " + numberText(std::abs(turn), 4) + "°");
+  }
+
+  /// Just inside a disc, and small for what has no radius.
+  double turnRadius(std::size_t k) const {
+    const auto* disc = std::get_if<Cylinder>(&layout_.tools()[k].shape);
+    return disc ? 0.8 * disc->radius * view().pixelsPerLength : 2.0 * textSize();
+  }
+
+  void drawCarried(SetupSymbols& symbols, std::size_t k) const {
+    const ToolLoad load = toolLoad(*scene().tools[k].carry, scene(), layout_.endTime());
+    const Vector2d middle = layout_.middleOf(k);
+    if (load.force.norm() > 0.0)
+      symbols.addForceTo(middle, load.force.normalized(), layout_.forceText(load.force.norm()));
+    if (load.moment != 0.0)
+      symbols.addTurn(view().pixel(layout_.tools()[k].pivot), turnRadius(k), load.moment > 0.0,
+                      layout_.momentText(std::abs(load.moment)));
+  }
+
+  /// The amounts stand below the picture.
+  void drawMotions(SetupSymbols& symbols) const {
+    const std::vector<Mover> movers = layout_.movers();
+    for (const Mover& mover : movers) drawArrows(symbols, mover);
+    const std::vector<RichText> lines = layout_.amounts();
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const double lift = 1.8 * textSize() * static_cast<double>(lines.size() - 1 - k);
+      symbols.addText(lines[k], layout_.amountsAt(lines[k]) + Vector2d(0.0, lift));
+    }
+    if (std::count_if(movers.begin(), movers.end(), [](const Mover& m) { return !m.differs; }) < 2)
+      return;  // only then the amounts name the patches
+    for (const std::string& patch : layout_.faces().patchNames())
+      symbols.addFaintText(patch, view().pixel(layout_.faces().middleOf(patch)));
+  }
+
+  void drawArrows(SetupSymbols& symbols, const Mover& mover) const {
+    Vector2d at = mover.start;
+    for (std::size_t k = 0; k < mover.phases.size(); ++k) {
+      const Vector2d direction = mover.phases[k].normalized();
+      const double toScale = mover.toScale ? mover.phases[k].norm() * view().pixelsPerLength : 0.0;
+      const double drawn = std::max(SetupSymbols::kShortestMotion * textSize(), toScale);
+      symbols.addArrow(at, at + drawn * direction);
+      const Vector2d middle = at + 0.5 * drawn * direction;
+      symbols.addText(SetupLayout::phaseName(mover.phases.size(), k),
+                      middle + textSize() * besideArrow(direction, middle));
+      at += drawn * direction;
+    }
+  }
+
+  /// From an arrow to its name, in text sizes: away from the body, or above and left where that is neither.
+  Vector2d besideArrow(const Vector2d& direction, const Vector2d& middle) const {
+    Vector2d beside(-direction.y(), direction.x());
+    if (beside.y() < -0.5 || (beside.y() < 0.5 && beside.x() > 0.0)) beside = -beside;
+    const Vector2d fromBody = middle - view().pixel(layout_.box().center().head<2>());
+    if (fromBody.dot(beside) < -textSize()) beside = -beside;
+    return beside.cwiseProduct(Vector2d(0.9, 0.8));
+  }
+
+  const ModelRecord& model_;
+  std::array<int, 2> size_;
+  bool knots_;
+  SetupLayout layout_;
+};
+
+}  // namespace
+
+void drawSetup(const ModelRecord& model, const std::array<int, 2>& size, const std::filesystem::path& png,
+               bool knots) {
+  if (model.dim != 2)
+    throw Error(fmt::format("set-up drawing: found a model in {} dimensions; expected 2", model.dim));
+  if (std::min(size[0], size[1]) < kSmallestSide || std::max(size[0], size[1]) > kLargestSide)
+    throw Error(fmt::format("size: found {} x {} pixels; expected {} to {}", size[0], size[1], kSmallestSide,
+                            kLargestSide));
+  SetupPicture(model, size, knots).draw(png);
+}
+
+}  // namespace burnish

@@ -1,0 +1,16 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "postproc/study/evidence/judgement.h"
+
+namespace burnish {
+
+/// Draws the charts of a case from the histories of its runs, NAME-curve-1.png, … in the directory, which is
+/// made if needed. Runs without a history are left out. Throws `Error` for formulas that cannot be evaluated
+/// and files that cannot be written.
+std::vector<std::filesystem::path> drawHistoryCharts(const VerificationCase& verified,
+                                                     const CaseOutcomes& outcomes,
+                                                     const std::filesystem::path& directory);
+
+}  // namespace burnish

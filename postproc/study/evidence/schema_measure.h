@@ -1,0 +1,94 @@
+#pragma once
+#include "engine/scene/schema_run.h"
+#include "engine/schema/leaf.h"
+#include "postproc/study/study.h"
+
+namespace burnish {
+
+template <>
+struct EnumNames<Reduction> {
+  static constexpr std::array values{std::pair{"first", Reduction::First},
+                                     std::pair{"last", Reduction::Last},
+                                     std::pair{"max", Reduction::Max},
+                                     std::pair{"min", Reduction::Min},
+                                     std::pair{"mean", Reduction::Mean},
+                                     std::pair{"at", Reduction::At},
+                                     std::pair{"oscillation", Reduction::Oscillation}};
+};
+
+template <>
+struct EnumNames<LineReduction> {
+  static constexpr std::array values{std::pair{"variation", LineReduction::Variation},
+                                     std::pair{"max", LineReduction::Max},
+                                     std::pair{"min", LineReduction::Min}};
+};
+
+/// A curve y(x) of a history: the same for charts and measures.
+template <class Visitor>
+void describeCurve(Visitor& v, std::string& x, std::string& y, std::string& where) {
+  v.field("x", x, {}, "Column of history.csv, or a formula in its columns.");
+  v.field("y", y, {.required = true}, "Column of history.csv, or a formula such as \"cylinder.fy/1000\".");
+  v.field("where", where, {}, "Formula; rows in which it is 0 are left out, as in \"time >= 1\".");
+}
+
+/// The part of a curve that a measure looks at.
+template <class Visitor>
+void describeRange(Visitor& v, std::optional<std::array<double, 2>>& range) {
+  v.field("range", range, {.increasing = true}, "Smallest and largest x; everything when left out.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, HistoryMeasure& s) {
+  describeCurve(v, s.x, s.y, s.where);
+  describeRange(v, s.range);
+  v.field("reduce", s.reduce, {},
+          "The number that is made of the curve; oscillation is the standard deviation about the "
+          "least-squares quartic, at a value interpolated.");
+  v.field("at", s.at, {}, "The x of `reduce: at`.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, SummaryMeasure& s) {
+  v.field("entry", s.entry, {.required = true},
+          "Key of summary.yaml, such as iterations, cut_backs or seconds.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, LineMeasure& s) {
+  v.field("field", s.field, {.required = true, .choices = drawableFields()}, "Field that is sampled.");
+  v.field("time", s.time, {.required = true, .atLeast = 0, .unit = "time"}, "Time of the frame.");
+  v.field("height", s.height, {.atLeast = 0, .atMost = 1},
+          "Where the line is: the second parameter of the first patch, as a part of its range.");
+  v.field(
+      "reduce", s.reduce, {},
+      "The number that is made of the values along the line; variation is the sum of their |differences|.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, DifferenceMeasure& s) {
+  v.field("other", s.other, {.required = true}, "Name of the run to compare with, braces filled in.");
+  describeCurve(v, s.x, s.y, s.where);
+  describeRange(v, s.range);
+  v.field("tolerance", s.tolerance, {.above = 0},
+          "Gives the first x at which the difference exceeds this part, instead of the largest difference.");
+}
+
+template <class Visitor>
+void describe(Visitor&, ConvergenceMeasure&) {}
+
+template <class Visitor>
+void describe(Visitor& v, MeasureSpec& s) {
+  v.field("name", s.name, {.required = true, .identifier = true}, "Name, for claims.");
+  v.field("title", s.title, {.required = true, .longest = kLongestShownText}, "Heading of its column.");
+  v.alternatives("kind", s.what,
+                 {{{"history", "A number of a curve of the history."},
+                   {"summary", "A number that the run says about itself at its end."},
+                   {"line", "A number of a field along a line through the body."},
+                   {"difference",
+                    "The largest |difference| of a curve from that of another run, as a part of the other's "
+                    "largest |y|."},
+                   {"convergence", "Median order of convergence of Newton's method over the steps."}}},
+                 "Where the number comes from.");
+}
+
+}  // namespace burnish

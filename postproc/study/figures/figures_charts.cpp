@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/error.h"
+#include "postproc/draw/page/sheet.h"
+#include "postproc/study/evidence/reductions.h"
+#include "postproc/study/figures/figure_kinds.h"
+#include "postproc/study/run_data.h"
+
+namespace burnish {
+namespace {
+
+constexpr int kChartWidth = 1200;
+
+/// Interrupts a curve.
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+
+/// A chart with the data that it shows beside it.
+Files drawWithData(const Chart& chart, const std::filesystem::path& png) {
+  std::filesystem::path csv = png;
+  csv.replace_extension(".csv");
+  drawChart(chart, png);
+  writeChartData(chart, csv);
+  return {png, csv};
+}
+
+/// Points without a line between them: a gap follows each.
+ChartCurve scatteredPoints(const std::string& label, const std::vector<double>& x,
+                           const std::vector<double>& y, int number) {
+  ChartCurve curve{label, {}, {}, CurveStyle{number, 0, number}};
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    curve.x.insert(curve.x.end(), {x[k], kGap});
+    curve.y.insert(curve.y.end(), {y[k], kGap});
+  }
+  return curve;
+}
+
+Chart historyChart(const FigureTask& task, const HistoryChartSpec& spec) {
+  Chart chart;
+  chart.x.title = spec.xTitle.empty() ? spec.x : spec.xTitle;
+  chart.y.title = spec.yTitle.empty() ? spec.y : spec.yTitle;
+  for (const StudyRun* run : task.study.matching(spec.runs)) {
+    const RunData data(*run, task.studyDirectory);
+    const Series series = seriesOf(data.history(), spec.x, spec.y, spec.where);
+    const auto stopped = data.stoppedAt();
+    chart.curves.push_back({stopped ? withStop(run->label, *stopped) : run->label, series.x, series.y,
+                            styleOf(task.study, *run, spec.looks)});
+  }
+  return chart;
+}
+
+/// A contact pair's quantity at the points of the face in their order, which go back where the face folds.
+ChartCurve surfaceCurve(const ContactRecord& contact, SurfaceQuantity quantity) {
+  const Eigen::VectorXd& values =
+      quantity == SurfaceQuantity::Pressure ? contact.quadraturePressure : contact.quadratureGap;
+  ChartCurve curve;
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    curve.x.push_back(contact.quadraturePoints(0, k));
+    curve.y.push_back(values(k));
+  }
+  return curve;
+}
+
+/// The points in a window of x and their neighbours, to which the lines go, so that others do not set the
+/// range of y.
+ChartCurve within(const ChartCurve& curve, const std::array<double, 2>& window) {
+  const auto inside = [&](std::size_t k) {
+    return k < curve.x.size() && curve.x[k] >= window[0] && curve.x[k] <= window[1];
+  };
+  ChartCurve kept{curve.label, {}, {}, curve.style};
+  bool interrupted = false;
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    if (!inside(k) && !inside(k + 1) && (k == 0 || !inside(k - 1))) {
+      interrupted = !kept.x.empty();
+      continue;
+    }
+    if (interrupted) {
+      kept.x.push_back(kGap);
+      kept.y.push_back(kGap);
+      interrupted = false;
+    }
+    kept.x.push_back(curve.x[k]);
+    kept.y.push_back(curve.y[k]);
+  }
+  return kept;
+}
+
+/// What the charts of all times of a surface figure share.
+class SurfaceCharts {
+ public:
+  SurfaceCharts(const FigureTask& task, const SurfaceChartSpec& spec) : task_(task), spec_(spec) {
+    for (const StudyRun* run : task.study.matching(spec.runs)) data_.emplace_back(*run, task.studyDirectory);
+    for (const RunData& data : data_) results_.push_back(data.result());
+    for (const ResultReader& result : results_)
+      if (result.model().dim != 2) throw Error("a surface chart needs two dimensions");
+  }
+
+  Chart chart(double time) {
+    touched_ = {HUGE_VAL, -HUGE_VAL};
+    Chart chart;
+    chart.size = {kChartWidth, 2 * kChartWidth / 3};
+    const ModelRecord& model = results_.front().model();
+    const bool pressure = spec_.quantity == SurfaceQuantity::Pressure;
+    chart.x.title = titleWithUnit("x", model.lengthUnit);
+    chart.y.title = pressure ? titleWithUnit("contact pressure", model.stressUnit)
+                             : titleWithUnit("gap", model.lengthUnit);
+    for (std::size_t k = 0; k < data_.size(); ++k) addCurves(chart, k, time);
+    chart.x.range = spec_.window ? spec_.window : windowAroundContact();
+    if (chart.x.range)
+      for (ChartCurve& curve : chart.curves) curve = within(curve, *chart.x.range);
+    return chart;
+  }
+
+ private:
+  static std::string titleWithUnit(const std::string& title, const std::string& unit) {
+    return unit.empty() ? title : title + " in " + unit;
+  }
+
+  /// A curve for each contact pair of a run; of one that stopped before, only an entry of the legend.
+  void addCurves(Chart& chart, std::size_t number, double time) {
+    const RunData& data = data_[number];
+    const auto style = styleOf(task_.study, data.run(), spec_.looks);
+    const FrameAt at = frameAt(data, results_[number], time);
+    if (at.stoppedBefore) {
+      chart.curves.push_back({withStop(data.run().label, at.frame.time), {}, {}, style});
+      return;
+    }
+    for (const ContactRecord& contact : at.frame.contact) {
+      ChartCurve curve = surfaceCurve(contact, spec_.quantity);
+      curve.style = style;
+      curve.label = at.frame.contact.size() == 1 ? data.run().label
+                                                 : fmt::format("{}, {}", data.run().label,
+                                                               contact.tool.empty() ? "self" : contact.tool);
+      chart.curves.push_back(std::move(curve));
+      noteTouched(contact);
+    }
+  }
+
+  void noteTouched(const ContactRecord& contact) {
+    for (Eigen::Index k = 0; k < contact.quadraturePressure.size(); ++k) {
+      if (contact.quadraturePressure(k) <= 0.0) continue;
+      touched_[0] = std::min(touched_[0], contact.quadraturePoints(0, k));
+      touched_[1] = std::max(touched_[1], contact.quadraturePoints(0, k));
+    }
+  }
+
+  /// The contact of all runs with half its width on either side; nothing without contact.
+  std::optional<std::array<double, 2>> windowAroundContact() const {
+    const double margin = 0.5 * (touched_[1] - touched_[0]);
+    if (!(margin > 0.0)) return {};
+    return std::array{touched_[0] - margin, touched_[1] + margin};
+  }
+
+  const FigureTask& task_;
+  const SurfaceChartSpec& spec_;
+  std::vector<RunData> data_;
+  std::vector<ResultReader> results_;
+  std::array<double, 2> touched_{};  ///< smallest and largest x with pressure at the time of the chart
+};
+
+}  // namespace
+
+Files drawKind(const FigureTask& task, const HistoryChartSpec& spec) {
+  Chart chart = historyChart(task, spec);
+  if (!spec.reference) return drawWithData(chart, task.file(".png"));
+  const std::filesystem::path reference = task.study.file.parent_path() / *spec.reference;
+  if (reference.extension() == ".csv") {
+    const HistoryTable points = readHistory(reference);
+    chart.curves.push_back(scatteredPoints("reference", points.column("x"), points.column("y"),
+                                           static_cast<int>(chart.curves.size())));
+    return drawWithData(chart, task.file(".png"));
+  }
+  drawChart(chart, task.file("_ours.png"));
+  writeChartData(chart, task.file(".csv"));
+  drawSheet({{task.file("_ours.png"), "This program"}, {reference, "Reference"}}, 2, 2 * kChartWidth,
+            task.file(".png"));
+  return {task.file(".png"), task.file("_ours.png"), task.file(".csv")};
+}
+
+Files drawKind(const FigureTask& task, const SurfaceChartSpec& spec) {
+  SurfaceCharts charts(task, spec);
+  Files files{task.file(".png")};
+  std::vector<SheetPanel> panels;
+  for (std::size_t k = 0; k < spec.times.size(); ++k) {
+    const Files made = drawWithData(charts.chart(spec.times[k]), task.file(fmt::format("_t{}.png", k + 1)));
+    files.insert(files.end(), made.begin(), made.end());
+    panels.push_back({made.front(), timeText(spec.times, spec.timeLabels, k)});
+  }
+  const int columns = spec.times.size() % 2 == 0 ? 2 : 1;
+  drawSheet(panels, columns, columns * kChartWidth, files.front());
+  return files;
+}
+
+}  // namespace burnish

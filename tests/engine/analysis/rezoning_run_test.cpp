@@ -1,0 +1,229 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "engine/core/error.h"
+#include "tests/engine/analysis/run_scene.h"
+#include "tests/engine/scene/scene_samples.h"
+
+/// Runs in which the body is meshed anew under way.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ScratchDirectory;
+using testing::HasSubstr;
+
+/// The ironing of an elastoplastic slab with new meshes, which have more spans than the first.
+const std::string kRezoned =
+    samples::ironing +
+    "rezoning: {travel: 0.1, spans: [32, 8]}\nmeasures: [{name: top, kind: extent, face: top}]\n";
+
+RunOptions haltAfter(int steps, int threads = 0) {
+  return {.threads = threads, .halt = [steps, taken = 0]() mutable { return ++taken >= steps; }};
+}
+
+RunSummary runTo(const fs::path& directory, const std::string& scene, const RunOptions& options = {}) {
+  RunObserver silent;
+  return runScene(parseScene(scene, "test.yaml"), directory, options, silent);
+}
+
+std::string bytes(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+double last(const HistoryTable& history, const std::string& column) {
+  return history.column(column).back();
+}
+
+/// Both formulations, as a line of a scene.
+class RezoningRuns : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Formulations, RezoningRuns,
+                         testing::Values("formulation: displacement\n", "formulation: fbar\n"),
+                         [](const auto& test) { return test.index == 0 ? "Displacement" : "Projected"; });
+
+TEST_P(RezoningRuns, ResumeWithTheSameBitsFromAnyMesh) {
+  const ScratchDirectory whole("rezoned_whole"), part("rezoned_part");
+  const RunSummary summary = runTo(whole.path(), GetParam() + kRezoned);
+  ASSERT_TRUE(summary.completed) << summary.stoppedBecause;
+  ASSERT_GE(summary.rezonings.size(), 3u);
+  EXPECT_EQ(summary.failedRezonings, 0) << summary.rezoningFailure;
+
+  RunSummary resumed = runTo(part.path(), GetParam() + kRezoned, haltAfter(1, 1));
+  RunObserver silent;
+  for (int halts = 0; resumed.halted; ++halts) {
+    ASSERT_LT(halts, 100);
+    resumed = resumeRun(readResultScene(part.path()), part.path(), haltAfter(1, 2), silent);
+  }
+  EXPECT_TRUE(resumed.completed);
+  EXPECT_EQ(resumed.rezonings.size(), summary.rezonings.size());
+  for (const auto& entry : fs::recursive_directory_iterator(whole.path())) {
+    if (!entry.is_regular_file() || entry.path().filename() == "summary.yaml") continue;
+    EXPECT_EQ(bytes(entry.path()), bytes(part.path() / fs::relative(entry.path(), whole.path())))
+        << entry.path();
+  }
+}
+
+TEST(RezoningRun, DoubtsAContactOfFewControlPointsOnceNoNewMeshIsFound) {
+  const std::string scene = samples::ironing + "rezoning: {travel: 0.1, smallest_determinant: 0.999}\n";
+  const ScratchDirectory whole("no_mesh_whole"), part("no_mesh_part");
+  const RunSummary summary = runTo(whole.path(), scene);
+  ASSERT_TRUE(summary.completed) << summary.stoppedBecause;
+  EXPECT_TRUE(summary.rezonings.empty());
+  EXPECT_GT(summary.failedRezonings, 0);
+  const HistoryTable history = readHistory(whole.path() / "history.csv");
+  const auto times = history.column("time"), active = history.column("active_control_points");
+  const double due = 1.25;  // after a travel of 0.1
+  int few = 0;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    few += times[k] > due + 1e-9 && active[k] > 0.0 && active[k] < 3.0 ? 1 : 0;
+  ASSERT_GT(few, 0);
+  const auto found = [](const RunSummary& s) {
+    const auto doubt = std::find_if(s.doubts.begin(), s.doubts.end(), [](const DoubtRecord& d) {
+      return d.what.starts_with("fewer than three control points");
+    });
+    return doubt == s.doubts.end() ? DoubtRecord{} : *doubt;
+  };
+  EXPECT_EQ(found(summary).steps, few);
+  EXPECT_GT(found(summary).firstTime, due);
+
+  RunSummary resumed = runTo(part.path(), scene, haltAfter(1));
+  RunObserver silent;
+  for (int halts = 0; resumed.halted; ++halts) {
+    ASSERT_LT(halts, 100);
+    resumed = resumeRun(readResultScene(part.path()), part.path(), haltAfter(1), silent);
+  }
+  EXPECT_EQ(found(resumed).steps, few);
+  EXPECT_EQ(found(resumed).firstTime, found(summary).firstTime);
+}
+
+TEST_P(RezoningRuns, KeepTheirBooks) {
+  const ScratchDirectory directory("rezoned_books");
+  const RunSummary summary = runTo(directory.path(), GetParam() + kRezoned);
+  const HistoryTable history = readHistory(directory.path() / "history.csv");
+  EXPECT_EQ(last(history, "rezonings"), static_cast<double>(summary.rezonings.size()));
+  double lost = 0.0, gapWork = 0.0;
+  for (const auto& rezoning : summary.rezonings) {
+    EXPECT_LT(std::abs(rezoning.volumeDrift), 1e-4);
+    EXPECT_LT(rezoning.boundaryError, 5e-3);  // of the fit, and the shift of control points into contact
+    EXPECT_GT(rezoning.quality, 0.3);
+    lost += rezoning.energyLost;
+    gapWork += rezoning.gapWork;
+  }
+  EXPECT_DOUBLE_EQ(last(history, "rezoning_energy_lost"), lost);
+  EXPECT_DOUBLE_EQ(last(history, "rezoning_gap_work"), gapWork);
+  const double work =
+      last(history, "external_work");  // from few and large steps: 1 to 3 % off on one mesh too
+  const double open = work - last(history, "strain_energy") - last(history, "plastic_work");
+  EXPECT_NEAR(open, 0.0, 0.03 * work);
+  EXPECT_NEAR(gapWork, 0.0, 1e-9 * work);  // new meshes begin in contact
+  EXPECT_EQ(last(history, "crosses_itself"), 0.0);
+  EXPECT_GT(last(history, "top.ymax"), 0.6);
+
+  // The first frames are of the model's mesh, the last ones of their own; displacements are those from the
+  // start.
+  const ResultReader result(directory.path());
+  EXPECT_FALSE(result.frame(0).mesh);
+  const FrameRecord end = result.frame(result.numFrames() - 1);
+  ASSERT_TRUE(end.mesh);
+  EXPECT_EQ(end.mesh->numNodes, 34 * 10);
+  const Eigen::MatrixXd& origin = end.mesh->patches.front().points;
+  EXPECT_NEAR(origin.row(0).maxCoeff(), 2.0, 2e-3);
+  EXPECT_NEAR(origin.row(1).minCoeff(), 0.0, 1e-4);
+  EXPECT_LT(end.displacement.rowwise().norm().maxCoeff(), 0.5 * std::sqrt(340.0));
+  EXPECT_EQ(readSummary(directory.path()).rezonings.size(), summary.rezonings.size());
+}
+
+/// Nothing is invented by the transfer: an elastic body answers as on one mesh, which is finer as new meshes
+/// are under the tool.
+TEST_P(RezoningRuns, ElasticBodiesAnswerAsOnOneMesh) {
+  const std::string elastic =
+      GetParam() +
+      samples::replaced(samples::replaced(samples::ironing,
+                                          samples::ironing.substr(samples::ironing.find("  law: j2"),
+                                                                  samples::ironing.find("supports") -
+                                                                      samples::ironing.find("  law: j2")),
+                                          "  {law: neo-hookean, E: 1.0, nu: 0.3}\n"),
+                        "[30, 8]", "[40, 12]");
+  const ScratchDirectory fixed("elastic_fixed"), rezoned("elastic_rezoned");
+  runTo(fixed.path(), samples::replaced(elastic, "[40, 12]", "[79, 23]"));
+  const RunSummary summary = runTo(rezoned.path(), elastic + "rezoning: {travel: 0.1}\n");
+  ASSERT_GE(summary.rezonings.size(), 3u);
+  const HistoryTable one = readHistory(fixed.path() / "history.csv");
+  const HistoryTable many = readHistory(rezoned.path() / "history.csv");
+  EXPECT_NEAR(last(many, "disc.fy"), last(one, "disc.fy"), 0.005 * last(one, "disc.fy"));
+  EXPECT_NEAR(last(many, "strain_energy"), last(one, "strain_energy"), 0.003 * last(one, "strain_energy"));
+}
+
+/// The disc, or a ball, is pressed in alone.
+std::string pressed(const std::string& keys, const std::string& center) {
+  std::string scene = samples::replaced(keys + samples::ironing, "functions: [30, 8]", "functions: [31, 9]");
+  scene = samples::replaced(scene, "x: [0, 0, 0.4], y: [0, -0.03, -0.03]", "y: [0, -0.03, -0.06]");
+  return samples::replaced(scene, "center: [0.7, 1.1]", center) + "rezoning: {travel: 0.02}\n";
+}
+
+TEST_P(RezoningRuns, LagrangeElementsAndAxisymmetricBodiesAreMeshedAnewToo) {
+  const std::string ball = samples::replaced(pressed("kinematics: axisymmetric\n", "center: [0.0, 1.1]"),
+                                             "fix: [x, y]}", "fix: [x, y]}, {face: left, fix: [x]}");
+  for (const std::string& one : {pressed("basis: lagrange\n", "center: [1.0, 1.1]"), ball}) {
+    const std::string scene = GetParam() + one;
+    const ScratchDirectory directory("rezoned_other");
+    const RunSummary summary = runTo(directory.path(), scene);
+    EXPECT_TRUE(summary.completed) << scene << summary.stoppedBecause;
+    EXPECT_GE(summary.rezonings.size(), 1u) << scene << summary.rezoningFailure;
+    const HistoryTable history = readHistory(directory.path() / "history.csv");
+    const double work = last(history, "external_work");
+    EXPECT_NEAR(last(history, "strain_energy") + last(history, "plastic_work"), work, 0.05 * work) << scene;
+    for (const auto& rezoning : summary.rezonings) EXPECT_LT(std::abs(rezoning.volumeDrift), 1e-3) << scene;
+  }
+}
+
+TEST(RezoningScenes, SayWhatTheyCannotHave) {
+  const auto mistake = [](const std::string& scene) {
+    try {
+      parseScene(scene, "test.yaml");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(mistake(kRezoned), "");
+  EXPECT_THAT(mistake(samples::replaced(kRezoned, "kind: extent, face: top", "kind: face, face: top")),
+              HasSubstr("measures[0]: found a measure of points of the undeformed mesh"));
+  EXPECT_THAT(mistake(samples::replaced(kRezoned, "output:", "loads: [{face: left, pressure: 1}]\noutput:")),
+              HasSubstr("loads: found loads"));
+  EXPECT_THAT(
+      mistake(samples::replaced(kRezoned, "face: top}]\nsteps", "face: top, method: penalty}]\nsteps")),
+      HasSubstr("contact[0].method: found a penalty method"));
+  EXPECT_THAT(mistake(samples::replaced(kRezoned, "contact: [{tool: disc, face: top}]", "contact: []")),
+              HasSubstr("rezoning: found in a scene without contact"));
+}
+
+TEST(RezonedRun, WarnsOfMeshesThatDoNotFitTheBody) {
+  const ScratchDirectory directory("coarse_boundary");
+  const RunSummary summary =
+      runTo(directory.path(), samples::replaced(kRezoned, "spans: [32, 8]", "spans: [3, 2]"));
+  std::string doubts;
+  for (const auto& doubt : summary.doubts) doubts += doubt.what + "\n";
+  EXPECT_THAT(doubts, HasSubstr("farther than 0.5 % of the body's size from the old one"));
+}
+
+TEST(RunsOnOneMesh, NameRezoningWhenTheMeshHasLostTheContact) {
+  const ScratchDirectory directory("lost_resolution");
+  std::string scene = samples::replaced(samples::ironing, "[30, 8]", "[8, 4]");
+  scene = samples::replaced(scene, "y: [0, -0.03, -0.03]", "y: [0, -0.06, -0.06]");
+  const RunSummary summary = runTo(directory.path(), scene);
+  std::string doubts;
+  for (const auto& doubt : summary.doubts) doubts += doubt.what + "\n";
+  EXPECT_THAT(doubts, HasSubstr("`rezoning: {}`"));
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,246 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/contact/self_contact_term.h"
+#include "engine/nurbs/refinement.h"
+#include "engine/nurbs/shapes.h"
+#include "tests/engine/solid/term_check.h"
+
+namespace burnish {
+namespace {
+
+/// A ring around a flat hole, open on its right, around the place `at`: two jaws that
+/// face each other across the hole. Rational.
+Body<2> jaws(int degree, BasisFamily family, const Eigen::Vector2d& at = {3.0, 0.0}) {
+  const Patch<2> sheet = rectangle({1.0, 0.5}, {0.5, 5.3});  // radii and angles
+  const KnotVector across = KnotVector::uniform(degree, 2), around = KnotVector::uniform(degree, 12);
+  const Patch<2> polar =
+      family == BasisFamily::BSpline
+          ? refined(sheet, {across, around})
+          : lagrangeInterpolant(sheet, degree,
+                                {across.breakpoints(), KnotVector::uniform(1, 12).breakpoints()});
+  Eigen::MatrixXd points = polar.points();
+  for (auto point : points.colwise())
+    point = at + point(0) * Eigen::Vector2d(std::cos(point(1)), 0.2 * std::sin(point(1)));
+  Eigen::VectorXd weights = polar.weights();
+  for (Eigen::Index a = 0; a < weights.size(); ++a)
+    weights(a) += 0.1 * std::sin(3.0 * static_cast<double>(a));
+  return makeBody(Patch<2>(polar.basis(), std::move(points), std::move(weights)));
+}
+
+constexpr FaceId kInner = 0;
+
+struct Case {
+  BasisFamily family;
+  int degree;
+  bool axisymmetric = false;
+  Eigen::Vector2d at = {3.0, 0.0};
+  double gapLimit = std::numeric_limits<double>::infinity();
+};
+
+/// The jaws in a random state near the reference, with multipliers that press wherever there are partners.
+struct Pressed {
+  Body<2> body;
+  SelfContactTerm term;
+  Eigen::VectorXd x;
+
+  explicit Pressed(const Case& c)
+      : body([&] {
+          Body<2> made = jaws(c.degree, c.family, c.at);
+          made.axisymmetric = c.axisymmetric;
+          return made;
+        }()),
+        term(body, 0, kInner, {10.0, 0.6, 0, c.gapLimit}, 2 * body.numNodes),
+        x(test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11)) {
+    x.tail(term.numMultipliers()).array() -= 8.0;
+  }
+};
+
+/// Most gaps count in part.
+const Case kLimited{BasisFamily::BSpline, 2, false, {3.0, 0.0}, 0.7};
+
+class SelfContact : public testing::TestWithParam<Case> {};
+
+TEST_P(SelfContact, TangentAgreesWithCentralDifferencesAndIsSymmetric) {
+  Pressed pressed(GetParam());
+  EXPECT_LT(test::tangentError(pressed.term, 0.0, pressed.x, 1e-6), 1e-6);
+  EXPECT_LT(test::asymmetry(test::tangentOf(pressed.term, 0.0, pressed.x)), 1e-12);
+  EXPECT_GT(pressed.term.state().numActive(), 3);
+}
+
+TEST_P(SelfContact, ForcesAreInBalance) {
+  Pressed pressed(GetParam());
+  const Eigen::VectorXd force = test::forceOf(pressed.term, 0.0, pressed.x);
+  const Eigen::Index n = pressed.body.numNodes;
+  const Eigen::Matrix2Xd forces = force.head(2 * n).reshaped(2, n);
+  const Eigen::Matrix2Xd places = pressed.body.nodePositions() + pressed.x.head(2 * n).reshaped(2, n);
+  const double scale = forces.norm();
+  ASSERT_GT(scale, 1.0);
+  EXPECT_LT(forces.rowwise().sum().norm(), 1e-12 * scale);
+  EXPECT_LT(std::abs(places.row(0).dot(forces.row(1)) - places.row(1).dot(forces.row(0))),
+            1e-12 * scale * places.norm());
+  EXPECT_GT(pressed.term.state().force.norm(), 1.0);
+}
+
+TEST_P(SelfContact, ForcesAreTheDerivativeOfTheAveragedGaps) {
+  Pressed pressed(GetParam());
+  const auto energy = [&](const Eigen::VectorXd& x) {
+    static_cast<void>(test::forceOf(pressed.term, 0.0, x));
+    const SelfContactState& state = pressed.term.state();
+    double work = 0.0;
+    const Eigen::VectorXd force = test::forceOf(pressed.term, 0.0, x);
+    for (int A = 0; A < pressed.term.numMultipliers(); ++A) {
+      if (!state.active[static_cast<std::size_t>(A)]) continue;
+      const double G = force(pressed.term.firstMultiplier() + A), g = state.averageGap(A);
+      work += x(pressed.term.firstMultiplier() + A) * G + 0.5 * 10.0 * g * G;
+    }
+    return work;
+  };
+  const Eigen::VectorXd direction = test::randomState(2 * pressed.body.numNodes, 1.0, 5);
+  constexpr double h = 1e-6;
+  Eigen::VectorXd forward = pressed.x, backward = pressed.x;
+  forward.head(direction.size()) += h * direction;
+  backward.head(direction.size()) -= h * direction;
+  const double difference = (energy(forward) - energy(backward)) / (2.0 * h);
+  const double force = test::forceOf(pressed.term, 0.0, pressed.x).head(direction.size()).dot(direction);
+  EXPECT_NEAR(force, difference, 1e-7 * std::abs(force));
+}
+
+INSTANTIATE_TEST_SUITE_P(Bases, SelfContact,
+                         testing::Values(Case{BasisFamily::BSpline, 2}, Case{BasisFamily::BSpline, 3},
+                                         Case{BasisFamily::BSpline, 4}, Case{BasisFamily::Lagrange, 1},
+                                         Case{BasisFamily::Lagrange, 2}, Case{BasisFamily::BSpline, 2, true},
+                                         Case{BasisFamily::Lagrange, 2, true}, kLimited,
+                                         Case{BasisFamily::Lagrange, 2, true, {3.0, 0.0}, 0.7}));
+
+// Slaves above a ridge of linear elements are closest to its edge.
+class SelfContactAboveAKink : public testing::TestWithParam<double> {};
+
+TEST_P(SelfContactAboveAKink, TangentAgreesWithCentralDifferences) {
+  const Body<2> smooth = jaws(1, BasisFamily::Lagrange);
+  const Patch<2>& patch = smooth.patches.front();
+  const int ridge = faceFunctions(patch.basis(), kInner)[9];
+  Eigen::MatrixXd points = patch.points();
+  points(1, ridge) += 0.12;
+  const Body<2> body = makeBody(Patch<2>(patch.basis(), points, patch.weights()));
+  SelfContactTerm term(body, 0, kInner, {10.0, 0.6, 0, GetParam()}, 2 * body.numNodes);
+  Eigen::VectorXd x = test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11);
+  x.tail(term.numMultipliers()).array() -= 8.0;
+  EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
+  static_cast<void>(test::forceOf(term, 0.0, x));
+  const Eigen::Vector2d edge = points.col(ridge) + x.segment<2>(2 * ridge);
+  Eigen::Index q = 0;
+  EXPECT_LT((term.state().partner.colwise() - edge).colwise().norm().minCoeff(&q), 1e-14);
+  EXPECT_GT(term.state().pressure(q), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(GapLimits, SelfContactAboveAKink,
+                         testing::Values(std::numeric_limits<double>::infinity(), 0.4));
+
+TEST(SelfContactPartners, DoNotDependOnTheOrigin) {
+  Pressed here({BasisFamily::BSpline, 2}), there({BasisFamily::BSpline, 2, false, {3000.0, 1000.0}});
+  static_cast<void>(test::forceOf(here.term, 0.0, here.x));
+  bool admissible = false;
+  static_cast<void>(test::forceOf(there.term, 0.0, there.x, &admissible));
+  ASSERT_TRUE(admissible);
+  EXPECT_EQ(here.term.state().active, there.term.state().active);
+  for (Eigen::Index q = 0; q < here.term.state().gap.size(); ++q) {
+    const double gap = here.term.state().gap(q);
+    EXPECT_EQ(std::isfinite(there.term.state().gap(q)), std::isfinite(gap));
+    if (!std::isfinite(gap)) continue;
+    EXPECT_NEAR(there.term.state().gap(q), gap, 1e-10);
+  }
+}
+
+TEST(SelfContactPartners, OpenPlacesBearNoPressure) {
+  int full = 0, part = 0, open = 0;
+  for (const double share : {0.7, 0.25}) {
+    Case limited = kLimited;
+    limited.gapLimit = share;
+    Pressed pressed(limited);
+    static_cast<void>(test::forceOf(pressed.term, 0.0, pressed.x));
+    const SelfContactState& state = pressed.term.state();
+    for (const auto& span : pressed.term.face().spans())
+      for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+        const double gap = state.gap(span.firstPoint + q), limit = share * span.size;
+        const double uncounted = -span.R.col(q).dot(state.lambdaHat(span.functions));
+        if (!std::isfinite(gap) || uncounted == 0.0) continue;
+        (gap < limit ? full : gap < 3.0 * limit ? part : open) += 1;
+        const double slope = gap < 3.0 * limit ? countedGap(gap, limit).slope : 0.0;
+        EXPECT_NEAR(state.pressure(span.firstPoint + q), slope * uncounted, 1e-12 * uncounted);
+      }
+  }
+  EXPECT_GT(full, 0);
+  EXPECT_GT(part, 0);
+  EXPECT_GT(open, 0);
+}
+
+// A function over open places only would have an empty row.
+TEST(SelfContactPartners, WhatIsOpenIsNotActive) {
+  Case narrow = kLimited;
+  narrow.gapLimit = 1e-3;
+  Pressed pressed(narrow);
+  static_cast<void>(test::forceOf(pressed.term, 0.0, pressed.x));
+  EXPECT_EQ(pressed.term.state().numActive(), 0);
+}
+
+// In front of a corner of elements that are continuous only, the corner is the closest point.
+TEST(SurfaceCurve, ProjectsOnKinks) {
+  const Patch<1, 2> roof(TensorBasis<1>({UnivariateBasis::lagrange(1, {0.0, 1.0, 2.0})}),
+                         (Eigen::MatrixXd(2, 3) << 0.0, 1.0, 2.0, 0.0, 0.5, 0.0).finished(),
+                         Eigen::VectorXd::Ones(3));
+  const SurfaceCurve curve(roof, -1.0);
+  for (const double start : {0.1, 0.9, 1.0, 1.5, 1.9}) {
+    const auto kink = curve.project({1.05, 0.8}, start);
+    ASSERT_TRUE(kink.has_value()) << start;
+    EXPECT_TRUE(kink->isKink);
+    EXPECT_LT((kink->x - Eigen::Vector2d(1.0, 0.5)).norm(), 1e-15);
+    EXPECT_LT((kink->normal - Eigen::Vector2d(0.05, 0.3).normalized()).norm(), 1e-14);
+  }
+  const auto foot = curve.project({0.4, 0.4}, 0.9);
+  ASSERT_TRUE(foot.has_value());
+  EXPECT_FALSE(foot->isKink);
+  EXPECT_NEAR((Eigen::Vector2d(0.4, 0.4) - foot->x).dot(Eigen::Vector2d(1.0, 0.5)), 0.0, 1e-14);
+}
+
+TEST(SelfContactPartners, OuterFaceHasNone) {
+  const Body<2> body = jaws(2, BasisFamily::BSpline);
+  SelfContactTerm term(body, 0, 1, {10.0, 0.6, 0}, 2 * body.numNodes);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers());
+  static_cast<void>(test::forceOf(term, 0.0, x));
+  EXPECT_TRUE((term.state().gap.array() > 1e300).all());
+}
+
+TEST(SelfContactPartners, GapIsTheWidthOfTheHole) {
+  const Body<2> body = jaws(3, BasisFamily::BSpline, {0.0, 0.0});
+  SelfContactTerm term(body, 0, kInner, {10.0, 0.6, 0}, 2 * body.numNodes);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers());
+  static_cast<void>(test::forceOf(term, 0.0, x));
+  const auto trace = tracePatch(body.patches.front(), kInner);
+  const Eigen::Matrix2Xd places = term.positionsApart(0.0);
+  Eigen::Index top = 0;
+  const double height = places.row(1).maxCoeff(&top);
+  double nearest = 1.0;
+  for (int k = 0; k <= 20000; ++k) {
+    const Eigen::Vector2d place = trace.position(Eigen::Vector<double, 1>(k / 20000.0));
+    if (place(1) < -0.5 * height) nearest = std::min(nearest, (place - places.col(top)).norm());
+  }
+  EXPECT_NEAR(term.state().gap(top), nearest, 1e-6);
+}
+
+TEST(SelfContactPartners, SidesOfAThinTipAreNone) {
+  const Body<2> body = jaws(2, BasisFamily::BSpline, {0.0, 0.0});
+  Eigen::MatrixXd points = body.patches.front().points();
+  points.row(1) *= 0.1;
+  const Body<2> needle =
+      makeBody(Patch<2>(body.patches.front().basis(), points, body.patches.front().weights()));
+  SelfContactTerm term(needle, 0, 1, {10.0, 0.6, 0}, 2 * needle.numNodes);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * needle.numNodes + term.numMultipliers());
+  static_cast<void>(test::forceOf(term, 0.0, x));
+  EXPECT_TRUE((term.state().gap.array() > 1e300).all());
+}
+
+}  // namespace
+}  // namespace burnish

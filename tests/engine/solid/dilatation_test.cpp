@@ -1,0 +1,315 @@
+// The projected formulation (F-bar) beside the displacement formulation: tangents, energies, the space of J̄,
+// and what it is for, a nearly incompressible body that does not lock.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <array>
+#include <cmath>
+
+#include "engine/nurbs/refinement.h"
+#include "engine/nurbs/shapes.h"
+#include "engine/solid/bulk_term.h"
+#include "engine/solid/dead_load.h"
+#include "engine/solid/dilatation_projection.h"
+#include "engine/solid/joined_body.h"
+#include "engine/solver/newton.h"
+#include "tests/engine/solid/term_check.h"
+
+namespace burnish {
+namespace {
+
+Body<2> lagrangeRing(int degree) {
+  return makeBody(lagrangeInterpolant(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.0), degree,
+                                      {{0.0, 0.4, 1.0}, {0.0, 0.5, 1.0}}));
+}
+
+Body<3> shell(int degree) {
+  return makeBody(
+      refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.5, {0.0, 1.0}, {0.0, 1.0}),
+              {KnotVector::uniform(degree, 2), KnotVector::uniform(2, 1), KnotVector::uniform(2, 2)}));
+}
+
+template <int Dim>
+Body<Dim> axisymmetric(Body<Dim> body) {
+  body.axisymmetric = true;
+  return body;
+}
+
+Material rubber() {
+  return NeoHookean(1.0, 0.3);
+}
+Material metal() {
+  return J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0});
+}
+
+/// A stretch along the first axis with a disturbance, far beyond yield for the metal.
+template <int Dim>
+Eigen::VectorXd stretched(const Body<Dim>& body, double stretch, double disturbance) {
+  Eigen::VectorXd x = test::randomState(Dim * body.numNodes, disturbance, 4);
+  for (int a = 0; a < body.numNodes; ++a) x(Dim * a) += stretch * body.patches[0].points()(0, a);
+  return x;
+}
+
+/// Largest error of the tangent, and its largest deviation from symmetry, over both laws.
+template <int Dim>
+void expectConsistentTangent(const Body<Dim>& body, Formulation formulation) {
+  const SpanQuadrature<Dim> quadrature(body);
+  const auto elastic = makeBulkTerm(body, quadrature, rubber(), formulation);
+  const Eigen::VectorXd x = test::randomState(Dim * body.numNodes, 0.03, 1);
+  EXPECT_LT(test::tangentError(*elastic, 0.0, x, 1e-6), 1e-7);
+  EXPECT_LT(test::asymmetry(test::tangentOf(*elastic, 0.0, x)), 1e-13);
+
+  const auto plastic = makeBulkTerm(body, quadrature, metal(), formulation);
+  const Eigen::VectorXd y = stretched(body, 0.08, 0.004);
+  ASSERT_TRUE(test::forceOf(*plastic, 0.0, y).allFinite());
+  plastic->accept();
+  ASSERT_GT(plastic->summary().maxPlasticStrain, 0.03);
+  EXPECT_LT(test::tangentError(*plastic, 0.0, 1.3 * y, 1e-6), 1e-6);
+  EXPECT_LT(test::asymmetry(test::tangentOf(*plastic, 0.0, 1.3 * y)), 1e-12);
+}
+
+/// Derivative of the stored energy along a direction, by central differences.
+double energySlope(BulkTerm<2>& term, const Eigen::VectorXd& x, const Eigen::VectorXd& direction) {
+  const auto energy = [&](double s) {
+    static_cast<void>(test::forceOf(term, 0.0, x + s * direction));
+    return term.summary().strainEnergy;
+  };
+  const double h = 1e-5;
+  return (energy(h) - energy(-h)) / (2.0 * h);
+}
+
+class BulkTangent : public testing::TestWithParam<Formulation> {};
+
+TEST_P(BulkTangent, AgreesWithCentralDifferencesInThePlane) {
+  for (int degree = 1; degree <= 3; ++degree) expectConsistentTangent(test::ring(degree), GetParam());
+  expectConsistentTangent(lagrangeRing(2), GetParam());
+}
+
+TEST_P(BulkTangent, AgreesWithCentralDifferencesInAxisymmetry) {
+  for (int degree = 1; degree <= 3; ++degree)
+    expectConsistentTangent(axisymmetric(test::ring(degree)), GetParam());
+  expectConsistentTangent(axisymmetric(lagrangeRing(2)), GetParam());
+}
+
+TEST_P(BulkTangent, AgreesWithCentralDifferencesInThreeDimensions) {
+  expectConsistentTangent(shell(1), GetParam());
+  expectConsistentTangent(shell(2), GetParam());
+}
+
+TEST_P(BulkTangent, ForceIsTheDerivativeOfTheStoredEnergy) {
+  for (const Body<2>& body : {test::ring(2), axisymmetric(test::ring(3))}) {
+    const SpanQuadrature<2> quadrature(body);
+    const auto term = makeBulkTerm(body, quadrature, rubber(), GetParam());
+    const Eigen::VectorXd x = test::randomState(2 * body.numNodes, 0.03, 5),
+                          direction = test::randomState(x.size(), 1.0, 6);
+    const double slope = energySlope(*term, x, direction);
+    EXPECT_NEAR(slope, test::forceOf(*term, 0.0, x).dot(direction), 1e-7 * std::abs(slope));
+  }
+}
+
+TEST_P(BulkTangent, HasTheSameBitsWithAnyNumberOfThreads) {
+  const Body<2> body = test::ring(3);
+  const SpanQuadrature<2> quadrature(body);
+  const auto term = makeBulkTerm(body, quadrature, rubber(), GetParam());
+  const Eigen::VectorXd x = test::randomState(2 * body.numNodes, 0.03, 9);
+  const Eigen::MatrixXd several = test::tangentOf(*term, 0.0, x);
+  const Eigen::VectorXd force = test::forceOf(*term, 0.0, x);
+  const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(test::tangentOf(*term, 0.0, x), several);
+  EXPECT_EQ(test::forceOf(*term, 0.0, x), force);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formulations, BulkTangent,
+                         testing::Values(Formulation::Displacement, Formulation::ProjectedDilatation),
+                         [](const auto& formulation) {
+                           return formulation.param == Formulation::Displacement ? "Displacement"
+                                                                                 : "Projected";
+                         });
+
+TEST(DilatationProjection, KeepsSplinesOfOneDegreeLessAndAllIntegrals) {
+  for (const Body<2>& body :
+       {test::ring(1), test::ring(2), test::ring(3), axisymmetric(test::ring(3)), lagrangeRing(3)}) {
+    const SpanQuadrature<2> quadrature(body);
+    const DilatationProjection<2> projection(body, quadrature);
+    Eigen::VectorXd weights(quadrature.numPoints()), spline(weights.size());
+    const Eigen::VectorXd coefficients = test::randomState(projection.numFunctions(), 1.0, 7);
+    for (std::size_t e = 0; e < projection.spans().size(); ++e) {
+      const auto& span = quadrature.spans()[e];
+      weights.segment(span.firstPoint, span.weights.size()) = span.weights;
+      spline.segment(span.firstPoint, span.weights.size()) =
+          projection.spans()[e].N.transpose() * coefficients(projection.spans()[e].functions);
+    }
+    EXPECT_LT((projection.project(quadrature, spline) - spline).cwiseAbs().maxCoeff(), 1e-12);
+    const Eigen::VectorXd field = test::randomState(weights.size(), 1.0, 8);
+    EXPECT_NEAR(weights.dot(projection.project(quadrature, field)), weights.dot(field), 1e-12);
+    EXPECT_GT((projection.project(quadrature, field) - field).norm(), 0.1 * field.norm());
+  }
+}
+
+TEST(DilatationProjection, HasTheDerivativesOfTheBodysFunctions) {
+  const auto basis = UnivariateBasis::bspline(withKnots(KnotVector::uniform(3, 4), {0.5}));
+  const auto space = basis.derivativeSpace();
+  EXPECT_EQ(space.degree(), 2);
+  EXPECT_EQ(space.numFunctions(), basis.numFunctions() - 1);
+  const auto elements = UnivariateBasis::lagrange(2, {0.0, 0.3, 1.0}).derivativeSpace();
+  EXPECT_EQ(elements.degree(), 1);
+  EXPECT_EQ(elements.numFunctions(), 4) << "two on each element, not joined";
+  EXPECT_EQ(UnivariateBasis::lagrange(1, {0.0, 0.3, 1.0}).derivativeSpace().numFunctions(), 2);
+  EXPECT_NEAR(elements.evaluate(1, 0.7, 0).sum(), 1.0, 1e-15);
+}
+
+TEST(ProjectedTerm, RefusesAStateThatIsInsideOut) {
+  const Body<2> body = makeBody(rectangle({0.0, 0.0}, {1.0, 1.0}));
+  const SpanQuadrature<2> quadrature(body);
+  const auto term = makeBulkTerm(body, quadrature, rubber(), Formulation::ProjectedDilatation);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(8);
+  x(4 + 1) = x(6 + 1) = -1.5;
+  bool admissible = true;
+  static_cast<void>(test::forceOf(*term, 0.0, x, &admissible));
+  EXPECT_FALSE(admissible);
+}
+
+/// One span of degree 2.
+Body<2> unitSquare(const Eigen::Vector2d& corner) {
+  return makeBody(
+      refined(rectangle(corner, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 1)}));
+}
+
+/// u_x = a X P(Y) with P of mean zero and orthogonal to linear functions: on a unit square in the plane
+/// J = 1 + a P, but J̄ = 1.
+Eigen::VectorXd unseenDilatation(const Body<2>& body, double a) {
+  // Bernstein coefficients of Y² − Y + 1/6, and of X.
+  const std::array quadratic{1.0 / 6.0, -1.0 / 3.0, 1.0 / 6.0}, linear{0.0, 0.5, 1.0};
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes);
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < 3; ++i)
+      x(static_cast<Eigen::Index>(2 * (3 * j + i))) = a * linear[i] * quadratic[j];
+  return x;
+}
+
+TEST(ProjectedTerm, ResistsLargeChangesOfVolumeThatTheProjectionDoesNotSee) {
+  const double mu = 1.0 / 2.6;  // of `rubber`
+  const Body<2> body = unitSquare({0.0, 0.0});
+  const SpanQuadrature<2> quadrature(body);
+  const auto term = makeBulkTerm(body, quadrature, rubber(), Formulation::ProjectedDilatation);
+  const auto& span = quadrature.spans().front();
+  for (const double a : {0.1, 3.0, 10.0}) {
+    ASSERT_TRUE(test::forceOf(*term, 0.0, unseenDilatation(body, a)).allFinite());
+    double expected = 0.0, lawAlone = 0.0;
+    for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
+      const double X = span.xi(0, q), Y = span.xi(1, q), J = 1.0 + a * (Y * Y - Y + 1.0 / 6.0);
+      EXPECT_NEAR(term->jacobians()[static_cast<std::size_t>(q)], J, 1e-14);
+      const double shear = a * X * (2.0 * Y - 1.0), traceOfC = (J * J + shear * shear + 1.0) / J;
+      lawAlone += span.weights(q) * mu / 2.0 * (traceOfC - 2.0);
+      expected += span.weights(q) * mu / 4.0 * std::pow(std::log(J), 4);
+    }
+    expected += lawAlone;
+    EXPECT_NEAR(term->summary().strainEnergy, expected, 1e-12 * expected) << a;
+    if (a == 0.1) {
+      EXPECT_LT(expected, 1.00001 * lawAlone) << "small ones are free";
+    }
+    if (a == 10.0) {
+      EXPECT_GT(expected, 1.1 * lawAlone);
+    }
+  }
+}
+
+TEST(ProjectedTerm, TangentIsRightWhereTheVolumeChangesMuchWithinASpan) {
+  for (const bool isAxisymmetric : {false, true}) {
+    Body<2> body = unitSquare({1.0, 0.0});
+    body.axisymmetric = isAxisymmetric;
+    const SpanQuadrature<2> quadrature(body);
+    const Eigen::VectorXd x = unseenDilatation(body, 6.0) + test::randomState(2 * body.numNodes, 0.05, 1);
+    for (const Material& material : {rubber(), metal()}) {
+      const auto term = makeBulkTerm(body, quadrature, material, Formulation::ProjectedDilatation);
+      ASSERT_TRUE(test::forceOf(*term, 0.0, x).allFinite());
+      ASSERT_LT(term->summary().minJ, 0.6);
+      EXPECT_LT(test::tangentError(*term, 0.0, x, 1e-6), 1e-6);
+      EXPECT_LT(test::asymmetry(test::tangentOf(*term, 0.0, x)), 1e-12);
+    }
+  }
+}
+
+TEST(ProjectedTerm, ForceIsTheDerivativeOfTheEnergyWhereTheVolumeChangesMuchWithinASpan) {
+  const Body<2> body = unitSquare({0.0, 0.0});
+  const SpanQuadrature<2> quadrature(body);
+  const auto term = makeBulkTerm(body, quadrature, rubber(), Formulation::ProjectedDilatation);
+  const Eigen::VectorXd x = unseenDilatation(body, 6.0) + test::randomState(2 * body.numNodes, 0.05, 1),
+                        direction = test::randomState(x.size(), 1.0, 6);
+  EXPECT_NEAR(energySlope(*term, x, direction), test::forceOf(*term, 0.0, x).dot(direction), 1e-7);
+}
+
+TEST(ProjectedTerm, StoresTheCauchyStressOfTheLaw) {
+  const Body<2> body = test::ring(2);
+  const SpanQuadrature<2> quadrature(body);
+  const auto projected =
+      makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.45), Formulation::ProjectedDilatation);
+  const auto plain = makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.45), Formulation::Displacement);
+  const auto largestDifference = [&](const Eigen::VectorXd& x) {
+    static_cast<void>(test::forceOf(*projected, 0.0, x));
+    static_cast<void>(test::forceOf(*plain, 0.0, x));
+    double difference = 0.0;
+    for (std::size_t q = 0; q < plain->jacobians().size(); ++q) {
+      EXPECT_EQ(projected->jacobians()[q], plain->jacobians()[q]) << "the true J";
+      difference =
+          std::max(difference, (projected->kirchhoffStress()[q] - plain->kirchhoffStress()[q]).norm());
+    }
+    return difference;
+  };
+  Eigen::VectorXd uniform(2 * body.numNodes);
+  for (int a = 0; a < body.numNodes; ++a) uniform.segment<2>(2 * a) = 0.1 * body.patches[0].points().col(a);
+  EXPECT_LT(largestDifference(uniform), 1e-13) << "J is constant, so J̄ = J";
+  EXPECT_GT(largestDifference(uniform + test::randomState(uniform.size(), 0.02, 3)), 0.01);
+}
+
+/// Cook's membrane, 48 x (44 … 60), clamped at the left and lightly sheared on the right: rise of its upper
+/// right corner.
+double cooksRise(int degree, int spans, Formulation formulation) {
+  const Patch<2> square = rectangle({0.0, 0.0}, {1.0, 1.0});
+  Eigen::MatrixXd corners(2, 4);
+  corners << 0.0, 48.0, 0.0, 48.0, 0.0, 44.0, 44.0, 60.0;
+  const Body<2> body =
+      makeBody(refined(Patch<2>(square.basis(), corners, square.weights()),
+                       {KnotVector::uniform(degree, spans), KnotVector::uniform(degree, spans)}));
+  const SpanQuadrature<2> quadrature(body);
+  const auto bulk = makeBulkTerm(body, quadrature, NeoHookean(240.565, 0.4999), formulation);
+  DeadLoad<2> load(body, FaceQuadrature<2>(body, 0, faceFromName<2>("right"), 0),
+                   {Formula(FormulaText{"0"}), Formula(FormulaText{"0.0625"})}, {});
+  const int size = 2 * body.numNodes;
+  std::vector<bool> prescribed(static_cast<std::size_t>(size), false);
+  for (const int a : faceFunctions(body.patches[0].basis(), faceFromName<2>("left")))
+    prescribed[static_cast<std::size_t>(2 * a)] = prescribed[static_cast<std::size_t>(2 * a + 1)] = true;
+  const Eigen::VectorXd held = Eigen::VectorXd::Zero(size);
+  Newton newton({bulk.get(), &load}, prescribed, {size, 1e-9, Eigen::VectorXd::Zero(size), {}},
+                {.tolerance = 1e-7});
+  Eigen::VectorXd x = held;
+  EXPECT_EQ(newton.solve(1.0, held, x).outcome, NewtonOutcome::Converged);
+  return x(size - 1);
+}
+
+/// A node of a collapsed edge stands several times in the spans beside it.
+TEST(ProjectedTerm, TangentIsRightWhereAnEdgeIsCollapsed) {
+  auto sector = annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 1.0);
+  Eigen::MatrixXd points = sector.points();
+  for (const int a : faceFunctions(sector.basis(), faceFromName<2>("left"))) points.col(a).setZero();
+  const Patch<2> coarse(sector.basis(), points, sector.weights());
+  for (const int spans : {1, 3}) {
+    const Body<2> body = joinedBody<2>(
+        {refined(coarse, {KnotVector::uniform(2, spans), KnotVector::uniform(2, spans)})}, {""});
+    ASSERT_LT(body.numNodes, body.patches[0].basis().numFunctions());
+    const SpanQuadrature<2> quadrature(body);
+    const auto term = makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.3), Formulation::ProjectedDilatation);
+    EXPECT_LT(test::tangentError(*term, 0.0, test::randomState(2 * body.numNodes, 0.01, 5), 1e-6), 1e-6);
+  }
+}
+
+TEST(ProjectedTerm, DoesNotLockInANearlyIncompressibleBody) {
+  const double fine = cooksRise(3, 16, Formulation::ProjectedDilatation);
+  EXPECT_NEAR(cooksRise(2, 8, Formulation::ProjectedDilatation), fine, 0.025 * fine);
+  EXPECT_NEAR(cooksRise(1, 8, Formulation::ProjectedDilatation), fine, 0.05 * fine);
+  EXPECT_LT(cooksRise(2, 8, Formulation::Displacement), 0.85 * fine) << "locks";
+  EXPECT_LT(cooksRise(1, 8, Formulation::Displacement), 0.3 * fine) << "locks worse";
+}
+
+}  // namespace
+}  // namespace burnish

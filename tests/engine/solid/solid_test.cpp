@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "engine/core/error.h"
+#include "engine/fields/projection.h"
+#include "engine/fields/span_extremes.h"
+#include "engine/nurbs/refinement.h"
+#include "engine/nurbs/shapes.h"
+#include "engine/solid/displacement_term.h"
+#include "engine/solid/span_kernel.h"
+#include "engine/solid/tensor_kernel.h"
+#include "tests/engine/solid/term_check.h"
+
+namespace burnish {
+namespace {
+
+Body<3> shell() {
+  return makeBody(refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.5, {0.0, 1.0}, {0.0, 1.0}),
+                          {KnotVector::uniform(1, 1), KnotVector::uniform(2, 1), KnotVector::uniform(2, 2)}));
+}
+
+/// A block with uneven faces and another weight at every control point; a double knot in the second
+/// direction, where the degree allows it, and one degree more in the third.
+Body<3> uneven(int degree) {
+  const KnotVector plain = KnotVector::uniform(degree, 2);
+  const KnotVector kinked = degree > 1 ? withKnots(plain, {plain.breakpoints()[1]}) : plain;
+  const Patch<3> block =
+      refined(box({0.0, 0.0, 0.0}, {1.0, 2.0, 1.5}), {plain, kinked, KnotVector::uniform(degree + 1, 1)});
+  const Eigen::Index n = block.weights().size();
+  return makeBody(Patch<3>(block.basis(), block.points() + test::randomState(3 * n, 0.03, 11).reshaped(3, n),
+                           Eigen::VectorXd::Ones(n) + test::randomState(n, 0.3, 12)));
+}
+
+/// Sets both kernels to the same stress, moduli and deformation at all points of a span and multiplies.
+void fillAlike(SpanKernel<Kinematics::Solid>& dense, TensorKernel& factorised,
+               const SpanQuadrature<3>::Span& span, unsigned seed) {
+  dense.start(span, true);
+  factorised.start(span, true);
+  for (Eigen::Index q = 0; q < span.weights.size(); ++q, seed += 3) {
+    const Eigen::Matrix3d F = Eigen::Matrix3d::Identity() + test::randomState(9, 0.2, seed).reshaped(3, 3);
+    const TensorKernel::Stress tau = test::randomState(6, 1.0, seed + 1);
+    const TensorKernel::Tangent half = test::randomState(36, 1.0, seed + 2).reshaped(6, 6);
+    const auto fill = [&](auto& kernel) {
+      kernel.setGradients(q, F);
+      kernel.setStress(q, span.weights(q) * tau);
+      kernel.setModuli(q, span.weights(q), tau, half + half.transpose(), 0.4);
+    };
+    fill(dense);
+    fill(factorised);
+  }
+  dense.multiply();
+  factorised.multiply();
+}
+
+Material elastic() {
+  return NeoHookean(1.0, 0.3);
+}
+Material plastic() {
+  return J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0});
+}
+
+TEST(SpanQuadrature, MeasuresExactVolumes) {
+  EXPECT_NEAR(SpanQuadrature<2>(test::ring(2), 8).volume(), 0.5 * 1.0 * 3.0, 1e-12);
+  EXPECT_NEAR(SpanQuadrature<3>(shell(), 8).volume(), (1.5 * 1.5 * 1.5 - 1.0) / 3.0 * 1.0 * std::sin(1.0),
+              1e-10);
+}
+
+TEST(SpanQuadrature, RefusesAFoldedMap) {
+  auto patch = rectangle({0.0, 0.0}, {1.0, 1.0});
+  Eigen::MatrixXd points = patch.points();
+  points.col(3) = Eigen::Vector2d(-0.5, -0.5);
+  EXPECT_THROW(SpanQuadrature<2>(makeBody(Patch<2>(patch.basis(), points, patch.weights()))), Error);
+}
+
+TEST(DisplacementTerm, TangentAgreesWithCentralDifferences) {
+  const Body<2> plane = test::ring(2);
+  const SpanQuadrature<2> planeQuadrature(plane);
+  DisplacementTerm<2> rubber(planeQuadrature, elastic());
+  EXPECT_LT(test::tangentError(rubber, 0.0, test::randomState(2 * plane.numNodes, 0.03, 1), 1e-6), 1e-7);
+
+  const Body<3> solid = shell();
+  const SpanQuadrature<3> solidQuadrature(solid);
+  DisplacementTerm<3> rubber3(solidQuadrature, elastic());
+  EXPECT_LT(test::tangentError(rubber3, 0.0, test::randomState(3 * solid.numNodes, 0.03, 2), 1e-6), 1e-7);
+}
+
+TEST(TensorKernel, AgreesWithTheDenseProducts) {
+  for (int degree = 1; degree <= 4; ++degree) {
+    const Body<3> body = uneven(degree);
+    const SpanQuadrature<3> quadrature(body);
+    SpanKernel<Kinematics::Solid> dense;
+    TensorKernel factorised;
+    for (const auto& span : quadrature.spans()) {
+      fillAlike(dense, factorised, span, 7);
+      for (int i = 0; i < 3; ++i)
+        for (int k = i; k < 3; ++k) {
+          const Eigen::MatrixXd block = dense.tangentBlock(i, k);
+          EXPECT_LT((factorised.tangentBlock(i, k) - block).cwiseAbs().maxCoeff(),
+                    1e-12 * block.cwiseAbs().maxCoeff())
+              << "degree " << degree << ", span " << span.number << ", block " << i << k;
+        }
+      for (Eigen::Index a = 0; a < span.G.rows(); ++a)
+        EXPECT_LT((factorised.force(a) - dense.force(a)).norm(), 1e-13) << "degree " << degree;
+    }
+  }
+}
+
+TEST(DisplacementTerm, PlasticTangentAgreesWithCentralDifferences) {
+  const Body<2> plane = test::ring(2);
+  const SpanQuadrature<2> quadrature(plane);
+  DisplacementTerm<2> metal(quadrature, plastic());
+  // A stretch far beyond yield everywhere, so that no point switches between elastic and plastic.
+  Eigen::VectorXd x = test::randomState(2 * plane.numNodes, 0.01, 3);
+  for (int a = 0; a < plane.numNodes; ++a) x(2 * a) += 0.08 * plane.patches[0].points()(0, a);
+  ASSERT_TRUE(test::forceOf(metal, 0.0, x).allFinite());
+  metal.accept();
+  EXPECT_GT(metal.summary().maxPlasticStrain, 0.05);
+  x *= 1.3;
+  EXPECT_LT(test::tangentError(metal, 0.0, x, 1e-6), 1e-6);
+
+  const Body<3> solid = shell();
+  const SpanQuadrature<3> solidQuadrature(solid);
+  DisplacementTerm<3> metal3(solidQuadrature, plastic());
+  Eigen::VectorXd y = test::randomState(3 * solid.numNodes, 0.004, 4);
+  for (int a = 0; a < solid.numNodes; ++a) y(3 * a) += 0.08 * solid.patches[0].points()(0, a);
+  EXPECT_LT(test::tangentError(metal3, 0.0, y, 1e-6), 1e-6);
+}
+
+TEST(DisplacementTerm, ForceIsTheDerivativeOfTheStoredEnergy) {
+  const Body<2> body = test::ring(3);
+  const SpanQuadrature<2> quadrature(body);
+  DisplacementTerm<2> term(quadrature, elastic());
+  const Eigen::VectorXd x = test::randomState(2 * body.numNodes, 0.03, 5),
+                        direction = test::randomState(x.size(), 1.0, 6);
+  const auto energy = [&](double s) {
+    static_cast<void>(test::forceOf(term, 0.0, x + s * direction));
+    return term.summary().strainEnergy;
+  };
+  const double h = 1e-5;
+  EXPECT_NEAR((energy(h) - energy(-h)) / (2.0 * h), test::forceOf(term, 0.0, x).dot(direction), 1e-8);
+}
+
+TEST(DisplacementTerm, RigidMotionCostsNothing) {
+  const Body<2> body = test::ring(2);
+  const SpanQuadrature<2> quadrature(body);
+  DisplacementTerm<2> term(quadrature, elastic());
+  const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(2.0).toRotationMatrix();
+  Eigen::VectorXd x(2 * body.numNodes);
+  for (int a = 0; a < body.numNodes; ++a) {
+    const Eigen::Vector2d X = body.patches[0].points().col(a);
+    x.segment<2>(2 * a) = rotation * X + Eigen::Vector2d(3.0, -1.0) - X;
+  }
+  EXPECT_LT(test::forceOf(term, 0.0, x).norm(), 1e-13);
+}
+
+TEST(DisplacementTerm, RefusesAStateThatIsInsideOut) {
+  const Body<2> body = makeBody(rectangle({0.0, 0.0}, {1.0, 1.0}));
+  const SpanQuadrature<2> quadrature(body);
+  DisplacementTerm<2> term(quadrature, elastic());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(8);
+  x(4 + 1) = x(6 + 1) = -1.5;
+  bool admissible = true;
+  static_cast<void>(test::forceOf(term, 0.0, x, &admissible));
+  EXPECT_FALSE(admissible);
+}
+
+TEST(Projection, ReproducesFieldsOfTheSpaceAndOrthogonalisesTheRest) {
+  const Body<2> body = test::ring(2);
+  const SpanQuadrature<2> quadrature(body);
+  const Projection<2> projection(quadrature);
+  const Eigen::VectorXd coefficients = test::randomState(body.numNodes, 1.0, 8);
+  Eigen::MatrixXd values(quadrature.numPoints(), 2);
+  for (const auto& span : quadrature.spans())
+    for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
+      values(span.firstPoint + q, 0) = span.R.col(q).dot(coefficients(span.nodes));
+      values(span.firstPoint + q, 1) = std::sin(static_cast<double>(span.firstPoint + q));
+    }
+  const Eigen::MatrixXd projected = projection.project(values);
+  EXPECT_LT((projected.col(0) - coefficients).norm(), 1e-12);
+
+  Eigen::VectorXd rest = Eigen::VectorXd::Zero(body.numNodes);
+  for (const auto& span : quadrature.spans())
+    for (Eigen::Index q = 0; q < span.weights.size(); ++q)
+      rest(span.nodes) += span.weights(q) * span.R.col(q) *
+                          (span.R.col(q).dot(projected.col(1)(span.nodes)) - values(span.firstPoint + q, 1));
+  EXPECT_LT(rest.norm(), 1e-13);
+}
+
+TEST(SpanExtremes, FindsTheExtremesOfARationalField) {
+  const Body<2> body = test::ring(2);
+  // The coordinate field x of the ring: cos(1) … 2.
+  const Extremes extremes = SpanExtremes<2>(body)(body.patches[0].points().row(0).transpose());
+  EXPECT_NEAR(extremes.max, 2.0, 1e-13);
+  EXPECT_NEAR(extremes.min, std::cos(1.0), 1e-13);
+}
+
+}  // namespace
+}  // namespace burnish

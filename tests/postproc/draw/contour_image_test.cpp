@@ -1,0 +1,306 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "engine/core/error.h"
+#include "engine/results/result_writer.h"
+#include "postproc/draw/contour/contour.h"
+#include "postproc/draw/contour/contour_view.h"
+#include "tests/postproc/draw/contour_fixture.h"
+
+/// Contour pictures against pictures that were looked at (images/baseline) and, since a baseline may be wrong
+/// too, against colours that follow from the fields. A run with BURNISH_WRITE_BASELINES=1 in the environment
+/// writes the baselines anew; look at them before they are committed.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using samples::Sample;
+
+std::string bytesOf(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+Eigen::Vector2d deformedSlab(double s, double t) {
+  return {3.0 * s, t - 0.6 * s * (1.0 - s) * t};
+}
+
+TEST_F(ContourPictures, SlabUnderADiscHasTheColoursOfItsField) {
+  const Picture picture = expectBaseline(samples::slab(), small("plastic_strain"), "slab");
+  const ColorScale scale("viridis", {0.0, 1.0}, 0);
+  for (const double s : {0.07, 0.21, 0.36, 0.5, 0.83})
+    for (const double t : {0.11, 0.52, 0.93})
+      expectColor(picture, deformedSlab(s, t), scale.color(4.0 * s * (1.0 - s) * t * t));
+  expectColor(picture, Eigen::Vector2d(1.5, 1.35), {222, 222, 222});  // the middle of the disc
+  expectColor(picture, Eigen::Vector2d(0.4, 1.35), {255, 255, 255});
+}
+
+TEST_F(ContourPictures, BandsOfARingAreCrispCircles) {
+  ContourOptions options = small("von_mises");
+  options.bands = 5;
+  options.knots = true;
+  expectBaseline(samples::ring(), options, "ring_bands");
+
+  options.knots = false;
+  options.size = {800, 600};
+  const Picture picture = drawn(samples::ring(), options);
+  const ColorScale scale("viridis", {0.0, 100.0}, 5);
+  const double pixel = 1.0 / view.pixelsPerLength;
+  for (const double angle : {0.2, 0.7, 1.3}) {
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    for (int band = 1; band < 5; ++band) {
+      const double edge = 1.0 + 0.2 * band;
+      expectColor(picture, (edge - 1.5 * pixel) * direction,
+                  scale.colors()[static_cast<std::size_t>(band - 1)]);
+      expectColor(picture, (edge + 1.5 * pixel) * direction, scale.colors()[static_cast<std::size_t>(band)]);
+    }
+  }
+}
+
+TEST_F(ContourPictures, ShearedSquareOfLagrangeElementsUnderAPlate) {
+  ContourOptions options = small("pressure");
+  options.colormap = "coolwarm";
+  options.range = {-1e-5, 1e-5};
+  const Picture picture = expectBaseline(samples::square(), options, "square_plate");
+  const ColorScale scale("coolwarm", *options.range, 0);
+  for (const double x : {0.15, 0.6, 0.9})
+    for (const double y : {0.1, 0.45, 0.85})
+      expectColor(picture, Eigen::Vector2d(x + 0.2 * y, y), scale.color(1e-5 * (x * x * x - y)));
+}
+
+TEST_F(ContourPictures, ComponentOfATensorIsDrawnByName) {
+  const Picture picture = drawn(samples::square(), small("stress.xx"));
+  const ColorScale scale("viridis", {-1e5, 0.0}, 0);
+  expectColor(picture, Eigen::Vector2d(0.3 + 0.2 * 0.4, 0.4), scale.color(-0.3e5));
+}
+
+TEST_F(ContourPictures, VectorAloneIsItsMagnitude) {
+  const Picture picture = drawn(samples::square(), small("displacement"));
+  const ColorScale scale("viridis", {0.0, 0.2}, 0);
+  expectColor(picture, Eigen::Vector2d(0.3 + 0.2 * 0.4, 0.4), scale.color(0.08));
+}
+
+TEST_F(ContourPictures, FieldThatIsZeroEverywhere) {
+  Sample sample = samples::slab();
+  sample.frame.fields["plastic_strain"].values.setZero();
+  const Picture picture = expectBaseline(sample, small("plastic_strain"), "zero");
+  expectColor(picture, deformedSlab(0.3, 0.5), ColorScale("viridis", {0.0, 1.0}, 0).color(0.0));
+}
+
+TEST_F(ContourPictures, CubeUnderABall) {
+  expectBaseline(samples::cube(), small("pressure"), "cube_ball");
+}
+
+TEST_F(ContourPictures, ValuesOutsideAGivenRangeHaveTheColoursOfItsEnds) {
+  ContourOptions options = small("plastic_strain");
+  options.range = {0.3, 0.6};
+  const Picture picture = drawn(samples::slab(), options);
+  const ColorScale scale("viridis", *options.range, 0);
+  expectColor(picture, deformedSlab(0.5, 0.2), scale.colors().front());
+  expectColor(picture, deformedSlab(0.5, 0.93), scale.colors().back());
+}
+
+TEST_F(ContourPictures, EveryPictureFromTinyToLargeKeepsItsTextsInside) {
+  for (const std::array<int, 2> size : {std::array{200, 150}, std::array{400, 300}, std::array{2000, 300},
+                                        std::array{300, 2000}, std::array{1600, 900}}) {
+    ContourOptions options = small("plastic_strain");
+    options.size = size;
+    options.title = "A title that is much too long for one line of a small picture and has to end somewhere";
+    const Picture picture = drawn(samples::slab(), options);
+    ASSERT_EQ(picture.width, size[0]);
+    ASSERT_EQ(picture.height, size[1]);
+    const Color paper{255, 255, 255};
+    for (int i = 0; i < size[0]; ++i)
+      for (const int j : {0, 1, size[1] - 2, size[1] - 1}) ASSERT_EQ(picture.at({i + 0.5, j + 0.5}), paper);
+    for (int j = 0; j < size[1]; ++j)
+      for (const int i : {0, 1, size[0] - 2, size[0] - 1}) ASSERT_EQ(picture.at({i + 0.5, j + 0.5}), paper);
+  }
+}
+
+TEST_F(ContourPictures, SameBytesEveryTime) {
+  const Sample sample = samples::slab();
+  drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "first.png");
+  drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "second.png");
+  EXPECT_GT(fs::file_size(dir / "first.png"), 1000U);
+  EXPECT_EQ(bytesOf(dir / "first.png"), bytesOf(dir / "second.png"));
+}
+
+TEST_F(ContourPictures, CommandDrawsTheSameInAnEmptyEnvironment) {
+  const Sample sample = samples::slab();
+  ResultWriter(dir / "result", sample.model).append(sample.frame);
+  const std::string child = (dir / "child.png").string();
+  const std::string line = "env -i " BURNISH_COMMAND " render " + (dir / "result").string() +
+                           " --field plastic_strain --size 400,300 -o " + child;
+  ASSERT_EQ(std::system(line.c_str()), 0) << line;
+  drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "own.png");
+  EXPECT_EQ(bytesOf(child), bytesOf(dir / "own.png"));
+}
+
+TEST_F(ContourPictures, ArrowsIsolinesAndKnotsOnADarkGround) {
+  ContourOptions options = small("plastic_strain");
+  options.theme = themeNamed("dark");
+  options.bands = 6;
+  options.isolines = 5;
+  options.knots = true;
+  options.arrows = ArrowField::Displacement;
+  const Picture picture = expectBaseline(samples::slab(), options, "slab_dark");
+  EXPECT_EQ(picture.at({0.5, 0.5}), options.theme.paper);
+}
+
+TEST_F(ContourPictures, ControlNetInAWindow) {
+  ContourOptions options = small("von_mises");
+  options.controlNet = true;
+  options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.2, 0.8), Eigen::Vector2d(1.6, 2.1));
+  const Picture picture = expectBaseline(samples::ring(), options, "ring_net");
+  EXPECT_TRUE(view.center.isApprox(Eigen::Vector2d(0.9, 1.45)));
+  const Eigen::MatrixXd points = samples::ring().model.mesh.patches.front().points;
+  const double margin = 0.05;
+  int seen = 0;
+  for (const auto& point : points.colwise()) {
+    if (options.window->exteriorDistance(Eigen::Vector2d(point)) > 0.0) continue;
+    if ((point - options.window->min()).minCoeff() < margin ||
+        (options.window->max() - point).minCoeff() < margin)
+      continue;
+    expectColor(picture, point, options.theme.controlNet);
+    ++seen;
+  }
+  EXPECT_GT(seen, 3);
+}
+
+TEST_F(ContourPictures, IsolinesLieWhereTheFieldHasTheirValues) {
+  ContourOptions options = small("von_mises");
+  options.isolines = 3;
+  options.size = {1600, 1200};
+  const Picture picture = drawn(samples::ring(), options);
+  const ColorScale scale("viridis", {0.0, 100.0}, 0);
+  for (const double angle : {0.2, 0.7, 1.3})
+    for (const double radius : {1.25, 1.5, 1.75}) {
+      const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+      const Color line = picture.at(view.pixel(radius * direction));
+      EXPECT_LT(line[1], 0.7 * scale.color(100.0 * (radius - 1.0))[1]) << angle << " " << radius;
+      const double beside = radius + 6.0 / view.pixelsPerLength;
+      expectColor(picture, beside * direction, scale.color(100.0 * (beside - 1.0)));
+    }
+}
+
+TEST_F(ContourPictures, WarpMovesTheBodyAndKeepsItsValues) {
+  ContourOptions options = small("plastic_strain");
+  options.warp = 3.0;
+  options.tools = false;
+  const Picture picture = drawn(samples::slab(), options);
+  const ColorScale scale("viridis", {0.0, 1.0}, 0);
+  for (const double s : {0.2, 0.45, 0.8})
+    expectColor(picture, Eigen::Vector2d(3.0 * s, 0.8 - 3.0 * 0.6 * s * (1.0 - s) * 0.8),
+                scale.color(4.0 * s * (1.0 - s) * 0.64));
+}
+
+TEST_F(ContourPictures, ToolsCanBeLeftOut) {
+  ContourOptions options = small("plastic_strain");
+  const double with = (drawn(samples::slab(), options), view.pixelsPerLength);
+  options.tools = false;
+  const Picture picture = drawn(samples::slab(), options);
+  EXPECT_GT(view.pixelsPerLength, with);
+  expectColor(picture, Eigen::Vector2d(1.5, 0.95), options.theme.paper);
+}
+
+TEST_F(ContourPictures, CubeFromAGivenSide) {
+  ContourOptions options = small("pressure");
+  options.axes = viewNamed("xz", 3);
+  const Picture picture = drawn(samples::cube(), options);
+  // The eye sees the face y = 0, on which the pressure is x + z.
+  const ColorScale scale("viridis", {0.0, 3.0}, 0);
+  const Color low = picture.at(view.pixel(Eigen::Vector3d(0.1, 0.0, 0.1))),
+              high = picture.at(view.pixel(Eigen::Vector3d(0.9, 0.0, 0.9)));
+  EXPECT_LE(difference(low, scale.color(0.2)), 12);
+  EXPECT_LE(difference(high, scale.color(1.8)), 12);
+}
+
+TEST_F(ContourPictures, WithoutPaperThePictureOnWhiteIsTheSame) {
+  const Sample sample = samples::slab();
+  ContourOptions options = small("plastic_strain");
+  const Picture opaque = drawn(sample, options);
+  options.transparent = true;
+  drawContour(sample.model, sample.frame, options, dir / "drawn.png");
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((dir / "drawn.png").c_str());
+  reader->Update();
+  vtkImageData& image = *reader->GetOutput();
+  ASSERT_EQ(image.GetNumberOfScalarComponents(), 4);
+  const auto* rgba = static_cast<const unsigned char*>(image.GetScalarPointer());
+  for (std::size_t k = 0; k < opaque.pixels.size(); ++k, rgba += 4)
+    for (std::size_t c = 0; c < 3; ++c)
+      ASSERT_NEAR(opaque.pixels[k][c], (rgba[c] * rgba[3] + 255 * (255 - rgba[3])) / 255.0, 1.0) << k;
+  EXPECT_EQ(image.GetScalarComponentAsDouble(0, 0, 0, 3), 0.0);
+  const Eigen::Vector2i inside = view.pixel(deformedSlab(0.2, 0.5)).cast<int>();
+  EXPECT_EQ(image.GetScalarComponentAsDouble(inside.x(), inside.y(), 0, 3), 255.0);
+}
+
+class ContourMistakes : public ContourPictures {
+ protected:
+  void expectRefused(const Sample& sample, const ContourOptions& options,
+                     const std::vector<std::string>& parts) {
+    try {
+      drawContour(sample.model, sample.frame, options, file);
+      ADD_FAILURE() << "no error that says \"" << parts.front() << "\"";
+    } catch (const Error& error) {
+      for (const std::string& part : parts) EXPECT_THAT(error.what(), testing::HasSubstr(part));
+    }
+    EXPECT_FALSE(fs::exists(file));
+  }
+  fs::path file = fs::temp_directory_path() / ("burnish_refused_" + std::to_string(::getpid()) + ".png");
+};
+
+TEST_F(ContourMistakes, UnknownFieldListsTheKnownOnesAndTheNearest) {
+  expectRefused(samples::square(), small("presure"),
+                {"presure", "displacement, displacement.x, displacement.y, pressure, stress.xx",
+                 "Did you mean \"pressure\"?"});
+  expectRefused(samples::square(), small("stress"), {"stress.xx, stress.yy, stress.xy, stress.zz"});
+}
+
+TEST_F(ContourMistakes, OptionsOutOfRange) {
+  ContourOptions options = small("plastic_strain");
+  options.size = {100, 300};
+  expectRefused(samples::slab(), options, {"size: found 100 x 300"});
+  options = small("plastic_strain");
+  options.range = {1.0, 1.0};
+  expectRefused(samples::slab(), options, {"range: found 1, 1"});
+  options = small("plastic_strain");
+  options.bands = 257;
+  expectRefused(samples::slab(), options, {"bands: found 257"});
+  options = small("plastic_strain");
+  options.colormap = "virdis";
+  expectRefused(samples::slab(), options, {"colormap: found \"virdis\"", "Did you mean \"viridis\"?"});
+  options = small("plastic_strain");
+  options.isolines = 101;
+  expectRefused(samples::slab(), options, {"isolines: found 101"});
+  options = small("plastic_strain");
+  options.warp = std::numeric_limits<double>::infinity();
+  expectRefused(samples::slab(), options, {"warp: found inf"});
+}
+
+TEST_F(ContourMistakes, FieldThatIsNotFinite) {
+  Sample sample = samples::slab();
+  sample.frame.fields["plastic_strain"].values(0, 5) = std::numeric_limits<double>::quiet_NaN();
+  expectRefused(sample, small("plastic_strain"), {"plastic_strain", "not finite"});
+}
+
+TEST_F(ContourMistakes, PlaceThatCannotBeWritten) {
+  file = dir / "absent" / "picture.png";
+  expectRefused(samples::slab(), small("plastic_strain"), {file.string()});
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,392 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "postproc/compare/lab.h"
+#include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/contour_layout.h"
+#include "postproc/draw/contour/contour_view.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/page/color_name.h"
+#include "postproc/draw/page/color_scale.h"
+#include "postproc/draw/page/doubt_mark.h"
+#include "postproc/draw/page/overlay.h"
+#include "postproc/draw/page/theme.h"
+#include "postproc/text/ticks.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pointwise;
+
+std::string messageOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Ticks, AreRoundAndWithinTheRange) {
+  const Ticks ticks = makeTicks({-0.0086, 0.39}, 9);
+  EXPECT_THAT(ticks.labels, ElementsAre("0.00", "0.05", "0.10", "0.15", "0.20", "0.25", "0.30", "0.35"));
+  EXPECT_THAT(ticks.values, Pointwise(testing::DoubleEq(), {0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35}));
+  EXPECT_EQ(ticks.exponent, 0);
+}
+
+TEST(Ticks, IncludeEndsThatAreRound) {
+  EXPECT_THAT(makeTicks({-0.3, 0.3}, 7).labels,
+              ElementsAre("−0.3", "−0.2", "−0.1", "0.0", "0.1", "0.2", "0.3"));
+}
+
+TEST(Ticks, TakeAPowerOfTenOutOfLongLabels) {
+  const Ticks large = makeTicks({0.0, 71000.0}, 4);
+  EXPECT_EQ(large.exponent, 3);
+  EXPECT_THAT(large.labels, ElementsAre("0", "20", "40", "60"));
+  const Ticks small = makeTicks({0.0, 2e-5}, 3);
+  EXPECT_EQ(small.exponent, -6);
+  EXPECT_THAT(small.labels, ElementsAre("0", "10", "20"));
+}
+
+TEST(Ticks, AreNeverMoreThanAsked) {
+  for (const double low : {-1.0, 0.0, 0.123})
+    for (const double width : {1e-7, 0.77, 1.0, 9.99, 12345.0})
+      for (int most = 2; most <= 11; ++most) {
+        const Ticks ticks = makeTicks({low, low + width}, most);
+        EXPECT_LE(ticks.values.size(), static_cast<std::size_t>(most));
+        EXPECT_GE(ticks.values.front(), low);
+        EXPECT_LE(ticks.values.back(), low + width);
+        EXPECT_EQ(ticks.labels.size(), ticks.values.size());
+      }
+}
+
+TEST(NumberText, IsSetAsInPrint) {
+  EXPECT_EQ(numberText(0.0, 4), "0");
+  EXPECT_EQ(numberText(0.48162, 4), "0.4816");
+  EXPECT_EQ(numberText(-0.0021, 4), "−0.0021");
+  EXPECT_EQ(numberText(1736.6, 4), "1737");
+  EXPECT_EQ(numberText(9.99996, 4), "10");
+  EXPECT_EQ(numberText(-1.5e-7, 4), "−1.5×10⁻⁷");
+  EXPECT_EQ(numberText(2.5e12, 4), "2.5×10¹²");
+}
+
+TEST(ColorScale, SmoothScaleRunsFromEndToEndOfTheMap) {
+  const ColorScale scale("viridis", {2.0, 4.0}, 0);
+  EXPECT_EQ(scale.color(2.0), (Color{68, 1, 84}));
+  EXPECT_EQ(scale.color(4.0), (Color{253, 231, 37}));
+  EXPECT_EQ(scale.color(-7.0), scale.color(2.0));
+  EXPECT_EQ(scale.color(7.0), scale.color(4.0));
+  const Color middle = scale.color(3.0);  // (33, 145, 140) up to half a colour step
+  EXPECT_THAT(std::vector<int>(middle.begin(), middle.end()), Pointwise(testing::Le(), {34, 146, 141}));
+  EXPECT_THAT(std::vector<int>(middle.begin(), middle.end()), Pointwise(testing::Ge(), {32, 144, 139}));
+}
+
+TEST(ColorScale, BandsAreEquallyWideAndUseTheWholeMap) {
+  const ColorScale scale("grey", {0.0, 1.0}, 4);
+  ASSERT_EQ(scale.colors().size(), 4U);
+  EXPECT_EQ(scale.color(0.249), scale.colors()[0]);
+  EXPECT_EQ(scale.color(0.251), scale.colors()[1]);
+  EXPECT_EQ(scale.colors().back(), (Color{240, 240, 240}));
+}
+
+TEST(ColorScale, RefusesARangeThatDoesNotIncrease) {
+  EXPECT_THROW(ColorScale("viridis", {1.0, 1.0}, 0), Error);
+  EXPECT_THROW(ColorScale("viridis", {0.0, std::numeric_limits<double>::infinity()}, 0), Error);
+}
+
+TEST(ColorScale, RefusesARangeThatNumbersCannotSpan) {
+  for (const std::array<double, 2>& range :
+       {std::array{-1e308, 1e308}, std::array{0.0, 5e-324}, std::array{1e301, 2e301}})
+    EXPECT_THAT(messageOf([&] { ColorScale("viridis", range, 0); }), HasSubstr("at least 1e-290 apart"));
+  EXPECT_EQ(widened({0.0, 5e-324}), (std::array{0.0, 1.0}));
+}
+
+TEST(ColorScale, PerceptualMapsOnlyGetLighter) {
+  for (const char* map : {"viridis", "cividis", "batlow", "grey"}) {
+    const std::vector<Color> colors = ColorScale(map, {0.0, 1.0}, 64).colors();
+    for (std::size_t k = 1; k < colors.size(); ++k)
+      EXPECT_GT(toLab(colors[k])[0], toLab(colors[k - 1])[0]) << map << " " << k;
+    EXPECT_GT(toLab(colors.back())[0] - toLab(colors.front())[0], 65.0F) << map;
+  }
+}
+
+TEST(ColorScale, EveryNamedMapExists) {
+  for (const std::string& map : colormapNames())
+    EXPECT_EQ(ColorScale(map, {0.0, 1.0}, 5).colors().size(), 5U) << map;
+}
+
+TEST(Views, AreRightHandedWithTheEyeWhereTheirNamesSay) {
+  const auto eye = [](const ViewAxes& axes) {
+    View view;
+    view.axes = axes;
+    return view.towardsEye();
+  };
+  EXPECT_EQ(eye(viewNamed("xy", 3)), Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(eye(viewNamed("xz", 3)), Eigen::Vector3d(0, -1, 0));
+  EXPECT_EQ(eye(viewNamed("yz", 3)), Eigen::Vector3d(1, 0, 0));
+  EXPECT_TRUE(eye(viewNamed("iso", 3)).isApprox(Eigen::Vector3d(1, 1, 1).normalized()));
+  for (const Eigen::Vector3d& direction :
+       {Eigen::Vector3d(0, 2, 0), Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(1, 2, 3)}) {
+    const ViewAxes axes = viewFrom(direction);
+    EXPECT_TRUE((axes * axes.transpose()).isIdentity(1e-12));
+    EXPECT_TRUE(eye(axes).isApprox(direction.normalized()));
+    EXPECT_GE(axes(1, 1), 0.0);
+  }
+  EXPECT_EQ(viewNamed("auto", 2), ViewAxes(ViewAxes::Identity()));
+  EXPECT_THROW(viewNamed("iso", 2), Error);
+  EXPECT_THROW(viewNamed("front", 3), Error);
+  EXPECT_THROW(viewFrom({0, 0, 0}), Error);
+}
+
+TEST(FieldNames, AreScalarsVectorsAndComponents) {
+  FrameRecord frame;
+  frame.displacement = Eigen::MatrixXd::Zero(2, 4);
+  frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "MPa", Eigen::MatrixXd::Zero(4, 4)};
+  frame.fields["pressure"] = {{}, "MPa", Eigen::MatrixXd::Zero(1, 4)};
+  EXPECT_THAT(fieldNames(frame), ElementsAre("displacement", "displacement.x", "displacement.y", "pressure",
+                                             "stress.xx", "stress.yy", "stress.xy", "stress.zz"));
+}
+
+/// A bar that is shorter than the picture has other labels, and may need more room.
+TEST(FieldNames, WhatCannotBeNegativeIsDrawnFromZeroOn) {
+  ModelRecord model;
+  FrameRecord frame;
+  frame.displacement = Eigen::MatrixXd::Zero(2, 3);
+  const Eigen::MatrixXd values{{-0.5, 0.25, 1.0}};
+  for (const char* name : {"plastic_strain", "von_mises", "pressure"}) frame.fields[name] = {{}, "", values};
+  EXPECT_EQ(chooseField(model, frame, "plastic_strain").drawnScalars(values),
+            Eigen::Vector3d(0.0, 0.25, 1.0));
+  EXPECT_EQ(chooseField(model, frame, "von_mises").drawnScalars(values), Eigen::Vector3d(0.0, 0.25, 1.0));
+  EXPECT_EQ(chooseField(model, frame, "pressure").drawnScalars(values), Eigen::Vector3d(-0.5, 0.25, 1.0));
+}
+
+TEST(ContourLayout, HasRoomForTheTextsOfTheBarAtEverySize) {
+  const Theme theme;
+  for (const std::array<int, 2> size :
+       {std::array{200, 150}, {240, 160}, {240, 200}, {400, 300}, {400, 800}, {3000, 400}})
+    for (const double largest : {0.1318, 0.2146, 56.27, 7.1e4})
+      for (int k = 2; k <= 24; ++k) {
+        const double height = 0.05 * k;
+        const double text = textSizeFor(size);
+        const ScalarBar bar(ColorScale("viridis", {0.0, largest}, 0),
+                            {{{"von Mises stress σ"}, {"v", Script::Sub}}, "", 0.0, largest}, text, theme);
+        const ContourLayout layout =
+            layOutContour(size, text, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, height)},
+                          ViewAxes::Identity(), {"Title", "t = 2", ""}, bar, theme);
+        const bool up = layout.barDirection == Overlay::Direction::Up;
+        const double needed = bar.depth(layout.barDirection, up ? layout.bar.height : layout.bar.width);
+        EXPECT_LE(needed, (up ? layout.bar.width : layout.bar.height) + 1e-9)
+            << size[0] << " x " << size[1] << ", up to " << largest << ", height " << height;
+        EXPECT_LE(layout.bar.right(), size[0]);
+        EXPECT_GE(std::min(layout.view.area.x, layout.bar.y), 0.0);
+      }
+}
+
+TEST(ContourLayout, MarkOfDoubtHasALineOfItsOwn) {
+  const std::array<int, 2> size{800, 450};
+  const double text = textSizeFor(size);
+  const ScalarBar bar(ColorScale("viridis", {0.0, 1.0}, 0), {{{"field"}}, "", 0.0, 1.0}, text, Theme{});
+  const auto layOut = [&](const ContourCaption& caption) {
+    return layOutContour(size, text, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}, ViewAxes::Identity(),
+                         caption, bar, Theme{});
+  };
+  const std::string note(150, 'n');
+  const ContourLayout plain = layOut({"Title", "t = 2", note});
+  const ContourLayout marked = layOut({"Title", "t = 2", note, kDoubtMark});
+  EXPECT_EQ(marked.note.style.size, plain.note.style.size);
+  EXPECT_EQ(marked.note.text[0].text, plain.note.text[0].text);
+  EXPECT_GT(marked.noteAt.y(), marked.doubtAt.y() + capitalHeight(marked.doubt.style));
+  EXPECT_EQ(marked.doubt.text[0].text, kDoubtMark);
+}
+
+TEST(ColorNames, AreDigitsOrThoseOfCss) {
+  EXPECT_EQ(colorNamed("#1e90FF"), (Color{30, 144, 255}));
+  EXPECT_EQ(colorNamed("grey"), (Color{128, 128, 128}));
+  EXPECT_EQ(colorNamed("white"), (Color{255, 255, 255}));
+  EXPECT_EQ(colorNamed("orange"), (Color{255, 165, 0}));
+  for (const char* text : {"", "#fff", "#12345g", "#1234567", "whit"})
+    EXPECT_EQ(colorNamed(text), std::nullopt) << text;
+}
+
+/// A theme file with this text, and what is read from it.
+class ThemeFile : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(file.parent_path()); }
+  void TearDown() override { fs::remove_all(file.parent_path()); }
+
+  Theme read(const std::string& yaml) const {
+    std::ofstream(file) << yaml;
+    return readTheme(file);
+  }
+  std::string mistake(const std::string& yaml) const {
+    return messageOf([&] { read(yaml); });
+  }
+
+  fs::path file = fs::temp_directory_path() / ("burnish_theme_" + std::to_string(::getpid())) / "own.yaml";
+};
+
+TEST_F(ThemeFile, StatesWhatDiffersFromItsBase) {
+  const Theme theme = read("base: dark\nink: '#ff0080'\npaper: navy\ntext_size: 1.2\npicture: {bands: 7}\n");
+  Theme expected = themeNamed("dark");
+  expected.ink = {255, 0, 128};
+  expected.paper = {0, 0, 128};
+  expected.textSize = 1.2;
+  expected.picture.bands = 7;
+  EXPECT_EQ(theme, expected);
+  EXPECT_EQ(themeFrom(file.string()), expected);
+  EXPECT_EQ(read("font: DejaVu Serif\n").font, "DejaVu Serif");
+  EXPECT_EQ(read("picture: {knots: true}\n").ink, Theme{}.ink);
+}
+
+TEST_F(ThemeFile, FontFileIsRelativeToTheTheme) {
+  fs::copy_file(fontNamed("DejaVu Serif").file, file.parent_path() / "journal.ttf");
+  const Theme theme = read("font: journal.ttf\n");
+  EXPECT_EQ(theme.font, (file.parent_path() / "journal.ttf").string());
+  EXPECT_EQ(fontNamed(theme.font).capitals, fontNamed("DejaVu Serif").capitals);
+}
+
+TEST_F(ThemeFile, MistakesAreToldWithTheirPlaceAndTheNearestWord) {
+  EXPECT_THAT(
+      mistake("base: paper\ninc: black\n"),
+      AllOf(HasSubstr("own.yaml:2:1: inc: found an unknown key"), HasSubstr("Did you mean \"ink\"?")));
+  EXPECT_THAT(mistake("base: drak\n"),
+              AllOf(HasSubstr("own.yaml:1:7: base: found drak"), HasSubstr("Did you mean \"dark\"?")));
+  EXPECT_THAT(mistake("ink: blak\n"),
+              AllOf(HasSubstr("own.yaml:1:6: ink: found \"blak\""), HasSubstr("Did you mean \"black\"?")));
+  EXPECT_THAT(mistake("ink: #000000\n"), AllOf(HasSubstr("own.yaml:1:"), HasSubstr("stands in quotes")));
+  EXPECT_THAT(mistake("picture: {colormap: virids}\n"),
+              AllOf(HasSubstr("picture.colormap"), HasSubstr("Did you mean \"viridis\"?")));
+  EXPECT_THAT(mistake("text_size: 9\n"), HasSubstr("allowed: a number from 0.25 to 4"));
+  EXPECT_THAT(mistake("font: DejaVu Serf\n"),
+              AllOf(HasSubstr("own.yaml:1:7: font: found"), HasSubstr("Did you mean \"DejaVu Serif\"?")));
+  EXPECT_THAT(mistake("font: absent.ttf\n"), HasSubstr("there is no such file"));
+  EXPECT_THAT(messageOf([&] { readTheme(file.parent_path() / "absent.yaml"); }), HasSubstr("absent.yaml"));
+}
+
+TEST(Themes, BuiltInOnesAreWhatTheirNamesSay) {
+  EXPECT_THAT(themeNames(), ElementsAre("paper", "dark", "slide", "complas"));
+  EXPECT_EQ(themeNamed("paper"), Theme{});
+  EXPECT_LT(toLab(themeNamed("dark").paper)[0], 15.0F);
+  EXPECT_GT(themeNamed("slide").textSize, 1.2);
+  EXPECT_EQ(themeNamed("complas").picture.colormap, "rainbow");
+  EXPECT_TRUE(themeNamed("complas").picture.knots);
+  EXPECT_THAT(messageOf([] { themeNamed("slides"); }), HasSubstr("Did you mean \"slide\"?"));
+}
+
+TEST(Themes, TextsStandOutFromThePaper) {
+  for (const std::string& name : themeNames()) {
+    const Theme& theme = themeNamed(name);
+    const float paper = toLab(theme.paper)[0];
+    EXPECT_GT(std::abs(toLab(theme.ink)[0] - paper), 70.0F) << name;
+    EXPECT_GT(std::abs(toLab(theme.softInk)[0] - paper), 50.0F) << name;
+  }
+}
+
+/// So that a copy of it is a list of all that can be changed.
+TEST(Themes, FileOfPaperStatesEveryKey) {
+  const fs::path paper = fs::path(BURNISH_SOURCE_DIR) / "postproc/draw/page/themes/paper.yaml";
+  std::ifstream stream(paper);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (const char* key : {"paper", "ink", "soft_ink", "outline", "undeformed", "knots", "tool", "control_net",
+                          "font", "text_size", "picture", "  colormap", "  bands", "  isolines", "  knots",
+                          "  undeformed", "  tools", "  doubt_marks"})
+    EXPECT_THAT(text, HasSubstr("\n" + std::string(key) + ":")) << key;
+  EXPECT_EQ(readTheme(paper), Theme{});
+}
+
+TEST(Fonts, AreFamiliesOrFiles) {
+  const Font& font = fontNamed(kDefaultFont);
+  EXPECT_EQ(fs::path(font.file).filename(), "DejaVuSans.ttf");
+  EXPECT_NEAR(font.capitals, 0.729, 1e-3);
+  EXPECT_NEAR(font.descent, 0.236, 1e-3);
+  EXPECT_EQ(fontNamed(font.file).capitals, font.capitals);
+  EXPECT_EQ(fontNamed("dejavu serif").file, fontNamed("DejaVu Serif").file);
+}
+
+TEST(Fonts, MistakesAreTold) {
+  EXPECT_THAT(messageOf([] { fontNamed("DejaVu San"); }), HasSubstr("Did you mean \"DejaVu Sans\"?"));
+  EXPECT_THAT(messageOf([] { fontNamed("No Such Family"); }),
+              HasSubstr("expected a family that is installed"));
+  EXPECT_THAT(messageOf([] { fontNamed("/nowhere/a.ttf"); }), HasSubstr("/nowhere/a.ttf"));
+  EXPECT_THAT(messageOf([] { fontNamed(BURNISH_SOURCE_DIR "/README.md"); }), HasSubstr("is not a font"));
+}
+
+TEST(Fonts, LettersThatOneLacksComeFromTheDefault) {
+  const Font& own = fontNamed("DejaVu Serif");
+  const Font& other = fontNamed(kDefaultFont);
+  const std::string circumflex = "\xCD\x82";  // U+0342, which stands over the letter before it
+  const auto pieces = fontPieces("strain ε" + circumflex + "ℓ in ε", "DejaVu Serif");
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[0].text, "strain ");
+  EXPECT_EQ(pieces[1].text, "ε" + circumflex + "ℓ");
+  EXPECT_EQ(pieces[2].text, " in ε");
+  EXPECT_EQ(pieces[0].font, &own);
+  EXPECT_EQ(pieces[1].font, &other);
+  EXPECT_EQ(pieces[2].font, &own);
+  EXPECT_EQ(fontPieces("strain ε" + circumflex, kDefaultFont).size(), 1U);
+}
+
+TEST(Fonts, LettersThatNoneHasAreBoxesAndWorthAWarning) {
+  takeTextWarnings();
+  for (const char* font : {kDefaultFont, "DejaVu Serif"}) {
+    const auto pieces = fontPieces(
+        "a漢\x01"
+        "b\xCC\x81\n",
+        font);
+    std::string drawn;
+    for (const FontPiece& piece : pieces) drawn += piece.text;
+    EXPECT_EQ(drawn, "a□□b\xCC\x81 ");
+    EXPECT_GT(textWidth({{"漢漢漢"}}, {.size = 20.0, .font = font}), 30.0);
+    noteDrawnText("a漢字", font);
+    noteDrawnText("a漢字", font);
+    noteDrawnText("abc ε̄", font);
+  }
+  EXPECT_THAT(
+      takeTextWarnings(),
+      ElementsAre("the font DejaVu Sans has no U+5B57, U+6F22; \"a漢字\" is drawn with a box for each",
+                  "neither the font DejaVu Serif nor DejaVu Sans has U+5B57, U+6F22; "
+                  "\"a漢字\" is drawn with a box for each"));
+  EXPECT_THAT(takeTextWarnings(), testing::IsEmpty());
+}
+
+TEST(FittedTexts, OfAnyLengthAreCutAfterTheLastLetterThatFits) {
+  const TextStyle style{.size = 20.0};
+  for (const std::string letter : {"x", "ε̄", "漢"}) {
+    std::string line;
+    for (int k = 0; k < 5000; ++k) line += letter;
+    const FittedText fitted = fitText({{line}, {"after", Script::Super}}, style, 300.0, 10.0);
+    ASSERT_EQ(fitted.text.size(), 2U);
+    EXPECT_EQ(fitted.style.size, 10.0);
+    EXPECT_EQ(fitted.text[1].text, "…");
+    EXPECT_LE(textWidth(fitted.text, fitted.style), 300.0);
+    RichText longer = fitted.text;
+    longer[0].text += letter;
+    EXPECT_GT(textWidth(longer, fitted.style), 300.0) << letter;
+  }
+}
+
+TEST(Fonts, LettersThatNoneHasAndBrokenTextDoNoHarm) {
+  for (const char* text : {"漢字", "\xF0\x9F\x98\x80", "\xFF", "a\xE2\x82", "\xCC\x84"})
+    for (const char* font : {kDefaultFont, "DejaVu Serif"})
+      EXPECT_GE(textWidth({{text}}, {.size = 20.0, .font = font}), 0.0) << text;
+}
+
+}  // namespace
+}  // namespace burnish

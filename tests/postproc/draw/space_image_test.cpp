@@ -1,0 +1,275 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "engine/core/error.h"
+#include "postproc/draw/contour/contour_view.h"
+#include "tests/postproc/draw/contour_fixture.h"
+
+/// Cuts, slices and mirrors of a body in space, and tools of every shape, as those of contour_image_test.cpp.
+namespace burnish {
+namespace {
+
+using samples::Sample;
+
+const ColorScale kCubeScale("viridis", {0.0, 3.0}, 0);  // of the cube's field x + y + z
+
+class SpaceImage : public ContourPictures {
+ protected:
+  static void expectRefused(const Sample& sample, const ContourOptions& options, const std::string& part) {
+    try {
+      contourImage(sample.model, sample.frame, options);
+      ADD_FAILURE() << "no error that says \"" << part << "\"";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(part));
+    }
+  }
+};
+
+/// A quarter of a block under a quarter of a ball.
+Sample quarterBlock() {
+  Sample sample = samples::cube();
+  sample.model.title = "Block";
+  sample.model.tools = {{"ball", Sphere{{0.0, 1.5, 0.0}, 0.5}}};
+  Eigen::MatrixXd shear = Eigen::MatrixXd::Zero(6, sample.model.mesh.numNodes);
+  shear.row(3) = sample.model.mesh.patches.front().points.row(0);
+  sample.frame.fields["stress"] = {{"xx", "yy", "zz", "xy", "yz", "zx"}, "MPa", shear};
+  return sample;
+}
+
+TEST_F(SpaceImage, CutShowsTheFieldInside) {
+  ContourOptions options = small("pressure");
+  options.cut = CutPlane{{0.0, 0.0, 0.4}, {0.0, 0.0, 1.0}};
+  options.knots = true;
+  const Picture picture = expectBaseline(samples::cube(), options, "cube_cut");
+  options.knots = false;
+  const Picture plain = drawn(samples::cube(), options);
+  for (const double x : {0.1, 0.55, 0.9})
+    for (const double y : {0.1, 0.45, 0.9})
+      expectColor(plain, Eigen::Vector3d(x, y, 0.4), kCubeScale.color(x + y + 0.4));
+  // The ball is cut too: its middle lies before the plane.
+  expectColor(picture, Eigen::Vector3d(0.5, 1.25, 0.4), options.theme.tool);
+}
+
+TEST_F(SpaceImage, CutThroughTheWholeRemovesTheHalfOfTheEye) {
+  ContourOptions options = small("pressure");
+  options.tools = false;
+  for (const double sign : {-1.0, 1.0}) {
+    options.cut = CutPlane{{0.5, 0.5, 0.5}, {0.3 * sign, 0.2 * sign, sign}};
+    const Picture picture = drawn(samples::cube(), options);
+    expectColor(picture, Eigen::Vector3d(0.5, 0.5, 0.5), kCubeScale.color(1.5));
+  }
+}
+
+TEST_F(SpaceImage, SliceIsTheFieldOnAPlane) {
+  ContourOptions options = small("pressure");
+  options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 2.0}};
+  const Picture picture = expectBaseline(samples::cube(), options, "cube_slice");
+  EXPECT_EQ(view.towardsEye(), Eigen::Vector3d(0, 0, 1));
+  for (const double x : {0.1, 0.4, 0.9})
+    for (const double y : {0.1, 0.45, 0.9})
+      expectColor(picture, Eigen::Vector3d(x, y, 0.5), kCubeScale.color(x + y + 0.5));
+  expectColor(picture, Eigen::Vector3d(0.5, 1.25, 0.5), options.theme.tool);
+  expectColor(picture, Eigen::Vector3d(0.9, 1.25, 0.5), options.theme.paper);
+}
+
+TEST_F(SpaceImage, SliceInAFaceOfTheBodyIsThatFace) {
+  ContourOptions options = small("pressure");
+  for (const double z : {0.0, 1.0 / 3.0, 1.0}) {
+    options.slice = CutPlane{{0.0, 0.0, z}, {0.0, 0.0, 1.0}};
+    const Picture picture = drawn(samples::cube(), options);
+    expectColor(picture, Eigen::Vector3d(0.3, 0.6, z), kCubeScale.color(0.9 + z));
+  }
+}
+
+TEST_F(SpaceImage, MirrorMakesAQuarterWhole) {
+  ContourOptions options = small("pressure");
+  options.mirror = {{0, 0.0}, {2, 0.0}};
+  expectBaseline(quarterBlock(), options, "block_mirrored");
+  options.slice = CutPlane{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+  options.tools = false;
+  const Picture picture = drawn(quarterBlock(), options);
+  for (const double x : {-0.8, -0.3, 0.02, 0.7})
+    expectColor(picture, Eigen::Vector3d(x, 0.5, 0.0), kCubeScale.color(std::abs(x) + 0.5));
+}
+
+TEST_F(SpaceImage, ComponentsHaveTheirSignBeyondAMirror) {
+  ContourOptions options = small("stress.xy");
+  options.tools = false;
+  options.mirror = {{0, 0.0}};
+  options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  const Picture picture = drawn(quarterBlock(), options);
+  const ColorScale scale("viridis", {-1.0, 1.0}, 0);
+  for (const double x : {-0.8, -0.3, 0.4, 0.7})
+    expectColor(picture, Eigen::Vector3d(x, 0.5, 0.5), scale.color(x));
+}
+
+TEST_F(SpaceImage, ToolLetsTheBodyShineThroughUnlessItIsOpaque) {
+  ContourOptions options = small("pressure");
+  options.axes = viewFrom({0.0, 1.0, 0.2});
+  const Eigen::Vector3d top(0.5, 1.5, 0.5);
+  const Color through = drawn(samples::cube(), options).at(view.pixel(top));
+  options.toolOpacity = 1.0;
+  const Color solid = drawn(samples::cube(), options).at(view.pixel(top));
+  const auto spread = [](const Color& c) {
+    return std::max({c[0], c[1], c[2]}) - std::min({c[0], c[1], c[2]});
+  };
+  EXPECT_LE(spread(solid), 2);
+  EXPECT_GE(spread(through), 40);
+}
+
+TEST_F(SpaceImage, MistakesAreTold) {
+  ContourOptions options = small("pressure");
+  options.cut = CutPlane{{0.0, 0.0, 1.5}, {0.0, 0.0, 1.0}};
+  expectRefused(samples::cube(), options,
+                "cut: its plane misses the body, which in frame 0 reaches from (0, 0, 0)");
+  options.slice = options.cut;
+  expectRefused(samples::cube(), options, "exclude each other");
+  options = small("pressure");
+  options.cut = CutPlane{{0.5, 0.5, 0.5}, {0.0, 0.0, 1.0}};
+  options.axes = viewNamed("yz", 3);
+  expectRefused(samples::cube(), options, "edge-on");
+  options = small("pressure");
+  options.mirror = {{0, 0.5}};
+  expectRefused(samples::cube(), options,
+                "mirror: found the plane x = 0.5; the undeformed body goes from x = 0");
+  options.mirror = {{2, 0.0}};
+  expectRefused(samples::square(), options, "the model has 2 dimensions");
+  options.mirror = {{0, 1.0}};
+  expectRefused(samples::square(), options, "no plane of symmetry");  // it is sheared
+  options = small("von_mises");
+  options.slice = CutPlane{};
+  expectRefused(samples::ring(), options, "only one in space can be cut");
+}
+
+/// A pyramid that stands on its tip in the middle of the cube's upper face.
+SurfaceMesh pyramid() {
+  SurfaceMesh mesh;
+  mesh.points.resize(3, 5);
+  mesh.points << 0.5, 0.1, 0.9, 0.9, 0.1,  //
+      1.0, 1.5, 1.5, 1.5, 1.5,             //
+      0.5, 0.1, 0.1, 0.9, 0.9;
+  mesh.cells.resize(3, 6);
+  mesh.cells << 0, 0, 0, 0, 1, 1,  //
+      1, 2, 3, 4, 4, 3,            //
+      2, 3, 4, 1, 3, 2;
+  mesh.closed = true;
+  return mesh;
+}
+
+TEST_F(SpaceImage, ToolOfTrianglesHasItsEdgesAndSections) {
+  Sample sample = samples::cube();
+  sample.model.tools = {{"pyramid", pyramid()}};
+  ContourOptions options = small("pressure");
+  options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  const Picture section = drawn(sample, options);
+  expectColor(section, Eigen::Vector3d(0.5, 1.3, 0.5), options.theme.tool);
+  expectColor(section, Eigen::Vector3d(0.7, 1.4, 0.5), options.theme.tool);
+  expectColor(section, Eigen::Vector3d(0.75, 1.2, 0.5), options.theme.paper);
+
+  options.slice.reset();
+  const Picture whole = expectBaseline(sample, options, "cube_pyramid");
+  for (const double s : {0.3, 0.7}) {
+    const Eigen::Vector3d edge(0.5 + 0.4 * s, 1.0 + 0.5 * s, 0.5 + 0.4 * s);
+    EXPECT_LT(whole.at(view.pixel(edge))[0], 150) << s;
+  }
+}
+
+/// The tool of the slab as segments in no order, the tool on their left: a frame of x0 ... x1, y0 ... y1.
+SurfaceMesh frameMesh(bool closed) {
+  SurfaceMesh mesh;
+  mesh.points.resize(3, 8);
+  mesh.points << 1.0, 2.0, 2.0, 1.0, 1.3, 1.7, 1.7, 1.3,  //
+      0.9, 0.9, 1.5, 1.5, 1.1, 1.1, 1.3, 1.3,             //
+      0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0;
+  mesh.cells.resize(2, 8);
+  mesh.cells << 2, 0, 4, 3, 1, 7, 5, 6,  //
+      3, 1, 7, 0, 2, 6, 4, 5;
+  mesh.closed = closed;
+  return mesh;
+}
+
+TEST_F(SpaceImage, PlaneToolOfSegmentsIsFilledAroundItsHole) {
+  Sample sample = samples::slab();
+  sample.model.tools.front().shape = frameMesh(true);
+  const ContourOptions options = small("plastic_strain");
+  const Picture picture = expectBaseline(sample, options, "slab_frame");
+  const double lowered = -0.15;
+  for (const Eigen::Vector2d& x : {Eigen::Vector2d(1.15, 1.2), {1.85, 1.2}, {1.5, 1.06}, {1.5, 1.4}})
+    expectColor(picture, x + Eigen::Vector2d(0.0, lowered), options.theme.tool);
+  expectColor(picture, Eigen::Vector2d(1.5, 1.2 + lowered), options.theme.paper);
+  expectColor(picture, Eigen::Vector2d(0.8, 1.2 + lowered), options.theme.paper);
+}
+
+TEST_F(SpaceImage, OpenToolIsHatchedOnItsSide) {
+  Sample sample = samples::slab();
+  SurfaceMesh die;  // goes to the left, then up: the tool is below, then at the left
+  die.points = Eigen::Matrix3d{{3.4, -0.2, -0.2}, {0.0, 0.0, 1.4}, {0.0, 0.0, 0.0}};
+  die.cells = Eigen::Matrix2i{{0, 1}, {1, 2}};
+  sample.model.tools.front().shape = die;
+  sample.frame.toolDisplacement.setZero();
+  ContourOptions options = small("plastic_strain");
+  options.undeformed = false;
+  const Picture picture = expectBaseline(sample, options, "slab_die");
+  const auto inkAlong = [&](const Eigen::Vector2d& begin, const Eigen::Vector2d& end) {
+    int ink = 0;
+    for (double s = 0.0; s <= 1.0; s += 1.0 / 256)
+      ink += picture.at(view.pixel(begin + s * (end - begin)))[0] < 225 ? 1 : 0;
+    return ink;
+  };
+  EXPECT_GT(inkAlong({0.0, -0.05}, {3.0, -0.05}), 10);
+  EXPECT_EQ(inkAlong({-0.15, 0.2}, {-0.15, 1.3}), 0);
+  EXPECT_GT(inkAlong({-0.25, 0.2}, {-0.25, 1.3}), 5);
+}
+
+TEST_F(SpaceImage, DieIsHatchedAroundTheBody) {
+  Sample sample = samples::slab();
+  SurfaceMesh die;  // clockwise, each segment with points of its own
+  die.points = Eigen::Matrix<double, 3, 8>{{-0.5, -0.5, -0.5, 3.5, 3.5, 3.5, 3.5, -0.5},
+                                           {-0.3, 1.4, 1.4, 1.4, 1.4, -0.3, -0.3, -0.3},
+                                           {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}};
+  die.cells = Eigen::Matrix<int, 2, 4>{{0, 2, 4, 6}, {1, 3, 5, 7}};
+  die.closed = true;
+  sample.model.tools.front().shape = die;
+  sample.frame.toolDisplacement.setZero();
+  const ContourOptions options = small("plastic_strain");
+  const Picture picture = drawn(sample, options);
+  expectColor(picture, Eigen::Vector2d(-0.25, 0.5), options.theme.paper);
+  for (const double y : {-0.33, 1.43}) {
+    int ink = 0;
+    for (double x = 0.0; x <= 3.0; x += 0.01)
+      ink += picture.at(view.pixel(Eigen::Vector2d(x, y)))[0] < 225 ? 1 : 0;
+    EXPECT_GT(ink, 10) << y;
+  }
+}
+
+TEST_F(SpaceImage, DiscThatHasTurnedShowsItsRadius) {
+  Sample sample = samples::slab();
+  sample.model.tools.front().pivot = {1.5, 1.5, 0.0};
+  sample.frame.toolAngle = Eigen::VectorXd::Constant(1, -0.7);
+  const ContourOptions options = small("plastic_strain");
+  const Picture picture = expectBaseline(sample, options, "slab_turned");
+  const Eigen::Vector2d center(1.5, 1.35), upright(std::sin(0.7), std::cos(0.7));
+  EXPECT_LT(picture.at(view.pixel(center + 0.3 * upright))[0], 190);
+  expectColor(picture, center - 0.3 * upright, options.theme.tool);
+  sample.frame.toolAngle.setZero();
+  expectColor(drawn(sample, options), center + 0.3 * upright, options.theme.tool);
+}
+
+TEST_F(SpaceImage, OnlyTheNearPartOfALargeToolMustBeSeen) {
+  Sample sample = samples::slab();
+  SurfaceMesh wedge;
+  wedge.points = Eigen::Matrix3d{{-60.0, 1.5, 60.0}, {60.0, 1.0, 60.0}, {0.0, 0.0, 0.0}};
+  wedge.cells = Eigen::Matrix<int, 2, 3>{{0, 1, 2}, {1, 2, 0}};
+  wedge.closed = true;
+  sample.model.tools.front().shape = wedge;
+  const ContourOptions options = small("plastic_strain");
+  const Picture picture = drawn(sample, options);
+  EXPECT_GT(view.pixelsPerLength, 60.0);
+  expectColor(picture, Eigen::Vector2d(1.5, 1.2), options.theme.tool);
+}
+
+}  // namespace
+}  // namespace burnish

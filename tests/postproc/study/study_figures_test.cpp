@@ -1,0 +1,260 @@
+#include "postproc/study/figures/figures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "engine/core/error.h"
+#include "postproc/draw/page/sheet.h"
+#include "postproc/text/text_file.h"
+#include "tests/postproc/picture.h"
+#include "tests/postproc/study/study_samples.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace samples;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string errorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class StudyFigures : public testing::Test {
+ protected:
+  /// Draws a figure and returns the names of its files below DIR/figures, all of which exist.
+  std::vector<std::string> draw(const std::string& name, decltype(FigureSpec::what) what) {
+    study_.spec.figures.push_back({name, "", std::move(what)});
+    std::vector<std::string> names;
+    for (const fs::path& file : drawFigure(study_, study_.spec.figures.back(), directory_.path())) {
+      EXPECT_TRUE(fs::exists(file)) << file;
+      names.push_back(file.lexically_relative(figures()).generic_string());
+    }
+    return names;
+  }
+
+  fs::path figures() const { return directory_.path() / "figures"; }
+  std::string text(const std::string& name) const { return readText(figures() / name); }
+
+  ScratchDirectory directory_;
+  Study study_ = madeUpStudy(directory_.path());
+};
+
+HistoryChartSpec valueChart() {
+  HistoryChartSpec spec;
+  spec.runs = {"*-fine"};
+  spec.y = "value";
+  spec.where = "time >= 1";
+  return spec;
+}
+
+RefinementChartSpec lastValueRefined() {
+  RefinementChartSpec spec;
+  spec.runs = {"*"};
+  spec.refine = "mesh";
+  HistoryMeasure last;
+  last.y = "value";
+  spec.measure = {"last", "last value", last};
+  return spec;
+}
+
+ContourSheetSpec sheetOfFine() {
+  ContourSheetSpec spec;
+  spec.runs = {"*-fine"};
+  spec.times = {1.0, 2.0};
+  spec.field = "plastic_strain";
+  spec.panelSize = {320, 200};
+  return spec;
+}
+
+/// Whether the left part of a picture, with the body but not the colour scale, shows the colour of the
+/// largest values of viridis.
+bool bodyIsBright(const fs::path& png) {
+  const Picture picture = readPicture(png);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width * 6 / 10; ++x)
+      if (difference(picture.at({x + 0.5, y + 0.5}), {253, 231, 37}) < 25) return true;
+  return false;
+}
+
+TEST_F(StudyFigures, SheetsMarkDoubtfulRunsAndShowImages) {
+  ContourSheetSpec spec = sheetOfFine();
+  draw("sound", spec);
+  spec.mirror = "x";
+  draw("whole", spec);
+  const fs::path run = directory_.path() / "runs/nurbs-fine";
+  SummaryRecord summary = readSummary(run);
+  summary.doubts.push_back({.what = "smallest J", .firstTime = 0.5, .steps = 3});
+  writeSummary(run, summary);
+  draw("marked_whole", spec);
+  spec.mirror.reset();
+  draw("marked", spec);
+  spec.doubtMarks = false;
+  draw("unmarked", spec);
+  EXPECT_EQ(text("unmarked_a.png"), text("sound_a.png"));
+  EXPECT_NE(text("marked_a.png"), text("sound_a.png"));
+  EXPECT_EQ(text("marked_b.png"), text("sound_b.png")) << "another run";
+  EXPECT_NE(text("whole_a.png"), text("sound_a.png"));
+  EXPECT_NE(text("marked_whole_a.png"), text("whole_a.png"));
+}
+
+TEST_F(StudyFigures, HistoryChartHasItsDataBesideIt) {
+  EXPECT_THAT(draw("value", valueChart()), ElementsAre("value.png", "value.csv"));
+  EXPECT_THAT(text("value.csv"), HasSubstr("Lagrange, fine (stopped at t = 1.4) x"));
+  EXPECT_THAT(text("value.csv"), HasSubstr("\n1,0.5078125,1,0.5078125\n"));  // the first row at t = 1
+}
+
+TEST_F(StudyFigures, ReferenceIsPointsOrAPictureBeside) {
+  writeText("x,y\n1.5,0.7\n", directory_.path() / "paper.csv");
+  HistoryChartSpec spec = valueChart();
+  spec.reference = "paper.csv";
+  draw("points", spec);
+  EXPECT_THAT(text("points.csv"), HasSubstr("reference x"));
+  EXPECT_THAT(text("points.csv"), HasSubstr("1.5,0.7"));
+
+  fs::copy_file(figures() / "points.png", directory_.path() / "paper.png");
+  spec.reference = "paper.png";
+  EXPECT_THAT(draw("beside", spec), ElementsAre("beside.png", "beside_ours.png", "beside.csv"));
+  EXPECT_GT(readPicture(figures() / "beside.png").width, 2 * 1000);
+}
+
+TEST_F(StudyFigures, SurfaceChartShowsTheContactAtEachTime) {
+  SurfaceChartSpec spec;
+  spec.runs = {"nurbs-fine", "lagrange-fine"};
+  spec.times = {1.0, 2.0};
+  EXPECT_THAT(draw("pressure", spec), ElementsAre("pressure.png", "pressure_t1.png", "pressure_t1.csv",
+                                                  "pressure_t2.png", "pressure_t2.csv"));
+  const std::string second = text("pressure_t2.csv");
+  EXPECT_THAT(second, HasSubstr("Lagrange, fine (stopped at t = 1.4)"));
+  // Pressure from 1 to 2: the window reaches from about 0.5 to 2.5, the slab from 0 to 3.
+  const auto lines = std::count(second.begin(), second.end(), '\n');
+  EXPECT_GT(lines, 40 * 2 / 3 - 3);
+  EXPECT_LT(lines, 40 * 2 / 3 + 4);
+}
+
+TEST_F(StudyFigures, RefinementFindsLimitAndOrder) {
+  EXPECT_THAT(draw("error", lastValueRefined()), ElementsAre("error.png", "error.csv"));
+  std::vector<double> row;  // of the finest mesh: functions, value, error, order, limits
+  std::string line = text("error.csv");
+  line = line.substr(line.find("nurbs-fine,") + 11);
+  for (std::size_t comma = 0; row.size() < 6; line = line.substr(comma + 1)) {
+    row.push_back(std::stod(line));
+    comma = line.find_first_of(",\n");
+  }
+  EXPECT_DOUBLE_EQ(row[0], 256.0);
+  EXPECT_NEAR(row[2], 4.0 / 256.0, 1e-9);
+  EXPECT_NEAR(row[3], 2.0, 1e-6);  // 4/N = 4 h² with N = h⁻²
+  EXPECT_NEAR(row[5], 1.0, 1e-9);
+  EXPECT_EQ(text("error.csv").find("lagrange"), std::string::npos);  // stopped: no value, so no point
+}
+
+TEST_F(StudyFigures, RefinementThatDoesNotSettleIsRefusedWithItsValues) {
+  RefinementChartSpec spec = lastValueRefined();
+  spec.measure.what = SummaryMeasure{"functions"};
+  EXPECT_THAT(errorOf([&] { draw("error", spec); }), HasSubstr("figure error: no limit can be extrapolated"));
+  EXPECT_THAT(errorOf([&] { draw("error", spec); }), HasSubstr("NURBS: 16, 64, 256"));
+}
+
+TEST_F(StudyFigures, SheetHasAPanelForEachRunAndTime) {
+  EXPECT_THAT(draw("strain", sheetOfFine()),
+              ElementsAre("strain.png", "strain_a.png", "strain_b.png", "strain_c.png", "strain_d.png"));
+  EXPECT_EQ(readPicture(figures() / "strain.png").width, 2 * 320);
+  EXPECT_EQ(readPicture(figures() / "strain_a.png").width, sheetPanelWidth(2, 2 * 320));
+}
+
+TEST_F(StudyFigures, SheetSharesColoursWhereItIsAskedTo) {
+  ContourSheetSpec spec = sheetOfFine();
+  spec.runs = {"nurbs-fine"};
+  draw("panel", spec);  // strains at t = 2 are twice those at t = 1
+  EXPECT_TRUE(bodyIsBright(figures() / "panel_a.png"));
+  spec.scale = SheetScale::Row;
+  draw("row", spec);
+  EXPECT_TRUE(bodyIsBright(figures() / "row_a.png"));
+  spec.scale = SheetScale::Sheet;
+  draw("sheet", spec);
+  EXPECT_FALSE(bodyIsBright(figures() / "sheet_a.png"));
+  EXPECT_TRUE(bodyIsBright(figures() / "sheet_b.png"));
+}
+
+TEST_F(StudyFigures, SheetTakesWordsForItsCaptionsFromTheRun) {
+  ContourSheetSpec spec = sheetOfFine();
+  spec.panelCaption = "{letter}) {basis.label}, mesh {mesh}, {time}";
+  draw("good", spec);
+  spec.panelCaption = "{lettre}";
+  EXPECT_THAT(errorOf([&] { draw("bad", spec); }), HasSubstr("lettre"));
+}
+
+TEST_F(StudyFigures, SheetsAreTheSameBytesTwice) {
+  draw("first", sheetOfFine());
+  draw("second", sheetOfFine());
+  EXPECT_EQ(text("first.png"), text("second.png"));
+}
+
+TEST_F(StudyFigures, FramesThatARunThatCompletedDoesNotHaveAreAnError) {
+  ContourSheetSpec spec = sheetOfFine();
+  spec.times = {0.7};
+  EXPECT_THAT(errorOf([&] { draw("strain", spec); }),
+              HasSubstr("figure strain: run nurbs-fine: there is no frame at t = 0.7"));
+}
+
+TEST_F(StudyFigures, CompositeDrawsPartsThatAreMissing) {
+  draw("value", valueChart());
+  fs::remove(figures() / "value.png");
+  CompositeSpec spec;
+  spec.figures = {"value", "value"};
+  spec.captions = {"a)", "b)"};
+  EXPECT_THAT(draw("both", spec), ElementsAre("both.png"));
+  EXPECT_TRUE(fs::exists(figures() / "value.png"));
+  spec.figures = {"both"};
+  EXPECT_THAT(errorOf([&] { draw("nested", spec); }), HasSubstr("both is a composite itself"));
+}
+
+TEST_F(StudyFigures, AnimationHasAPictureForEveryFrame) {
+  AnimationSpec spec;
+  spec.runs = {"nurbs-fine"};
+  spec.field = "plastic_strain";
+  spec.size = {320, 200};
+  auto files = draw("movie", spec);
+  std::erase(files, "movie_nurbs-fine.mp4");  // only where ffmpeg is installed
+  EXPECT_THAT(files, ElementsAre("movie.png", "movie/nurbs-fine/frame_0001.png",
+                                 "movie/nurbs-fine/frame_0002.png", "movie/nurbs-fine/frame_0003.png"));
+}
+
+TEST_F(StudyFigures, NeedTheRunsThatTheyShowAndCompareWith) {
+  const auto names = [&](decltype(FigureSpec::what) what) {
+    study_.spec.figures.push_back({"figure", "", std::move(what)});
+    std::vector<std::string> all;
+    for (const StudyRun* run : runsOf(study_, study_.spec.figures.back())) all.push_back(run->name);
+    return all;
+  };
+  EXPECT_THAT(names(valueChart()), ElementsAre("nurbs-fine", "lagrange-fine"));
+  DifferenceMeasure difference;
+  difference.other = "nurbs-coarse";
+  difference.y = "value";
+  RefinementChartSpec compared = lastValueRefined();
+  compared.runs = {"lagrange-*"};
+  compared.measure.what = difference;
+  EXPECT_THAT(names(compared), ElementsAre("nurbs-coarse", "lagrange-fine"));
+  study_.spec.figures = {{"part", "", SetupSpec{"nurbs-middle"}}};
+  CompositeSpec composite;
+  composite.figures = {"part", "part"};
+  EXPECT_THAT(names(composite), ElementsAre("nurbs-middle"));
+}
+
+TEST_F(StudyFigures, RunsWithoutResultsAreNamed) {
+  fs::remove(directory_.path() / "runs/nurbs-fine/summary.yaml");
+  EXPECT_THAT(errorOf([&] { draw("value", valueChart()); }),
+              HasSubstr("figure value: run nurbs-fine: there are no results"));
+}
+
+}  // namespace
+}  // namespace burnish

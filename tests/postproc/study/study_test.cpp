@@ -1,0 +1,272 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/schema/json_schema.h"
+#include "postproc/study/combinations.h"
+#include "postproc/study/run_data.h"
+#include "postproc/study/study_listing.h"
+#include "postproc/study/study_reader.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+const std::string kScene = R"(geometry: {shape: rectangle, size: [2, 1], functions: [7, 5]}
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports: [{face: bottom, fix: [x, y]}]
+steps: [{until: 1, count: 2}]
+)";
+
+const std::string kStudy = R"(title: Bases
+runs:
+  - name: block-{basis}-{degree}
+    scene: block.yaml
+    vary:
+      - {name: basis, values: [nurbs, lagrange], labels: [NURBS, C0]}
+      - {name: degree, values: [1, 2]}
+    set: ["basis={basis}", "degree={degree}"]
+    label: "{basis.label}, p = {degree}"
+  - {name: soft, scene: block.yaml, set: [material.E=0.5]}
+figures:
+  - {name: energy, kind: history, runs: ["block-*", soft], y: strain_energy, looks: {color: basis}}
+  - {name: map, kind: sheet, runs: [soft], times: [0, 1], time_labels: [start, end], field: von_mises}
+  - {name: both, kind: composite, figures: [energy, map], captions: [a, b]}
+statements:
+  - name: work
+    title: Work
+    runs: ["block-*-2", soft]
+    measures:
+      - {name: peak, title: Peak, kind: history, y: strain_energy, reduce: max}
+    claims:
+      - {text: "{d}", measure: peak, vary: [{name: d, values: [1, 2]}], runs: ["block-nurbs-{d}", soft]}
+    figures: [both]
+)";
+
+/// A directory with a scene and a study.
+class StudyFile : public testing::Test {
+ protected:
+  StudyFile() {
+    fs::create_directories(dir_);
+    std::ofstream(dir_ / "block.yaml") << kScene;
+  }
+  ~StudyFile() override { fs::remove_all(dir_); }
+
+  Study read(const std::string& text) const {
+    std::ofstream(dir_ / "study.yaml") << text;
+    return readStudy(dir_ / "study.yaml");
+  }
+
+  /// The error without the directory.
+  std::string errorOf(const std::string& text) const {
+    try {
+      read(text);
+      return "no error";
+    } catch (const Error& error) {
+      std::string message = error.what();
+      for (std::size_t at = 0; (at = message.find(dir_.string() + "/")) != std::string::npos;)
+        message.erase(at, dir_.string().size() + 1);
+      return message;
+    }
+  }
+
+  fs::path dir_ = fs::temp_directory_path() / ("burnish_study_" + std::to_string(::getpid()));
+};
+
+std::vector<std::string> names(const std::vector<const StudyRun*>& runs) {
+  std::vector<std::string> list;
+  for (const StudyRun* run : runs) list.push_back(run->name);
+  return list;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("the test's text has no \"" + from + "\"");
+  return text.replace(at, from.size(), to);
+}
+
+TEST_F(StudyFile, runsAreTheCombinationsOfTheParametersTheFirstSlowest) {
+  const Study study = read(kStudy);
+  EXPECT_THAT(names(study.matching({"*"})),
+              ElementsAre("block-nurbs-1", "block-nurbs-2", "block-lagrange-1", "block-lagrange-2", "soft"));
+  const StudyRun& run = study.runs[2];
+  EXPECT_EQ(run.label, "C0, p = 1");
+  EXPECT_EQ(run.scene, dir_ / "block.yaml");
+  EXPECT_THAT(run.overrides, ElementsAre("basis=lagrange", "degree=1"));
+  EXPECT_EQ(run.parameters,
+            (std::map<std::string, std::string>{
+                {"basis", "lagrange"}, {"basis.label", "C0"}, {"degree", "1"}, {"degree.label", "1"}}));
+  EXPECT_EQ(study.runs[4].label, "soft");
+}
+
+TEST_F(StudyFile, figuresAndStatementsAreRead) {
+  const Study study = read(kStudy);
+  const auto& chart = std::get<HistoryChartSpec>(study.spec.figures.at(0).what);
+  EXPECT_EQ(chart.x, "time");
+  EXPECT_EQ(chart.looks.color, "basis");
+  const auto& sheet = std::get<ContourSheetSpec>(study.spec.figures.at(1).what);
+  EXPECT_EQ(sheet.times, (std::vector<double>{0, 1}));
+  EXPECT_EQ(sheet.panelCaption, "{letter}) {label}, {time}");
+  const auto& measure = std::get<HistoryMeasure>(study.spec.statements.at(0).measures.at(0).what);
+  EXPECT_EQ(measure.reduce, Reduction::Max);
+}
+
+TEST_F(StudyFile, aTimeMayBeTheEndOfTheRuns) {
+  std::string text = kStudy;
+  text.replace(text.find("times: [0, 1]"), 13, "times: [0, end]");
+  const Study study = read(text);
+  EXPECT_THAT(std::get<ContourSheetSpec>(study.spec.figures[1].what).times, ElementsAre(0.0, kEndOfRun));
+}
+
+TEST_F(StudyFile, patternsNameRunsOnceInTheirOrder) {
+  const Study study = read(kStudy);
+  EXPECT_THAT(names(study.matching({"soft", "*-2", "block-nurbs-2"})),
+              ElementsAre("soft", "block-nurbs-2", "block-lagrange-2"));
+  EXPECT_THAT(names(study.matching({"b*k-*s-*1"})), ElementsAre("block-nurbs-1"));
+  EXPECT_THROW(study.matching({"block"}), Error);
+  EXPECT_THROW(study.matching({"soft", "*-3"}), Error);
+}
+
+TEST(FillIn, replacesEveryBrace) {
+  const std::map<std::string, std::string> parameters{{"p", "2"}, {"p.label", "two"}};
+  EXPECT_EQ(fillIn("a{p}-{p.label}{p}", parameters), "a2-two2");
+  EXPECT_EQ(fillIn("", parameters), "");
+  EXPECT_THROW(fillIn("{q}", parameters), Error);
+  EXPECT_THROW(fillIn("a{p", parameters), Error);
+}
+
+TEST(Combinations, haveOneEmptyMemberWithoutParameters) {
+  EXPECT_EQ(combinations({}).size(), 1u);
+  EXPECT_TRUE(combinations({})[0].empty());
+}
+
+/// A mistake made in the good study, and the error that it gives.
+struct Mistake {
+  const char* name;
+  std::string from, to, error;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+  *out << mistake.name;
+}
+
+class StudyMistake : public StudyFile, public testing::WithParamInterface<Mistake> {};
+
+std::string nameOf(const testing::TestParamInfo<Mistake>& test) {
+  return test.param.name;
+}
+
+TEST_P(StudyMistake, isReportedWithPlaceKeyAndRemedy) {
+  const std::string error = errorOf(replaced(kStudy, GetParam().from, GetParam().to));
+  EXPECT_TRUE(error.starts_with(GetParam().error)) << error;
+  EXPECT_EQ(error.find('\n'), std::string::npos) << "only one thing is wrong:\n" << error;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, StudyMistake,
+    testing::Values(
+        Mistake{"unknown", "title: Bases", "titel: Bases",
+                "study.yaml:1:1: titel: found an unknown key; allowed: title, text, runs, figures, "
+                "statements. Did you mean \"title\"?"},
+        Mistake{
+            "unknownOfKind", "looks: {", "look: {",
+            "study.yaml:12:78: figures[0].look: found an unknown key; allowed: name, caption, kind, runs"},
+        Mistake{"kind", "kind: sheet", "kind: shet",
+                "study.yaml:13:23: figures[1].kind: found shet; allowed: history | surface | refinement | "
+                "sheet | setup | composite | animation. Did you mean \"sheet\"?"},
+        Mistake{"field", "field: von_mises", "field: mises",
+                "study.yaml:13:93: figures[1].field: found mises; allowed: displacement"},
+        Mistake{"missing", "y: strain_energy, looks", "looks",
+                "study.yaml:12:5: figures[0].y: missing; required: a text."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, StudyMistake,
+    testing::Values(
+        Mistake{"runTwice", "block-{basis}-{degree}", "block-{basis}",
+                "study.yaml:3:11: runs[0].name: found the name block-nurbs a second time"},
+        Mistake{"unsafeRun", "name: block-{basis}-{degree}", "name: ../{basis}-{degree}",
+                "study.yaml:3:11: runs[0].name: found the name ../nurbs-1; allowed: up to 200 letters"},
+        Mistake{"brace", "label: \"{basis.label},", "label: \"{basis.lable},",
+                "study.yaml:9:12: runs[0].label: found \"{basis.lable}, p = {degree}\", where {basis.lable} "
+                "stands for nothing; allowed in braces: basis, basis.label, degree, degree.label. Did you "
+                "mean \"basis.label\"?"},
+        Mistake{"openBrace", "name: block-{basis}-{degree}", "name: \"block-{basis}-{degree\"",
+                "study.yaml:3:11: runs[0].name: found \"block-{basis}-{degree\": a brace is not closed"},
+        Mistake{"labels", "labels: [NURBS, C0]", "labels: [NURBS]",
+                "study.yaml:6:58: runs[0].vary[0].labels: found a list of 1; allowed: a list of 2"},
+        Mistake{"valueTwice", "values: [1, 2]}\n    set", "values: [2, 2]}\n    set",
+                "study.yaml:7:36: runs[0].vary[1].values[1]: found 2 a second time"},
+        Mistake{"figureTwice", "{name: map", "{name: energy",
+                "study.yaml:13:12: figures[1].name: found energy a second time"},
+        Mistake{"timeLabels", "time_labels: [start, end]", "time_labels: [start]",
+                "study.yaml:13:72: figures[1].time_labels: found a list of 1; allowed: a list of 2"},
+        Mistake{"captions", "captions: [a, b]", "captions: [a]",
+                "study.yaml:14:69: figures[2].captions: found a list of 1; allowed: a list of 2"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    References, StudyMistake,
+    testing::Values(
+        Mistake{"scene", "scene: block.yaml\n", "scene: brick.yaml\n",
+                "study.yaml:3:5: runs[0]: the scene of the run block-nurbs-1 cannot be used: brick.yaml: "
+                "cannot be read"},
+        Mistake{"override", "set: [material.E=0.5]", "set: [material.nu=0.5]",
+                "study.yaml:10:5: runs[1]: the scene of the run soft cannot be used: --set material.nu=0.5: "
+                "material.nu: found 0.5; allowed: a number above -1 and below 0.5."},
+        Mistake{"pattern", "runs: [\"block-*\", soft]", "runs: [\"blok-*\", soft]",
+                "study.yaml:12:42: figures[0].runs[0]: found blok-*, which names no run; the runs are "
+                "block-nurbs-1, "},
+        Mistake{"looks", "color: basis", "color: base",
+                "study.yaml:12:93: figures[0].looks.color: found base; allowed: basis | degree."},
+        Mistake{"part", "figures: [energy, map]", "figures: [energy, both]",
+                "study.yaml:14:53: figures[2].figures[1]: found both; allowed: energy | map."},
+        Mistake{"measure", "measure: peak", "measure: peek",
+                "study.yaml:22:32: statements[0].claims[0].measure: found peek; allowed: peak. Did you mean "
+                "\"peak\"?"},
+        Mistake{"claimedRun", "soft]}", "hard]}", "study.yaml:22:99: statements[0].claims[0].runs[1]"},
+        Mistake{"oneRun", "runs: [\"block-nurbs-{d}\", soft]", "runs: [soft]",
+                "study.yaml:22:79: statements[0].claims[0].runs: found one run"},
+        Mistake{"between", "soft]}", "soft], expect: between}",
+                "study.yaml:22:9: statements[0].claims[0].range: required with between"},
+        Mistake{"within", "soft]}", "soft], within: 0.1}",
+                "study.yaml:22:114: statements[0].claims[0].within: found without equal or different"},
+        Mistake{"at", "reduce: max", "reduce: at",
+                "study.yaml:20:9: statements[0].measures[0].at: missing; required with `reduce: at`"},
+        Mistake{"figure", "figures: [both]", "figures: [all]",
+                "study.yaml:23:15: statements[0].figures[0]: found all; allowed: energy | map | both."}),
+    nameOf);
+
+TEST_F(StudyFile, filesThatAreNoStudyAreRefused) {
+  EXPECT_EQ(errorOf(""), "study.yaml:1:1: the file is empty; a study has at least runs and figures");
+  EXPECT_THAT(errorOf("- 1"),
+              testing::StartsWith("study.yaml:1:1: found a list of 1 entry; a study is a mapping"));
+  EXPECT_THROW(readStudy(dir_ / "nowhere.yaml"), Error);
+}
+
+TEST(StudyListing, isWhatTheDocumentationShows) {
+  std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/study.md");
+  const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  EXPECT_NE(page.find(describeStudy()), std::string::npos)
+      << "docs/study.md is out of date: replace its list by the output of burnish info --study-keys";
+}
+
+TEST(StudySchema, isTheOneThatIsShipped) {
+  std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/study.schema.json");
+  const std::string shipped((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  EXPECT_TRUE(shipped == jsonSchema("burnish study", studyDeclarations()))
+      << "docs/study.schema.json is out of date: replace it by the output of burnish schema --study";
+}
+
+}  // namespace
+}  // namespace burnish
