@@ -22,7 +22,7 @@
 #include "engine/results/summary_file.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
-#include "engine/scene/reader.h"
+#include "postproc/scene/scene_document.h"
 #include "postproc/study/figures/figures.h"
 
 namespace burnish {
@@ -134,7 +134,7 @@ class Planner {
       for (const StudyRun* run : runsOf(study_, *figure.figure)) wanted.insert(run);
     for (const StudyRun& run : study_.runs) {
       if (onlyForFigures && !wanted.contains(&run)) continue;
-      const Scene scene = readScene(run.scene, run.overrides);
+      const Scene scene = readSceneDocument(run.scene, run.overrides).scene;
       PlannedRun planned{
           &run, runDirectory(directory_, run), scene.steps.back().until, expectedCost(scene), {}};
       if (!isOf(planned.directory, scene) || !hasEnded(planned.directory))
