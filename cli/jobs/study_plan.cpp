@@ -6,16 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <numeric>
 #include <set>
 #include <span>
-#include <sstream>
 #include <system_error>
 #include <thread>
 
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
+#include "engine/core/fingerprint.h"
 #include "engine/core/nearest.h"
 #include "engine/core/version.h"
 #include "engine/results/result_reader.h"
@@ -24,6 +23,7 @@
 #include "engine/scene/mesh_knots.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/study/figures/figures.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {
@@ -40,9 +40,10 @@ fs::path logFile(const fs::path& directory, const std::string& figure) {
 
 /// Tells studies apart, also those with equal times of change.
 std::string digestOf(const fs::path& studyFile) {
-  std::ostringstream text;
-  text << std::ifstream(studyFile, std::ios::binary).rdbuf();
-  return fmt::format("study {:016x}", std::hash<std::string>{}(text.str()));
+  const std::string text = readText(studyFile);
+  Fingerprint digest;
+  digest.add(std::as_bytes(std::span(text)));
+  return "study " + digest.text();
 }
 
 /// Whether a run has ended, with this program and this scene.
