@@ -213,13 +213,6 @@ class Planner {
   StudyPlan plan_;
 };
 
-void makeDirectory(const fs::path& directory) {
-  std::error_code status;
-  fs::create_directories(directory, status);
-  if (status)
-    throw Error(fmt::format("cannot create the directory {}: {}", directory.string(), status.message()));
-}
-
 }  // namespace
 
 const FigureSpec& findFigure(const Study& study, const std::string& name) {
