@@ -9,8 +9,8 @@
 #include "cli/commands/info_text.h"
 #include "cli/console.h"
 #include "engine/core/error.h"
-#include "engine/scene/reader.h"
-#include "engine/scene/scene_listing.h"
+#include "postproc/scene/scene_document.h"
+#include "postproc/scene/scene_listing.h"
 #include "postproc/study/study_listing.h"
 
 namespace burnish {
@@ -32,7 +32,7 @@ ExitCode info(const InfoArguments& arguments) {
   if (!fs::exists(path, status))
     throw Error(fmt::format("{}: there is no such file or directory", path.string()));
   const bool isResult = fs::is_directory(path, status) || path.extension() == ".h5";
-  printText(isResult ? resultText(ResultReader(path)) : sceneText(readScene(path)));
+  printText(isResult ? resultText(ResultReader(path)) : sceneText(readSceneDocument(path).scene));
   return ExitCode::Fine;
 }
 

@@ -38,11 +38,11 @@ ContourOptions contourOptions(const PictureSpec& picture) {
   return options;
 }
 
-void requirePlanes(const Scene& scene, const ModelRecord& model) {
+void requirePlanes(const SceneDocument& document, const ModelRecord& model) {
   const FrameRecord frame = frameAtRest(model);
   std::vector<InputProblem> problems;
-  for (std::size_t k = 0; k < scene.pictures.size(); ++k) {
-    const PictureSpec& picture = scene.pictures[k];
+  for (std::size_t k = 0; k < document.pictures.size(); ++k) {
+    const PictureSpec& picture = document.pictures[k];
     ContourOptions options = contourOptions(picture);
     options.field = "displacement";
     const std::string path = fmt::format("pictures[{}]", k);
@@ -57,7 +57,7 @@ void requirePlanes(const Scene& scene, const ModelRecord& model) {
           {path + "." + key, text.starts_with(key + ": ") ? text.substr(key.size() + 2) : text});
     }
   }
-  if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
+  if (!problems.empty()) throw Error(textWithPlaces(document.scene, problems));
 }
 
 }  // namespace burnish

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/results/result.h"
-#include "engine/scene/scene.h"
 #include "postproc/draw/contour/contour.h"
+#include "postproc/scene/scene_document.h"
 
 namespace burnish {
 
@@ -10,6 +10,6 @@ ContourOptions contourOptions(const PictureSpec& picture);
 
 /// Throws `Error` with places in the scene's file if the planes of its pictures are none of symmetry or miss
 /// the undeformed body.
-void requirePlanes(const Scene& scene, const ModelRecord& model);
+void requirePlanes(const SceneDocument& document, const ModelRecord& model);
 
 }  // namespace burnish

@@ -14,8 +14,8 @@
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
 #include "engine/results/run_files.h"
-#include "engine/scene/reader.h"
 #include "postproc/offscreen/offscreen_canvas.h"
+#include "postproc/scene/scene_document.h"
 
 namespace burnish {
 namespace {
@@ -97,13 +97,13 @@ ExitCode reportEnd(const RunArguments& arguments, const RunSummary& summary, con
 }
 
 ExitCode run(const RunArguments& arguments) {
-  const Scene scene = arguments.resumes ? readResultScene(arguments.directory)
-                                        : readScene(arguments.scene, arguments.overrides);
+  const SceneDocument document = arguments.resumes ? readResultDocument(arguments.directory)
+                                                   : readSceneDocument(arguments.scene, arguments.overrides);
   OffscreenCanvas::saveMemory();  // for the solver
   const SignalGuard signals(SecondSignal::Ends);
-  RunOutputs outputs(scene, arguments.directory, !arguments.quiet, !arguments.noDoubts);
+  RunOutputs outputs(document, arguments.directory, !arguments.quiet, !arguments.noDoubts);
   if (!arguments.resumes) outputs.requireNoForeignFiles();
-  const RunSummary summary = compute(scene, arguments, signals, outputs);
+  const RunSummary summary = compute(document.scene, arguments, signals, outputs);
   if (!summary.halted) outputs.finish(!summary.doubts.empty());
   if (!arguments.quiet) printResults(arguments, summary, outputs);
   flushOutput();

@@ -54,8 +54,8 @@ std::string renderCommand(const PictureSpec& picture, std::optional<double> time
 
 }  // namespace
 
-RunOutputs::RunOutputs(const Scene& scene, fs::path directory, bool showProgress, bool marksDoubts)
-    : scene_(scene), directory_(std::move(directory)), marksDoubts_(marksDoubts) {
+RunOutputs::RunOutputs(const SceneDocument& document, fs::path directory, bool showProgress, bool marksDoubts)
+    : document_(document), directory_(std::move(directory)), marksDoubts_(marksDoubts) {
   if (showProgress) progress_.emplace();
 }
 
@@ -63,9 +63,9 @@ void RunOutputs::requireNoForeignFiles() const {
   if (isOfARun(directory_)) return;
   std::vector<fs::path> files{directory_ / "history.csv", directory_ / "convergence.csv",
                               directory_ / "summary.yaml"};
-  if (scene_.output.vtu)
+  if (document_.scene.output.vtu)
     for (fs::path& file : seriesFiles(directory_)) files.push_back(std::move(file));
-  for (const PictureSpec& picture : scene_.pictures) {
+  for (const PictureSpec& picture : document_.pictures) {
     files.push_back(pictureFile(picture, std::nullopt));
     for (const double time : picture.times) files.push_back(pictureFile(picture, time));
   }
@@ -73,7 +73,7 @@ void RunOutputs::requireNoForeignFiles() const {
 }
 
 void RunOutputs::onModel(const ModelRecord& model) {
-  requirePlanes(scene_, model);
+  requirePlanes(document_, model);
 }
 
 void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
@@ -83,9 +83,9 @@ void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
 void RunOutputs::onStart(const ModelRecord& model) {
   hasStarted_ = true;
   model_ = model;
-  if (scene_.output.vtu) vtu_.emplace(directory_, model);
+  if (document_.scene.output.vtu) vtu_.emplace(directory_, model);
   std::error_code absent;
-  for (const PictureSpec& picture : scene_.pictures) {
+  for (const PictureSpec& picture : document_.pictures) {
     // A picture of an earlier run would pass for one of this run if this one stops before.
     fs::remove(pictureFile(picture, std::nullopt), absent);
     for (const double time : picture.times) fs::remove(pictureFile(picture, time), absent);
@@ -103,13 +103,13 @@ void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
 }
 
 bool RunOutputs::isDue(double time) const {
-  return std::ranges::any_of(scene_.pictures, [time](const PictureSpec& picture) {
+  return std::ranges::any_of(document_.pictures, [time](const PictureSpec& picture) {
     return std::ranges::any_of(picture.times, [time](double wanted) { return sameTime(time, wanted); });
   });
 }
 
 void RunOutputs::drawDue(const FrameRecord& frame) {
-  for (const PictureSpec& picture : scene_.pictures)
+  for (const PictureSpec& picture : document_.pictures)
     for (const double time : picture.times)
       if (sameTime(frame.time, time)) draw(picture, time, frame);
 }
@@ -135,7 +135,7 @@ void RunOutputs::finish(bool isDoubtful) {
   if (!lastFrame_) return;
   isDoubtful_ = isDoubtful && marksDoubts_;
   if (isDoubtful_) drawMarked();
-  for (const PictureSpec& picture : scene_.pictures)
+  for (const PictureSpec& picture : document_.pictures)
     if (picture.times.empty()) draw(picture, std::nullopt, *lastFrame_);
 }
 

@@ -6,17 +6,18 @@
 
 #include "cli/progress.h"
 #include "engine/analysis/run.h"
-#include "engine/scene/scene.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/export/vtu_series_writer.h"
+#include "postproc/scene/scene_document.h"
 
 namespace burnish {
 
 /// What a run leaves beside its results while it goes on: progress, VTU files, and the pictures of the scene.
 class RunOutputs : public RunObserver {
  public:
-  /// The scene must outlive the object.
-  RunOutputs(const Scene& scene, std::filesystem::path directory, bool showProgress, bool marksDoubts = true);
+  /// The document must outlive the object.
+  RunOutputs(const SceneDocument& document, std::filesystem::path directory, bool showProgress,
+             bool marksDoubts = true);
 
   /// Throws `Error` if the directory is not that of an earlier run and has files that the run would
   /// overwrite.
@@ -64,7 +65,7 @@ class RunOutputs : public RunObserver {
   /// Draws those of times before the end once more: now it is known that they are to be marked.
   void drawMarked();
 
-  const Scene& scene_;
+  const SceneDocument& document_;
   std::filesystem::path directory_;
   std::optional<Progress> progress_;
   std::optional<VtuSeriesWriter> vtu_;

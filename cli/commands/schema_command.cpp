@@ -4,9 +4,9 @@
 
 #include "cli/command.h"
 #include "cli/console.h"
-#include "engine/scene/scene_listing.h"
 #include "engine/schema/explanation.h"
 #include "engine/schema/json_schema.h"
+#include "postproc/scene/scene_listing.h"
 #include "postproc/study/study_listing.h"
 
 namespace burnish {

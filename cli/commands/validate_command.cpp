@@ -12,7 +12,7 @@
 #include "cli/console.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
-#include "engine/scene/reader.h"
+#include "postproc/scene/scene_document.h"
 #include "postproc/study/study_reader.h"
 #include "postproc/text/text_file.h"
 
@@ -35,9 +35,9 @@ bool isStudy(const fs::path& file) {
 /// What is said of a good scene. Warnings begin with who has them.
 std::string validateScene(const fs::path& file, const std::vector<std::string>& overrides,
                           const std::string& who) {
-  const Scene scene = readScene(file, overrides);
-  const SceneReport report = reportOf(scene);
-  requirePlanes(scene, report.model);
+  const SceneDocument document = readSceneDocument(file, overrides);
+  const SceneReport report = reportOf(document.scene);
+  requirePlanes(document, report.model);
   for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);
   return report.summary;
 }

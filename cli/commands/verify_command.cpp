@@ -77,7 +77,7 @@ CaseOutcomes outcomesOf(const VerificationCase& verified, const fs::path& direct
 bool printVerdicts(const std::vector<VerifiedCase>& cases) {
   std::size_t all = 0, holding = 0;
   for (const auto& [verified, outcomes, judged] : cases) {
-    const std::string& title = verified->scene.title;
+    const std::string& title = verified->document.scene.title;
     printOut("\n{}{}\n{}{}{}", verified->name, title.empty() ? "" : ": " + title,
              checkTable(*verified, judged), problemsText(judged), doubtsText(*verified, outcomes));
     all += judged.size();

@@ -6,24 +6,24 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <numeric>
 #include <set>
 #include <span>
-#include <sstream>
 #include <system_error>
 #include <thread>
 
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
+#include "engine/core/fingerprint.h"
 #include "engine/core/nearest.h"
 #include "engine/core/version.h"
 #include "engine/results/result_reader.h"
 #include "engine/results/summary_file.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
-#include "engine/scene/reader.h"
+#include "postproc/scene/scene_document.h"
 #include "postproc/study/figures/figures.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {
@@ -40,9 +40,10 @@ fs::path logFile(const fs::path& directory, const std::string& figure) {
 
 /// Tells studies apart, also those with equal times of change.
 std::string digestOf(const fs::path& studyFile) {
-  std::ostringstream text;
-  text << std::ifstream(studyFile, std::ios::binary).rdbuf();
-  return fmt::format("study {:016x}", std::hash<std::string>{}(text.str()));
+  const std::string text = readText(studyFile);
+  Fingerprint digest;
+  digest.add(std::as_bytes(std::span(text)));
+  return "study " + digest.text();
 }
 
 /// Whether a run has ended, with this program and this scene.
@@ -134,7 +135,7 @@ class Planner {
       for (const StudyRun* run : runsOf(study_, *figure.figure)) wanted.insert(run);
     for (const StudyRun& run : study_.runs) {
       if (onlyForFigures && !wanted.contains(&run)) continue;
-      const Scene scene = readScene(run.scene, run.overrides);
+      const Scene scene = readSceneDocument(run.scene, run.overrides).scene;
       PlannedRun planned{
           &run, runDirectory(directory_, run), scene.steps.back().until, expectedCost(scene), {}};
       if (!isOf(planned.directory, scene) || !hasEnded(planned.directory))
@@ -211,13 +212,6 @@ class Planner {
   int atOnce_;
   StudyPlan plan_;
 };
-
-void makeDirectory(const fs::path& directory) {
-  std::error_code status;
-  fs::create_directories(directory, status);
-  if (status)
-    throw Error(fmt::format("cannot create the directory {}: {}", directory.string(), status.message()));
-}
 
 }  // namespace
 

@@ -38,12 +38,7 @@ std::vector<InputProblem> unknownColumns(const Scene& scene, const std::vector<s
       problems.push_back({path, error.what()});
     }
   };
-  for (std::size_t k = 0; k < scene.checks.size(); ++k)
-    check(fmt::format("checks[{}].quantity", k), scene.checks[k].quantity);
-  for (std::size_t k = 0; k < scene.charts.size(); ++k) {
-    check(fmt::format("charts[{}].x", k), scene.charts[k].x);
-    check(fmt::format("charts[{}].y", k), scene.charts[k].y);
-  }
+  for (const auto& [path, formula] : scene.wanted.quantities) check(path, formula);
   return problems;
 }
 

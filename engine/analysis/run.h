@@ -53,12 +53,13 @@ class RunObserver {
 RunSummary runScene(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
                     RunObserver& observer);
 
-/// The scene of the result in a directory, every default filled in. Throws `Error` if there is none.
+/// The scene of the result in a directory, every default filled in, without what the document around it
+/// wanted of the run. Throws `Error` if there is none.
 Scene readResultScene(const std::filesystem::path& directory);
 
 /// Goes on with the run in a directory that was halted, killed, or could not be brought to its end, from its
-/// newest restart record, as `runScene` does; scene: `readResultScene(directory)`. Everything that is written
-/// has the same bits as if the run had not been stopped. Throws `Error` if there is nothing to resume or the
+/// newest restart record, as `runScene` does; scene: that of the result, with the same `wanted`. Everything
+/// that is written has the same bits as if the run had not been stopped. Throws `Error` if there is nothing to resume or the
 /// program or a file that the scene names is not the same.
 RunSummary resumeRun(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
                      RunObserver& observer);

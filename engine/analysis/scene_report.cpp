@@ -79,11 +79,6 @@ std::vector<InputProblem> toolWarnings(const Scene& scene, const Model<Dim>& mod
   return warnings;
 }
 
-/// Whether `burnish verify` runs other scenes than this one, whose histories may have other columns.
-bool isChangedByVariants(const Scene& scene) {
-  return scene.variants && !(scene.variants->families.empty() && scene.variants->meshes.empty());
-}
-
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -98,7 +93,7 @@ template <int Dim>
 SceneReport reportInDimension(const Scene& scene) {
   const auto model = buildModel<Dim>(scene);
   std::vector<std::string> columns;
-  if (!scene.measures.empty() || !scene.checks.empty() || !scene.charts.empty()) {
+  if (!scene.measures.empty() || !scene.wanted.quantities.empty()) {
     const Projection<Dim> projection(model->quadrature());
     columns = Recorder<Dim>(scene, *model, projection).columns();
     requireKnownColumns(scene, columns);
@@ -115,13 +110,12 @@ std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& mo
   std::vector<InputProblem> warnings = lockingWarnings(scene, model);
   std::ranges::move(softeningWarnings(model.bulk().material()), std::back_inserter(warnings));
   std::ranges::move(toolWarnings(scene, model), std::back_inserter(warnings));
-  if (isChangedByVariants(scene))
-    std::ranges::move(unknownColumns(scene, columns), std::back_inserter(warnings));
+  if (scene.wanted.onlyWarns) std::ranges::move(unknownColumns(scene, columns), std::back_inserter(warnings));
   return warnings;
 }
 
 void requireKnownColumns(const Scene& scene, const std::vector<std::string>& columns) {
-  if (isChangedByVariants(scene)) return;
+  if (scene.wanted.onlyWarns) return;
   const auto problems = unknownColumns(scene, columns);
   if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
 }

@@ -21,8 +21,8 @@ template <int Dim>
 std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& model,
                                         const std::vector<std::string>& columns);
 
-/// Throws `Error` with the places of what a scene expects of columns that its history, with these columns,
-/// does not have. Where variants change the scene, theirs may have them: that is a warning.
+/// Throws `Error` with the places of what is wanted of columns that the history, with these columns, does not
+/// have, unless that is worth a warning only.
 void requireKnownColumns(const Scene& scene, const std::vector<std::string>& columns);
 
 /// The same as lines, each with its place in the scene's file.

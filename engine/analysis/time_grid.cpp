@@ -8,8 +8,7 @@ namespace {
 
 std::vector<double> outputTimes(const Scene& scene, double end) {
   std::vector<double> times = scene.output.times;
-  for (const auto& picture : scene.pictures)
-    times.insert(times.end(), picture.times.begin(), picture.times.end());
+  times.insert(times.end(), scene.wanted.frames.begin(), scene.wanted.frames.end());
   if (scene.output.every)
     for (long k = 1; static_cast<double>(k) * *scene.output.every < end * (1.0 + 1e-12); ++k)
       times.push_back(static_cast<double>(k) * *scene.output.every);

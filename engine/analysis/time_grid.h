@@ -13,7 +13,7 @@ struct Landing {
   bool corner = false;       ///< a schedule bends here
 };
 
-/// Landings of a scene in order: nominal steps, output times, picture times and corners of schedules. Times
+/// Landings of a scene in order: nominal steps, output times, those of wanted frames and corners of schedules. Times
 /// closer than a billionth of a step are one; corners and output times then keep their exact values. The last
 /// one has a frame.
 std::vector<Landing> timeGrid(const Scene& scene, const std::vector<double>& corners);

@@ -12,7 +12,6 @@ void checkScene(const Scene& scene, const YamlNode& root, Diagnostics& errors) {
   checkMeasures(context);
   checkRezoning(context);
   checkRun(context);
-  checkChecks(context);
 }
 
 }  // namespace burnish

@@ -62,10 +62,10 @@ void checkRezoning(const CheckContext& context);
 /// Measures.
 void checkMeasures(const CheckContext& context);
 
-/// Steps, output and pictures.
-void checkRun(const CheckContext& context);
+/// None of the times is behind the end of the run.
+void checkTimes(const CheckContext& context, const std::string& path, const std::vector<double>& times);
 
-/// Variants and checks.
-void checkChecks(const CheckContext& context);
+/// Steps and output.
+void checkRun(const CheckContext& context);
 
 }  // namespace burnish

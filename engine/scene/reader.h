@@ -7,7 +7,12 @@
 
 namespace burnish {
 
-/// Reads and checks a scene. `overrides` are "path.to[1].key=value" each, the value as YAML, applied in order
+/// Keys of a scene's file that the engine leaves to others, see `SceneDocument`.
+inline std::vector<std::string> keysOfDocuments() {
+  return {"pictures", "variants", "checks", "charts"};
+}
+
+/// Reads and checks what the engine needs of a scene. `overrides` are "path.to[1].key=value" each, the value as YAML, applied in order
 /// before anything is checked. Throws one `Error` with a line for everything that is wrong:
 /// `FILE:LINE:COLUMN: key.path: what was found; what is allowed`, or `--set path=value: ...` for an override.
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});

@@ -255,21 +255,6 @@ struct RezoningSpec {
   double smallestDeterminant = 1e-3;    ///< over the largest: what a new mesh must have
 };
 
-struct PictureSpec {
-  std::string field;
-  std::optional<std::string> name;  ///< file name stem; the field's name when left out
-  std::vector<double> times;        ///< one picture for each; the last frame when empty
-  std::optional<std::array<double, 2>> range;
-  std::array<int, 2> size{1600, 900};
-  int bands = 0;           ///< number of colour bands; 0: smooth
-  bool knots = false;      ///< draw knot lines
-  bool undeformed = true;  ///< draw the outline of the undeformed body
-  /// See `cutPlaneNamed` and `mirrorPlanesNamed`.
-  std::optional<std::string> cut, slice, mirror;
-  double toolOpacity = 0.3;
-  bool doubtMarks = true;  ///< mark the picture if the run doubts its results
-};
-
 /// Displacement and projected fields at a material point: columns NAME.ux, NAME.stress_xx, ...
 struct PointMeasureSpec {
   std::string patch;
@@ -316,67 +301,22 @@ struct SceneMeasureSpec {
       kind;
 };
 
-/// A change of the scene, as `burnish run --set` takes it.
-struct FamilySpec {
-  std::string name;
-  std::vector<std::string> set;
-};
-struct MeshVariantSpec {
-  double size = 1.0;  ///< of a cell, in any unit; decreasing from mesh to mesh
-  std::vector<std::string> set;
-};
-
-/// What `burnish verify` runs: every family on every mesh, coarse to fine.
-struct VariantsSpec {
-  std::vector<FamilySpec> families;
-  std::vector<MeshVariantSpec> meshes;
-};
-
-/// The quantity is `value` within a tolerance.
-struct ValueCheckSpec {
-  FormulaText value;
-  std::optional<double> relative, absolute;  ///< exactly one of the two
-};
-/// The quantity lies between two bounds, of which one may be missing.
-struct RangeCheckSpec {
-  std::optional<FormulaText> atLeast, atMost;
-};
-/// The quantity, an error, falls with this order of the cell size.
-struct OrderCheckSpec {
-  double order = 1.0;
-  double tolerance = 0.2;            ///< the observed order may be lower by so much
-  std::optional<FormulaText> limit;  ///< the error is |quantity - limit|; the quantity itself when left out
-  double floor = 0.0;                ///< meshes with a smaller error are left out
-};
-/// The quantity grows or falls from mesh to mesh.
-struct MonotoneCheckSpec {
-  enum class Direction { Increasing, Decreasing } direction = Direction::Increasing;
-};
-/// The quantity of all families is the same within a tolerance relative to its largest absolute value.
-struct SameCheckSpec {
-  double relative = 0.01;
-};
-
-/// What a scene must produce.
-struct CheckSpec {
-  std::string name;
-  std::string quantity;  ///< formula in the columns of the history
-  enum class Reduction { Last, Max, Min } reduction = Reduction::Last;
-  std::optional<double> time;         ///< row of this time instead of the reduction
-  std::vector<std::string> families;  ///< all when empty
-  enum class Meshes { Finest, Every } meshes = Meshes::Finest;
-  std::variant<ValueCheckSpec, RangeCheckSpec, OrderCheckSpec, MonotoneCheckSpec, SameCheckSpec> expect;
-  std::string source;  ///< where the value comes from
-};
-
-/// A chart of `burnish verify`: a curve for every family and mesh.
-struct CurveChartSpec {
-  std::string x, y;            ///< formulas in the columns of the history
-  std::string xTitle, yTitle;  ///< the formulas when left out
-};
-
 struct UnitsSpec {
   std::string length, stress;  ///< labels only; empty: no unit is shown
+};
+
+/// A formula in columns of the history, and the key that it stands at.
+struct WantedQuantity {
+  std::string path;
+  std::string formula;
+};
+
+/// What the document around a scene wants of its run, such as by pictures and checks. No keys of the scene.
+struct Wanted {
+  std::vector<double> frames;              ///< times at which a frame is written, beside those of the output
+  std::vector<WantedQuantity> quantities;  ///< what they name must be columns of the history
+  bool onlyWarns =
+      false;  ///< of quantities that the history lacks: changed copies of the scene may have them
 };
 
 struct ScenePlaces;
@@ -402,12 +342,9 @@ struct Scene {
   std::optional<RezoningSpec> rezoning;
   std::optional<StabiliseSpec> stabilise;
   OutputSpec output;
-  std::vector<PictureSpec> pictures;
   std::vector<SceneMeasureSpec> measures;
-  std::optional<VariantsSpec> variants;
-  std::vector<CheckSpec> checks;
-  std::vector<CurveChartSpec> charts;
 
+  Wanted wanted;
   std::string source;  ///< file the scene was read from, for messages
   std::string
       resolvedYaml;  ///< the whole scene with every default, as YAML that reads back to the same scene

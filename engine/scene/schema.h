@@ -1,9 +1,9 @@
 #pragma once
 #include "engine/scene/scene.h"
 #include "engine/scene/schema_boundary.h"
-#include "engine/scene/schema_checks.h"
 #include "engine/scene/schema_geometry.h"
 #include "engine/scene/schema_material.h"
+#include "engine/scene/schema_measures.h"
 #include "engine/scene/schema_run.h"
 
 /// The one declaration of every option of a scene. Each struct of scene.h has a `describe(visitor, struct)`
@@ -47,8 +47,9 @@ void describe(Visitor& v, UnitsSpec& s) {
   v.field("stress", s.stress, {.longest = kLongestShownText}, "Label of the unit of stress.");
 }
 
+/// The keys of a scene up to its output.
 template <class Visitor>
-void describe(Visitor& v, Scene& s) {
+void describeSimulation(Visitor& v, Scene& s) {
   v.field("title", s.title, {.longest = kLongestShownText},
           "What the scene is about, shown in pictures and summaries.");
   v.field("units", s.units, {}, "Labels of the consistent units that the numbers of the scene are in.");
@@ -87,11 +88,18 @@ void describe(Visitor& v, Scene& s) {
           "Meshes the body anew while a tool moves along it, so that its surface stays resolved under the "
           "tool; a plane or axisymmetric body of one patch.");
   v.field("output", s.output, {}, "When and how finely results are written.");
-  v.field("pictures", s.pictures, {}, "Contour pictures, drawn as the run passes their times.");
+}
+
+template <class Visitor>
+void describeMeasures(Visitor& v, Scene& s) {
   v.field("measures", s.measures, {}, "Columns of the history beside those that every run has.");
-  v.field("variants", s.variants, {}, "Changed copies of the scene that `burnish verify` runs.");
-  v.field("checks", s.checks, {}, "What the scene must produce, for `burnish verify`.");
-  v.field("charts", s.charts, {}, "Charts that `burnish verify` draws: a curve for every family and mesh.");
+}
+
+/// What the engine reads of a scene's file. A document around it names keys of its own in between.
+template <class Visitor>
+void describe(Visitor& v, Scene& s) {
+  describeSimulation(v, s);
+  describeMeasures(v, s);
 }
 
 }  // namespace burnish

@@ -22,10 +22,12 @@ class MappingReader {
                 std::vector<DimensionedList>& dimensioned)
       : node_(node), path_(std::move(path)), errors_(errors), dimensioned_(dimensioned) {}
 
-  /// Reads all fields of a struct, then judges keys that no field has asked for.
+  /// Reads all fields of a struct, then judges keys that no field has asked for. leftToOthers: keys that
+  /// somebody else reads.
   template <class T>
-  void readInto(T& value) {
+  void readInto(T& value, const std::vector<std::string>& leftToOthers = {}) {
     describe(*this, value);
+    known_.insert(known_.end(), leftToOthers.begin(), leftToOthers.end());
     if (keysAreKnown_) rejectUnknownKeys();
   }
 

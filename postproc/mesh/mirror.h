@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "engine/results/result.h"
-#include "engine/scene/picture_planes.h"
+#include "postproc/mesh/picture_planes.h"
 
 namespace burnish {
 

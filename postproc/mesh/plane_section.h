@@ -1,7 +1,7 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
-#include "engine/scene/picture_planes.h"
+#include "postproc/mesh/picture_planes.h"
 
 class vtkDataSet;
 class vtkPolyData;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/picture_planes.h"
+#include "postproc/mesh/picture_planes.h"
 
 namespace burnish {
 

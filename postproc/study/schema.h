@@ -1,5 +1,4 @@
 #pragma once
-#include "engine/scene/schema_run.h"
 #include "postproc/study/evidence/schema_measure.h"
 #include "postproc/study/figures/schema_figure.h"
 #include "postproc/study/study.h"

@@ -9,7 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
-#include "engine/scene/picture_planes.h"
+#include "postproc/mesh/picture_planes.h"
 #include "postproc/study/combinations.h"
 
 namespace burnish {

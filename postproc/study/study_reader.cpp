@@ -7,9 +7,9 @@
 
 #include "engine/core/error.h"
 #include "engine/scene/end_of_run.h"
-#include "engine/scene/reader.h"
 #include "engine/schema/mapping_reader.h"
 #include "engine/schema/yaml_document.h"
+#include "postproc/scene/scene_document.h"
 #include "postproc/study/combinations.h"
 #include "postproc/study/run_data.h"
 #include "postproc/study/schema.h"
@@ -86,7 +86,7 @@ class Expansion {
 
   void checkScene(const StudyRun& run, const std::string& path) {
     try {
-      readScene(run.scene, run.overrides);
+      readSceneDocument(run.scene, run.overrides);
     } catch (const Error& error) {
       report(path, fmt::format("the scene of the run {} cannot be used: {}", run.name, error.what()));
     }

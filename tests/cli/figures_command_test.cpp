@@ -9,10 +9,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <string>
 #include <thread>
 
+#include "engine/core/fingerprint.h"
 #include "engine/results/summary_file.h"
 #include "tests/cli/shell.h"
 
@@ -94,6 +96,19 @@ TEST_F(FiguresCommand, ComputesAndDrawsEverythingOnce) {
   EXPECT_EQ(second.code, 0) << second.err;
   EXPECT_THAT(second.out, HasSubstr("runs: 3, of which to compute: 0; figures: 2, of which to draw: 0\n"));
   EXPECT_EQ(timeOf("stiff"), before);
+}
+
+TEST_F(FiguresCommand, TellsStudiesApartByADigestThatEveryCompilerMakes) {
+  ASSERT_EQ(figures("--only stress").code, 0);
+  const std::string study = read("study.yaml"), record = read("out/drawn/stress.txt");
+  Fingerprint digest;
+  digest.add(std::as_bytes(std::span(study)));
+  EXPECT_THAT(record, testing::StartsWith("study " + digest.text() + "\n"));
+
+  write("out/drawn/stress.txt", "study 0123456789abcdef" + record.substr(record.find('\n')));
+  EXPECT_THAT(figures("--only stress").out, HasSubstr("to compute: 0; figures: 1, of which to draw: 1\n"))
+      << "another program has drawn it";
+  EXPECT_EQ(read("out/drawn/stress.txt"), record);
 }
 
 TEST_F(FiguresCommand, ComputesOnlyWhatHasChanged) {

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 namespace burnish {
@@ -114,31 +113,6 @@ Polyline joined(Polyline outer, Polyline hole) {
   return outer;
 }
 
-struct Like {
-  std::string_view letter, like;
-  bool raised = false;
-};
-constexpr std::array<Like, 15> kLikes{{{"−", "-"},
-                                       {"×", "x"},
-                                       {"·", "*"},
-                                       {"…", "..."},
-                                       {"⁻", "-", true},
-                                       {"⁰", "0", true},
-                                       {"¹", "1", true},
-                                       {"²", "2", true},
-                                       {"³", "3", true},
-                                       {"⁴", "4", true},
-                                       {"⁵", "5", true},
-                                       {"⁶", "6", true},
-                                       {"⁷", "7", true},
-                                       {"⁸", "8", true},
-                                       {"⁹", "9", true}}};
-
-/// Whether a byte continues a letter of UTF-8.
-bool continues(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-}
-
 }  // namespace
 
 std::vector<Polyline> glyphPolygons(const std::string& text, vtkTextProperty& property) {
@@ -158,22 +132,6 @@ std::vector<Polyline> glyphPolygons(const std::string& text, vtkTextProperty& pr
       break;
     }
   return letters;
-}
-
-std::string asciiText(const std::string& text) {
-  std::string result;
-  bool raised = false;
-  for (std::size_t start = 0, end = 0; start < text.size(); start = end) {
-    for (end = start + 1; end < text.size() && continues(text[end]);) ++end;
-    const std::string letter = text.substr(start, end - start);
-    const auto like =
-        std::find_if(kLikes.begin(), kLikes.end(), [&](const Like& l) { return l.letter == letter; });
-    const bool known = like != kLikes.end();
-    if (known && like->raised && !raised) result += '^';
-    raised = known && like->raised;
-    result += known ? like->like : letter.size() == 1 ? letter : "?";
-  }
-  return result;
 }
 
 }  // namespace burnish

@@ -12,7 +12,4 @@ namespace burnish {
 /// with holes is one polygon with a cut of no width from each hole to the outer outline.
 std::vector<Polyline> glyphPolygons(const std::string& text, vtkTextProperty& property);
 
-/// The text (UTF-8) in ASCII: "×10⁻³" becomes "x10^-3", and a letter without a like a question mark.
-std::string asciiText(const std::string& text);
-
 }  // namespace burnish

@@ -29,6 +29,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,6 +38,7 @@
 #include "engine/core/error.h"
 #include "engine/results/output_file.h"
 #include "postproc/draw/chart/chart_glyphs.h"
+#include "postproc/draw/chart/pdf_letters.h"
 #include "postproc/draw/page/font.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/offscreen/offscreen_canvas.h"
@@ -51,9 +54,11 @@ class SketchItem : public vtkContextItem {
   static SketchItem* New();
   SketchItem() { movedByStrips_->VisibilityOff(); }
 
-  void set(const ChartSketch& sketch, double scale) {
+  /// letters: of the text of a PDF.
+  void set(const ChartSketch& sketch, double scale, PdfLetters* letters) {
     sketch_ = &sketch;
     scale_ = scale;
+    letters_ = letters;
   }
 
   /// The canvas draws a picture in strips and moves flat actors down by what lies under a strip; a scene does
@@ -151,7 +156,7 @@ class SketchItem : public vtkContextItem {
       paintOutlines(painter, text, *property);
       property->SetOpacity(0.0);
       property->SetFontFile(fontNamed(kDefaultFont).file.c_str());  // a PDF cannot hold fonts of every kind
-      draw(asciiText(text.text));
+      draw(letters_->coded(text.text));
     } else {
       draw(text.text);
     }
@@ -166,6 +171,7 @@ class SketchItem : public vtkContextItem {
 
   const ChartSketch* sketch_ = nullptr;
   double scale_ = 1.0;
+  PdfLetters* letters_ = nullptr;
   vtkNew<vtkActor2D> movedByStrips_;
 };
 vtkStandardNewMacro(SketchItem)
@@ -186,9 +192,10 @@ vtkStandardNewMacro(ExportActor)
 
     /// A renderer that shows the sketch through an actor of the given type.
     template <class Actor>
-    vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale) {
+    vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale,
+                                            PdfLetters* letters = nullptr) {
   vtkNew<SketchItem> item;
-  item->set(sketch, scale);
+  item->set(sketch, scale, letters);
   vtkNew<Actor> actor;
   actor->GetScene()->AddItem(item);
   const auto renderer = vtkSmartPointer<vtkRenderer>::New();
@@ -219,7 +226,8 @@ void writeExport(const ChartSketch& sketch, const std::filesystem::path& file, s
   vtkNew<vtkGenericOpenGLRenderWindow> window;  // never rendered: it needs no context
   window->SetDPI(72);
   window->SetSize(sketch.size[0], sketch.size[1]);
-  const auto renderer = rendererOf<ExportActor>(sketch, 1.0);
+  PdfLetters letters;
+  const auto renderer = rendererOf<ExportActor>(sketch, 1.0, &letters);
   window->AddRenderer(renderer);
   vtkNew<Exporter> exporter;
   exporter->SetRenderWindow(window);
@@ -227,12 +235,13 @@ void writeExport(const ChartSketch& sketch, const std::filesystem::path& file, s
   exporter->SetFileName(partial.c_str());
   exporter->Write();
   renderer->RemoveAllViewProps();  // the actor keeps the exporter's device, and that of PDF the renderer
-  const std::string contents = contentsOf(partial);
+  std::string contents = contentsOf(partial);
   std::error_code ignored;
   std::filesystem::remove(partial, ignored);
-  if (std::string_view(contents).substr(0, contents.find_last_not_of(" \r\n") + 1).ends_with(end))
-    return writeFileAtomically(file, std::as_bytes(std::span(contents)));
-  throw Error(fmt::format("cannot write {}: the disk may be full", file.string()));
+  if (!std::string_view(contents).substr(0, contents.find_last_not_of(" \r\n") + 1).ends_with(end))
+    throw Error(fmt::format("cannot write {}: the disk may be full", file.string()));
+  if constexpr (std::is_same_v<Exporter, vtkPDFExporter>) contents = letters.withTable(std::move(contents));
+  writeFileAtomically(file, std::as_bytes(std::span(contents)));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::vector<std::filesystem::path> drawHistoryCharts(const VerificationCase& ver
                                                      const CaseOutcomes& outcomes,
                                                      const std::filesystem::path& directory) {
   std::vector<std::filesystem::path> files;
-  for (const CurveChartSpec& spec : verified.scene.charts) {
+  for (const CurveChartSpec& spec : verified.document.charts) {
     const Chart chart = chartOf(spec, verified, outcomes);
     if (chart.curves.empty()) continue;
     makeDirectory(directory);

@@ -177,7 +177,7 @@ bool JudgedCheck::holds() const {
 
 std::vector<JudgedCheck> judgeChecks(const VerificationCase& verified, const CaseOutcomes& outcomes) {
   std::vector<JudgedCheck> judged;
-  for (const CheckSpec& check : verified.scene.checks)
+  for (const CheckSpec& check : verified.document.checks)
     judged.push_back(judgeCheck(verified, outcomes, check));
   return judged;
 }

@@ -3,7 +3,7 @@
 
 #include "engine/core/formula.h"
 #include "engine/results/history.h"
-#include "engine/scene/scene.h"
+#include "postproc/scene/scene_checks.h"
 
 namespace burnish {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "engine/scene/schema_run.h"
 #include "engine/schema/leaf.h"
+#include "postproc/draw/contour/schema_picture.h"
 #include "postproc/study/study.h"
 
 namespace burnish {

@@ -9,7 +9,6 @@
 
 #include "engine/core/error.h"
 #include "engine/results/summary_file.h"
-#include "engine/scene/reader.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -61,7 +60,7 @@ CaseVariant variantOf(const std::string& caseName, const fs::path& file, const F
   const std::string name = place.string();
   variant.run = {name, name, file, overridesOf(family, mesh), {}};
   try {
-    variant.definitions = readScene(file, variant.run.overrides).definitions;
+    variant.definitions = readSceneDocument(file, variant.run.overrides).scene.definitions;
   } catch (const Error& error) {
     throw Error(fmt::format("{}: variant {}: {}", file.string(), name, error.what()));
   }
@@ -76,12 +75,12 @@ std::string labelOf(const CaseFamily& family, const CaseVariant& variant) {
 }
 
 VerificationCase readCase(const fs::path& file) {
-  VerificationCase result{file.stem().string(), readScene(file), leadingComment(readText(file)), {}};
-  if (result.scene.checks.empty())
+  VerificationCase result{file.stem().string(), readSceneDocument(file), leadingComment(readText(file)), {}};
+  if (result.document.checks.empty())
     throw Error(
         fmt::format("{}: found no checks; allowed: a scene that states under checks what it must produce",
                     file.string()));
-  VariantsSpec variants = result.scene.variants.value_or(VariantsSpec{});
+  VariantsSpec variants = result.document.variants.value_or(VariantsSpec{});
   const bool hasMeshes = !variants.meshes.empty();
   if (variants.families.empty()) variants.families.emplace_back();
   if (!hasMeshes) variants.meshes.emplace_back();

@@ -6,7 +6,7 @@
 
 #include "engine/results/history.h"
 #include "engine/results/summary_file.h"
-#include "engine/scene/scene.h"
+#include "postproc/scene/scene_document.h"
 #include "postproc/study/study.h"
 
 namespace burnish {
@@ -31,7 +31,7 @@ std::string labelOf(const CaseFamily& family, const CaseVariant& variant);
 /// A scene that states what it must produce, and what is to be run for it.
 struct VerificationCase {
   std::string name;         ///< that of the file
-  Scene scene;              ///< unchanged
+  SceneDocument document;   ///< unchanged
   std::string explanation;  ///< the comment that the file begins with, as Markdown
   std::vector<CaseFamily> families;
 };

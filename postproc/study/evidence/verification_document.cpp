@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string titleOf(const VerificationCase& verified) {
-  return verified.scene.title.empty() ? verified.name : verified.scene.title;
+  return verified.document.scene.title.empty() ? verified.name : verified.document.scene.title;
 }
 
 /// "1 of 1 check holds", "2 of 3 checks hold".

@@ -203,13 +203,6 @@ TEST(Reactions, HaveColumnsOfTheirOwn) {
               HasSubstr("supports[1]: found the name support2"));
 }
 
-TEST(Reactions, CanBeChecked) {
-  const std::string check = "checks: [{name: c, quantity: floor.fy, expect: range, at_most: 0, source: s}]\n";
-  EXPECT_EQ(errorOf({}, check), "no error");
-  EXPECT_THAT(errorOf({"output.reactions=false"}, check),
-              HasSubstr("The history has columns of supports with output: {reactions: true}."));
-}
-
 std::string bytes(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -208,36 +208,6 @@ TEST(SceneReport, RefusesFormulasThatHaveNoValueWhereStepsLand) {
       StartsWith("test.yaml:6:81: tools[0].prescribe.y: the formula"));
 }
 
-TEST(SceneReport, RefusesChecksOfColumnsThatNoHistoryHas) {
-  const auto with = [](const std::string& quantity, const std::string& more = "") {
-    return errorOf(kPress + "definitions: [{name: F, formula: 2}]\nchecks:\n  - {name: force, quantity: " +
-                   quantity + ", expect: range, at_least: 0}\n" + more);
-  };
-  EXPECT_EQ(with("disc.fy/F + strain_energy"), "no error");
-  EXPECT_THAT(
-      with("disc.fyy"),
-      testing::AllOf(StartsWith("test.yaml:12:29: checks[0].quantity: found disc.fyy, which is no column "
-                                "of the history; allowed: step, time, disc.ux, disc.uy, "),
-                     HasSubstr("Did you mean \"disc.fy\"?")));
-  EXPECT_THAT(with("strain_enrgy/F"), HasSubstr("Did you mean \"strain_energy\"?"));
-  EXPECT_THAT(with("disc.fy +"), HasSubstr("cannot be understood"));
-  EXPECT_THAT(with("disc.fy", "charts: [{x: tiem, y: disc.fy}]\n"),
-              StartsWith("test.yaml:13:14: charts[0].x: found tiem, which is no column"));
-  const std::string variants =
-      "variants: {families: [{name: listed, set: [\"output.reactions=true\"]}, {name: plain}]}\n";
-  EXPECT_EQ(with("disc.fyy", variants), "no error") << "a variant may have it";
-}
-
-TEST(SceneReport, WarnsOfColumnsThatTheSceneItselfDoesNotHave) {
-  const auto report = reportOf(parseScene(
-      kPress +
-          "variants: {meshes: [{size: 1}]}\nchecks:\n  - {name: force, quantity: disc.fyy, expect: range, "
-          "at_least: 0}\n",
-      "test.yaml"));
-  EXPECT_THAT(report.warnings,
-              ElementsAre(StartsWith("test.yaml:12:29: checks[0].quantity: found disc.fyy")));
-}
-
 TEST(SceneReport, WarnsOfSoftening) {
   const auto warningsOf = [](const std::string& hardening) {
     return reportOf(parseScene(replaced(kPress, "{law: neo-hookean, E: 1, nu: 0.3}",

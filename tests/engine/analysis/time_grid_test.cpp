@@ -5,12 +5,11 @@
 namespace burnish {
 namespace {
 
-TEST(TimeGrid, LandsOnStepsOutputsPicturesAndCorners) {
+TEST(TimeGrid, LandsOnStepsOutputsWantedFramesAndCorners) {
   Scene scene;
   scene.steps = {{1.0, 4}, {2.0, 2}};
   scene.output.every = 0.3;
-  scene.pictures.resize(1);
-  scene.pictures[0].times = {1.25};
+  scene.wanted.frames = {1.25};
   const auto grid = timeGrid(scene, {0.0, 0.6, 1.0, 5.0});
 
   std::vector<double> times, frames, corners;
@@ -23,7 +22,7 @@ TEST(TimeGrid, LandsOnStepsOutputsPicturesAndCorners) {
   const std::vector<double> wanted{0.25, 0.3, 0.5, 0.6, 0.75, 0.9, 1.0, 1.2, 1.25, 1.5, 1.8, 2.0};
   ASSERT_EQ(times.size(), wanted.size());
   for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(times[k], wanted[k], 1e-14);
-  EXPECT_EQ(frames.size(), 8u) << "six of `every`, one picture, the end";
+  EXPECT_EQ(frames.size(), 8u) << "six of `every`, one wanted, the end";
   EXPECT_EQ(corners, (std::vector<double>{0.6, 1.0}));
 }
 

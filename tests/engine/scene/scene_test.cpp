@@ -13,9 +13,6 @@
 #include <variant>
 #include <vector>
 
-#include "engine/scene/scene_listing.h"
-#include "engine/schema/explanation.h"
-#include "engine/schema/json_schema.h"
 #include "tests/engine/scene/scene_samples.h"
 
 namespace burnish {
@@ -112,10 +109,8 @@ TEST(Scene, takesConstantsInNumbersAndFormulas) {
 }
 
 TEST(Scene, takesTheEndOfTheRunAsATime) {
-  const Scene scene = parseScene(replaced(replaced(samples::block, "times: [1, 1.5, 2]", "times: [1, end]"),
-                                          "output: {every: 0.1,", "output: {times: [0.5, last],"),
-                                 "s");
-  EXPECT_EQ(scene.pictures[0].times, (std::vector<double>{1.0, 2.0}));
+  const Scene scene =
+      parseScene(replaced(samples::block, "output: {every: 0.1,", "output: {times: [0.5, last],"), "s");
   EXPECT_EQ(scene.output.times, (std::vector<double>{0.5, 2.0}));
 }
 
@@ -154,8 +149,7 @@ TEST(Scene, fillsInDefaults) {
       "material: {law: neo-hookean, E: 1e-3, nu: +0.25}\n"
       "tools: [{name: disc, shape: cylinder, center: [0, 2], radius: 1}]\n"
       "contact: [{tool: disc, face: top}]\n"
-      "steps: [{until: 1, count: 1}]\n"
-      "pictures: [{field: pressure}]\n",
+      "steps: [{until: 1, count: 1}]\n",
       "test.yaml");
   EXPECT_EQ(scene.source, "test.yaml");
   EXPECT_EQ(scene.dim(), 2);
@@ -171,7 +165,13 @@ TEST(Scene, fillsInDefaults) {
   EXPECT_FALSE(scene.tools.at(0).motion.has_value());
   EXPECT_EQ(scene.solver.tolerance, 1e-9);
   EXPECT_EQ(scene.output.subdivision, 4);
-  EXPECT_EQ(scene.pictures.at(0).size, (std::array<int, 2>{1600, 900}));
+}
+
+TEST(Scene, leavesKeysOfTheDocumentAroundItToOthers) {
+  const Scene scene = parseScene(block + "checks: [nonsense]\nvariants: 3\ncharts: {}\n", "test.yaml");
+  EXPECT_EQ(scene.resolvedYaml.find("pictures"), std::string::npos);
+  EXPECT_TRUE(scene.wanted.frames.empty());
+  EXPECT_TRUE(errorOf(block + "chekcs: []\n").starts_with("test.yaml:20:1: chekcs: found an unknown key"));
 }
 
 TEST(Scene, readsEveryValueOfAScene) {
@@ -189,7 +189,6 @@ TEST(Scene, readsEveryValueOfAScene) {
   EXPECT_EQ(std::get<PlaneToolSpec>(scene.tools.at(1).shape).normal, (std::vector<double>{0, -1}));
   EXPECT_EQ(scene.steps.at(1).count, 200);
   EXPECT_EQ(scene.output.every, 0.1);
-  EXPECT_EQ(scene.pictures.at(0).times, (std::vector<double>{1, 1.5, 2}));
 }
 
 TEST(Scene, controlNetKeepsItsDegrees) {
@@ -290,20 +289,15 @@ TEST(Scene, boxMakesThreeDimensions) {
       "tools: [{name: ball, shape: sphere, center: [0, 0, 4], radius: 1, motion: {times: [0, 1], z: [0, "
       "-1]}}]\n"
       "contact: [{tool: ball, face: front}]\n"
-      "steps: [{until: 1, count: 1}]\n"
-      "pictures: [{field: displacement.z, cut: '0,0,1,1,1,0', mirror: 'x,z=1'}]\n",
+      "steps: [{until: 1, count: 1}]\n",
       "test.yaml");
   EXPECT_EQ(scene.dim(), 3);
-  EXPECT_EQ(scene.pictures.at(0).cut, "0,0,1,1,1,0");
 }
 
 TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
   const std::string title = "title: \"a \\\"b\\\": # é\\t~\"\n";
   std::string awkward = replaced(block, "E: 1.0", "E: 0.12345678901234568");
   awkward = replaced(awkward, "fix: [x, y]", "move: {times: [0, 0.3], x: [0, 1e-300], y: [0, 1]}");
-  awkward = replaced(awkward, "{field: von_mises,",
-                     "{field: stress.xx, range: [-1, 1e9], size: [400, 300], bands: 9, mirror: \"x,y=0.5\", "
-                     "tool_opacity: 0.5,");
   awkward = replaced(awkward, "method: augmented-lagrangian",
                      "method: penalty, parameter: 12.5, quadrature_points: 3");
   const std::string laws[] = {
@@ -330,8 +324,6 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
     EXPECT_EQ(std::get<NeoHookeanSpec>(again.material).E, std::get<NeoHookeanSpec>(scene.material).E);
     EXPECT_EQ(again.supports[0].move.has_value(), scene.supports[0].move.has_value());
     EXPECT_EQ(again.contact[0].parameter, scene.contact[0].parameter);
-    EXPECT_EQ(again.pictures[0].range, scene.pictures[0].range);
-    EXPECT_EQ(again.pictures[0].mirror, scene.pictures[0].mirror);
   }
   EXPECT_EQ(parseScene(title + block, "test.yaml").title, "a \"b\": # é\t~");
 }
@@ -392,7 +384,6 @@ TEST(PaperScenes, suitEveryBasisAndDegree) {
             readScene(scenes / file, {std::string("basis=") + basis, "degree=" + std::to_string(degree)});
         EXPECT_EQ(scene.degree, degree);
         EXPECT_EQ(scene.geometry.mesh.functions, (std::vector<int>{49, 25}));
-        EXPECT_EQ(scene.pictures.at(0).times, (std::vector<double>{1, 1.5, 2}));
       }
     }
   }
@@ -427,92 +418,6 @@ TEST(ExampleScenes, areRead) {
     ++count;
   }
   EXPECT_GE(count, 3);
-}
-
-TEST(SceneListing, namesEveryKeyWithTypeDefaultAndSentence) {
-  const std::string listing = describeScene();
-  for (const char* line : {
-           "- `degree`: a whole number from 1 to 10, default 2. ",
-           "- `geometry`: a mapping, required. ",
-           "- `shape: annulus`: Part of a ring",
-           "      - `nu`: a number above -1 and below 0.5, required. Poisson's ratio.\n",
-           "            - `sigma_inf`: a number above 0 (stress), required. ",
-           "  - `tolerance`: a number from 1e-14 to 0.001, default 1e-09. ",
-       })
-    EXPECT_NE(listing.find(line), std::string::npos) << line;
-}
-
-TEST(SceneListing, ListsWhatSeveralKeysShareOnceWithLinks) {
-  const std::string list = describeScene();
-  const auto count = [&list](const std::string& text) {
-    int found = 0;
-    for (std::size_t at = list.find(text); at != std::string::npos; at = list.find(text, at + 1)) ++found;
-    return found;
-  };
-  for (const char* shape : {"rectangle", "annulus", "control-net", "patches", "torus", "edge", "union"})
-    EXPECT_EQ(count(std::string("- `shape: ") + shape + "`: "), 1) << shape;
-  EXPECT_EQ(count("](#geometry-shape)"), 2);
-  EXPECT_EQ(count("\n### geometry shape\n"), 1);
-  EXPECT_EQ(count("](#tools-shape)"), 2);
-  EXPECT_EQ(count("\n### tools shape\n"), 1);
-}
-
-TEST(SceneListing, isWhatTheDocumentationShows) {
-  std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/scene.md");
-  const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  EXPECT_NE(page.find(describeScene()), std::string::npos)
-      << "docs/scene.md is out of date: replace its list by the output of burnish info --keys";
-}
-
-TEST(SceneSchema, isTheOneThatIsShipped) {
-  std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/scene.schema.json");
-  const std::string shipped((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  EXPECT_TRUE(shipped == jsonSchema("burnish scene", sceneDeclarations()))
-      << "docs/scene.schema.json is out of date: replace it by the output of burnish schema";
-}
-
-std::string explained(const std::string& key) {
-  try {
-    return explainKey(sceneDeclarations(), key);
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
-
-TEST(Explanation, tellsTypeUnitAndDefault) {
-  EXPECT_EQ(explained("steps[1].until"),
-            "steps[1].until\n"
-            "  Time at which the phase ends; it begins where the one before ended, the first one at 0.\n"
-            "  allowed  a number above 0\n"
-            "  unit     time\n"
-            "  default  none, the key is required\n");
-  EXPECT_NE(explained("solver.tolerance").find("  default  1e-09\n"), std::string::npos);
-  EXPECT_NE(explained("solver").find("    max_cuts: a whole number from 0 to 30. "), std::string::npos);
-}
-
-TEST(Explanation, namesTheAlternativesThatHaveAKey) {
-  const std::string radius = explained("tools.radius");
-  EXPECT_NE(radius.find("with tools.shape: cylinder\nwith tools.shape: sphere\n  Radius.\n"),
-            std::string::npos)
-      << radius;
-  EXPECT_NE(radius.find("with tools.shape: torus\n  Radius of the circle"), std::string::npos) << radius;
-  EXPECT_NE(explained("material.hardening.q1")
-                .find("with material.law: j2, material.hardening.law: two-term-voce\n"),
-            std::string::npos);
-  EXPECT_NE(explained("geometry.shape").find("  box: A box along the axes. Its keys: origin, size.\n"),
-            std::string::npos);
-}
-
-TEST(Explanation, ofAnUnknownKeyNamesTheNearest) {
-  EXPECT_EQ(explained("solver.tolerence"),
-            "solver.tolerence: \"tolerence\" is not a key of solver; allowed: tolerance, max_iterations, "
-            "max_cuts. Did you mean \"tolerance\"?");
-  EXPECT_NE(explained("max_cuts").find("The keys of this name are solver.max_cuts."), std::string::npos);
-  EXPECT_NE(explained("tolerence").find("Did you mean solver.tolerance or checks.tolerance?"),
-            std::string::npos)
-      << explained("tolerence");
-  EXPECT_NE(explained("degree.x").find("allowed: no keys."), std::string::npos);
-  EXPECT_NE(explained("a..b").find("allowed: a key such as"), std::string::npos);
 }
 
 }  // namespace

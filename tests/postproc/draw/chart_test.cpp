@@ -471,11 +471,6 @@ TEST(ChartDifference, RefusesWhatHasNone) {
   refuse(line, {"zero", {0, 2}, {0, 0}, {}}, DifferenceKind::Relative, {"zero: all values are 0"});
 }
 
-TEST(ChartGlyphs, AsciiTextIsReadable) {
-  EXPECT_EQ(asciiText("×10⁻¹² and x² + 2"), "x10^-12 and x^2 + 2");
-  EXPECT_EQ(asciiText("−0.5 N·mm, ψ̄"), "-0.5 N*mm, ??");
-}
-
 TEST(ChartCurves, ColoursDifferInGreyPrint) {
   const auto grey = [](int color) {
     const Color c = curveColor({.color = color});

@@ -137,7 +137,7 @@ TEST_F(Verify, MistakesInChecksAreFoundBeforeAnythingRuns) {
 TEST_F(Verify, AQuantityIsARowOrAnExtremeOfAFormula) {
   const VerificationCase verified = caseOf(kBlock + checks("quantity: time, expect: range, at_least: 0"));
   const HistoryTable table = history({3.0, 7.0, 5.0});
-  const auto& definitions = verified.scene.definitions;
+  const auto& definitions = verified.document.scene.definitions;
   CheckSpec check;
   check.quantity = "value";
   EXPECT_EQ(quantityOf(check, table, definitions), 5.0);
@@ -154,7 +154,7 @@ TEST_F(Verify, AQuantityThatCannotBeHadIsAnError) {
   const VerificationCase verified = caseOf(kBlock + checks("quantity: time, expect: range, at_least: 0"));
   const auto message = [&](const CheckSpec& check) -> std::string {
     try {
-      quantityOf(check, history({3.0, 7.0, 5.0}), verified.scene.definitions);
+      quantityOf(check, history({3.0, 7.0, 5.0}), verified.document.scene.definitions);
     } catch (const Error& error) {
       return error.what();
     }

@@ -7,34 +7,34 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
-#include "engine/scene/check_context.h"
 #include "engine/scene/quantity_names.h"
 #include "engine/scene/support_names.h"
+#include "postproc/scene/document_context.h"
 
 namespace burnish {
 namespace {
 
-std::vector<std::string> familyNames(const CheckContext& c) {
+std::vector<std::string> familyNames(const DocumentContext& c) {
   std::vector<std::string> names;
-  if (c.scene.variants)
-    for (const FamilySpec& family : c.scene.variants->families) names.push_back(family.name);
+  if (c.document.variants)
+    for (const FamilySpec& family : c.document.variants->families) names.push_back(family.name);
   return names;
 }
 
-std::size_t numMeshes(const CheckContext& c) {
-  return c.scene.variants ? std::max<std::size_t>(1, c.scene.variants->meshes.size()) : 1;
+std::size_t numMeshes(const DocumentContext& c) {
+  return c.document.variants ? std::max<std::size_t>(1, c.document.variants->meshes.size()) : 1;
 }
 
-void checkVariants(const CheckContext& c) {
-  if (!c.scene.variants || !c.clean("variants")) return;
+void checkVariants(const DocumentContext& c) {
+  if (!c.document.variants || !c.clean("variants")) return;
   std::set<std::string> names;
-  const auto& families = c.scene.variants->families;
+  const auto& families = c.document.variants->families;
   for (std::size_t i = 0; i < families.size(); ++i)
     if (!names.insert(families[i].name).second)
       c.report(fmt::format("variants.families[{}].name", i),
                fmt::format("found {}, the name of another family; allowed: a name of its own for each.",
                            families[i].name));
-  const auto& meshes = c.scene.variants->meshes;
+  const auto& meshes = c.document.variants->meshes;
   for (std::size_t i = 1; i < meshes.size(); ++i)
     if (meshes[i].size >= meshes[i - 1].size)
       return c.report(fmt::format("variants.meshes[{}].size", i),
@@ -54,7 +54,7 @@ std::optional<double> constantOf(const CheckContext& c, const std::string& path,
   }
 }
 
-void checkExpectation(const CheckContext& c, const std::string& path, const CheckSpec& /*check*/,
+void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& /*check*/,
                       const ValueCheckSpec& expect) {
   if (expect.relative.has_value() == expect.absolute.has_value())
     c.report(path, fmt::format("found {} relative and absolute; allowed: exactly one of the two.",
@@ -64,7 +64,7 @@ void checkExpectation(const CheckContext& c, const std::string& path, const Chec
     c.report(path + ".relative", "found a deviation relative to the value 0; allowed: absolute.");
 }
 
-void checkExpectation(const CheckContext& c, const std::string& path, const CheckSpec& /*check*/,
+void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& /*check*/,
                       const RangeCheckSpec& expect) {
   if (!expect.atLeast && !expect.atMost)
     return c.report(path, "found no bound; allowed: at_least, at_most or both.");
@@ -76,25 +76,25 @@ void checkExpectation(const CheckContext& c, const std::string& path, const Chec
              fmt::format("found {}; allowed: a bound that is not below at_least, {}.", *high, *low));
 }
 
-void checkNumMeshes(const CheckContext& c, const std::string& path, const char* kind, std::size_t fewest) {
+void checkNumMeshes(const DocumentContext& c, const std::string& path, const char* kind, std::size_t fewest) {
   if (numMeshes(c) < fewest)
     c.report(path + ".expect",
              fmt::format("found {} with {} under variants.meshes; allowed: {} with {} meshes or more.", kind,
                          numMeshes(c) == 1 ? "one mesh" : "two meshes", kind, fewest));
 }
 
-void checkExpectation(const CheckContext& c, const std::string& path, const CheckSpec& /*check*/,
+void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& /*check*/,
                       const OrderCheckSpec& expect) {
   checkNumMeshes(c, path, "order", 3);
   if (expect.limit) constantOf(c, path + ".limit", *expect.limit);
 }
 
-void checkExpectation(const CheckContext& c, const std::string& path, const CheckSpec& /*check*/,
+void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& /*check*/,
                       const MonotoneCheckSpec& /*expect*/) {
   checkNumMeshes(c, path, "monotone", 2);
 }
 
-void checkExpectation(const CheckContext& c, const std::string& path, const CheckSpec& check,
+void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& check,
                       const SameCheckSpec& /*expect*/) {
   const std::size_t families = check.families.empty() ? familyNames(c).size() : check.families.size();
   if (families < 2)
@@ -102,7 +102,7 @@ void checkExpectation(const CheckContext& c, const std::string& path, const Chec
              fmt::format("found same for {} families; allowed: same with two families or more.", families));
 }
 
-void checkFamilies(const CheckContext& c, const std::string& path, const CheckSpec& check) {
+void checkFamilies(const DocumentContext& c, const std::string& path, const CheckSpec& check) {
   const std::vector<std::string> names = familyNames(c);
   for (std::size_t i = 0; i < check.families.size(); ++i) {
     const std::string& name = check.families[i];
@@ -154,7 +154,7 @@ void checkQuantity(const CheckContext& c, const std::string& path, const std::st
   }
 }
 
-void checkCheck(const CheckContext& c, const std::string& path, const CheckSpec& check) {
+void checkCheck(const DocumentContext& c, const std::string& path, const CheckSpec& check) {
   checkQuantity(c, path + ".quantity", check.quantity);
   if (c.clean("variants")) checkFamilies(c, path, check);
   if (check.time && c.clean("steps") && c.clean(path + ".time") && *check.time > c.scene.steps.back().until)
@@ -166,10 +166,10 @@ void checkCheck(const CheckContext& c, const std::string& path, const CheckSpec&
 
 }  // namespace
 
-void checkChecks(const CheckContext& c) {
+void checkChecks(const DocumentContext& c) {
   checkVariants(c);
-  for (std::size_t i = 0; i < c.scene.checks.size(); ++i)
-    checkCheck(c, fmt::format("checks[{}]", i), c.scene.checks[i]);
+  for (std::size_t i = 0; i < c.document.checks.size(); ++i)
+    checkCheck(c, fmt::format("checks[{}]", i), c.document.checks[i]);
 }
 
 }  // namespace burnish

@@ -1,16 +1,16 @@
-#include "engine/scene/scene_listing.h"
+#include "postproc/scene/scene_listing.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "engine/core/formula_words.h"
-#include "engine/scene/schema.h"
 #include "engine/schema/declaration_collector.h"
+#include "postproc/scene/schema_document.h"
 
 namespace burnish {
 
 Declarations sceneDeclarations() {
-  return declarationsOf<Scene>();
+  return declarationsOf<SceneDocument>();
 }
 
 std::string describeScene() {

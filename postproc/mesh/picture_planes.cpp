@@ -1,4 +1,4 @@
-#include "engine/scene/picture_planes.h"
+#include "postproc/mesh/picture_planes.h"
 
 #include <algorithm>
 #include <charconv>

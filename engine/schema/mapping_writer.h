@@ -1,12 +1,14 @@
-#include "engine/scene/writer.h"
+#pragma once
+#include <string>
+#include <utility>
+#include <variant>
 
-#include "engine/scene/schema.h"
 #include "engine/schema/leaf_writer.h"
 
 namespace burnish {
-namespace {
 
-/// Visitor that writes a struct as a mapping.
+/// Visitor that writes a struct as a mapping, every default spelled out. Optional values and empty lists that
+/// are left out stay out.
 class MappingWriter {
  public:
   explicit MappingWriter(YAML::Emitter& out) : out_(out) {}
@@ -51,14 +53,14 @@ class MappingWriter {
   YAML::Emitter& out_;
 };
 
-}  // namespace
-
-std::string writeScene(const Scene& scene) {
-  Scene copy = scene;  // visitors take structs that they could fill
+/// A struct as a YAML document; reading it gives an equal one. By value: visitors take structs that they
+/// could fill.
+template <class T>
+std::string yamlOf(T value) {
   YAML::Emitter out;
   out << YAML::BeginMap;
   MappingWriter writer(out);
-  describe(writer, copy);
+  describe(writer, value);
   out << YAML::EndMap;
   return std::string(out.c_str()) + "\n";
 }

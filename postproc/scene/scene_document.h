@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene.h"
+#include "postproc/draw/contour/picture_spec.h"
+#include "postproc/scene/scene_checks.h"
+
+namespace burnish {
+
+/// What a scene's file says: the scene that the engine computes, the pictures to be drawn of its results, and
+/// what `burnish verify` makes of it. `scene.resolvedYaml` is the whole document, and `scene.wanted` says
+/// what the document needs of a run.
+struct SceneDocument {
+  Scene scene;
+  std::vector<PictureSpec> pictures;
+  std::optional<VariantsSpec> variants;
+  std::vector<CheckSpec> checks;
+  std::vector<CurveChartSpec> charts;
+};
+
+/// Reads and checks a document as `readScene` does a scene, with all of its keys.
+SceneDocument readSceneDocument(const std::filesystem::path& file,
+                                const std::vector<std::string>& overrides = {});
+
+/// The same for a document in memory; `name` stands for the file in messages.
+SceneDocument parseSceneDocument(const std::string& yaml, const std::string& name,
+                                 const std::vector<std::string>& overrides = {});
+
+/// The document of the result in a directory, every default filled in. Throws `Error` if there is none.
+SceneDocument readResultDocument(const std::filesystem::path& directory);
+
+}  // namespace burnish

@@ -1,0 +1,21 @@
+#pragma once
+#include "engine/scene/schema.h"
+#include "postproc/draw/contour/schema_picture.h"
+#include "postproc/scene/scene_document.h"
+#include "postproc/scene/schema_checks.h"
+
+namespace burnish {
+
+/// Every key of a scene's file: those of the engine, and those that it leaves to others
+/// (`keysOfDocuments`).
+template <class Visitor>
+void describe(Visitor& v, SceneDocument& s) {
+  describeSimulation(v, s.scene);
+  v.field("pictures", s.pictures, {}, "Contour pictures, drawn as the run passes their times.");
+  describeMeasures(v, s.scene);
+  v.field("variants", s.variants, {}, "Changed copies of the scene that `burnish verify` runs.");
+  v.field("checks", s.checks, {}, "What the scene must produce, for `burnish verify`.");
+  v.field("charts", s.charts, {}, "Charts that `burnish verify` draws: a curve for every family and mesh.");
+}
+
+}  // namespace burnish
