@@ -30,7 +30,7 @@ double lockingRatio(int degree) {
 
 template <int Dim>
 std::vector<InputProblem> lockingWarnings(const Scene& scene, const Model<Dim>& model) {
-  if (scene.formulation != FormulationChoice::Displacement) return {};
+  if (scene.formulation != Formulation::Displacement) return {};
   std::vector<InputProblem> warnings;
   const double nu = std::visit([](const auto& material) { return material.nu; }, scene.material);
   const int degree = lowestDegree(model.body());

@@ -14,7 +14,7 @@ void checkMortarDegree(const CheckContext& c) {
   const auto& pairs = c.scene.contact;
   const bool mortar =
       !c.scene.selfContact.empty() || std::any_of(pairs.begin(), pairs.end(), [](const ContactSpec& pair) {
-        return pair.method != ContactMethod::PointwisePenalty;
+        return pair.options.method != Enforcement::PointwisePenalty;
       });
   if (mortar && c.scene.basis == BasisChoice::Lagrange && c.scene.degree > highest && c.clean("degree"))
     c.report("degree", fmt::format("found {}; allowed for mortar contact with Lagrange elements: at most {}, "

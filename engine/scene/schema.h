@@ -28,12 +28,6 @@ struct EnumNames<KinematicsChoice> {
                                      std::pair{"axisymmetric", KinematicsChoice::Axisymmetric}};
 };
 
-template <>
-struct EnumNames<FormulationChoice> {
-  static constexpr std::array values{std::pair{"displacement", FormulationChoice::Displacement},
-                                     std::pair{"fbar", FormulationChoice::Fbar}};
-};
-
 template <class Visitor>
 void describe(Visitor& v, DefinitionSpec& s) {
   v.field("name", s.name, {.required = true, .identifier = true}, "Name, unlike X, Y, Z and t.");

@@ -8,6 +8,7 @@
 
 #include "engine/material/material.h"
 #include "engine/solid/body.h"
+#include "engine/solid/formulation.h"
 #include "engine/solid/reference_state.h"
 #include "engine/solid/span_quadrature.h"
 #include "engine/solver/term.h"
@@ -20,12 +21,6 @@ struct BulkSummary {
   double plasticWorkIncrement = 0.0;  ///< since the last accepted state
   double maxPlasticStrain = 0.0;      ///< over quadrature points
   double minJ = std::numeric_limits<double>::infinity();
-};
-
-/// How the volume change of a body follows from its displacements.
-enum class Formulation {
-  Displacement,        ///< J = det F; locks when the law is nearly incompressible
-  ProjectedDilatation  ///< J projected onto splines of one degree less (F-bar)
 };
 
 /// The body's resistance, total Lagrangian: history and stresses at the quadrature points, which all

@@ -166,10 +166,10 @@ TEST(Scene, fillsInDefaults) {
   EXPECT_EQ(material.E, 1e-3);
   EXPECT_EQ(material.nu, 0.25);
   EXPECT_EQ(material.volumetric, NeoHookeanSpec::Volumetric::Log);
-  EXPECT_EQ(scene.contact.at(0).method, ContactMethod::AugmentedLagrangian);
+  EXPECT_EQ(scene.contact.at(0).options.method, Enforcement::AugmentedLagrangian);
   EXPECT_FALSE(scene.contact.at(0).parameter.has_value());
   EXPECT_FALSE(scene.tools.at(0).motion.has_value());
-  EXPECT_EQ(scene.solver.tolerance, 1e-9);
+  EXPECT_EQ(scene.solver.newton.tolerance, 1e-9);
   EXPECT_EQ(scene.output.subdivision, 4);
   EXPECT_EQ(scene.pictures.at(0).size, (std::array<int, 2>{1600, 900}));
 }
@@ -346,7 +346,7 @@ TEST(SceneOverride, setsMakesAndReplacesValues) {
   EXPECT_EQ(scene.steps[0].count, 20);
   EXPECT_EQ(scene.steps[1].count, 7);
   EXPECT_EQ(*scene.tools[0].motion->x, (std::vector<double>{0, 0, 1.5}));
-  EXPECT_EQ(scene.solver.maxCuts, 3);
+  EXPECT_EQ(scene.solver.stepping.maxCuts, 3);
   EXPECT_EQ(std::get<NeoHookeanSpec>(scene.material).E, 5.0);
   EXPECT_EQ(scene.contact[0].parameter, 2.5);
   EXPECT_EQ(scene.title, "a = b");

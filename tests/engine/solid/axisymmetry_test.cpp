@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Formulations, AxisymmetricBulk,
 TEST(AxisymmetricContact, PressesOnWholeRings) {
   const Body<2> body = disc();
   const Tool plane{"plane", Plane{{2.5, 0.9, 0.0}, {0.6, -0.8, 0.0}}, {}};
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), plane, {Enforcement::PointwisePenalty, 10.0, 0}, 0);
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), plane, {Enforcement::PointwisePenalty, 10.0}, 0);
   const Eigen::VectorXd force = test::forceOf(term, 0.0, Eigen::VectorXd::Zero(2 * body.numNodes));
   double radial = 0.0, axial = 0.0;
   for (int a = 0; a < body.numNodes; ++a) {
@@ -142,7 +142,7 @@ TEST(AxisymmetricContact, RefusesQuadraticElementsOnTheAxis) {
       revolved(lagrangeInterpolant(rectangle({0.0, 0.0}, {2.0, 1.0}), 2, {{0.0, 0.5, 1.0}, {0.0, 1.0}}));
   const Tool plane{"plane", Plane{{0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}}, {}};
   EXPECT_THROW(ContactTerm<2>(body, 0, faceFromName<2>("top"), plane,
-                              {Enforcement::AugmentedLagrangian, 10.0, 0}, 2 * body.numNodes),
+                              {Enforcement::AugmentedLagrangian, 10.0}, 2 * body.numNodes),
                Error);
 }
 
