@@ -10,7 +10,6 @@
 
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/geometry_check.h"
-#include "engine/analysis/materials.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/analysis/tool_start.h"
 #include "engine/analysis/tools.h"
@@ -62,7 +61,7 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
     : body_(std::move(named.body)), faces_(body_, std::move(named.names)), supports_(scene, faces_) {
   requireSoundGeometry(faces_, scene);
   quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
-  bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), scene.formulation);
+  bulk_ = makeBulkTerm(body_, *quadrature_, MaterialLaws::make(scene.material), scene.formulation);
   addBoundary(scene);
   requireFiniteFormulas(scene);
   liftTools(scene);
@@ -82,7 +81,7 @@ Model<Dim>::Model(const Scene& scene, RezonedBody<Dim> rezoned)
   quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
   ReferenceState reference = referenceState(*quadrature_, rezoned.states);
   reference.plasticWork = rezoned.plasticWork;
-  bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), scene.formulation, reference);
+  bulk_ = makeBulkTerm(body_, *quadrature_, MaterialLaws::make(scene.material), scene.formulation, reference);
   addBoundary(scene);
   addStabilisation(scene);
   supports_.setValues(startTime_, origin_);

@@ -100,15 +100,22 @@ void archiveStates(StateArchive& archive, PointStates& states) {
   for (Eigen::Index k = 0; k < b_e.cols(); ++k)
     b_e.col(k) = states.b_e[static_cast<std::size_t>(k)].reshaped();
   archiveMatrix(archive, "b_e", 9, b_e);
-  archive.field("e_p", states.e_p);
+  if (archive.restores()) states.numbers.resize(std::ssize(states.kinds), b_e.cols());
+  for (std::size_t k = 0; k < states.kinds.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    Eigen::VectorXd numbers = states.numbers.row(row);
+    archive.field(states.kinds[k].name, numbers);
+    if (b_e.cols() != numbers.size()) throw Error("the saved states are not those of one mesh");
+    states.numbers.row(row) = numbers;
+  }
   if (!archive.restores()) return;
-  if (b_e.cols() != std::ssize(states.e_p)) throw Error("the saved states are not those of one mesh");
   states.b_e.clear();
   for (Eigen::Index k = 0; k < b_e.cols(); ++k) states.b_e.emplace_back(b_e.col(k).reshaped(3, 3));
 }
 
 /// The body of one patch with its states; an empty one is filled from the archive.
-void archiveBody(StateArchive& archive, std::optional<RezonedBody<2>>& body) {
+void archiveBody(StateArchive& archive, const MaterialParameters& material,
+                 std::optional<RezonedBody<2>>& body) {
   std::array<std::optional<UnivariateBasis>, 2> directions;
   Eigen::MatrixXd points;
   bool axisymmetric = false;
@@ -118,7 +125,7 @@ void archiveBody(StateArchive& archive, std::optional<RezonedBody<2>>& body) {
     points = patch.points();
     axisymmetric = body->named.body.axisymmetric;
   } else {
-    body.emplace();
+    body.emplace().states.kinds = carriedKinds(material);
   }
   int isAxisymmetric = axisymmetric ? 1 : 0;
   archiveBasis(archive, "first_", directions[0]);
@@ -412,9 +419,7 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   const InverseMap map(deformed);
   const double farthest = kFarthestShare * meshing->smallestSpan;
   const Eigen::Matrix2Xd parameters = parametersIn(map, pointPositions(quadrature, meshing->patch), farthest);
-  const auto& history = stage.model->bulk().history();
-  PointStates states{stage.model->bulk().elasticDeformation(state.x), {}};
-  for (const auto& point : history) states.e_p.push_back(point.e_p);
+  const PointStates states = stage.model->bulk().carried(state.x);
   body.states = interpolated(stage.model->quadrature(), deformed.basis(), states, parameters);
 
   const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch), farthest);
@@ -483,7 +488,7 @@ void Rezoner::archive(StateArchive& archive) {
   archiveRecords(archive);
   if (records_.empty()) return;
   archiveMatrix(archive, "origin", 2, origin_);
-  archiveBody(archive, body_);
+  archiveBody(archive, scene_.material, body_);
 }
 
 void Rezoner::archiveRecords(StateArchive& archive) {

@@ -9,6 +9,7 @@
 #include "engine/contact/contact_options.h"
 #include "engine/core/formula.h"
 #include "engine/core/schedule.h"
+#include "engine/material/material.h"
 #include "engine/rezoning/rezoning_options.h"
 #include "engine/scene/tool_spec.h"
 #include "engine/solid/formulation.h"
@@ -128,43 +129,6 @@ struct GeometrySpec {
       shape;
   MeshSpec mesh;  ///< unused with several patches, which have their own
 };
-
-struct NeoHookeanSpec {
-  double E = 0.0;   ///< Young's modulus, > 0
-  double nu = 0.0;  ///< Poisson's ratio, (-1, 0.5)
-  enum class Volumetric { Log, Simo } volumetric = Volumetric::Log;
-};
-
-struct VoceSpec {
-  double sigma0 = 0.0, sigmaInf = 0.0, beta = 0.0;
-};
-struct TwoTermVoceSpec {
-  double sigma0 = 0.0, q1 = 0.0, beta1 = 0.0, q2 = 0.0, beta2 = 0.0;
-};
-struct LinearHardeningSpec {
-  double sigma0 = 0.0, modulus = 0.0;
-};
-struct VoceLinearSpec {
-  double sigma0 = 0.0, sigmaInf = 0.0, beta = 0.0, modulus = 0.0;
-};
-struct TableHardeningSpec {
-  std::vector<double> ep;      ///< starts at 0, strictly increasing
-  std::vector<double> stress;  ///< > 0; constant beyond the last entry
-};
-struct FormulaHardeningSpec {
-  std::string formula;  ///< yield stress as a function of `ep`
-};
-using HardeningSpec = std::variant<VoceSpec, TwoTermVoceSpec, LinearHardeningSpec, VoceLinearSpec,
-                                   TableHardeningSpec, FormulaHardeningSpec>;
-
-struct J2Spec {
-  double E = 0.0;
-  double nu = 0.0;
-  enum class Elastic { NeoHookean, Hencky } elastic = Elastic::NeoHookean;
-  HardeningSpec hardening;
-};
-
-using MaterialSpec = std::variant<NeoHookeanSpec, J2Spec>;
 
 /// A face of a patch, or a part of it.
 struct FaceSpec {
@@ -362,7 +326,7 @@ struct Scene {
   std::optional<int> quadraturePoints;  ///< of the body, per span and direction; degree + 1 when left out
   std::vector<DefinitionSpec> definitions;
   GeometrySpec geometry;
-  MaterialSpec material;
+  MaterialParameters material;
   std::vector<SupportSpec> supports;
   std::vector<LoadSpec> loads;
   std::vector<ToolSpec> tools;

@@ -3,7 +3,6 @@
 #include "engine/scene/schema_boundary.h"
 #include "engine/scene/schema_checks.h"
 #include "engine/scene/schema_geometry.h"
-#include "engine/scene/schema_material.h"
 #include "engine/scene/schema_run.h"
 
 /// The one declaration of every option of a scene. Each struct of scene.h has a `describe(visitor, struct)`
