@@ -32,8 +32,8 @@ struct Case {
 };
 
 Material materialOf(Law law) {
-  if (law == Law::NeoHookean) return NeoHookean(1.0, 0.3);
-  return J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0});
+  if (law == Law::NeoHookean) return NeoHookean({1.0, 0.3});
+  return J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0}});
 }
 
 Body<3> block(const Case& c) {

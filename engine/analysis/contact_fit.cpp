@@ -128,7 +128,7 @@ std::optional<Patch<2>> fittedToTools(const Patch<2>& mesh, const std::vector<Re
       const auto& resting = tools[k];
       const ContactTerm<2> term(body, 0, options.face, *resting.tool, resting.options, 0);
       const auto linear = term.linearReferenceGaps(resting.pose);
-      for (const int a : gapsToClose(linear.values, resting.multipliers, resting.options.parameter))
+      for (const int a : gapsToClose(linear.values, resting.multipliers, *resting.options.parameter))
         if (linear.slopes(a) > kOpenSlope) toClose[k].insert(a);
       const std::vector<int> rows(toClose[k].begin(), toClose[k].end());
       const Eigen::Index first = gaps.size(), added = std::ssize(rows);

@@ -13,8 +13,8 @@ namespace burnish {
 struct RestingTool {
   const Tool* tool = nullptr;  ///< must outlive the object
   ToolPose pose;
-  ContactTerm<2>::Options options;  ///< ε: the one for `gapsToClose`
-  Eigen::VectorXd multipliers;      ///< λ_A with which the mesh begins, functions of the face
+  ContactOptions options;       ///< ε: the one for `gapsToClose`
+  Eigen::VectorXd multipliers;  ///< λ_A with which the mesh begins, functions of the face
 };
 
 struct ContactFitOptions {

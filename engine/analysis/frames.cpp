@@ -70,7 +70,7 @@ ContactRecord contactRecord(const SelfContact& contact, const Eigen::VectorXd& x
   record.face = faceName(contact.face);
   record.patch = contact.patch;
   record.quadratureNormal = contact.term->state().normal;
-  const double reach = contact.term->options().reach;
+  const double reach = contact.term->reach();
   record.averageGap = record.averageGap.cwiseMin(reach);
   record.quadratureGap = record.quadratureGap.cwiseMin(reach);
   return record;

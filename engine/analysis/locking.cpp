@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <variant>
 
 namespace burnish {
 namespace {
@@ -30,9 +29,10 @@ double lockingRatio(int degree) {
 
 template <int Dim>
 std::vector<InputProblem> lockingWarnings(const Scene& scene, const Model<Dim>& model) {
-  if (scene.formulation != FormulationChoice::Displacement) return {};
+  if (scene.formulation != Formulation::Displacement) return {};
   std::vector<InputProblem> warnings;
-  const double nu = std::visit([](const auto& material) { return material.nu; }, scene.material);
+  const Material material = model.bulk().material();
+  const double nu = poissonsRatio(material);
   const int degree = lowestDegree(model.body());
   if (nu >= lockingRatio(degree))
     warnings.push_back(
@@ -40,7 +40,7 @@ std::vector<InputProblem> lockingWarnings(const Scene& scene, const Model<Dim>& 
          fmt::format("{} is nearly incompressible: the displacement formulation of degree {} locks from {} "
                      "on, its forces are too large by 5 % and more; add formulation: fbar",
                      nu, degree, lockingRatio(degree))});
-  if (std::holds_alternative<J2Spec>(scene.material))
+  if (flows(material))
     warnings.push_back(
         {"material.law",
          "plastic flow is nearly incompressible: where the body flows, pressures of the displacement "

@@ -10,7 +10,6 @@
 
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/geometry_check.h"
-#include "engine/analysis/materials.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/analysis/tool_start.h"
 #include "engine/analysis/tools.h"
@@ -21,29 +20,6 @@
 
 namespace burnish {
 namespace {
-
-Enforcement enforcementOf(ContactMethod method) {
-  switch (method) {
-    case ContactMethod::AugmentedLagrangian:
-      return Enforcement::AugmentedLagrangian;
-    case ContactMethod::Penalty:
-      return Enforcement::MortarPenalty;
-    case ContactMethod::PointwisePenalty:
-      return Enforcement::PointwisePenalty;
-  }
-  return Enforcement::AugmentedLagrangian;
-}
-
-Formulation formulationOf(const Scene& scene) {
-  return scene.formulation == FormulationChoice::Fbar ? Formulation::ProjectedDilatation
-                                                      : Formulation::Displacement;
-}
-
-/// ε when the scene does not say: the augmented Lagrangian's answer does not depend on it, the penalty
-/// methods trade penetration against conditioning.
-double defaultParameter(Enforcement enforcement, double E, double L) {
-  return (enforcement == Enforcement::AugmentedLagrangian ? 1.0 : 100.0) * E / L;
-}
 
 /// Smallest force that counts over E L (E L² in 3D and axisymmetry).
 constexpr double kForceFloor = 1e-9;
@@ -75,9 +51,6 @@ void gatherInfinite(const std::string& path, const Spec& spec, const std::option
       });
 }
 
-/// Reach of self-contact when the scene does not say, in parts of the body's size.
-constexpr double kReach = 0.05;
-
 }  // namespace
 
 template <int Dim>
@@ -88,7 +61,7 @@ Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
     : body_(std::move(named.body)), faces_(body_, std::move(named.names)), supports_(scene, faces_) {
   requireSoundGeometry(faces_, scene);
   quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
-  bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), formulationOf(scene));
+  bulk_ = makeBulkTerm(body_, *quadrature_, MaterialLaws::make(scene.material), scene.formulation);
   addBoundary(scene);
   requireFiniteFormulas(scene);
   liftTools(scene);
@@ -108,7 +81,7 @@ Model<Dim>::Model(const Scene& scene, RezonedBody<Dim> rezoned)
   quadrature_ = std::make_unique<SpanQuadrature<Dim>>(body_, scene.quadraturePoints.value_or(0));
   ReferenceState reference = referenceState(*quadrature_, rezoned.states);
   reference.plasticWork = rezoned.plasticWork;
-  bulk_ = makeBulkTerm(body_, *quadrature_, makeMaterial(scene.material), formulationOf(scene), reference);
+  bulk_ = makeBulkTerm(body_, *quadrature_, MaterialLaws::make(scene.material), scene.formulation, reference);
   addBoundary(scene);
   addStabilisation(scene);
   supports_.setValues(startTime_, origin_);
@@ -209,11 +182,8 @@ void Model<Dim>::addContact(const Scene& scene, std::size_t number) {
       tools_.begin());
   if (!rezoned_) requireReachable(*tools_[tool], spec, fmt::format("contact[{}]", number));
   const int patch = faces_.patch(spec.place.patch);
-  const Enforcement enforcement = enforcementOf(spec.method);
-  typename ContactTerm<Dim>::Options options{
-      enforcement,
-      spec.parameter.value_or(defaultParameter(enforcement, youngsModulus(bulk_->material()), body_.size())),
-      spec.quadraturePoints.value_or(0), spec.gapLimit.value_or(std::numeric_limits<double>::infinity())};
+  ContactOptions options = spec.options;
+  options.parameter = options.parameterFor(youngsModulus(bulk_->material()), body_.size());
   auto term = std::make_unique<ContactTerm<Dim>>(body_, patch, faceFromName<Dim>(spec.place.face),
                                                  *tools_[tool], options, numUnknowns_);
   numUnknowns_ += term->numMultipliers();
@@ -225,16 +195,14 @@ void Model<Dim>::addSelfContact(const Scene& scene, std::size_t number) {
   if constexpr (Dim == 2) {
     const auto& spec = scene.selfContact[number];
     faces_.requireOuter(spec.place, fmt::format("self_contact[{}]", number));
-    const double E = youngsModulus(bulk_->material()), L = body_.size();
-    const SelfContactTerm::Options options{
-        spec.parameter.value_or(defaultParameter(Enforcement::AugmentedLagrangian, E, L)),
-        spec.reach.value_or(kReach * L), spec.quadraturePoints.value_or(0),
-        spec.gapLimit.value_or(std::numeric_limits<double>::infinity()), rezoned_};
+    SelfContactOptions options = spec.options;
+    options.parameter = options.parameterFor(youngsModulus(bulk_->material()), body_.size());
+    options.reach = options.reachFor(body_.size());
     const int patch = faces_.patch(spec.place.patch);
     const FaceId face = faceFromName<2>(spec.place.face);
     std::unique_ptr<SelfContactTerm> term;
     try {
-      term = std::make_unique<SelfContactTerm>(body_, patch, face, options, numUnknowns_);
+      term = std::make_unique<SelfContactTerm>(body_, patch, face, options, numUnknowns_, rezoned_);
     } catch (const Error& error) {
       throw InputError(fmt::format("self_contact[{}]", number), error.what());
     }
@@ -285,7 +253,7 @@ void Model<Dim>::addStabilisation(const Scene& scene) {
   const double force = scene.stabilise->strength * forceFloor() / kForceFloor;
   const double viscosity = force * end / (quadrature_->volume() * body_.size());
   stabilisation_ = std::make_unique<Stabilisation<Dim>>(
-      *quadrature_, typename Stabilisation<Dim>::Options{viscosity, startTime_, end});
+      *quadrature_, typename Stabilisation<Dim>::Drag{viscosity, startTime_, end});
 }
 
 template <int Dim>
@@ -306,7 +274,7 @@ void Model<Dim>::liftTools(const Scene& scene) {
     if (!tools_[k]->freeUnknowns().empty()) continue;  // finds its own height
     std::vector<const ContactTerm<Dim>*> pairs;
     for (const auto* pair : pairsOf(k))
-      if (pair->options().enforcement != Enforcement::PointwisePenalty) pairs.push_back(pair);
+      if (pair->options().method != Enforcement::PointwisePenalty) pairs.push_back(pair);
     if (pairs.empty()) continue;
     tools_[k]->lift = liftToSeparate<Dim>(pairs, *tools_[k], body_.size(), fmt::format("tools[{}]", k));
     if (tools_[k]->lift.isZero(0.0)) continue;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
-#include <variant>
 
 #include "engine/analysis/boundary_crossing.h"
 #include "engine/analysis/contact_side.h"
@@ -19,6 +18,9 @@ namespace {
 
 /// So many states are needed before sums of work mean much; a run of fewer is judged by its end alone.
 constexpr int kCoarseStates = 10;
+
+/// The field of a material law that has columns of its own in the history, zero for laws without it.
+constexpr const char* kPlasticStrain = "plastic_strain";
 
 constexpr double kCrossing = 1e-9;  // relative to the body's size
 
@@ -171,14 +173,15 @@ void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& fo
   const BulkTerm<Dim>& bulk = model_.bulk();
   next.strainEnergy = bulk.summary().strainEnergy;
   next.plasticWork = bulk.plasticWork();
-  next.maxPlasticStrain = bulk.summary().maxPlasticStrain;
   next.minJ = bulk.summary().minJ;
   next.stabilisedShare = equilibrium.stabilisedShare;
   next.stabilisationWork = current_.stabilisationWork;
   if (const auto* stabilisation = model_.stabilisation()) next.stabilisationWork += stabilisation->work();
-  if (std::holds_alternative<J2Plasticity>(bulk.material())) {
+  if (bulk.points().hasField(kPlasticStrain)) {
+    const Eigen::VectorXd strain = bulk.points().field(kPlasticStrain).row(0);
+    next.maxPlasticStrain = strain.maxCoeff();
     const Stopwatch stopwatch(projectionSeconds_);
-    next.projectedPlasticStrain = extremes_(projection_.project(plasticStrain(bulk)).col(0));
+    next.projectedPlasticStrain = extremes_(projection_.project(strain).col(0));
   }
   next.largestEnergy = std::max(current_.largestEnergy, std::abs(next.energyFound()));
 

@@ -100,15 +100,22 @@ void archiveStates(StateArchive& archive, PointStates& states) {
   for (Eigen::Index k = 0; k < b_e.cols(); ++k)
     b_e.col(k) = states.b_e[static_cast<std::size_t>(k)].reshaped();
   archiveMatrix(archive, "b_e", 9, b_e);
-  archive.field("e_p", states.e_p);
+  if (archive.restores()) states.numbers.resize(std::ssize(states.kinds), b_e.cols());
+  for (std::size_t k = 0; k < states.kinds.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    Eigen::VectorXd numbers = states.numbers.row(row);
+    archive.field(states.kinds[k].name, numbers);
+    if (b_e.cols() != numbers.size()) throw Error("the saved states are not those of one mesh");
+    states.numbers.row(row) = numbers;
+  }
   if (!archive.restores()) return;
-  if (b_e.cols() != std::ssize(states.e_p)) throw Error("the saved states are not those of one mesh");
   states.b_e.clear();
   for (Eigen::Index k = 0; k < b_e.cols(); ++k) states.b_e.emplace_back(b_e.col(k).reshaped(3, 3));
 }
 
 /// The body of one patch with its states; an empty one is filled from the archive.
-void archiveBody(StateArchive& archive, std::optional<RezonedBody<2>>& body) {
+void archiveBody(StateArchive& archive, const MaterialParameters& material,
+                 std::optional<RezonedBody<2>>& body) {
   std::array<std::optional<UnivariateBasis>, 2> directions;
   Eigen::MatrixXd points;
   bool axisymmetric = false;
@@ -118,7 +125,7 @@ void archiveBody(StateArchive& archive, std::optional<RezonedBody<2>>& body) {
     points = patch.points();
     axisymmetric = body->named.body.axisymmetric;
   } else {
-    body.emplace();
+    body.emplace().states.kinds = carriedKinds(material);
   }
   int isAxisymmetric = axisymmetric ? 1 : 0;
   archiveBasis(archive, "first_", directions[0]);
@@ -200,12 +207,12 @@ Settlement settle(Stage<2>& stage, int parts) {
     const Eigen::VectorXd& gaps = pair.term->state().averageGap;
     const auto toClose = gapsToClose(
         gaps, stage.stepping.state().x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()),
-        kStiffer * pair.term->options().parameter);
+        kStiffer * pair.term->parameter());
     origins.emplace_back(Eigen::VectorXd::Zero(gaps.size()))(toClose) = gaps(toClose);
   }
   std::vector<double> parameters;
   forEachContact(*stage.model, [&](auto& term) {
-    parameters.push_back(term.options().parameter);
+    parameters.push_back(term.parameter());
     term.setParameter(kStiffer * parameters.back());
   });
   int iterations = 0;
@@ -233,10 +240,10 @@ Settlement settle(Stage<2>& stage, int parts) {
 
 Rezoner::Rezoner(const Scene& scene, const Stage<2>& initial)
     : scene_(scene),
-      spec_(*scene.rezoning),
+      options_(*scene.rezoning),
       face_(faceFromName<2>(scene.contact.front().place.face)),
       length_(std::min(smallestThickness(*initial.model), initial.model->body().size() / 6.0)),
-      travel_(spec_.travel.value_or(kTravel * length_)),
+      travel_(options_.travel.value_or(kTravel * length_)),
       volume_(initial.model->bulk().weights().sum()),
       last_(posesOf(initial)),
       wait_(travel_),
@@ -264,9 +271,9 @@ bool Rezoner::isDue(const Stage<2>& stage) const {
   if (travelSince(stage) >= kAlmost * wait_) return true;
   if (failedLast_) return false;
   const auto& x = stage.stepping.state().x;
-  if (stage.model->bulk().largestStretch(x) > spec_.stretch) return true;
-  return spec_.quality > 0.0 &&
-         meshQuality(deformedPatch(stage.model->body().patches.front(), x)) < spec_.quality;
+  if (stage.model->bulk().largestStretch(x) > options_.stretch) return true;
+  return options_.quality > 0.0 &&
+         meshQuality(deformedPatch(stage.model->body().patches.front(), x)) < options_.quality;
 }
 
 Rezoner::Place Rezoner::findContact(const Stage<2>& stage, const ArcLengthCurve& face) const {
@@ -298,22 +305,20 @@ Rezoner::Place Rezoner::findContact(const Stage<2>& stage, const ArcLengthCurve&
   return place;
 }
 
-RemeshOptions Rezoner::options(const Stage<2>& stage, const Patch<2>& deformed) const {
+RemeshOptions Rezoner::remeshing(const Stage<2>& stage, const Patch<2>& deformed) const {
   const ArcLengthCurve face(tracePatch(deformed, face_));
   const Place place = findContact(stage, face);
-  const double ahead = spec_.ahead.value_or(kAhead * length_),
-               behind = spec_.behind.value_or(kBehind * length_);
+  const double ahead = options_.ahead.value_or(kAhead * length_),
+               behind = options_.behind.value_or(kBehind * length_);
   RemeshOptions options;
   options.face = face_;
   options.finest = {place.contact.begin - (place.direction > 0.0 ? behind : ahead),
                     place.contact.end + (place.direction > 0.0 ? ahead : behind)};
-  options.growth = {spec_.growth, kRounding * length_};
+  options.mesh = options_.mesh;
+  options.rounding = kRounding * length_;
   for (std::size_t d = 0; d < 2; ++d)
     options.spans[d] =
-        spec_.spans.empty() ? deformed.basis().direction(static_cast<int>(d)).numSpans() : spec_.spans[d];
-  options.turn = spec_.turn;
-  options.firstLayer = spec_.firstLayer;
-  options.smallestDeterminant = spec_.smallestDeterminant;
+        options_.spans.empty() ? deformed.basis().direction(static_cast<int>(d)).numSpans() : options_.spans[d];
   return options;
 }
 
@@ -338,7 +343,7 @@ Patch<2> Rezoner::inContact(const Stage<2>& stage, const Patch<2>& deformed, con
   for (std::size_t k = 0; k < model.contacts().size(); ++k) {
     const auto& pair = model.contacts()[k];
     auto contact = pair.term->options();
-    contact.parameter *= kStiffer;
+    contact.parameter = kStiffer * pair.term->parameter();
     resting.push_back(
         {model.tools()[pair.tool].get(), poses[pair.tool], contact,
          transferredMultipliers(model.body(), face_, deformed, meshing.patch, pair.term->state().lambdaHat)});
@@ -346,7 +351,7 @@ Patch<2> Rezoner::inContact(const Stage<2>& stage, const Patch<2>& deformed, con
   ContactFitOptions options{.face = face_,
                             .axisymmetric = model.body().axisymmetric,
                             .farthest = kShiftShare * meshing.smallestSpan,
-                            .smallestDeterminant = spec_.smallestDeterminant};
+                            .smallestDeterminant = options_.mesh.smallestDeterminant};
   const auto functions = faceFunctions(deformed.basis(), face_);
   const std::array nodes{functions.front(), functions[1], functions.back()};
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -392,10 +397,10 @@ std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
 std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   const auto& state = stage.stepping.state();
   const Patch<2> deformed = deformedPatch(stage.model->body().patches.front(), state.x);
-  RemeshOptions wanted = options(stage, deformed);
+  RemeshOptions wanted = remeshing(stage, deformed);
   std::optional<Remeshing> meshing;
   for (const double factor : kGrowths) {
-    wanted.growth.slope = factor * spec_.growth;
+    wanted.mesh.growth = factor * options_.mesh.growth;
     meshing = remesh(deformed, wanted);
     if (meshing) break;
   }
@@ -414,9 +419,7 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   const InverseMap map(deformed);
   const double farthest = kFarthestShare * meshing->smallestSpan;
   const Eigen::Matrix2Xd parameters = parametersIn(map, pointPositions(quadrature, meshing->patch), farthest);
-  const auto& history = stage.model->bulk().history();
-  PointStates states{stage.model->bulk().elasticDeformation(state.x), {}};
-  for (const auto& point : history) states.e_p.push_back(point.e_p);
+  const PointStates states = stage.model->bulk().carried(state.x);
   body.states = interpolated(stage.model->quadrature(), deformed.basis(), states, parameters);
 
   const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch), farthest);
@@ -485,7 +488,7 @@ void Rezoner::archive(StateArchive& archive) {
   archiveRecords(archive);
   if (records_.empty()) return;
   archiveMatrix(archive, "origin", 2, origin_);
-  archiveBody(archive, body_);
+  archiveBody(archive, scene_.material, body_);
 }
 
 void Rezoner::archiveRecords(StateArchive& archive) {

@@ -61,7 +61,7 @@ class Rezoner {
 
   /// Where the tools press on the face, or are nearest to it.
   Place findContact(const Stage<2>& stage, const ArcLengthCurve& face) const;
-  RemeshOptions options(const Stage<2>& stage, const Patch<2>& deformed) const;
+  RemeshOptions remeshing(const Stage<2>& stage, const Patch<2>& deformed) const;
   SteppingState startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
                         const Eigen::Matrix2Xd& anchors) const;
   Patch<2> inContact(const Stage<2>& stage, const Patch<2>& deformed, const Remeshing& meshing) const;
@@ -73,7 +73,7 @@ class Rezoner {
   void fail(const Stage<2>& stage, const std::string& why);
 
   const Scene& scene_;
-  RezoningSpec spec_;
+  RezoningOptions options_;
   FaceId face_;
   double length_;  ///< scale of the lengths that the scene leaves out
   double travel_;

@@ -316,7 +316,7 @@ class Run {
     summary_.timings.solve += timings.solve;
     auto& solver = stage_->newton.linearSolver();
     summary_.factorNonZeros = std::max(summary_.factorNonZeros, solver.factorNonZeros());
-    summary_.luFactorisations += solver.numGeneral();
+    summary_.luFactorisations += solver.numIndefinite();
   }
 
   void fillSummary() {
@@ -332,12 +332,12 @@ class Run {
     summary_.smallestStep = state().smallestStep;
     summary_.iterations = state().iterations - summary_.approachIterations;
     summary_.meanIterations = static_cast<double>(summary_.iterations) / std::max(1, step_);
-    summary_.tolerance = scene_.solver.tolerance;
-    summary_.constraintTolerance = NewtonOptions{}.constraintTolerance;
+    summary_.tolerance = scene_.solver.newton.tolerance;
+    summary_.constraintTolerance = scene_.solver.newton.constraintTolerance;
     if (!stage_->model->contacts().empty())
-      summary_.contactParameter = stage_->model->contacts().front().term->options().parameter;
+      summary_.contactParameter = stage_->model->contacts().front().term->parameter();
     else if (!stage_->model->selfContacts().empty())
-      summary_.contactParameter = stage_->model->selfContacts().front().term->options().parameter;
+      summary_.contactParameter = stage_->model->selfContacts().front().term->parameter();
     summary_.end = recorder.current();
     if (summary_.completed) summary_.endVonMises = recorder.projectedVonMises();
     summary_.smallestJ = recorder.smallestJ();

@@ -61,7 +61,7 @@ struct RunSummary {
   int frames = 0;
   RunTimings timings;
   long factorNonZeros = 0;
-  long luFactorisations = 0;  ///< of tangents that were not definite, see LinearSolver
+  long luFactorisations = 0;  ///< of tangents that were not definite, see `DirectSolver`
 
   /// What is counted and timed from step to step.
   void archive(StateArchive& archive);

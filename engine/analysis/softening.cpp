@@ -11,15 +11,10 @@ namespace {
 constexpr double kLargestStrain = 3.0;  ///< up to which a law is looked at
 constexpr double kRounding = 1e-9;      ///< of a yield stress, relative
 
-}  // namespace
-
-std::vector<InputProblem> softeningWarnings(const Material& material) {
+/// stressAt: the yield stress at a plastic strain.
+template <class YieldStress>
+std::vector<InputProblem> warningsOf(const YieldStress& stressAt) {
   constexpr int kSamples = 3000;
-  const auto* j2 = std::get_if<J2Plasticity>(&material);
-  if (j2 == nullptr) return {};
-  const auto stressAt = [j2](double ep) {
-    return std::visit([ep](const auto& law) { return law.sigma_y(ep); }, j2->hardening());
-  };
   double highest = stressAt(0.0), highestAt = 0.0;
   double fall = kRounding, from = 0.0, to = 0.0;  // the largest one, as a share of the yield stress before
   for (int k = 1; k <= kSamples; ++k) {
@@ -45,6 +40,17 @@ std::vector<InputProblem> softeningWarnings(const Material& material) {
                        "{:.4g} to {:.4g} at ep = {:.4g}; there plastic flow gathers in a band as wide as a "
                        "knot span, so that answers depend on the mesh and the run may stop",
                        stressAt(from), from, stressAt(to), to)}};
+}
+
+}  // namespace
+
+std::vector<InputProblem> softeningWarnings(const Material& material) {
+  return std::visit(
+      []<class Law>(const Law& law) -> std::vector<InputProblem> {
+        if constexpr (Flows<Law>) return warningsOf([&](double ep) { return law.yieldStress(ep); });
+        return {};
+      },
+      material);
 }
 
 }  // namespace burnish

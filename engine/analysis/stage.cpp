@@ -8,10 +8,9 @@ template <int Dim>
 Stage<Dim>::Stage(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start)
     : model(std::move(itsModel)),
       terms(model->terms()),
-      newton(terms, model->prescribed(), model->residualScales(),
-             {.tolerance = scene.solver.tolerance, .maxIterations = scene.solver.maxIterations}),
+      newton(terms, model->prescribed(), model->residualScales(), scene.solver.newton),
       stepping(
-          newton, terms, [this](double t) { return model->target(t); }, {.maxCuts = scene.solver.maxCuts},
+          newton, terms, [this](double t) { return model->target(t); }, scene.solver.stepping,
           std::move(start)),
       projection(model->quadrature()),
       recorder(scene, *model, projection) {}

@@ -30,8 +30,8 @@ void FaceContactState::countChanges(const std::vector<bool>& before) {
 }
 
 template <int Dim>
-int contactPoints(const Body<Dim>& body, int patch, int wanted) {
-  if (wanted > 0) return wanted;
+int contactPoints(const Body<Dim>& body, int patch, std::optional<int> wanted) {
+  if (wanted) return *wanted;
   int degree = 1;
   for (int d = 0; d < Dim; ++d)
     degree = std::max(degree, body.patches[static_cast<std::size_t>(patch)].basis().direction(d).degree());
@@ -66,7 +66,7 @@ void requireAveragedGaps(const Eigen::VectorXd& weights, bool axisymmetric) {
                                : " or Lagrange elements of degree 7 at most"));
 }
 
-template int contactPoints(const Body<2>&, int, int);
-template int contactPoints(const Body<3>&, int, int);
+template int contactPoints(const Body<2>&, int, std::optional<int>);
+template int contactPoints(const Body<3>&, int, std::optional<int>);
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <optional>
 #include <vector>
 
 #include "engine/solid/body.h"
@@ -24,9 +25,9 @@ struct FaceContactState {
 };
 
 /// Quadrature points per direction and span of a contact face: twice the largest degree of its patch unless
-/// `wanted` is positive.
+/// a number is wanted.
 template <int Dim>
-int contactPoints(const Body<Dim>& body, int patch, int wanted);
+int contactPoints(const Body<Dim>& body, int patch, std::optional<int> wanted);
 
 /// A gap as it counts in an average, with its first and second derivative by the gap.
 struct CountedGap {

@@ -33,7 +33,7 @@ constexpr double kShortestShare = 0.5;
 template <int Dim>
 ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
                               const Options& options, int firstMultiplier)
-    : face_(body, patch, face, contactPoints(body, patch, options.pointsPerDirection)),
+    : face_(body, patch, face, contactPoints(body, patch, options.quadraturePoints)),
       tool_(tool),
       options_(options),
       firstMultiplier_(firstMultiplier),
@@ -49,7 +49,7 @@ ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, con
       supports[static_cast<std::size_t>(a)].insert(span.functions.begin(), span.functions.end());
   }
   for (const auto& support : supports) supports_.emplace_back(support.begin(), support.end());
-  if (options_.enforcement != Enforcement::PointwisePenalty) requireAveragedGaps(A_, axisymmetric_);
+  if (options_.method != Enforcement::PointwisePenalty) requireAveragedGaps(A_, axisymmetric_);
   for (const auto& span : face_.spans()) {
     std::vector<std::vector<int>> table;
     for (const int a : span.functions) {
@@ -66,12 +66,12 @@ ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, con
 
 template <int Dim>
 int ContactTerm<Dim>::numMultipliers() const {
-  return options_.enforcement == Enforcement::AugmentedLagrangian ? face_.numFunctions() : 0;
+  return options_.method == Enforcement::AugmentedLagrangian ? face_.numFunctions() : 0;
 }
 
 template <int Dim>
 void ContactTerm<Dim>::keepInTouch(std::vector<const ContactTerm*> others) {
-  assert(options_.gapLimit == std::numeric_limits<double>::infinity());
+  assert(options_.gapLimit.value_or(kAnyGap) == kAnyGap);
   keepsInTouch_ = true;
   others_ = std::move(others);
 }
@@ -101,7 +101,7 @@ CouplingGroups ContactTerm<Dim>::couplings() const {
   // Spans first, then (mortar only) one group per function: its support and, with multipliers, its own.
   CouplingGroups groups;
   for (const auto& span : face_.spans()) groups.push_back(unknownsOf(span.functions));
-  if (options_.enforcement == Enforcement::PointwisePenalty) return groups;
+  if (options_.method == Enforcement::PointwisePenalty) return groups;
   for (std::size_t a = 0; a < supports_.size(); ++a) {
     auto group = unknownsOf(supports_[a]);
     if (numMultipliers() > 0) group.push_back(firstMultiplier_ + static_cast<int>(a));
@@ -131,7 +131,7 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
       else
         query = tool_.queryWithWays(pose, point);
       const auto& counted =
-          mortar.counted.emplace_back(countedGap(query.point.gap, options_.gapLimit * span.size));
+          mortar.counted.emplace_back(countedGap(query.point.gap, options_.gapLimit.value_or(kAnyGap) * span.size));
       const Eigen::Vector<double, Dim> n = counted.slope * query.point.normal.template head<Dim>();
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
@@ -176,7 +176,7 @@ typename ContactTerm<Dim>::LinearGaps ContactTerm<Dim>::linearReferenceGaps(cons
 
 template <int Dim>
 double ContactTerm<Dim>::smallestReferenceGap(const ToolPose& pose) const {
-  if (options_.enforcement != Enforcement::PointwisePenalty) return referenceGaps(pose).minCoeff();
+  if (options_.method != Enforcement::PointwisePenalty) return referenceGaps(pose).minCoeff();
   const Mortar mortar = integrateReference(pose);
   return std::min_element(mortar.points.begin(), mortar.points.end(),
                           [](const ToolGap& a, const ToolGap& b) { return a.point.gap < b.point.gap; })
@@ -242,7 +242,7 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
   }
   state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
   state_.lambdaHat = Eigen::VectorXd::Zero(face_.numFunctions());
-  if (options_.enforcement == Enforcement::PointwisePenalty)
+  if (options_.method == Enforcement::PointwisePenalty)
     evaluatePointwise(out, mortar);
   else
     evaluateMortar(x, out, mortar);
@@ -261,7 +261,7 @@ template <int Dim>
 void ContactTerm<Dim>::chooseActive(const Eigen::VectorXd& x, const Mortar& mortar) {
   for (int A = 0; A < face_.numFunctions(); ++A) {
     const double lambda = numMultipliers() > 0 ? x(firstMultiplier_ + A) : 0.0;
-    state_.lambdaHat(A) = lambda + options_.parameter * state_.averageGap(A);
+    state_.lambdaHat(A) = lambda + parameter() * state_.averageGap(A);
   }
   Eigen::Index nearest = 0;
   const double lowest = state_.lambdaHat.minCoeff(&nearest);
@@ -278,7 +278,7 @@ void ContactTerm<Dim>::chooseActive(const Eigen::VectorXd& x, const Mortar& mort
 
 template <int Dim>
 void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar) {
-  const double eps = options_.parameter;
+  const double eps = parameter();
   const bool hasMultipliers = numMultipliers() > 0;
   chooseActive(x, mortar);
   for (int A = 0; A < face_.numFunctions(); ++A) {
@@ -315,7 +315,7 @@ void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, c
 
 template <int Dim>
 void ContactTerm<Dim>::evaluatePointwise(Assembly& out, const Mortar& mortar) {
-  const double eps = options_.parameter;
+  const double eps = parameter();
   Eigen::Index nearest = -1;
   if (keepsInTouch_ && state_.gap.minCoeff(&nearest) < 0.0) nearest = -1;
   if (nearest >= 0 && !isAlone()) nearest = -1;

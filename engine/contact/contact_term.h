@@ -1,21 +1,15 @@
 #pragma once
 #include <Eigen/Dense>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "engine/contact/averaged_gaps.h"
+#include "engine/contact/contact_options.h"
 #include "engine/solid/face_quadrature.h"
 #include "engine/solver/term.h"
 #include "engine/tools/tool.h"
 
 namespace burnish {
-
-enum class Enforcement {
-  AugmentedLagrangian,  ///< mortar, (31)-(43): displacements and multipliers in one Newton iteration
-  MortarPenalty,        ///< mortar, (4)
-  PointwisePenalty      ///< "knot-to-surface": penalty at every quadrature point
-};
 
 /// Contact quantities at the last evaluated state.
 struct ContactState : FaceContactState {
@@ -34,21 +28,12 @@ struct ContactState : FaceContactState {
 template <int Dim>
 class ContactTerm final : public Term {
  public:
-  struct Options {
-    Enforcement enforcement = Enforcement::AugmentedLagrangian;
-    double parameter = 0.0;      ///< ε, stress per length
-    int pointsPerDirection = 0;  ///< per span; 2p when 0
-
-    /// Share of the size of a span at which gaps begin to count less in averages (`countedGap`); the traction
-    /// at a point is λ̂ times the slope there, none from three times that on. Without it a face that turns
-    /// away sharply is pressed where it is open and let into the tool beside that. Mortar methods, and pairs
-    /// that do not `keepInTouch`: what is open everywhere is never active.
-    double gapLimit = std::numeric_limits<double>::infinity();
-  };
+  using Options = ContactOptions;
 
   /// `firstMultiplier`: number of the first of the face's multipliers among the unknowns (augmented
   /// Lagrangian only). Throws `Error` if a weight A_A (32) is not positive (Lagrange bases above degree 7, or
-  /// of higher degree than 1 where an axisymmetric face meets the axis). The tool must outlive the term.
+  /// of higher degree than 1 where an axisymmetric face meets the axis). options: with a parameter. The tool
+  /// must outlive the term.
   ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, const Options& options,
               int firstMultiplier);
 
@@ -68,6 +53,7 @@ class ContactTerm final : public Term {
   /// Replaces ε. With an augmented Lagrangian the way into equilibrium depends on it, the equilibrium does
   /// not.
   void setParameter(double parameter) { options_.parameter = parameter; }
+  double parameter() const { return *options_.parameter; }
 
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;

@@ -65,8 +65,8 @@ struct SelfContactTerm::Mortar {
 };
 
 SelfContactTerm::SelfContactTerm(const Body<2>& body, int patch, FaceId face, Options options,
-                                 int firstMultiplier)
-    : face_(body, patch, face, contactPoints(body, patch, options.pointsPerSpan)),
+                                 int firstMultiplier, bool mayPenetrate)
+    : face_(body, patch, face, contactPoints(body, patch, options.quadraturePoints)),
       trace_(tracePatch(body.patches[static_cast<std::size_t>(patch)], face)),
       outward_(outwardSign(body.patches[static_cast<std::size_t>(patch)], face)),
       axisymmetric_(body.axisymmetric),
@@ -80,7 +80,7 @@ SelfContactTerm::SelfContactTerm(const Body<2>& body, int patch, FaceId face, Op
   for (const int node : face_.nodes())
     for (int d = 0; d < 2; ++d) unknowns_.push_back(2 * node + d);
   partners_.assign(static_cast<std::size_t>(face_.numPoints()), kNone);
-  findPartners(options.mayPenetrate);
+  findPartners(mayPenetrate);
 }
 
 CouplingGroups SelfContactTerm::couplings() const {
@@ -109,7 +109,7 @@ std::optional<SurfaceCurve::Point> SelfContactTerm::partnerOf(const Slave& slave
   const int last = basis.numSpans() - 1;
   if (point->xi > std::lerp(basis.spanEnd(last), basis.spanBegin(last), -kOverhang)) return std::nullopt;
   const double gap = (slave.x - point->x).dot(point->normal);
-  if (!(gap > -largestPenetration - rounding_) || !(gap < options_.reach)) return std::nullopt;
+  if (!(gap > -largestPenetration - rounding_) || !(gap < reach())) return std::nullopt;
   if (shareOfRadius(*point, gap) > kShareOfRadius) return std::nullopt;
   return point;
 }
@@ -119,7 +119,7 @@ std::optional<double> SelfContactTerm::searchPartner(const std::vector<Slave>& s
                                                      bool mayPenetrate) const {
   const Slave& slave = slaves[number];
   const Slave* nearest = nullptr;
-  double smallest = options_.reach;
+  double smallest = reach();
   for (std::size_t k = number + 1; k < slaves.size(); ++k) {
     const double distance = (slaves[k].x - slave.x).norm();
     if (!(distance < smallest) || !(slaves[k].normal.dot(slave.normal) < kOpposed)) continue;
@@ -148,7 +148,7 @@ void SelfContactTerm::findPartners(bool mayPenetrate) {
     had.push_back(partners_[k] != kNone);
     if (!had[k]) continue;
     // The averages are what is closed: a partner that is known may be penetrated between them.
-    const auto point = partnerOf(slaves[k], partners_[k], options_.reach);
+    const auto point = partnerOf(slaves[k], partners_[k], reach());
     partners_[k] = point ? point->xi : kNone;
   }
   for (std::size_t k = 0; k < slaves.size(); ++k) {
@@ -176,7 +176,7 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
       const Eigen::Vector2d& normal = partner->normal;
       const double gap = mortar.gap(span.firstPoint + q) = (points.col(q) - partner->x).dot(normal);
       if (shareOfRadius(*partner, gap) > kLargestShareOfRadius) return false;
-      const CountedGap& counted = mortar.counted[number] = countedGap(gap, options_.gapLimit * span.size);
+      const CountedGap& counted = mortar.counted[number] = countedGap(gap, options_.gapLimit.value_or(kAnyGap) * span.size);
       const Eigen::Vector2d slope = counted.slope * normal;
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
@@ -206,7 +206,7 @@ bool SelfContactTerm::evaluate(double, const Eigen::VectorXd& x, Assembly& out) 
 }
 
 void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar) {
-  const double eps = options_.parameter;
+  const double eps = parameter();
   const Eigen::Index n = face_.numFunctions();
   const std::vector<bool> before = std::move(state_.active);
   state_ = {};

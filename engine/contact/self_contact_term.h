@@ -1,10 +1,10 @@
 #pragma once
 #include <Eigen/Dense>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "engine/contact/averaged_gaps.h"
+#include "engine/contact/contact_options.h"
 #include "engine/contact/surface_curve.h"
 #include "engine/solid/face_quadrature.h"
 #include "engine/solver/term.h"
@@ -36,23 +36,21 @@ struct SelfContactState : FaceContactState {
 /// φ(g) has the traction λ̂ φ' and adds φ'' (δg)² to φ' δ²g.
 class SelfContactTerm final : public Term {
  public:
-  struct Options {
-    double parameter = 0.0;  ///< ε, stress per length
-    double reach = 0.0;      ///< distance within which parts of the face are partners
-    int pointsPerSpan = 0;   ///< 2p when 0
-    double gapLimit = std::numeric_limits<double>::infinity();  ///< see `ContactTerm::Options`
-    bool mayPenetrate = false;  ///< a little, in the reference configuration: that of a new mesh
-  };
+  using Options = SelfContactOptions;
 
-  /// firstMultiplier: number of the first of the face's multipliers among the unknowns. Throws `Error` as
-  /// `requireAveragedGaps`.
-  SelfContactTerm(const Body<2>& body, int patch, FaceId face, Options options, int firstMultiplier);
+  /// options: with a parameter and a reach. firstMultiplier: number of the first of the face's multipliers
+  /// among the unknowns. mayPenetrate: a little, in the reference configuration: that of a new mesh. Throws
+  /// `Error` as `requireAveragedGaps`.
+  SelfContactTerm(const Body<2>& body, int patch, FaceId face, Options options, int firstMultiplier,
+                  bool mayPenetrate = false);
 
   int firstMultiplier() const { return firstMultiplier_; }
   int numMultipliers() const { return face_.numFunctions(); }
 
   /// See `ContactTerm::setParameter`.
   void setParameter(double parameter) { options_.parameter = parameter; }
+  double parameter() const { return *options_.parameter; }
+  double reach() const { return *options_.reach; }
 
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;

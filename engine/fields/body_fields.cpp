@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 namespace burnish {
 namespace {
@@ -44,8 +43,9 @@ std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<Dim>& bulk,
     pressure.values(0, q) = -sigma.template head<3>().mean();
   }
   std::map<std::string, FieldRecord> fields{{"stress", stress}, {"von_mises", mises}, {"pressure", pressure}};
-  if (std::holds_alternative<J2Plasticity>(bulk.material()))
-    fields["plastic_strain"] = {{}, "", plasticStrain(bulk).transpose()};
+  for (const FieldKind& field : bulk.points().fields())
+    fields[field.name] = {field.components, field.unit == "stress" ? stressUnit : field.unit,
+                          bulk.points().field(field.name)};
   return fields;
 }
 
@@ -57,21 +57,11 @@ std::map<std::string, FieldRecord> projected(const Projection<Dim>& projection,
   return fields;
 }
 
-template <int Dim>
-Eigen::VectorXd plasticStrain(const BulkTerm<Dim>& bulk) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(bulk.history().size()));
-  for (Eigen::Index q = 0; q < values.size(); ++q)
-    values(q) = bulk.history()[static_cast<std::size_t>(q)].e_p;
-  return values;
-}
-
 template std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<2>&, const std::string&);
 template std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<3>&, const std::string&);
 template std::map<std::string, FieldRecord> projected(const Projection<2>&,
                                                       std::map<std::string, FieldRecord>);
 template std::map<std::string, FieldRecord> projected(const Projection<3>&,
                                                       std::map<std::string, FieldRecord>);
-template Eigen::VectorXd plasticStrain(const BulkTerm<2>&);
-template Eigen::VectorXd plasticStrain(const BulkTerm<3>&);
 
 }  // namespace burnish

@@ -12,7 +12,7 @@ namespace burnish {
 ///   stress      Cauchy σ = τ/J, components xx yy xy zz (2D) or xx yy zz xy yz zx
 ///   von_mises   from σ
 ///   pressure    −⅓ tr σ, all three normal components
-///   plastic_strain  equivalent, elastoplastic laws only
+/// and those of the material law, such as plastic_strain.
 template <int Dim>
 std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<Dim>& bulk, const std::string& stressUnit);
 
@@ -20,9 +20,5 @@ std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<Dim>& bulk, c
 template <int Dim>
 std::map<std::string, FieldRecord> projected(const Projection<Dim>& projection,
                                              std::map<std::string, FieldRecord> fields);
-
-/// Equivalent plastic strain of the accepted state, one value per quadrature point.
-template <int Dim>
-Eigen::VectorXd plasticStrain(const BulkTerm<Dim>& bulk);
 
 }  // namespace burnish

@@ -13,4 +13,11 @@ struct ElasticModuli {
   ElasticModuli(double youngsModulus, double poissonsRatio);
 };
 
+/// Young's modulus and Poisson's ratio, the same for every law.
+template <class Visitor>
+void describeElasticConstants(Visitor& v, double& E, double& nu) {
+  v.field("E", E, {.required = true, .above = 0, .unit = "stress"}, "Young's modulus.");
+  v.field("nu", nu, {.required = true, .above = -1, .below = 0.5}, "Poisson's ratio.");
+}
+
 }  // namespace burnish

@@ -1,13 +1,16 @@
 #include "engine/material/formula_hardening.h"
 
+#include <fmt/format.h>
 #include <muParser.h>
 
+#include <array>
 #include <cmath>
 
 #include "engine/core/error.h"
 #include "engine/core/formula.h"
 #include "engine/core/formula_words.h"
 #include "engine/core/quoted.h"
+#include "engine/schema/problems.h"
 
 namespace burnish {
 namespace {
@@ -41,6 +44,23 @@ std::shared_ptr<const PiecewiseChebyshev> interpolateFormula(const std::string& 
 
 }  // namespace
 
-FormulaHardening::FormulaHardening(const std::string& formula) : curve_(interpolateFormula(formula)) {}
+FormulaHardening::FormulaHardening(const Parameters& law) : curve_(interpolateFormula(law.formula)) {}
+
+void check(const FormulaHardening::Parameters& law, const Problems& problems, const std::string& key) {
+  const std::string path = key + ".formula";
+  if (!problems.clean(path)) return;
+  try {
+    const double yield = Formula({law.formula}, {}, {"ep"}).at(std::array{0.0});
+    if (yield <= 0.0)
+      problems.report(
+          path, fmt::format("found a yield stress of {} at ep = 0; allowed: a formula that is positive there.",
+                            yield));
+  } catch (const FormulaError&) {
+    problems.report(path,
+                    "found no finite yield stress at ep = 0; allowed: a formula that is positive there.");
+  } catch (const Error& e) {
+    problems.report(path, fmt::format("{}; allowed: a formula in ep.", e.what()));
+  }
+}
 
 }  // namespace burnish

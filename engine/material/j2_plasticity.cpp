@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "engine/material/principal_axes.h"
 #include "engine/material/symmetric_tensor.h"
 #include "engine/material/volume_change.h"
+#include "engine/schema/problems.h"
 
 namespace burnish {
 namespace {
@@ -95,11 +95,27 @@ bool isFinite(const MaterialResponse<Dim>& out) {
 
 }  // namespace
 
-J2Plasticity::J2Plasticity(double E, double nu, ElasticLaw elasticLaw, Hardening hardening)
-    : moduli_(E, nu), elasticLaw_(elasticLaw), hardening_(std::move(hardening)) {}
+J2Plasticity::J2Plasticity(const Parameters& parameters)
+    : moduli_(parameters.E, parameters.nu),
+      nu_(parameters.nu),
+      elasticLaw_(parameters.elastic),
+      hardening_(HardeningLaws::make(parameters.hardening)) {}
+
+double J2Plasticity::yieldStress(double e_p) const {
+  return std::visit([e_p](const auto& law) { return law.sigma_y(e_p); }, hardening_);
+}
+
+Eigen::Matrix3d J2Plasticity::elasticDeformation(const Eigen::Matrix3d& F, const State& state) const {
+  const Eigen::Matrix3d f = F * state.F_inv;
+  return f * state.b_e * f.transpose();
+}
+
+void check(const J2Plasticity::Parameters& law, const Problems& problems) {
+  checkHardening(law.hardening, problems, "hardening");
+}
 
 template <int Dim>
-bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const MaterialState& old, MaterialState& next,
+bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const State& old, State& next,
                             MaterialResponse<Dim>& out) const {
   const VolumeChange volume(F - Eigen::Matrix3d::Identity());
   const double J = volume.J();
@@ -139,9 +155,9 @@ bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const MaterialState& old, 
   return isFinite(out);
 }
 
-template bool J2Plasticity::evaluate<2>(const Eigen::Matrix3d&, const MaterialState&, MaterialState&,
+template bool J2Plasticity::evaluate<2>(const Eigen::Matrix3d&, const State&, State&,
                                         MaterialResponse<2>&) const;
-template bool J2Plasticity::evaluate<3>(const Eigen::Matrix3d&, const MaterialState&, MaterialState&,
+template bool J2Plasticity::evaluate<3>(const Eigen::Matrix3d&, const State&, State&,
                                         MaterialResponse<3>&) const;
 
 }  // namespace burnish

@@ -8,7 +8,7 @@
 namespace burnish {
 
 template <int Dim>
-bool NeoHookean::evaluate(const Eigen::Matrix3d& F, const MaterialState& old, MaterialState& next,
+bool NeoHookean::evaluate(const Eigen::Matrix3d& F, const State&, State&,
                           MaterialResponse<Dim>& out) const {
   const Eigen::Matrix3d H = F - Eigen::Matrix3d::Identity();
   const VolumeChange volume(H);
@@ -21,7 +21,7 @@ bool NeoHookean::evaluate(const Eigen::Matrix3d& F, const MaterialState& old, Ma
   double U = 0.5 * lambda * logJ * logJ;
   double pressure = lambda * logJ;  // J U'
   double stiffness = lambda;        // d(J U')/d(ln J)
-  if (volumetric_ == Volumetric::Simo) {
+  if (parameters_.volumetric == Volumetric::Simo) {
     U = 0.5 * lambda * (halfJ2 - logJ);
     pressure = lambda * halfJ2;
     stiffness = lambda * (1.0 + 2.0 * halfJ2);
@@ -34,13 +34,12 @@ bool NeoHookean::evaluate(const Eigen::Matrix3d& F, const MaterialState& old, Ma
   const double shear = H.squaredNorm() - 2.0 * volume.higher + 2.0 * (volume.minusOne() - logJ);
   out.strainEnergy = 0.5 * mu * shear + U;
   out.plasticWork = 0.0;
-  next = old;
   return std::isfinite(out.strainEnergy) && std::isfinite(out.tau.sum());
 }
 
-template bool NeoHookean::evaluate<2>(const Eigen::Matrix3d&, const MaterialState&, MaterialState&,
+template bool NeoHookean::evaluate<2>(const Eigen::Matrix3d&, const State&, State&,
                                       MaterialResponse<2>&) const;
-template bool NeoHookean::evaluate<3>(const Eigen::Matrix3d&, const MaterialState&, MaterialState&,
+template bool NeoHookean::evaluate<3>(const Eigen::Matrix3d&, const State&, State&,
                                       MaterialResponse<3>&) const;
 
 }  // namespace burnish

@@ -1,15 +1,18 @@
 #include "engine/material/table_hardening.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/schema/problems.h"
 
 namespace burnish {
 namespace {
 
-void checkTable(const std::vector<double>& e, const std::vector<double>& sigma) {
+void requireTable(const std::vector<double>& e, const std::vector<double>& sigma) {
   if (e.empty() || e.size() != sigma.size())
     throw Error("hardening table: " + std::to_string(e.size()) + " plastic strains and " +
                 std::to_string(sigma.size()) + " stresses; give one stress for each strain, at least one");
@@ -27,8 +30,9 @@ void checkTable(const std::vector<double>& e, const std::vector<double>& sigma) 
 
 }  // namespace
 
-TableHardening::TableHardening(std::vector<double> e, std::vector<double> sigma) {
-  checkTable(e, sigma);
+TableHardening::TableHardening(const Parameters& table) {
+  const auto& [e, sigma] = table;
+  requireTable(e, sigma);
   double work = 0.0;
   for (std::size_t k = 0; k + 1 < e.size(); ++k) {
     const double length = e[k + 1] - e[k];
@@ -57,6 +61,18 @@ double TableHardening::work(double e) const {
   const Piece& piece = pieceAt(e);
   const double s = e - piece.start;
   return piece.work + (piece.sigma + 0.5 * piece.slope * s) * s;
+}
+
+void check(const TableHardening::Parameters& table, const Problems& problems, const std::string& key) {
+  if (!problems.clean(key)) return;
+  if (table.ep.front() != 0.0)
+    problems.report(
+        key + ".ep[0]",
+        fmt::format("found {}; allowed: 0, the table begins without plastic strain.", table.ep.front()));
+  if (table.stress.size() != table.ep.size())
+    problems.report(key + ".stress",
+                    fmt::format("found {} stresses for {} plastic strains; allowed: one for each.",
+                                table.stress.size(), table.ep.size()));
 }
 
 }  // namespace burnish

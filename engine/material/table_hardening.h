@@ -1,14 +1,26 @@
 #pragma once
+#include <string>
 #include <vector>
 
+#include "engine/material/law_list.h"
+
 namespace burnish {
+
+class Problems;
 
 /// Yield stress from a table: piecewise linear, constant beyond the last entry.
 class TableHardening {
  public:
-  /// Throws `Error` unless both lists are equally long and not empty, `e` starts at 0 and increases strictly,
-  /// and all stresses are positive.
-  TableHardening(std::vector<double> e, std::vector<double> sigma);
+  static constexpr LawKind kind{"table", "Piecewise linear."};
+
+  struct Parameters {
+    std::vector<double> ep;      ///< starts at 0, strictly increasing
+    std::vector<double> stress;  ///< > 0, one for each; constant beyond the last entry
+  };
+
+  /// Throws `Error` unless both lists are equally long and not empty, `ep` starts at 0 and increases
+  /// strictly, and all stresses are positive.
+  explicit TableHardening(const Parameters& table);
 
   double sigma_y(double e) const;
   double slope(double e) const;
@@ -25,5 +37,16 @@ class TableHardening {
 
   std::vector<Piece> pieces_;
 };
+
+template <class Visitor>
+void describe(Visitor& v, TableHardening::Parameters& s) {
+  v.field("ep", s.ep, {.required = true, .atLeast = 0, .increasing = true, .minEntries = 1},
+          "Equivalent plastic strains; the first is 0.");
+  v.field("stress", s.stress, {.required = true, .above = 0, .minEntries = 1, .unit = "stress"},
+          "Yield stress at each of them; linear in between and constant beyond the last.");
+}
+
+/// See `checkHardening`.
+void check(const TableHardening::Parameters& table, const Problems& problems, const std::string& key);
 
 }  // namespace burnish

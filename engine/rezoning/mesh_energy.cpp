@@ -53,10 +53,11 @@ std::optional<Patch<2>> relaxed(const Patch<2>& mesh, const Eigen::Vector2d& siz
   const SpanQuadrature<2> quadrature(body);
   const auto points = static_cast<std::size_t>(quadrature.numPoints());
   ReferenceState unitSpans{std::vector<Eigen::Matrix3d>(points, Eigen::Matrix3d::Identity()),
-                           std::vector<double>(points, 0.0), Eigen::VectorXd(quadrature.numPoints()), 0.0};
+                           {},
+                           Eigen::VectorXd(quadrature.numPoints()), 0.0};
   for (const auto& span : quadrature.spans())
     unitSpans.weights.segment(span.firstPoint, span.weights.size()) = span.weights / span.weights.sum();
-  DisplacementTerm<2> sheet(quadrature, NeoHookean(1.0, 0.3), unitSpans);
+  DisplacementTerm<2> sheet(quadrature, NeoHookean({1.0, 0.3}), unitSpans);
 
   const Eigen::Index n = 2 * static_cast<Eigen::Index>(body.numNodes);
   // Forces of a sheet in which every span is strained by one; those of the solution may vanish.

@@ -145,10 +145,10 @@ std::optional<Remeshing> remesh(const Patch<2>& deformed, const RemeshOptions& o
   const double length = curves[static_cast<std::size_t>(options.face)].length();
   const double depth = 0.5 * (curves[2 * along].length() + curves[2 * along + 1].length());
   const SpanDistribution distribution =
-      distributeSpans(length, options.finest, options.spans[along], options.growth,
-                      sizeLimits(curves[static_cast<std::size_t>(options.face)], options.turn));
+      distributeSpans(length, options.finest, options.spans[along], {options.mesh.growth, options.rounding},
+                      sizeLimits(curves[static_cast<std::size_t>(options.face)], options.mesh.turn));
   std::vector<double> layers =
-      distributeLayers(depth, options.firstLayer * distribution.finest, options.spans[across]);
+      distributeLayers(depth, options.mesh.firstLayer * distribution.finest, options.spans[across]);
   if (options.face % 2 == 1) layers = reversed(layers);
 
   std::vector<UnivariateBasis> directions;
@@ -186,7 +186,7 @@ std::optional<Remeshing> remesh(const Patch<2>& deformed, const RemeshOptions& o
       break;  // the other start relaxes to the same mesh
     }
   }
-  if (!(quality > options.smallestDeterminant)) return std::nullopt;
+  if (!(quality > options.mesh.smallestDeterminant)) return std::nullopt;
   return Remeshing{std::move(mesh), boundaryError, quality, distribution.smallest};
 }
 

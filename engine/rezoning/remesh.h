@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "engine/nurbs/patch.h"
+#include "engine/rezoning/rezoning_options.h"
 #include "engine/rezoning/span_distribution.h"
 
 namespace burnish {
@@ -10,11 +11,9 @@ namespace burnish {
 struct RemeshOptions {
   FaceId face = 3;     ///< along which the knot spans are distributed
   ArcInterval finest;  ///< of its arc length in the deformed patch
-  SpanGrowth growth;
   std::array<int, 2> spans{};  ///< per direction of the patch
-  double turn = 0.0;           ///< of the face within a knot span, radians, where h_0 allows it; 0: any
-  double firstLayer = 1.5;     ///< size of the spans under the face over h_0
-  double smallestDeterminant = 1e-3;  ///< of the map, over its largest: what a mesh must have
+  double rounding = 0.0;       ///< of the growth of spans, see `SpanGrowth`
+  NewMeshOptions mesh{};
 };
 
 /// A new mesh of a deformed patch.

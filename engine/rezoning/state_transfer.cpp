@@ -100,7 +100,7 @@ Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch
 PointStates interpolated(const SpanQuadrature<2>& quadrature, const TensorBasis<2>& basis,
                          const PointStates& states, const Eigen::Matrix2Xd& parameters) {
   std::array<std::vector<double>, 2> grid{gridCoordinates(quadrature, 0), gridCoordinates(quadrature, 1)};
-  Eigen::MatrixXd values(5, quadrature.numPoints());
+  Eigen::MatrixXd values(4 + states.numbers.rows(), quadrature.numPoints());
   Eigen::VectorXd volumes(quadrature.numPoints());
   for (const auto& span : quadrature.spans())
     for (Eigen::Index q = 0; q < span.xi.cols(); ++q) {
@@ -115,25 +115,26 @@ PointStates interpolated(const SpanQuadrature<2>& quadrature, const TensorBasis<
       volumes(span.firstPoint + q) = strain.trace();
       strain.diagonal().array() -= strain.trace() / 3.0;
       values.col(place).head<4>() = components<2>(strain);
-      values(4, place) = states.e_p[point];
+      values.col(place).tail(states.numbers.rows()) = states.numbers.col(span.firstPoint + q);
     }
   const GridInterpolation interpolation(std::move(grid), std::move(values));
   const ReducedField volume(quadrature, basis, volumes);
 
-  PointStates result;
+  PointStates result{{}, states.kinds, Eigen::MatrixXd(states.numbers.rows(), parameters.cols())};
   for (Eigen::Index k = 0; k < parameters.cols(); ++k) {
     const Eigen::VectorXd value = interpolation(parameters.col(k));
     Eigen::Matrix3d strain = fullTensor<2>(value.head<4>());
     strain.diagonal().array() += (volume(parameters.col(k)) - strain.trace()) / 3.0;
     result.b_e.push_back(tensorFunction(strain, [](double v) { return std::exp(v); }));
-    result.e_p.push_back(std::max(0.0, value(4)));
+    for (Eigen::Index n = 0; n < result.numbers.rows(); ++n)
+      result.numbers(n, k) = std::max(result.kinds[static_cast<std::size_t>(n)].atLeast, value(4 + n));
   }
   return result;
 }
 
 template <int Dim>
 ReferenceState referenceState(const SpanQuadrature<Dim>& quadrature, const PointStates& states) {
-  ReferenceState reference{{}, states.e_p, Eigen::VectorXd(quadrature.numPoints()), 0.0};
+  ReferenceState reference{{}, states.numbers, Eigen::VectorXd(quadrature.numPoints()), 0.0};
   for (const auto& b_e : states.b_e)
     reference.stretch.push_back(tensorFunction(b_e, [](double v) { return std::sqrt(v); }));
   for (const auto& span : quadrature.spans())

@@ -2,17 +2,12 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "engine/material/material_points.h"
 #include "engine/rezoning/inverse_map.h"
 #include "engine/solid/reference_state.h"
 #include "engine/solid/span_quadrature.h"
 
 namespace burnish {
-
-/// State at the quadrature points of a body.
-struct PointStates {
-  std::vector<Eigen::Matrix3d> b_e;  ///< elastic left Cauchy-Green tensors
-  std::vector<double> e_p;
-};
 
 /// Parameters, in the old patch, of positions along a path through the new one, each found from the one
 /// before. Throws `Error` if a position is farther than `farthest` from the old patch.
@@ -21,8 +16,8 @@ Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& pos
 /// Positions of the quadrature points of a body of one patch, 2 x points.
 Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch<2>& patch);
 
-/// States at other parameters of a patch. e_p, not below zero, and the deviator of log b_e by cubic
-/// interpolation on the tensor grid of its quadrature points. The volume change ln det b_e by projection onto
+/// States at other parameters of a patch. The law's numbers, none below what it may be at least, and the
+/// deviator of log b_e by cubic interpolation on the tensor grid of its quadrature points. The volume change ln det b_e by projection onto
 /// splines of one degree less: pressures that alternate from point to point, as they do where a body that
 /// flows is nearly incompressible, would else be carried on from mesh to mesh and grow. `quadrature`: of a
 /// body of this patch alone, on this basis.

@@ -93,8 +93,8 @@ void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& l
 }
 
 void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::string& path) {
-  if (!pair.gapLimit || !c.clean(path)) return;
-  if (pair.method == ContactMethod::PointwisePenalty)
+  if (!pair.options.gapLimit || !c.clean(path)) return;
+  if (pair.options.method == Enforcement::PointwisePenalty)
     return c.report(path,
                     "found with method pointwise-penalty, which averages no gaps; allowed: with "
                     "augmented-lagrangian and penalty.");

@@ -7,15 +7,19 @@
 namespace burnish {
 namespace {
 
+/// A field of another material.
+void checkMaterialField(const CheckContext& c, const std::string& path, const std::string& field) {
+  if (const std::string why = whyWithout(c.scene.material, field); !why.empty())
+    c.report(path, fmt::format("found {}, but {}; allowed here: another field.", field, why));
+}
+
 void checkKind(const CheckContext& c, const std::string& path, const PointMeasureSpec& point) {
   if (point.parameters.empty() == point.position.empty() && c.clean(path))
     c.report(path, fmt::format("found {}; allowed: exactly one of parameters and position.",
                                point.position.empty() ? "neither parameters nor position" : "both"));
   if (!point.patch.empty() || point.position.empty()) checkPatch(c, path + ".patch", point.patch);
   for (std::size_t k = 0; k < point.fields.size(); ++k)
-    if (point.fields[k] == "plastic_strain" && std::holds_alternative<NeoHookeanSpec>(c.scene.material))
-      c.report(fmt::format("{}.fields[{}]", path, k),
-               "found plastic_strain, but the material is elastic; allowed here: another field.");
+    checkMaterialField(c, fmt::format("{}.fields[{}]", path, k), point.fields[k]);
 }
 
 void checkKind(const CheckContext& c, const std::string& path, const FaceMeasureSpec& face) {
@@ -36,10 +40,8 @@ void checkKind(const CheckContext& c, const std::string& path, const ExtentMeasu
 }
 
 void checkKind(const CheckContext& c, const std::string& path, const PercentileMeasureSpec& percentile) {
-  if (percentile.field == "plastic_strain" && std::holds_alternative<NeoHookeanSpec>(c.scene.material) &&
-      c.clean(path + ".field"))
-    c.report(path + ".field",
-             "found plastic_strain, but the material is elastic; allowed here: another field.");
+  if (c.clean(path + ".field") && c.clean("material"))
+    checkMaterialField(c, path + ".field", percentile.field);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void checkContact(const CheckContext& c) {
              "are needed.");
   for (std::size_t k = 0; k < contact.size(); ++k) {
     refuse(c, k > 0, fmt::format("contact[{}]", k), "a second contact pair");
-    if (contact[k].method != ContactMethod::AugmentedLagrangian &&
+    if (contact[k].options.method != Enforcement::AugmentedLagrangian &&
         c.clean(fmt::format("contact[{}].method", k)))
       c.report(fmt::format("contact[{}].method", k),
                "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian.");

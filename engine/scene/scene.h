@@ -6,9 +6,15 @@
 #include <variant>
 #include <vector>
 
+#include "engine/contact/contact_options.h"
 #include "engine/core/formula.h"
 #include "engine/core/schedule.h"
+#include "engine/material/material.h"
+#include "engine/rezoning/rezoning_options.h"
 #include "engine/scene/tool_spec.h"
+#include "engine/solid/formulation.h"
+#include "engine/solid/stabilisation_options.h"
+#include "engine/solver/solver_options.h"
 
 /// A scene as a value: what a YAML file says, with every default filled in. Lengths, stresses and times are
 /// in the consistent units of the scene; vectors have as many entries as the scene has dimensions unless
@@ -17,7 +23,6 @@ namespace burnish {
 
 enum class BasisChoice { Nurbs, Lagrange };
 enum class KinematicsChoice { PlaneStrain, Axisymmetric };
-enum class FormulationChoice { Displacement, Fbar };
 
 struct RectangleSpec {
   std::vector<double> origin{0.0, 0.0};  ///< lower left corner
@@ -125,43 +130,6 @@ struct GeometrySpec {
   MeshSpec mesh;  ///< unused with several patches, which have their own
 };
 
-struct NeoHookeanSpec {
-  double E = 0.0;   ///< Young's modulus, > 0
-  double nu = 0.0;  ///< Poisson's ratio, (-1, 0.5)
-  enum class Volumetric { Log, Simo } volumetric = Volumetric::Log;
-};
-
-struct VoceSpec {
-  double sigma0 = 0.0, sigmaInf = 0.0, beta = 0.0;
-};
-struct TwoTermVoceSpec {
-  double sigma0 = 0.0, q1 = 0.0, beta1 = 0.0, q2 = 0.0, beta2 = 0.0;
-};
-struct LinearHardeningSpec {
-  double sigma0 = 0.0, modulus = 0.0;
-};
-struct VoceLinearSpec {
-  double sigma0 = 0.0, sigmaInf = 0.0, beta = 0.0, modulus = 0.0;
-};
-struct TableHardeningSpec {
-  std::vector<double> ep;      ///< starts at 0, strictly increasing
-  std::vector<double> stress;  ///< > 0; constant beyond the last entry
-};
-struct FormulaHardeningSpec {
-  std::string formula;  ///< yield stress as a function of `ep`
-};
-using HardeningSpec = std::variant<VoceSpec, TwoTermVoceSpec, LinearHardeningSpec, VoceLinearSpec,
-                                   TableHardeningSpec, FormulaHardeningSpec>;
-
-struct J2Spec {
-  double E = 0.0;
-  double nu = 0.0;
-  enum class Elastic { NeoHookean, Hencky } elastic = Elastic::NeoHookean;
-  HardeningSpec hardening;
-};
-
-using MaterialSpec = std::variant<NeoHookeanSpec, J2Spec>;
-
 /// A face of a patch, or a part of it.
 struct FaceSpec {
   std::string patch;             ///< name; may be left out for a body of one patch
@@ -196,30 +164,16 @@ struct LoadSpec {
   std::optional<Schedule> schedule;
 };
 
-enum class ContactMethod { AugmentedLagrangian, Penalty, PointwisePenalty };
-
 struct ContactSpec {
   std::string tool;
   FaceSpec place;  ///< a whole face
-  ContactMethod method = ContactMethod::AugmentedLagrangian;
-  std::optional<double> parameter;      ///< ε, stress per length; derived from the body when left out
-  std::optional<int> quadraturePoints;  ///< per span and direction; 2p when left out
-  std::optional<double> gapLimit;       ///< share of a span's size up to which gaps count; any when left out
+  ContactOptions options;
 };
 
 /// Contact of a face with itself, without friction.
 struct SelfContactSpec {
-  FaceSpec place;                       ///< a whole face
-  std::optional<double> reach;          ///< distance within which its parts are watched
-  std::optional<double> parameter;      ///< ε, stress per length; derived from the body when left out
-  std::optional<int> quadraturePoints;  ///< per span; 2p when left out
-  std::optional<double> gapLimit;       ///< as in `ContactSpec`
-};
-
-/// A drag on a body that nothing but contact holds, see `Stabilisation`.
-struct StabiliseSpec {
-  std::optional<double> until;  ///< time at which it has faded; the end of the first phase when left out
-  double strength = 1e-5;  ///< force on the body that moves by its size in that time, over E L (E L² in 3D)
+  FaceSpec place;  ///< a whole face
+  SelfContactOptions options;
 };
 
 /// A phase of the run: `count` equal nominal steps from the end of the previous phase (or 0) to `until`.
@@ -228,31 +182,12 @@ struct PhaseSpec {
   int count = 0;
 };
 
-struct SolverSpec {
-  double tolerance = 1e-9;  ///< relative residual
-  int maxIterations = 25;   ///< per step, then the step is cut
-  int maxCuts = 12;         ///< smallest step: nominal step / 2^maxCuts
-};
-
 struct OutputSpec {
   std::vector<double> times;    ///< times at which a frame is written, beside the start and the end
   std::optional<double> every;  ///< a frame every so much time
   int subdivision = 4;          ///< cells per knot span and direction in VTU files and pictures
   bool vtu = true;
   bool reactions = false;  ///< columns of the history for the forces on supports
-};
-
-/// Meshing the body anew while a tool moves along it.
-struct RezoningSpec {
-  std::optional<double> travel;  ///< of a tool, from one to the next
-  double stretch = 1.6;          ///< largest principal one since the last, which calls for the next earlier
-  double quality = 0.0;          ///< of the deformed mesh, below which the next comes earlier; 0: never
-  std::vector<int> spans;        ///< knot spans per direction; as many as before when empty
-  std::optional<double> ahead, behind;  ///< of the contact, along the face: where spans are finest
-  double growth = 0.25;                 ///< of the size of spans per distance from there
-  double turn = 0.3;                    ///< of the face within a knot span, radians, where the spans suffice
-  double firstLayer = 1.5;              ///< depth of the spans under the face over the length under the tool
-  double smallestDeterminant = 1e-3;    ///< over the largest: what a new mesh must have
 };
 
 /// Displacement and projected fields at a material point: columns NAME.ux, NAME.stress_xx, ...
@@ -327,20 +262,20 @@ struct Scene {
   BasisChoice basis = BasisChoice::Nurbs;
   int degree = 2;  ///< control nets of lower degree are raised to it
   KinematicsChoice kinematics = KinematicsChoice::PlaneStrain;  ///< of a body of two dimensions
-  FormulationChoice formulation = FormulationChoice::Displacement;
+  Formulation formulation = Formulation::Displacement;
   std::optional<int> quadraturePoints;  ///< of the body, per span and direction; degree + 1 when left out
   std::vector<DefinitionSpec> definitions;
   GeometrySpec geometry;
-  MaterialSpec material;
+  MaterialParameters material;
   std::vector<SupportSpec> supports;
   std::vector<LoadSpec> loads;
   std::vector<ToolSpec> tools;
   std::vector<ContactSpec> contact;
   std::vector<SelfContactSpec> selfContact;
   std::vector<PhaseSpec> steps;
-  SolverSpec solver;
-  std::optional<RezoningSpec> rezoning;
-  std::optional<StabiliseSpec> stabilise;
+  SolverOptions solver;
+  std::optional<RezoningOptions> rezoning;
+  std::optional<StabilisationOptions> stabilise;
   OutputSpec output;
   std::vector<SceneMeasureSpec> measures;
 

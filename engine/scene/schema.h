@@ -2,7 +2,6 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/schema_boundary.h"
 #include "engine/scene/schema_geometry.h"
-#include "engine/scene/schema_material.h"
 #include "engine/scene/schema_measures.h"
 #include "engine/scene/schema_run.h"
 
@@ -26,12 +25,6 @@ template <>
 struct EnumNames<KinematicsChoice> {
   static constexpr std::array values{std::pair{"plane-strain", KinematicsChoice::PlaneStrain},
                                      std::pair{"axisymmetric", KinematicsChoice::Axisymmetric}};
-};
-
-template <>
-struct EnumNames<FormulationChoice> {
-  static constexpr std::array values{std::pair{"displacement", FormulationChoice::Displacement},
-                                     std::pair{"fbar", FormulationChoice::Fbar}};
 };
 
 template <class Visitor>

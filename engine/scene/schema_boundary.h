@@ -5,13 +5,6 @@
 
 namespace burnish {
 
-template <>
-struct EnumNames<ContactMethod> {
-  static constexpr std::array values{std::pair{"augmented-lagrangian", ContactMethod::AugmentedLagrangian},
-                                     std::pair{"penalty", ContactMethod::Penalty},
-                                     std::pair{"pointwise-penalty", ContactMethod::PointwisePenalty}};
-};
-
 inline std::vector<std::string> faceNames() {
   return {"left", "right", "bottom", "top", "back", "front"};
 }
@@ -89,34 +82,13 @@ template <class Visitor>
 void describe(Visitor& v, ContactSpec& s) {
   v.field("tool", s.tool, {.required = true}, "Name of a tool.");
   describeFace(v, s.place);
-  v.field("method", s.method, {},
-          "Mortar augmented Lagrangian (no penetration on average), mortar penalty, or penalty at every "
-          "quadrature point.");
-  v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
-          "Penalty or augmentation parameter; when left out E/L (augmented Lagrangian) or 100 E/L "
-          "(penalties), L the body's largest extent.");
-  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
-          "Quadrature points per knot span and direction; twice the degree when left out.");
-  v.field("gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
-          "Gaps count in averages in full up to this share of the knot span's length, then ever less; what "
-          "is open by three times that counts as twice that and bears no pressure. For a face that turns "
-          "away from the tool sharply, as at the lip of a chip: 0.02. All gaps count in full when left out.");
+  describe(v, s.options);
 }
 
 template <class Visitor>
 void describe(Visitor& v, SelfContactSpec& s) {
   describeFace(v, s.place);
-  v.field("reach", s.reach, {.above = 0, .unit = "length"},
-          "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of "
-          "the body's largest extent when left out.");
-  v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
-          "Augmentation parameter; E/L when left out, L the body's largest extent.");
-  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
-          "Quadrature points per knot span; twice the degree when left out.");
-  v.field(
-      "gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
-      "As under contact: only up to this share of the knot span's length do gaps count in full in averages. "
-      "For a part that meets another one with an edge: 0.02. All gaps count in full when left out.");
+  describe(v, s.options);
 }
 
 }  // namespace burnish

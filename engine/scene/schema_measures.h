@@ -1,4 +1,8 @@
 #pragma once
+#include <string>
+#include <vector>
+
+#include "engine/material/material.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/schema_boundary.h"
 #include "engine/schema/leaf.h"
@@ -12,6 +16,13 @@ struct EnumNames<EllipseMeasureSpec::Middle> {
                                      std::pair{"end", EllipseMeasureSpec::Middle::End}};
 };
 
+/// Lists in one.
+inline std::vector<std::string> joined(const std::vector<std::vector<std::string>>& lists) {
+  std::vector<std::string> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
 template <class Visitor>
 void describe(Visitor& v, PointMeasureSpec& s) {
   v.field("patch", s.patch, {.identifier = true}, kPatchSentence);
@@ -20,7 +31,7 @@ void describe(Visitor& v, PointMeasureSpec& s) {
   v.field("position", s.position, {.perDimension = true, .unit = "length"},
           "Place of the point in the undeformed body.");
   v.field("fields", s.fields,
-          {.choices = {"displacement", "plastic_strain", "von_mises", "pressure", "stress"}},
+          {.choices = joined({{"displacement"}, materialFieldNames(), {"von_mises", "pressure", "stress"}})},
           "What is measured; displacement alone when left out.");
 }
 
@@ -52,7 +63,8 @@ void describe(Visitor& v, ExtentMeasureSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, PercentileMeasureSpec& s) {
-  v.field("field", s.field, {.required = true, .choices = {"plastic_strain", "von_mises", "pressure"}},
+  v.field("field", s.field,
+          {.required = true, .choices = joined({materialScalarNames(), {"von_mises", "pressure"}})},
           "Field at the quadrature points.");
   v.field("share", s.share, {.above = 0, .below = 1}, "Of the undeformed volume.");
 }

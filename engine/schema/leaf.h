@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "engine/core/enum_names.h"
 #include "engine/core/formula.h"
 #include "engine/core/shown_text.h"
 #include "engine/schema/rule.h"
@@ -16,10 +17,6 @@
 /// The types that a single key of a scene may have: numbers, truth values, texts, formulas, named choices,
 /// lists of these.
 namespace burnish {
-
-/// Specialised for every enumeration of a scene: `values`, pairs of name and value.
-template <class E>
-struct EnumNames;
 
 template <class T>
 struct ListTraits : std::false_type {};

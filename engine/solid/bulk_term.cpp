@@ -25,26 +25,24 @@ template <int Dim>
 BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material,
                         const std::optional<ReferenceState>& reference)
     : quadrature_(quadrature),
-      material_(std::move(material)),
+      points_(std::move(material), static_cast<std::size_t>(quadrature.numPoints())),
       groups_(spanGroups(quadrature)),
       colours_(colourGroups(groups_, Dim * quadrature_.numNodes())),
       weights_(quadrature.numPoints()) {
   pinLibrariesToOneThread();
   const auto points = static_cast<std::size_t>(quadrature_.numPoints());
-  accepted_.resize(points);
-  trial_.resize(points);
   stress_.assign(points, Stress::Zero());
   J_.assign(points, 1.0);
   spanSummaries_.resize(groups_.size());
   for (const auto& span : quadrature.spans())
     weights_.segment(span.firstPoint, span.weights.size()) = span.weights;
   if (!reference) return;
-  assert(reference->stretch.size() == points && reference->plasticStrain.size() == points);
+  assert(reference->stretch.size() == points);
   assert(reference->weights.size() == weights_.size());
   stretch_ = reference->stretch;
   weights_ = reference->weights;
   plasticWork_ = reference->plasticWork;
-  for (std::size_t point = 0; point < points; ++point) accepted_[point].e_p = reference->plasticStrain[point];
+  points_.begin(reference->stretch, reference->numbers);
 }
 
 template <int Dim>
@@ -64,20 +62,10 @@ void BulkTerm<Dim>::forEachGradient(const Eigen::VectorXd& x, const F& f) const 
 
 template <int Dim>
 std::vector<Eigen::Matrix3d> BulkTerm<Dim>::gradientsOfLaw(const Eigen::VectorXd& x) const {
-  std::vector<Eigen::Matrix3d> gradients(accepted_.size());
+  std::vector<Eigen::Matrix3d> gradients(J_.size());
   forEachGradient(
       x, [&](std::size_t point, const Eigen::Matrix3d& F) { gradients[point] = elasticGradient(point, F); });
   return gradients;
-}
-
-template <int Dim>
-std::vector<Eigen::Matrix3d> BulkTerm<Dim>::elasticDeformation(const Eigen::VectorXd& x) const {
-  std::vector<Eigen::Matrix3d> result = gradientsOfLaw(x);
-  for (std::size_t point = 0; point < result.size(); ++point) {
-    const Eigen::Matrix3d f = result[point] * accepted_[point].F_inv;
-    result[point] = f * accepted_[point].b_e * f.transpose();
-  }
-  return result;
 }
 
 template <int Dim>
@@ -96,31 +84,20 @@ void BulkTerm<Dim>::summarise() {
   for (const auto& span : spanSummaries_) {
     summary_.strainEnergy += span.strainEnergy;
     summary_.plasticWorkIncrement += span.plasticWorkIncrement;
-    summary_.maxPlasticStrain = std::max(summary_.maxPlasticStrain, span.maxPlasticStrain);
     summary_.minJ = std::min(summary_.minJ, span.minJ);
   }
 }
 
 template <int Dim>
 void BulkTerm<Dim>::accept() {
-  accepted_ = trial_;
+  points_.accept();
   plasticWork_ += summary_.plasticWorkIncrement;
 }
 
 template <int Dim>
 void BulkTerm<Dim>::archive(StateArchive& archive) {
-  constexpr Eigen::Index perPoint = 19;
-  Eigen::VectorXd values(perPoint * std::ssize(accepted_));
-  for (std::size_t i = 0; i < accepted_.size(); ++i)
-    values.segment<perPoint>(perPoint * static_cast<Eigen::Index>(i)) << accepted_[i].F_inv.reshaped(),
-        accepted_[i].b_e.reshaped(), accepted_[i].e_p;
-  archive.fixedField("history", values);
+  points_.archive(archive);
   archive.field("plastic_work", plasticWork_);
-  if (!archive.restores()) return;
-  for (std::size_t i = 0; i < accepted_.size(); ++i) {
-    const auto state = values.segment<perPoint>(perPoint * static_cast<Eigen::Index>(i));
-    accepted_[i] = {state.head<9>().reshaped(3, 3), state.segment<9>(9).reshaped(3, 3), state(18)};
-  }
 }
 
 template <int Dim>

@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "engine/material/material.h"
+#include "engine/material/material_points.h"
 #include "engine/solid/body.h"
+#include "engine/solid/formulation.h"
 #include "engine/solid/reference_state.h"
 #include "engine/solid/span_quadrature.h"
 #include "engine/solver/term.h"
@@ -18,14 +19,7 @@ namespace burnish {
 struct BulkSummary {
   double strainEnergy = 0.0;
   double plasticWorkIncrement = 0.0;  ///< since the last accepted state
-  double maxPlasticStrain = 0.0;      ///< over quadrature points
   double minJ = std::numeric_limits<double>::infinity();
-};
-
-/// How the volume change of a body follows from its displacements.
-enum class Formulation {
-  Displacement,        ///< J = det F; locks when the law is nearly incompressible
-  ProjectedDilatation  ///< J projected onto splines of one degree less (F-bar)
 };
 
 /// The body's resistance, total Lagrangian: history and stresses at the quadrature points, which all
@@ -44,22 +38,21 @@ class BulkTerm : public Term {
   /// Dissipated by plastic flow up to the last accepted state.
   double plasticWork() const { return plasticWork_; }
 
-  /// Accepted history, one entry per quadrature point.
-  const std::vector<MaterialState>& history() const { return accepted_; }
+  /// The law with its accepted states, one per quadrature point.
+  const MaterialPoints& points() const { return points_; }
 
   /// Kirchhoff stress τ = J σ (components of `kVoigt`) and J = det F V_e at the quadrature points of the last
   /// evaluated state, with σ the Cauchy stress that the law answers.
   const std::vector<Stress>& kirchhoffStress() const { return stress_; }
   const std::vector<double>& jacobians() const { return J_; }
 
-  const Material& material() const { return material_; }
+  Material material() const { return points_.material(); }
 
   /// Weights of the quadrature points by stress-free volume.
   const Eigen::VectorXd& weights() const { return weights_; }
 
-  /// Elastic left Cauchy-Green tensors b_e at the quadrature points, in the accepted state with displacements
-  /// x.
-  std::vector<Eigen::Matrix3d> elasticDeformation(const Eigen::VectorXd& x) const;
+  /// What goes along to a new reference configuration: the accepted state with displacements x.
+  PointStates carried(const Eigen::VectorXd& x) const { return points_.carried(gradientsOfLaw(x)); }
 
   /// Largest principal stretch since the reference configuration, over quadrature points.
   double largestStretch(const Eigen::VectorXd& x) const;
@@ -82,15 +75,14 @@ class BulkTerm : public Term {
   /// The deformation gradients that the law sees at the quadrature points, with displacements x.
   virtual std::vector<Eigen::Matrix3d> gradientsOfLaw(const Eigen::VectorXd& x) const;
 
-  /// Evaluates the law at one point from its accepted history and adds to the span's summary; false if it
+  /// Evaluates the law at one point from its accepted state and adds to the span's summary; false if it
   /// cannot answer. Stress and J are stored by the formulation.
   template <class Law>
-  bool respond(const Law& law, std::size_t point, double weight, const Eigen::Matrix3d& F,
+  bool respond(PointsOf<Law>& points, std::size_t point, double weight, const Eigen::Matrix3d& F,
                MaterialResponse<Dim>& response, BulkSummary& summary) {
-    if (!law.template evaluate<Dim>(F, accepted_[point], trial_[point], response)) return false;
+    if (!points.template evaluate<Dim>(point, F, response)) return false;
     summary.strainEnergy += weight * response.strainEnergy;
     summary.plasticWorkIncrement += weight * response.plasticWork;
-    summary.maxPlasticStrain = std::max(summary.maxPlasticStrain, trial_[point].e_p);
     return true;
   }
 
@@ -116,7 +108,7 @@ class BulkTerm : public Term {
   void summarise();
 
   const SpanQuadrature<Dim>& quadrature_;
-  Material material_;
+  MaterialPoints points_;
   CouplingGroups groups_;  ///< unknowns of each span
   std::vector<std::vector<int>> colours_;
   Eigen::VectorXd weights_;
@@ -130,7 +122,6 @@ class BulkTerm : public Term {
   void forEachGradient(const Eigen::VectorXd& x, const F& f) const;
 
   std::vector<Eigen::Matrix3d> stretch_;  ///< V_e of the reference state; empty: one everywhere
-  std::vector<MaterialState> accepted_, trial_;
   BulkSummary summary_;
   double plasticWork_ = 0.0;
 };

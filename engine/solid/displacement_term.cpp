@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "engine/solid/parallel_spans.h"
 #include "engine/solid/solid_kernel.h"
@@ -27,7 +26,7 @@ DisplacementTerm<Dim>::DisplacementTerm(const SpanQuadrature<Dim>& quadrature, M
 
 template <int Dim>
 template <Kinematics K, class Law>
-bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, const Eigen::VectorXd& x,
+bool DisplacementTerm<Dim>::evaluateSpan(PointsOf<Law>& points, std::size_t number, const Eigen::VectorXd& x,
                                          Assembly& out, Workspace<K>& work) {
   constexpr int C = kColumns<K>;
   const auto& span = this->quadrature_.spans()[number];
@@ -44,7 +43,7 @@ bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, con
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
     const double J = volumeRatio<K>(F) * this->referenceVolumeRatio(point);
     const double w = this->weights_(span.firstPoint + q);
-    if (!(J > 0.0) || !this->respond(law, point, w, this->elasticGradient(point, F), response, summary))
+    if (!(J > 0.0) || !this->respond(points, point, w, this->elasticGradient(point, F), response, summary))
       return false;
     summary.minJ = std::min(summary.minJ, J);
     this->J_[point] = J;
@@ -63,20 +62,21 @@ bool DisplacementTerm<Dim>::evaluateSpan(const Law& law, std::size_t number, con
 
 template <int Dim>
 template <Kinematics K, class Law>
-bool DisplacementTerm<Dim>::evaluateAll(const Law& law, const Eigen::VectorXd& x, Assembly& out) {
+bool DisplacementTerm<Dim>::evaluateAll(PointsOf<Law>& points, const Eigen::VectorXd& x, Assembly& out) {
   tbb::enumerable_thread_specific<Workspace<K>> workspaces;
   return std::all_of(this->colours_.begin(), this->colours_.end(), [&](const auto& colour) {
     return parallelAll(colour.size(), 8, [&](std::size_t k) {
-      return evaluateSpan<K>(law, static_cast<std::size_t>(colour[k]), x, out, workspaces.local());
+      return evaluateSpan<K>(points, static_cast<std::size_t>(colour[k]), x, out, workspaces.local());
     });
   });
 }
 
 template <int Dim>
-bool DisplacementTerm<Dim>::evaluate(double, const Eigen::VectorXd& x, Assembly& out) {
+bool DisplacementTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
+  this->points_.startEvaluation(t);
   const bool admissible = withKinematics<Dim>(this->quadrature_.kinematics(), [&](auto kinematics) {
-    return std::visit([&](const auto& law) { return evaluateAll<decltype(kinematics)::value>(law, x, out); },
-                      this->material_);
+    return this->points_.visit(
+        [&](auto& points) { return evaluateAll<decltype(kinematics)::value>(points, x, out); });
   });
   if (admissible) this->summarise();
   return admissible;

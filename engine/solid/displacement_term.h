@@ -18,9 +18,9 @@ class DisplacementTerm final : public BulkTerm<Dim> {
   struct Workspace;
 
   template <Kinematics K, class Law>
-  bool evaluateAll(const Law& law, const Eigen::VectorXd& x, Assembly& out);
+  bool evaluateAll(PointsOf<Law>& points, const Eigen::VectorXd& x, Assembly& out);
   template <Kinematics K, class Law>
-  bool evaluateSpan(const Law& law, std::size_t number, const Eigen::VectorXd& x, Assembly& out,
+  bool evaluateSpan(PointsOf<Law>& points, std::size_t number, const Eigen::VectorXd& x, Assembly& out,
                     Workspace<K>& work);
 };
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "engine/core/blas.h"
 #include "engine/material/volume_change.h"
@@ -108,7 +107,7 @@ ProjectedTerm<Dim>::ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Materia
     : BulkTerm<Dim>(quadrature, std::move(material), reference),
       projection_(std::move(projection)),
       coupling_(quadrature, projection_),
-      shearModulus_(shearModulus(this->material_)),
+      shearModulus_(shearModulus(this->material())),
       F_(static_cast<std::size_t>(quadrature.numPoints())),
       responses_(F_.size()),
       Jbar_(Eigen::VectorXd::Ones(quadrature.numPoints())),
@@ -181,7 +180,7 @@ void ProjectedTerm<Dim>::gatherDilatation() {
 /// The law at F̄; false where J̄ is not positive or the law cannot answer.
 template <int Dim>
 template <Kinematics K, class Law>
-bool ProjectedTerm<Dim>::respondOnSpan(const Law& law, std::size_t number) {
+bool ProjectedTerm<Dim>::respondOnSpan(PointsOf<Law>& points, std::size_t number) {
   const auto& span = this->quadrature_.spans()[number];
   const auto& projected = projection_.spans()[number];
   const Eigen::VectorXd dilatation = projected.N.transpose() * dilatation_(projected.functions);
@@ -193,7 +192,7 @@ bool ProjectedTerm<Dim>::respondOnSpan(const Law& law, std::size_t number) {
     Jbar_(span.firstPoint + q) = Jbar;
     Eigen::Matrix3d Fbar = this->elasticGradient(point, F_[point]);
     projectVolume(Fbar, kColumns<K>, Jbar, J);
-    if (!this->respond(law, point, this->weights_(span.firstPoint + q), Fbar, responses_[point],
+    if (!this->respond(points, point, this->weights_(span.firstPoint + q), Fbar, responses_[point],
                        this->spanSummaries_[number]))
       return false;
     const UnseenDilatation unseen(shearModulus_, J, Jbar);
@@ -264,11 +263,9 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
                    [&](std::size_t e) { return measure<K>(e, x, wantTangent, workspaces.local()); }))
     return false;
   gatherDilatation();
-  const bool responded = std::visit(
-      [&](const auto& law) {
-        return parallelAll(spans, 8, [&](std::size_t e) { return respondOnSpan<K>(law, e); });
-      },
-      this->material_);
+  const bool responded = this->points_.visit([&](auto& points) {
+    return parallelAll(spans, 8, [&](std::size_t e) { return respondOnSpan<K>(points, e); });
+  });
   if (!responded) return false;
   gatherPressure();
   for (const auto& colour : this->colours_)
@@ -282,7 +279,8 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
 }
 
 template <int Dim>
-bool ProjectedTerm<Dim>::evaluate(double, const Eigen::VectorXd& x, Assembly& out) {
+bool ProjectedTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
+  this->points_.startEvaluation(t);
   return withKinematics<Dim>(this->quadrature_.kinematics(), [&](auto kinematics) {
     return evaluateAll<decltype(kinematics)::value>(x, out);
   });

@@ -17,7 +17,7 @@ namespace burnish {
 /// would keep J within a span from going to zero where J̄ stays near one: free surfaces would fold up. It is
 /// of fourth order, so that the changes of a few percent that a mesh needs in order not to lock cost next to
 /// nothing. History is that at F̄, the energy contains φ, `jacobians()` are J, and σ = τ̄/J̄. A reference state
-/// made from `elasticDeformation` has the volume J̄: there d begins anew at zero.
+/// made from `carried` has the volume J̄: there d begins anew at zero.
 template <int Dim>
 class ProjectedTerm final : public BulkTerm<Dim> {
  public:
@@ -44,7 +44,7 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   template <Kinematics K>
   bool measure(std::size_t number, const Eigen::VectorXd& x, bool wantTangent, Workspace<K>& work);
   template <Kinematics K, class Law>
-  bool respondOnSpan(const Law& law, std::size_t number);
+  bool respondOnSpan(PointsOf<Law>& points, std::size_t number);
   template <Kinematics K>
   void assemble(std::size_t number, Assembly& out, Workspace<K>& work);
   void gatherDilatation();

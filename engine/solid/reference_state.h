@@ -9,7 +9,7 @@ namespace burnish {
 /// neighbourhood is taken to the reference by its elastic stretch V_e = √b_e, plastic flow left aside.
 struct ReferenceState {
   std::vector<Eigen::Matrix3d> stretch;  ///< V_e, symmetric and positive
-  std::vector<double> plasticStrain;     ///< e_p
+  Eigen::MatrixXd numbers;               ///< of the law's states that went along, kinds x points
 
   /// Quadrature weights by stress-free volume: those of the reference over det V_e.
   Eigen::VectorXd weights;

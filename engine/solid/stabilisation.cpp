@@ -5,12 +5,12 @@
 namespace burnish {
 
 template <int Dim>
-Stabilisation<Dim>::Stabilisation(const SpanQuadrature<Dim>& quadrature, const Options& options)
-    : options_(options),
+Stabilisation<Dim>::Stabilisation(const SpanQuadrature<Dim>& quadrature, const Drag& drag)
+    : drag_(drag),
       masses_(Eigen::VectorXd::Zero(quadrature.numNodes())),
       x_(Eigen::VectorXd::Zero(Dim * quadrature.numNodes())),
-      time_(options.start),
-      step_(options.end),
+      time_(drag.start),
+      step_(drag.end),
       trial_(x_),
       trialTime_(time_) {
   for (const auto& span : quadrature.spans()) masses_(span.nodes) += span.R * span.weights;
@@ -18,7 +18,7 @@ Stabilisation<Dim>::Stabilisation(const SpanQuadrature<Dim>& quadrature, const O
 
 template <int Dim>
 double Stabilisation<Dim>::viscosity(double t) const {
-  return options_.viscosity * std::clamp(1.0 - t / options_.end, kRemainder, 1.0);
+  return drag_.viscosity * std::clamp(1.0 - t / drag_.end, kRemainder, 1.0);
 }
 
 template <int Dim>

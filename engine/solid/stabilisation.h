@@ -12,7 +12,7 @@ namespace burnish {
 template <int Dim>
 class Stabilisation final : public Term {
  public:
-  struct Options {
+  struct Drag {
     double viscosity = 0.0;  ///< η at the start: stress times time per length²
     double start = 0.0;      ///< time of the body's first state
     double end = 0.0;        ///< > 0: time from which on the remainder is left
@@ -21,7 +21,7 @@ class Stabilisation final : public Term {
   /// Share of the viscosity that is left at the end.
   static constexpr double kRemainder = 1e-3;
 
-  Stabilisation(const SpanQuadrature<Dim>& quadrature, const Options& options);
+  Stabilisation(const SpanQuadrature<Dim>& quadrature, const Drag& drag);
 
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
@@ -36,7 +36,7 @@ class Stabilisation final : public Term {
  private:
   double viscosity(double t) const;
 
-  Options options_;
+  Drag drag_;
   Eigen::VectorXd masses_;  ///< m_a
   Eigen::VectorXd x_;       ///< displacements in the accepted state
   double time_, step_;      ///< of the accepted state and the step that led there

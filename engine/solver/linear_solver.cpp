@@ -1,182 +1,44 @@
 #include "engine/solver/linear_solver.h"
 
-#include <Eigen/CholmodSupport>
-#include <Eigen/UmfPackSupport>
-#include <cassert>
-#include <vector>
+#include <fmt/format.h>
 
-#include "engine/core/blas.h"
+#include <array>
+
+#include "engine/core/error.h"
+#include "engine/solver/direct_solver.h"
 
 namespace burnish {
+namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
+template <class Solver>
+std::unique_ptr<LinearSolver> make(Eigen::Index leading, TangentKind kind) {
+  return std::make_unique<Solver>(leading, kind);
+}
 
-/// UMFPACK for the whole matrix.
-class LinearSolver::General {
- public:
-  General() {
-    // The pattern is symmetric and nearly all diagonal pivots are good; those of active multipliers, zero at
-    // first, fill in during the elimination.
-    lu_.umfpackControl()(UMFPACK_STRATEGY) = UMFPACK_STRATEGY_SYMMETRIC;
-    lu_.umfpackControl()(UMFPACK_ORDERING) = UMFPACK_ORDERING_AMD;
-  }
-
-  bool factorise(const Matrix& A) {
-    if (!analysed_) analyse(A);
-    lu_.factorize(A);
-    return lu_.info() == Eigen::Success;
-  }
-
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) { return lu_.solve(b); }
-
-  Eigen::Index factorNonZeros() { return lu_.matrixL().nonZeros() + lu_.matrixU().nonZeros(); }
-
- private:
-  /// By the pattern alone: the values of the first matrix, which differs in a run that is resumed, must not
-  /// decide how those of all others are rounded.
-  void analyse(Matrix A) {
-    A.coeffs().setOnes();
-    lu_.analyzePattern(A);
-    analysed_ = true;
-  }
-
-  Eigen::UmfPackLU<Matrix> lu_;
-  bool analysed_ = false;
+/// A linear solver and its name in scenes.
+struct NamedSolver {
+  const char* name;
+  std::unique_ptr<LinearSolver> (*make)(Eigen::Index leading, TangentKind kind);
 };
 
-/// CHOLMOD for the leading block, a dense Schur complement for the border.
-class LinearSolver::Definite {
- public:
-  explicit Definite(Eigen::Index leading) : n_(leading) {
-    llt_.cholmod().print = 0;  // a matrix that is not positive definite is no surprise here
-  }
-
-  /// False if K or -S is not positive definite, or if the border is too wide.
-  bool factorise(const Matrix& A) {
-    if (K_.rows() == 0) analyse(A);
-    if (!analysed_) return false;
-    for (std::size_t k = 0; k < entries_.size(); ++k) K_.valuePtr()[k] = A.valuePtr()[entries_[k]];
-    if (!findBorder(A) || isTooWide()) return false;
-    llt_.factorize(K_);
-    if (llt_.info() != Eigen::Success) return false;
-    return coupled_.empty() || eliminateBorder(A);
-  }
-
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    Eigen::VectorXd x(b.size());
-    x.head(n_) = llt_.solve(b.head(n_));
-    const auto rest = b.size() - n_;
-    x.tail(rest) = b.tail(rest).cwiseQuotient(C_);
-    if (!coupled_.empty()) {
-      const Eigen::VectorXd residual = B_.transpose() * x.head(n_) - b(coupled_);
-      const Eigen::VectorXd border = schur_.solve(residual);
-      x.head(n_) -= KinvB_ * border;
-      x(coupled_) = border;
-    }
-    return x;
-  }
-
-  Eigen::Index factorNonZeros() {
-    const auto m = static_cast<Eigen::Index>(coupled_.size());
-    return static_cast<Eigen::Index>(llt_.cholmod().lnz) + m * n_ + m * (m + 1) / 2;
-  }
-
- private:
-  /// The upper triangle of K and where its entries stand in A, whose rows ascend in every column. CHOLMOD
-  /// permutes a lower one in two passes.
-  void analyse(const Matrix& A) {
-    std::vector<Eigen::Triplet<double>> triplets;
-    for (int column = 0; column < n_; ++column)
-      for (int k = A.outerIndexPtr()[column]; k < A.outerIndexPtr()[column + 1]; ++k) {
-        const int row = A.innerIndexPtr()[k];
-        if (row > column) break;
-        triplets.emplace_back(row, column, 0.0);
-        entries_.push_back(k);
-      }
-    K_.resize(n_, n_);
-    K_.setFromTriplets(triplets.begin(), triplets.end());
-    llt_.analyzePattern(K_);
-    analysed_ = llt_.info() == Eigen::Success;
-  }
-
-  /// Sorts the border into unknowns that are coupled with K at present and those that stand alone; false if
-  /// one of these has no equation.
-  bool findBorder(const Matrix& A) {
-    C_ = A.diagonal().tail(A.cols() - n_);
-    coupled_.clear();
-    for (Eigen::Index column = n_; column < A.cols(); ++column) {
-      bool isCoupled = false;
-      for (Matrix::InnerIterator entry(A, column); entry; ++entry) {
-        assert(entry.row() < n_ || entry.row() == column);
-        isCoupled = isCoupled || (entry.row() < n_ && entry.value() != 0.0);
-      }
-      if (isCoupled)
-        coupled_.push_back(static_cast<int>(column));
-      else if (C_(column - n_) == 0.0)
-        return false;
-    }
-    return true;
-  }
-
-  /// Solving for the columns of B costs 4 lnz each; a factorisation of all of A about twice that of K.
-  bool isTooWide() {
-    const auto& cost = llt_.cholmod();
-    return 4.0 * cost.lnz * static_cast<double>(coupled_.size()) > 2.0 * cost.fl;
-  }
-
-  bool eliminateBorder(const Matrix& A) {
-    const auto m = static_cast<Eigen::Index>(coupled_.size());
-    B_.setZero(n_, m);
-    Eigen::MatrixXd S(m, m);
-    S.setZero();
-    for (Eigen::Index j = 0; j < m; ++j)
-      for (Matrix::InnerIterator entry(A, coupled_[static_cast<std::size_t>(j)]); entry; ++entry)
-        if (entry.row() < n_) B_(entry.row(), j) = entry.value();
-    KinvB_ = llt_.solve(B_);
-    S.noalias() = B_.transpose() * KinvB_;
-    for (Eigen::Index j = 0; j < m; ++j) S(j, j) -= C_(coupled_[static_cast<std::size_t>(j)] - n_);
-    schur_.compute(S);
-    return schur_.info() == Eigen::Success;
-  }
-
-  Eigen::Index n_;
-  Eigen::CholmodSupernodalLLT<Matrix, Eigen::Upper> llt_;  ///< of K
-  bool analysed_ = false;                                  ///< not if CHOLMOD has run out of memory
-  Matrix K_;
-  std::vector<int> entries_;
-  Eigen::VectorXd C_;
-  std::vector<int> coupled_;
-  Eigen::MatrixXd B_, KinvB_;
-  Eigen::LLT<Eigen::MatrixXd> schur_;  ///< of -S = Bᵀ K⁻¹ B - C
+/// All linear solvers, one line each.
+constexpr std::array kSolvers{
+    NamedSolver{"direct", make<DirectSolver>},
 };
 
-LinearSolver::LinearSolver(Eigen::Index leading, TangentKind kind)
-    : definite_(kind == TangentKind::Symmetric ? std::make_unique<Definite>(leading) : nullptr),
-      general_(std::make_unique<General>()) {
-  pinLibrariesToOneThread();
+}  // namespace
+
+std::vector<std::string> linearSolverNames() {
+  std::vector<std::string> names;
+  for (const NamedSolver& solver : kSolvers) names.emplace_back(solver.name);
+  return names;
 }
 
-LinearSolver::~LinearSolver() = default;
-
-bool LinearSolver::factorise(const Matrix& A) {
-  if (!A.coeffs().allFinite()) return false;
-  isDefinite_ = definite_ && definite_->factorise(A);
-  if (!isDefinite_) ++numGeneral_;
-  hasFactors_ = isDefinite_ || general_->factorise(A);
-  return hasFactors_;
-}
-
-Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& b) {
-  return isDefinite_ ? definite_->solve(b) : general_->solve(b);
-}
-
-Eigen::Index LinearSolver::factorNonZeros() {
-  if (!hasFactors_) return 0;
-  return isDefinite_ ? definite_->factorNonZeros() : general_->factorNonZeros();
-}
-
-long LinearSolver::numGeneral() const {
-  return numGeneral_;
+std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& options, Eigen::Index leading,
+                                               TangentKind kind) {
+  for (const NamedSolver& solver : kSolvers)
+    if (options.name == solver.name) return solver.make(leading, kind);
+  throw Error(fmt::format("there is no linear solver {}", options.name));
 }
 
 }  // namespace burnish

@@ -54,9 +54,9 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
                NewtonOptions options)
     : terms_(std::move(terms)),
       scales_(std::move(scales)),
-      options_(options),
+      options_(std::move(options)),
       system_(std::move(prescribed), couplingsOf(terms_)),
-      linear_(numFreeBelow(system_, scales_.numForces), tangentKind(terms_)),
+      linear_(makeLinearSolver(options_.linear, numFreeBelow(system_, scales_.numForces), tangentKind(terms_))),
       inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);
@@ -111,7 +111,7 @@ double Newton::roundOff(const Eigen::VectorXd& x) const {
 
 int Newton::countUnstableDirections() {
   // The last iterate is so near that a definite tangent there is one here.
-  if (system_.freeUnknowns().empty() || linear_.isDefinite()) return 0;
+  if (system_.freeUnknowns().empty() || linear_->isDefinite()) return 0;
   const Stopwatch watch(timings_.factorisation);
   return inertia_.unstableDirections(system_.freeTangent());
 }
@@ -143,10 +143,10 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, Eigen::VectorXd& c
   if (!correction.isZero(0.0)) rhs -= system_.tangent() * correction;
   {
     const Stopwatch watch(timings_.factorisation);
-    if (!linear_.factorise(system_.freeTangent())) return false;
+    if (!linear_->factorise(system_.freeTangent())) return false;
   }
   const Stopwatch watch(timings_.solve);
-  correction += system_.expandFromFree(linear_.solve(system_.restrictToFree(rhs)));
+  correction += system_.expandFromFree(linear_->solve(system_.restrictToFree(rhs)));
   return correction.allFinite();
 }
 
@@ -180,7 +180,7 @@ void Newton::archive(StateArchive& archive) {
   archive.field("seconds_of_factorisation", timings_.factorisation);
   archive.field("seconds_of_solve", timings_.solve);
   archive.field("iterations", timings_.iterations);
-  archive.part("linear_solver", linear_);
+  archive.part("linear_solver", *linear_);
 }
 
 NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x, FirstTangent first) {

@@ -1,35 +1,17 @@
 #pragma once
 #include <Eigen/Dense>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/solver/inertia.h"
 #include "engine/solver/linear_solver.h"
+#include "engine/solver/solver_options.h"
 #include "engine/solver/sparse_system.h"
 #include "engine/solver/term.h"
 
 namespace burnish {
-
-struct NewtonOptions {
-  double tolerance = 1e-9;             ///< of the residual forces, relative to the largest force of a term
-  double constraintTolerance = 1e-12;  ///< of the averaged gap, relative to the body's size
-  int maxIterations = 25;
-
-  /// Halvings of a correction that leads to an inadmissible state (J <= 0, a failed return map).
-  int maxBacktracks = 12;
-
-  /// Line search by need: after `freeIterations` corrections, in which plastic flow and the contact set find
-  /// themselves, a correction that makes the residual grow is halved up to `maxShortenings` times, unless the
-  /// residual stays below `harmlessResidual`.
-  int freeIterations = 2;
-  int maxShortenings = 3;
-  double harmlessResidual = 0.02;
-
-  /// An attempt is given up after so many iterations in a row that are out of all balance.
-  int divergedIterations = 3;
-  double divergedResidual = 0.9;
-};
 
 /// How residuals are measured. Unknowns 0 … numForces-1 are displacement components whose residuals are
 /// forces; the others are multipliers whose residuals are constraints, each with a scale of its own (A_A L).
@@ -99,7 +81,7 @@ class Newton {
   int unstableDirections() const { return unstableDirections_; }
 
   const SparseSystem& system() const { return system_; }
-  LinearSolver& linearSolver() { return linear_; }
+  LinearSolver& linearSolver() { return *linear_; }
   const NewtonTimings& timings() const { return timings_; }
 
  private:
@@ -132,7 +114,7 @@ class Newton {
   ResidualScales scales_;
   NewtonOptions options_;
   SparseSystem system_;
-  LinearSolver linear_;
+  std::unique_ptr<LinearSolver> linear_;
   Inertia inertia_;
   std::vector<Eigen::VectorXd> forces_;
   Eigen::VectorXd remembered_;  ///< entries of a tangent; empty before the first

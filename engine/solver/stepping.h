@@ -7,11 +7,6 @@
 
 namespace burnish {
 
-struct SteppingOptions {
-  int maxCuts = 12;        ///< the smallest step is the nominal one / 2^maxCuts
-  int easyIterations = 8;  ///< a step that needs no more counts as easy; after two of them the step doubles
-};
-
 /// One accepted step.
 struct StepReport {
   int step = 0;       ///< number, from 1

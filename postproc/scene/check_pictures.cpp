@@ -18,11 +18,9 @@ void checkField(const CheckContext& c, const std::string& path, const std::strin
     c.report(path, fmt::format("found {}, a component of three-dimensional scenes; allowed here: the "
                                "components in x and y, and stress.zz.",
                                field));
-  if (field == "plastic_strain" && std::holds_alternative<NeoHookeanSpec>(c.scene.material) &&
-      c.clean("material"))
-    c.report(
-        path,
-        "found plastic_strain, but the material is elastic; allowed here: another field, such as von_mises.");
+  if (const std::string why = whyWithout(c.scene.material, field); !why.empty() && c.clean("material"))
+    c.report(path,
+             fmt::format("found {}, but {}; allowed here: another field, such as von_mises.", field, why));
 }
 
 /// The plane of a cut or a slice.

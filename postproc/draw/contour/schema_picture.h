@@ -1,4 +1,9 @@
 #pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/material/material.h"
 #include "engine/schema/leaf.h"
 #include "postproc/draw/contour/picture_spec.h"
 
@@ -6,9 +11,12 @@ namespace burnish {
 
 /// Fields and components that contour pictures show.
 inline std::vector<std::string> drawableFields() {
-  return {"displacement", "displacement.x", "displacement.y", "displacement.z", "plastic_strain",
-          "von_mises",    "stress.xx",      "stress.yy",      "stress.zz",      "stress.xy",
-          "stress.yz",    "stress.zx",      "pressure"};
+  std::vector<std::string> names{"displacement", "displacement.x", "displacement.y", "displacement.z"};
+  for (std::string& name : materialComponentNames()) names.push_back(std::move(name));
+  for (const char* name : {"von_mises", "stress.xx", "stress.yy", "stress.zz", "stress.xy", "stress.yz",
+                           "stress.zx", "pressure"})
+    names.emplace_back(name);
+  return names;
 }
 
 template <class Visitor>

@@ -29,13 +29,13 @@ Tool disc() {
 }
 
 RestingTool resting(const Tool& tool, Eigen::VectorXd multipliers) {
-  return {&tool, {}, {Enforcement::AugmentedLagrangian, kParameter, 0}, std::move(multipliers)};
+  return {&tool, {}, {Enforcement::AugmentedLagrangian, kParameter}, std::move(multipliers)};
 }
 
 Eigen::VectorXd gapsOf(const Patch<2>& mesh, const Tool& tool, bool axisymmetric = false) {
   Body<2> body = makeBody(mesh);
   body.axisymmetric = axisymmetric;
-  return ContactTerm<2>(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter, 0}, 0)
+  return ContactTerm<2>(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter}, 0)
       .referenceGaps({});
 }
 
@@ -51,7 +51,7 @@ double volumeOf(const Patch<2>& mesh, bool axisymmetric) {
 TEST(LinearGaps, AgreeWithCentralDifferences) {
   const Body<2> body = makeBody(slab(2));
   const Tool tool = disc();
-  ContactTerm<2> term(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter, 0},
+  ContactTerm<2> term(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter},
                       2 * body.numNodes);
   const auto linear = term.linearReferenceGaps({});
   EXPECT_EQ(linear.values, term.referenceGaps({}));

@@ -71,8 +71,8 @@ void expectExact(const PatchError& error) {
   EXPECT_LT(error.stress, 1e-11);
 }
 
-const Material kRubber = NeoHookean(1.0, 0.3);
-const Material kMetal = J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, LinearHardening{0.5, 5.0});
+const Material kRubber = NeoHookean({1.0, 0.3});
+const Material kMetal = J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean, LinearHardening{0.5, 5.0}});
 
 template <class Check>
 void forEachDegree(bool rational, const Check& check) {

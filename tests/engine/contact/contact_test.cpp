@@ -39,7 +39,7 @@ struct Case {
   int degree;
   double gapLimit = std::numeric_limits<double>::infinity();
 
-  ContactTerm<2>::Options options() const { return {enforcement, 10.0, 0, gapLimit}; }
+  ContactTerm<2>::Options options() const { return {enforcement, 10.0, {}, gapLimit}; }
 };
 
 class ContactTangent : public testing::TestWithParam<Case> {};
@@ -92,7 +92,7 @@ TEST(FreeTool, MovesWithTheBody) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   const Tool tool = freeTool({"plate", Plane{{0.0, 0.495, 0.0}, {0.1, -1.0, 0.0}}}, 2 * body.numNodes);
   const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0, 0},
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0},
                       firstMultiplier);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(firstMultiplier), force = x;
   Assembly out{force};
@@ -123,7 +123,7 @@ TEST(FreeTool, StaysInTouchWithTheNearestFunction) {
   const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
   for (const auto enforcement :
        {Enforcement::AugmentedLagrangian, Enforcement::MortarPenalty, Enforcement::PointwisePenalty}) {
-    ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0, 0}, firstMultiplier);
+    ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0}, firstMultiplier);
     const Eigen::VectorXd x = Eigen::VectorXd::Zero(firstMultiplier + term.numMultipliers());
     Eigen::VectorXd force = x;
     Assembly out{force};
@@ -177,7 +177,7 @@ TEST(GapLimit, ForcesAreTheDerivativeOfTheEnergyAndNothingPressesWhereTheFaceIsO
     body.axisymmetric = axisymmetric;
     const Tool tool = axisymmetric ? Tool{"ball", Sphere{{0.0, 0.74, 0.0}, 0.3}} : disc();
     const double limit = 0.05, size = 1.0 / 6.0;
-    ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0, 0, limit},
+    ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0, {}, limit},
                         2 * body.numNodes);
     const Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes);
     const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
@@ -212,7 +212,7 @@ TEST(GapLimit, WhatLiesOpenIsNotActive) {
   const Tool plate{"plate", Plane{{0.0, 0.6, 0.0}, {0.0, -1.0, 0.0}}};
   const int first = 2 * body.numNodes;
   ContactTerm<2> term(body, 0, faceFromName<2>("top"), plate,
-                      {Enforcement::AugmentedLagrangian, 10.0, 0, 0.02}, first);
+                      {Enforcement::AugmentedLagrangian, 10.0, {}, 0.02}, first);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(first + term.numMultipliers());
   x.tail(term.numMultipliers()).setConstant(-100.0);
   const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
@@ -224,7 +224,7 @@ TEST(GapLimit, WhatLiesOpenIsNotActive) {
 TEST(ContactTangentOfOtherTools, AgreesWithCentralDifferences) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   const Tool plate{"plate", Plane{{0.0, 0.48, 0.0}, {0.1, -1.0, 0.0}}};
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), plate, {Enforcement::AugmentedLagrangian, 10.0, 0},
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), plate, {Enforcement::AugmentedLagrangian, 10.0},
                       2 * body.numNodes);
   EXPECT_LT(test::tangentError(term, 0.0,
                                test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 8), 1e-6),
@@ -243,7 +243,7 @@ TEST(ContactTangentInThreeDimensions, AgreesWithCentralDifferences) {
     for (const auto& [enforcement, gapLimit] : {std::pair{Enforcement::AugmentedLagrangian, full},
                                                 std::pair{Enforcement::AugmentedLagrangian, 0.05},
                                                 std::pair{Enforcement::PointwisePenalty, full}}) {
-      ContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, {enforcement, 10.0, 0, gapLimit},
+      ContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, {enforcement, 10.0, {}, gapLimit},
                           3 * body.numNodes);
       const Eigen::VectorXd x = test::randomState(3 * body.numNodes + term.numMultipliers(), 2e-3, 9);
       EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6) << tool.name;
@@ -255,7 +255,7 @@ TEST(ContactTerm, AStateThatLetsTheToolThroughIsNotAdmissible) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   Tool tool = disc();
   std::get<Cylinder>(tool.shape).center(1) = 0.5 + 0.1;
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::AugmentedLagrangian, 10.0, 0},
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::AugmentedLagrangian, 10.0},
                       2 * body.numNodes);
   bool admissible = true;
   static_cast<void>(test::forceOf(term, 0.0, Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers()),

@@ -52,7 +52,7 @@ struct Pressed {
           made.axisymmetric = c.axisymmetric;
           return made;
         }()),
-        term(body, 0, kInner, {10.0, 0.6, 0, c.gapLimit}, 2 * body.numNodes),
+        term(body, 0, kInner, {0.6, 10.0, {}, c.gapLimit}, 2 * body.numNodes),
         x(test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11)) {
     x.tail(term.numMultipliers()).array() -= 8.0;
   }
@@ -125,7 +125,7 @@ TEST_P(SelfContactAboveAKink, TangentAgreesWithCentralDifferences) {
   Eigen::MatrixXd points = patch.points();
   points(1, ridge) += 0.12;
   const Body<2> body = makeBody(Patch<2>(patch.basis(), points, patch.weights()));
-  SelfContactTerm term(body, 0, kInner, {10.0, 0.6, 0, GetParam()}, 2 * body.numNodes);
+  SelfContactTerm term(body, 0, kInner, {0.6, 10.0, {}, GetParam()}, 2 * body.numNodes);
   Eigen::VectorXd x = test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11);
   x.tail(term.numMultipliers()).array() -= 8.0;
   EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
@@ -207,7 +207,7 @@ TEST(SurfaceCurve, ProjectsOnKinks) {
 
 TEST(SelfContactPartners, OuterFaceHasNone) {
   const Body<2> body = jaws(2, BasisFamily::BSpline);
-  SelfContactTerm term(body, 0, 1, {10.0, 0.6, 0}, 2 * body.numNodes);
+  SelfContactTerm term(body, 0, 1, {0.6, 10.0}, 2 * body.numNodes);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers());
   static_cast<void>(test::forceOf(term, 0.0, x));
   EXPECT_TRUE((term.state().gap.array() > 1e300).all());
@@ -215,7 +215,7 @@ TEST(SelfContactPartners, OuterFaceHasNone) {
 
 TEST(SelfContactPartners, GapIsTheWidthOfTheHole) {
   const Body<2> body = jaws(3, BasisFamily::BSpline, {0.0, 0.0});
-  SelfContactTerm term(body, 0, kInner, {10.0, 0.6, 0}, 2 * body.numNodes);
+  SelfContactTerm term(body, 0, kInner, {0.6, 10.0}, 2 * body.numNodes);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers());
   static_cast<void>(test::forceOf(term, 0.0, x));
   const auto trace = tracePatch(body.patches.front(), kInner);
@@ -236,7 +236,7 @@ TEST(SelfContactPartners, SidesOfAThinTipAreNone) {
   points.row(1) *= 0.1;
   const Body<2> needle =
       makeBody(Patch<2>(body.patches.front().basis(), points, body.patches.front().weights()));
-  SelfContactTerm term(needle, 0, 1, {10.0, 0.6, 0}, 2 * needle.numNodes);
+  SelfContactTerm term(needle, 0, 1, {0.6, 10.0}, 2 * needle.numNodes);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * needle.numNodes + term.numMultipliers());
   static_cast<void>(test::forceOf(term, 0.0, x));
   EXPECT_TRUE((term.state().gap.array() > 1e300).all());

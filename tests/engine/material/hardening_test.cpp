@@ -60,8 +60,8 @@ std::vector<Case> cases() {
       {"linear", LinearHardening{100.0, 250.0}, 100.0, 325.0},
       {"voce_linear", VoceLinearHardening{{450.0, 715.0, 16.93}, 129.24}, 450.0,
        450.0 + voce(265.0, 16.93, 0.9) + 0.9 * 129.24},
-      {"table", TableHardening({0.0, 0.05, 0.2, 0.5}, {100.0, 140.0, 155.0, 160.0}), 100.0, 160.0},
-      {"formula", FormulaHardening("300*(0.01+ep)^0.2"), 300.0 * std::pow(0.01, 0.2),
+      {"table", TableHardening({{0.0, 0.05, 0.2, 0.5}, {100.0, 140.0, 155.0, 160.0}}), 100.0, 160.0},
+      {"formula", FormulaHardening({"300*(0.01+ep)^0.2"}), 300.0 * std::pow(0.01, 0.2),
        300.0 * std::pow(0.91, 0.2)},
   };
 }
@@ -99,7 +99,7 @@ TEST(Hardening, WorkIsTheIntegral) {
 }
 
 TEST(TableHardening, TurnsAtItsEntriesAndIsConstantBeyondThem) {
-  const TableHardening table({0.0, 0.1, 0.3}, {100.0, 150.0, 170.0});
+  const TableHardening table({{0.0, 0.1, 0.3}, {100.0, 150.0, 170.0}});
   EXPECT_DOUBLE_EQ(table.sigma_y(0.1), 150.0);
   EXPECT_DOUBLE_EQ(table.slope(0.0), 500.0);
   EXPECT_DOUBLE_EQ(table.slope(0.2), 100.0);
@@ -110,23 +110,23 @@ TEST(TableHardening, TurnsAtItsEntriesAndIsConstantBeyondThem) {
 }
 
 TEST(TableHardening, OfOneEntryIsPerfectPlasticity) {
-  const TableHardening table({0.0}, {120.0});
+  const TableHardening table({{0.0}, {120.0}});
   EXPECT_DOUBLE_EQ(table.sigma_y(0.7), 120.0);
   EXPECT_DOUBLE_EQ(table.slope(0.7), 0.0);
   EXPECT_DOUBLE_EQ(table.work(0.5), 60.0);
 }
 
 TEST(TableHardening, RefusesBrokenTables) {
-  EXPECT_THROW(TableHardening({}, {}), Error);
-  EXPECT_THROW(TableHardening({0.0, 0.1}, {100.0}), Error);
-  EXPECT_THROW(TableHardening({0.1, 0.2}, {100.0, 110.0}), Error);
-  EXPECT_THROW(TableHardening({0.0, 0.2, 0.2}, {100.0, 110.0, 120.0}), Error);
-  EXPECT_THROW(TableHardening({0.0, 0.2}, {100.0, 0.0}), Error);
+  EXPECT_THROW(TableHardening({{}, {}}), Error);
+  EXPECT_THROW(TableHardening({{0.0, 0.1}, {100.0}}), Error);
+  EXPECT_THROW(TableHardening({{0.1, 0.2}, {100.0, 110.0}}), Error);
+  EXPECT_THROW(TableHardening({{0.0, 0.2, 0.2}, {100.0, 110.0, 120.0}}), Error);
+  EXPECT_THROW(TableHardening({{0.0, 0.2}, {100.0, 0.0}}), Error);
 }
 
 TEST(FormulaHardening, OfVoceIsVoce) {
   const VoceHardening voce{kSigma0, kSigmaInf, kBeta};
-  const FormulaHardening formula("79.66 + (171.26 - 79.66)*(1 - exp(-17.8*ep))");
+  const FormulaHardening formula({"79.66 + (171.26 - 79.66)*(1 - exp(-17.8*ep))"});
   for (double e = 0.0; e < 12.0; e = 1.2 * e + 1e-5) {
     EXPECT_NEAR(formula.sigma_y(e), voce.sigma_y(e), 1e-13 * kSigmaInf) << "at " << e;
     EXPECT_NEAR(formula.slope(e), voce.slope(e), 1e-10 * voce.slope(e) + 1e-11 * kSigma0) << "at " << e;
@@ -135,7 +135,7 @@ TEST(FormulaHardening, OfVoceIsVoce) {
 }
 
 TEST(FormulaHardening, FollowsSteepStarts) {
-  const FormulaHardening formula("500*(1e-5+ep)^0.2");
+  const FormulaHardening formula({"500*(1e-5+ep)^0.2"});
   for (double e = 0.0; e < 3.0; e = 1.5 * e + 1e-7) {
     EXPECT_NEAR(formula.sigma_y(e), 500.0 * std::pow(1e-5 + e, 0.2), 1e-11) << "at " << e;
     EXPECT_NEAR(formula.slope(e) / (100.0 * std::pow(1e-5 + e, -0.8)), 1.0, 1e-9) << "at " << e;
@@ -145,8 +145,8 @@ TEST(FormulaHardening, FollowsSteepStarts) {
 }
 
 TEST(FormulaHardening, FollowsCornersAndJumps) {
-  const FormulaHardening corner("min(100 + 200*ep, 130)");
-  const FormulaHardening jump("ep < 0.3 ? 100 : 120");
+  const FormulaHardening corner({"min(100 + 200*ep, 130)"});
+  const FormulaHardening jump({"ep < 0.3 ? 100 : 120"});
   for (const double e : {0.0, 0.1, 0.1499, 0.1501, 0.2999, 0.3001, 0.7, 40.0}) {
     EXPECT_NEAR(corner.sigma_y(e), std::min(100.0 + 200.0 * e, 130.0), 1e-9) << "at " << e;
     EXPECT_NEAR(corner.slope(e), e < 0.15 ? 200.0 : 0.0, 1e-7) << "at " << e;
@@ -156,7 +156,7 @@ TEST(FormulaHardening, FollowsCornersAndJumps) {
 }
 
 TEST(FormulaHardening, IsNotFiniteWhereTheFormulaIsNot) {
-  const FormulaHardening formula("100*sqrt(1 - ep)");
+  const FormulaHardening formula({"100*sqrt(1 - ep)"});
   EXPECT_NEAR(formula.sigma_y(0.75), 50.0, 1e-11);
   EXPECT_FALSE(std::isfinite(formula.sigma_y(1.5)));
   EXPECT_FALSE(std::isfinite(formula.sigma_y(1e6)));
@@ -164,7 +164,7 @@ TEST(FormulaHardening, IsNotFiniteWhereTheFormulaIsNot) {
 
 std::string messageOf(const std::string& formula) {
   try {
-    FormulaHardening hardening(formula);
+    FormulaHardening hardening({formula});
   } catch (const Error& error) {
     return error.what();
   }

@@ -11,15 +11,15 @@
 /// Evaluation and numerical differentiation of material laws, for tests.
 namespace burnish::test {
 
-template <int Dim>
+template <int Dim, class Law>
 struct Evaluated {
   MaterialResponse<Dim> response;
-  MaterialState state;
+  typename Law::State state;
 };
 
 template <int Dim, class Law>
-Evaluated<Dim> evaluate(const Law& law, const Eigen::Matrix3d& F, const MaterialState& old = {}) {
-  Evaluated<Dim> result;
+Evaluated<Dim, Law> evaluate(const Law& law, const Eigen::Matrix3d& F, const typename Law::State& old = {}) {
+  Evaluated<Dim, Law> result;
   if (!law.template evaluate<Dim>(F, old, result.state, result.response))
     throw std::runtime_error("the law refused a deformation gradient");
   return result;
@@ -43,7 +43,7 @@ auto derivative(const Function& f, const Eigen::Matrix3d& F, const Eigen::Matrix
 /// Largest difference between c : L and the Lie derivative of τ, over all L = e_k ⊗ e_l, relative to the
 /// largest component of c. The antisymmetric part of L must not count.
 template <int Dim, class Law>
-double tangentError(const Law& law, const Eigen::Matrix3d& F, const MaterialState& old, double h) {
+double tangentError(const Law& law, const Eigen::Matrix3d& F, const typename Law::State& old, double h) {
   const auto stress = [&](const Eigen::Matrix3d& G) -> Eigen::Matrix3d {
     return fullTensor<Dim>(evaluate<Dim>(law, G, old).response.tau);
   };
@@ -66,7 +66,7 @@ double tangentError(const Law& law, const Eigen::Matrix3d& F, const MaterialStat
 
 /// Largest difference between τ : L and the derivative of the stored energy, relative to `scale`.
 template <int Dim, class Law>
-double stressError(const Law& law, const Eigen::Matrix3d& F, const MaterialState& old, double h,
+double stressError(const Law& law, const Eigen::Matrix3d& F, const typename Law::State& old, double h,
                    double scale) {
   const auto energy = [&](const Eigen::Matrix3d& G) {
     return evaluate<Dim>(law, G, old).response.strainEnergy;

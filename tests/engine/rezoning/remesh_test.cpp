@@ -146,9 +146,9 @@ TEST(Remesh, KeepsTheBoundaryAndPutsFineSpansWhereTheyAreWanted) {
   const Patch<2> body = wavy(2, 20, 8, 0.2);
   RemeshOptions options;
   options.finest = {1.0, 1.3};
-  options.growth = {0.25, 0.03};
   options.spans = {40, 16};
-  options.turn = 0.2;
+  options.rounding = 0.03;
+  options.mesh.turn = 0.2;
   const auto meshing = remesh(body, options);
   ASSERT_TRUE(meshing);
   EXPECT_LT(meshing->boundaryError, 5e-4);
@@ -162,14 +162,14 @@ TEST(Remesh, KeepsTheBoundaryAndPutsFineSpansWhereTheyAreWanted) {
     EXPECT_LT((meshing->patch.position(corner) - body.position(corner)).norm(), 1e-13);
 
   options.spans = {80, 32};
-  options.turn = 0.1;
+  options.mesh.turn = 0.1;
   EXPECT_LT(remesh(body, options)->boundaryError, 0.7 * meshing->boundaryError);
 }
 
 TEST(Remesh, WorksFromAnyFaceAndWithLagrangeElements) {
   const Patch<2> slab = meshed(rectangle({0.0, 0.0}, {3.0, 1.0}), 2, 6, 6);
   for (FaceId face = 0; face < 4; ++face) {
-    RemeshOptions options{.face = face, .finest = {0.3, 0.4}, .growth = {0.25, 0.03}, .spans = {12, 12}};
+    RemeshOptions options{.face = face, .finest = {0.3, 0.4}, .spans = {12, 12}, .rounding = 0.03, .mesh = {.turn = 0.0}};
     const auto meshing = remesh(slab, options);
     ASSERT_TRUE(meshing);
     // The first layer is one and a half times as deep as the finest spans are long.
@@ -179,7 +179,7 @@ TEST(Remesh, WorksFromAnyFaceAndWithLagrangeElements) {
     EXPECT_NEAR(first * depth, std::min(1.5 * meshing->smallestSpan, depth / 12.0), 1e-9);
   }
   const Patch<2> elements = lagrangeInterpolant(slab, 2, {{0.0, 0.5, 1.0}, {0.0, 0.5, 1.0}});
-  const auto meshing = remesh(elements, {.finest = {1.0, 1.2}, .growth = {0.25, 0.03}, .spans = {6, 3}});
+  const auto meshing = remesh(elements, {.finest = {1.0, 1.2}, .spans = {6, 3}, .rounding = 0.03, .mesh = {.turn = 0.0}});
   ASSERT_TRUE(meshing);
   EXPECT_EQ(meshing->patch.basis().direction(0).family(), BasisFamily::Lagrange);
   EXPECT_EQ(meshing->patch.basis().direction(0).numFunctions(), 13);
@@ -190,7 +190,7 @@ TEST(Remesh, RefusesAMeshThatIsFolded) {
   Eigen::MatrixXd points = slab.points();
   points.col(4) = Eigen::Vector2d(1.5, -0.5);  // the middle of the top is below the bottom
   EXPECT_FALSE(remesh(Patch<2>(slab.basis(), points, slab.weights()),
-                      {.finest = {1.0, 1.2}, .growth = {0.25, 0.03}, .spans = {8, 4}}));
+                      {.finest = {1.0, 1.2}, .spans = {8, 4}, .rounding = 0.03, .mesh = {.turn = 0.0}}));
 }
 
 }  // namespace

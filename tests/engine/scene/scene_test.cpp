@@ -98,7 +98,7 @@ TEST(Scene, refusesTextsThatCannotBeShown) {
 TEST(Scene, takesConstantsInNumbersAndFormulas) {
   const Scene scene =
       parseScene(replaced(replaced(samples::block, "E: 1.0", "E: 2*pi"), "[1, 0]", "[pi*t, e]"), "s");
-  EXPECT_EQ(std::get<NeoHookeanSpec>(scene.material).E, 2.0 * std::numbers::pi);
+  EXPECT_EQ(std::get<NeoHookean::Parameters>(scene.material).E, 2.0 * std::numbers::pi);
   EXPECT_EQ(Formula(scene.loads[0].traction[0])(Eigen::Vector3d::Zero(), 2.0), 2.0 * std::numbers::pi);
   EXPECT_EQ(Formula(scene.loads[0].traction[1]).constant(), std::numbers::e);
   const Scene own =
@@ -156,14 +156,14 @@ TEST(Scene, fillsInDefaults) {
   EXPECT_EQ(scene.basis, BasisChoice::Nurbs);
   EXPECT_EQ(scene.degree, 2);
   EXPECT_EQ(std::get<RectangleSpec>(scene.geometry.shape).origin, (std::vector<double>{0, 0}));
-  const auto& material = std::get<NeoHookeanSpec>(scene.material);
+  const auto& material = std::get<NeoHookean::Parameters>(scene.material);
   EXPECT_EQ(material.E, 1e-3);
   EXPECT_EQ(material.nu, 0.25);
   EXPECT_EQ(material.volumetric, NeoHookeanSpec::Volumetric::Log);
-  EXPECT_EQ(scene.contact.at(0).method, ContactMethod::AugmentedLagrangian);
+  EXPECT_EQ(scene.contact.at(0).options.method, Enforcement::AugmentedLagrangian);
   EXPECT_FALSE(scene.contact.at(0).parameter.has_value());
   EXPECT_FALSE(scene.tools.at(0).motion.has_value());
-  EXPECT_EQ(scene.solver.tolerance, 1e-9);
+  EXPECT_EQ(scene.solver.newton.tolerance, 1e-9);
   EXPECT_EQ(scene.output.subdivision, 4);
 }
 
@@ -321,7 +321,7 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
     EXPECT_EQ(again.material.index(), scene.material.index());
     EXPECT_EQ(again.tools.size(), scene.tools.size());
     if (scene.tools.empty()) continue;
-    EXPECT_EQ(std::get<NeoHookeanSpec>(again.material).E, std::get<NeoHookeanSpec>(scene.material).E);
+    EXPECT_EQ(std::get<NeoHookean::Parameters>(again.material).E, std::get<NeoHookean::Parameters>(scene.material).E);
     EXPECT_EQ(again.supports[0].move.has_value(), scene.supports[0].move.has_value());
     EXPECT_EQ(again.contact[0].parameter, scene.contact[0].parameter);
   }
@@ -338,8 +338,8 @@ TEST(SceneOverride, setsMakesAndReplacesValues) {
   EXPECT_EQ(scene.steps[0].count, 20);
   EXPECT_EQ(scene.steps[1].count, 7);
   EXPECT_EQ(*scene.tools[0].motion->x, (std::vector<double>{0, 0, 1.5}));
-  EXPECT_EQ(scene.solver.maxCuts, 3);
-  EXPECT_EQ(std::get<NeoHookeanSpec>(scene.material).E, 5.0);
+  EXPECT_EQ(scene.solver.stepping.maxCuts, 3);
+  EXPECT_EQ(std::get<NeoHookean::Parameters>(scene.material).E, 5.0);
   EXPECT_EQ(scene.contact[0].parameter, 2.5);
   EXPECT_EQ(scene.title, "a = b");
 }
@@ -391,12 +391,12 @@ TEST(PaperScenes, suitEveryBasisAndDegree) {
 
 TEST(PaperScenes, holdTheConstantsOfTheStudy) {
   const Scene elastic = readScene(scenes / "paper/elastic.yaml");
-  EXPECT_EQ(std::get<NeoHookeanSpec>(elastic.material).E, 1.0);
-  EXPECT_EQ(std::get<NeoHookeanSpec>(elastic.material).nu, 0.3);
+  EXPECT_EQ(std::get<NeoHookean::Parameters>(elastic.material).E, 1.0);
+  EXPECT_EQ(std::get<NeoHookean::Parameters>(elastic.material).nu, 0.3);
   const Scene plastic = readScene(scenes / "paper/plastic.yaml");
-  const auto& j2 = std::get<J2Spec>(plastic.material);
+  const auto& j2 = std::get<J2Plasticity::Parameters>(plastic.material);
   EXPECT_EQ(j2.E, 70000.0);
-  const auto& voce = std::get<VoceSpec>(j2.hardening);
+  const auto& voce = std::get<VoceHardening>(j2.hardening);
   EXPECT_EQ(voce.sigma0, 79.66);
   EXPECT_EQ(voce.sigmaInf, 171.26);
   EXPECT_EQ(voce.beta, 17.8);

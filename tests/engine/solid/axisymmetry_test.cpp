@@ -76,15 +76,15 @@ class AxisymmetricBulk : public testing::TestWithParam<Formulation> {};
 TEST_P(AxisymmetricBulk, AxialTranslationCostsNothing) {
   const Body<2> body = disc();
   const SpanQuadrature<2> quadrature(body);
-  const auto term = makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.3), GetParam());
+  const auto term = makeBulkTerm(body, quadrature, NeoHookean({1.0, 0.3}), GetParam());
   EXPECT_LT(test::forceOf(*term, 0.0, displacement(body, 0.0, 0.0, 0.7)).norm(), 1e-12);
   EXPECT_GT(test::forceOf(*term, 0.0, displacement(body, 0.01, 0.0, 0.0)).norm(), 1e-3);
 }
 
 TEST_P(AxisymmetricBulk, UniformStretchIsExact) {
   // F = diag(1.1, 0.9, 1.1): stress and energy of the law itself, and forces in equilibrium inside the body.
-  const NeoHookean law(1.0, 0.3);
-  MaterialState state;
+  const NeoHookean law({1.0, 0.3});
+  NeoHookean::State state;
   MaterialResponse<2> exact;
   ASSERT_TRUE(law.evaluate<2>(Eigen::Vector3d(1.1, 0.9, 1.1).asDiagonal(), {}, state, exact));
   const Body<2> body = disc();
@@ -108,7 +108,7 @@ TEST_P(AxisymmetricBulk, UniformStretchIsExact) {
 TEST_P(AxisymmetricBulk, RefusesToPassThroughTheAxis) {
   const Body<2> body = tube();
   const SpanQuadrature<2> quadrature(body);
-  const auto term = makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.3), GetParam());
+  const auto term = makeBulkTerm(body, quadrature, NeoHookean({1.0, 0.3}), GetParam());
   bool admissible = true;
   static_cast<void>(test::forceOf(*term, 0.0, displacement(body, -2.2, 0.0, 0.0), &admissible));
   EXPECT_FALSE(admissible) << "plane and circumference are both turned inside out, J is positive";
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Formulations, AxisymmetricBulk,
 TEST(AxisymmetricContact, PressesOnWholeRings) {
   const Body<2> body = disc();
   const Tool plane{"plane", Plane{{2.5, 0.9, 0.0}, {0.6, -0.8, 0.0}}, {}};
-  ContactTerm<2> term(body, 0, faceFromName<2>("top"), plane, {Enforcement::PointwisePenalty, 10.0, 0}, 0);
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), plane, {Enforcement::PointwisePenalty, 10.0}, 0);
   const Eigen::VectorXd force = test::forceOf(term, 0.0, Eigen::VectorXd::Zero(2 * body.numNodes));
   double radial = 0.0, axial = 0.0;
   for (int a = 0; a < body.numNodes; ++a) {
@@ -142,7 +142,7 @@ TEST(AxisymmetricContact, RefusesQuadraticElementsOnTheAxis) {
       revolved(lagrangeInterpolant(rectangle({0.0, 0.0}, {2.0, 1.0}), 2, {{0.0, 0.5, 1.0}, {0.0, 1.0}}));
   const Tool plane{"plane", Plane{{0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}}, {}};
   EXPECT_THROW(ContactTerm<2>(body, 0, faceFromName<2>("top"), plane,
-                              {Enforcement::AugmentedLagrangian, 10.0, 0}, 2 * body.numNodes),
+                              {Enforcement::AugmentedLagrangian, 10.0}, 2 * body.numNodes),
                Error);
 }
 

@@ -36,10 +36,10 @@ Body<Dim> axisymmetric(Body<Dim> body) {
 }
 
 Material rubber() {
-  return NeoHookean(1.0, 0.3);
+  return NeoHookean({1.0, 0.3});
 }
 Material metal() {
-  return J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0});
+  return J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0}});
 }
 
 /// A stretch along the first axis with a disturbance, far beyond yield for the metal.
@@ -63,7 +63,7 @@ void expectConsistentTangent(const Body<Dim>& body, Formulation formulation) {
   const Eigen::VectorXd y = stretched(body, 0.08, 0.004);
   ASSERT_TRUE(test::forceOf(*plastic, 0.0, y).allFinite());
   plastic->accept();
-  ASSERT_GT(plastic->summary().maxPlasticStrain, 0.03);
+  ASSERT_GT(plastic->points().field("plastic_strain").maxCoeff(), 0.03);
   EXPECT_LT(test::tangentError(*plastic, 0.0, 1.3 * y, 1e-6), 1e-6);
   EXPECT_LT(test::asymmetry(test::tangentOf(*plastic, 0.0, 1.3 * y)), 1e-12);
 }
@@ -243,8 +243,8 @@ TEST(ProjectedTerm, StoresTheCauchyStressOfTheLaw) {
   const Body<2> body = test::ring(2);
   const SpanQuadrature<2> quadrature(body);
   const auto projected =
-      makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.45), Formulation::ProjectedDilatation);
-  const auto plain = makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.45), Formulation::Displacement);
+      makeBulkTerm(body, quadrature, NeoHookean({1.0, 0.45}), Formulation::ProjectedDilatation);
+  const auto plain = makeBulkTerm(body, quadrature, NeoHookean({1.0, 0.45}), Formulation::Displacement);
   const auto largestDifference = [&](const Eigen::VectorXd& x) {
     static_cast<void>(test::forceOf(*projected, 0.0, x));
     static_cast<void>(test::forceOf(*plain, 0.0, x));
@@ -272,7 +272,7 @@ double cooksRise(int degree, int spans, Formulation formulation) {
       makeBody(refined(Patch<2>(square.basis(), corners, square.weights()),
                        {KnotVector::uniform(degree, spans), KnotVector::uniform(degree, spans)}));
   const SpanQuadrature<2> quadrature(body);
-  const auto bulk = makeBulkTerm(body, quadrature, NeoHookean(240.565, 0.4999), formulation);
+  const auto bulk = makeBulkTerm(body, quadrature, NeoHookean({240.565, 0.4999}), formulation);
   DeadLoad<2> load(body, FaceQuadrature<2>(body, 0, faceFromName<2>("right"), 0),
                    {Formula(FormulaText{"0"}), Formula(FormulaText{"0.0625"})}, {});
   const int size = 2 * body.numNodes;
@@ -298,7 +298,7 @@ TEST(ProjectedTerm, TangentIsRightWhereAnEdgeIsCollapsed) {
         {refined(coarse, {KnotVector::uniform(2, spans), KnotVector::uniform(2, spans)})}, {""});
     ASSERT_LT(body.numNodes, body.patches[0].basis().numFunctions());
     const SpanQuadrature<2> quadrature(body);
-    const auto term = makeBulkTerm(body, quadrature, NeoHookean(1.0, 0.3), Formulation::ProjectedDilatation);
+    const auto term = makeBulkTerm(body, quadrature, NeoHookean({1.0, 0.3}), Formulation::ProjectedDilatation);
     EXPECT_LT(test::tangentError(*term, 0.0, test::randomState(2 * body.numNodes, 0.01, 5), 1e-6), 1e-6);
   }
 }

@@ -54,10 +54,10 @@ void fillAlike(SpanKernel<Kinematics::Solid>& dense, TensorKernel& factorised,
 }
 
 Material elastic() {
-  return NeoHookean(1.0, 0.3);
+  return NeoHookean({1.0, 0.3});
 }
 Material plastic() {
-  return J2Plasticity(100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0});
+  return J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0}});
 }
 
 TEST(SpanQuadrature, MeasuresExactVolumes) {
@@ -115,7 +115,7 @@ TEST(DisplacementTerm, PlasticTangentAgreesWithCentralDifferences) {
   for (int a = 0; a < plane.numNodes; ++a) x(2 * a) += 0.08 * plane.patches[0].points()(0, a);
   ASSERT_TRUE(test::forceOf(metal, 0.0, x).allFinite());
   metal.accept();
-  EXPECT_GT(metal.summary().maxPlasticStrain, 0.05);
+  EXPECT_GT(metal.points().field("plastic_strain").maxCoeff(), 0.05);
   x *= 1.3;
   EXPECT_LT(test::tangentError(metal, 0.0, x, 1e-6), 1e-6);
 

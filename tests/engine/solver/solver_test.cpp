@@ -3,7 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "engine/solver/linear_solver.h"
+#include "engine/core/error.h"
+#include "engine/solver/direct_solver.h"
 #include "engine/solver/newton.h"
 #include "engine/solver/stepping.h"
 
@@ -157,20 +158,20 @@ TEST(Stepping, LandsExactlyAndCutsBackWhenAStepFails) {
   EXPECT_NEAR(stepping.state().x(1), 0.5 * stepping.state().time, 1e-9);
 }
 
-TEST(LinearSolver, CholmodHandsAnIndefiniteMatrixToUmfpack) {
+TEST(DirectSolver, CholmodHandsAnIndefiniteMatrixToUmfpack) {
   Eigen::SparseMatrix<double> A(2, 2);
   A.insert(0, 0) = 1.0;
   A.insert(0, 1) = 2.0;
   A.insert(1, 0) = 2.0;
   A.insert(1, 1) = 1.0;
   A.makeCompressed();
-  LinearSolver solver(2);
+  DirectSolver solver(2);
   ASSERT_TRUE(solver.factorise(A));
-  EXPECT_EQ(solver.numGeneral(), 1);
+  EXPECT_EQ(solver.numIndefinite(), 1);
   EXPECT_LT((A * solver.solve(Eigen::Vector2d(3.0, 3.0)) - Eigen::Vector2d(3.0, 3.0)).norm(), 1e-14);
   A.coeffRef(1, 1) = 5.0;
   ASSERT_TRUE(solver.factorise(A));
-  EXPECT_EQ(solver.numGeneral(), 1);
+  EXPECT_EQ(solver.numIndefinite(), 1);
   EXPECT_LT((solver.solve(Eigen::Vector2d(3.0, 7.0)) - Eigen::Vector2d(1.0, 1.0)).norm(), 1e-14);
 }
 
@@ -198,25 +199,31 @@ Eigen::SparseMatrix<double> borderedMatrix(int n) {
   return A;
 }
 
-TEST(LinearSolver, BorderOfMultipliersGivesTheSolutionOfTheWholeMatrix) {
+TEST(DirectSolver, BorderOfMultipliersGivesTheSolutionOfTheWholeMatrix) {
   const int n = 200;
   const auto A = borderedMatrix(n);
   const Eigen::VectorXd exact = Eigen::VectorXd::LinSpaced(n + 3, -1.0, 2.0);
-  LinearSolver solver(n);
+  DirectSolver solver(n);
   for (int repetition = 0; repetition < 2; ++repetition) {
     ASSERT_TRUE(solver.factorise(A));
     EXPECT_LT((solver.solve(A * exact) - exact).norm(), 1e-12 * exact.norm());
   }
-  EXPECT_EQ(solver.numGeneral(), 0);
+  EXPECT_EQ(solver.numIndefinite(), 0);
 }
 
-TEST(LinearSolver, MultiplierThatDoesNothingIsSingular) {
+TEST(DirectSolver, MultiplierThatDoesNothingIsSingular) {
   auto A = borderedMatrix(50);
   A.coeffRef(51, 51) = 0.0;
-  EXPECT_FALSE(LinearSolver(50).factorise(A));
+  EXPECT_FALSE(DirectSolver(50).factorise(A));
 }
 
-TEST(LinearSolver, ReportsSingularAndNonFiniteMatrices) {
+TEST(LinearSolver, IsMadeByItsName) {
+  EXPECT_NE(dynamic_cast<DirectSolver*>(makeLinearSolver({}, 2).get()), nullptr);
+  for (const std::string& name : linearSolverNames()) EXPECT_NE(makeLinearSolver({name}, 2), nullptr);
+  EXPECT_THROW(makeLinearSolver({"none"}, 2), Error);
+}
+
+TEST(DirectSolver, ReportsSingularAndNonFiniteMatrices) {
   for (const Eigen::Index leading : {1, 2}) {
     Eigen::SparseMatrix<double> A(2, 2);
     A.insert(0, 0) = 1.0;
@@ -224,9 +231,9 @@ TEST(LinearSolver, ReportsSingularAndNonFiniteMatrices) {
     A.insert(1, 0) = 1.0;
     A.insert(1, 1) = 1.0;
     A.makeCompressed();
-    EXPECT_FALSE(LinearSolver(leading).factorise(A));
+    EXPECT_FALSE(DirectSolver(leading).factorise(A));
     A.coeffRef(1, 1) = std::nan("");
-    EXPECT_FALSE(LinearSolver(leading).factorise(A));
+    EXPECT_FALSE(DirectSolver(leading).factorise(A));
   }
 }
 

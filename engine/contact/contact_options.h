@@ -1,0 +1,88 @@
+#pragma once
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "engine/core/enum_names.h"
+
+namespace burnish {
+
+/// A gap limit that no gap reaches.
+inline constexpr double kAnyGap = std::numeric_limits<double>::infinity();
+
+enum class Enforcement {
+  AugmentedLagrangian,  ///< mortar, (31)-(43): displacements and multipliers in one Newton iteration
+  MortarPenalty,        ///< mortar, (4)
+  PointwisePenalty      ///< "knot-to-surface": penalty at every quadrature point
+};
+
+template <>
+struct EnumNames<Enforcement> {
+  static constexpr std::array values{std::pair{"augmented-lagrangian", Enforcement::AugmentedLagrangian},
+                                     std::pair{"penalty", Enforcement::MortarPenalty},
+                                     std::pair{"pointwise-penalty", Enforcement::PointwisePenalty}};
+};
+
+/// How contact of a face with a tool is enforced.
+struct ContactOptions {
+  Enforcement method = Enforcement::AugmentedLagrangian;
+  std::optional<double> parameter{};      ///< ε, stress per length; see `parameterFor`
+  std::optional<int> quadraturePoints{};  ///< per span and direction; 2p when left out
+
+  /// Share of the size of a span at which gaps begin to count less in averages (`countedGap`); the traction
+  /// at a point is λ̂ times the slope there, none from three times that on. Without it a face that turns away
+  /// sharply is pressed where it is open and let into the tool beside that. Mortar methods, and pairs that do
+  /// not `keepInTouch`: what is open everywhere is never active.
+  std::optional<double> gapLimit{};
+
+  /// ε of a body with Young's modulus E and the largest extent L. The answer of the augmented Lagrangian does
+  /// not depend on it; penalty methods trade penetration against conditioning.
+  double parameterFor(double E, double L) const {
+    return parameter.value_or((method == Enforcement::AugmentedLagrangian ? 1.0 : 100.0) * E / L);
+  }
+};
+
+template <class Visitor>
+void describe(Visitor& v, ContactOptions& s) {
+  v.field("method", s.method, {},
+          "Mortar augmented Lagrangian (no penetration on average), mortar penalty, or penalty at every "
+          "quadrature point.");
+  v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
+          "Penalty or augmentation parameter; when left out E/L (augmented Lagrangian) or 100 E/L "
+          "(penalties), L the body's largest extent.");
+  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
+          "Quadrature points per knot span and direction; twice the degree when left out.");
+  v.field("gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
+          "Gaps count in averages in full up to this share of the knot span's length, then ever less; what "
+          "is open by three times that counts as twice that and bears no pressure. For a face that turns "
+          "away from the tool sharply, as at the lip of a chip: 0.02. All gaps count in full when left out.");
+}
+
+/// How contact of a face with itself is enforced: mortar augmented Lagrangian.
+struct SelfContactOptions {
+  std::optional<double> reach{};          ///< distance within which parts of the face are partners
+  std::optional<double> parameter{};      ///< ε, stress per length
+  std::optional<int> quadraturePoints{};  ///< per span; 2p when left out
+  std::optional<double> gapLimit{};       ///< as in `ContactOptions`
+
+  double parameterFor(double E, double L) const { return parameter.value_or(E / L); }
+  double reachFor(double L) const { return reach.value_or(0.05 * L); }
+};
+
+template <class Visitor>
+void describe(Visitor& v, SelfContactOptions& s) {
+  v.field("reach", s.reach, {.above = 0, .unit = "length"},
+          "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of "
+          "the body's largest extent when left out.");
+  v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
+          "Augmentation parameter; E/L when left out, L the body's largest extent.");
+  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
+          "Quadrature points per knot span; twice the degree when left out.");
+  v.field(
+      "gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
+      "As under contact: only up to this share of the knot span's length do gaps count in full in averages. "
+      "For a part that meets another one with an edge: 0.02. All gaps count in full when left out.");
+}
+
+}  // namespace burnish

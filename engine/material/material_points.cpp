@@ -1,0 +1,134 @@
+#include "engine/material/material_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+/// All numbers of states, one state after the other.
+template <class State>
+Eigen::VectorXd numbersOf(std::vector<State>& states) {
+  std::vector<double> numbers;
+  const auto add = [&](auto& member) {
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(member)>>)
+      numbers.push_back(member);
+    else
+      numbers.insert(numbers.end(), member.data(), member.data() + member.size());
+  };
+  for (State& state : states) state.forEachMember(add);
+  return Eigen::Map<Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
+}
+
+template <class State>
+void setNumbers(std::vector<State>& states, const Eigen::VectorXd& numbers) {
+  const double* next = numbers.data();
+  const auto take = [&](auto& member) {
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(member)>>) {
+      member = *next++;
+    } else {
+      std::copy_n(next, member.size(), member.data());
+      next += member.size();
+    }
+  };
+  for (State& state : states) state.forEachMember(take);
+}
+
+}  // namespace
+
+MaterialPoints::MaterialPoints(Material material, std::size_t count)
+    : points_(std::visit(
+          [count]<class Law>(Law& law) {
+            const std::vector<typename Law::State> states(count);
+            return MaterialLaws::Each<PointsOf>(PointsOf<Law>{std::move(law), states, states});
+          },
+          material)) {}
+
+Material MaterialPoints::material() const {
+  return visit([](const auto& points) { return Material(points.law); });
+}
+
+void MaterialPoints::startEvaluation(double t) {
+  if (std::isnan(time_)) time_ = t;
+  trialTime_ = t;
+  visit([&](auto& points) { points.timeStep = t > time_ ? t - time_ : lastStep_; });
+}
+
+void MaterialPoints::accept() {
+  if (trialTime_ > time_) lastStep_ = trialTime_ - time_;
+  time_ = trialTime_;
+  visit([](auto& points) { points.accepted = points.trial; });
+}
+
+void MaterialPoints::archive(StateArchive& archive) {
+  visit([&]<class Law>(PointsOf<Law>& points) {
+    if constexpr (!std::is_empty_v<typename Law::State>) {
+      Eigen::VectorXd numbers = numbersOf(points.accepted);
+      archive.fixedField("history", numbers);
+      if (archive.restores()) setNumbers(points.accepted, numbers);
+    }
+    if constexpr (RateDependent<Law>) {
+      archive.field("time", time_);
+      archive.field("last_step", lastStep_);
+    }
+  });
+}
+
+std::vector<FieldKind> MaterialPoints::fields() const {
+  return visit([]<class Law>(const PointsOf<Law>&) { return fieldKindsOf<Law>(); });
+}
+
+bool MaterialPoints::hasField(const std::string& name) const {
+  const auto kinds = fields();
+  return std::any_of(kinds.begin(), kinds.end(), [&](const FieldKind& kind) { return kind.name == name; });
+}
+
+Eigen::MatrixXd MaterialPoints::field(const std::string& name) const {
+  return visit([&]<class Law>(const PointsOf<Law>& points) -> Eigen::MatrixXd {
+    for (const auto& field : fieldsOf<Law>()) {
+      if (field.name != name) continue;
+      Eigen::MatrixXd values(std::max<Eigen::Index>(1, std::ssize(field.components)),
+                             std::ssize(points.accepted));
+      for (Eigen::Index q = 0; q < values.cols(); ++q)
+        values.col(q) = Eigen::Map<const Eigen::VectorXd>(
+            field.values(points.accepted[static_cast<std::size_t>(q)]).data(), values.rows());
+      return values;
+    }
+    throw Error(fmt::format("the material has no field {}", name));
+  });
+}
+
+PointStates MaterialPoints::carried(const std::vector<Eigen::Matrix3d>& F) const {
+  return visit([&]<class Law>(const PointsOf<Law>& points) {
+    const auto carried = carriedOf<Law>();
+    PointStates states;
+    states.kinds.assign(carried.begin(), carried.end());
+    states.numbers.resize(std::ssize(carried), std::ssize(points.accepted));
+    for (std::size_t q = 0; q < points.accepted.size(); ++q) {
+      states.b_e.push_back(points.law.elasticDeformation(F[q], points.accepted[q]));
+      typename Law::State state = points.accepted[q];
+      for (std::size_t k = 0; k < carried.size(); ++k)
+        states.numbers(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(q)) = carried[k].of(state);
+    }
+    return states;
+  });
+}
+
+void MaterialPoints::begin(const std::vector<Eigen::Matrix3d>& stretch, const Eigen::MatrixXd& numbers) {
+  visit([&]<class Law>(PointsOf<Law>& points) {
+    const auto carried = carriedOf<Law>();
+    for (std::size_t q = 0; q < points.accepted.size(); ++q) {
+      auto& state = points.accepted[q];
+      if constexpr (requires { Law::begin(stretch[q]); }) state = Law::begin(stretch[q]);
+      for (std::size_t k = 0; k < carried.size(); ++k)
+        carried[k].of(state) = numbers(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(q));
+    }
+  });
+}
+
+}  // namespace burnish

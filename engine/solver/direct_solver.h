@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+
+#include "engine/solver/linear_solver.h"
+
+namespace burnish {
+
+/// Sparse factorisations. K is factorised by CHOLMOD and the border by a dense Cholesky factorisation of its
+/// Schur complement; UMFPACK takes the whole matrix where one of them is not definite, where the border is so
+/// wide that this is cheaper, and where the matrix is not symmetric.
+class DirectSolver final : public LinearSolver {
+ public:
+  /// `leading`: number of rows of K.
+  explicit DirectSolver(Eigen::Index leading, TangentKind kind = TangentKind::Symmetric);
+  ~DirectSolver() override;
+
+  [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A) override;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) override;
+  Eigen::Index factorNonZeros() override;
+  bool isDefinite() const override { return isDefinite_; }
+
+  /// Factorisations that UMFPACK did.
+  long numIndefinite() const override { return numGeneral_; }
+
+  void archive(StateArchive& archive) override { archive.field("general", numGeneral_); }
+
+ private:
+  class Definite;
+  class General;
+
+  std::unique_ptr<Definite> definite_;  ///< null for a general matrix
+  std::unique_ptr<General> general_;
+  bool hasFactors_ = false;
+  bool isDefinite_ = false;  ///< the last matrix
+  long numGeneral_ = 0;
+};
+
+}  // namespace burnish
