@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <variant>
 #include <vector>
 
 #include "engine/core/error.h"
@@ -12,6 +11,7 @@
 #include "engine/results/history.h"
 #include "engine/results/run_files.h"
 #include "engine/results/summary_file.h"
+#include "postproc/mesh/recorded_shape.h"
 
 namespace burnish {
 namespace {
@@ -44,17 +44,6 @@ std::string patchesText(const MeshRecord& mesh) {
   std::string text;
   for (const PatchRecord& patch : mesh.patches) text += line("patch", patchText(patch));
   return text;
-}
-
-std::string shapeText(const RecordedShape& shape) {
-  if (const auto* cylinder = std::get_if<Cylinder>(&shape))
-    return fmt::format("cylinder of radius {}", cylinder->radius);
-  if (const auto* sphere = std::get_if<Sphere>(&shape))
-    return fmt::format("sphere of radius {}", sphere->radius);
-  if (const auto* mesh = std::get_if<SurfaceMesh>(&shape))
-    return fmt::format("surface of {} {}", mesh->cells.cols(),
-                       mesh->cells.rows() == 2 ? "segments" : "triangles");
-  return "plane";
 }
 
 std::string fieldText(const std::string& name, const FieldRecord& field) {

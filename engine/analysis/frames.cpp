@@ -1,29 +1,15 @@
 #include "engine/analysis/frames.h"
 
 #include <string>
-#include <type_traits>
 
 #include "engine/core/version.h"
 #include "engine/fields/body_fields.h"
-#include "engine/tools/shape_outline.h"
 
 namespace burnish {
 namespace {
 
 /// Half the length that is drawn of an infinite tool, in sizes of the body.
 constexpr double kDrawnSizes = 3.0;
-
-/// Shapes that a result holds as they are, and the outlines of others.
-RecordedShape recorded(const RigidShape& shape, int dim, double bodySize) {
-  return std::visit(
-      [&]<class Shape>(const Shape& s) -> RecordedShape {
-        if constexpr (std::is_constructible_v<RecordedShape, Shape>)
-          return s;
-        else
-          return outlineOf(shape, dim, kDrawnSizes * bodySize);
-      },
-      shape);
-}
 
 template <int Dim>
 QuadratureRecord quadratureRecord(const Model<Dim>& model, const Eigen::MatrixXd& currentNodes,
@@ -108,8 +94,8 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
   record.subdivision = scene.output.subdivision;
   record.mesh = meshRecord(model.body());
   for (const auto& tool : model.tools())
-    record.tools.push_back({tool->name, recorded(tool->shape, Dim, model.body().size()), tool->pivot,
-                            tool->axis, halfThickness(tool->shape)});
+    record.tools.push_back({tool->name, tool->shape.recorded(Dim, kDrawnSizes * model.body().size()),
+                            tool->pivot, tool->axis, tool->shape.halfThickness()});
   return record;
 }
 

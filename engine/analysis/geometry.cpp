@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <utility>
 
+#include "engine/core/angles.h"
 #include "engine/core/input_error.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
@@ -13,10 +13,6 @@
 
 namespace burnish {
 namespace {
-
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180.0;
-}
 
 template <int Dim>
 Eigen::Vector<double, Dim> vector(const std::vector<double>& values) {

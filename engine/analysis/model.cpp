@@ -216,7 +216,7 @@ void Model<Dim>::requireReachable(const Tool& tool, const ContactSpec& spec, con
   faces_.requireOuter(spec.place, place);
   const NearestPoint nearest =
       nearestPoint(body_, faces_.patch(spec.place.patch), faceFromName<Dim>(spec.place.face), tool, 0.0);
-  if (-nearest.gap > kTouching * std::min(halfThickness(tool.shape), body_.size()))
+  if (-nearest.gap > kTouching * std::min(tool.shape.halfThickness(), body_.size()))
     throw InputError(place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; move it away "
                                         "by at least that much (touching is fine)",
                                         spec.tool, spec.place.face, -nearest.gap));

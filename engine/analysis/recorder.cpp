@@ -287,7 +287,7 @@ void Recorder<Dim>::watchContacts() {
   double refinement = 0.0, inside = 0.0;
   bool lost = false;
   for (const auto& pair : model_.contacts()) {
-    const double radius = halfThickness(model_.tools()[pair.tool]->shape);
+    const double radius = model_.tools()[pair.tool]->shape.halfThickness();
     // On finer spans the penetration falls with the square of their size.
     refinement =
         std::max({refinement, penetrationPerSpan(*pair.term) / kDoubtfulSpanShare,

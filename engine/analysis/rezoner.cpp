@@ -146,7 +146,7 @@ void archiveBody(StateArchive& archive, const MaterialParameters& material,
 double smallestThickness(const Model<2>& model) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const auto& pair : model.contacts())
-    smallest = std::min(smallest, halfThickness(model.tools()[pair.tool]->shape));
+    smallest = std::min(smallest, model.tools()[pair.tool]->shape.halfThickness());
   return smallest;
 }
 

@@ -170,7 +170,7 @@ void requireDetermined(const Tool& tool, const std::string& place, int dim, doub
   for (std::size_t way = 0; way < kToolWays; ++way)
     if (tool.isFree(way)) ways.push_back(way);
   const ToolPose pose = tool.pose(0.0);
-  const auto points = pointsAround(middleOf(tool.shape), dim, bodySize);
+  const auto points = pointsAround(tool.shape.middle(), dim, bodySize);
   Eigen::MatrixXd slopes(points.size(), ways.size());  // of the gap, by the free ways
   for (std::size_t k = 0; k < points.size(); ++k)
     slopes.row(static_cast<Eigen::Index>(k)) = tool.queryWithWays(pose, points[k]).dWays(ways).transpose();

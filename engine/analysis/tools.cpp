@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/analysis/tool_shapes.h"
+#include "engine/tools/tool_shape.h"
 
 namespace burnish {
 namespace {
@@ -39,9 +39,9 @@ Ways formulas(const std::array<const std::optional<FormulaText>*, kToolWays>& co
 std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int firstUnknown, double bodySize) {
   auto tool = std::make_unique<Tool>();
   tool->name = spec.name;
-  tool->shape = makeShape(spec);
-  tool->pivot = spec.pivot.empty() ? middleOf(tool->shape) : inSpace(spec.pivot);
-  tool->axis = inSpace(spec.pivotAxis).normalized();
+  tool->shape = makeShape(spec.shape, spec.inside);
+  tool->pivot = spec.pivot.empty() ? tool->shape.middle() : Eigen::Vector3d(spec.pivot);
+  tool->axis = spec.pivotAxis.normalized();
   tool->turnLength = bodySize;
   if (spec.motion) tool->motion = tables(*spec.motion);
   if (const auto& p = spec.prescribe)

@@ -38,7 +38,7 @@ ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, con
       options_(options),
       firstMultiplier_(firstMultiplier),
       axisymmetric_(body.axisymmetric),
-      deepest_(kDeepestShare * halfThickness(tool.shape)),
+      deepest_(kDeepestShare * tool.shape.halfThickness()),
       A_(Eigen::VectorXd::Zero(face_.numFunctions())) {
   for (std::size_t way = 0; way < kToolWays; ++way)
     if (tool.isFree(way)) ways_.push_back(way);
@@ -208,7 +208,7 @@ bool ContactTerm<Dim>::hasPassedThrough() const {
     const double way = (to - from).norm();
     // Gaps change by no more than the way. A short one that begins and ends near the surface stays there.
     for (double done = 0.0; way > deepest_ && done < way;) {
-      const double gap = queryGap(tool_.shape, from + done / way * (to - from)).gap;
+      const double gap = tool_.shape.query(from + done / way * (to - from)).gap;
       if (gap < -deepest_) return true;
       done += std::max(gap + deepest_, kShortestShare * deepest_);
     }

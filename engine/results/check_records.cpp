@@ -63,20 +63,11 @@ void checkPatch(const PatchRecord& patch, int dim, int numNodes, const std::stri
 bool isDirection(const Eigen::Vector3d& n) {
   return std::abs(n.norm() - 1.0) < 1e-9;
 }
-bool isRadius(double radius) {
-  return std::isfinite(radius) && radius > 0.0;
-}
 
-bool isSound(const Plane& plane) {
-  return plane.origin.allFinite() && isDirection(plane.normal);
+template <class Shape>
+bool isSound(const Shape& shape) {
+  return shape.isSound();
 }
-bool isSound(const Cylinder& cylinder) {
-  return cylinder.center.allFinite() && isDirection(cylinder.axis) && isRadius(cylinder.radius);
-}
-bool isSound(const Sphere& sphere) {
-  return sphere.center.allFinite() && isRadius(sphere.radius);
-}
-
 bool isSound(const SurfaceMesh& mesh) {
   return mesh.points.allFinite() && (mesh.cells.rows() == 2 || mesh.cells.rows() == 3) &&
          (mesh.cells.size() == 0 ||

@@ -1,6 +1,12 @@
 #include "engine/results/model_io.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <variant>
 
 #include "engine/core/error.h"
 #include "engine/core/fingerprint.h"
@@ -14,38 +20,59 @@ namespace {
 using hdf5::InputGroup;
 using hdf5::OutputGroup;
 
-struct ShapeWriter {
+/// Writes a shape that is kept as it is, and reads one.
+struct AttributeWriter {
   const OutputGroup& group;
 
-  void operator()(const Plane& plane) const {
-    group.attribute("shape", std::string("plane"));
-    group.attribute("origin", plane.origin);
-    group.attribute("normal", plane.normal);
-  }
-  void operator()(const Cylinder& cylinder) const {
-    group.attribute("shape", std::string("cylinder"));
-    group.attribute("center", cylinder.center);
-    group.attribute("axis", cylinder.axis);
-    group.attribute("radius", cylinder.radius);
-  }
-  void operator()(const Sphere& sphere) const {
-    group.attribute("shape", std::string("sphere"));
-    group.attribute("center", sphere.center);
-    group.attribute("radius", sphere.radius);
-  }
-  void operator()(const SurfaceMesh& mesh) const {
-    group.attribute("shape", std::string("mesh"));
-    group.attribute("closed", mesh.closed ? 1 : 0);
-    group.attribute("points_per_cell", static_cast<int>(mesh.cells.rows()));
-    group.dataset("points", Eigen::MatrixXd(mesh.points));
-    group.dataset("cells", std::vector<int>(mesh.cells.data(), mesh.cells.data() + mesh.cells.size()));
+  template <class T>
+  void operator()(const char* name, const T& value) const {
+    group.attribute(name, value);
   }
 };
+struct AttributeReader {
+  const InputGroup& group;
+
+  void operator()(const char* name, double& value) const { value = group.real(name); }
+  void operator()(const char* name, Eigen::Vector3d& value) const { value = group.vector3(name); }
+};
+
+/// What a kind of shape is called in a file.
+template <class Shape>
+constexpr const char* kShapeName = Shape::kind.key;
+template <>
+constexpr const char* kShapeName<SurfaceMesh> = "mesh";
+
+template <class Shape>
+void writeKeys(const OutputGroup& group, Shape shape) {
+  AttributeWriter writer{group};
+  archive(writer, shape);
+}
+
+void writeKeys(const OutputGroup& group, const SurfaceMesh& mesh) {
+  group.attribute("closed", mesh.closed ? 1 : 0);
+  group.attribute("points_per_cell", static_cast<int>(mesh.cells.rows()));
+  group.dataset("points", Eigen::MatrixXd(mesh.points));
+  group.dataset("cells", std::vector<int>(mesh.cells.data(), mesh.cells.data() + mesh.cells.size()));
+}
+
+void writeShape(const OutputGroup& group, const RecordedShape& shape) {
+  std::visit(
+      [&]<class Shape>(const Shape& one) {
+        group.attribute("shape", std::string(kShapeName<Shape>));
+        writeKeys(group, one);
+      },
+      shape);
+}
+
+template <class Shape>
+void readKeys(const InputGroup& group, Shape& shape) {
+  AttributeReader reader{group};
+  archive(reader, shape);
+}
 
 /// A mesh whose list of cells is no whole number of cells, or refers to points that do not exist, is refused
 /// later, with the other records.
-SurfaceMesh readSurface(const InputGroup& group) {
-  SurfaceMesh mesh;
+void readKeys(const InputGroup& group, SurfaceMesh& mesh) {
   const Eigen::MatrixXd points = group.dataset("points").matrix();
   const std::vector<int> cells = group.dataset("cells").integers();
   const int rows = group.integer("points_per_cell");
@@ -57,17 +84,22 @@ SurfaceMesh readSurface(const InputGroup& group) {
   mesh.cells =
       Eigen::Map<const Eigen::MatrixXi>(cells.data(), rows, static_cast<Eigen::Index>(cells.size()) / rows);
   mesh.closed = group.integer("closed") != 0;
-  return mesh;
 }
 
-RecordedShape readShape(const InputGroup& group) {
-  const std::string shape = group.text("shape");
-  if (shape == "plane") return Plane{group.vector3("origin"), group.vector3("normal")};
-  if (shape == "cylinder")
-    return Cylinder{group.vector3("center"), group.vector3("axis"), group.real("radius")};
-  if (shape == "sphere") return Sphere{group.vector3("center"), group.real("radius")};
-  if (shape == "mesh") return readSurface(group);
-  throw Error(fmt::format("{}: shape \"{}\" is none of plane, cylinder, sphere, mesh", group.place(), shape));
+/// kinds: any shape.
+template <class... Kinds>
+RecordedShape readShape(const InputGroup& group, const std::variant<Kinds...>& /*kinds*/) {
+  const std::string name = group.text("shape");
+  std::optional<RecordedShape> found;
+  const auto readIf = [&]<class Shape>(Shape shape) {
+    if (name != kShapeName<Shape>) return;
+    readKeys(group, shape);
+    found = std::move(shape);
+  };
+  (readIf(Kinds()), ...);
+  if (found) return *found;
+  throw Error(fmt::format("{}: shape \"{}\" is none of {}", group.place(), name,
+                          fmt::join(std::array{kShapeName<Kinds>...}, ", ")));
 }
 
 }  // namespace
@@ -100,7 +132,7 @@ std::vector<std::byte> modelImage(const StoredModel& model) {
       tool.attribute("pivot", record.tools[i].pivot);
       tool.attribute("pivot_axis", record.tools[i].axis);
       tool.attribute("half_thickness", record.tools[i].halfThickness);
-      std::visit(ShapeWriter{tool}, record.tools[i].shape);
+      writeShape(tool, record.tools[i].shape);
     }
   }
   return image.finish();
@@ -124,7 +156,7 @@ StoredModel readModel(const std::filesystem::path& path) {
   for (std::size_t i = 0; i < tools.names().size(); ++i) {
     const InputGroup tool = tools.group(std::to_string(i));
     record.tools.push_back({.name = tool.text("name"),
-                            .shape = readShape(tool),
+                            .shape = readShape(tool, RecordedShape()),
                             .pivot = tool.vector3("pivot"),
                             .axis = tool.vector3("pivot_axis"),
                             .halfThickness = tool.real("half_thickness")});

@@ -4,12 +4,10 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "engine/nurbs/univariate_basis.h"
-#include "engine/tools/rigid_shape.h"
-#include "engine/tools/surface_mesh.h"
+#include "engine/tools/recorded_shape.h"
 
 /// What a result holds, as plain values: the one place where engine and post-processor meet.
 namespace burnish {
@@ -35,9 +33,6 @@ struct MeshRecord {
   /// 0 without patches.
   int dim() const { return patches.empty() ? 0 : static_cast<int>(patches.front().directions.size()); }
 };
-
-/// What is kept of a tool's shape: the analytic ones as they are, others as they are drawn.
-using RecordedShape = std::variant<Plane, Cylinder, Sphere, SurfaceMesh>;
 
 struct ToolRecord {
   std::string name;

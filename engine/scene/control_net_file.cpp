@@ -13,6 +13,7 @@
 #include "engine/core/nearest.h"
 #include "engine/scene/tool_files.h"
 #include "engine/schema/yaml_document.h"
+#include "engine/tools/tool_shape.h"
 
 namespace burnish {
 namespace {
@@ -82,11 +83,18 @@ void insertFile(YamlNode& shape, const std::string& path, const std::filesystem:
   std::move(net->children.begin(), net->children.end(), std::back_inserter(shape.children));
 }
 
-/// A shape that may be a control net (`name`: what it is called there), at a path.
+bool isNetOfBody(const std::string& shape) {
+  return shape == "control-net";
+}
+bool isNetOfTool(const std::string& shape) {
+  return fileOf(shape) == ShapeFile::ControlNet;
+}
+
+/// A shape that may be a control net, at a path.
 void complete(YamlNode& shape, const std::string& path, const std::filesystem::path& directory,
-              Diagnostics& errors, const char* name = "control-net") {
+              Diagnostics& errors, bool (*isNet)(const std::string&) = isNetOfBody) {
   const YamlNode* kind = shape.find("shape");
-  if (kind == nullptr || kind->text != name) return;
+  if (kind == nullptr || !isNet(kind->text)) return;
   const YamlNode* file = shape.find("file");
   if (file == nullptr || (file->kind == YamlNode::Kind::Scalar && file->text.empty()))
     requireKeys(shape, path, ", or a file that holds them", errors);
@@ -98,7 +106,7 @@ void complete(YamlNode& shape, const std::string& path, const std::filesystem::p
 
 void insertControlNetFiles(YamlNode& root, const std::filesystem::path& directory, Diagnostics& errors) {
   forEachToolShape(root, [&](YamlNode& tool, const std::string& path) {
-    complete(tool, path, directory, errors, "nurbs");
+    complete(tool, path, directory, errors, isNetOfTool);
   });
   YamlNode* geometry = child(root, "geometry");
   if (geometry == nullptr) return;

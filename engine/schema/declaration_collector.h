@@ -16,6 +16,10 @@ ValueType typeOf() {
     ++type.lists;
     type.length = ListTraits<T>::length;
     return type;
+  } else if constexpr (std::is_same_v<T, Coordinates>) {
+    return typeOf<std::vector<double>>();
+  } else if constexpr (std::is_same_v<T, Eigen::Vector3d>) {
+    return typeOf<std::array<double, 3>>();
   } else if constexpr (std::is_same_v<T, bool>) {
     return {.kind = Kind::Truth};
   } else if constexpr (std::is_integral_v<T>) {
@@ -51,8 +55,8 @@ class DeclarationCollector {
   template <class T>
   void field(const char* key, T& value, const Rule& rule, const char* sentence) {
     using Inner = typename Underlying<T>::Type;
-    Declaration& added = out_.emplace_back(
-        Declaration{key, sentence, allowedText<T>(rule), typeOf<T>(), rule, defaultOf(value, rule)});
+    Declaration& added = out_.emplace_back(Declaration{key, sentence, allowedText<T>(rule), typeOf<T>(),
+                                                       ruleOf<Inner>(rule), defaultOf(value, rule)});
     if constexpr (std::is_enum_v<Inner>) added.rule.choices = enumNames<Inner>();
     if constexpr (!Leaf<Inner>) added.below = declarationsOf<Inner>();
   }
@@ -86,7 +90,7 @@ class DeclarationCollector {
       return std::nullopt;
     } else {
       if (rule.required) return std::nullopt;
-      if constexpr (List<T>)
+      if constexpr (MayBeEmpty<T>)
         if (value.empty()) return std::nullopt;
       YAML::Emitter text;
       writeLeaf(text, value, rule);

@@ -12,10 +12,11 @@
 #include "engine/core/enum_names.h"
 #include "engine/core/formula.h"
 #include "engine/core/shown_text.h"
+#include "engine/schema/coordinates.h"
 #include "engine/schema/rule.h"
 
 /// The types that a single key of a scene may have: numbers, truth values, texts, formulas, named choices,
-/// lists of these.
+/// lists of these; points and directions, with an entry per dimension; vectors of three entries.
 namespace burnish {
 
 template <class T>
@@ -47,11 +48,26 @@ struct IsLeaf
     : std::bool_constant<std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>> {};
 template <>
 struct IsLeaf<FormulaText> : std::true_type {};
+template <>
+struct IsLeaf<Coordinates> : std::true_type {};
+template <>
+struct IsLeaf<Eigen::Vector3d> : std::true_type {};
 template <List T>
 struct IsLeaf<T> : IsLeaf<typename ListTraits<T>::Item> {};
 
 template <class T>
 concept Leaf = IsLeaf<T>::value;
+
+/// Leaves that are left out where they have no entries.
+template <class T>
+concept MayBeEmpty = List<T> || std::is_same_v<T, Coordinates>;
+
+/// The rule of a leaf, with what its type implies.
+template <class T>
+Rule ruleOf(Rule rule) {
+  if constexpr (std::is_same_v<T, Coordinates>) rule.perDimension = true;
+  return rule;
+}
 
 template <class E>
 std::vector<std::string> enumNames() {
@@ -73,6 +89,10 @@ std::string allowedText(const Rule& rule, bool plural = false) {
     return fmt::format("{} of {}{}{}{}", plural ? "lists" : "a list", count,
                        rule.increasing ? "increasing " : "", allowedText<Item>(rule.ofEntry(), true),
                        rule.perDimension ? ", one per dimension" : "");
+  } else if constexpr (std::is_same_v<T, Coordinates>) {
+    return allowedText<std::vector<double>>(ruleOf<T>(rule), plural);
+  } else if constexpr (std::is_same_v<T, Eigen::Vector3d>) {
+    return allowedText<std::array<double, 3>>(rule, plural);
   } else if constexpr (std::is_same_v<T, bool>) {
     return "true or false";
   } else if constexpr (std::is_integral_v<T>) {

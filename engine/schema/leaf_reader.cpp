@@ -122,6 +122,19 @@ void LeafReader::read(const YamlNode& node, const std::string& path, FormulaText
   value.text = node.text;
 }
 
+void LeafReader::read(const YamlNode& node, const std::string& path, Coordinates& value, const Rule& rule) {
+  std::vector<double> entries = value.given();
+  read(node, path, entries, ruleOf<Coordinates>(rule));
+  value = Coordinates(entries);
+}
+
+void LeafReader::read(const YamlNode& node, const std::string& path, Eigen::Vector3d& value,
+                      const Rule& rule) {
+  std::array<double, 3> entries{value.x(), value.y(), value.z()};
+  read(node, path, entries, rule);
+  value = Eigen::Vector3d(entries[0], entries[1], entries[2]);
+}
+
 void LeafReader::reject(const YamlNode& node, const std::string& path, const std::string& allowed,
                         const std::vector<std::string>& candidates) {
   std::string hint = node.kind == YamlNode::Kind::Scalar ? didYouMean(node.text, candidates) : "";

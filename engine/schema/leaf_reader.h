@@ -18,6 +18,8 @@ class LeafReader {
   void read(const YamlNode& node, const std::string& path, bool& value, const Rule& rule);
   void read(const YamlNode& node, const std::string& path, std::string& value, const Rule& rule);
   void read(const YamlNode& node, const std::string& path, FormulaText& value, const Rule& rule);
+  void read(const YamlNode& node, const std::string& path, Coordinates& value, const Rule& rule);
+  void read(const YamlNode& node, const std::string& path, Eigen::Vector3d& value, const Rule& rule);
 
   template <class E>
   requires std::is_enum_v<E>

@@ -10,7 +10,11 @@ namespace burnish {
 /// Writes a leaf in one line: numbers with the fewest digits that read back exactly, texts in quotes.
 template <Leaf T>
 void writeLeaf(YAML::Emitter& out, const T& value, const Rule& rule) {
-  if constexpr (List<T>) {
+  if constexpr (std::is_same_v<T, Coordinates>) {
+    writeLeaf(out, value.given(), rule);
+  } else if constexpr (std::is_same_v<T, Eigen::Vector3d>) {
+    writeLeaf(out, std::array{value.x(), value.y(), value.z()}, rule);
+  } else if constexpr (List<T>) {
     out << YAML::Flow << YAML::BeginSeq;
     for (const auto& item : value) writeLeaf(out, item, rule);
     out << YAML::EndSeq;

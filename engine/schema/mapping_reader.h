@@ -60,7 +60,7 @@ class MappingReader {
   template <Leaf T>
   void read(const YamlNode& node, const std::string& path, T& value, const Rule& rule) {
     LeafReader(errors_).read(node, path, value, rule);
-    if (rule.perDimension && errors_.clean(path))
+    if (ruleOf<T>(rule).perDimension && errors_.clean(path))
       dimensioned_.push_back({node.place, path, node.children.size()});
   }
 

@@ -18,7 +18,7 @@ class MappingWriter {
     if constexpr (Optional<T>) {
       if (value) field(key, *value, rule, "");
     } else {
-      if constexpr (List<T>)
+      if constexpr (MayBeEmpty<T>)
         if (value.empty()) return;
       if constexpr (std::is_same_v<T, std::string>)
         if (value.empty() && !rule.required) return;

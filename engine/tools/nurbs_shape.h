@@ -1,13 +1,18 @@
 #pragma once
 #include <Eigen/Dense>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "engine/nurbs/patch.h"
 #include "engine/tools/gap_query.h"
+#include "engine/tools/rigid_shape.h"
+#include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
 namespace burnish {
 
+class ShapeProblems;
 template <int P>
 class NurbsDistance;
 
@@ -16,7 +21,15 @@ class NurbsDistance;
 template <int P>
 struct NurbsShape {
   std::shared_ptr<const NurbsDistance<P>> distance;
+
   GapQuery query(const Eigen::Vector3d& x) const;
+
+  /// Half the smallest extent of a closed curve or surface, infinity for an open one and for a die.
+  double halfThickness() const;
+  Eigen::Vector3d middle() const;
+
+  /// The tessellated curve or surface.
+  SurfaceMesh outline(int dim, double reach) const;
 };
 
 using NurbsCurve = NurbsShape<1>;
@@ -26,12 +39,36 @@ using NurbsSurface = NurbsShape<2>;
 template <int P>
 NurbsShape<P> makeNurbsShape(Patch<P, 3> patch, bool flip = false);
 
-/// The tessellated curve or surface.
-template <int P>
-SurfaceMesh outlineOf(const NurbsShape<P>& shape);
+/// A curve in 2D, a surface in 3D, as a scene gives it.
+struct NurbsTool {
+  static constexpr ShapeKind kind{"nurbs", "A NURBS curve; a NURBS surface in 3D.", ForBodies::All,
+                                  ShapeFile::ControlNet};
 
-/// Half the smallest extent of a closed curve or surface, infinity for an open one and for a die.
-template <int P>
-double halfThicknessOf(const NurbsShape<P>& shape);
+  std::string file;                        ///< its other keys are put in when the scene is read
+  std::vector<int> degrees;                ///< one per direction of the curve or surface
+  std::vector<std::vector<double>> knots;  ///< per direction
+  std::vector<std::vector<double>> points;
+  std::vector<double> weights;  ///< all 1 when left out
+  bool flip = false;
+
+  RigidShape made() const;
+};
+
+template <class Visitor>
+void describe(Visitor& v, NurbsTool& s) {
+  v.field("file", s.file, {},
+          "YAML file that holds degrees, knots, points and weights, beside the scene; instead of giving them "
+          "here.");
+  v.field("degrees", s.degrees, {.atLeast = 1, .atMost = 10, .minEntries = 1, .maxEntries = 2},
+          "Degree in the direction of a curve (two dimensions), in both directions of a surface (3D).");
+  v.field("knots", s.knots, {.minEntries = 1, .maxEntries = 2}, "An open knot vector for each direction.");
+  v.field("points", s.points, {.minEntries = 2, .unit = "length"},
+          "Coordinates of the control points, the first direction fastest. The tool is to the left of a "
+          "curve, behind a surface whose parameters go counterclockwise.");
+  v.field("weights", s.weights, {.above = 0}, "One weight per control point; all 1 when left out.");
+  v.field("flip", s.flip, {}, "The tool is on the other side.");
+}
+
+void check(const NurbsTool& nurbs, const ShapeProblems& problems);
 
 }  // namespace burnish

@@ -33,7 +33,45 @@ struct Builder {
   }
 };
 
+/// Unit vector at an angle from `a` towards `b`.
+Vector3d directionAt(double angle, const Vector3d& a, const Vector3d& b) {
+  return std::cos(angle) * a + std::sin(angle) * b;
+}
+
+OutlinePoints arc(const Vector3d& center, double radius, const Vector3d& a, const Vector3d& b, double begin,
+                  double end) {
+  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(end - begin) / kPieceAngle - 1e-9)));
+  OutlinePoints points;
+  for (int k = 0; k <= pieces; ++k)
+    points.push_back(center + radius * directionAt(begin + (end - begin) * k / pieces, a, b));
+  return points;
+}
+
 }  // namespace
+
+OutlinePoints ring(const Vector3d& center, double radius, const Vector3d& a, const Vector3d& b) {
+  OutlinePoints points = arc(center, radius, a, b, 0.0, 2.0 * std::numbers::pi);
+  points.pop_back();
+  return points;
+}
+
+OutlinePoints wedge(const Vector3d& tip, const Vector3d& front, const Vector3d& across, double halfAngle,
+                    double radius, double reach) {
+  const double limit = 0.5 * std::numbers::pi - halfAngle;
+  OutlinePoints points = arc(tip - radius * front, radius, front, across, -limit, limit);
+  const Vector3d down = -std::cos(halfAngle) * front;
+  points.insert(points.begin(), points.front() + reach * (down - std::sin(halfAngle) * across));
+  points.push_back(points.back() + reach * (down + std::sin(halfAngle) * across));
+  return points;
+}
+
+SurfaceMesh revolved(const std::vector<Eigen::Vector2d>& profile, const Vector3d& center,
+                     const Vector3d& axis, bool closed) {
+  const Vector3d h = axis.normalized(), a = h.unitOrthogonal(), b = h.cross(a);
+  std::vector<OutlinePoints> rings;
+  for (const Eigen::Vector2d& p : profile) rings.push_back(ring(center + p.y() * h, p.x(), a, b));
+  return strips(rings, true, closed);
+}
 
 SurfaceMesh line(const std::vector<Vector3d>& points, bool closed) {
   Builder builder{points, {}};

@@ -1,12 +1,33 @@
 #pragma once
 #include <Eigen/Dense>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include "engine/tools/surface_mesh.h"
 
 /// Pieces that outlines are made of.
 namespace burnish {
+
+using OutlinePoints = std::vector<Eigen::Vector3d>;
+
+/// Round shapes are drawn in pieces of 5 degrees.
+inline constexpr int kPiecesAround = 72;
+inline constexpr double kPieceAngle = std::numbers::pi / 36.0;
+
+/// A full circle in the plane of two orthonormal directions, its last point left out.
+OutlinePoints ring(const Eigen::Vector3d& center, double radius, const Eigen::Vector3d& a,
+                   const Eigen::Vector3d& b);
+
+/// A rounded wedge from the end of one flank to that of the other, `across` to the right of somebody who
+/// looks back from the front. halfAngle: radians.
+OutlinePoints wedge(const Eigen::Vector3d& tip, const Eigen::Vector3d& front, const Eigen::Vector3d& across,
+                    double halfAngle, double radius, double reach);
+
+/// The surface of a profile that is turned about an axis: its points by their distance from the axis and
+/// height along it. closed: its last point is joined to the first.
+SurfaceMesh revolved(const std::vector<Eigen::Vector2d>& profile, const Eigen::Vector3d& center,
+                     const Eigen::Vector3d& axis, bool closed);
 
 /// Segments through points, from the last to the first too if closed.
 SurfaceMesh line(const std::vector<Eigen::Vector3d>& points, bool closed);

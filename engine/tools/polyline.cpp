@@ -1,3 +1,5 @@
+#include "engine/tools/polyline.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/tools/line_crossing.h"
+#include "engine/tools/shape_problems.h"
 #include "engine/tools/surface_file.h"
 
 namespace burnish {
@@ -73,6 +76,24 @@ SurfaceMesh readPolyline(const std::filesystem::path& file, bool closed) {
     points.push_back(point);
   }
   return polyline(std::move(points), closed, file.string());
+}
+
+FacetedShape PolylineTool::made() const {
+  if (!file.empty()) return makeFacetedShape(readPolyline(file, closed), smoothing);
+  std::vector<Eigen::Vector2d> corners;
+  for (const auto& point : points) corners.emplace_back(point[0], point[1]);
+  return makeFacetedShape(polyline(std::move(corners), closed, "points"), smoothing);
+}
+
+void check(const PolylineTool& line, const ShapeProblems& problems) {
+  if (!problems.clean("file") || !problems.clean("points")) return;
+  if (line.file.empty() == line.points.empty())
+    problems.report(fmt::format("found {}; allowed: exactly one of points and file.",
+                                line.file.empty() ? "neither points nor file" : "points and file"));
+  if (problems.dim() == 2) problems.requireDimension("points", line.points, 2);
+  if (line.closed && !line.points.empty() && line.points.size() < 3)
+    problems.report(
+        "points", fmt::format("found {} points of a closed line; allowed: at least 3.", line.points.size()));
 }
 
 }  // namespace burnish

@@ -10,4 +10,9 @@ struct SurfaceMesh {
   bool closed = false;    ///< encloses the tool; otherwise the tool is on one side
 };
 
+/// The middle of the box around its points.
+inline Eigen::Vector3d middleOfBox(const SurfaceMesh& mesh) {
+  return 0.5 * (mesh.points.rowwise().minCoeff() + mesh.points.rowwise().maxCoeff());
+}
+
 }  // namespace burnish

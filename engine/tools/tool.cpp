@@ -33,9 +33,9 @@ Eigen::Vector3d Tool::toReference(const ToolPose& pose, const Eigen::Vector3d& x
 }
 
 GapQuery Tool::query(const ToolPose& pose, const Eigen::Vector3d& x) const {
-  if (pose.angle == 0.0) return queryGap(shape, x - pose.displacement);
+  if (pose.angle == 0.0) return shape.query(x - pose.displacement);
   const Eigen::Matrix3d R = Eigen::AngleAxisd(pose.angle, axis).toRotationMatrix();
-  const GapQuery own = queryGap(shape, R.transpose() * (x - pose.displacement - pivot) + pivot);
+  const GapQuery own = shape.query(R.transpose() * (x - pose.displacement - pivot) + pivot);
   return {own.gap, R * own.normal, R * own.dNormal * R.transpose()};
 }
 

@@ -17,6 +17,7 @@
 #include "postproc/export/vtk_file.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
+#include "postproc/mesh/recorded_shape.h"
 
 namespace burnish {
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/tools/rigid_shape.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/index_box.h"
 #include "postproc/mesh/patch_geometry.h"

@@ -4,16 +4,12 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <set>
-#include <variant>
 
 #include "engine/core/error.h"
-#include "postproc/mesh/outlines.h"
 #include "postproc/mesh/patch_geometry.h"
+#include "postproc/mesh/recorded_shape.h"
 
 namespace burnish {
 namespace {
@@ -43,38 +39,6 @@ Eigen::Affine3d mapOf(const MirrorPlane& plane) {
   map.translation()(plane.axis) = 2.0 * plane.at;
   return map;
 }
-
-/// Whether two shapes of one kind and size are the same up to a length.
-struct SameShape {
-  double length;
-
-  bool operator()(const Plane& a, const Plane& b) const {
-    return isParallel(a.normal, b.normal) && std::abs((a.origin - b.origin).dot(a.normal)) <= length;
-  }
-  bool operator()(const Cylinder& a, const Cylinder& b) const {
-    return std::abs(std::abs(a.axis.dot(b.axis)) - 1.0) <= kRounding &&
-           (a.center - b.center).cross(a.axis).norm() <= length;
-  }
-  bool operator()(const Sphere& a, const Sphere& b) const { return (a.center - b.center).norm() <= length; }
-  bool operator()(const SurfaceMesh& a, const SurfaceMesh& b) const { return places(a) == places(b); }
-  template <class A, class B>
-  bool operator()(const A&, const B&) const {
-    return false;
-  }
-
-  /// The points of a mesh up to the length, whatever their order.
-  std::set<std::array<std::int64_t, 3>> places(const SurfaceMesh& mesh) const {
-    std::set<std::array<std::int64_t, 3>> result;
-    const double cell = std::max(length, std::numeric_limits<double>::min());
-    for (const auto& x : mesh.points.colwise())
-      result.insert({std::llround(x.x() / cell), std::llround(x.y() / cell), std::llround(x.z() / cell)});
-    return result;
-  }
-
-  static bool isParallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return a.dot(b) >= 1.0 - kRounding;
-  }
-};
 
 /// A hollow body of revolution does not touch its axis, in which it is symmetric all the same.
 bool isAxisymmetric(const ModelRecord& model) {
@@ -232,7 +196,7 @@ class Mirror {
   }
 
   bool isOwnImage(const ToolRecord& tool) const {
-    return std::visit(SameShape{kRounding * size_}, tool.shape, mappedShape(tool.shape, mapOf(plane_)));
+    return areSame(tool.shape, mappedShape(tool.shape, mapOf(plane_)), kRounding * size_);
   }
 
   void addTools() {

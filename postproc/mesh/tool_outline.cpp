@@ -1,17 +1,15 @@
-#include <vtkBox.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "postproc/mesh/outlines.h"
 #include "postproc/mesh/poly_builder.h"
+#include "postproc/mesh/recorded_shape.h"
 
 namespace burnish {
 namespace {
@@ -148,73 +146,7 @@ struct SpatialOutline {
   }
 };
 
-/// Maps a shape so that lengths stay.
-struct ShapeMap {
-  const Eigen::Affine3d& map;
-
-  RecordedShape operator()(const Plane& plane) const {
-    return Plane{map * plane.origin, map.linear() * plane.normal};
-  }
-  RecordedShape operator()(const Cylinder& cylinder) const {
-    return Cylinder{map * cylinder.center, map.linear() * cylinder.axis, cylinder.radius};
-  }
-  RecordedShape operator()(const Sphere& sphere) const { return Sphere{map * sphere.center, sphere.radius}; }
-  RecordedShape operator()(const SurfaceMesh& mesh) const {
-    SurfaceMesh mapped = mesh;
-    mapped.points = map * mesh.points;
-    // The image in a mirror has the tool on the other side of its cells, unless these go the other way round.
-    if (map.linear().determinant() < 0.0) mapped.cells = mesh.cells.colwise().reverse();
-    return mapped;
-  }
-};
-
 }  // namespace
-
-RecordedShape mappedShape(const RecordedShape& shape, const Eigen::Affine3d& map) {
-  return std::visit(ShapeMap{map}, shape);
-}
-
-ToolRecord movedTool(const ToolRecord& tool, const Eigen::Vector3d& displacement, double angle) {
-  const Eigen::Affine3d motion(Eigen::Translation3d(tool.pivot + displacement) *
-                               Eigen::AngleAxisd(angle, tool.axis) * Eigen::Translation3d(-tool.pivot));
-  ToolRecord moved = tool;
-  moved.shape = mappedShape(tool.shape, motion);
-  moved.pivot += displacement;
-  return moved;
-}
-
-ToolRecord placedTool(const ModelRecord& model, const FrameRecord& frame, std::size_t tool, double warp) {
-  const auto k = static_cast<Eigen::Index>(tool);
-  const double angle = frame.toolAngle.size() > k ? warp * frame.toolAngle(k) : 0.0;
-  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
-  displacement.head(frame.toolDisplacement.rows()) = warp * frame.toolDisplacement.col(k);
-  return movedTool(model.tools.at(tool), displacement, angle);
-}
-
-SurfaceMesh segmentsIn(const SurfaceMesh& mesh, const Eigen::AlignedBox3d& box) {
-  const Eigen::Vector3d& low = box.min();
-  const Eigen::Vector3d& high = box.max();
-  const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), -1.0, 1.0};
-  SurfaceMesh inside{Eigen::Matrix3Xd(3, mesh.cells.size()), Eigen::MatrixXi(2, mesh.cells.cols()),
-                     mesh.closed};
-  int count = 0;
-  for (const auto& cell : mesh.cells.colwise()) {
-    const Eigen::Vector3d begin = mesh.points.col(cell(0)), end = mesh.points.col(cell(1));
-    Eigen::Vector3d first, last;
-    double t1 = 0.0, t2 = 0.0;
-    int side1 = 0, side2 = 0;
-    if (!vtkBox::IntersectWithLine(bounds.data(), begin.data(), end.data(), t1, t2, first.data(), last.data(),
-                                   side1, side2))
-      continue;
-    inside.points.col(2 * count) = first;
-    inside.points.col(2 * count + 1) = last;
-    inside.cells.col(count) << 2 * count, 2 * count + 1;
-    ++count;
-  }
-  inside.points.conservativeResize(Eigen::NoChange, 2 * count);
-  inside.cells.conservativeResize(Eigen::NoChange, count);
-  return inside;
-}
 
 vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box) {
   return dim == 2 ? std::visit(PlanarOutline{box}, tool.shape) : std::visit(SpatialOutline{box}, tool.shape);

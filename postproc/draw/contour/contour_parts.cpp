@@ -19,6 +19,7 @@
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/plane_section.h"
+#include "postproc/mesh/recorded_shape.h"
 #include "postproc/mesh/tessellation.h"
 #include "postproc/mesh/vtk_arrays.h"
 
@@ -245,7 +246,7 @@ Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
   if (parts.arrows.edges) box.extend(boxOf(*parts.arrows.edges, parts.axes));
   const Eigen::AlignedBox2d near = grown(box, kToolReach), cut = grown(box, kToolCut);
   for (const ShownTool& tool : parts.tools) {
-    const bool asPoints = dim == 2 && std::holds_alternative<SurfaceMesh>(tool.record.shape);
+    const bool asPoints = dim == 2 && recordedMesh(tool.record.shape) != nullptr;
     const Eigen::AlignedBox2d seen = seenOf(landmarksOf(tool.record, parts, dim), asPoints, near, cut);
     if (!seen.isEmpty()) box.extend(seen);
   }

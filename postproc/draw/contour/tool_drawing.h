@@ -11,11 +11,6 @@ class vtkPolyData;
 
 namespace burnish {
 
-/// Points (3 x n) that should be seen so that one understands where a tool is, given the box of the body: the
-/// corners of the box of what is finite, the foot of the body's centre on a plane, points along the surface
-/// of a shape that is given by its mesh.
-Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::AlignedBox3d& body);
-
 /// What is drawn of a tool; each part may be null.
 struct ToolDrawing {
   vtkSmartPointer<vtkPolyData> area;     ///< flat: the tool in the plane, or in a section

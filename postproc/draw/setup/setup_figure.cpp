@@ -12,7 +12,6 @@
 #include <cmath>
 
 #include "engine/core/error.h"
-#include "engine/tools/outline_parts.h"
 #include "postproc/draw/contour/space_actors.h"
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/draw/page/png_file.h"
@@ -22,6 +21,7 @@
 #include "postproc/draw/setup/setup_symbols.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/outlines.h"
+#include "postproc/mesh/recorded_shape.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 #include "postproc/text/ticks.h"
 
@@ -157,21 +157,20 @@ class SetupPicture {
   void nameTool(SetupSymbols& symbols, std::size_t k) const {
     const ToolRecord& tool = layout_.tools()[k];
     const Vector2d center = layout_.middleOf(k);
-    if (const auto* plane = std::get_if<Plane>(&tool.shape)) {
+    if (const auto normal = planeNormal(tool.shape)) {
       const Points line = layout_.toolPixels(k, Vector2d(0, 0)).front();
-      const Vector2d away = -plane->normal.head<2>().normalized();
+      const Vector2d away = -normal->head<2>().normalized();
       symbols.addText({{tool.name}},
                       line.front() + 0.15 * (line.back() - line.front()) + 1.3 * textSize() * away);
-    } else if (const auto* disc = std::get_if<Cylinder>(&tool.shape)) {
+    } else if (const auto disc = discOf(tool.shape)) {
       const Vector2d direction =
           Vector2d(center.x() < view().area.center().x() ? 1.0 : -1.0, 1.0).normalized();
       symbols.addRadius(center, center + disc->radius * view().pixelsPerLength * direction,
                         "R = " + layout_.length(disc->radius));
-    } else if (const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape)) {
-      if (isSolid(*mesh))
-        symbols.addText({{tool.name}}, center + Vector2d(0.0, 0.9 * textSize()));
-      else if (mesh->cells.size() > 0)
-        nameOpenTool(symbols, tool.name, *mesh);
+    } else if (const SurfaceMesh* open = openMesh(tool.shape)) {
+      if (open->cells.size() > 0) nameOpenTool(symbols, tool.name, *open);
+    } else if (recordedMesh(tool.shape)) {
+      symbols.addText({{tool.name}}, center + Vector2d(0.0, 0.9 * textSize()));
     }
   }
 
@@ -199,7 +198,7 @@ class SetupPicture {
 
   /// Just inside a disc, and small for what has no radius.
   double turnRadius(std::size_t k) const {
-    const auto* disc = std::get_if<Cylinder>(&layout_.tools()[k].shape);
+    const auto disc = discOf(layout_.tools()[k].shape);
     return disc ? 0.8 * disc->radius * view().pixelsPerLength : 2.0 * textSize();
   }
 

@@ -15,7 +15,6 @@
 
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
-#include "engine/tools/outline_parts.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/sheet.h"
@@ -23,8 +22,8 @@
 #include "postproc/draw/setup/setup_motion.h"
 #include "postproc/draw/setup/setup_symbols.h"
 #include "postproc/mesh/body_surface.h"
-#include "postproc/mesh/outlines.h"
 #include "postproc/mesh/patch_geometry.h"
+#include "postproc/mesh/recorded_shape.h"
 #include "postproc/text/ticks.h"
 
 namespace burnish {
@@ -65,8 +64,10 @@ bool isAtBorder(const Vector2d& point, const Vector2d& normal, const Eigen::Alig
   return distance <= kNear * box.sizes()(d);
 }
 
-Vector2d awayFromBody(const Plane& plane) {
-  return -plane.normal.head<2>().normalized();
+/// Of a tool that is a plane.
+std::optional<Vector2d> awayFromBody(const ToolRecord& tool) {
+  const auto normal = planeNormal(tool.shape);
+  return normal ? std::optional<Vector2d>(-normal->head<2>().normalized()) : std::nullopt;
 }
 
 /// In the plane.
@@ -108,11 +109,7 @@ void SetupLayout::findTools() {
   constexpr double kNear = 0.15;  // of the body's diagonal
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kNear * box_.diagonal().norm());
   tools_ = model_.tools;
-  for (ToolRecord& tool : tools_)
-    if (auto* mesh = std::get_if<SurfaceMesh>(&tool.shape); mesh && !isSolid(*mesh))
-      if (SurfaceMesh near = segmentsIn(*mesh, {box_.min() - margin, box_.max() + margin});
-          near.cells.size() > 0)
-        *mesh = std::move(near);
+  for (ToolRecord& tool : tools_) tool.shape = partIn({box_.min() - margin, box_.max() + margin}, tool.shape);
 }
 
 void SetupLayout::findRooms() {
@@ -144,16 +141,16 @@ void SetupLayout::findRooms() {
 
 void SetupLayout::findRoomsOfTools() {
   for (std::size_t k = 0; k < tools_.size(); ++k)
-    if (const auto* plane = std::get_if<Plane>(&tools_[k].shape); plane && !phasesOf(k).empty())
-      rooms_.at(awayFromBody(*plane)) += SetupSymbols::kLoadDepth;
+    if (const auto away = awayFromBody(tools_[k]); away && !phasesOf(k).empty())
+      rooms_.at(*away) += SetupSymbols::kLoadDepth;
   for (const ToolSpec& tool : scene_.tools) {
     if (!tool.carry) continue;
     const Vector2d force = toolLoad(*tool.carry, scene_, end_).force;
     if (force.norm() > 0.0) rooms_.at(-force) = std::max(rooms_.at(-force), kAboveTool);
   }
   const auto isOpenBelow = [&](const ToolRecord& tool) {
-    const auto* mesh = std::get_if<SurfaceMesh>(&tool.shape);
-    return mesh && !isSolid(*mesh) && mesh->points.row(1).minCoeff() < box_.min().y();
+    const SurfaceMesh* mesh = openMesh(tool.shape);
+    return mesh && mesh->points.row(1).minCoeff() < box_.min().y();
   };
   if (std::any_of(tools_.begin(), tools_.end(), isOpenBelow)) rooms_.bottom += kTextLine;  // for their names
 }
@@ -232,8 +229,7 @@ std::vector<std::vector<Vector2d>> SetupLayout::toolPixels(std::size_t tool, con
 }
 
 Vector2d SetupLayout::middleOf(std::size_t tool) const {
-  if (std::holds_alternative<SurfaceMesh>(tools_[tool].shape))
-    return view_.pixel(toolBounds(tool, Vector2d(0, 0)).center());
+  if (recordedMesh(tools_[tool].shape)) return view_.pixel(toolBounds(tool, Vector2d(0, 0)).center());
   return view_.pixel(boundsOf(*outlineOf(tool, Vector2d(0, 0))).center());
 }
 
@@ -279,10 +275,10 @@ std::vector<Mover> SetupLayout::movers() const {
   for (std::size_t k = 0; k < tools_.size(); ++k) {
     const auto phases = phasesOf(k);
     if (phases.empty()) continue;
-    const auto* plane = std::get_if<Plane>(&tools_[k].shape);
+    const auto away = awayFromBody(tools_[k]);
     const Vector2d middle = middleOf(k);
-    const Vector2d start = plane ? arrowStart(middle, awayFromBody(*plane), phases.front()) : middle;
-    result.push_back({tools_[k].name, start, phases, !plane, false});
+    const Vector2d start = away ? arrowStart(middle, *away, phases.front()) : middle;
+    result.push_back({tools_[k].name, start, phases, !away, false});
   }
   for (const SupportSpec& support : scene_.supports) {
     const FaceLine face = faces_.line(support.place);

@@ -254,7 +254,7 @@ TEST(ContactTangentInThreeDimensions, AgreesWithCentralDifferences) {
 TEST(ContactTerm, AStateThatLetsTheToolThroughIsNotAdmissible) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   Tool tool = disc();
-  std::get<Cylinder>(tool.shape).center(1) = 0.5 + 0.1;
+  tool.shape = Cylinder{{0.4, 0.5 + 0.1, 0.0}, Eigen::Vector3d::UnitZ(), 0.3};
   ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::AugmentedLagrangian, 10.0},
                       2 * body.numNodes);
   bool admissible = true;

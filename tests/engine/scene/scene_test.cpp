@@ -183,10 +183,10 @@ TEST(Scene, readsEveryValueOfAScene) {
   EXPECT_EQ(scene.loads.at(0).traction, (std::vector<FormulaText>{{"1"}, {"0"}}));
   EXPECT_EQ((*scene.loads.at(0).schedule)(0.5), 0.5);
   EXPECT_EQ(scene.tools.at(0).name, "cylinder");
-  EXPECT_EQ(std::get<CylinderToolSpec>(scene.tools[0].shape).center, (std::vector<double>{0.5, 1.5}));
+  EXPECT_EQ(std::get<Cylinder>(scene.tools[0].shape).center.given(), (std::vector<double>{0.5, 1.5}));
   EXPECT_EQ(*scene.tools[0].motion->x, (std::vector<double>{0, 0, 2}));
   EXPECT_FALSE(scene.tools[0].motion->y.has_value());
-  EXPECT_EQ(std::get<PlaneToolSpec>(scene.tools.at(1).shape).normal, (std::vector<double>{0, -1}));
+  EXPECT_EQ(std::get<Plane>(scene.tools.at(1).shape).normal.given(), (std::vector<double>{0, -1}));
   EXPECT_EQ(scene.steps.at(1).count, 200);
   EXPECT_EQ(scene.output.every, 0.1);
 }
@@ -401,8 +401,8 @@ TEST(PaperScenes, holdTheConstantsOfTheStudy) {
   EXPECT_EQ(voce.sigmaInf, 171.26);
   EXPECT_EQ(voce.beta, 17.8);
   for (const Scene& scene : {elastic, plastic}) {
-    const auto& cylinder = std::get<CylinderToolSpec>(scene.tools.at(0).shape);
-    EXPECT_EQ(cylinder.center, (std::vector<double>{0.5, 1.5}));
+    const auto& cylinder = std::get<Cylinder>(scene.tools.at(0).shape);
+    EXPECT_EQ(cylinder.center.given(), (std::vector<double>{0.5, 1.5}));
     EXPECT_EQ(cylinder.radius, 0.5);
     EXPECT_EQ(*scene.tools[0].motion->y, (std::vector<double>{0, -0.075, -0.075}));
     EXPECT_EQ(scene.steps.at(0).count, 20);

@@ -8,7 +8,6 @@
 #include <string>
 #include <variant>
 
-#include "engine/analysis/tool_shapes.h"
 #include "engine/core/error.h"
 #include "engine/scene/reader.h"
 
@@ -33,51 +32,49 @@ RigidShape shapeOf(const std::string& tool, const std::string& geometry) {
   const Scene scene = parseScene(sceneWith(tool, geometry), "test.yaml");
   const Scene again = parseScene(scene.resolvedYaml, "again.yaml");
   EXPECT_EQ(again.resolvedYaml, scene.resolvedYaml) << "the resolved scene is the same scene";
-  return makeShape(again.tools.at(0));
+  return makeShape(again.tools.at(0).shape, again.tools.at(0).inside);
 }
 
 TEST(ToolKeys, MakeTheShapesOfThePlane) {
-  EXPECT_NEAR(
-      queryGap(shapeOf("shape: edge, tip: [1, 2], direction: [0, -1], angle: 90, radius: 0.1", kPlanar),
-               {1.0, 1.5, 0.0})
-          .gap,
-      0.5, 1e-12);
+  EXPECT_NEAR(shapeOf("shape: edge, tip: [1, 2], direction: [0, -1], angle: 90, radius: 0.1", kPlanar)
+                  .query({1.0, 1.5, 0.0})
+                  .gap,
+              0.5, 1e-12);
   const std::string box = "shape: box, center: [0, 2], size: [2, 1], radius: 0.1, axes: [[0, 1]]";
-  EXPECT_NEAR(queryGap(shapeOf(box, kPlanar), {0.0, 0.5, 0.0}).gap, 0.5, 1e-12) << "its long side is upright";
-  EXPECT_NEAR(queryGap(shapeOf(box + ", inside: true", kPlanar), {0.0, 1.5, 0.0}).gap, 0.5, 1e-12);
+  EXPECT_NEAR(shapeOf(box, kPlanar).query({0.0, 0.5, 0.0}).gap, 0.5, 1e-12) << "its long side is upright";
+  EXPECT_NEAR(shapeOf(box + ", inside: true", kPlanar).query({0.0, 1.5, 0.0}).gap, 0.5, 1e-12);
   const std::string curve = "shape: nurbs, degrees: [1], knots: [[0, 0, 1, 1]], points: [[1, 1], [0, 1]]";
-  EXPECT_NEAR(queryGap(shapeOf(curve, kPlanar), {0.5, 1.2, 0.0}).gap, 0.2, 1e-12);
-  EXPECT_NEAR(queryGap(shapeOf(curve + ", flip: true", kPlanar), {0.5, 1.2, 0.0}).gap, -0.2, 1e-12);
-  EXPECT_NEAR(queryGap(shapeOf("shape: polyline, points: [[0, 1], [1, 1], [1, 2], [0, 2]]", kPlanar),
-                       {0.5, 0.99, 0.0})
+  EXPECT_NEAR(shapeOf(curve, kPlanar).query({0.5, 1.2, 0.0}).gap, 0.2, 1e-12);
+  EXPECT_NEAR(shapeOf(curve + ", flip: true", kPlanar).query({0.5, 1.2, 0.0}).gap, -0.2, 1e-12);
+  EXPECT_NEAR(shapeOf("shape: polyline, points: [[0, 1], [1, 1], [1, 2], [0, 2]]", kPlanar)
+                  .query({0.5, 0.99, 0.0})
                   .gap,
               0.01, 1e-9);
 }
 
 TEST(ToolKeys, MakeTheShapesOfSpace) {
   const std::string cone = "shape: cone, tip: [0, 0, 2], direction: [0, 0, -1], half_angle: 70, radius: 0.1";
-  EXPECT_NEAR(queryGap(shapeOf(cone, kSpatial), {0.0, 0.0, 1.5}).gap, 0.5, 1e-12);
-  EXPECT_NEAR(queryGap(shapeOf("shape: torus, center: [0, 0, 2], radius: 1, tube_radius: 0.25", kSpatial),
-                       {1.0, 0.0, 1.5})
+  EXPECT_NEAR(shapeOf(cone, kSpatial).query({0.0, 0.0, 1.5}).gap, 0.5, 1e-12);
+  EXPECT_NEAR(shapeOf("shape: torus, center: [0, 0, 2], radius: 1, tube_radius: 0.25", kSpatial)
+                  .query({1.0, 0.0, 1.5})
                   .gap,
               0.25, 1e-12);
   const std::string surface =
       "shape: nurbs, degrees: [1, 1], knots: [[0, 0, 1, 1], [0, 0, 1, 1]], "
       "points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]";
-  EXPECT_NEAR(queryGap(shapeOf(surface, kSpatial), {0.5, 0.5, 0.3}).gap, 0.3, 1e-12);
-  const RigidShape both = shapeOf(
-      "shape: union, blend: 0.2, parts: [{shape: sphere, center: [0, 0, 2], radius: 1}, {shape: box, center: "
-      "[0, "
-      "0, 6], size: [1, 1, 8]}]",
-      kSpatial);
-  EXPECT_NEAR(queryGap(both, {0.0, 0.0, 0.5}).gap, 0.5, 1e-12);
-  EXPECT_EQ(std::get<Union>(both).blend, 0.2);
+  EXPECT_NEAR(shapeOf(surface, kSpatial).query({0.5, 0.5, 0.3}).gap, 0.3, 1e-12);
+  const std::string both =
+      "shape: union, blend: 0.2, parts: [{shape: sphere, center: [0, 0, 2], radius: 1}, "
+      "{shape: box, center: [0, 0, 6], size: [1, 1, 8]}]";
+  EXPECT_NEAR(shapeOf(both, kSpatial).query({0.0, 0.0, 0.5}).gap, 0.5, 1e-12);
+  const Scene scene = parseScene(sceneWith(both, kSpatial), "test.yaml");
+  EXPECT_EQ(std::get<UnionTool>(scene.tools.at(0).shape).blend, 0.2);
 }
 
 TEST(ToolKeys, TakeAConeInAxisymmetryAlongTheAxis) {
   const std::string geometry = kPlanar + "}\nkinematics: axisymmetric\nunits: {length: mm";
   const RigidShape cone = shapeOf("shape: cone, tip: [0, 2], direction: [0, -1], half_angle: 70", geometry);
-  EXPECT_NEAR(queryGap(cone, {0.0, 1.5, 0.0}).gap, 0.5, 1e-12);
+  EXPECT_NEAR(cone.query({0.0, 1.5, 0.0}).gap, 0.5, 1e-12);
 }
 
 TEST(ToolKeys, FindFilesBesideTheScene) {
@@ -89,12 +86,12 @@ TEST(ToolKeys, FindFilesBesideTheScene) {
   for (const std::string tool : {"shape: polyline, file: line.txt", "shape: nurbs, file: curve.yaml"}) {
     const Scene scene = parseScene(sceneWith(tool, kPlanar), (directory / "test.yaml").string());
     const Scene elsewhere = parseScene(scene.resolvedYaml, "the scene of the result");
-    EXPECT_NEAR(queryGap(makeShape(elsewhere.tools.at(0)), {0.5, 0.99, 0.0}).gap,
+    EXPECT_NEAR(makeShape(elsewhere.tools.at(0).shape, false).query({0.5, 0.99, 0.0}).gap,
                 tool.find("line") != std::string::npos ? 0.01 : -0.01, 1e-9);
   }
   const Scene missing = parseScene(sceneWith("shape: polyline, file: none.txt", kPlanar), "test.yaml");
   try {
-    makeShape(missing.tools.at(0));
+    makeShape(missing.tools.at(0).shape, false);
     FAIL();
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("none.txt: there is no such file"));

@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/tools/faceted_shape.h"
+#include "engine/tools/polyline.h"
 #include "engine/tools/rigid_shape.h"
 #include "engine/tools/surface_file.h"
 #include "tests/engine/tools/gap_check.h"
@@ -153,7 +155,7 @@ TEST(MeshTool, HasTheDerivativesOfItsGapAlsoOverEdges) {
   EXPECT_NEAR(mesh.query({0.4, 0.6, 1.03}).gap, 0.03, 1e-12) << "plane faces stay plane";
   EXPECT_NEAR(mesh.query({15.0, 15.0, 16.0}).gap, box.query({15.0, 15.0, 16.0}).gap, 1e-12) << "far away";
   EXPECT_NEAR(mesh.query({1.01, 1.01, 0.5}).gap, box.query({1.01, 1.01, 0.5}).gap, 0.02) << "at an edge";
-  EXPECT_NEAR(halfThickness(mesh), 0.5, 1e-12);
+  EXPECT_NEAR(mesh.halfThickness(), 0.5, 1e-12);
 }
 
 TEST(MeshTool, AnswersDoNotDependOnTheOrderOfQuestions) {

@@ -30,10 +30,10 @@ class RandomPoints {
 /// Gradient and second derivative of a gap by central differences with step h.
 inline GapQuery differences(const RigidShape& shape, const Eigen::Vector3d& x, double h) {
   GapQuery found;
-  found.gap = queryGap(shape, x).gap;
+  found.gap = shape.query(x).gap;
   for (int d = 0; d < 3; ++d) {
-    const GapQuery forward = queryGap(shape, x + h * Eigen::Vector3d::Unit(d));
-    const GapQuery backward = queryGap(shape, x - h * Eigen::Vector3d::Unit(d));
+    const GapQuery forward = shape.query(x + h * Eigen::Vector3d::Unit(d));
+    const GapQuery backward = shape.query(x - h * Eigen::Vector3d::Unit(d));
     found.normal(d) = (forward.gap - backward.gap) / (2.0 * h);
     found.dNormal.col(d) = (forward.normal - backward.normal) / (2.0 * h);
   }
@@ -55,7 +55,7 @@ inline DerivativeCheck checkDerivatives(const RigidShape& shape, RandomPoints po
   DerivativeCheck check;
   for (int k = 0; k < 200'000 && check.points < 2'000; ++k) {
     const Eigen::Vector3d x = points.next();
-    const GapQuery found = queryGap(shape, x);
+    const GapQuery found = shape.query(x);
     if (found.gap < low || found.gap > high) continue;
     ++check.points;
     const GapQuery expected = differences(shape, x, h);

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/tools/rigid_shape.h"
+#include "engine/tools/nurbs_shape.h"
 #include "tests/engine/tools/gap_check.h"
 
 namespace burnish {
@@ -104,7 +104,7 @@ TEST(NurbsCurve, OfACircleIsADisc) {
        {Vector3d(0.81, -0.2, 0.0), Vector3d(0.3, 0.31, 0.0), Vector3d(0.79, -0.2, 0.0)})
     expectSame(curve.query(seam), disc.query(seam), 2, 1e-11);
   expectSame(circle(0.5, center, true).query({0.5, 0.0, 0.0}), -disc.query({0.5, 0.0, 0.0}), 2, 1e-11);
-  EXPECT_NEAR(halfThickness(curve), 0.5, 1e-12);
+  EXPECT_NEAR(curve.halfThickness(), 0.5, 1e-12);
 }
 
 TEST(NurbsCurve, WithCornersIsARectangle) {
@@ -130,13 +130,13 @@ TEST(NurbsSurface, OfASphereIsASphere) {
   }
   for (const double depth : {-1e-2, 1e-6, 0.1})
     expectSame(surface.query({0.0, 0.0, 0.5 + depth}), ball.query({0.0, 0.0, 0.5 + depth}), 3, 2e-6);
-  EXPECT_NEAR(halfThickness(surface), 0.5, 1e-12);
+  EXPECT_NEAR(surface.halfThickness(), 0.5, 1e-12);
 }
 
 TEST(NurbsTools, AroundAHollowAreThickWhicheverWayTheyAreGiven) {
   const NurbsCurve disc = circle(0.5, Vector3d::Zero()), die = circle(0.5, Vector3d::Zero(), true);
-  EXPECT_NEAR(halfThickness(disc), 0.5, 1e-12);
-  EXPECT_EQ(halfThickness(die), std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(disc.halfThickness(), 0.5, 1e-12);
+  EXPECT_EQ(die.halfThickness(), std::numeric_limits<double>::infinity());
 }
 
 /// Curve and surface with rims: their derivatives, and their distance against that to a dense tessellation.
@@ -149,7 +149,7 @@ void checkFreeForm(const RigidShape& shape, const SurfaceMesh& dense, const Vect
   for (int k = 0; k < 500; ++k) {
     const Vector3d x = points.next();
     const double distance = test::bruteDistance(dense.points, x);
-    const double gap = std::abs(queryGap(shape, x).gap);
+    const double gap = std::abs(shape.query(x).gap);
     EXPECT_LT(gap, distance * (1.0 + 1e-9));
     EXPECT_GT(std::hypot(gap, pitch), distance) << "the points lie apart";
   }
@@ -157,17 +157,17 @@ void checkFreeForm(const RigidShape& shape, const SurfaceMesh& dense, const Vect
 
 TEST(NurbsCurve, OpenAgreesWithDifferencesAndBruteForce) {
   const NurbsCurve curve = wave();
-  const SurfaceMesh outline = outlineOf(curve);
+  const SurfaceMesh outline = curve.outline(3, 1.0);
   EXPECT_FALSE(outline.closed);
   checkFreeForm(curve, outline, {0.75, 0.2, 0.0}, 1.4, 2, -0.05, 6e-2);
   EXPECT_LT(curve.query({0.75, -0.5, 0.0}).gap, 0.0) << "the tool is below";
   EXPECT_GT(curve.query({3.0, -0.1, 0.0}).gap, 0.0) << "beyond the rim is outside";
-  EXPECT_EQ(halfThickness(curve), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(curve.halfThickness(), std::numeric_limits<double>::infinity());
 }
 
 TEST(NurbsSurface, OpenAgreesWithDifferencesAndBruteForce) {
   const NurbsSurface surface = bumps();
-  checkFreeForm(surface, outlineOf(surface), Vector3d::Zero(), 1.3, 3, -0.05, 6e-2);
+  checkFreeForm(surface, surface.outline(3, 1.0), Vector3d::Zero(), 1.3, 3, -0.05, 6e-2);
   EXPECT_LT(surface.query({0.1, 0.2, -0.5}).gap, 0.0);
 }
 

@@ -1,0 +1,10 @@
+#pragma once
+#include <numbers>
+
+namespace burnish {
+
+inline double radians(double degrees) {
+  return degrees * std::numbers::pi / 180.0;
+}
+
+}  // namespace burnish
