@@ -90,6 +90,8 @@ std::string summaryText(const SummaryRecord& summary) {
   std::string text =
       line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
   for (const std::string& warning : summary.warnings) text += line("warning", warning);
+  for (const std::string& tool : summary.idleTools)
+    text += line("warning", fmt::format("tool '{}' has never touched the body", tool));
   for (const ReactionRecord& reaction : summary.reactions)
     text += line("support", fmt::format("{}: {}", reaction.support, reactionText(reaction)));
   return text;

@@ -11,6 +11,7 @@
 #include "cli/commands/run_outputs.h"
 #include "cli/commands/summary_text.h"
 #include "cli/console.h"
+#include "cli/faults.h"
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
 #include "engine/results/run_files.h"

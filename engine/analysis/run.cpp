@@ -332,8 +332,8 @@ class Run {
     summary_.smallestStep = state().smallestStep;
     summary_.iterations = state().iterations - summary_.approachIterations;
     summary_.meanIterations = static_cast<double>(summary_.iterations) / std::max(1, step_);
-    summary_.tolerance = scene_.solver.tolerance;
-    summary_.constraintTolerance = NewtonOptions{}.constraintTolerance;
+    summary_.tolerance = stage_->newton.options().tolerance;
+    summary_.constraintTolerance = stage_->newton.options().constraintTolerance;
     if (!stage_->model->contacts().empty())
       summary_.contactParameter = stage_->model->contacts().front().term->options().parameter;
     else if (!stage_->model->selfContacts().empty())

@@ -30,6 +30,7 @@ SummaryRecord makeSummaryRecord(const RunSummary& s) {
                        .advice = s.advice,
                        .doubts = s.doubts,
                        .warnings = s.warnings,
+                       .idleTools = s.idleTools,
                        .reactions = s.reactions,
                        .rezonings = s.rezonings,
                        .rezoningFailure = s.rezoningFailure,

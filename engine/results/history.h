@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/fingerprint.h"
-#include "engine/results/output_file.h"
+#include "engine/core/output_file.h"
 
 namespace burnish {
 

@@ -75,6 +75,7 @@ void writeSummary(const std::filesystem::path& directory, const SummaryRecord& s
     yaml << YAML::EndSeq;
   }
   if (!summary.warnings.empty()) yaml << YAML::Key << "warnings" << YAML::Value << summary.warnings;
+  if (!summary.idleTools.empty()) yaml << YAML::Key << "idle_tools" << YAML::Value << summary.idleTools;
   if (!summary.reactions.empty()) writeReactions(yaml, summary.reactions);
   if (!summary.rezonings.empty()) {
     yaml << YAML::Key << "rezonings" << YAML::Value << YAML::BeginSeq;
@@ -114,6 +115,8 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
                                     doubt["steps"].as<int>(), doubt["detail"].as<std::string>("")});
       else if (name == "warnings")
         summary.warnings = entry.second.as<std::vector<std::string>>();
+      else if (name == "idle_tools")
+        summary.idleTools = entry.second.as<std::vector<std::string>>();
       else if (name == "reactions")
         for (const auto& stored : entry.second) summary.reactions.push_back(readReaction(stored));
       else if (name == "rezoning_failure")
@@ -125,8 +128,8 @@ SummaryRecord readSummary(const std::filesystem::path& directory) {
             rezoning.*member = stored[number].as<double>();
           rezoning.iterations = stored["iterations"].as<int>();
         }
-      else
-        summary.numbers[name] = entry.second.as<double>();
+      else if (double number = 0.0; YAML::convert<double>::decode(entry.second, number))
+        summary.numbers[name] = number;
     }
     if (summary.program.empty()) throw Error(fmt::format("{}: is not the summary of a run", file.string()));
     return summary;

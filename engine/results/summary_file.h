@@ -36,6 +36,7 @@ struct SummaryRecord {
   std::string advice{};                     ///< what usually helps; may be empty
   std::vector<DoubtRecord> doubts;          ///< in the order of the first times
   std::vector<std::string> warnings{};      ///< of the scene, with their keys: what is probably not meant
+  std::vector<std::string> idleTools{};     ///< with contact pairs, but never in touch
   std::vector<ReactionRecord> reactions{};  ///< one per support
   std::vector<RezoningRecord> rezonings{};
   std::string rezoningFailure{};          ///< why the last one failed that did; may be empty
@@ -45,7 +46,8 @@ struct SummaryRecord {
 /// Throws `Error` if the file cannot be written.
 void writeSummary(const std::filesystem::path& directory, const SummaryRecord& summary);
 
-/// Throws `Error` if there is no summary in the directory or it is damaged.
+/// Throws `Error` if there is no summary in the directory or it is damaged. Entries that this version does
+/// not know are passed over.
 SummaryRecord readSummary(const std::filesystem::path& directory);
 
 /// A run removes the summary of an earlier one before it starts, so a summary means a run that has ended.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 
 #include "engine/results/doubts.h"
 #include "engine/solid/face_quadrature.h"
@@ -25,19 +26,23 @@ double smallestSpan(const MeshRecord& mesh, const ContactRecord& contact) {
   return smallest;
 }
 
-/// Infinite without contact.
-double largestSoundPenetration(const ResultReader& result) {
-  const ModelRecord& model = result.model();
-  double limit = HUGE_VAL;
-  if (result.numFrames() == 0) return limit;
-  const FrameRecord first = result.frame(0);
-  const MeshRecord& mesh = meshOf(model, first);
-  for (const ContactRecord& contact : first.contact)
+/// The largest penetrations that are not doubtful on a mesh; infinite without contact.
+struct SoundPenetration {
+  double ofTools = HUGE_VAL;
+  double ofItself = HUGE_VAL;
+};
+
+SoundPenetration soundPenetration(const ModelRecord& model, const FrameRecord& frame) {
+  SoundPenetration limits;
+  const MeshRecord& mesh = meshOf(model, frame);
+  for (const ContactRecord& contact : frame.contact) {
+    double& limit = contact.tool.empty() ? limits.ofItself : limits.ofTools;
     limit = std::min(limit, kDoubtfulSpanShare * (model.dim == 2 ? smallestSpan<2>(mesh, contact)
                                                                  : smallestSpan<3>(mesh, contact)));
+  }
   for (const ToolRecord& tool : model.tools)
-    limit = std::min(limit, kDoubtfulRadiusShare * tool.halfThickness);
-  return limit;
+    limits.ofTools = std::min(limits.ofTools, kDoubtfulRadiusShare * tool.halfThickness);
+  return limits;
 }
 
 /// share: of the steps. detail: may be empty.
@@ -46,28 +51,71 @@ std::string sentenceOf(const std::string& what, double firstTime, double share, 
                      100.0 * std::min(1.0, share), detail.empty() ? "" : "; ", detail);
 }
 
-/// Since when and how often a column is doubtful; empty if never.
-std::string doubt(const HistoryTable& history, const std::string& column, const std::string& what,
-                  const std::function<bool(double)>& isDoubtful) {
-  const auto* values = findColumn(history, column);
+/// Since when and how often rows of a history are doubtful; empty if never.
+std::string doubt(const HistoryTable& history, const std::string& what,
+                  const std::function<bool(std::size_t)>& isDoubtful) {
   const auto* times = findColumn(history, "time");
-  if (values == nullptr || times == nullptr) return {};
-  const auto first = std::find_if(values->begin(), values->end(), isDoubtful);
-  if (first == values->end()) return {};
-  const auto count = std::count_if(first, values->end(), isDoubtful);
-  const auto steps = std::max<std::ptrdiff_t>(1, std::ssize(*values) - 1);  // the first row is the start
-  return sentenceOf(what, (*times)[static_cast<std::size_t>(first - values->begin())],
-                    static_cast<double>(count) / static_cast<double>(steps), "");
+  if (times == nullptr) return {};
+  std::size_t first = times->size(), count = 0;
+  for (std::size_t row = 0; row < times->size(); ++row) {
+    if (!isDoubtful(row)) continue;
+    first = std::min(first, row);
+    ++count;
+  }
+  if (count == 0) return {};
+  const std::size_t steps = std::max<std::size_t>(1, times->size() - 1);  // the first row is the start
+  return sentenceOf(what, (*times)[first], static_cast<double>(count) / static_cast<double>(steps), "");
 }
 
+/// The meshes of a run, by the number of rezonings before them, with what is sound on each. A mesh that no
+/// frame shows is taken for the one before.
+class MeshLimits {
+ public:
+  explicit MeshLimits(const RunRecord& run) : rezonings_(findColumn(run.history, "rezonings")) {
+    const auto* rowTimes = findColumn(run.history, "time");
+    if (rowTimes == nullptr) return;
+    const std::vector<double> times = run.result.times();
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      const auto row = std::find(rowTimes->begin(), rowTimes->end(), times[k]);
+      if (row == rowTimes->end()) continue;
+      const double count = countAt(static_cast<std::size_t>(row - rowTimes->begin()));
+      if (!limits_.contains(count))
+        limits_[count] = soundPenetration(run.result.model(), run.result.frame(static_cast<int>(k)));
+    }
+  }
+
+  /// What is sound in a row of the history.
+  SoundPenetration at(std::size_t row) const {
+    const auto next = limits_.upper_bound(countAt(row));
+    return next == limits_.begin() ? SoundPenetration{} : std::prev(next)->second;
+  }
+
+ private:
+  double countAt(std::size_t row) const { return rezonings_ == nullptr ? 0.0 : (*rezonings_)[row]; }
+
+  const std::vector<double>* rezonings_;
+  std::map<double, SoundPenetration> limits_;
+};
+
 std::string penetrationDoubt(const RunRecord& run) {
-  const double limit = largestSoundPenetration(run.result);
-  if (!std::isfinite(limit)) return {};
-  return doubt(run.history, "max_penetration",
-               fmt::format("Point-wise penetration above {}, a tenth of the smallest knot span of a contact "
-                           "face or 1 % of a tool's radius",
-                           plainNumber(limit)),
-               [limit](double value) { return value > limit; });
+  const auto* ofTools = findColumn(run.history, "max_penetration");
+  const auto* ofItself = findColumn(run.history, "max_self_penetration");
+  const MeshLimits limits(run);
+  return doubt(run.history,
+               "Point-wise penetration above a tenth of the smallest knot span of a contact face or 1 % of a "
+               "tool's radius",
+               [&](std::size_t row) {
+                 const SoundPenetration sound = limits.at(row);
+                 return (ofTools != nullptr && (*ofTools)[row] > sound.ofTools) ||
+                        (ofItself != nullptr && (*ofItself)[row] > sound.ofItself);
+               });
+}
+
+std::string smallJDoubt(const RunRecord& run) {
+  const auto* smallest = findColumn(run.history, "min_detJ");
+  if (smallest == nullptr) return {};
+  return doubt(run.history, fmt::format("Volume ratio J below {}", kDoubtfulJ),
+               [&](std::size_t row) { return (*smallest)[row] < kDoubtfulJ; });
 }
 
 /// What a run that has ended says itself: of its scene, and of its results.
@@ -81,14 +129,14 @@ std::vector<std::string> ownWarnings(const RunRecord& run) {
       what.front() = static_cast<char>(what.front() - 'a' + 'A');
     texts.push_back(sentenceOf(what, doubt.firstTime, doubt.steps / steps, doubt.detail));
   }
+  for (const std::string& tool : run.summary->idleTools)
+    texts.push_back(fmt::format("Tool '{}' has never touched the body.", tool));
   return texts;
 }
 
 /// What the history of a run without an end shows.
 std::vector<std::string> doubtsOfHistory(const RunRecord& run) {
-  return {penetrationDoubt(run),
-          doubt(run.history, "min_detJ", fmt::format("Volume ratio J below {}", kDoubtfulJ),
-                [](double value) { return value < kDoubtfulJ; })};
+  return {penetrationDoubt(run), smallJDoubt(run)};
 }
 
 std::string incompleteness(const RunRecord& run) {

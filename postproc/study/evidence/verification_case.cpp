@@ -118,8 +118,9 @@ VariantOutcome outcomeOf(const fs::path& runDirectory) {
     return {{},
             fmt::format("the run stopped at t = {:.4g}: {}", summary.numbers.at("end_time"),
                         summary.stoppedBecause),
-            summary.doubts};
-  return {readHistory(runDirectory / "history.csv"), {}, summary.doubts};
+            summary.doubts,
+            summary.idleTools};
+  return {readHistory(runDirectory / "history.csv"), {}, summary.doubts, summary.idleTools};
 }
 
 }  // namespace burnish

@@ -303,6 +303,7 @@ TEST_F(Results, SummaryReadsBackExactlyAndIsRefusedWhenDamaged) {
                               .stoppedBecause = "at t = 0.1: the iteration diverged",
                               .advice = "take more steps",
                               .doubts = {{"smallest J below 0.05", 0.1, 3}},
+                              .idleTools = {"die", "blank: holder"},
                               .numbers = {{"seconds", 1.0 / 3.0}, {"steps", 12}, {"worst_residual", 1e-12}}};
   writeSummary(dir, written);
   const SummaryRecord read = readSummary(dir);
@@ -311,6 +312,7 @@ TEST_F(Results, SummaryReadsBackExactlyAndIsRefusedWhenDamaged) {
   EXPECT_EQ(read.advice, written.advice);
   EXPECT_EQ(read.stoppedBecause, written.stoppedBecause);
   EXPECT_EQ(read.numbers, written.numbers);
+  EXPECT_EQ(read.idleTools, written.idleTools);
   ASSERT_EQ(read.doubts.size(), 1u);
   EXPECT_EQ(read.doubts[0].what, "smallest J below 0.05");
   EXPECT_EQ(read.doubts[0].firstTime, 0.1);
@@ -319,6 +321,16 @@ TEST_F(Results, SummaryReadsBackExactlyAndIsRefusedWhenDamaged) {
   expectError([&] { readSummary(dir); }, "summary.yaml");
   removeSummary(dir);
   expectError([&] { readSummary(dir); }, "summary.yaml");
+}
+
+TEST_F(Results, SummariesOfNewerVersionsAreRead) {
+  writeSummary(
+      dir, {.program = "burnish 0", .completed = true, .stoppedBecause = "", .doubts = {}, .numbers = {}});
+  std::ofstream(dir / "summary.yaml", std::ios::app)
+      << "steps: 12\nmood: calm\nplaces: [here, there]\nwind: {from: west, force: 3}\nnothing: ~\n";
+  const SummaryRecord read = readSummary(dir);
+  EXPECT_TRUE(read.completed);
+  EXPECT_EQ(read.numbers, (std::map<std::string, double>{{"steps", 12.0}}));
 }
 
 TEST_F(Results, EqualRecordsGiveEqualBytes) {

@@ -108,9 +108,44 @@ TEST_F(Report, WarnsOfDoubtfulPenetrationAndVolumeInARunWithoutAnEnd) {
   const std::vector<std::string> texts = warnings();
   ASSERT_EQ(texts.size(), 3U);
   EXPECT_THAT(texts[0], HasSubstr("The run has not ended"));
-  EXPECT_THAT(texts[1], HasSubstr("penetration above 0.005"));
+  EXPECT_THAT(texts[1], HasSubstr("penetration above a tenth of the smallest knot span"));
   EXPECT_THAT(texts[1], HasSubstr("first at t = 1, in 50.0 % of the steps"));
   EXPECT_THAT(texts[2], HasSubstr("J below 0.05: first at t = 1.5, in 25.0 % of the steps"));
+}
+
+TEST_F(Report, JudgesEachTimeOfARunWithoutAnEndByItsMesh) {
+  samples::Sample fine = samples::slab({60, 6});
+  fine.frame.contact = ResultReader(run_).frame(2).contact;
+  {
+    const samples::Sample coarse = samples::slab();
+    const ResultReader before(run_);
+    const FrameRecord first = before.frame(0);
+    ModelRecord model = before.model();
+    model.tools.front().halfThickness = 5.0;  // knot spans decide: 0.25 before, 0.05 behind the new mesh
+    ResultWriter result(run_, model);
+    result.append(first);
+    FrameRecord second = samples::meshedAnew({model, first}, fine).frame;
+    second.index = 1;
+    second.time = 1.0;
+    result.append(second);
+  }
+  writeHistory({"time", "rezonings", "max_penetration"},
+               {{0, 0, 0}, {0.25, 0, 0.02}, {0.5, 1, 0.02}, {1, 1, 0.001}, {1.5, 2, 0.02}});
+  ASSERT_EQ(warnings().size(), 2U);
+  EXPECT_THAT(warnings()[1], HasSubstr("first at t = 0.5, in 50.0 % of the steps"));
+}
+
+TEST_F(Report, JudgesContactOfTheBodyWithItselfInARunWithoutAnEnd) {
+  {
+    const ResultReader before(run_);
+    FrameRecord frame = before.frame(0);
+    frame.contact.front().tool.clear();
+    ResultWriter(run_, before.model()).append(frame);
+  }
+  writeHistory({"time", "max_penetration", "max_self_penetration"},
+               {{0, 0, 0}, {0.5, 0, 0.02}, {1, 0, 0.03}, {1.5, 0.004, 0.01}, {2, 0, 0}});
+  ASSERT_EQ(warnings().size(), 2U);
+  EXPECT_THAT(warnings()[1], HasSubstr("first at t = 1, in 25.0 % of the steps"));
 }
 
 TEST_F(Report, RepeatsWhatARunDoubtedItself) {
@@ -128,6 +163,11 @@ TEST_F(Report, RepeatsWhatARunDoubtedItself) {
 TEST_F(Report, ShowsWarningsOfTheScene) {
   changeSummary([](SummaryRecord& s) { s.warnings = {"material.nu: 0.4999 is nearly incompressible"}; });
   EXPECT_THAT(warnings(), ElementsAre("material.nu: 0.4999 is nearly incompressible."));
+}
+
+TEST_F(Report, WarnsOfToolsThatNeverTouch) {
+  changeSummary([](SummaryRecord& s) { s.idleTools = {"disc"}; });
+  EXPECT_THAT(warnings(), ElementsAre("Tool 'disc' has never touched the body."));
 }
 
 TEST_F(Report, TellsWhatSupportsCarry) {
@@ -181,6 +221,16 @@ TEST_F(Report, ConvergenceChartsShowIterationsStepsAndResiduals) {
   EXPECT_DOUBLE_EQ(charts[2].chart.curves[0].y[1], 1e-9);
   EXPECT_DOUBLE_EQ(charts[2].chart.curves[1].y[0], 1e-9) << "the tolerance";
   EXPECT_EQ(charts[3].chart.curves[0].label, "t = 0.1") << "the slowest step";
+}
+
+TEST_F(Report, PagesAreMadeOfRunsWithoutResiduals) {
+  writeHistory({"time", "newton_iterations"}, {{0, 0}, {1, 1}, {2, 1}});
+  HistoryWriter convergence(run_ / "convergence.csv", {"step", "time", "iteration", "residual"});
+  for (const auto& row :
+       std::vector<std::vector<double>>{{1, 1, 0, 0}, {1, 1, 1, 0}, {2, 2, 0, 0}, {2, 2, 1, 0}})
+    convergence.append(row);
+  writeReport(run_, {}, scratch_.path() / "page.html");
+  EXPECT_EQ(convergenceCharts(readRun(run_)).size(), 2U) << "iterations and step sizes";
 }
 
 TEST_F(Report, ChoosesFramesEvenly) {
