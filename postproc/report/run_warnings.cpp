@@ -11,8 +11,8 @@
 #include "engine/results/doubts.h"
 #include "engine/solid/face_quadrature.h"
 #include "postproc/mesh/patch_geometry.h"
+#include "postproc/text/account_text.h"
 #include "postproc/text/markdown.h"
-#include "postproc/text/ticks.h"
 
 namespace burnish {
 namespace {
@@ -45,12 +45,6 @@ SoundPenetration soundPenetration(const ModelRecord& model, const FrameRecord& f
   return limits;
 }
 
-/// share: of the steps. detail: may be empty.
-std::string sentenceOf(const std::string& what, double firstTime, double share, const std::string& detail) {
-  return fmt::format("{}: first at t = {}, in {:.1f} % of the steps{}{}.", what, numberText(firstTime, 5),
-                     100.0 * std::min(1.0, share), detail.empty() ? "" : "; ", detail);
-}
-
 /// Since when and how often rows of a history are doubtful; empty if never.
 std::string doubt(const HistoryTable& history, const std::string& what,
                   const std::function<bool(std::size_t)>& isDoubtful) {
@@ -64,7 +58,8 @@ std::string doubt(const HistoryTable& history, const std::string& what,
   }
   if (count == 0) return {};
   const std::size_t steps = std::max<std::size_t>(1, times->size() - 1);  // the first row is the start
-  return sentenceOf(what, (*times)[first], static_cast<double>(count) / static_cast<double>(steps), "");
+  return fmt::format("{}: first at t = {:.5g}, in {:.1f} % of the steps.", what, (*times)[first],
+                     100.0 * static_cast<double>(count) / static_cast<double>(steps));
 }
 
 /// The meshes of a run, by the number of rezonings before them, with what is sound on each. A mesh that no
@@ -118,19 +113,18 @@ std::string smallJDoubt(const RunRecord& run) {
                [&](std::size_t row) { return (*smallest)[row] < kDoubtfulJ; });
 }
 
-/// What a run that has ended says itself: of its scene, and of its results.
-std::vector<std::string> ownWarnings(const RunRecord& run) {
+/// With a capital letter and a full stop.
+std::string asSentence(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + ".";
+}
+
+/// What a run that has ended says itself: of its scene, whose keys are no words, and of its results.
+std::vector<std::string> ownWarnings(const RunAccount& account) {
   std::vector<std::string> texts;
-  for (const std::string& warning : run.summary->warnings) texts.push_back(warning + ".");
-  const double steps = std::max(1.0, run.number("steps").value_or(0.0));
-  for (const DoubtRecord& doubt : run.summary->doubts) {
-    std::string what = doubt.what;
-    if (!what.empty() && what.front() >= 'a' && what.front() <= 'z')
-      what.front() = static_cast<char>(what.front() - 'a' + 'A');
-    texts.push_back(sentenceOf(what, doubt.firstTime, doubt.steps / steps, doubt.detail));
-  }
-  for (const std::string& tool : run.summary->idleTools)
-    texts.push_back(fmt::format("Tool '{}' has never touched the body.", tool));
+  for (const std::string& warning : account.warnings) texts.push_back(warning + ".");
+  for (const std::string& warning : warningsOf(account)) texts.push_back(asSentence(warning));
   return texts;
 }
 
@@ -143,38 +137,38 @@ std::string incompleteness(const RunRecord& run) {
   const auto* times = findColumn(run.history, "time");
   const std::string last =
       times != nullptr && !times->empty() ? fmt::format(" at t = {}", plainNumber(times->back())) : "";
-  if (!run.summary)
+  if (!run.account)
     return fmt::format("The run has not ended: it goes on, or was killed. Its last step is{}.",
                        last.empty() ? " not known" : last);
-  if (run.summary->completed) return {};
-  return fmt::format("The run stopped{} before its end: {}.", last, run.summary->stoppedBecause);
+  if (run.account->completed) return {};
+  return fmt::format("The run stopped{} before its end: {}.", last, run.account->stoppedBecause);
 }
 
-/// "WHAT of NUMBER is above the tolerance of NUMBER"; empty if it is not.
-std::string excess(const RunRecord& run, const std::string& entry, const std::string& tolerance,
-                   const std::string& what) {
-  const auto value = run.number(entry), limit = run.number(tolerance);
-  if (!value || !limit || *value <= *limit) return {};
-  return fmt::format("{} of {} is above the tolerance of {}.", what, plainNumber(*value),
-                     plainNumber(*limit));
+std::string openGap(const RunAccount& account) {
+  if (account.worstConstraint <= account.constraintTolerance) return {};
+  return fmt::format("The largest averaged gap of {} is above the tolerance of {}.",
+                     plainNumber(account.worstConstraint), plainNumber(account.constraintTolerance));
 }
 
-std::string roundOff(const RunRecord& run) {
-  const double steps = run.number("steps_at_round_off").value_or(0.0);
-  if (steps == 0.0) return {};
+std::string roundOff(const RunAccount& account) {
+  if (account.stepsAtRoundOff == 0) return {};
   return fmt::format(
       "{} {} ended above the tolerance, at {} or less, where the rounding of the forces allows no less; this "
       "is harmless.",
-      steps, steps == 1.0 ? "step" : "steps", plainNumber(run.number("worst_residual").value_or(0.0)));
+      account.stepsAtRoundOff, account.stepsAtRoundOff == 1 ? "step" : "steps",
+      plainNumber(account.worstResidual));
 }
 
 }  // namespace
 
 std::vector<std::string> runWarnings(const RunRecord& run) {
-  std::vector<std::string> texts{
-      incompleteness(run), roundOff(run),
-      excess(run, "worst_constraint", "constraint_tolerance", "The largest averaged gap")};
-  std::ranges::move(run.summary ? ownWarnings(run) : doubtsOfHistory(run), std::back_inserter(texts));
+  std::vector<std::string> texts{incompleteness(run)};
+  if (run.account) {
+    texts.push_back(roundOff(*run.account));
+    texts.push_back(openGap(*run.account));
+  }
+  std::ranges::move(run.account ? ownWarnings(*run.account) : doubtsOfHistory(run),
+                    std::back_inserter(texts));
   std::erase(texts, "");
   return texts;
 }

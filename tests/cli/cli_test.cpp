@@ -8,7 +8,6 @@
 
 #include "cli/arguments.h"
 #include "cli/command.h"
-#include "cli/commands/summary_text.h"
 #include "cli/faults.h"
 #include "cli/jobs/study_plan.h"
 #include "cli/progress.h"
@@ -63,25 +62,6 @@ TEST(Progress, LineFitsATerminal) {
   const RunProgress longest{
       .step = 123456, .time = 1.23456, .endTime = 2.34567, .iterations = 250, .totalCuts = 12345};
   EXPECT_LT(progressLine(longest, 86399.0).size(), 100u);
-}
-
-TEST(Summary, SaysHowWellWorkIsBalanced) {
-  RunSummary summary;
-  summary.completed = true;
-  summary.end.strainEnergy = 2.0;
-  summary.end.plasticWork = 6.0;
-  summary.end.externalWork = 8.04;
-  EXPECT_NE(summaryText(summary).find("differs by 0.5 %"), std::string::npos) << summaryText(summary);
-}
-
-TEST(Summary, WarnsWithTimeAndShare) {
-  RunSummary summary;
-  summary.steps = 220;
-  summary.doubts.push_back(
-      {.what = "smallest J below 0.05", .firstTime = 1.25, .steps = 55, .detail = "at worst 0.01"});
-  ASSERT_EQ(warnings(summary).size(), 1u);
-  EXPECT_EQ(warnings(summary)[0],
-            "smallest J below 0.05: first at t = 1.25, in 25.0 % of the steps; at worst 0.01");
 }
 
 TEST(ExitCodes, AFaultOfTheProgramHasItsOwn) {

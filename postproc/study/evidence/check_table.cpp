@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "postproc/text/account_text.h"
 #include "postproc/text/ticks.h"
 
 namespace burnish {
@@ -106,8 +107,7 @@ std::string doubtsText(const VerificationCase& verified, const CaseOutcomes& out
   std::string text;
   for (const auto& [what, listed] : doubtful) text += fmt::format("- doubtful ({}): {}\n", what, listed);
   for (const auto& [tool, listed] : idle)
-    text +=
-        fmt::format("- tool '{}' has never touched the body{}{}\n", tool, listed.empty() ? "" : ": ", listed);
+    text += fmt::format("- {}{}{}\n", idleToolText(tool), listed.empty() ? "" : ": ", listed);
   return text;
 }
 
