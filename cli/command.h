@@ -12,12 +12,12 @@ namespace burnish {
 
 enum class ExitCode {
   Fine = 0,
-  Internal = 1,       ///< a fault of the program
   Different = 1,      ///< compare: pictures differ from their baselines, as diff and cmp have it
   ChecksFail = 1,     ///< verify: a check does not hold, or a run stopped
   BadInput = 2,       ///< a scene, study, result, file or option that cannot be used
   Stopped = 3,        ///< the run could not be brought to its end
   Incomplete = 4,     ///< runs or figures of a study failed, or pictures of a run
+  Internal = 70,      ///< a fault of the program
   Interrupted = 130,  ///< by SIGINT
   Terminated = 143,   ///< by SIGTERM
 };

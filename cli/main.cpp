@@ -1,21 +1,14 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
-#include <exception>
-#include <new>
 #include <sstream>
 #include <string>
 
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/jobs/child_process.h"
+#include "cli/faults.h"
 #include "cli/usage_error.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
-#include "engine/core/interruption.h"
 #include "engine/core/version.h"
 #include "postproc/draw/page/font.h"
 #include "postproc/offscreen/quiet_libraries.h"
@@ -62,43 +55,6 @@ ExitCode execute(int argc, char** argv) {
   const ExitCode code = action();
   for (const std::string& warning : takeTextWarnings()) printError("warning: {}\n", warning);
   return code;
-}
-
-constexpr const char* kLittleMemory =
-    "burnish: the memory of this machine, or that which is allowed (ulimit -v), does not suffice; take fewer "
-    "basis functions, a lower degree or smaller pictures\n";
-
-/// What ends the program where no handler is: in threads and destructors, memory is all that can be missing.
-[[noreturn]] void endAtOnce() {
-  try {
-    if (std::current_exception()) std::rethrow_exception(std::current_exception());
-  } catch (const std::bad_alloc&) {
-    [[maybe_unused]] const ssize_t written =
-        ::write(STDERR_FILENO, kLittleMemory, std::strlen(kLittleMemory));
-    ::_exit(static_cast<int>(ExitCode::BadInput));
-  } catch (...) {
-  }
-  std::abort();
-}
-
-/// The exit code of an action; what it throws is told.
-ExitCode guarded(const Action& action) {
-  try {
-    return action();
-  } catch (const Error& error) {
-    printError("burnish: {}\n", error.what());
-    return ExitCode::BadInput;
-  } catch (const Interrupted&) {
-    printError("burnish: interrupted by a signal; what was finished before is kept\n");
-    return codeOfSignal(interruption());
-  } catch (const std::bad_alloc&) {
-    printErrorText(kLittleMemory);
-    return ExitCode::BadInput;
-  } catch (const std::exception& error) {
-    printError("burnish: internal error: {}; this is a fault of the program, please report it\n",
-               error.what());
-  }
-  return ExitCode::Internal;
 }
 
 }  // namespace

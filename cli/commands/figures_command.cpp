@@ -12,11 +12,11 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/directory_lock.h"
 #include "cli/jobs/child_process.h"
 #include "cli/jobs/study_plan.h"
 #include "cli/jobs/study_progress.h"
 #include "cli/jobs/study_table.h"
+#include "cli/output_lock.h"
 #include "engine/core/atomic_file.h"
 #include "postproc/study/document.h"
 #include "postproc/study/study_reader.h"
@@ -73,7 +73,7 @@ void printResults(const StudyPlan& plan, const std::vector<JobStatus>& jobs, con
 }
 
 ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
-  const DirectoryLock lock(arguments.directory);
+  const DirectoryLock lock = lockOutput(arguments.directory);
   const StudyPlan plan = planStudy(study, arguments.directory, arguments.only, arguments.jobs);
   announce(plan);
   prepareJobs(plan, arguments.directory);

@@ -12,6 +12,7 @@
 #include "engine/results/run_files.h"
 #include "engine/results/summary_file.h"
 #include "postproc/mesh/recorded_shape.h"
+#include "postproc/text/account_text.h"
 
 namespace burnish {
 namespace {
@@ -75,10 +76,11 @@ std::string historyText(const std::filesystem::path& file) {
   return line("history", fmt::format("{} rows: {}", history.numRows(), fmt::join(history.columns, ", ")));
 }
 
-std::string summaryText(const SummaryRecord& summary) {
+std::string summaryText(const RunAccount& summary) {
   std::string text =
       line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
   for (const std::string& warning : summary.warnings) text += line("warning", warning);
+  for (const std::string& warning : warningsOf(summary)) text += line("warning", warning);
   for (const ReactionRecord& reaction : summary.reactions)
     text += line("support", fmt::format("{}: {}", reaction.support, reactionText(reaction)));
   return text;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <memory>
@@ -9,13 +10,15 @@
 
 #include "cli/command.h"
 #include "cli/commands/run_outputs.h"
-#include "cli/commands/summary_text.h"
 #include "cli/console.h"
+#include "cli/faults.h"
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
+#include "engine/results/history.h"
 #include "engine/results/run_files.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 #include "postproc/scene/scene_document.h"
+#include "postproc/text/account_text.h"
 
 namespace burnish {
 namespace {
@@ -32,9 +35,29 @@ struct RunArguments {
   bool noDoubts = false;
 };
 
+void printLine(const std::string& name, const std::string& text) {
+  printOut("  {:<22}{}\n", name, text);
+}
+
+void printAccount(const RunSummary& summary, const HistoryTable& history) {
+  printOut("{} {:.3g} s\n", summary.completed ? "completed in" : "stopped after", summary.timings.total);
+  printLine("frames", std::to_string(summary.frames));
+  for (const auto& [name, text] : accountLines(summary, history)) printLine(name, text);
+}
+
+void printTimings(const RunSummary& summary) {
+  printText("timings\n");
+  for (const auto& [part, seconds] : timingsTable(summary))
+    printLine(part, fmt::format("{:8.3f} s", seconds));
+  const RunTimings& t = summary.timings;
+  const double perIteration = 1000.0 * (t.assembly + t.contact + t.factorisation + t.solve) /
+                              static_cast<double>(std::max(1l, summary.iterations));
+  printLine("a Newton iteration", fmt::format("{:.2f} ms on average", perIteration));
+}
+
 void printResults(const RunArguments& arguments, const RunSummary& summary, const RunOutputs& outputs) {
-  printText(summaryText(summary));
-  if (arguments.timings) printText(timingsText(summary));
+  printAccount(summary, readHistory(arguments.directory / "history.csv"));
+  if (arguments.timings) printTimings(summary);
   printOut("results in {}\n", arguments.directory.string());
   for (const auto& picture : outputs.pictures()) printOut("  picture {}\n", picture.string());
 }
@@ -81,7 +104,7 @@ void reportMissing(const RunOutputs& outputs) {
 
 ExitCode reportEnd(const RunArguments& arguments, const RunSummary& summary, const RunOutputs& outputs,
                    int signal) {
-  for (const std::string& warning : warnings(summary)) printError("warning: {}\n", warning);
+  for (const std::string& warning : warningsOf(summary)) printError("warning: {}\n", warning);
   if (!summary.halted) reportMissing(outputs);  // a run that goes on draws them
   if (summary.completed && outputs.missing().empty()) return ExitCode::Fine;
   if (summary.completed) return signal == 0 ? ExitCode::Incomplete : codeOfSignal(signal);

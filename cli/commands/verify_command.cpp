@@ -11,10 +11,10 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/directory_lock.h"
 #include "cli/jobs/child_process.h"
 #include "cli/jobs/study_plan.h"
 #include "cli/jobs/study_progress.h"
+#include "cli/output_lock.h"
 #include "engine/core/error.h"
 #include "postproc/study/evidence/check_table.h"
 #include "postproc/study/evidence/verification_document.h"
@@ -92,7 +92,7 @@ ExitCode verify(const VerifyArguments& arguments) {
   for (const fs::path& path : arguments.scenes)
     for (const fs::path& scene : scenesIn(path)) cases.push_back(readCase(scene));
   requireNotInput("--document", arguments.document, arguments.scenes);
-  const DirectoryLock lock(arguments.directory);
+  const DirectoryLock lock = lockOutput(arguments.directory);
   const int signal = computeRuns(cases, arguments);
   if (signal != 0) return interrupted(signal);
   std::vector<VerifiedCase> verified;

@@ -51,10 +51,6 @@ std::optional<int> endOf(pid_t process) {
   return std::nullopt;
 }
 
-ExitCode codeOfSignal(int signal) {
-  return signal == SIGINT ? ExitCode::Interrupted : ExitCode::Terminated;
-}
-
 struct SignalGuard::Saved {
   int signal;
   struct sigaction action;

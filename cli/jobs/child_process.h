@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.h"
-
 namespace burnish {
 
 /// Starts this very program with other arguments, without a shell. It reads nothing and prints into a file,
@@ -16,9 +14,6 @@ pid_t startSelf(const std::vector<std::string>& arguments, const std::filesystem
 
 /// The status of a process as `waitpid` gives it once it has ended; nothing before.
 std::optional<int> endOf(pid_t process);
-
-/// The exit code of a command that a signal has ended.
-ExitCode codeOfSignal(int signal);
 
 /// What a signal does when it comes a second time.
 enum class SecondSignal { Noted, Ends };

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cli/console.h"
+#include "cli/faults.h"
 #include "cli/jobs/child_process.h"
 
 namespace burnish {

@@ -42,12 +42,11 @@ std::string failureText(const JobStatus& status, const fs::path& log) {
 
 std::string runText(const fs::path& directory) {
   try {
-    const SummaryRecord summary = readSummary(directory);
-    const auto& n = summary.numbers;
-    std::string text = fmt::format("{:.1f} s, {} steps, {} iterations, {} cut-backs", n.at("seconds"),
-                                   n.at("steps"), n.at("iterations"), n.at("cut_backs"));
+    const RunAccount summary = readSummary(directory);
+    std::string text = fmt::format("{:.1f} s, {} steps, {} iterations, {} cut-backs", summary.timings.total,
+                                   summary.steps, summary.iterations, summary.cuts);
     if (!summary.completed)
-      text += fmt::format("; warning: stopped at t = {:.5g}: {}", n.at("end_time"), summary.stoppedBecause);
+      text += fmt::format("; warning: stopped at t = {:.5g}: {}", summary.endTime, summary.stoppedBecause);
     return text;
   } catch (const Error& error) {
     return error.what();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "engine/results/summary_file.h"
 
@@ -26,15 +27,15 @@ constexpr std::array kColumns{Column{"end_time", "end time", 6},
 
 struct Row {
   std::string state;
-  SummaryRecord summary;  ///< empty when the run has not ended well
+  std::map<std::string, double> numbers{};  ///< of the summary; empty when the run has not ended well
 };
 
 Row rowOf(const PlannedRun& run, const std::vector<JobStatus>& jobs) {
   const JobState state = run.job ? jobs[*run.job].state : JobState::Fine;
-  if (state == JobState::Failed) return {"failed", {}};
-  if (state != JobState::Fine) return {"missing", {}};
-  SummaryRecord summary = readSummary(run.directory);
-  return {summary.completed ? "completed" : "stopped", std::move(summary)};
+  if (state == JobState::Failed) return {"failed"};
+  if (state != JobState::Fine) return {"missing"};
+  const RunAccount account = readSummary(run.directory);
+  return {account.completed ? "completed" : "stopped", numbersOf(account)};
 }
 
 }  // namespace
@@ -48,9 +49,9 @@ std::string runsTable(const StudyPlan& plan, const std::vector<JobStatus>& jobs)
   for (const PlannedRun& run : plan.runs) {
     const Row row = rowOf(run, jobs);
     text += fmt::format("{:<{}}  {:<9}", run.run->name, width, row.state);
-    if (!row.summary.numbers.empty())
+    if (!row.numbers.empty())
       for (const Column& column : kColumns)
-        text += fmt::format("  {:>{}.{}g}", row.summary.numbers.at(column.entry),
+        text += fmt::format("  {:>{}.{}g}", row.numbers.at(column.entry),
                             std::string_view(column.title).size(), column.digits);
     text += "\n";
   }
@@ -65,8 +66,8 @@ std::string runsCsv(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
     const Row row = rowOf(run, jobs);
     text += run.run->name + "," + row.state;
     for (const Column& column : kColumns) {
-      const auto number = row.summary.numbers.find(column.entry);
-      text += number == row.summary.numbers.end() ? "," : fmt::format(",{}", number->second);
+      const auto number = row.numbers.find(column.entry);
+      text += number == row.numbers.end() ? "," : fmt::format(",{}", number->second);
     }
     text += "\n";
   }

@@ -6,7 +6,7 @@
 #include "engine/analysis/model.h"
 #include "engine/core/state_archive.h"
 #include "engine/fields/measure.h"
-#include "engine/results/reaction_record.h"
+#include "engine/results/run_account.h"
 
 namespace burnish {
 

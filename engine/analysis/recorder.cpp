@@ -305,7 +305,8 @@ void Recorder<Dim>::watchContacts() {
 
 template <int Dim>
 void Recorder<Dim>::watchWork() {
-  const double imbalance = imbalanceOf(current_, gapWork_ - suddenWork_);
+  const double imbalance = imbalanceOf(
+      current_.energyFound(), current_.externalWork + (gapWork_ - suddenWork_), current_.largestEnergy);
   note(Condition::Balance, imbalance > kDoubtfulBalance, imbalance);
 }
 
@@ -386,13 +387,6 @@ std::vector<double> Recorder<Dim>::row(int step, int newtonIterations) const {
     for (const double value : reactions_.values()) row.push_back(value);
   row.insert(row.end(), measured_.begin(), measured_.end());
   return row;
-}
-
-double imbalanceOf(const StateQuantities& state, double otherWork) {
-  const double found = state.energyFound();
-  const double done = state.externalWork + otherWork;
-  const double scale = std::max({std::abs(found), std::abs(done), 0.01 * state.largestEnergy});
-  return scale > 0.0 ? std::abs(done - found) / scale : 0.0;
 }
 
 void StateQuantities::archive(StateArchive& archive) {

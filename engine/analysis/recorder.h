@@ -48,11 +48,6 @@ struct StateQuantities {
   void archive(StateArchive& archive);
 };
 
-/// Difference between the work done on the body, externalWork and otherWork, and what became of it, over the
-/// larger of both; over a hundredth of the largest energy before where they are less, as at the end of a run
-/// that lets go of the body.
-double imbalanceOf(const StateQuantities& state, double otherWork);
-
 /// Follows a run: sums the external work, watches extremes and doubts, and makes history rows.
 template <int Dim>
 class Recorder {

@@ -60,7 +60,7 @@ class Run {
       summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", state().time, error.what());
     }
     fillSummary();
-    if (!summary_.halted) files_.finish(makeSummaryRecord(summary_));  // a summary means that a run has ended
+    if (!summary_.halted) files_.finish(summary_);  // a summary means that a run has ended
     return std::move(summary_);
   }
 
@@ -332,18 +332,22 @@ class Run {
     summary_.smallestStep = state().smallestStep;
     summary_.iterations = state().iterations - summary_.approachIterations;
     summary_.meanIterations = static_cast<double>(summary_.iterations) / std::max(1, step_);
-    summary_.tolerance = scene_.solver.newton.tolerance;
-    summary_.constraintTolerance = scene_.solver.newton.constraintTolerance;
+    summary_.tolerance = stage_->newton.options().tolerance;
+    summary_.constraintTolerance = stage_->newton.options().constraintTolerance;
     if (!stage_->model->contacts().empty())
       summary_.contactParameter = stage_->model->contacts().front().term->parameter();
     else if (!stage_->model->selfContacts().empty())
       summary_.contactParameter = stage_->model->selfContacts().front().term->parameter();
     summary_.end = recorder.current();
-    if (summary_.completed) summary_.endVonMises = recorder.projectedVonMises();
+    summary_.endTime = summary_.end.time;
+    if (summary_.completed) noteMinima();
     summary_.smallestJ = recorder.smallestJ();
     summary_.largestPenetration = recorder.largestPenetration();
-    summary_.stabilised = stage_->model->stabilisation() != nullptr;
-    summary_.largestStabilisedShare = recorder.largestStabilisedShare();
+    if (stage_->model->stabilisation() != nullptr) {
+      summary_.stabilisedShare = summary_.end.stabilisedShare;
+      summary_.largestStabilisedShare = recorder.largestStabilisedShare();
+      summary_.stabilisationWork = summary_.end.stabilisationWork;
+    }
     summary_.doubts = recorder.doubts();
     std::stable_sort(summary_.doubts.begin(), summary_.doubts.end(),
                      [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
@@ -354,6 +358,13 @@ class Run {
     summary_.rezonings = rezoner_->records();
     summary_.failedRezonings = rezoner_->numFailures();
     summary_.rezoningFailure = rezoner_->lastFailure();
+  }
+
+  /// Smallest values of projected fields, which oscillate about steep changes.
+  void noteMinima() {
+    summary_.vonMisesMinimum = stage_->recorder.projectedVonMises().min;
+    if (summary_.end.maxPlasticStrain > 0.0)
+      summary_.plasticStrainMinimum = summary_.end.projectedPlasticStrain.min;
   }
 
   const Scene& scene_;

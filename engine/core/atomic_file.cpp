@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "engine/core/error.h"
-#include "engine/results/output_file.h"
+#include "engine/core/output_file.h"
 
 namespace burnish {
 namespace {

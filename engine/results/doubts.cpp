@@ -117,4 +117,9 @@ std::string detailOf(Condition condition, const Doubt& doubt) {
   return {};
 }
 
+double imbalanceOf(double found, double done, double largestEnergy) {
+  const double scale = std::max({std::abs(found), std::abs(done), 0.01 * largestEnergy});
+  return scale > 0.0 ? std::abs(done - found) / scale : 0.0;
+}
+
 }  // namespace burnish

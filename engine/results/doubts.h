@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/state_archive.h"
-#include "engine/results/summary_file.h"
+#include "engine/results/run_account.h"
 
 namespace burnish {
 
@@ -53,5 +53,10 @@ std::vector<Doubt> commonDoubts(bool rezones, bool touchesItself);
 
 /// How bad a condition was at its worst, and what would do; empty where the sentence says it all.
 std::string detailOf(Condition condition, const Doubt& doubt);
+
+/// Difference between the work done on the body and what was found of it, energies and dissipated work, over
+/// the larger of both; over a hundredth of the largest energy before where they are less, as at the end of a
+/// run that lets go of the body.
+double imbalanceOf(double found, double done, double largestEnergy);
 
 }  // namespace burnish

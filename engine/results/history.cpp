@@ -115,11 +115,16 @@ void HistoryWriter::append(const std::vector<double>& row) {
 }
 
 const std::vector<double>& HistoryTable::column(const std::string& name) const {
-  const auto found = std::find(columns.begin(), columns.end(), name);
-  if (found == columns.end())
-    throw Error(fmt::format("{}: there is no column \"{}\"; its columns are {}", path.string(), name,
-                            fmt::join(columns, ", ")));
-  return values[static_cast<std::size_t>(found - columns.begin())];
+  if (const auto* found = findColumn(*this, name)) return *found;
+  throw Error(fmt::format("{}: there is no column \"{}\"; its columns are {}", path.string(), name,
+                          fmt::join(columns, ", ")));
+}
+
+const std::vector<double>* findColumn(const HistoryTable& table, const std::string& name) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+  return found == table.columns.end()
+             ? nullptr
+             : &table.values[static_cast<std::size_t>(found - table.columns.begin())];
 }
 
 HistoryTable readHistory(const std::filesystem::path& path) {

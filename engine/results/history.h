@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/fingerprint.h"
-#include "engine/results/output_file.h"
+#include "engine/core/output_file.h"
 
 namespace burnish {
 
@@ -52,6 +52,9 @@ struct HistoryTable {
   /// Throws `Error` naming the columns that exist.
   const std::vector<double>& column(const std::string& name) const;
 };
+
+/// A column of a table, or null if it has none of that name.
+const std::vector<double>* findColumn(const HistoryTable& table, const std::string& name);
 
 /// Reads a history, also while it is being written: a last row without its line break is left out. Throws
 /// `Error` with file, line and column for anything that is not a number and for rows of another length.

@@ -1,11 +1,7 @@
 #include "engine/results/result_writer.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <system_error>
 #include <utility>
 
@@ -21,12 +17,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path& created(const fs::path& directory) {
+void create(const fs::path& directory) {
   std::error_code status;
   fs::create_directories(directory, status);
   if (status)
     throw Error(fmt::format("cannot create the directory {}: {}", directory.string(), status.message()));
-  return directory;
+}
+
+DirectoryLock locked(const fs::path& directory) {
+  return {directory, DirectoryLock::Children::LetGo,
+          fmt::format("another run is writing its result to {}; wait for its end or choose another directory",
+                      directory.string())};
 }
 
 StoredModel checked(ModelRecord model, const fs::path& file) {
@@ -37,33 +38,19 @@ StoredModel checked(ModelRecord model, const fs::path& file) {
 
 }  // namespace
 
-ResultWriter::DirectoryLock::DirectoryLock(const fs::path& directory)
-    : descriptor_(::open(created(directory).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (descriptor_ < 0)
-    throw Error(fmt::format("cannot open the directory {}: {}", directory.string(),
-                            std::generic_category().message(errno)));
-  // File systems without locks answer otherwise; they have to do without this protection.
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(descriptor_);
-    throw Error(
-        fmt::format("another run is writing its result to {}; wait for its end or choose another directory",
-                    directory.string()));
-  }
-}
-
-ResultWriter::DirectoryLock::~DirectoryLock() {
-  ::close(descriptor_);
-}
-
 ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model)
-    : lock_(directory), modelFile_(modelFile(directory)), model_(checked(std::move(model), modelFile_)) {
+    : lock_(locked(directory)),
+      modelFile_(modelFile(directory)),
+      model_(checked(std::move(model), modelFile_)) {
   removeResult(modelFile_);
   writeFileAtomically(modelFile_, modelImage(model_));
-  created(framesDirectory(modelFile_));
+  create(framesDirectory(modelFile_));
 }
 
 ResultWriter::ResultWriter(const fs::path& directory, ModelRecord model, RestartRecord& restart)
-    : lock_(directory), modelFile_(modelFile(directory)), model_(checked(std::move(model), modelFile_)) {
+    : lock_(locked(directory)),
+      modelFile_(modelFile(directory)),
+      model_(checked(std::move(model), modelFile_)) {
   const StoredModel stored = readModel(modelFile_);
   if (stored.record.program != model_.record.program)
     throw Error(

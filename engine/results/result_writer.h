@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 
+#include "engine/core/directory_lock.h"
 #include "engine/results/model_io.h"
 #include "engine/results/restart.h"
 #include "engine/results/result.h"
@@ -44,18 +45,6 @@ class ResultWriter {
   int numFrames() const { return numFrames_; }
 
  private:
-  /// Keeps a second process from writing to the directory; given back by the system when the process ends.
-  class DirectoryLock {
-   public:
-    explicit DirectoryLock(const std::filesystem::path& directory);
-    ~DirectoryLock();
-    DirectoryLock(const DirectoryLock&) = delete;
-    DirectoryLock& operator=(const DirectoryLock&) = delete;
-
-   private:
-    int descriptor_;
-  };
-
   void check(const FrameRecord& frame) const;
   void write(const FrameRecord& frame);
 

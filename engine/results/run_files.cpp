@@ -40,9 +40,9 @@ void RunFiles::keep(int step, SavedState state) {
   writer_.keep(makeRestart(step, writer_.numFrames(), std::move(state)));
 }
 
-void RunFiles::finish(const SummaryRecord& summary) {
-  writeSummary(directory_, summary);
-  if (summary.completed) writer_.removeRestarts();
+void RunFiles::finish(const RunAccount& account) {
+  writeSummary(directory_, account);
+  if (account.completed) writer_.removeRestarts();
 }
 
 bool canBeResumed(const std::filesystem::path& directory) {

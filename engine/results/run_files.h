@@ -36,7 +36,7 @@ class RunFiles {
   void keep(int step, SavedState state);
 
   /// The end of the run; one that is completed cannot be resumed.
-  void finish(const SummaryRecord& summary);
+  void finish(const RunAccount& account);
 
  private:
   RestartRecord makeRestart(int step, int frames, SavedState state);

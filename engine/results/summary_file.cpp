@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include <array>
 #include <span>
 #include <system_error>
-#include <utility>
+#include <type_traits>
 
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
@@ -14,125 +13,135 @@
 namespace burnish {
 namespace {
 
-/// The numbers of a rezoning in the file.
-constexpr std::array<std::pair<const char*, double RezoningRecord::*>, 7> kRezoningNumbers{
-    {{"time", &RezoningRecord::time},
-     {"energy_lost", &RezoningRecord::energyLost},
-     {"gap_work", &RezoningRecord::gapWork},
-     {"volume_drift", &RezoningRecord::volumeDrift},
-     {"boundary_error", &RezoningRecord::boundaryError},
-     {"quality", &RezoningRecord::quality},
-     {"smallest_span", &RezoningRecord::smallestSpan}}};
-
 std::filesystem::path summaryFile(const std::filesystem::path& directory) {
   return directory / "summary.yaml";
 }
 
-std::vector<std::string> exactly(const std::vector<double>& numbers) {
-  std::vector<std::string> texts;
-  for (const double number : numbers) texts.push_back(fmt::format("{}", number));
-  return texts;
-}
+/// Visitor that writes a struct as a mapping; numbers with the fewest digits that read back exactly.
+class Writer {
+ public:
+  explicit Writer(YAML::Emitter& yaml) : yaml_(yaml) {}
 
-void writeReactions(YAML::Emitter& yaml, const std::vector<ReactionRecord>& reactions) {
-  yaml << YAML::Key << "reactions" << YAML::Value << YAML::BeginSeq;
-  for (const ReactionRecord& reaction : reactions)
-    yaml << YAML::Flow << YAML::BeginMap << YAML::Key << "support" << YAML::Value << reaction.support
-         << YAML::Key << "place" << YAML::Value << reaction.place << YAML::Key << "force" << YAML::Value
-         << exactly(reaction.force) << YAML::Key << "moment" << YAML::Value << exactly(reaction.moment)
-         << YAML::Key << "largest" << YAML::Value << fmt::format("{}", reaction.largest) << YAML::Key
-         << "largest_time" << YAML::Value << fmt::format("{}", reaction.largestTime) << YAML::EndMap;
-  yaml << YAML::EndSeq;
-}
+  template <class T>
+  void field(const char* key, T& value, const Rule& rule, const char* /*sentence*/) {
+    if (!rule.required && isEmpty(value)) return;
+    yaml_ << YAML::Key << key << YAML::Value;
+    write(value);
+  }
 
-ReactionRecord readReaction(const YAML::Node& stored) {
-  return {.support = stored["support"].as<std::string>(),
-          .place = stored["place"].as<std::string>(),
-          .force = stored["force"].as<std::vector<double>>(),
-          .moment = stored["moment"].as<std::vector<double>>(),
-          .largest = stored["largest"].as<double>(),
-          .largestTime = stored["largest_time"].as<double>()};
-}
+ private:
+  template <class T>
+  static bool isEmpty(const T& value) {
+    if constexpr (requires { value.empty(); }) return value.empty();
+    if constexpr (requires { value.has_value(); }) return !value.has_value();
+    return false;
+  }
+
+  void write(double value) { yaml_ << fmt::format("{}", value); }
+  void write(const std::optional<double>& value) { write(*value); }
+
+  template <class T>
+  void write(const T& value) {
+    yaml_ << value;
+  }
+
+  template <class T>
+  void write(std::vector<T>& list) {
+    yaml_ << YAML::BeginSeq;
+    for (T& item : list) {
+      if constexpr (requires { describe(*this, item); }) {
+        if (!std::is_same_v<T, DoubtRecord>) yaml_ << YAML::Flow;  // those are sentences
+        yaml_ << YAML::BeginMap;
+        describe(*this, item);
+        yaml_ << YAML::EndMap;
+      } else {
+        write(item);
+      }
+    }
+    yaml_ << YAML::EndSeq;
+  }
+
+  YAML::Emitter& yaml_;
+};
+
+/// Visitor that fills a struct from a mapping.
+class Reader {
+ public:
+  explicit Reader(const YAML::Node& mapping) : mapping_(mapping) {}
+
+  template <class T>
+  void field(const char* key, T& value, const Rule& rule, const char* /*sentence*/) {
+    const YAML::Node stored = mapping_[key];
+    if (stored || rule.required) read(stored, value);
+  }
+
+ private:
+  template <class T>
+  static void read(const YAML::Node& stored, T& value) {
+    value = stored.as<T>();
+  }
+
+  static void read(const YAML::Node& stored, std::optional<double>& value) { value = stored.as<double>(); }
+
+  template <class T>
+  requires requires(Reader& reader, T& item) { describe(reader, item); }
+  static void read(const YAML::Node& stored, std::vector<T>& list) {
+    for (const YAML::Node& item : stored) {
+      Reader reader(item);
+      describe(reader, list.emplace_back());
+    }
+  }
+
+  const YAML::Node& mapping_;
+};
+
+/// Visitor that collects numbers by their names.
+class NumberCollector {
+ public:
+  template <class T>
+  void field(const char* key, const T& value, const Rule& /*rule*/, const char* /*sentence*/) {
+    if constexpr (std::is_same_v<T, std::optional<double>>) {
+      if (value) numbers[key] = *value;
+    } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+      numbers[key] = static_cast<double>(value);
+    }
+  }
+
+  std::map<std::string, double> numbers;
+};
 
 }  // namespace
 
-void writeSummary(const std::filesystem::path& directory, const SummaryRecord& summary) {
+void writeSummary(const std::filesystem::path& directory, const RunAccount& account) {
   YAML::Emitter yaml;
   yaml << YAML::BeginMap;
-  yaml << YAML::Key << "program" << YAML::Value << summary.program;
-  yaml << YAML::Key << "completed" << YAML::Value << summary.completed;
-  if (!summary.completed) yaml << YAML::Key << "stopped_because" << YAML::Value << summary.stoppedBecause;
-  if (!summary.advice.empty()) yaml << YAML::Key << "advice" << YAML::Value << summary.advice;
-  if (!summary.doubts.empty()) {
-    yaml << YAML::Key << "doubts" << YAML::Value << YAML::BeginSeq;
-    for (const DoubtRecord& doubt : summary.doubts) {
-      yaml << YAML::BeginMap << YAML::Key << "what" << YAML::Value << doubt.what << YAML::Key << "first_time"
-           << YAML::Value << fmt::format("{}", doubt.firstTime) << YAML::Key << "steps" << YAML::Value
-           << doubt.steps;
-      if (!doubt.detail.empty()) yaml << YAML::Key << "detail" << YAML::Value << doubt.detail;
-      yaml << YAML::EndMap;
-    }
-    yaml << YAML::EndSeq;
-  }
-  if (!summary.warnings.empty()) yaml << YAML::Key << "warnings" << YAML::Value << summary.warnings;
-  if (!summary.reactions.empty()) writeReactions(yaml, summary.reactions);
-  if (!summary.rezonings.empty()) {
-    yaml << YAML::Key << "rezonings" << YAML::Value << YAML::BeginSeq;
-    for (const RezoningRecord& rezoning : summary.rezonings) {
-      yaml << YAML::Flow << YAML::BeginMap;
-      for (const auto& [name, member] : kRezoningNumbers)
-        yaml << YAML::Key << name << YAML::Value << fmt::format("{}", rezoning.*member);
-      yaml << YAML::Key << "iterations" << YAML::Value << rezoning.iterations << YAML::EndMap;
-    }
-    yaml << YAML::EndSeq;
-  }
-  if (!summary.rezoningFailure.empty())
-    yaml << YAML::Key << "rezoning_failure" << YAML::Value << summary.rezoningFailure;
-  for (const auto& [name, value] : summary.numbers)
-    yaml << YAML::Key << name << YAML::Value << fmt::format("{}", value);  // shortest that reads back exactly
+  Writer writer(yaml);
+  RunAccount described = account;
+  describe(writer, described);
   yaml << YAML::EndMap << YAML::Newline;
   writeFileAtomically(summaryFile(directory), std::as_bytes(std::span(yaml.c_str(), yaml.size())));
 }
 
-SummaryRecord readSummary(const std::filesystem::path& directory) {
+RunAccount readSummary(const std::filesystem::path& directory) {
   const auto file = summaryFile(directory);
   try {
-    SummaryRecord summary;
-    for (const auto& entry : YAML::LoadFile(file.string())) {
-      const auto name = entry.first.as<std::string>();
-      if (name == "program")
-        summary.program = entry.second.as<std::string>();
-      else if (name == "completed")
-        summary.completed = entry.second.as<bool>();
-      else if (name == "stopped_because")
-        summary.stoppedBecause = entry.second.as<std::string>();
-      else if (name == "advice")
-        summary.advice = entry.second.as<std::string>();
-      else if (name == "doubts")
-        for (const auto& doubt : entry.second)
-          summary.doubts.push_back({doubt["what"].as<std::string>(), doubt["first_time"].as<double>(),
-                                    doubt["steps"].as<int>(), doubt["detail"].as<std::string>("")});
-      else if (name == "warnings")
-        summary.warnings = entry.second.as<std::vector<std::string>>();
-      else if (name == "reactions")
-        for (const auto& stored : entry.second) summary.reactions.push_back(readReaction(stored));
-      else if (name == "rezoning_failure")
-        summary.rezoningFailure = entry.second.as<std::string>();
-      else if (name == "rezonings")
-        for (const auto& stored : entry.second) {
-          auto& rezoning = summary.rezonings.emplace_back();
-          for (const auto& [number, member] : kRezoningNumbers)
-            rezoning.*member = stored[number].as<double>();
-          rezoning.iterations = stored["iterations"].as<int>();
-        }
-      else
-        summary.numbers[name] = entry.second.as<double>();
-    }
-    if (summary.program.empty()) throw Error(fmt::format("{}: is not the summary of a run", file.string()));
-    return summary;
+    const YAML::Node stored = YAML::LoadFile(file.string());
+    if (!stored.IsMap() || !stored["program"])
+      throw Error(fmt::format("{}: is not the summary of a run", file.string()));
+    RunAccount account;
+    Reader reader(stored);
+    describe(reader, account);
+    return account;
   } catch (const YAML::Exception& error) {
     throw Error(fmt::format("{}: cannot be read as the summary of a run: {}", file.string(), error.what()));
   }
+}
+
+std::map<std::string, double> numbersOf(const RunAccount& account) {
+  NumberCollector collector;
+  RunAccount described = account;
+  describe(collector, described);
+  return std::move(collector.numbers);
 }
 
 void removeSummary(const std::filesystem::path& directory) {

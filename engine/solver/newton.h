@@ -80,6 +80,7 @@ class Newton {
   /// Of the equilibrium that was found last, see `Inertia`.
   int unstableDirections() const { return unstableDirections_; }
 
+  const NewtonOptions& options() const { return options_; }
   const SparseSystem& system() const { return system_; }
   LinearSolver& linearSolver() { return *linear_; }
   const NewtonTimings& timings() const { return timings_; }

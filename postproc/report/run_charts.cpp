@@ -119,9 +119,9 @@ CaptionedChart stepsChart(const RunRecord& run) {
     curve.x.insert(curve.x.end(), {times[k - 1], times[k]});
     curve.y.insert(curve.y.end(), 2, times[k] - times[k - 1]);
   }
-  const auto cuts = run.number("cut_backs");
-  CaptionedChart made{cuts ? fmt::format("Step size; {} cut-backs halved a step", *cuts) : "Step size",
-                      chartOf("time", "step size", {std::move(curve)})};
+  CaptionedChart made{
+      run.account ? fmt::format("Step size; {} cut-backs halved a step", run.account->cuts) : "Step size",
+      chartOf("time", "step size", {std::move(curve)})};
   made.chart.y.logarithmic = true;
   return made;
 }
@@ -132,10 +132,10 @@ CaptionedChart endResidualsChart(const RunRecord& run, const std::vector<StepRes
   residuals.style = CurveStyle{0, 0, -1};
   CaptionedChart made{"Relative residual at the end of each step",
                       chartOf("time", "relative residual", {std::move(residuals)})};
-  if (const auto tolerance = run.number("tolerance"))
+  if (run.account)
     made.chart.curves.push_back({"tolerance",
                                  {steps.front().time, steps.back().time},
-                                 {*tolerance, *tolerance},
+                                 {run.account->tolerance, run.account->tolerance},
                                  CurveStyle{1, 1, -1}});
   made.chart.y.logarithmic = true;
   return made;
@@ -174,8 +174,8 @@ std::vector<CaptionedChart> stateCharts(const RunRecord& run) {
                {{name + ".fx", "x"}, {name + ".fy", "y"}, {name + ".fz", "z"}});
   };
   for (const ToolRecord& tool : model.tools) addForce("tool", tool.name);
-  if (run.summary)
-    for (const ReactionRecord& reaction : run.summary->reactions) addForce("support", reaction.support);
+  if (run.account)
+    for (const ReactionRecord& reaction : run.account->reactions) addForce("support", reaction.support);
   charts.add("Energies and work" + depth, withUnit("energy", model, model.dim),
              {{"strain_energy", "strain energy"},
               {"contact_energy", "contact energy"},

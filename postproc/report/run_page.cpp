@@ -17,6 +17,7 @@
 #include "postproc/report/run_facts.h"
 #include "postproc/report/run_record.h"
 #include "postproc/report/run_warnings.h"
+#include "postproc/text/account_text.h"
 #include "postproc/text/markdown.h"
 
 namespace burnish {
@@ -74,14 +75,7 @@ std::string pictures(const RunRecord& run, const ReportOptions& report) {
 
 /// Seconds by part of the program, with a bar for the share.
 std::string timings(const RunRecord& run) {
-  constexpr std::array<std::pair<const char*, const char*>, 6> parts{
-      {{"assembly", "assembly_seconds"},
-       {"contact", "contact_seconds"},
-       {"factorisation", "factorisation_seconds"},
-       {"solution", "solve_seconds"},
-       {"projection", "projection_seconds"},
-       {"output", "output_seconds"}}};
-  const double total = run.number("seconds").value_or(0.0);
+  const double total = run.account ? run.account->timings.total : 0.0;
   if (!(total > 0.0)) return "<p>They are known when the run has ended.</p>\n";
   std::vector<HtmlColumn> columns{{"part", {}, false}, {"seconds", {}}, {"share", {}}, {"", {}, false}};
   const auto add = [&](const std::string& name, double seconds) {
@@ -91,14 +85,7 @@ std::string timings(const RunRecord& run) {
     columns[2].cells.push_back(fmt::format("{:.1f} %", percent));
     columns[3].cells.push_back(fmt::format("<div class=\"bar\" style=\"width:{:.1f}%\"></div>", percent));
   };
-  double rest = total;
-  for (const auto& [name, entry] : parts) {
-    const auto seconds = run.number(entry);
-    if (!seconds) continue;
-    add(name, *seconds);
-    rest -= *seconds;
-  }
-  add("everything else", std::max(0.0, rest));
+  for (const auto& [name, seconds] : timingsTable(*run.account)) add(name, std::max(0.0, seconds));
   add("altogether", total);
   return htmlTable(columns);
 }

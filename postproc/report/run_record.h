@@ -14,11 +14,8 @@ namespace burnish {
 struct RunRecord {
   std::string name;  ///< of the directory
   ResultReader result;
-  std::optional<SummaryRecord> summary;  ///< of a run that has ended
-  HistoryTable history, convergence;     ///< without columns if the file is missing
-
-  /// A number of the summary, if there is one.
-  std::optional<double> number(const std::string& entry) const;
+  std::optional<RunAccount> account;  ///< of a run that has ended
+  HistoryTable history, convergence;  ///< without columns if the file is missing
 
   /// "completed", "stopped" or "not ended".
   std::string state() const;
@@ -26,8 +23,5 @@ struct RunRecord {
 
 /// Throws `Error` for a directory without a result and for damaged files.
 RunRecord readRun(const std::filesystem::path& directory);
-
-/// A column of a table, if it has it.
-const std::vector<double>* findColumn(const HistoryTable& table, const std::string& name);
 
 }  // namespace burnish

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -152,10 +154,14 @@ class StudyPage {
       columns[1].cells.push_back(entry.run ? entry.run->state() : "no results");
       columns[2].cells.push_back(entry.warnings.empty() ? "" : std::to_string(entry.warnings.size()));
     }
+    std::vector<std::map<std::string, double>> numbers;  // of a run that has ended
+    for (const StudyEntry& entry : entries_)
+      numbers.push_back(entry.run && entry.run->account ? numbersOf(*entry.run->account)
+                                                        : std::map<std::string, double>{});
     for (const auto& [name, title] : entries) {
       std::vector<std::optional<double>> values;
-      for (const StudyEntry& entry : entries_)
-        values.push_back(entry.run ? entry.run->number(name) : std::nullopt);
+      for (const auto& known : numbers)
+        values.push_back(known.contains(name) ? std::optional(known.at(name)) : std::nullopt);
       columns.push_back({title, columnTexts(values)});
     }
     return htmlCard("runs", "Runs", htmlTable(columns));

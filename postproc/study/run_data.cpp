@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "engine/core/error.h"
@@ -13,7 +14,7 @@
 namespace burnish {
 namespace {
 
-SummaryRecord summaryOf(const StudyRun& run, const std::filesystem::path& studyDirectory) {
+RunAccount summaryOf(const StudyRun& run, const std::filesystem::path& studyDirectory) {
   if (!hasEnded(run, studyDirectory))
     throw Error(fmt::format("run {}: there are no results in {}", run.name,
                             runDirectory(studyDirectory, run).string()));
@@ -31,10 +32,10 @@ std::optional<double> RunData::stoppedAt() const {
 }
 
 double RunData::number(const std::string& entry) const {
-  const auto found = summary_.numbers.find(entry);
-  if (found != summary_.numbers.end()) return found->second;
+  const std::map<std::string, double> numbers = numbersOf(summary_);
+  if (const auto found = numbers.find(entry); found != numbers.end()) return found->second;
   std::vector<std::string> names;
-  for (const auto& [name, value] : summary_.numbers) names.push_back(name);
+  for (const auto& [name, value] : numbers) names.push_back(name);
   throw Error(fmt::format("run {}: its summary has no \"{}\"; it has {}.{}", run_.name, entry,
                           fmt::join(names, ", "), didYouMean(entry, names)));
 }

@@ -18,7 +18,7 @@ class RunData {
   RunData(const StudyRun& run, const std::filesystem::path& studyDirectory);
 
   const StudyRun& run() const { return run_; }
-  const SummaryRecord& summary() const { return summary_; }
+  const RunAccount& summary() const { return summary_; }
   HistoryTable history() const { return readHistory(directory_ / "history.csv"); }
   HistoryTable convergence() const { return readHistory(directory_ / "convergence.csv"); }
   ResultReader result() const { return ResultReader(directory_); }
@@ -32,7 +32,7 @@ class RunData {
  private:
   const StudyRun& run_;
   std::filesystem::path directory_;
-  SummaryRecord summary_;
+  RunAccount summary_;
 };
 
 /// Whether a run has ended, at its end or before.

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <functional>
+#include <new>
+#include <stdexcept>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
-#include "cli/commands/summary_text.h"
+#include "cli/faults.h"
 #include "cli/jobs/study_plan.h"
 #include "cli/progress.h"
 #include "cli/usage_error.h"
@@ -62,23 +64,14 @@ TEST(Progress, LineFitsATerminal) {
   EXPECT_LT(progressLine(longest, 86399.0).size(), 100u);
 }
 
-TEST(Summary, SaysHowWellWorkIsBalanced) {
-  RunSummary summary;
-  summary.completed = true;
-  summary.end.strainEnergy = 2.0;
-  summary.end.plasticWork = 6.0;
-  summary.end.externalWork = 8.04;
-  EXPECT_NE(summaryText(summary).find("differs by 0.5 %"), std::string::npos) << summaryText(summary);
-}
-
-TEST(Summary, WarnsWithTimeAndShare) {
-  RunSummary summary;
-  summary.steps = 220;
-  summary.doubts.push_back(
-      {.what = "smallest J below 0.05", .firstTime = 1.25, .steps = 55, .detail = "at worst 0.01"});
-  ASSERT_EQ(warnings(summary).size(), 1u);
-  EXPECT_EQ(warnings(summary)[0],
-            "smallest J below 0.05: first at t = 1.25, in 25.0 % of the steps; at worst 0.01");
+TEST(ExitCodes, AFaultOfTheProgramHasItsOwn) {
+  const auto codeOf = [](const auto& thrown) {
+    return static_cast<int>(guarded([&]() -> ExitCode { throw thrown; }));
+  };
+  EXPECT_EQ(codeOf(std::logic_error("a row of 2 values for 3 columns")), 70);
+  EXPECT_EQ(codeOf(Error("no such file")), 2);
+  EXPECT_EQ(codeOf(std::bad_alloc()), 2);
+  EXPECT_EQ(static_cast<int>(guarded([] { return ExitCode::ChecksFail; })), 1);
 }
 
 /// Parses a command line that must fail and returns the message.

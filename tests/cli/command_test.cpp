@@ -106,6 +106,15 @@ TEST_F(Command, WarnsOfLockingBeforeAndAfterARun) {
   EXPECT_EQ(projected.err.find("incompressible"), std::string::npos) << projected.err;
 }
 
+TEST_F(Command, NamesToolsThatNeverTouchWhereverARunIsToldOf) {
+  const std::string warning = "tool 'disc' has never touched the body";
+  const Outcome run = burnish("run --quiet scene.yaml -o out --set 'tools[0].center=[1, 1.8]'");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find(warning), std::string::npos) << run.err;
+  EXPECT_NE(read("out/summary.yaml").find("idle_tools:\n  - disc\n"), std::string::npos);
+  EXPECT_NE(burnish("info out").out.find(warning), std::string::npos);
+}
+
 TEST_F(Command, MarksPicturesOfADoubtfulRunAndTellsTheSmallestStress) {
   const std::string pictures =
       " --set output.every=1 --set tools[0].motion.y=[0,-0.2,-0.2] --set pictures='[{field: von_mises, "

@@ -184,7 +184,9 @@ TEST_F(RenderCommand, TextsOfOlderResultsAreShownEscapedOrAsBoxes) {
 
 TEST_F(RenderCommand, DoubtfulResultsAreMarkedUnlessToldOtherwise) {
   render("--background white", "sound.png");
-  SummaryRecord summary{.program = "p", .completed = true, .stoppedBecause = "", .doubts = {}, .numbers = {}};
+  RunAccount summary;
+  summary.program = "p";
+  summary.completed = true;
   writeSummary(dir() / "run", summary);
   render("--background white", "no_doubt.png");
   summary.doubts.push_back({.what = "smallest J", .firstTime = 0.5, .steps = 3});

@@ -36,7 +36,7 @@
 
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
-#include "engine/results/output_file.h"
+#include "engine/core/output_file.h"
 #include "postproc/draw/chart/chart_glyphs.h"
 #include "postproc/draw/chart/pdf_letters.h"
 #include "postproc/draw/page/font.h"

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "postproc/text/account_text.h"
 #include "postproc/text/ticks.h"
 
 namespace burnish {
@@ -91,17 +92,22 @@ std::string problemsText(const std::vector<JudgedCheck>& judged) {
 }
 
 std::string doubtsText(const VerificationCase& verified, const CaseOutcomes& outcomes) {
-  std::map<std::string, std::string> runs;  // by condition
+  std::map<std::string, std::string> doubtful, idle;  // runs, by condition and by tool
+  const auto add = [](std::string& listed, const std::string& run) {
+    listed += (listed.empty() ? "" : "; ") + run;
+  };
   for (std::size_t f = 0; f < verified.families.size(); ++f)
-    for (std::size_t m = 0; m < verified.families[f].variants.size(); ++m)
-      for (const DoubtRecord& doubt : outcomes[f][m].doubts) {
-        const std::string label = labelOf(verified.families[f], verified.families[f].variants[m]);
-        std::string& listed = runs[doubt.what];
-        listed += fmt::format("{}{}{}t = {:.4g}", listed.empty() ? "" : "; ", label,
-                              label.empty() ? "" : " from ", doubt.firstTime);
-      }
+    for (std::size_t m = 0; m < verified.families[f].variants.size(); ++m) {
+      const std::string label = labelOf(verified.families[f], verified.families[f].variants[m]);
+      for (const DoubtRecord& doubt : outcomes[f][m].doubts)
+        add(doubtful[doubt.what],
+            fmt::format("{}{}t = {:.4g}", label, label.empty() ? "" : " from ", doubt.firstTime));
+      for (const std::string& tool : outcomes[f][m].idleTools) add(idle[tool], label);
+    }
   std::string text;
-  for (const auto& [what, listed] : runs) text += fmt::format("- doubtful ({}): {}\n", what, listed);
+  for (const auto& [what, listed] : doubtful) text += fmt::format("- doubtful ({}): {}\n", what, listed);
+  for (const auto& [tool, listed] : idle)
+    text += fmt::format("- {}{}{}\n", idleToolText(tool), listed.empty() ? "" : ": ", listed);
   return text;
 }
 

@@ -16,7 +16,7 @@ std::string checkTable(const VerificationCase& verified, const std::vector<Judge
 std::string problemsText(const std::vector<JudgedCheck>& judged);
 
 /// A line of a list for each condition that makes runs doubtful, whatever became of the checks: these runs,
-/// and since when; empty if there is none.
+/// and since when; and for each tool that never touches in some of them. Empty if there is none.
 std::string doubtsText(const VerificationCase& verified, const CaseOutcomes& outcomes);
 
 /// How many of the checks hold.

@@ -112,13 +112,13 @@ Study studyOf(const std::vector<VerificationCase>& cases) {
 VariantOutcome outcomeOf(const fs::path& runDirectory) {
   if (!fs::exists(runDirectory / "summary.yaml"))
     return {{}, fmt::format("the run failed, see {}", (runDirectory / "log.txt").string())};
-  const SummaryRecord summary = readSummary(runDirectory);
+  const RunAccount summary = readSummary(runDirectory);
   if (!summary.completed)
     return {{},
-            fmt::format("the run stopped at t = {:.4g}: {}", summary.numbers.at("end_time"),
-                        summary.stoppedBecause),
-            summary.doubts};
-  return {readHistory(runDirectory / "history.csv"), {}, summary.doubts};
+            fmt::format("the run stopped at t = {:.4g}: {}", summary.endTime, summary.stoppedBecause),
+            summary.doubts,
+            summary.idleTools};
+  return {readHistory(runDirectory / "history.csv"), {}, summary.doubts, summary.idleTools};
 }
 
 }  // namespace burnish

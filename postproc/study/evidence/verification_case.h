@@ -47,6 +47,7 @@ struct VariantOutcome {
   std::optional<HistoryTable> history;
   std::string failure{};
   std::vector<DoubtRecord> doubts{};
+  std::vector<std::string> idleTools{};  ///< that have never touched the body
 };
 
 /// The outcome of a run in its directory.

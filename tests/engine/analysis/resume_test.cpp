@@ -121,7 +121,7 @@ TEST_F(Resume, CountsWhatTheWholeRunCounts) {
   halt();
   const RunSummary resumed = resume(part.path());
   const auto counted = [](const RunSummary& s) {
-    auto numbers = makeSummaryRecord(s).numbers;
+    auto numbers = numbersOf(s);
     std::erase_if(numbers, [](const auto& number) { return number.first.ends_with("seconds"); });
     return numbers;
   };

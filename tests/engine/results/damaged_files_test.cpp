@@ -247,11 +247,12 @@ TEST_F(DamagedFiles, HistoriesAndSummaries) {
   const fs::path history = write("history.csv", "time,disc.fy\n0,0\n0.25,-1.5e-3\n0.5,-3.25\n1,-4\n");
   expectRefusedOrRead(history, [&history] { readHistory(history); });
   const fs::path directory = history.parent_path();
-  writeSummary(directory, {.program = "burnish 0",
-                           .completed = true,
-                           .stoppedBecause = "",
-                           .doubts = {{"smallest J below 0.05", 0.1, 3}},
-                           .numbers = {{"seconds", 0.5}, {"steps", 12}}});
+  RunAccount account;
+  account.program = "burnish 0";
+  account.completed = true;
+  account.doubts = {{"smallest J below 0.05", 0.1, 3}};
+  account.steps = 12;
+  writeSummary(directory, account);
   expectRefusedOrRead(directory / "summary.yaml", [&directory] { readSummary(directory); });
 }
 

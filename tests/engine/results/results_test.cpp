@@ -297,28 +297,105 @@ TEST_F(Results, ModelWithoutToolsFieldsAndTitlesReadsBack) {
   EXPECT_TRUE(same(ResultReader(dir).frame(0), frame));
 }
 
+/// An account with every entry.
+RunAccount fullAccount() {
+  RunAccount account;
+  account.program = "burnish 0 (engine 0)";
+  account.stoppedBecause = "at t = 0.1: the iteration diverged";
+  account.advice = "take more steps";
+  account.doubts = {{"smallest J below 0.05", 0.1, 3, "at worst: 0.01"}, {"unstable", 1.0 / 3.0, 1}};
+  account.warnings = {"material.nu: 0.4999 is nearly incompressible"};
+  account.idleTools = {"die", "blank: holder"};
+  account.reactions = {{"floor", "bottom", {0.0, -1.0 / 3.0}, {}, 2.5, 0.1}};
+  account.rezonings = {{.time = 0.1, .quality = 0.25, .iterations = 7}};
+  account.rezoningFailure = "t = 0.2: no mesh of the deformed body is sound";
+  account.timings = {.assembly = 0.25, .contact = 0.5, .total = 1.0 / 3.0};
+  account.steps = 12;
+  account.iterations = 1L << 40;
+  account.worstResidual = 1e-12;
+  account.vonMisesMinimum = -0.5;
+  account.plasticStrainMinimum = -1e-3;
+  account.stabilisedShare = 0.0;
+  account.largestStabilisedShare = 0.125;
+  account.stabilisationWork = 1e-9;
+  return account;
+}
+
 TEST_F(Results, SummaryReadsBackExactlyAndIsRefusedWhenDamaged) {
-  const SummaryRecord written{.program = "burnish 0 (engine 0)",
-                              .completed = false,
-                              .stoppedBecause = "at t = 0.1: the iteration diverged",
-                              .advice = "take more steps",
-                              .doubts = {{"smallest J below 0.05", 0.1, 3}},
-                              .numbers = {{"seconds", 1.0 / 3.0}, {"steps", 12}, {"worst_residual", 1e-12}}};
+  const RunAccount written = fullAccount();
   writeSummary(dir, written);
-  const SummaryRecord read = readSummary(dir);
-  EXPECT_EQ(read.program, written.program);
-  EXPECT_EQ(read.completed, written.completed);
-  EXPECT_EQ(read.advice, written.advice);
+  const std::string text = contents(dir / "summary.yaml");
+  const RunAccount read = readSummary(dir);
   EXPECT_EQ(read.stoppedBecause, written.stoppedBecause);
-  EXPECT_EQ(read.numbers, written.numbers);
-  ASSERT_EQ(read.doubts.size(), 1u);
-  EXPECT_EQ(read.doubts[0].what, "smallest J below 0.05");
-  EXPECT_EQ(read.doubts[0].firstTime, 0.1);
-  EXPECT_EQ(read.doubts[0].steps, 3);
+  EXPECT_EQ(read.idleTools, written.idleTools);
+  EXPECT_EQ(numbersOf(read), numbersOf(written));
+  EXPECT_EQ(numbersOf(read).at("seconds"), 1.0 / 3.0);
+  EXPECT_EQ(numbersOf(read).at("iterations"), std::exp2(40));
+  ASSERT_EQ(read.doubts.size(), 2u);
+  EXPECT_EQ(read.doubts[0].detail, "at worst: 0.01");
+  EXPECT_EQ(read.doubts[1].firstTime, 1.0 / 3.0);
+  EXPECT_EQ(read.reactions.front().force, written.reactions.front().force);
+  writeSummary(dir, read);
+  EXPECT_EQ(contents(dir / "summary.yaml"), text) << "all entries are written and read";
   std::ofstream(dir / "summary.yaml") << "program: [";
   expectError([&] { readSummary(dir); }, "summary.yaml");
+  std::ofstream(dir / "summary.yaml") << "program: p\ndoubts: [{what: w, steps: 3}]\n";
+  expectError([&] { readSummary(dir); }, "first_time");
+  std::ofstream(dir / "summary.yaml") << "steps: 3\n";
+  expectError([&] { readSummary(dir); }, "is not the summary of a run");
   removeSummary(dir);
   expectError([&] { readSummary(dir); }, "summary.yaml");
+}
+
+TEST_F(Results, SummariesLeaveOutWhatThereIsNot) {
+  RunAccount account;
+  account.program = "burnish 0";
+  account.completed = true;
+  account.reactions = {{"floor", "bottom", {0.0, -1.0}, {}, 2.5, 0.1}};
+  writeSummary(dir, account);
+  const std::string text = contents(dir / "summary.yaml");
+  for (const char* absent : {"stopped_because", "advice", "doubts", "warnings", "idle_tools",
+                             "rezonings:", "rezoning_failure", "von_mises_minimum", "stabilised_share"})
+    EXPECT_EQ(text.find(absent), std::string::npos) << absent;
+  EXPECT_NE(text.find("  - {support: floor, place: bottom, force: [0, -1], moment: [], largest: 2.5, "
+                      "largest_time: 0.1}\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\nrezonings_failed: 0\n"), std::string::npos);
+}
+
+/// Visitor that lists the names of all entries, those of records among them.
+class NameCollector {
+ public:
+  template <class T>
+  void field(const char* key, T& /*value*/, const Rule& /*rule*/, const char* /*sentence*/) {
+    names.emplace_back(key);
+    if constexpr (requires(typename T::value_type item) { describe(*this, item); }) {
+      typename T::value_type item;
+      describe(*this, item);
+    }
+  }
+
+  std::vector<std::string> names;
+};
+
+TEST_F(Results, EveryEntryOfASummaryIsDocumented) {
+  const std::string page = contents(fs::path(BURNISH_SOURCE_DIR) / "docs/results.md");
+  NameCollector collector;
+  RunAccount account;
+  describe(collector, account);
+  EXPECT_GT(collector.names.size(), 50u);
+  for (const std::string& name : collector.names)
+    EXPECT_NE(page.find("`" + name + "`"), std::string::npos) << name;
+}
+
+TEST_F(Results, SummariesOfNewerVersionsAreRead) {
+  writeSummary(dir, fullAccount());
+  std::ofstream(dir / "summary.yaml", std::ios::app)
+      << "mood: calm\nplaces: [here, there]\nwind: {from: west, force: 3}\nnothing: ~\nheight: 12\n";
+  const RunAccount read = readSummary(dir);
+  EXPECT_EQ(read.advice, "take more steps");
+  EXPECT_EQ(numbersOf(read), numbersOf(fullAccount()));
 }
 
 TEST_F(Results, EqualRecordsGiveEqualBytes) {
@@ -447,7 +524,7 @@ TEST_F(Results, ForeignFilesAreNotOverwritten) {
   EXPECT_EQ(contents(dir / "result.h5"), "somebody's data");
 
   writeSample(dir / "run", 2);
-  SummaryRecord summary;
+  RunAccount summary;
   summary.program = "burnish 0 (engine 0)";
   summary.completed = true;
   writeSummary(dir / "run", summary);

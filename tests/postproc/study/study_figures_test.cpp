@@ -92,7 +92,7 @@ TEST_F(StudyFigures, SheetsMarkDoubtfulRunsAndShowImages) {
   spec.mirror = "x";
   draw("whole", spec);
   const fs::path run = directory_.path() / "runs/nurbs-fine";
-  SummaryRecord summary = readSummary(run);
+  RunAccount summary = readSummary(run);
   summary.doubts.push_back({.what = "smallest J", .firstTime = 0.5, .steps = 3});
   writeSummary(run, summary);
   draw("marked_whole", spec);

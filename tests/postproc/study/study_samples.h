@@ -75,25 +75,26 @@ inline void writeRun(const std::filesystem::path& directory, const std::function
   HistoryWriter convergence(directory / "convergence.csv", {"step", "time", "iteration", "residual"});
   for (int k = 1; k <= 4; ++k) convergence.append({1.0, 0.1, k - 1.0, std::pow(10.0, -std::exp2(k))});
   const bool completed = end >= 2.0;
-  writeSummary(directory, {.program = "burnish",
-                           .completed = completed,
-                           .stoppedBecause = completed ? "" : "the smallest step failed",
-                           .doubts = completed ? std::vector<DoubtRecord>{}
-                                               : std::vector<DoubtRecord>{{"deep penetration", 1.2, 5}},
-                           .numbers = {{"end_time", end},
-                                       {"steps", 10.0 * end},
-                                       {"cut_backs", completed ? 0.0 : 7.0},
-                                       {"smallest_step", 0.1},
-                                       {"iterations", 30.0 * end},
-                                       {"mean_iterations", 3.0},
-                                       {"max_iterations", 5.0},
-                                       {"seconds", 1.5},
-                                       {"worst_residual", 3e-10},
-                                       {"smallest_J", 0.9},
-                                       {"largest_penetration", 2e-3},
-                                       {"tolerance", 1e-9},
-                                       {"contact_parameter", 4e4},
-                                       {"functions", functions}}});
+  RunAccount account;
+  account.program = "burnish";
+  account.completed = completed;
+  if (!completed) account.stoppedBecause = "the smallest step failed";
+  if (!completed) account.doubts = {{"deep penetration", 1.2, 5}};
+  account.endTime = end;
+  account.steps = static_cast<int>(std::lround(10.0 * end));
+  account.cuts = completed ? 0 : 7;
+  account.smallestStep = 0.1;
+  account.iterations = std::lround(30.0 * end);
+  account.meanIterations = 3.0;
+  account.maxIterations = 5;
+  account.timings.total = 1.5;
+  account.worstResidual = 3e-10;
+  account.smallestJ = 0.9;
+  account.largestPenetration = 2e-3;
+  account.tolerance = 1e-9;
+  account.contactParameter = 4e4;
+  account.functions = static_cast<int>(functions);
+  writeSummary(directory, account);
 }
 
 /// Runs coarse, middle, fine of "NURBS", whose last value is 1 + 4/functions, and `lagrange-fine`, which

@@ -255,6 +255,16 @@ TEST_F(Verify, DoubtfulRunsAreNamedBesideTheChecks) {
   EXPECT_THAT(readText(file), HasSubstr(line));
 }
 
+TEST_F(Verify, ToolsThatNeverTouchAreNamedBesideTheChecks) {
+  const VerificationCase verified =
+      caseOf(kBlock + kThreeMeshes + checks("quantity: value, expect: value, value: 1, absolute: 1"));
+  const VariantOutcome fine{history({1.0, 1.0, 1.0})};
+  VariantOutcome idle = fine;
+  idle.idleTools = {"disc"};
+  EXPECT_EQ(doubtsText(verified, {{idle, fine, fine}, {fine, idle, fine}}),
+            "- tool 'disc' has never touched the body: p = 1, mesh 1; p = 2, mesh 2\n");
+}
+
 TEST_F(Verify, TheDocumentShowsAllMeshesAndDrawsTheOrders) {
   const VerificationCase verified = caseOf(
       kBlock + kThreeMeshes +

@@ -1,4 +1,4 @@
-#include "engine/results/output_file.h"
+#include "engine/core/output_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,0 +1,50 @@
+#include "engine/core/directory_lock.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+int opened(const std::filesystem::path& directory, DirectoryLock::Children children) {
+  std::error_code status;
+  std::filesystem::create_directories(directory, status);
+  if (status)
+    throw Error(fmt::format("cannot create the directory {}: {}", directory.string(), status.message()));
+  const int descriptor =
+      ::open(directory.c_str(),
+             O_RDONLY | O_DIRECTORY | (children == DirectoryLock::Children::LetGo ? O_CLOEXEC : 0));
+  if (descriptor < 0)
+    throw Error(fmt::format("cannot open the directory {}: {}", directory.string(),
+                            std::generic_category().message(errno)));
+  return descriptor;
+}
+
+}  // namespace
+
+DirectoryLock::DirectoryLock(const std::filesystem::path& directory, Children children,
+                             const std::string& taken)
+    : descriptor_(opened(directory, children)) {
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  protects_ = false;
+  if (errno != EWOULDBLOCK) return;  // a file system without locks
+  ::close(descriptor_);
+  throw Error(taken);
+}
+
+DirectoryLock::DirectoryLock(DirectoryLock&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), protects_(other.protects_) {}
+
+DirectoryLock::~DirectoryLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+}  // namespace burnish

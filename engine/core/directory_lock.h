@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace burnish {
+
+/// Keeps other processes from a directory that all of them lock. The system gives it back when the process
+/// ends, however it ends.
+class DirectoryLock {
+ public:
+  enum class Children {
+    LetGo,  ///< the lock ends with this process
+    Keep    ///< processes that this one starts keep the lock as long as they live
+  };
+
+  /// Makes the directory if need be. Throws `Error` if that is impossible, and with the message `taken` if
+  /// another process has the lock.
+  DirectoryLock(const std::filesystem::path& directory, Children children, const std::string& taken);
+  DirectoryLock(DirectoryLock&& other) noexcept;
+  DirectoryLock& operator=(DirectoryLock&&) = delete;
+  ~DirectoryLock();
+
+  /// False on file systems that have no locks: nothing keeps other processes away.
+  bool protects() const { return protects_; }
+
+ private:
+  int descriptor_;
+  bool protects_ = true;
+};
+
+}  // namespace burnish
