@@ -171,7 +171,7 @@ void Model<Dim>::addLoad(const Scene& scene, std::size_t number) {
 template <int Dim>
 void Model<Dim>::requireFiniteFormulas(const Scene& scene) const {
   std::vector<double> times{0.0};
-  for (const Landing& landing : timeGrid(scene, corners_)) times.push_back(landing.time);
+  for (const TimePoint& point : timeGrid(scene, corners_)) times.push_back(point.time);
   InputProblems problems;
   problems.gather([&] { supports_.requireFinite(times); });
   for (std::size_t k = 0; k < loads_.size(); ++k)

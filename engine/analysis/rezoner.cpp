@@ -41,7 +41,7 @@ constexpr std::array kGrowths{1.0, 1.6, 2.4};
 constexpr double kFarthestShare = 0.5;
 constexpr double kShiftShare = 0.25;
 
-/// Parts in which the gaps with which a stage begins are taken away, until one way leads to equilibrium.
+/// Parts in which the gaps with which a simulation begins are taken away, until one way leads to equilibrium.
 constexpr std::array kRamps{1, 4, 16};
 
 /// By this factor the augmentation parameter is larger until then: with multipliers that are only guessed,
@@ -148,12 +148,12 @@ struct Settlement {
   double gapWork = 0.0;  ///< see `RezoningRecord`
 };
 
-/// λ_A of all pairs of a stage.
-std::vector<Eigen::VectorXd> multipliersOf(const Stage<2>& stage) {
+/// λ_A of all pairs of a simulation.
+std::vector<Eigen::VectorXd> multipliersOf(const Simulation<2>& simulation) {
   std::vector<Eigen::VectorXd> multipliers;
-  for (const auto& pair : stage.model->contacts())
+  for (const auto& pair : simulation.model->contacts())
     multipliers.push_back(
-        stage.stepping.state().x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()));
+        simulation.stepping.state().x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()));
   return multipliers;
 }
 
@@ -188,50 +188,51 @@ void forEachContact(const Model<2>& model, const F& f) {
   for (const auto& contact : model.selfContacts()) f(*contact.term);
 }
 
-/// Brings a stage into equilibrium while the gaps with which it begins, and which pairs in contact should not
+/// Brings a simulation into equilibrium while the gaps with which it begins, and which pairs in contact should not
 /// have, are taken away in equal parts.
-Settlement settle(Stage<2>& stage, int parts) {
+Settlement settle(Simulation<2>& simulation, int parts) {
   std::vector<Eigen::VectorXd> origins;
   Settlement result;
   NewtonReport& report = result.report;
   report.outcome = NewtonOutcome::Inadmissible;
-  if (!stage.evaluateHere().admissible) return result;
-  for (const auto& pair : stage.model->contacts()) {
+  if (!simulation.evaluateHere().admissible) return result;
+  for (const auto& pair : simulation.model->contacts()) {
     const Eigen::VectorXd& gaps = pair.term->state().averageGap;
     const auto toClose = gapsToClose(
-        gaps, stage.stepping.state().x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()),
+        gaps,
+        simulation.stepping.state().x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()),
         kStiffer * pair.term->options().parameter);
     origins.emplace_back(Eigen::VectorXd::Zero(gaps.size()))(toClose) = gaps(toClose);
   }
   std::vector<double> parameters;
-  forEachContact(*stage.model, [&](auto& term) {
+  forEachContact(*simulation.model, [&](auto& term) {
     parameters.push_back(term.options().parameter);
     term.setParameter(kStiffer * parameters.back());
   });
   int iterations = 0;
-  std::vector<Eigen::VectorXd> before = multipliersOf(stage);
+  std::vector<Eigen::VectorXd> before = multipliersOf(simulation);
   for (int left = parts - 1; left >= 0; --left) {
     for (std::size_t k = 0; k < origins.size(); ++k)
-      stage.model->contacts()[k].term->countGapsFrom(left == 0 ? Eigen::VectorXd()
-                                                               : Eigen::VectorXd(origins[k] * left / parts));
-    report = stage.stepping.settle();
+      simulation.model->contacts()[k].term->countGapsFrom(
+          left == 0 ? Eigen::VectorXd() : Eigen::VectorXd(origins[k] * left / parts));
+    report = simulation.stepping.settle();
     iterations += report.iterations;
     if (report.outcome != NewtonOutcome::Converged) break;
-    std::vector<Eigen::VectorXd> now = multipliersOf(stage);
+    std::vector<Eigen::VectorXd> now = multipliersOf(simulation);
     for (std::size_t k = 0; k < origins.size(); ++k)
-      result.gapWork += stage.model->contacts()[k].term->weights().dot(
+      result.gapWork += simulation.model->contacts()[k].term->weights().dot(
           (0.5 / parts * (before[k] + now[k])).cwiseProduct(origins[k]));
     before = std::move(now);
   }
   auto parameter = parameters.begin();
-  forEachContact(*stage.model, [&](auto& term) { term.setParameter(*parameter++); });
+  forEachContact(*simulation.model, [&](auto& term) { term.setParameter(*parameter++); });
   report.iterations = iterations;
   return result;
 }
 
 }  // namespace
 
-Rezoner::Rezoner(const Scene& scene, const Stage<2>& initial)
+Rezoner::Rezoner(const Scene& scene, const Simulation<2>& initial)
     : scene_(scene),
       spec_(*scene.rezoning),
       face_(faceFromName<2>(scene.contact.front().place.face)),
@@ -242,35 +243,35 @@ Rezoner::Rezoner(const Scene& scene, const Stage<2>& initial)
       wait_(travel_),
       origin_(initial.model->body().nodePositions()) {}
 
-std::vector<ToolPose> Rezoner::posesOf(const Stage<2>& stage) const {
+std::vector<ToolPose> Rezoner::posesOf(const Simulation<2>& simulation) const {
   std::vector<ToolPose> poses;
-  const auto& state = stage.stepping.state();
-  for (const auto& tool : stage.model->tools())
+  const auto& state = simulation.stepping.state();
+  for (const auto& tool : simulation.model->tools())
     poses.push_back(tool->pose(std::max(0.0, state.time), state.x));
   return poses;
 }
 
-double Rezoner::travelSince(const Stage<2>& stage) const {
-  const auto poses = posesOf(stage);
+double Rezoner::travelSince(const Simulation<2>& simulation) const {
+  const auto poses = posesOf(simulation);
   double travel = 0.0;
-  for (const auto& pair : stage.model->contacts())
+  for (const auto& pair : simulation.model->contacts())
     travel = std::max(travel, (poses[pair.tool].displacement - last_[pair.tool].displacement).norm());
   return travel;
 }
 
-bool Rezoner::isDue(const Stage<2>& stage) const {
-  if (stage.recorder.crossesItself()) return false;
+bool Rezoner::isDue(const Simulation<2>& simulation) const {
+  if (simulation.recorder.crossesItself()) return false;
   constexpr double kAlmost = 1.0 - 1e-9;  // steps that land on the travel, but for rounding
-  if (travelSince(stage) >= kAlmost * wait_) return true;
+  if (travelSince(simulation) >= kAlmost * wait_) return true;
   if (failedLast_) return false;
-  const auto& x = stage.stepping.state().x;
-  if (stage.model->bulk().largestStretch(x) > spec_.stretch) return true;
+  const auto& x = simulation.stepping.state().x;
+  if (simulation.model->bulk().largestStretch(x) > spec_.stretch) return true;
   return spec_.quality > 0.0 &&
-         meshQuality(deformedPatch(stage.model->body().patches.front(), x)) < spec_.quality;
+         meshQuality(deformedPatch(simulation.model->body().patches.front(), x)) < spec_.quality;
 }
 
-Rezoner::Place Rezoner::findContact(const Stage<2>& stage, const ArcLengthCurve& face) const {
-  const Model<2>& model = *stage.model;
+Rezoner::Place Rezoner::findContact(const Simulation<2>& simulation, const ArcLengthCurve& face) const {
+  const Model<2>& model = *simulation.model;
   Place place{{std::numeric_limits<double>::infinity(), 0.0}, 1.0};
   double nearest = std::numeric_limits<double>::infinity(), nearestPlace = 0.0;
   std::size_t tool = 0;
@@ -292,15 +293,15 @@ Rezoner::Place Rezoner::findContact(const Stage<2>& stage, const ArcLengthCurve&
     const double s = face.lengthTo(nearestPlace);
     place.contact = {s, s};
   }
-  const Eigen::Vector3d moved = posesOf(stage)[tool].displacement - last_[tool].displacement;
+  const Eigen::Vector3d moved = posesOf(simulation)[tool].displacement - last_[tool].displacement;
   const double middle = 0.5 * (place.contact.begin + place.contact.end);
   if (moved.head<2>().dot(face.tangentAt(middle)) < 0.0) place.direction = -1.0;
   return place;
 }
 
-RemeshOptions Rezoner::options(const Stage<2>& stage, const Patch<2>& deformed) const {
+RemeshOptions Rezoner::options(const Simulation<2>& simulation, const Patch<2>& deformed) const {
   const ArcLengthCurve face(tracePatch(deformed, face_));
-  const Place place = findContact(stage, face);
+  const Place place = findContact(simulation, face);
   const double ahead = spec_.ahead.value_or(kAhead * length_),
                behind = spec_.behind.value_or(kBehind * length_);
   RemeshOptions options;
@@ -317,9 +318,9 @@ RemeshOptions Rezoner::options(const Stage<2>& stage, const Patch<2>& deformed) 
   return options;
 }
 
-void Rezoner::setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
+void Rezoner::setMultipliers(const Simulation<2>& simulation, const Patch<2>& deformed, const Model<2>& next,
                              Eigen::VectorXd& x) const {
-  const Model<2>& model = *stage.model;
+  const Model<2>& model = *simulation.model;
   const auto set = [&](const auto& oldTerm, const auto& newTerm, FaceId face) {
     x.segment(newTerm.firstMultiplier(), newTerm.numMultipliers()) = transferredMultipliers(
         model.body(), face, deformed, next.body().patches.front(), oldTerm.state().lambdaHat);
@@ -331,9 +332,10 @@ void Rezoner::setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, co
 }
 
 /// The new mesh so that it begins in contact, or as it is where that is not found.
-Patch<2> Rezoner::inContact(const Stage<2>& stage, const Patch<2>& deformed, const Remeshing& meshing) const {
-  const Model<2>& model = *stage.model;
-  const auto poses = posesOf(stage);
+Patch<2> Rezoner::inContact(const Simulation<2>& simulation, const Patch<2>& deformed,
+                            const Remeshing& meshing) const {
+  const Model<2>& model = *simulation.model;
+  const auto poses = posesOf(simulation);
   std::vector<RestingTool> resting;
   for (std::size_t k = 0; k < model.contacts().size(); ++k) {
     const auto& pair = model.contacts()[k];
@@ -355,44 +357,44 @@ Patch<2> Rezoner::inContact(const Stage<2>& stage, const Patch<2>& deformed, con
   return fittedToTools(meshing.patch, resting, options).value_or(meshing.patch);
 }
 
-SteppingState Rezoner::startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
-                               const Eigen::Matrix2Xd& anchors) const {
-  const SteppingState& before = stage.stepping.state();
+SteppingState Rezoner::startOn(const Simulation<2>& simulation, const Patch<2>& deformed,
+                               const Model<2>& next, const Eigen::Matrix2Xd& anchors) const {
+  const SteppingState& before = simulation.stepping.state();
   SteppingState start = before;
   start.x = Eigen::VectorXd::Zero(next.numUnknowns());
-  setMultipliers(stage, deformed, next, start.x);
+  setMultipliers(simulation, deformed, next, start.x);
   start.level = std::max(before.level, kLevelAfterwards);
   start.easySteps = 0;
   start.lastIncrement.resize(0);
   if (before.lastIncrement.size() == 0) return start;
   start.lastIncrement = Eigen::VectorXd::Zero(next.numUnknowns());
-  const Eigen::MatrixXd increments =
-      before.lastIncrement.head(stage.model->numDisplacements()).reshaped(2, stage.model->body().numNodes);
+  const Eigen::MatrixXd increments = before.lastIncrement.head(simulation.model->numDisplacements())
+                                         .reshaped(2, simulation.model->body().numNodes);
   for (Eigen::Index a = 0; a < anchors.cols(); ++a)
     start.lastIncrement.segment<2>(2 * a) = valueAt(deformed, increments, anchors.col(a));
   return start;
 }
 
-std::unique_ptr<Stage<2>> Rezoner::rezone(Stage<2>& stage) {
+std::unique_ptr<Simulation<2>> Rezoner::rezone(Simulation<2>& simulation) {
   // Evaluated with the partners in self-contact as they are now, as a resumed run does.
-  const bool isAdmissible = stage.evaluateHere().admissible;
-  if (!isAdmissible) fail(stage, "its state cannot be evaluated again");
-  std::unique_ptr<Stage<2>> next;
+  const bool isAdmissible = simulation.evaluateHere().admissible;
+  if (!isAdmissible) fail(simulation, "its state cannot be evaluated again");
+  std::unique_ptr<Simulation<2>> next;
   try {
-    if (isAdmissible) next = attempt(stage);
+    if (isAdmissible) next = attempt(simulation);
   } catch (const Error& error) {
-    fail(stage, error.what());
+    fail(simulation, error.what());
   }
-  last_ = posesOf(stage);
+  last_ = posesOf(simulation);
   failedLast_ = next == nullptr;
   wait_ = failedLast_ ? kShareToNextTry * travel_ : travel_;
   return next;
 }
 
-std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
-  const auto& state = stage.stepping.state();
-  const Patch<2> deformed = deformedPatch(stage.model->body().patches.front(), state.x);
-  RemeshOptions wanted = options(stage, deformed);
+std::unique_ptr<Simulation<2>> Rezoner::attempt(Simulation<2>& simulation) {
+  const auto& state = simulation.stepping.state();
+  const Patch<2> deformed = deformedPatch(simulation.model->body().patches.front(), state.x);
+  RemeshOptions wanted = options(simulation, deformed);
   std::optional<Remeshing> meshing;
   for (const double factor : kGrowths) {
     wanted.growth.slope = factor * spec_.growth;
@@ -400,45 +402,46 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
     if (meshing) break;
   }
   if (!meshing) {
-    fail(stage, "no mesh of the deformed body is sound");
+    fail(simulation, "no mesh of the deformed body is sound");
     return nullptr;
   }
   const Patch<2> fitted = meshing->patch;
-  meshing->patch = inContact(stage, deformed, *meshing);
+  meshing->patch = inContact(simulation, deformed, *meshing);
   meshing->boundaryError += (meshing->patch.points() - fitted.points()).colwise().norm().maxCoeff();
   meshing->quality = meshQuality(meshing->patch);
 
-  RezonedBody<2> body{{makeBody(meshing->patch), {{}}}, {}, stage.model->bulk().plasticWork(), state.time};
-  body.named.body.axisymmetric = stage.model->body().axisymmetric;
+  RezonedBody<2> body{
+      {makeBody(meshing->patch), {{}}}, {}, simulation.model->bulk().plasticWork(), state.time};
+  body.named.body.axisymmetric = simulation.model->body().axisymmetric;
   const SpanQuadrature<2> quadrature(body.named.body, scene_.quadraturePoints.value_or(0));
   const InverseMap map(deformed);
   const double farthest = kFarthestShare * meshing->smallestSpan;
   const Eigen::Matrix2Xd parameters = parametersIn(map, pointPositions(quadrature, meshing->patch), farthest);
-  const auto& history = stage.model->bulk().history();
-  PointStates states{stage.model->bulk().elasticDeformation(state.x), {}};
+  const auto& history = simulation.model->bulk().history();
+  PointStates states{simulation.model->bulk().elasticDeformation(state.x), {}};
   for (const auto& point : history) states.e_p.push_back(point.e_p);
-  body.states = interpolated(stage.model->quadrature(), deformed.basis(), states, parameters);
+  body.states = interpolated(simulation.model->quadrature(), deformed.basis(), states, parameters);
 
   const Eigen::Matrix2Xd anchors = parametersIn(map, anchorPositions(meshing->patch), farthest);
   Settlement settlement;
-  std::unique_ptr<Stage<2>> next;
+  std::unique_ptr<Simulation<2>> next;
   long failedIterations = 0;
   for (const int ramp : kRamps) {
     auto model = std::make_unique<Model<2>>(scene_, body);
-    SteppingState start = startOn(stage, deformed, *model, anchors);
+    SteppingState start = startOn(simulation, deformed, *model, anchors);
     start.iterations += failedIterations;
-    next = std::make_unique<Stage<2>>(scene_, std::move(model), std::move(start));
+    next = std::make_unique<Simulation<2>>(scene_, std::move(model), std::move(start));
     settlement = settle(*next, ramp);
     if (settlement.report.outcome == NewtonOutcome::Converged) break;
     failedIterations += settlement.report.iterations;
   }
   const NewtonReport& report = lastReport_ = settlement.report;
   if (report.outcome != NewtonOutcome::Converged) {
-    fail(stage, fmt::format("no equilibrium on a new mesh of quality {:.2g}, {}", meshing->quality,
-                            describe(report.outcome)));
+    fail(simulation, fmt::format("no equilibrium on a new mesh of quality {:.2g}, {}", meshing->quality,
+                                 describe(report.outcome)));
     return nullptr;
   }
-  next->recorder.continueFrom(stage.recorder);
+  next->recorder.continueFrom(simulation.recorder);
   next->record();
 
   Eigen::MatrixXd origin(parameters.cols(), 2);
@@ -448,7 +451,7 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   body_ = std::move(body);
   records_.push_back(
       {.time = state.time,
-       .energyLost = stage.recorder.current().strainEnergy - next->recorder.current().strainEnergy,
+       .energyLost = simulation.recorder.current().strainEnergy - next->recorder.current().strainEnergy,
        .gapWork = settlement.gapWork,
        .volumeDrift = next->model->bulk().weights().sum() / volume_ - 1.0,
        .boundaryError = meshing->boundaryError,
@@ -459,15 +462,16 @@ std::unique_ptr<Stage<2>> Rezoner::attempt(Stage<2>& stage) {
   return next;
 }
 
-void Rezoner::fail(const Stage<2>& stage, const std::string& why) {
+void Rezoner::fail(const Simulation<2>& simulation, const std::string& why) {
   ++numFailures_;
-  lastFailure_ = fmt::format("t = {:.6g}: {}", stage.stepping.state().time, why);
+  lastFailure_ = fmt::format("t = {:.6g}: {}", simulation.stepping.state().time, why);
 }
 
-std::optional<MeshRecord> Rezoner::frameMesh(const Stage<2>& stage, Eigen::MatrixXd& displacement) const {
+std::optional<MeshRecord> Rezoner::frameMesh(const Simulation<2>& simulation,
+                                             Eigen::MatrixXd& displacement) const {
   if (records_.empty()) return std::nullopt;
-  displacement += stage.model->body().nodePositions() - origin_;
-  MeshRecord mesh = meshRecord(stage.model->body());
+  displacement += simulation.model->body().nodePositions() - origin_;
+  MeshRecord mesh = meshRecord(simulation.model->body());
   mesh.patches.front().points = origin_;
   return mesh;
 }
@@ -502,13 +506,13 @@ void Rezoner::archiveRecords(StateArchive& archive) {
     records_.push_back({r(0), r(1), r(2), r(3), r(4), r(5), r(6), static_cast<int>(r(7))});
 }
 
-std::unique_ptr<Stage<2>> Rezoner::restoredStage() const {
+std::unique_ptr<Simulation<2>> Rezoner::restoredSimulation() const {
   if (!body_) return nullptr;
   auto model = std::make_unique<Model<2>>(scene_, *body_);
   SteppingState start;
   start.time = body_->time;
   start.x = Eigen::VectorXd::Zero(model->numUnknowns());
-  return std::make_unique<Stage<2>>(scene_, std::move(model), std::move(start));
+  return std::make_unique<Simulation<2>>(scene_, std::move(model), std::move(start));
 }
 
 }  // namespace burnish

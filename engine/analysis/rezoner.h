@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/analysis/stage.h"
+#include "engine/analysis/simulation.h"
 #include "engine/core/state_archive.h"
 #include "engine/results/result.h"
 #include "engine/results/summary_file.h"
@@ -17,17 +17,17 @@ namespace burnish {
 /// always resolved where the tool is.
 class Rezoner {
  public:
-  /// The scene, which asks for rezoning, must outlive the object. initial: the stage in which the run begins.
-  Rezoner(const Scene& scene, const Stage<2>& initial);
+  /// The scene, which asks for rezoning, must outlive the object. initial: the simulation in which the run begins.
+  Rezoner(const Scene& scene, const Simulation<2>& initial);
 
   /// Whether the last accepted state calls for a new mesh: the tool's travel, the stretch or the quality of
   /// the mesh since the last one. Not where the face crosses itself: what is there twice has no mesh.
-  bool isDue(const Stage<2>& stage) const;
+  bool isDue(const Simulation<2>& simulation) const;
 
-  /// The stage that goes on from the last accepted state of this one, in equilibrium on a new mesh. Nothing
+  /// The simulation that goes on from the last accepted state of this one, in equilibrium on a new mesh. Nothing
   /// if there is no sound mesh or no equilibrium on it: the run then goes on as it is, and tries again after
   /// a quarter of the travel.
-  std::unique_ptr<Stage<2>> rezone(Stage<2>& stage);
+  std::unique_ptr<Simulation<2>> rezone(Simulation<2>& simulation);
 
   int count() const { return static_cast<int>(records_.size()); }
   const std::vector<RezoningRecord>& records() const { return records_; }
@@ -43,12 +43,12 @@ class Rezoner {
   /// The mesh of a frame, its control points where the material of the mesh's parameters was at the start of
   /// the run, approximately; nothing before the first rezoning. displacement: of the present reference,
   /// becomes the one from the start of the run.
-  std::optional<MeshRecord> frameMesh(const Stage<2>& stage, Eigen::MatrixXd& displacement) const;
+  std::optional<MeshRecord> frameMesh(const Simulation<2>& simulation, Eigen::MatrixXd& displacement) const;
 
   void archive(StateArchive& archive);
 
-  /// After restoring: the stage of the last rezoning, as it began; null if there was none.
-  std::unique_ptr<Stage<2>> restoredStage() const;
+  /// After restoring: the simulation of the last rezoning, as it began; null if there was none.
+  std::unique_ptr<Simulation<2>> restoredSimulation() const;
 
  private:
   struct Place {
@@ -57,20 +57,21 @@ class Rezoner {
   };
 
   /// The same; throws `Error` where the new body cannot be used.
-  std::unique_ptr<Stage<2>> attempt(Stage<2>& stage);
+  std::unique_ptr<Simulation<2>> attempt(Simulation<2>& simulation);
 
   /// Where the tools press on the face, or are nearest to it.
-  Place findContact(const Stage<2>& stage, const ArcLengthCurve& face) const;
-  RemeshOptions options(const Stage<2>& stage, const Patch<2>& deformed) const;
-  SteppingState startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
+  Place findContact(const Simulation<2>& simulation, const ArcLengthCurve& face) const;
+  RemeshOptions options(const Simulation<2>& simulation, const Patch<2>& deformed) const;
+  SteppingState startOn(const Simulation<2>& simulation, const Patch<2>& deformed, const Model<2>& next,
                         const Eigen::Matrix2Xd& anchors) const;
-  Patch<2> inContact(const Stage<2>& stage, const Patch<2>& deformed, const Remeshing& meshing) const;
-  void setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
+  Patch<2> inContact(const Simulation<2>& simulation, const Patch<2>& deformed,
+                     const Remeshing& meshing) const;
+  void setMultipliers(const Simulation<2>& simulation, const Patch<2>& deformed, const Model<2>& next,
                       Eigen::VectorXd& x) const;
-  std::vector<ToolPose> posesOf(const Stage<2>& stage) const;
-  double travelSince(const Stage<2>& stage) const;  ///< of a tool since `last_`
+  std::vector<ToolPose> posesOf(const Simulation<2>& simulation) const;
+  double travelSince(const Simulation<2>& simulation) const;  ///< of a tool since `last_`
   void archiveRecords(StateArchive& archive);
-  void fail(const Stage<2>& stage, const std::string& why);
+  void fail(const Simulation<2>& simulation, const std::string& why);
 
   const Scene& scene_;
   RezoningSpec spec_;
@@ -85,7 +86,7 @@ class Rezoner {
   NewtonReport lastReport_;
   int numFailures_ = 0;
   std::string lastFailure_;
-  std::optional<RezonedBody<2>> body_;  ///< as the present stage began
+  std::optional<RezonedBody<2>> body_;  ///< as the present simulation began
   Eigen::MatrixXd origin_;              ///< 2 x nodes: see `frameMesh`
 };
 

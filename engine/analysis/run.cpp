@@ -19,7 +19,7 @@
 #include "engine/analysis/model.h"
 #include "engine/analysis/rezoner.h"
 #include "engine/analysis/scene_report.h"
-#include "engine/analysis/stage.h"
+#include "engine/analysis/simulation.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
@@ -44,11 +44,11 @@ class Run {
         halt_(std::move(halt)),
         observer_(observer),
         record_(makeModelRecord(scene, *model)),
-        stage_(makeStage(scene, std::move(model))),
+        simulation_(makeSimulation(scene, std::move(model))),
         directory_(directory),
         files_(directory, record_, checkedColumns(resumes), resumes) {
     if constexpr (Dim == 2)
-      if (scene.rezoning) rezoner_.emplace(scene, *stage_);
+      if (scene.rezoning) rezoner_.emplace(scene, *simulation_);
   }
 
   RunSummary execute() {
@@ -68,11 +68,11 @@ class Run {
   void archive(StateArchive& archive) {
     summary_.timings.total = seconds();
     if (rezoner_) archiveRezoner(archive);
-    archive.part("stepping", stage_->stepping);
-    archive.part("newton", stage_->newton);
-    for (std::size_t k = 0; k < stage_->terms.size(); ++k)
-      archive.part(fmt::format("term{}", k), *stage_->terms[k]);
-    archive.part("recorder", stage_->recorder);
+    archive.part("stepping", simulation_->stepping);
+    archive.part("newton", simulation_->newton);
+    for (std::size_t k = 0; k < simulation_->terms.size(); ++k)
+      archive.part(fmt::format("term{}", k), *simulation_->terms[k]);
+    archive.part("recorder", simulation_->recorder);
     archive.part("summary", summary_);
     archive.field("step", step_);
     archive.field("last_frame_time", lastFrameTime_);
@@ -81,26 +81,27 @@ class Run {
   }
 
  private:
-  static std::unique_ptr<Stage<Dim>> makeStage(const Scene& scene, std::unique_ptr<Model<Dim>> model) {
+  static std::unique_ptr<Simulation<Dim>> makeSimulation(const Scene& scene,
+                                                         std::unique_ptr<Model<Dim>> model) {
     SteppingState start = model->startState();
-    return std::make_unique<Stage<Dim>>(scene, std::move(model), std::move(start));
+    return std::make_unique<Simulation<Dim>>(scene, std::move(model), std::move(start));
   }
 
   /// Columns of the history; before anything is written, refuses what can be seen to have no good end.
   std::vector<std::string> checkedColumns(bool resumes) {
-    std::vector<std::string> columns = stage_->recorder.columns();
+    std::vector<std::string> columns = simulation_->recorder.columns();
     if (resumes) return columns;
     requireKnownColumns(scene_, columns);
     observer_.onModel(record_);
     return columns;
   }
 
-  const SteppingState& state() const { return stage_->stepping.state(); }
+  const SteppingState& state() const { return simulation_->stepping.state(); }
 
   void archiveRezoner(StateArchive& archive) {
     archive.part("rezoner", *rezoner_);
     if constexpr (Dim == 2)
-      if (archive.restores() && rezoner_->count() > 0) stage_ = rezoner_->restoredStage();
+      if (archive.restores() && rezoner_->count() > 0) simulation_ = rezoner_->restoredSimulation();
   }
 
   double seconds() const {
@@ -129,8 +130,8 @@ class Run {
 
   /// Hands the state that a step has just reached to the recorder.
   void record() {
-    stage_->record();
-    if (const std::string pulled = stage_->model->pulledTool(); !pulled.empty())
+    simulation_->record();
+    if (const std::string pulled = simulation_->model->pulledTool(); !pulled.empty())
       throw RunError(
           fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a free way "
                       "has to be pressed on the body, or its motion prescribed",
@@ -139,20 +140,20 @@ class Run {
 
   /// Brings lifted tools down and records the state at t = 0.
   Walk approach() {
-    const auto forces = stage_->evaluateHere();
-    stage_->recorder.update({state().time, state().x, forces.bulk}, forces.total, {});
-    for (Term* term : stage_->terms) term->accept();
+    const auto forces = simulation_->evaluateHere();
+    simulation_->recorder.update({state().time, state().x, forces.bulk}, forces.total, {});
+    for (Term* term : simulation_->terms) term->accept();
     Walk walk = Walk::Arrived;
-    const double startTime = stage_->model->startTime();
+    const double startTime = simulation_->model->startTime();
     if (startTime < 0.0) {
-      walk = stage_->stepping.advance(0.0, -0.25 * startTime, [this](const StepReport& step) {
+      walk = simulation_->stepping.advance(0.0, -0.25 * startTime, [this](const StepReport& step) {
         record();
         noteResiduals(step.newton);
         ++summary_.approachSteps;
         summary_.approachIterations += step.iterations;
         return true;
       });
-      stage_->stepping.forgetIncrement();
+      simulation_->stepping.forgetIncrement();
     }
     append(0, 0);
     if (walk == Walk::Arrived) writeFrame();
@@ -160,24 +161,24 @@ class Run {
   }
 
   Walk walk() {
-    const auto grid = timeGrid(scene_, stage_->model->corners());
+    const auto grid = timeGrid(scene_, simulation_->model->corners());
     rezoningIsDue_ = needsRezoning();
-    for (const Landing& landing : grid) {
-      if (landing.time < state().time) continue;  // of a run that is resumed
+    for (const TimePoint& point : grid) {
+      if (point.time < state().time) continue;  // of a run that is resumed
       Walk walk = Walk::Arrived;
       do {
         if (rezoningIsDue_) rezone();
         rezoningIsDue_ = false;
-        walk = stage_->stepping.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
+        walk = simulation_->stepping.advance(point.time, point.nominalStep, [&](const StepReport& step) {
           takeIn(step, grid.back().time);
           rezoningIsDue_ = needsRezoning();
           return !halts_ && !rezoningIsDue_;
         });
       } while (walk == Walk::Halted && !halts_);
       if (walk != Walk::Arrived) return walk;
-      if (landing.frame && lastFrameTime_ != landing.time) writeFrame();
-      if (landing.corner) stage_->stepping.forgetIncrement();
-      if (halts_ && landing.time < grid.back().time) return Walk::Halted;
+      if (point.frame && lastFrameTime_ != point.time) writeFrame();
+      if (point.corner) simulation_->stepping.forgetIncrement();
+      if (halts_ && point.time < grid.back().time) return Walk::Halted;
     }
     return Walk::Arrived;
   }
@@ -198,18 +199,18 @@ class Run {
   }
 
   bool needsRezoning() const {
-    if constexpr (Dim == 2) return rezoner_ && rezoner_->isDue(*stage_);
+    if constexpr (Dim == 2) return rezoner_ && rezoner_->isDue(*simulation_);
     return false;
   }
 
   /// Meshes the body anew; without success the run goes on as it is.
   void rezone() {
     if constexpr (Dim == 2) {
-      auto next = rezoner_->rezone(*stage_);
-      if (!next) return stage_->recorder.noteFailedRezoning();
+      auto next = rezoner_->rezone(*simulation_);
+      if (!next) return simulation_->recorder.noteFailedRezoning();
       noteResiduals(rezoner_->lastReport());
       noteTimings();
-      stage_ = std::move(next);
+      simulation_ = std::move(next);
     }
   }
 
@@ -227,7 +228,7 @@ class Run {
   }
 
   void warn() {
-    const auto warnings = sceneWarnings(scene_, *stage_->model, stage_->recorder.columns());
+    const auto warnings = sceneWarnings(scene_, *simulation_->model, simulation_->recorder.columns());
     for (const InputProblem& warning : warnings)
       summary_.warnings.push_back(fmt::format("{}: {}", warning.path, warning.text));
     observer_.onWarnings(warningLines(scene_, warnings));
@@ -241,10 +242,10 @@ class Run {
 
   /// The current state as the next frame.
   FrameRecord nextFrame() {
-    FrameRecord frame = makeFrame(scene_, *stage_->model, stage_->projection, summary_.frames, step_,
-                                  state().time, state().x);
+    FrameRecord frame = makeFrame(scene_, *simulation_->model, simulation_->projection, summary_.frames,
+                                  step_, state().time, state().x);
     if constexpr (Dim == 2)
-      if (rezoner_) frame.mesh = rezoner_->frameMesh(*stage_, frame.displacement);
+      if (rezoner_) frame.mesh = rezoner_->frameMesh(*simulation_, frame.displacement);
     try {
       checkFrame(frame, record_, fmt::format("the frame at t = {:.6g}", state().time));
     } catch (const Error& error) {
@@ -263,19 +264,19 @@ class Run {
   }
 
   void noteFailure() {
-    const NewtonReport& failure = stage_->stepping.lastFailure();
+    const NewtonReport& failure = simulation_->stepping.lastFailure();
     summary_.stoppedBecause = fmt::format(
         "at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})", state().time,
-        stage_->stepping.lastFailedStep(), describe(failure.outcome), failure.residual);
-    const Failure found = diagnose(*stage_->model, failure);
+        simulation_->stepping.lastFailedStep(), describe(failure.outcome), failure.residual);
+    const Failure found = diagnose(*simulation_->model, failure);
     summary_.stoppedBecause += "; " + found.findings;
     summary_.advice = found.advice;
-    if (const std::string pulled = stage_->model->pulledTool(); !pulled.empty())
+    if (const std::string pulled = simulation_->model->pulledTool(); !pulled.empty())
       summary_.stoppedBecause += fmt::format(
           "; tool '{}' had lost the body: the load that it carries may have pulled it off, or does not "
           "determine its place",
           pulled);
-    if (const std::string way = stage_->model->runawayWay(); !way.empty())
+    if (const std::string way = simulation_->model->runawayWay(); !way.empty())
       summary_.stoppedBecause += fmt::format(
           "; {}: the tool would have turned by more than 0.2 radians, or moved by more than the body's size, "
           "in one step, as too little resists it in this way: leave it out of carry, prescribe it, or place "
@@ -284,7 +285,7 @@ class Run {
   }
 
   void append(int step, int iterations) {
-    const Recorder<Dim>& recorder = stage_->recorder;
+    const Recorder<Dim>& recorder = simulation_->recorder;
     const std::vector<double> row = recorder.row(step, iterations);
     for (std::size_t column = 0; column < row.size(); ++column)
       if (!std::isfinite(row[column]))
@@ -298,35 +299,35 @@ class Run {
   void keepLastState() {
     const double time = state().time;
     if (time != lastRowTime_ || (summary_.frames > 0 && time == lastFrameTime_)) return;
-    static_cast<void>(stage_->evaluateHere());
+    static_cast<void>(simulation_->evaluateHere());
     const FrameRecord frame = nextFrame();
     files_.appendLast(frame);
     observer_.onFrame(record_, frame);
   }
 
-  /// Adds what the present stage has spent to the summary.
+  /// Adds what the present simulation has spent to the summary.
   void noteTimings() {
-    const auto& timings = stage_->newton.timings();
+    const auto& timings = simulation_->newton.timings();
     for (std::size_t k = 0; k < timings.terms.size(); ++k) {
       const bool isContact =
-          k >= 1 && k <= stage_->model->contacts().size() + stage_->model->selfContacts().size();
+          k >= 1 && k <= simulation_->model->contacts().size() + simulation_->model->selfContacts().size();
       (isContact ? summary_.timings.contact : summary_.timings.assembly) += timings.terms[k];
     }
     summary_.timings.factorisation += timings.factorisation;
     summary_.timings.solve += timings.solve;
-    auto& solver = stage_->newton.linearSolver();
+    auto& solver = simulation_->newton.linearSolver();
     summary_.factorNonZeros = std::max(summary_.factorNonZeros, solver.factorNonZeros());
     summary_.luFactorisations += solver.numGeneral();
   }
 
   void fillSummary() {
     noteTimings();
-    if (!summary_.halted) stage_->recorder.noteEnd();
-    const Recorder<Dim>& recorder = stage_->recorder;
+    if (!summary_.halted) simulation_->recorder.noteEnd();
+    const Recorder<Dim>& recorder = simulation_->recorder;
     summary_.timings.total = seconds();
     summary_.program = record_.program;
-    summary_.functions = stage_->model->body().numNodes;
-    summary_.unknowns = static_cast<int>(stage_->newton.system().freeUnknowns().size());
+    summary_.functions = simulation_->model->body().numNodes;
+    summary_.unknowns = static_cast<int>(simulation_->newton.system().freeUnknowns().size());
     summary_.steps = step_;
     summary_.cuts = state().cuts;
     summary_.smallestStep = state().smallestStep;
@@ -334,15 +335,15 @@ class Run {
     summary_.meanIterations = static_cast<double>(summary_.iterations) / std::max(1, step_);
     summary_.tolerance = scene_.solver.tolerance;
     summary_.constraintTolerance = NewtonOptions{}.constraintTolerance;
-    if (!stage_->model->contacts().empty())
-      summary_.contactParameter = stage_->model->contacts().front().term->options().parameter;
-    else if (!stage_->model->selfContacts().empty())
-      summary_.contactParameter = stage_->model->selfContacts().front().term->options().parameter;
+    if (!simulation_->model->contacts().empty())
+      summary_.contactParameter = simulation_->model->contacts().front().term->options().parameter;
+    else if (!simulation_->model->selfContacts().empty())
+      summary_.contactParameter = simulation_->model->selfContacts().front().term->options().parameter;
     summary_.end = recorder.current();
     if (summary_.completed) summary_.endVonMises = recorder.projectedVonMises();
     summary_.smallestJ = recorder.smallestJ();
     summary_.largestPenetration = recorder.largestPenetration();
-    summary_.stabilised = stage_->model->stabilisation() != nullptr;
+    summary_.stabilised = simulation_->model->stabilisation() != nullptr;
     summary_.largestStabilisedShare = recorder.largestStabilisedShare();
     summary_.doubts = recorder.doubts();
     std::stable_sort(summary_.doubts.begin(), summary_.doubts.end(),
@@ -360,7 +361,7 @@ class Run {
   std::function<bool()> halt_;
   RunObserver& observer_;
   ModelRecord record_;  ///< of the model in which the run begins
-  std::unique_ptr<Stage<Dim>> stage_;
+  std::unique_ptr<Simulation<Dim>> simulation_;
   std::optional<Rezoner> rezoner_;
   std::filesystem::path directory_;
   RunFiles files_;

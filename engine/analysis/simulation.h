@@ -12,11 +12,11 @@ namespace burnish {
 
 /// A model with everything that solves and records it: what is replaced when the body is meshed anew.
 template <int Dim>
-struct Stage {
-  /// The scene must outlive the stage.
-  Stage(const Scene& scene, std::unique_ptr<Model<Dim>> model, SteppingState start);
-  Stage(const Stage&) = delete;
-  Stage& operator=(const Stage&) = delete;
+struct Simulation {
+  /// The scene must outlive the simulation.
+  Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> model, SteppingState start);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
 
   struct Forces {
     Eigen::VectorXd bulk, total;

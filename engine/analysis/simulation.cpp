@@ -1,11 +1,11 @@
-#include "engine/analysis/stage.h"
+#include "engine/analysis/simulation.h"
 
 #include <utility>
 
 namespace burnish {
 
 template <int Dim>
-Stage<Dim>::Stage(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start)
+Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start)
     : model(std::move(itsModel)),
       terms(model->terms()),
       newton(terms, model->prescribed(), model->residualScales(),
@@ -17,7 +17,7 @@ Stage<Dim>::Stage(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, Step
       recorder(scene, *model, projection) {}
 
 template <int Dim>
-typename Stage<Dim>::Forces Stage<Dim>::evaluateHere() {
+typename Simulation<Dim>::Forces Simulation<Dim>::evaluateHere() {
   const auto& state = stepping.state();
   Forces forces{{}, Eigen::VectorXd::Zero(model->numUnknowns()), true};
   for (Term* term : terms) {
@@ -31,14 +31,14 @@ typename Stage<Dim>::Forces Stage<Dim>::evaluateHere() {
 }
 
 template <int Dim>
-void Stage<Dim>::record() {
+void Simulation<Dim>::record() {
   Eigen::VectorXd total = Eigen::VectorXd::Zero(model->numUnknowns());
   for (const Eigen::VectorXd& force : newton.forces()) total += force;
   recorder.update({stepping.state().time, stepping.state().x, newton.forces().front()}, total,
                   {newton.unstableDirections(), model->stabilisedShare(newton.forces())});
 }
 
-template struct Stage<2>;
-template struct Stage<3>;
+template struct Simulation<2>;
+template struct Simulation<3>;
 
 }  // namespace burnish
