@@ -259,7 +259,7 @@ class Run {
   void archiveRezoner(StateArchive& archive) {
     archive.part("rezoner", *rezoner_);
     if constexpr (Dim == 2)
-      if (archive.restores() && rezoner_->count() > 0) simulation_ = rezoner_->restoredSimulation();
+      if (archive.restores() && !rezoner_->records().empty()) simulation_ = rezoner_->restoredSimulation();
   }
 
   SavedState save() {

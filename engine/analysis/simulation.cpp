@@ -1,5 +1,6 @@
 #include "engine/analysis/simulation.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace burnish {
@@ -36,6 +37,14 @@ void Simulation<Dim>::record() {
   for (const Eigen::VectorXd& force : newton.forces()) total += force;
   recorder.update({stepping.state().time, stepping.state().x, newton.forces().front()}, total,
                   {newton.unstableDirections(), model->stabilisedShare(newton.forces())});
+}
+
+template <int Dim>
+std::vector<ToolPose> Simulation<Dim>::toolPoses() const {
+  const SteppingState& state = stepping.state();
+  std::vector<ToolPose> poses;
+  for (const auto& tool : model->tools()) poses.push_back(tool->pose(std::max(0.0, state.time), state.x));
+  return poses;
 }
 
 template struct Simulation<2>;
