@@ -45,7 +45,7 @@ void archiveMatrix(StateArchive& archive, const std::string& name, Eigen::Index 
   matrix = values.reshaped(rows, values.size() / rows).eval();
 }
 
-void archiveBody(StateArchive& archive, std::optional<RezonedBody<2>>& body) {
+void archiveBody(StateArchive& archive, std::optional<RezonedBody>& body) {
   std::array<std::optional<UnivariateBasis>, 2> directions;
   Eigen::MatrixXd points;
   bool axisymmetric = false;

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 
-#include "engine/analysis/model.h"
+#include "engine/analysis/build_model.h"
 #include "engine/analysis/simulation.h"
 #include "engine/rezoning/remesh.h"
 
@@ -17,7 +17,7 @@ class CarryOver {
             int quadraturePoints);
 
   /// The body on the new mesh with the history of its matter.
-  const RezonedBody<2>& body() const { return body_; }
+  const RezonedBody& body() const { return body_; }
 
   /// Where a simulation on the new mesh begins: at the same time with the multipliers of now, no
   /// displacements, and smaller steps. next: the model of this body.
@@ -32,7 +32,7 @@ class CarryOver {
   Patch<2> deformed_;
   Eigen::Matrix2Xd points_;   ///< old parameters of the new quadrature points
   Eigen::Matrix2Xd anchors_;  ///< old parameters of the new functions' anchors
-  RezonedBody<2> body_;
+  RezonedBody body_;
 };
 
 /// Multipliers λ̂ of a face of a body of one patch per new reference area: what pressed on an old reference

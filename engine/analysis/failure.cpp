@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/analysis/free_tools.h"
+
 namespace burnish {
 namespace {
 
@@ -64,17 +66,17 @@ ContactFindings contactFindings(const Model<Dim>& model) {
 template <int Dim>
 std::vector<std::string> toolFindings(const Model<Dim>& model) {
   std::vector<std::string> findings;
-  if (const std::string pulled = model.pulledTool(); !pulled.empty())
+  if (const std::string pulled = pulledTool(model); !pulled.empty())
     findings.push_back(fmt::format(
         "tool '{}' had lost the body: the load that it carries may have pulled it off, or does not "
         "determine its place",
         pulled));
-  if (const std::string way = model.runawayWay(); !way.empty())
+  if (const std::string key = runawayKey(model); !key.empty())
     findings.push_back(fmt::format(
         "{}: the tool would have turned by more than 0.2 radians, or moved by more than the body's size, "
         "in one step, as too little resists it in this way: leave it out of carry, prescribe it, or place "
         "the tool so that it rests on several control points",
-        way));
+        key));
   return findings;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/analysis/archive_body.h"
+#include "engine/analysis/build_model.h"
 #include "engine/analysis/deformed_patch.h"
 #include "engine/analysis/frames.h"
 #include "engine/core/error.h"
@@ -69,7 +70,7 @@ Rezoner::Settled Rezoner::settledOn(const CarryOver& carried) const {
   Settled next;
   long failedIterations = 0;
   for (const int parts : kParts) {
-    auto model = std::make_unique<Model<2>>(scene_, carried.body());
+    auto model = rebuildModel(scene_, carried.body());
     SteppingState start = carried.startOf(*model);
     start.iterations += failedIterations;
     next.simulation = std::make_unique<Simulation<2>>(scene_, std::move(model), std::move(start));
@@ -132,10 +133,8 @@ void Rezoner::archiveRecords(StateArchive& archive) {
 
 std::unique_ptr<Simulation<2>> Rezoner::restoredSimulation() const {
   if (!body_) return nullptr;
-  auto model = std::make_unique<Model<2>>(scene_, *body_);
-  SteppingState start;
-  start.time = body_->time;
-  start.x = Eigen::VectorXd::Zero(model->numUnknowns());
+  auto model = rebuildModel(scene_, *body_);
+  SteppingState start = model->startState();
   return std::make_unique<Simulation<2>>(scene_, std::move(model), std::move(start));
 }
 

@@ -75,8 +75,8 @@ class Rezoner {
   NewtonReport lastReport_;
   int numFailures_ = 0;
   std::string lastFailure_;
-  std::optional<RezonedBody<2>> body_;  ///< as the present simulation began
-  Eigen::MatrixXd origin_;              ///< 2 x nodes: see `frameMesh`
+  std::optional<RezonedBody> body_;  ///< as the present simulation began
+  Eigen::MatrixXd origin_;           ///< 2 x nodes: see `frameMesh`
 };
 
 }  // namespace burnish

@@ -12,8 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/analysis/build_model.h"
 #include "engine/analysis/failure.h"
 #include "engine/analysis/frames.h"
+#include "engine/analysis/free_tools.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/rezoner.h"
 #include "engine/analysis/run_output.h"
@@ -180,7 +182,7 @@ class Run {
   /// Hands the state that a step has just reached to the recorder.
   void record() {
     simulation_->record();
-    if (const std::string pulled = simulation_->model->pulledTool(); !pulled.empty())
+    if (const std::string pulled = pulledTool(*simulation_->model); !pulled.empty())
       throw RunError(
           fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a free way "
                       "has to be pressed on the body, or its motion prescribed",

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/analysis/residual_scales.h"
+
 namespace burnish {
 
 template <int Dim>
 Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start)
     : model(std::move(itsModel)),
       terms(model->terms()),
-      newton(terms, model->prescribed(), model->residualScales(),
+      newton(terms, model->prescribed(), residualScales(*model),
              {.tolerance = scene.solver.tolerance, .maxIterations = scene.solver.maxIterations}),
       stepping(
           newton, terms, [this](double t) { return model->target(t); }, {.maxCuts = scene.solver.maxCuts},
