@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include "engine/analysis/model.h"
+#include "engine/analysis/build_model.h"
+#include "engine/analysis/residual_scales.h"
 #include "engine/scene/reader.h"
 #include "engine/solver/stepping.h"
 
@@ -16,9 +17,10 @@ void newtonIteration(benchmark::State& state, const std::string& basis, int degr
   const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
   const Scene scene = readScene(std::string(BURNISH_SOURCE_DIR) + "/scenes/paper/plastic.yaml",
                                 {"basis=" + basis, fmt::format("degree={}", degree)});
-  Model<2> model(scene);
+  const auto built = buildModel<2>(scene);
+  Model<2>& model = *built;
   const auto terms = model.terms();
-  Newton newton(terms, model.prescribed(), model.residualScales(), {});
+  Newton newton(terms, model.prescribed(), residualScales(model), {});
   Stepping stepping(
       newton, terms, [&](double t) { return model.target(t); }, {}, model.startState());
   if (stepping.advance(0.5, 0.05, [](const StepReport&) { return true; }) != Walk::Arrived)

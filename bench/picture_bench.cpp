@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "engine/analysis/build_model.h"
 #include "engine/analysis/frames.h"
-#include "engine/analysis/model.h"
 #include "engine/scene/reader.h"
 #include "postproc/draw/contour/contour.h"
 #include "tests/engine/analysis/model_samples.h"
@@ -24,7 +24,7 @@ struct Sample {
 /// A bump of plastic strain in the undeformed slab: a picture takes as long for any field.
 Sample slab() {
   const Scene scene = readScene(std::string(BURNISH_SOURCE_DIR) + "/scenes/paper/plastic.yaml");
-  Sample sample{makeModelRecord(scene, Model<2>(scene)), {}};
+  Sample sample{makeModelRecord(scene, *buildModel<2>(scene)), {}};
   sample.frame.displacement = Eigen::MatrixXd::Zero(2, sample.model.mesh.numNodes);
   sample.frame.toolDisplacement =
       Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(sample.model.tools.size()));

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <string>
 #include <vector>
+
+#include "engine/analysis/free_tools.h"
 
 namespace burnish {
 namespace {
@@ -29,49 +34,84 @@ std::string placeOf(const Model<Dim>& model, int unknown) {
   return "a constraint";
 }
 
-}  // namespace
+/// What the contact pairs and the faces that may touch themselves did, in `findings`.
+struct ContactFindings {
+  std::vector<std::string> findings;
+  int changes = 0;  ///< of active control points in the last iteration
+};
 
 template <int Dim>
-Failure diagnose(const Model<Dim>& model, const NewtonReport& report) {
-  std::vector<std::string> findings;
-  if (report.worstUnknown >= 0)
-    findings.push_back(fmt::format("the residual is largest at {}", placeOf(model, report.worstUnknown)));
-  int changes = 0;
+ContactFindings contactFindings(const Model<Dim>& model) {
+  ContactFindings found;
   for (const auto& pair : model.contacts()) {
     const ContactState& contact = pair.term->state();
     if (contact.active.empty()) continue;
-    changes += contact.changes;
-    findings.push_back(
+    found.changes += contact.changes;
+    found.findings.push_back(
         fmt::format("{} control points of face '{}' touch tool '{}', {} changed in the last iteration",
                     contact.numActive(), pair.faceName, model.tools()[pair.tool]->name, contact.changes));
   }
   for (const auto& contact : model.selfContacts()) {
     const SelfContactState& state = contact.term->state();
-    changes += state.changes;
+    found.changes += state.changes;
     if (state.numActive() > 0 || state.changes > 0)
-      findings.push_back(fmt::format(
+      found.findings.push_back(fmt::format(
           "{} control points of face '{}' touch the face itself, {} changed in the last iteration",
           state.numActive(), faceName(contact.face), state.changes));
   }
-  const double minJ = model.bulk().summary().minJ;
-  findings.push_back(fmt::format("the smallest J is {:.3g}", minJ));
-
-  std::string advice;
-  if (minJ < kDistortedJ)
-    advice =
-        "the mesh is close to folding: give it more knot spans where the body is squeezed, or finer steps";
-  else if (changes > 0)
-    advice =
-        "contact finds no rest: take more steps, a larger solver.max_cuts, more knot spans along the contact "
-        "face, or another contact parameter";
-  else
-    advice =
-        "take more steps, a larger solver.max_cuts or solver.max_iterations; if the load cannot be carried "
-        "(a limit load, a body that buckles), prescribe a displacement instead of the force";
-  return {fmt::format("{}", fmt::join(findings, "; ")), advice};
+  return found;
 }
 
-template Failure diagnose(const Model<2>&, const NewtonReport&);
-template Failure diagnose(const Model<3>&, const NewtonReport&);
+/// What has happened to tools whose motion is not prescribed.
+template <int Dim>
+std::vector<std::string> toolFindings(const Model<Dim>& model) {
+  std::vector<std::string> findings;
+  if (const std::string pulled = pulledTool(model); !pulled.empty())
+    findings.push_back(fmt::format(
+        "tool '{}' had lost the body: the load that it carries may have pulled it off, or does not "
+        "determine its place",
+        pulled));
+  if (const std::string key = runawayKey(model); !key.empty())
+    findings.push_back(fmt::format(
+        "{}: the tool would have turned by more than 0.2 radians, or moved by more than the body's size, "
+        "in one step, as too little resists it in this way: leave it out of carry, prescribe it, or place "
+        "the tool so that it rests on several control points",
+        key));
+  return findings;
+}
+
+/// minJ: the smallest J of the last iterate. changes: see `ContactFindings`.
+std::string adviceFor(double minJ, int changes) {
+  if (minJ < kDistortedJ)
+    return "the mesh is close to folding: give it more knot spans where the body is squeezed, or finer steps";
+  if (changes > 0)
+    return "contact finds no rest: take more steps, a larger solver.max_cuts, more knot spans along the "
+           "contact face, or another contact parameter";
+  return "take more steps, a larger solver.max_cuts or solver.max_iterations; if the load cannot be carried "
+         "(a limit load, a body that buckles), prescribe a displacement instead of the force";
+}
+
+}  // namespace
+
+template <int Dim>
+Failure diagnose(const Simulation<Dim>& simulation) {
+  const Model<Dim>& model = *simulation.model;
+  const Stepping& stepping = simulation.stepping;
+  const NewtonReport& report = stepping.lastFailure();
+  std::vector<std::string> findings{fmt::format(
+      "at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
+      stepping.state().time, stepping.lastFailedStep(), describe(report.outcome), report.residual)};
+  if (report.worstUnknown >= 0)
+    findings.push_back(fmt::format("the residual is largest at {}", placeOf(model, report.worstUnknown)));
+  const ContactFindings contact = contactFindings(model);
+  std::ranges::copy(contact.findings, std::back_inserter(findings));
+  const double minJ = model.bulk().summary().minJ;
+  findings.push_back(fmt::format("the smallest J is {:.3g}", minJ));
+  std::ranges::copy(toolFindings(model), std::back_inserter(findings));
+  return {fmt::format("{}", fmt::join(findings, "; ")), adviceFor(minJ, contact.changes)};
+}
+
+template Failure diagnose(const Simulation<2>&);
+template Failure diagnose(const Simulation<3>&);
 
 }  // namespace burnish

@@ -1,19 +1,18 @@
 #pragma once
 #include <string>
 
-#include "engine/analysis/model.h"
-#include "engine/solver/newton.h"
+#include "engine/analysis/simulation.h"
 
 namespace burnish {
 
-/// What is known about a failed attempt at a step.
+/// What is known about a step that failed.
 struct Failure {
-  std::string findings;  ///< where the residual is largest, what the contact set did, the smallest J
+  std::string findings;  ///< when and how, where the residual is largest, what contact and tools did
   std::string advice;    ///< what usually helps
 };
 
-/// Looks at the last iterate, which the terms of the model have just been evaluated at.
+/// Looks at the last iterate of a step that failed, at which the terms have just been evaluated.
 template <int Dim>
-Failure diagnose(const Model<Dim>& model, const NewtonReport& report);
+Failure diagnose(const Simulation<Dim>& simulation);
 
 }  // namespace burnish

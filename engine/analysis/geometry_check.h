@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/analysis/supports.h"
+#include "engine/analysis/face_finder.h"
 #include "engine/scene/scene.h"
 
 namespace burnish {

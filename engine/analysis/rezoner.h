@@ -4,32 +4,34 @@
 #include <string>
 #include <vector>
 
-#include "engine/analysis/stage.h"
+#include "engine/analysis/carry_over.h"
+#include "engine/analysis/choose_mesh.h"
+#include "engine/analysis/rezoning_trigger.h"
+#include "engine/analysis/settle.h"
+#include "engine/analysis/simulation.h"
 #include "engine/core/state_archive.h"
 #include "engine/results/result.h"
 #include "engine/results/summary_file.h"
-#include "engine/rezoning/curve.h"
-#include "engine/rezoning/remesh.h"
 
 namespace burnish {
 
-/// Meshes a plane or axisymmetric body of one patch anew while a tool moves along it, so that its surface is
-/// always resolved where the tool is.
+/// Remeshes a plane or axisymmetric body of one patch while a tool moves along it, so that its surface is
+/// always resolved where the tool is. `RezoningTrigger` decides when, `chooseMesh` how; `CarryOver` takes the
+/// state to the new mesh, where `settle` brings it into equilibrium.
 class Rezoner {
  public:
-  /// The scene, which asks for rezoning, must outlive the object. initial: the stage in which the run begins.
-  Rezoner(const Scene& scene, const Stage<2>& initial);
+  /// The scene, which asks for rezoning, must outlive the object. initial: the simulation in which the run
+  /// begins.
+  Rezoner(const Scene& scene, const Simulation<2>& initial);
 
-  /// Whether the last accepted state calls for a new mesh: the tool's travel, the stretch or the quality of
-  /// the mesh since the last one. Not where the face crosses itself: what is there twice has no mesh.
-  bool isDue(const Stage<2>& stage) const;
+  /// Whether the last accepted state calls for a new mesh.
+  bool isDue(const Simulation<2>& simulation) const { return trigger_.isDue(simulation); }
 
-  /// The stage that goes on from the last accepted state of this one, in equilibrium on a new mesh. Nothing
-  /// if there is no sound mesh or no equilibrium on it: the run then goes on as it is, and tries again after
-  /// a quarter of the travel.
-  std::unique_ptr<Stage<2>> rezone(Stage<2>& stage);
+  /// The simulation that goes on from the last accepted state of this one, in equilibrium on a new mesh.
+  /// Nothing if there is no sound mesh or no equilibrium on it: the run then goes on as it is, and tries again
+  /// later.
+  std::unique_ptr<Simulation<2>> rezone(Simulation<2>& simulation);
 
-  int count() const { return static_cast<int>(records_.size()); }
   const std::vector<RezoningRecord>& records() const { return records_; }
 
   /// How the last one that was tried came into equilibrium, or did not.
@@ -43,50 +45,38 @@ class Rezoner {
   /// The mesh of a frame, its control points where the material of the mesh's parameters was at the start of
   /// the run, approximately; nothing before the first rezoning. displacement: of the present reference,
   /// becomes the one from the start of the run.
-  std::optional<MeshRecord> frameMesh(const Stage<2>& stage, Eigen::MatrixXd& displacement) const;
+  std::optional<MeshRecord> frameMesh(const Simulation<2>& simulation, Eigen::MatrixXd& displacement) const;
 
   void archive(StateArchive& archive);
 
-  /// After restoring: the stage of the last rezoning, as it began; null if there was none.
-  std::unique_ptr<Stage<2>> restoredStage() const;
+  /// After restoring: the simulation of the last rezoning, as it began; null if there was none.
+  std::unique_ptr<Simulation<2>> restoredSimulation() const;
 
  private:
-  struct Place {
-    ArcInterval contact;     ///< along the face, by arc length
-    double direction = 1.0;  ///< of the tools along the face: 1 towards its end
+  /// The same as `rezone`; throws `Error` where the new body cannot be used.
+  std::unique_ptr<Simulation<2>> attempt(Simulation<2>& simulation);
+
+  /// A simulation on a new mesh, and how it came into equilibrium.
+  struct Settled {
+    std::unique_ptr<Simulation<2>> simulation;
+    Settlement settlement;
   };
+  Settled settledOn(const CarryOver& carried) const;
 
-  /// The same; throws `Error` where the new body cannot be used.
-  std::unique_ptr<Stage<2>> attempt(Stage<2>& stage);
-
-  /// Where the tools press on the face, or are nearest to it.
-  Place findContact(const Stage<2>& stage, const ArcLengthCurve& face) const;
-  RemeshOptions remeshing(const Stage<2>& stage, const Patch<2>& deformed) const;
-  SteppingState startOn(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
-                        const Eigen::Matrix2Xd& anchors) const;
-  Patch<2> inContact(const Stage<2>& stage, const Patch<2>& deformed, const Remeshing& meshing) const;
-  void setMultipliers(const Stage<2>& stage, const Patch<2>& deformed, const Model<2>& next,
-                      Eigen::VectorXd& x) const;
-  std::vector<ToolPose> posesOf(const Stage<2>& stage) const;
-  double travelSince(const Stage<2>& stage) const;  ///< of a tool since `last_`
+  RezoningRecord recordOf(const Simulation<2>& before, const Settled& after, const Remeshing& mesh) const;
   void archiveRecords(StateArchive& archive);
-  void fail(const Stage<2>& stage, const std::string& why);
+  void fail(const Simulation<2>& simulation, const std::string& why);
 
   const Scene& scene_;
-  RezoningOptions options_;
-  FaceId face_;
-  double length_;  ///< scale of the lengths that the scene leaves out
-  double travel_;
-  double volume_;               ///< stress-free, of the body
-  std::vector<ToolPose> last_;  ///< of the tools when the body was meshed, or that was tried
-  double wait_ = 0.0;           ///< travel from there to the next try
-  bool failedLast_ = false;
+  MeshChoice choice_;
+  RezoningTrigger trigger_;
+  double volume_;  ///< stress-free, of the body
   std::vector<RezoningRecord> records_;
   NewtonReport lastReport_;
   int numFailures_ = 0;
   std::string lastFailure_;
-  std::optional<RezonedBody<2>> body_;  ///< as the present stage began
-  Eigen::MatrixXd origin_;              ///< 2 x nodes: see `frameMesh`
+  std::optional<RezonedBody> body_;  ///< as the present simulation began
+  Eigen::MatrixXd origin_;           ///< 2 x nodes: see `frameMesh`
 };
 
 }  // namespace burnish

@@ -6,27 +6,27 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "engine/analysis/build_model.h"
 #include "engine/analysis/failure.h"
 #include "engine/analysis/frames.h"
+#include "engine/analysis/free_tools.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/rezoner.h"
+#include "engine/analysis/run_output.h"
 #include "engine/analysis/scene_report.h"
-#include "engine/analysis/stage.h"
+#include "engine/analysis/simulation.h"
+#include "engine/analysis/summarise.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/stopwatch.h"
-#include "engine/results/check_records.h"
 #include "engine/results/result_reader.h"
-#include "engine/results/run_files.h"
 #include "engine/scene/reader.h"
 #include "engine/solver/stepping.h"
 
@@ -43,24 +43,23 @@ class Run {
       : scene_(scene),
         halt_(std::move(halt)),
         observer_(observer),
-        record_(makeModelRecord(scene, *model)),
-        stage_(makeStage(scene, std::move(model))),
-        directory_(directory),
-        files_(directory, record_, checkedColumns(resumes), resumes) {
+        simulation_(simulationFrom(scene, std::move(model))),
+        output_(directory, checkedRecord(resumes), simulation_->recorder.columns(), resumes, observer) {
     if constexpr (Dim == 2)
-      if (scene.rezoning) rezoner_.emplace(scene, *stage_);
+      if (scene.rezoning) rezoner_.emplace(scene, *simulation_);
   }
 
   RunSummary execute() {
     warn();
-    observer_.onStart(record_);
+    observer_.onStart(output_.model());
     try {
       end(begin() ? walk() : Walk::Failed);
     } catch (const RunError& error) {
       summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", state().time, error.what());
     }
-    fillSummary();
-    if (!summary_.halted) files_.finish(summary_);  // a summary means that a run has ended
+    summarise();
+    if (!summary_.halted)
+      output_.finish(summary_);  // a summary means that a run has ended
     return std::move(summary_);
   }
 
@@ -68,57 +67,201 @@ class Run {
   void archive(StateArchive& archive) {
     summary_.timings.total = seconds();
     if (rezoner_) archiveRezoner(archive);
-    archive.part("stepping", stage_->stepping);
-    archive.part("newton", stage_->newton);
-    for (std::size_t k = 0; k < stage_->terms.size(); ++k)
-      archive.part(fmt::format("term{}", k), *stage_->terms[k]);
-    archive.part("recorder", stage_->recorder);
+    archive.part("stepping", simulation_->stepping);
+    archive.part("newton", simulation_->newton);
+    for (std::size_t k = 0; k < simulation_->terms.size(); ++k)
+      archive.part(fmt::format("term{}", k), *simulation_->terms[k]);
+    archive.part("recorder", simulation_->recorder);
     archive.part("summary", summary_);
+    archive.part("output", output_);
     archive.field("step", step_);
-    archive.field("last_frame_time", lastFrameTime_);
-    archive.field("last_row_time", lastRowTime_);
     if (archive.restores()) secondsBefore_ = summary_.timings.total;
   }
 
  private:
-  static std::unique_ptr<Stage<Dim>> makeStage(const Scene& scene, std::unique_ptr<Model<Dim>> model) {
+  static std::unique_ptr<Simulation<Dim>> simulationFrom(const Scene& scene,
+                                                         std::unique_ptr<Model<Dim>> model) {
     SteppingState start = model->startState();
-    return std::make_unique<Stage<Dim>>(scene, std::move(model), std::move(start));
+    return std::make_unique<Simulation<Dim>>(scene, std::move(model), std::move(start));
   }
 
-  /// Columns of the history; before anything is written, refuses what can be seen to have no good end.
-  std::vector<std::string> checkedColumns(bool resumes) {
-    std::vector<std::string> columns = stage_->recorder.columns();
-    if (resumes) return columns;
-    requireKnownColumns(scene_, columns);
-    observer_.onModel(record_);
-    return columns;
+  /// The model as the result has it. Before anything is written, refuses what can be seen to have no good
+  /// end.
+  ModelRecord checkedRecord(bool resumes) {
+    ModelRecord record = makeModelRecord(scene_, *simulation_->model);
+    if (resumes) return record;
+    requireKnownColumns(scene_, simulation_->recorder.columns());
+    observer_.onModel(record);
+    return record;
   }
 
-  const SteppingState& state() const { return stage_->stepping.state(); }
-
-  void archiveRezoner(StateArchive& archive) {
-    archive.part("rezoner", *rezoner_);
-    if constexpr (Dim == 2)
-      if (archive.restores() && rezoner_->count() > 0) stage_ = rezoner_->restoredStage();
+  void warn() {
+    const auto warnings = sceneWarnings(scene_, *simulation_->model, simulation_->recorder.columns());
+    for (const InputProblem& warning : warnings)
+      summary_.warnings.push_back(fmt::format("{}: {}", warning.path, warning.text));
+    observer_.onWarnings(warningLines(scene_, warnings));
   }
 
-  double seconds() const {
-    return secondsBefore_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-  /// To the state at t = 0, or to the one in which the run was stopped; false if the way there failed.
+  /// Comes to the state at t = 0, or to the one in which the run was stopped; false if the way there failed.
   bool begin() {
-    if (files_.restart() == nullptr) return approach() == Walk::Arrived;
-    restore(*files_.restart());
+    if (output_.restart() == nullptr) return approach() == Walk::Arrived;
+    restore(*output_.restart());
     return true;
   }
 
   void restore(const RestartRecord& restart) {
     StateArchive saved(restart.state);
     archive(saved);
-    const ResultReader result(directory_);
-    for (int k = 0; k < result.numFrames(); ++k) observer_.onFrame(record_, result.frame(k));
+    output_.showAgain();
+  }
+
+  /// Brings lifted tools down and records the state at t = 0.
+  Walk approach() {
+    const auto forces = simulation_->evaluateHere();
+    simulation_->recorder.update({state().time, state().x, forces.bulk}, forces.total, {});
+    for (Term* term : simulation_->terms) term->accept();
+    Walk walk = Walk::Arrived;
+    const double startTime = simulation_->model->startTime();
+    if (startTime < 0.0) {
+      walk = simulation_->stepping.advance(0.0, -0.25 * startTime, [this](const StepReport& step) {
+        record();
+        addResiduals(summary_, step.newton);
+        ++summary_.approachSteps;
+        summary_.approachIterations += step.iterations;
+        return true;
+      });
+      simulation_->stepping.forgetIncrement();
+    }
+    output_.appendRow(simulation_->recorder, 0, 0);
+    if (walk == Walk::Arrived) writeFrame();
+    return walk;
+  }
+
+  /// Goes from time point to time point until the last one, and writes a frame wherever one is due.
+  Walk walk() {
+    const auto grid = timeGrid(scene_, simulation_->model->corners());
+    endTime_ = grid.back().time;
+    rezoningIsDue_ = needsRezoning();
+    for (const TimePoint& point : grid) {
+      if (point.time < state().time) continue;  // of a run that is resumed
+      if (const Walk walk = walkTo(point); walk != Walk::Arrived) return walk;
+      if (point.frame && !output_.hasFrameAt(point.time)) writeFrame();
+      if (point.corner) simulation_->stepping.forgetIncrement();
+      if (halts_ && point.time < endTime_) return Walk::Halted;
+    }
+    return Walk::Arrived;
+  }
+
+  /// Steps to a time point, and remeshes the body on the way whenever that is due.
+  Walk walkTo(const TimePoint& point) {
+    Walk walk = Walk::Arrived;
+    do {
+      if (std::exchange(rezoningIsDue_, false)) rezone();
+      walk = simulation_->stepping.advance(point.time, point.nominalStep, [this](const StepReport& step) {
+        takeIn(step);
+        rezoningIsDue_ = needsRezoning();
+        return !halts_ && !rezoningIsDue_;
+      });
+    } while (walk == Walk::Halted && !halts_);
+    return walk;
+  }
+
+  /// Records a step from t = 0 on.
+  void takeIn(const StepReport& step) {
+    record();
+    addResiduals(summary_, step.newton);
+    summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
+    step_ = step.step - summary_.approachSteps;
+    output_.appendRow(simulation_->recorder, step_, step.iterations);
+    output_.appendConvergence(step_, step);
+    observer_.onStep(
+        {step_, step.time, endTime_, step.size, step.iterations, state().cuts, step.newton.residual});
+    halts_ = halt_();
+  }
+
+  /// Hands the state that a step has just reached to the recorder.
+  void record() {
+    simulation_->record();
+    if (const std::string pulled = pulledTool(*simulation_->model); !pulled.empty())
+      throw RunError(
+          fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a free way "
+                      "has to be pressed on the body, or its motion prescribed",
+                      pulled));
+  }
+
+  void writeFrame() {
+    const Stopwatch stopwatch(summary_.timings.output);
+    const FrameRecord frame = nextFrame();
+    output_.append(frame, state().steps, save());
+  }
+
+  /// The current state as the next frame.
+  FrameRecord nextFrame() {
+    FrameRecord frame = makeFrame(scene_, *simulation_->model, simulation_->projection, summary_.frames,
+                                  step_, state().time, state().x);
+    if constexpr (Dim == 2)
+      if (rezoner_) frame.mesh = rezoner_->frameMesh(*simulation_, frame.displacement);
+    output_.accept(frame);
+    ++summary_.frames;
+    return frame;
+  }
+
+  void end(Walk walk) {
+    summary_.completed = walk == Walk::Arrived;
+    summary_.halted = walk == Walk::Halted;
+    if (walk == Walk::Failed) {
+      const Failure failure = diagnose(*simulation_);
+      summary_.stoppedBecause = failure.findings;
+      summary_.advice = failure.advice;
+      keepLastState();
+    }
+    if (walk == Walk::Halted) {
+      summary_.stoppedBecause = fmt::format("halted at t = {:.6g}", state().time);
+      output_.keep(state().steps, save());
+    }
+  }
+
+  /// After a failed step: the last accepted state becomes the last frame, unless it was refused.
+  void keepLastState() {
+    const double time = state().time;
+    if (!output_.hasRowAt(time) || output_.hasFrameAt(time)) return;
+    static_cast<void>(simulation_->evaluateHere());
+    output_.appendLast(nextFrame());
+  }
+
+  void summarise() {
+    addCosts(summary_, *simulation_);
+    if (!summary_.halted) simulation_->recorder.noteEnd();
+    summary_.program = output_.model().program;
+    summary_.steps = step_;
+    summary_.timings.total = seconds();
+    describeEnd(summary_, *simulation_);
+    if (!rezoner_) return;
+    summary_.rezonings = rezoner_->records();
+    summary_.failedRezonings = rezoner_->numFailures();
+    summary_.rezoningFailure = rezoner_->lastFailure();
+  }
+
+  bool needsRezoning() const {
+    if constexpr (Dim == 2) return rezoner_ && rezoner_->isDue(*simulation_);
+    return false;
+  }
+
+  /// Goes on with a simulation on a new mesh; without success the run goes on as it is.
+  void rezone() {
+    if constexpr (Dim == 2) {
+      auto next = rezoner_->rezone(*simulation_);
+      if (!next) return simulation_->recorder.noteFailedRezoning();
+      addResiduals(summary_, rezoner_->lastReport());
+      addCosts(summary_, *simulation_);
+      simulation_ = std::move(next);
+    }
+  }
+
+  void archiveRezoner(StateArchive& archive) {
+    archive.part("rezoner", *rezoner_);
+    if constexpr (Dim == 2)
+      if (archive.restores() && !rezoner_->records().empty()) simulation_ = rezoner_->restoredSimulation();
   }
 
   SavedState save() {
@@ -127,260 +270,23 @@ class Run {
     return saved.values();
   }
 
-  /// Hands the state that a step has just reached to the recorder.
-  void record() {
-    stage_->record();
-    if (const std::string pulled = stage_->model->pulledTool(); !pulled.empty())
-      throw RunError(
-          fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a free way "
-                      "has to be pressed on the body, or its motion prescribed",
-                      pulled));
+  double seconds() const {
+    return secondsBefore_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
-  /// Brings lifted tools down and records the state at t = 0.
-  Walk approach() {
-    const auto forces = stage_->evaluateHere();
-    stage_->recorder.update({state().time, state().x, forces.bulk}, forces.total, {});
-    for (Term* term : stage_->terms) term->accept();
-    Walk walk = Walk::Arrived;
-    const double startTime = stage_->model->startTime();
-    if (startTime < 0.0) {
-      walk = stage_->stepping.advance(0.0, -0.25 * startTime, [this](const StepReport& step) {
-        record();
-        noteResiduals(step.newton);
-        ++summary_.approachSteps;
-        summary_.approachIterations += step.iterations;
-        return true;
-      });
-      stage_->stepping.forgetIncrement();
-    }
-    append(0, 0);
-    if (walk == Walk::Arrived) writeFrame();
-    return walk;
-  }
-
-  Walk walk() {
-    const auto grid = timeGrid(scene_, stage_->model->corners());
-    rezoningIsDue_ = needsRezoning();
-    for (const Landing& landing : grid) {
-      if (landing.time < state().time) continue;  // of a run that is resumed
-      Walk walk = Walk::Arrived;
-      do {
-        if (rezoningIsDue_) rezone();
-        rezoningIsDue_ = false;
-        walk = stage_->stepping.advance(landing.time, landing.nominalStep, [&](const StepReport& step) {
-          takeIn(step, grid.back().time);
-          rezoningIsDue_ = needsRezoning();
-          return !halts_ && !rezoningIsDue_;
-        });
-      } while (walk == Walk::Halted && !halts_);
-      if (walk != Walk::Arrived) return walk;
-      if (landing.frame && lastFrameTime_ != landing.time) writeFrame();
-      if (landing.corner) stage_->stepping.forgetIncrement();
-      if (halts_ && landing.time < grid.back().time) return Walk::Halted;
-    }
-    return Walk::Arrived;
-  }
-
-  /// Records a step from t = 0 on.
-  void takeIn(const StepReport& step, double endTime) {
-    record();
-    noteResiduals(step.newton);
-    summary_.maxIterations = std::max(summary_.maxIterations, step.iterations);
-    step_ = step.step - summary_.approachSteps;
-    append(step_, step.iterations);
-    for (std::size_t k = 0; k < step.newton.history.size(); ++k)
-      files_.appendConvergence(
-          {static_cast<double>(step_), step.time, static_cast<double>(k), step.newton.history[k]});
-    observer_.onStep(
-        {step_, step.time, endTime, step.size, step.iterations, state().cuts, step.newton.residual});
-    halts_ = halt_();
-  }
-
-  bool needsRezoning() const {
-    if constexpr (Dim == 2) return rezoner_ && rezoner_->isDue(*stage_);
-    return false;
-  }
-
-  /// Meshes the body anew; without success the run goes on as it is.
-  void rezone() {
-    if constexpr (Dim == 2) {
-      auto next = rezoner_->rezone(*stage_);
-      if (!next) return stage_->recorder.noteFailedRezoning();
-      noteResiduals(rezoner_->lastReport());
-      noteTimings();
-      stage_ = std::move(next);
-    }
-  }
-
-  void end(Walk walk) {
-    summary_.completed = walk == Walk::Arrived;
-    summary_.halted = walk == Walk::Halted;
-    if (walk == Walk::Failed) {
-      noteFailure();
-      keepLastState();
-    }
-    if (walk == Walk::Halted) {
-      summary_.stoppedBecause = fmt::format("halted at t = {:.6g}", state().time);
-      files_.keep(state().steps, save());
-    }
-  }
-
-  void warn() {
-    const auto warnings = sceneWarnings(scene_, *stage_->model, stage_->recorder.columns());
-    for (const InputProblem& warning : warnings)
-      summary_.warnings.push_back(fmt::format("{}: {}", warning.path, warning.text));
-    observer_.onWarnings(warningLines(scene_, warnings));
-  }
-
-  void noteResiduals(const NewtonReport& report) {
-    summary_.worstResidual = std::max(summary_.worstResidual, report.residual);
-    summary_.worstConstraint = std::max(summary_.worstConstraint, report.constraint);
-    summary_.stepsAtRoundOff += report.atRoundOff ? 1 : 0;
-  }
-
-  /// The current state as the next frame.
-  FrameRecord nextFrame() {
-    FrameRecord frame = makeFrame(scene_, *stage_->model, stage_->projection, summary_.frames, step_,
-                                  state().time, state().x);
-    if constexpr (Dim == 2)
-      if (rezoner_) frame.mesh = rezoner_->frameMesh(*stage_, frame.displacement);
-    try {
-      checkFrame(frame, record_, fmt::format("the frame at t = {:.6g}", state().time));
-    } catch (const Error& error) {
-      throw RunError(error.what());
-    }
-    ++summary_.frames;
-    lastFrameTime_ = state().time;
-    return frame;
-  }
-
-  void writeFrame() {
-    const Stopwatch stopwatch(summary_.timings.output);
-    const FrameRecord frame = nextFrame();
-    files_.append(frame, state().steps, save());
-    observer_.onFrame(record_, frame);
-  }
-
-  void noteFailure() {
-    const NewtonReport& failure = stage_->stepping.lastFailure();
-    summary_.stoppedBecause = fmt::format(
-        "at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})", state().time,
-        stage_->stepping.lastFailedStep(), describe(failure.outcome), failure.residual);
-    const Failure found = diagnose(*stage_->model, failure);
-    summary_.stoppedBecause += "; " + found.findings;
-    summary_.advice = found.advice;
-    if (const std::string pulled = stage_->model->pulledTool(); !pulled.empty())
-      summary_.stoppedBecause += fmt::format(
-          "; tool '{}' had lost the body: the load that it carries may have pulled it off, or does not "
-          "determine its place",
-          pulled);
-    if (const std::string way = stage_->model->runawayWay(); !way.empty())
-      summary_.stoppedBecause += fmt::format(
-          "; {}: the tool would have turned by more than 0.2 radians, or moved by more than the body's size, "
-          "in one step, as too little resists it in this way: leave it out of carry, prescribe it, or place "
-          "the tool so that it rests on several control points",
-          way);
-  }
-
-  void append(int step, int iterations) {
-    const Recorder<Dim>& recorder = stage_->recorder;
-    const std::vector<double> row = recorder.row(step, iterations);
-    for (std::size_t column = 0; column < row.size(); ++column)
-      if (!std::isfinite(row[column]))
-        throw RunError(fmt::format("{} is not finite at t = {:.6g}", recorder.columns()[column],
-                                   recorder.current().time));
-    files_.appendHistory(row);
-    lastRowTime_ = recorder.current().time;
-  }
-
-  /// After a failed step: the last accepted state becomes the last frame, unless it was refused.
-  void keepLastState() {
-    const double time = state().time;
-    if (time != lastRowTime_ || (summary_.frames > 0 && time == lastFrameTime_)) return;
-    static_cast<void>(stage_->evaluateHere());
-    const FrameRecord frame = nextFrame();
-    files_.appendLast(frame);
-    observer_.onFrame(record_, frame);
-  }
-
-  /// Adds what the present stage has spent to the summary.
-  void noteTimings() {
-    const auto& timings = stage_->newton.timings();
-    for (std::size_t k = 0; k < timings.terms.size(); ++k) {
-      const bool isContact =
-          k >= 1 && k <= stage_->model->contacts().size() + stage_->model->selfContacts().size();
-      (isContact ? summary_.timings.contact : summary_.timings.assembly) += timings.terms[k];
-    }
-    summary_.timings.factorisation += timings.factorisation;
-    summary_.timings.solve += timings.solve;
-    auto& solver = stage_->newton.linearSolver();
-    summary_.factorNonZeros = std::max(summary_.factorNonZeros, solver.factorNonZeros());
-    summary_.luFactorisations += solver.numIndefinite();
-  }
-
-  void fillSummary() {
-    noteTimings();
-    if (!summary_.halted) stage_->recorder.noteEnd();
-    const Recorder<Dim>& recorder = stage_->recorder;
-    summary_.timings.total = seconds();
-    summary_.program = record_.program;
-    summary_.functions = stage_->model->body().numNodes;
-    summary_.unknowns = static_cast<int>(stage_->newton.system().freeUnknowns().size());
-    summary_.steps = step_;
-    summary_.cuts = state().cuts;
-    summary_.smallestStep = state().smallestStep;
-    summary_.iterations = state().iterations - summary_.approachIterations;
-    summary_.meanIterations = static_cast<double>(summary_.iterations) / std::max(1, step_);
-    summary_.tolerance = stage_->newton.options().tolerance;
-    summary_.constraintTolerance = stage_->newton.options().constraintTolerance;
-    if (!stage_->model->contacts().empty())
-      summary_.contactParameter = stage_->model->contacts().front().term->parameter();
-    else if (!stage_->model->selfContacts().empty())
-      summary_.contactParameter = stage_->model->selfContacts().front().term->parameter();
-    summary_.end = recorder.current();
-    summary_.endTime = summary_.end.time;
-    if (summary_.completed) noteMinima();
-    summary_.smallestJ = recorder.smallestJ();
-    summary_.largestPenetration = recorder.largestPenetration();
-    if (stage_->model->stabilisation() != nullptr) {
-      summary_.stabilisedShare = summary_.end.stabilisedShare;
-      summary_.largestStabilisedShare = recorder.largestStabilisedShare();
-      summary_.stabilisationWork = summary_.end.stabilisationWork;
-    }
-    summary_.doubts = recorder.doubts();
-    std::stable_sort(summary_.doubts.begin(), summary_.doubts.end(),
-                     [](const DoubtRecord& a, const DoubtRecord& b) { return a.firstTime < b.firstTime; });
-    summary_.reactions = recorder.reactions().records();
-    summary_.idleTools = recorder.idleTools();
-    summary_.timings.projection = recorder.projectionSeconds();
-    if (!rezoner_) return;
-    summary_.rezonings = rezoner_->records();
-    summary_.failedRezonings = rezoner_->numFailures();
-    summary_.rezoningFailure = rezoner_->lastFailure();
-  }
-
-  /// Smallest values of projected fields, which oscillate about steep changes.
-  void noteMinima() {
-    summary_.vonMisesMinimum = stage_->recorder.projectedVonMises().min;
-    if (summary_.end.maxPlasticStrain > 0.0)
-      summary_.plasticStrainMinimum = summary_.end.projectedPlasticStrain.min;
-  }
+  const SteppingState& state() const { return simulation_->stepping.state(); }
 
   const Scene& scene_;
   std::function<bool()> halt_;
   RunObserver& observer_;
-  ModelRecord record_;  ///< of the model in which the run begins
-  std::unique_ptr<Stage<Dim>> stage_;
+  std::unique_ptr<Simulation<Dim>> simulation_;
+  RunOutput output_;
   std::optional<Rezoner> rezoner_;
-  std::filesystem::path directory_;
-  RunFiles files_;
   RunSummary summary_;
-  int step_ = 0;
+  int step_ = 0;  ///< from t = 0 on
+  double endTime_ = 0.0;
   bool halts_ = false;  ///< after the last step
   bool rezoningIsDue_ = false;
-  double lastFrameTime_ = -std::numeric_limits<double>::infinity();
-  double lastRowTime_ = -std::numeric_limits<double>::infinity();
   double secondsBefore_ = 0.0;  ///< of the run up to where it was stopped
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -7,13 +7,14 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/analysis/build_model.h"
 #include "engine/analysis/check_columns.h"
 #include "engine/analysis/frames.h"
 #include "engine/analysis/locking.h"
 #include "engine/analysis/model.h"
+#include "engine/analysis/nearest_point.h"
 #include "engine/analysis/recorder.h"
 #include "engine/analysis/softening.h"
-#include "engine/analysis/tool_start.h"
 #include "engine/scene/scene_places.h"
 
 namespace burnish {

@@ -17,8 +17,8 @@ std::vector<double> outputTimes(const Scene& scene, double end) {
 
 }  // namespace
 
-std::vector<Landing> timeGrid(const Scene& scene, const std::vector<double>& corners) {
-  std::vector<Landing> grid;
+std::vector<TimePoint> timeGrid(const Scene& scene, const std::vector<double>& corners) {
+  std::vector<TimePoint> grid;
   double begin = 0.0;
   for (const auto& phase : scene.steps) {
     const double step = (phase.until - begin) / phase.count;
@@ -29,8 +29,8 @@ std::vector<Landing> timeGrid(const Scene& scene, const std::vector<double>& cor
 
   const auto insert = [&](double time, auto&& mark) {
     const double end = grid.back().time;
-    const auto at = std::lower_bound(grid.begin(), grid.end(), time, [](const Landing& landing, double t) {
-      return landing.time < t - 1e-9 * landing.nominalStep;
+    const auto at = std::lower_bound(grid.begin(), grid.end(), time, [](const TimePoint& point, double t) {
+      return point.time < t - 1e-9 * point.nominalStep;
     });
     if (time <= 0.0 || at == grid.end()) return;
     if (std::abs(at->time - time) <= 1e-9 * at->nominalStep) {
@@ -41,8 +41,8 @@ std::vector<Landing> timeGrid(const Scene& scene, const std::vector<double>& cor
     }
   };
   for (const double time : outputTimes(scene, grid.back().time))
-    insert(time, [](Landing& l) { l.frame = true; });
-  for (const double time : corners) insert(time, [](Landing& l) { l.corner = true; });
+    insert(time, [](TimePoint& p) { p.frame = true; });
+  for (const double time : corners) insert(time, [](TimePoint& p) { p.corner = true; });
   grid.back().frame = true;
   return grid;
 }

@@ -5,17 +5,17 @@
 
 namespace burnish {
 
-/// A time on which the steps land.
-struct Landing {
+/// A time at which a step ends.
+struct TimePoint {
   double time = 0.0;
   double nominalStep = 0.0;  ///< largest step on the way there
   bool frame = false;        ///< a frame is written
   bool corner = false;       ///< a schedule bends here
 };
 
-/// Landings of a scene in order: nominal steps, output times, those of wanted frames and corners of schedules. Times
-/// closer than a billionth of a step are one; corners and output times then keep their exact values. The last
-/// one has a frame.
-std::vector<Landing> timeGrid(const Scene& scene, const std::vector<double>& corners);
+/// Time points of a scene in order: ends of nominal steps, output times, times of wanted frames and corners of
+/// schedules. Times closer than a billionth of a step are one; corners and output times then keep their exact
+/// values. The last one has a frame.
+std::vector<TimePoint> timeGrid(const Scene& scene, const std::vector<double>& corners);
 
 }  // namespace burnish

@@ -8,7 +8,8 @@
 #include <map>
 #include <sstream>
 
-#include "engine/analysis/model.h"
+#include "engine/analysis/build_model.h"
+#include "engine/analysis/residual_scales.h"
 #include "engine/solver/stepping.h"
 #include "tests/engine/analysis/run_scene.h"
 
@@ -103,9 +104,10 @@ TEST(Ironing, NurbsAndLagrangeOfDegreeOneAreTheSame) {
 /// Steps a model through the press phase and hands every accepted step to `check`.
 template <class Check>
 void press(const Scene& scene, const Check& check) {
-  Model<2> model(scene);
+  const auto built = buildModel<2>(scene);
+  Model<2>& model = *built;
   const auto terms = model.terms();
-  Newton newton(terms, model.prescribed(), model.residualScales(), {});
+  Newton newton(terms, model.prescribed(), residualScales(model), {});
   Stepping stepping(
       newton, terms, [&](double t) { return model.target(t); }, {}, model.startState());
   const Walk walk = stepping.advance(1.0, 0.1, [&](const StepReport& step) {
@@ -187,7 +189,8 @@ TEST(Ironing, HasTheSameBitsWithAnyNumberOfThreads) {
 
 TEST(Ironing, ALagrangeToolThatMerelyTouchesComesDownFromALiftedPosition) {
   const auto scene = coarseScene("plastic", {"basis=lagrange", "steps=[{until: 0.2, count: 2}]"});
-  const Model<2> model(scene);
+  const auto built = buildModel<2>(scene);
+  const Model<2>& model = *built;
   EXPECT_LT(model.startTime(), 0.0);
   EXPECT_GT(model.tools().front()->pose(model.startTime()).displacement(1), 0.0);
   EXPECT_EQ(model.tools().front()->pose(0.0).displacement.norm(), 0.0);
@@ -195,7 +198,7 @@ TEST(Ironing, ALagrangeToolThatMerelyTouchesComesDownFromALiftedPosition) {
   ASSERT_TRUE(outcome.summary.completed);
   EXPECT_EQ(outcome.history.column("time").front(), 0.0);
   const auto nurbs = coarseScene("plastic", {"steps=[{until: 0.2, count: 2}]"});
-  EXPECT_EQ(Model<2>(nurbs).startTime(), 0.0) << "B-splines have no negative lobes";
+  EXPECT_EQ(buildModel<2>(nurbs)->startTime(), 0.0) << "B-splines have no negative lobes";
 }
 
 }  // namespace

@@ -6,7 +6,10 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 
+#include "engine/analysis/build_model.h"
+#include "engine/analysis/residual_scales.h"
 #include "engine/fields/ellipse_measure.h"
 #include "engine/fields/percentile_measure.h"
 #include "engine/fields/point_measure.h"
@@ -68,7 +71,7 @@ class MeasuredScene {
   /// Values by column in equilibrium at t = 1.
   std::map<std::string, double> inEquilibrium() {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(model_.numUnknowns());
-    Newton newton(model_.terms(), model_.prescribed(), model_.residualScales(), {.tolerance = 1e-12});
+    Newton newton(model_.terms(), model_.prescribed(), residualScales(model_), {.tolerance = 1e-12});
     EXPECT_EQ(newton.solve(1.0, model_.target(1.0), x).outcome, NewtonOutcome::Converged);
     return at(x);
   }
@@ -87,7 +90,8 @@ class MeasuredScene {
   }
 
   Scene scene_;
-  Model<2> model_{scene_};
+  std::unique_ptr<Model<2>> built_ = buildModel<2>(scene_);
+  Model<2>& model_ = *built_;
   Projection<2> projection_{model_.quadrature()};
   Measures<2> measures_{scene_, model_, projection_};
 };

@@ -13,11 +13,11 @@ TEST(TimeGrid, LandsOnStepsOutputsWantedFramesAndCorners) {
   const auto grid = timeGrid(scene, {0.0, 0.6, 1.0, 5.0});
 
   std::vector<double> times, frames, corners;
-  for (const Landing& landing : grid) {
-    times.push_back(landing.time);
-    if (landing.frame) frames.push_back(landing.time);
-    if (landing.corner) corners.push_back(landing.time);
-    EXPECT_DOUBLE_EQ(landing.nominalStep, landing.time <= 1.0 ? 0.25 : 0.5);
+  for (const TimePoint& point : grid) {
+    times.push_back(point.time);
+    if (point.frame) frames.push_back(point.time);
+    if (point.corner) corners.push_back(point.time);
+    EXPECT_DOUBLE_EQ(point.nominalStep, point.time <= 1.0 ? 0.25 : 0.5);
   }
   const std::vector<double> wanted{0.25, 0.3, 0.5, 0.6, 0.75, 0.9, 1.0, 1.2, 1.25, 1.5, 1.8, 2.0};
   ASSERT_EQ(times.size(), wanted.size());

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "engine/analysis/build_model.h"
 #include "engine/analysis/frames.h"
-#include "engine/analysis/model.h"
 #include "engine/core/error.h"
 #include "engine/results/result_writer.h"
 #include "engine/scene/reader.h"
@@ -125,7 +125,7 @@ SurfaceMesh polyline(const Eigen::Matrix2Xd& points, bool closed) {
 
 ModelRecord modelOf(const char* yaml) {
   const Scene scene = parseScene(yaml, "test");
-  return makeModelRecord(scene, Model<2>(scene));
+  return makeModelRecord(scene, *buildModel<2>(scene));
 }
 
 std::string bytesOf(const fs::path& file) {

@@ -72,8 +72,8 @@ TEST(SceneDocument, TellsTheEngineWhatIsWantedOfTheRun) {
 
   const Scene late =
       parseSceneDocument(replaced(block, "times: [1, 1.5, 2]", "times: [0.123]"), "test.yaml").scene;
-  const std::vector<Landing> grid = timeGrid(late, {});
-  EXPECT_TRUE(std::any_of(grid.begin(), grid.end(), [](const Landing& l) { return l.time == 0.123; }));
+  const std::vector<TimePoint> grid = timeGrid(late, {});
+  EXPECT_TRUE(std::any_of(grid.begin(), grid.end(), [](const TimePoint& l) { return l.time == 0.123; }));
 }
 
 TEST(SceneDocument, TakesTheEndOfTheRunAsATime) {

@@ -7,16 +7,17 @@
 #include "engine/fields/projection.h"
 #include "engine/solver/newton.h"
 #include "engine/solver/stepping.h"
+#include "engine/tools/tool.h"
 
 namespace burnish {
 
-/// A model with everything that solves and records it: what is replaced when the body is meshed anew.
+/// A model with everything that solves and records it: what is replaced when the body is remeshed.
 template <int Dim>
-struct Stage {
-  /// The scene must outlive the stage.
-  Stage(const Scene& scene, std::unique_ptr<Model<Dim>> model, SteppingState start);
-  Stage(const Stage&) = delete;
-  Stage& operator=(const Stage&) = delete;
+struct Simulation {
+  /// The scene must outlive the simulation.
+  Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> model, SteppingState start);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
 
   struct Forces {
     Eigen::VectorXd bulk, total;
@@ -28,6 +29,9 @@ struct Stage {
 
   /// Hands the state that a step has just reached to the recorder.
   void record();
+
+  /// Poses of the tools in the current state; before t = 0, where lifted tools come down, those at t = 0.
+  std::vector<ToolPose> toolPoses() const;
 
   std::unique_ptr<Model<Dim>> model;
   std::vector<Term*> terms;

@@ -1,0 +1,228 @@
+#include "engine/analysis/build_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/analysis/check_model.h"
+#include "engine/analysis/geometry_check.h"
+#include "engine/analysis/place_tools.h"
+#include "engine/analysis/tools.h"
+#include "engine/core/input_error.h"
+#include "engine/scene/scene_places.h"
+#include "engine/solid/dead_load.h"
+#include "engine/solid/follower_load.h"
+
+namespace burnish {
+/// Fills a model part by part: first the body, then loads and tools, then contact pairs, whose multipliers
+/// come last among the unknowns.
+template <int Dim>
+class ModelBuilder {
+ public:
+  /// The body of the scene, at rest and free of stress, with all that is checked once.
+  static std::unique_ptr<Model<Dim>> build(const Scene& scene);
+
+  /// A body with a history.
+  static std::unique_ptr<Model<Dim>> rebuild(const Scene& scene, const RezonedBody& rezoned);
+
+ private:
+  ModelBuilder(const Scene& scene, NamedBody<Dim> body)
+      : scene_(scene), model_(new Model<Dim>(scene, std::move(body))) {}
+
+  const SpanQuadrature<Dim>& addQuadrature();
+  void addBody(const std::optional<ReferenceState>& reference);
+  void addLoad(std::size_t number);
+  void addTool(std::size_t number);
+  void addContact(std::size_t number);
+
+  /// mayPenetrate: a little, at the start.
+  void addSelfContact(std::size_t number, bool mayPenetrate);
+  void addStabilisation();
+
+  /// All unknowns are numbered.
+  void closeNumbering();
+
+  const Scene& scene_;
+  std::unique_ptr<Model<Dim>> model_;
+};
+
+template <int Dim>
+std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
+  ModelBuilder builder(scene, makeBody<Dim>(scene));
+  Model<Dim>& model = *builder.model_;
+  requireSoundGeometry(model.faces(), scene);
+  builder.addQuadrature();
+  builder.addBody({});
+  InputProblems problems;
+  for (std::size_t k = 0; k < scene.loads.size(); ++k)
+    problems.gather([&] { placed(loadKey(scene, k), [&] { builder.addLoad(k); }); });
+  for (std::size_t k = 0; k < scene.tools.size(); ++k) problems.gather([&] { builder.addTool(k); });
+  problems.throwIfAny();
+  for (std::size_t k = 0; k < scene.contact.size(); ++k)
+    problems.gather([&] {
+      requireReachable(model, scene.contact[k], fmt::format("contact[{}]", k));
+      builder.addContact(k);
+    });
+  for (std::size_t k = 0; k < scene.selfContact.size(); ++k)
+    problems.gather([&] { builder.addSelfContact(k, false); });
+  if (!scene.stabilise) problems.gather([&] { requireSupported(model); });
+  problems.throwIfAny();
+  builder.closeNumbering();
+  requireFiniteFormulas(scene, model);
+  model.start_ = placeTools(scene, model);
+  builder.addStabilisation();
+  return std::move(builder.model_);
+}
+
+template <int Dim>
+std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const RezonedBody& rezoned) {
+  ModelBuilder builder(scene, rezoned.named);
+  Model<Dim>& model = *builder.model_;
+  ReferenceState reference = referenceState(builder.addQuadrature(), rezoned.states);
+  reference.plasticWork = rezoned.plasticWork;
+  builder.addBody(reference);
+  for (std::size_t k = 0; k < scene.loads.size(); ++k) builder.addLoad(k);
+  for (std::size_t k = 0; k < scene.tools.size(); ++k) builder.addTool(k);
+  for (std::size_t k = 0; k < scene.contact.size(); ++k) builder.addContact(k);
+  for (std::size_t k = 0; k < scene.selfContact.size(); ++k) builder.addSelfContact(k, true);
+  builder.closeNumbering();
+  model.start_.time = rezoned.time;
+  model.start_.x = Eigen::VectorXd::Zero(model.numUnknowns());
+  model.supports_.setValues(rezoned.time, model.origin_);
+  builder.addStabilisation();
+  return std::move(builder.model_);
+}
+
+template <int Dim>
+const SpanQuadrature<Dim>& ModelBuilder<Dim>::addQuadrature() {
+  model_->quadrature_ =
+      std::make_unique<SpanQuadrature<Dim>>(model_->body_, scene_.quadraturePoints.value_or(0));
+  return *model_->quadrature_;
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addBody(const std::optional<ReferenceState>& reference) {
+  model_->bulk_ = makeBulkTerm(model_->body_, *model_->quadrature_, MaterialLaws::make(scene_.material),
+                               scene_.formulation, reference);
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addLoad(std::size_t number) {
+  const auto& load = scene_.loads[number];
+  const Schedule factor = load.schedule.value_or(Schedule{});
+  model_->corners_.insert(model_->corners_.end(), factor.times.begin(), factor.times.end());
+  if (!load.bodyForce.empty()) {
+    const int patch = load.place.patch.empty() ? -1 : model_->faces_.patch(load.place.patch);
+    model_->loads_.push_back(std::make_unique<DeadLoad<Dim>>(model_->body_, *model_->quadrature_, patch,
+                                                             makeFormulas(load.bodyForce, scene_.definitions),
+                                                             factor));
+    return;
+  }
+  model_->faces_.requireOuter(load.place, fmt::format("loads[{}]", number));
+  const int patch = model_->faces_.patch(load.place.patch);
+  const FaceId side = faceFromName<Dim>(load.place.face);
+  FaceQuadrature<Dim> face(model_->body_, patch, side, 0,
+                           model_->faces_.part(load.place, fmt::format("loads[{}]", number)));
+  if (!load.traction.empty()) {
+    model_->loads_.push_back(std::make_unique<DeadLoad<Dim>>(
+        model_->body_, face, makeFormulas(load.traction, scene_.definitions), factor));
+    return;
+  }
+  const auto direction =
+      load.pressure ? FollowerLoad<Dim>::Direction::Pressure : FollowerLoad<Dim>::Direction::Shear;
+  model_->loads_.push_back(std::make_unique<FollowerLoad<Dim>>(
+      model_->body_, patch, side, std::move(face), direction,
+      Formula(load.pressure ? *load.pressure : *load.shear, scene_.definitions), factor));
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addTool(std::size_t number) {
+  const auto& spec = scene_.tools[number];
+  try {
+    model_->tools_.push_back(makeTool(spec, scene_, model_->numForces_, model_->body_.size()));
+  } catch (const Error& error) {
+    throw InputError(fmt::format("tools[{}]", number), error.what());
+  }
+  const Tool& tool = *model_->tools_.back();
+  model_->numForces_ += static_cast<int>(tool.freeUnknowns().size());
+  model_->numUnknowns_ = model_->numForces_;
+  if (auto load = makeToolLoad(spec, scene_, tool)) model_->toolLoads_.push_back({number, std::move(load)});
+  const auto corners = cornersOf(spec);
+  model_->corners_.insert(model_->corners_.end(), corners.begin(), corners.end());
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addContact(std::size_t number) {
+  const auto& spec = scene_.contact[number];
+  const std::size_t tool = model_->toolNumber(spec.tool);
+  const int patch = model_->faces_.patch(spec.place.patch);
+  ContactOptions options = spec.options;
+  options.parameter = options.parameterFor(youngsModulus(model_->bulk_->material()), model_->body_.size());
+  auto term = std::make_unique<ContactTerm<Dim>>(model_->body_, patch, faceFromName<Dim>(spec.place.face),
+                                                 *model_->tools_[tool], options, model_->numUnknowns_);
+  model_->numUnknowns_ += term->numMultipliers();
+  model_->contacts_.push_back({tool, patch, spec.place.face, std::move(term)});
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addSelfContact(std::size_t number, bool mayPenetrate) {
+  if constexpr (Dim == 2) {
+    const auto& spec = scene_.selfContact[number];
+    model_->faces_.requireOuter(spec.place, fmt::format("self_contact[{}]", number));
+    SelfContactOptions options = spec.options;
+    options.parameter = options.parameterFor(youngsModulus(model_->bulk_->material()), model_->body_.size());
+    options.reach = options.reachFor(model_->body_.size());
+    const int patch = model_->faces_.patch(spec.place.patch);
+    const FaceId face = faceFromName<2>(spec.place.face);
+    std::unique_ptr<SelfContactTerm> term;
+    try {
+      term = std::make_unique<SelfContactTerm>(model_->body_, patch, face, options, model_->numUnknowns_,
+                                               mayPenetrate);
+    } catch (const Error& error) {
+      throw InputError(fmt::format("self_contact[{}]", number), error.what());
+    }
+    model_->numUnknowns_ += term->numMultipliers();
+    model_->selfContacts_.push_back({patch, face, std::move(term)});
+  }
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addStabilisation() {
+  if (!scene_.stabilise) return;
+  const double end = scene_.stabilise->until.value_or(scene_.steps.front().until);
+  // η V (L / T) = strength E L (E L² in 3D)
+  const double force = scene_.stabilise->strength * model_->forceFloor() / kForceFloor;
+  const double viscosity = force * end / (model_->quadrature_->volume() * model_->body_.size());
+  model_->stabilisation_ = std::make_unique<Stabilisation<Dim>>(
+      *model_->quadrature_, typename Stabilisation<Dim>::Drag{viscosity, model_->startTime(), end});
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::closeNumbering() {
+  model_->prescribed_.resize(static_cast<std::size_t>(model_->numUnknowns_), false);
+  model_->origin_ = Eigen::VectorXd::Zero(model_->numUnknowns_);
+  std::vector<double>& corners = model_->corners_;
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+}
+
+template <int Dim>
+std::unique_ptr<Model<Dim>> buildModel(const Scene& scene) {
+  try {
+    return ModelBuilder<Dim>::build(scene);
+  } catch (const InputError& error) {
+    throw Error(textWithPlaces(scene, error.problems()));
+  }
+}
+
+std::unique_ptr<Model<2>> rebuildModel(const Scene& scene, const RezonedBody& rezoned) {
+  return ModelBuilder<2>::rebuild(scene, rezoned);
+}
+
+template std::unique_ptr<Model<2>> buildModel(const Scene&);
+template std::unique_ptr<Model<3>> buildModel(const Scene&);
+
+}  // namespace burnish

@@ -1,0 +1,43 @@
+#pragma once
+#include <Eigen/Dense>
+
+#include "engine/analysis/build_model.h"
+#include "engine/analysis/simulation.h"
+#include "engine/rezoning/remesh.h"
+
+namespace burnish {
+
+/// Carries what a simulation has reached to a new mesh of its body, which has one patch.
+class CarryOver {
+ public:
+  /// before: in the state to go on from; must outlive the object. deformed: its patch in its current place.
+  /// quadraturePoints: per span and direction, 0 for as many as the degree asks for. Throws `Error` where a
+  /// point of the new mesh is too far from the body.
+  CarryOver(const Simulation<2>& before, const Patch<2>& deformed, const Remeshing& mesh,
+            int quadraturePoints);
+
+  /// The body on the new mesh with the history of its matter.
+  const RezonedBody& body() const { return body_; }
+
+  /// Where a simulation on the new mesh begins: at the same time with the multipliers of now, no
+  /// displacements, and smaller steps. next: the model of this body.
+  SteppingState startOf(const Model<2>& next) const;
+
+  /// Values at the quadrature points of the new mesh, points x components, of a field on the old one with
+  /// these coefficients, components x nodes.
+  Eigen::MatrixXd atQuadraturePoints(const Eigen::MatrixXd& coefficients) const;
+
+ private:
+  const Simulation<2>& before_;
+  Patch<2> deformed_;
+  Eigen::Matrix2Xd points_;   ///< old parameters of the new quadrature points
+  Eigen::Matrix2Xd anchors_;  ///< old parameters of the new functions' anchors
+  RezonedBody body_;
+};
+
+/// Multipliers λ̂ of a face of a body of one patch per new reference area: what pressed on an old reference
+/// area presses on the stretched one now. deformed: the old patch in its place; next: the new one.
+Eigen::VectorXd carriedMultipliers(const Body<2>& body, FaceId face, const Patch<2>& deformed,
+                                   const Patch<2>& next, const Eigen::VectorXd& lambdaHat);
+
+}  // namespace burnish

@@ -1,0 +1,136 @@
+#include "engine/analysis/check_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/analysis/nearest_point.h"
+#include "engine/analysis/time_grid.h"
+#include "engine/core/input_error.h"
+
+namespace burnish {
+namespace {
+
+/// Gathers the formulas of a motion or load of tools, in t alone, that have no finite value at one of the
+/// times.
+template <class Spec>
+void gatherInfinite(const std::string& path, const Spec& spec, const std::optional<FormulaText>& turn,
+                    const char* turnKey, const Scene& scene, const std::vector<double>& times,
+                    InputProblems& problems) {
+  const std::array<std::pair<const char*, const std::optional<FormulaText>*>, kToolWays> ways{
+      {{"x", &spec.x}, {"y", &spec.y}, {"z", &spec.z}, {turnKey, &turn}}};
+  for (const auto& [key, text] : ways)
+    if (*text)
+      problems.gather([&] {
+        placed(fmt::format("{}.{}", path, key), [&] {
+          requireFinite({Formula(**text, scene.definitions)}, Eigen::Matrix3Xd::Zero(3, 1), times);
+        });
+      });
+}
+
+}  // namespace
+
+std::string loadKey(const Scene& scene, std::size_t number) {
+  const LoadSpec& load = scene.loads[number];
+  return fmt::format("loads[{}].{}", number,
+                     !load.bodyForce.empty()  ? "body_force"
+                     : !load.traction.empty() ? "traction"
+                     : load.pressure          ? "pressure"
+                                              : "shear");
+}
+
+template <int Dim>
+void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model) {
+  std::vector<double> times{0.0};
+  for (const TimePoint& point : timeGrid(scene, model.corners())) times.push_back(point.time);
+  InputProblems problems;
+  problems.gather([&] { model.supports().requireFinite(times); });
+  for (std::size_t k = 0; k < model.loads().size(); ++k)
+    problems.gather([&] { placed(loadKey(scene, k), [&] { model.loads()[k]->requireFinite(times); }); });
+  for (std::size_t k = 0; k < scene.tools.size(); ++k) {
+    const ToolSpec& tool = scene.tools[k];
+    const std::string path = fmt::format("tools[{}]", k);
+    if (const auto& p = tool.prescribe)
+      gatherInfinite(path + ".prescribe", *p, p->angle, "angle", scene, times, problems);
+    if (const auto& c = tool.carry)
+      gatherInfinite(path + ".carry", *c, c->moment, "moment", scene, times, problems);
+  }
+  problems.throwIfAny();
+}
+
+template <int Dim>
+void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place) {
+  const Tool& tool = *model.tools()[model.toolNumber(spec.tool)];
+  const FaceFinder<Dim>& faces = model.faces();
+  faces.requireOuter(spec.place, place);
+  const NearestPoint nearest = nearestPoint(model.body(), faces.patch(spec.place.patch),
+                                            faceFromName<Dim>(spec.place.face), tool, 0.0);
+  if (-nearest.gap > kTouching * std::min(tool.shape.halfThickness(), model.body().size()))
+    throw InputError(place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; move it away "
+                                        "by at least that much (touching is fine)",
+                                        spec.tool, spec.place.face, -nearest.gap));
+  if (nearest.facing > 0.5)
+    throw InputError(place, fmt::format("tool '{}' is behind face '{}' at the start, inside the body or on "
+                                        "its other side; put it in front of the face",
+                                        spec.tool, spec.place.face));
+  const auto nodes = faces.nodes(spec.place);
+  const bool held = std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+    const auto first = model.prescribed().begin() + Dim * node;
+    return std::all_of(first, first + Dim, [](bool flag) { return flag; });
+  });
+  if (held)
+    throw InputError(
+        place,
+        fmt::format(
+            "face '{}' is held in all its components, so tool '{}' cannot move it; name a face that is free",
+            spec.place.face, spec.tool));
+}
+
+template <int Dim>
+void requireSupported(const Model<Dim>& model) {
+  const Body<Dim>& body = model.body();
+  // The rigid motions of the reference body must not all fit the supports: their values at the prescribed
+  // unknowns have to be linearly independent.
+  const int numRigid = body.axisymmetric ? 1 : Dim == 2 ? 3 : 6;
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(model.numDisplacements(), numRigid);
+  const Eigen::MatrixXd positions = body.nodePositions() / body.size();
+  for (int a = 0; a < body.numNodes; ++a) {
+    if (body.axisymmetric) {
+      motions(Dim * a + 1, 0) = 1.0;
+      continue;
+    }
+    for (int d = 0; d < Dim; ++d) motions(Dim * a + d, d) = 1.0;
+    int column = Dim;
+    for (int i = 0; i < Dim; ++i)
+      for (int j = i + 1; j < Dim; ++j, ++column) {
+        motions(Dim * a + i, column) = -positions(j, a);
+        motions(Dim * a + j, column) = positions(i, a);
+      }
+  }
+  std::vector<int> held;
+  for (int i = 0; i < model.numDisplacements(); ++i)
+    if (model.prescribed()[static_cast<std::size_t>(i)]) held.push_back(i);
+  const Eigen::MatrixXd atSupports = motions(held, Eigen::all);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(atSupports);
+  qr.setThreshold(1e-10);
+  const int freeWays = numRigid - (held.empty() ? 0 : static_cast<int>(qr.rank()));
+  if (freeWays > 0)
+    throw InputError(
+        "supports",
+        fmt::format(
+            "they leave the body free to move as a rigid whole in {} way{}; hold more components or faces",
+            freeWays, freeWays == 1 ? "" : "s"));
+}
+
+template void requireFiniteFormulas(const Scene&, const Model<2>&);
+template void requireFiniteFormulas(const Scene&, const Model<3>&);
+template void requireReachable(const Model<2>&, const ContactSpec&, const std::string&);
+template void requireReachable(const Model<3>&, const ContactSpec&, const std::string&);
+template void requireSupported(const Model<2>&);
+template void requireSupported(const Model<3>&);
+
+}  // namespace burnish

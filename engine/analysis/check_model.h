@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "engine/analysis/model.h"
+#include "engine/scene/scene.h"
+
+namespace burnish {
+
+/// Path of what a load of the scene is given by: `loads[0].pressure`.
+std::string loadKey(const Scene& scene, std::size_t number);
+
+/// Throws `InputError` at the keys of all formulas of supports, loads and tools that have no finite value at a
+/// time point.
+template <int Dim>
+void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model);
+
+/// Throws `InputError` at `place` unless the tool of a pair can come into contact with its face: it begins in front of the
+/// outer face, which is free to move. model: with its tools and supports.
+template <int Dim>
+void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place);
+
+/// Throws `InputError` if the supports leave the body free to move as a rigid whole.
+template <int Dim>
+void requireSupported(const Model<Dim>& model);
+
+}  // namespace burnish

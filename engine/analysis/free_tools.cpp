@@ -1,0 +1,28 @@
+#include "engine/analysis/free_tools.h"
+
+#include <fmt/format.h>
+
+namespace burnish {
+
+template <int Dim>
+std::string pulledTool(const Model<Dim>& model) {
+  const double smallest = model.forceFloor();
+  for (const auto& pair : model.contacts())
+    if (pair.term->state().pull > smallest) return model.tools()[pair.tool]->name;
+  return {};
+}
+
+template <int Dim>
+std::string runawayKey(const Model<Dim>& model) {
+  for (const auto& load : model.toolLoads())
+    if (const auto way = load.term->runaway())
+      return fmt::format("tools[{}].carry.{}", load.tool, kCarryKeys[*way]);
+  return {};
+}
+
+template std::string pulledTool(const Model<2>&);
+template std::string pulledTool(const Model<3>&);
+template std::string runawayKey(const Model<2>&);
+template std::string runawayKey(const Model<3>&);
+
+}  // namespace burnish

@@ -1,0 +1,22 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "engine/analysis/model.h"
+
+namespace burnish {
+
+/// Keys of a tool's degrees of freedom under `carry`.
+inline constexpr std::array<const char*, kToolWays> kCarryKeys{"x", "y", "z", "moment"};
+
+/// Name of a tool that has to be held by what it carries to stay in touch with the body, in the state that
+/// the terms have been evaluated at; empty if there is none.
+template <int Dim>
+std::string pulledTool(const Model<Dim>& model);
+
+/// Key of a free degree of freedom (`tools[0].carry.x`) in which a tool has moved too far since the last
+/// accepted state; empty if none has.
+template <int Dim>
+std::string runawayKey(const Model<Dim>& model);
+
+}  // namespace burnish

@@ -1,0 +1,228 @@
+#include "engine/analysis/place_tools.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/analysis/free_tools.h"
+#include "engine/analysis/nearest_point.h"
+#include "engine/core/input_error.h"
+
+namespace burnish {
+namespace {
+
+template <int Dim>
+using Pairs = std::vector<ContactTerm<Dim>*>;
+
+template <int Dim>
+Pairs<Dim> pairsOf(const Model<Dim>& model, std::size_t tool) {
+  Pairs<Dim> pairs;
+  for (const auto& pair : model.contacts())
+    if (pair.tool == tool) pairs.push_back(pair.term.get());
+  return pairs;
+}
+
+/// An averaged gap of this share of the body's size is no touch.
+constexpr double kNearlyTouching = 1e-6;
+
+/// Smallest gap of undeformed faces, as the method of each pair takes it.
+template <int Dim>
+double smallestGap(const Pairs<Dim>& pairs, const ToolPose& pose) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto* pair : pairs) smallest = std::min(smallest, pair->smallestReferenceGap(pose));
+  return smallest;
+}
+
+/// How far a tool has to be lifted at the start so that no averaged gap of the undeformed face is negative.
+/// Functions of a Lagrange basis have negative lobes: their averaged gap can be negative although nothing
+/// touches, and the first step would start with a jump. Zero when no gap is negative by more than rounding
+/// explains. Throws `InputError` at `place` if no lift up to the body's size separates them.
+template <int Dim>
+Eigen::Vector3d liftToSeparate(const Pairs<Dim>& pairs, const Tool& tool, double bodySize,
+                               const std::string& place) {
+  double worst = -kTouching * bodySize;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  ToolPose pose = tool.pose(0.0);
+  for (const auto* pair : pairs) {
+    const Eigen::VectorXd gaps = pair->referenceGaps(pose);
+    Eigen::Index A = 0;
+    if (gaps.minCoeff(&A) >= worst) continue;
+    worst = gaps(A);
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    x.template head<Dim>() = pair->face().points().col(A);
+    direction = -tool.query(pose, x).normal;
+  }
+  if (direction.isZero(0.0)) return direction;
+
+  constexpr double kMargin = 1.05;
+  const Eigen::Vector3d start = pose.displacement;
+  double height = -kMargin * worst;
+  while (height < bodySize) {
+    pose.displacement = start + height * direction;
+    if (smallestGap(pairs, pose) > 0.0) return height * direction;
+    height *= kMargin;
+  }
+  throw InputError(place, fmt::format("tool '{}' cannot be lifted off the face that it touches, averaged "
+                                      "gaps stay negative; start it farther away",
+                                      tool.name));
+}
+
+/// Lifts tools whose motion is prescribed; they come down before t = 0. Returns the time at which the run
+/// starts.
+template <int Dim>
+double liftTools(const Scene& scene, Model<Dim>& model) {
+  constexpr int kApproachSteps = 4;
+  const double approachTime = kApproachSteps * scene.steps.front().until / scene.steps.front().count;
+  double startTime = 0.0;
+  for (std::size_t k = 0; k < model.tools().size(); ++k) {
+    Tool& tool = *model.tools()[k];
+    if (!tool.freeUnknowns().empty()) continue;  // finds its own height
+    Pairs<Dim> pairs = pairsOf(model, k);
+    std::erase_if(pairs, [](const ContactTerm<Dim>* pair) {
+      return pair->options().method == Enforcement::PointwisePenalty;
+    });
+    if (pairs.empty()) continue;
+    tool.lift = liftToSeparate<Dim>(pairs, tool, model.body().size(), fmt::format("tools[{}]", k));
+    if (tool.lift.isZero(0.0)) continue;
+    tool.approachTime = approachTime;
+    startTime = -approachTime;
+  }
+  return startTime;
+}
+
+/// Scattered points around a tool, at distances of about the body's size.
+std::vector<Eigen::Vector3d> pointsAround(const Eigen::Vector3d& middle, int dim, double bodySize) {
+  constexpr int kPerDirection = 4;
+  std::vector<Eigen::Vector3d> points;
+  for (int k = 0; k < (dim == 2 ? 1 : kPerDirection) * kPerDirection * kPerDirection; ++k) {
+    // Shares that differ from one direction to the next, so that no symmetry of a shape hides a way.
+    const Eigen::Vector3i place(k % kPerDirection, k / kPerDirection % kPerDirection,
+                                k / (kPerDirection * kPerDirection));
+    const Eigen::Vector3d grid = place.cast<double>();
+    Eigen::Vector3d x = middle;
+    for (int d = 0; d < dim; ++d) x(d) += bodySize * (0.71 * grid(d) - 1.03 - 0.11 * d);
+    points.push_back(x);
+  }
+  return points;
+}
+
+/// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free ways in which the shape
+/// of a tool moves in itself, for instance a disc that turns about its middle: no contact resists it there.
+void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize) {
+  constexpr double kNothing = 1e-8;
+  std::vector<std::size_t> ways;
+  for (std::size_t way = 0; way < kToolWays; ++way)
+    if (tool.isFree(way)) ways.push_back(way);
+  const ToolPose pose = tool.pose(0.0);
+  const auto points = pointsAround(tool.shape.middle(), dim, bodySize);
+  Eigen::MatrixXd slopes(points.size(), ways.size());  // of the gap, by the free ways
+  for (std::size_t k = 0; k < points.size(); ++k)
+    slopes.row(static_cast<Eigen::Index>(k)) = tool.queryWithWays(pose, points[k]).dWays(ways).transpose();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinV);
+  if (svd.singularValues().tail<1>()(0) > kNothing * static_cast<double>(points.size())) return;
+  std::vector<std::string> keys;
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    if (std::abs(svd.matrixV().rightCols<1>()(static_cast<Eigen::Index>(k))) > kNothing)
+      keys.push_back(fmt::format("{}.{}", place, kCarryKeys[ways[k]]));
+  const std::string others =
+      keys.size() == 1 ? ""
+                       : fmt::format(", together with {},", fmt::join(keys.begin() + 1, keys.end(), " and "));
+  throw InputError(keys.front(),
+                   fmt::format("tool '{}' moves in itself in this way{} so that no contact force resists it; "
+                               "leave it out of carry, then it is held, or prescribe it",
+                               tool.name, others));
+}
+
+/// Direction of the first force, of all times up to `end`, that a tool carries; zero if there is none.
+Eigen::Vector3d firstDirection(const ToolLoad& load, double end) {
+  constexpr int kSamples = 1000;
+  for (int k = 0; k <= kSamples; ++k) {
+    const Eigen::Vector3d force = load.force(end * k / kSamples);
+    if (!force.isZero(0.0)) return force.normalized();
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+/// Displacement along a direction that brings a tool from its place at t = 0 to the undeformed body, so that
+/// its smallest averaged gap vanishes. Throws `InputError` at `place` if the tool does not meet the body on
+/// this way.
+template <int Dim>
+Eigen::Vector3d shiftToTouch(const Pairs<Dim>& pairs, const Tool& tool, const Eigen::Vector3d& direction,
+                             double bodySize, const std::string& place) {
+  constexpr int kMostSteps = 1000;
+  ToolPose pose = tool.pose(0.0);
+  const Eigen::Vector3d start = pose.displacement;
+  double way = 0.0;
+  for (int k = 0; k < kMostSteps; ++k) {
+    pose.displacement = start + way * direction;
+    const double gap = smallestGap(pairs, pose);
+    if (std::abs(gap) < kTouching * bodySize) return way * direction;
+    if (gap > 1e3 * bodySize) break;
+    way += gap;  // gaps fall by no more than the way, so that this does not go too far
+  }
+  throw InputError(place, fmt::format("tool '{}' does not meet its face when it moves along the force that "
+                                      "it carries; place it so that the force presses it on the body",
+                                      tool.name));
+}
+
+/// Throws `InputError` at `place` if no gap between the undeformed faces and a tool at t = 0 vanishes.
+template <int Dim>
+void requireTouch(const Pairs<Dim>& pairs, const Tool& tool, double bodySize, const std::string& place) {
+  if (smallestGap(pairs, tool.pose(0.0)) > kNearlyTouching * bodySize)
+    throw InputError(place, fmt::format("tool '{}' is free to turn, but does not touch its face at the "
+                                        "start; place it on the face, or let it carry a force too",
+                                        tool.name));
+}
+
+/// Brings a tool with free degrees of freedom into touch with the body. x: unknowns of the start, in which
+/// its displacement is written.
+template <int Dim>
+void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& load, Eigen::VectorXd& x) {
+  const Tool& tool = *model.tools()[load.tool];
+  const double bodySize = model.body().size();
+  const Pairs<Dim> pairs = pairsOf(model, load.tool);
+  const std::string place = fmt::format("tools[{}].carry", load.tool);
+  if (pairs.empty())
+    throw InputError(
+        place,
+        fmt::format("tool '{}' is free to move, but touches no face; name it under contact", tool.name));
+  requireDetermined(tool, place, Dim, bodySize);
+  pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
+  const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
+  if (!slides) {
+    requireTouch<Dim>(pairs, tool, bodySize, place);
+    return;
+  }
+  const Eigen::Vector3d direction = firstDirection(*load.term, scene.steps.back().until);
+  if (direction.isZero(0.0))
+    throw InputError(
+        place, fmt::format("tool '{}' carries no force at any time; give it one, or prescribe its motion",
+                           tool.name));
+  const Eigen::Vector3d shift = shiftToTouch<Dim>(pairs, tool, direction, bodySize, place);
+  for (std::size_t way = 0; way < kTurn; ++way)
+    if (tool.isFree(way)) x(tool.unknowns[way]) = shift(static_cast<Eigen::Index>(way));
+}
+
+}  // namespace
+
+template <int Dim>
+SteppingState placeTools(const Scene& scene, Model<Dim>& model) {
+  SteppingState start;
+  start.x = Eigen::VectorXd::Zero(model.numUnknowns());
+  start.time = liftTools(scene, model);
+  InputProblems problems;
+  for (const CarriedLoad& load : model.toolLoads())
+    problems.gather([&] { placeFreeTool(scene, model, load, start.x); });
+  problems.throwIfAny();
+  return start;
+}
+
+template SteppingState placeTools(const Scene&, Model<2>&);
+template SteppingState placeTools(const Scene&, Model<3>&);
+
+}  // namespace burnish
