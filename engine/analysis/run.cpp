@@ -58,8 +58,7 @@ class Run {
       summary_.stoppedBecause = fmt::format("after t = {:.6g}: {}", state().time, error.what());
     }
     summarise();
-    if (!summary_.halted)
-      output_.finish(summary_);  // a summary means that a run has ended
+    if (!summary_.halted) output_.finish(summary_);  // a summary means that a run has ended
     return std::move(summary_);
   }
 

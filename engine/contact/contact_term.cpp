@@ -130,8 +130,8 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
         query.point = tool_.query(pose, point);
       else
         query = tool_.queryWithWays(pose, point);
-      const auto& counted =
-          mortar.counted.emplace_back(countedGap(query.point.gap, options_.gapLimit.value_or(kAnyGap) * span.size));
+      const auto& counted = mortar.counted.emplace_back(
+          countedGap(query.point.gap, options_.gapLimit.value_or(kAnyGap) * span.size));
       const Eigen::Vector<double, Dim> n = counted.slope * query.point.normal.template head<Dim>();
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];

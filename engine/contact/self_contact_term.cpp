@@ -176,7 +176,8 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
       const Eigen::Vector2d& normal = partner->normal;
       const double gap = mortar.gap(span.firstPoint + q) = (points.col(q) - partner->x).dot(normal);
       if (shareOfRadius(*partner, gap) > kLargestShareOfRadius) return false;
-      const CountedGap& counted = mortar.counted[number] = countedGap(gap, options_.gapLimit.value_or(kAnyGap) * span.size);
+      const CountedGap& counted = mortar.counted[number] =
+          countedGap(gap, options_.gapLimit.value_or(kAnyGap) * span.size);
       const Eigen::Vector2d slope = counted.slope * normal;
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];

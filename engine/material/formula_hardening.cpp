@@ -53,8 +53,9 @@ void check(const FormulaHardening::Parameters& law, const Problems& problems, co
     const double yield = Formula({law.formula}, {}, {"ep"}).at(std::array{0.0});
     if (yield <= 0.0)
       problems.report(
-          path, fmt::format("found a yield stress of {} at ep = 0; allowed: a formula that is positive there.",
-                            yield));
+          path,
+          fmt::format("found a yield stress of {} at ep = 0; allowed: a formula that is positive there.",
+                      yield));
   } catch (const FormulaError&) {
     problems.report(path,
                     "found no finite yield stress at ep = 0; allowed: a formula that is positive there.");

@@ -18,7 +18,9 @@ struct MadeFrom {
   using Type = Law;
 };
 template <class Law>
-requires requires { typename Law::Parameters; }
+requires requires {
+  typename Law::Parameters;
+}
 struct MadeFrom<Law> {
   using Type = typename Law::Parameters;
 };

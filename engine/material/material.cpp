@@ -6,7 +6,8 @@ namespace burnish {
 namespace {
 
 bool has(const std::vector<FieldKind>& fields, const std::string& name) {
-  return std::any_of(fields.begin(), fields.end(), [&](const FieldKind& field) { return field.name == name; });
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const FieldKind& field) { return field.name == name; });
 }
 
 }  // namespace

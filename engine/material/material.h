@@ -47,7 +47,9 @@ concept RateDependent = requires(const Law& law, typename Law::State& state, Mat
 
 /// Laws of materials that flow once a yield stress is reached.
 template <class Law>
-concept Flows = requires(const Law& law) { law.yieldStress(0.0); };
+concept Flows = requires(const Law& law) {
+  law.yieldStress(0.0);
+};
 
 /// Fields that a law makes of a state.
 template <class Law>

@@ -8,8 +8,7 @@
 namespace burnish {
 
 template <int Dim>
-bool NeoHookean::evaluate(const Eigen::Matrix3d& F, const State&, State&,
-                          MaterialResponse<Dim>& out) const {
+bool NeoHookean::evaluate(const Eigen::Matrix3d& F, const State&, State&, MaterialResponse<Dim>& out) const {
   const Eigen::Matrix3d H = F - Eigen::Matrix3d::Identity();
   const VolumeChange volume(H);
   if (!(volume.J() > 0.0)) return false;

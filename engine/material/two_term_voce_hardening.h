@@ -23,12 +23,10 @@ void describe(Visitor& v, TwoTermVoceHardening& s) {
   v.field("sigma0", s.sigma0, {.required = true, .above = 0, .unit = "stress"}, "Yield stress at the start.");
   v.field("q1", s.first.q, {.required = true, .atLeast = 0, .unit = "stress"},
           "Hardening of the first term.");
-  v.field("beta1", s.first.beta, {.required = true, .atLeast = 0},
-          "Rate of saturation of the first term.");
+  v.field("beta1", s.first.beta, {.required = true, .atLeast = 0}, "Rate of saturation of the first term.");
   v.field("q2", s.second.q, {.required = true, .atLeast = 0, .unit = "stress"},
           "Hardening of the second term.");
-  v.field("beta2", s.second.beta, {.required = true, .atLeast = 0},
-          "Rate of saturation of the second term.");
+  v.field("beta2", s.second.beta, {.required = true, .atLeast = 0}, "Rate of saturation of the second term.");
 }
 
 }  // namespace burnish

@@ -18,7 +18,8 @@ struct VoceLinearHardening {
 
 template <class Visitor>
 void describe(Visitor& v, VoceLinearHardening& s) {
-  v.field("sigma0", s.voce.sigma0, {.required = true, .above = 0, .unit = "stress"}, "Yield stress at the start.");
+  v.field("sigma0", s.voce.sigma0, {.required = true, .above = 0, .unit = "stress"},
+          "Yield stress at the start.");
   v.field("sigma_inf", s.voce.sigmaInf, {.required = true, .above = 0, .unit = "stress"},
           "Yield stress at saturation of the exponential part.");
   v.field("beta", s.voce.beta, {.required = true, .atLeast = 0}, "Rate of saturation.");

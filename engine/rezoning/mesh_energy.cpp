@@ -54,7 +54,8 @@ std::optional<Patch<2>> relaxed(const Patch<2>& mesh, const Eigen::Vector2d& siz
   const auto points = static_cast<std::size_t>(quadrature.numPoints());
   ReferenceState unitSpans{std::vector<Eigen::Matrix3d>(points, Eigen::Matrix3d::Identity()),
                            {},
-                           Eigen::VectorXd(quadrature.numPoints()), 0.0};
+                           Eigen::VectorXd(quadrature.numPoints()),
+                           0.0};
   for (const auto& span : quadrature.spans())
     unitSpans.weights.segment(span.firstPoint, span.weights.size()) = span.weights / span.weights.sum();
   DisplacementTerm<2> sheet(quadrature, NeoHookean({1.0, 0.3}), unitSpans);

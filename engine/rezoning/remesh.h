@@ -9,8 +9,8 @@
 namespace burnish {
 
 struct RemeshOptions {
-  FaceId face = 3;     ///< along which the knot spans are distributed
-  ArcInterval finest;  ///< of its arc length in the deformed patch
+  FaceId face = 3;             ///< along which the knot spans are distributed
+  ArcInterval finest;          ///< of its arc length in the deformed patch
   std::array<int, 2> spans{};  ///< per direction of the patch
   double rounding = 0.0;       ///< of the growth of spans, see `SpanGrowth`
   NewMeshOptions mesh{};

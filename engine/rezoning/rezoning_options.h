@@ -6,9 +6,9 @@ namespace burnish {
 
 /// What a new mesh is like, whatever part of the face is finest.
 struct NewMeshOptions {
-  double growth = 0.25;               ///< of the size of spans per distance from where they are finest
-  double turn = 0.3;                  ///< of the face within a knot span, radians, where h_0 allows it; 0: any
-  double firstLayer = 1.5;            ///< size of the spans under the face over h_0
+  double growth = 0.25;     ///< of the size of spans per distance from where they are finest
+  double turn = 0.3;        ///< of the face within a knot span, radians, where h_0 allows it; 0: any
+  double firstLayer = 1.5;  ///< size of the spans under the face over h_0
   double smallestDeterminant = 1e-3;  ///< of the map, over its largest: what a mesh must have
 };
 

@@ -14,6 +14,8 @@ void writeLeaf(YAML::Emitter& out, const T& value, const Rule& rule) {
     writeLeaf(out, value.given(), rule);
   } else if constexpr (std::is_same_v<T, Eigen::Vector3d>) {
     writeLeaf(out, std::array{value.x(), value.y(), value.z()}, rule);
+  } else if constexpr (Spelled<T>) {
+    out << YAML::DoubleQuoted << Spelling<T>::write(value);
   } else if constexpr (List<T>) {
     out << YAML::Flow << YAML::BeginSeq;
     for (const auto& item : value) writeLeaf(out, item, rule);

@@ -56,7 +56,8 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
       scales_(std::move(scales)),
       options_(std::move(options)),
       system_(std::move(prescribed), couplingsOf(terms_)),
-      linear_(makeLinearSolver(options_.linear, numFreeBelow(system_, scales_.numForces), tangentKind(terms_))),
+      linear_(
+          makeLinearSolver(options_.linear, numFreeBelow(system_, scales_.numForces), tangentKind(terms_))),
       inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);

@@ -51,8 +51,7 @@ double volumeOf(const Patch<2>& mesh, bool axisymmetric) {
 TEST(LinearGaps, AgreeWithCentralDifferences) {
   const Body<2> body = makeBody(slab(2));
   const Tool tool = disc();
-  ContactTerm<2> term(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter},
-                      2 * body.numNodes);
+  ContactTerm<2> term(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter}, 2 * body.numNodes);
   const auto linear = term.linearReferenceGaps({});
   EXPECT_EQ(linear.values, term.referenceGaps({}));
   const Eigen::VectorXd direction = test::randomState(2 * term.face().numFunctions(), 1.0, 3);

@@ -316,7 +316,8 @@ TYPED_TEST(J2Test, RefusesWhatIsNotADeformation) {
 
 TYPED_TEST(J2Test, RefusesAYieldStressThatVanishes) {
   constexpr int Dim = TestFixture::kDim;
-  const J2Plasticity softening = makeLaw(TestFixture::kElastic, FormulaHardening::Parameters{"100*(1 - 2*ep)"});
+  const J2Plasticity softening =
+      makeLaw(TestFixture::kElastic, FormulaHardening::Parameters{"100*(1 - 2*ep)"});
   State next;
   MaterialResponse<Dim> out;
   EXPECT_TRUE(softening.evaluate<Dim>(test::stretched<Dim>(1.2, 1.0 / 1.2, 1.0), {}, next, out));

@@ -169,7 +169,8 @@ TEST(Remesh, KeepsTheBoundaryAndPutsFineSpansWhereTheyAreWanted) {
 TEST(Remesh, WorksFromAnyFaceAndWithLagrangeElements) {
   const Patch<2> slab = meshed(rectangle({0.0, 0.0}, {3.0, 1.0}), 2, 6, 6);
   for (FaceId face = 0; face < 4; ++face) {
-    RemeshOptions options{.face = face, .finest = {0.3, 0.4}, .spans = {12, 12}, .rounding = 0.03, .mesh = {.turn = 0.0}};
+    RemeshOptions options{
+        .face = face, .finest = {0.3, 0.4}, .spans = {12, 12}, .rounding = 0.03, .mesh = {.turn = 0.0}};
     const auto meshing = remesh(slab, options);
     ASSERT_TRUE(meshing);
     // The first layer is one and a half times as deep as the finest spans are long.
@@ -179,7 +180,8 @@ TEST(Remesh, WorksFromAnyFaceAndWithLagrangeElements) {
     EXPECT_NEAR(first * depth, std::min(1.5 * meshing->smallestSpan, depth / 12.0), 1e-9);
   }
   const Patch<2> elements = lagrangeInterpolant(slab, 2, {{0.0, 0.5, 1.0}, {0.0, 0.5, 1.0}});
-  const auto meshing = remesh(elements, {.finest = {1.0, 1.2}, .spans = {6, 3}, .rounding = 0.03, .mesh = {.turn = 0.0}});
+  const auto meshing =
+      remesh(elements, {.finest = {1.0, 1.2}, .spans = {6, 3}, .rounding = 0.03, .mesh = {.turn = 0.0}});
   ASSERT_TRUE(meshing);
   EXPECT_EQ(meshing->patch.basis().direction(0).family(), BasisFamily::Lagrange);
   EXPECT_EQ(meshing->patch.basis().direction(0).numFunctions(), 13);

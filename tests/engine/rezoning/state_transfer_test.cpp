@@ -165,7 +165,8 @@ TEST(StateTransfer, InterpolatesEveryNumberForItself) {
   PointStates states = statesOf(from);
   const Eigen::MatrixXd alone = transferred(from, states, to).numbers;
   states.kinds.insert(states.kinds.begin(), CarriedKind{"signed"});
-  states.numbers = (Eigen::MatrixXd(2, states.numbers.cols()) << -2.0 * states.numbers, states.numbers).finished();
+  states.numbers =
+      (Eigen::MatrixXd(2, states.numbers.cols()) << -2.0 * states.numbers, states.numbers).finished();
   const Eigen::MatrixXd both = transferred(from, states, to).numbers;
   EXPECT_EQ(both.row(1), alone.row(0));
   EXPECT_LT((both.row(0) + 2.0 * alone.row(0)).cwiseAbs().maxCoeff(), 1e-14);
@@ -246,9 +247,9 @@ INSTANTIATE_TEST_SUITE_P(
     Laws, ReferenceStates,
     testing::Combine(testing::Values(Material(NeoHookean({1.0, 0.3})),
                                      Material(J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean,
-                                                           VoceHardening{0.5, 1.0, 10.0}})),
+                                                            VoceHardening{0.5, 1.0, 10.0}})),
                                      Material(J2Plasticity({100.0, 0.3, ElasticLaw::Hencky,
-                                                           VoceHardening{0.5, 1.0, 10.0}}))),
+                                                            VoceHardening{0.5, 1.0, 10.0}}))),
                      testing::Values(Formulation::Displacement, Formulation::ProjectedDilatation)),
     [](const auto& test) {
       const bool isJ2 = std::holds_alternative<J2Plasticity>(std::get<0>(test.param));

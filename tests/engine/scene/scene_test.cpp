@@ -321,7 +321,8 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
     EXPECT_EQ(again.material.index(), scene.material.index());
     EXPECT_EQ(again.tools.size(), scene.tools.size());
     if (scene.tools.empty()) continue;
-    EXPECT_EQ(std::get<NeoHookean::Parameters>(again.material).E, std::get<NeoHookean::Parameters>(scene.material).E);
+    EXPECT_EQ(std::get<NeoHookean::Parameters>(again.material).E,
+              std::get<NeoHookean::Parameters>(scene.material).E);
     EXPECT_EQ(again.supports[0].move.has_value(), scene.supports[0].move.has_value());
     EXPECT_EQ(again.contact[0].parameter, scene.contact[0].parameter);
   }

@@ -298,7 +298,8 @@ TEST(ProjectedTerm, TangentIsRightWhereAnEdgeIsCollapsed) {
         {refined(coarse, {KnotVector::uniform(2, spans), KnotVector::uniform(2, spans)})}, {""});
     ASSERT_LT(body.numNodes, body.patches[0].basis().numFunctions());
     const SpanQuadrature<2> quadrature(body);
-    const auto term = makeBulkTerm(body, quadrature, NeoHookean({1.0, 0.3}), Formulation::ProjectedDilatation);
+    const auto term =
+        makeBulkTerm(body, quadrature, NeoHookean({1.0, 0.3}), Formulation::ProjectedDilatation);
     EXPECT_LT(test::tangentError(*term, 0.0, test::randomState(2 * body.numNodes, 0.01, 5), 1e-6), 1e-6);
   }
 }
