@@ -67,10 +67,8 @@ bool hasEnded(const fs::path& run) {
 }
 
 /// The knots of a shape before it is meshed. All named shapes have one span per direction.
-std::vector<KnotVector> shapeKnots(const ControlNetSpec& net) {
-  std::vector<KnotVector> knots;
-  for (std::size_t d = 0; d < net.degrees.size(); ++d) knots.emplace_back(net.degrees[d], net.knots[d]);
-  return knots;
+std::vector<KnotVector> shapeKnots(const ControlNetBody& net) {
+  return net.knotVectors();
 }
 template <class Shape>
 std::vector<KnotVector> shapeKnots(const Shape& shape) {

@@ -2,13 +2,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
-#include <optional>
+#include <span>
 
 #include "engine/core/error.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
+#include "engine/schema/problems.h"
 
 namespace burnish {
 namespace {
@@ -21,17 +21,11 @@ constexpr double kMostFunctions = 500'000;
 class PatchCheck {
  public:
   PatchCheck(const CheckContext& c, std::string at, const MeshSpec& mesh)
-      : c_(c), at_(std::move(at)), mesh_(mesh) {}
+      : c_(c), at_(at), problems_(c.root, c.errors, std::move(at)), mesh_(mesh) {}
 
-  void operator()(const RectangleSpec&) { checkNamed({1, 1}); }
-  void operator()(const BoxSpec&) { checkNamed({1, 1, 1}); }
-  void operator()(const AnnulusSpec& ring);
-  void operator()(const DiscSpec& disc);
-  void operator()(const EllipseSpec& ellipse);
-  void operator()(const TubeSpec& tube);
-  void operator()(const CylinderSpec& cylinder);
-  void operator()(const BallOctantSpec& ball);
-  void operator()(const ControlNetSpec& net);
+  template <class Shape>
+  void operator()(const Shape& shape);
+  void operator()(const ControlNetBody& net);
   void operator()(const PatchesSpec&) {}
 
   /// Number of basis functions as far as it is known.
@@ -45,76 +39,25 @@ class PatchCheck {
     c_.report(fmt::format("{}.{}[{}]", at_, name, entry), problem);
   }
 
-  void checkRadii(double inner, double outer) const;
-  void checkOpening(double angle, const char* shape) const;
-  void checkDirection(const char* name, const std::vector<double>& direction) const;
   void checkArcDegree(const char* shape) const;
-  void checkNamed(const std::vector<int>& degrees);
+  void checkNamed(std::span<const int> degrees);
   void checkNumberOfFunctions(std::size_t direction) const;
-  std::optional<std::vector<KnotVector>> netKnots(const ControlNetSpec& net) const;
-  void checkPoints(const ControlNetSpec& net, const std::vector<KnotVector>& knots) const;
   void checkCreases() const;
   void checkMesh(const std::vector<KnotVector>& shape);
 
   const CheckContext& c_;
   std::string at_;
+  Problems problems_;
   const MeshSpec& mesh_;
   double functions_ = 0.0;
 };
 
-void PatchCheck::operator()(const AnnulusSpec& ring) {
-  checkRadii(ring.innerRadius, ring.outerRadius);
-  checkArcDegree("an annulus");
-  checkNamed({1, 2});
-}
-
-void PatchCheck::operator()(const DiscSpec& disc) {
-  checkOpening(disc.openingAngle, "disc");
-  checkArcDegree("a disc");
-  checkNamed({2, 2});
-}
-
-void PatchCheck::operator()(const EllipseSpec&) {
-  checkArcDegree("an ellipse");
-  checkNamed({2, 2});
-}
-
-void PatchCheck::operator()(const TubeSpec& tube) {
-  checkRadii(tube.innerRadius, tube.outerRadius);
-  checkDirection("axis", tube.axis);
-  checkArcDegree("a tube");
-  checkNamed({1, 2, 1});
-}
-
-void PatchCheck::operator()(const CylinderSpec& cylinder) {
-  checkOpening(cylinder.openingAngle, "cylinder");
-  checkDirection("axis", cylinder.axis);
-  checkArcDegree("a cylinder");
-  checkNamed({2, 2, 1});
-}
-
-void PatchCheck::operator()(const BallOctantSpec& ball) {
-  checkDirection("pole", ball.pole);
-  checkArcDegree("a ball");
-  checkNamed({1, 2, 2});
-}
-
-void PatchCheck::checkRadii(double inner, double outer) const {
-  if (clean("inner_radius") && clean("outer_radius") && outer <= inner)
-    report("outer_radius",
-           fmt::format("found {}; allowed: a number above the inner radius {}.", outer, inner));
-}
-
-void PatchCheck::checkOpening(double angle, const char* shape) const {
-  if (clean("opening_angle") && angle >= 180.0 && angle != 360.0)
-    report("opening_angle",
-           fmt::format("found {}; allowed: a number above 0 and below 180, or 360 for the whole {}.", angle,
-                       shape));
-}
-
-void PatchCheck::checkDirection(const char* name, const std::vector<double>& direction) const {
-  if (clean(name) && std::all_of(direction.begin(), direction.end(), [](double d) { return d == 0.0; }))
-    report(name, "found a vector of length 0; allowed: a direction, such as [0, 0, 1].");
+template <class Shape>
+void PatchCheck::operator()(const Shape& shape) {
+  if constexpr (requires { check(shape, problems_); }) check(shape, problems_);
+  constexpr auto& degrees = Shape::kind.degrees;
+  if (std::ranges::max(degrees) > 1) checkArcDegree(Shape::kind.name);
+  checkNamed(degrees);
 }
 
 void PatchCheck::checkArcDegree(const char* shape) const {
@@ -142,7 +85,7 @@ void PatchCheck::checkNumberOfFunctions(std::size_t direction) const {
 }
 
 /// Shapes of one knot span per direction, with the degrees that describe them exactly.
-void PatchCheck::checkNamed(const std::vector<int>& degrees) {
+void PatchCheck::checkNamed(std::span<const int> degrees) {
   if (clean("functions") && clean("spans")) {
     if (mesh_.functions.empty() && mesh_.spans.empty())
       c_.report(at_,
@@ -161,55 +104,13 @@ void PatchCheck::checkNamed(const std::vector<int>& degrees) {
   checkMesh(shape);
 }
 
-void PatchCheck::operator()(const ControlNetSpec& net) {
+void PatchCheck::operator()(const ControlNetBody& net) {
   for (const auto& [name, given] :
        {std::pair{"functions", &mesh_.functions}, std::pair{"spans", &mesh_.spans}})
     if (!given->empty() && clean(name))
       report(name, fmt::format("found {}, but a control net brings its own knots; allowed: refine.", name));
-  if (net.degrees.empty() || !clean("degrees")) return;
-  if (const auto knots = netKnots(net)) {
-    checkPoints(net, *knots);
-    checkMesh(*knots);
-  }
-  if (!net.weights.empty() && net.weights.size() != net.points.size() && clean("points") && clean("weights"))
-    report("weights", fmt::format("found {} weights for {} points; allowed: one per control point.",
-                                  net.weights.size(), net.points.size()));
-}
-
-/// Nothing when a knot vector is unusable, which is reported.
-std::optional<std::vector<KnotVector>> PatchCheck::netKnots(const ControlNetSpec& net) const {
-  if (!clean("knots")) return std::nullopt;
-  if (net.knots.size() != net.degrees.size()) {
-    report("knots", fmt::format("found {} knot vectors for {} degrees; allowed: one per direction.",
-                                net.knots.size(), net.degrees.size()));
-    return std::nullopt;
-  }
-  std::vector<KnotVector> knots;
-  for (std::size_t d = 0; d < net.knots.size(); ++d) {
-    try {
-      knots.emplace_back(net.degrees[d], net.knots[d]);
-    } catch (const Error& e) {
-      reportEntry("knots", d, fmt::format("{}.", e.what()));
-    }
-  }
-  if (knots.size() < net.knots.size()) return std::nullopt;
-  return knots;
-}
-
-void PatchCheck::checkPoints(const ControlNetSpec& net, const std::vector<KnotVector>& knots) const {
-  if (!clean("points")) return;
-  const std::size_t dim = net.degrees.size();
-  for (std::size_t i = 0; i < net.points.size(); ++i)
-    if (net.points[i].size() != dim)
-      reportEntry("points", i,
-                  fmt::format("found {} coordinates; allowed: {}, one per direction of the body.",
-                              net.points[i].size(), dim));
-  const auto functions = std::accumulate(
-      knots.begin(), knots.end(), std::size_t{1},
-      [](std::size_t n, const KnotVector& k) { return n * static_cast<std::size_t>(k.numFunctions()); });
-  if (net.points.size() != functions)
-    report("points", fmt::format("found {} points; allowed: {}, as many as the knots make basis functions.",
-                                 net.points.size(), functions));
+  check(net, problems_);
+  if (!net.degrees.empty() && clean("degrees") && clean("knots")) checkMesh(net.knotVectors());
 }
 
 void PatchCheck::checkCreases() const {

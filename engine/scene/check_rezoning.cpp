@@ -34,7 +34,7 @@ bool hasCreases(const GeometrySpec& geometry) {
 }
 
 bool hasRepeatedKnots(const GeometrySpec& geometry) {
-  const auto* net = std::get_if<ControlNetSpec>(&geometry.shape);
+  const auto* net = std::get_if<ControlNetBody>(&geometry.shape);
   if (net == nullptr) return false;
   for (const auto& knots : net->knots)
     for (std::size_t k = 1; k < knots.size(); ++k)

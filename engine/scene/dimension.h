@@ -6,31 +6,11 @@
 namespace burnish {
 
 /// Dimensions of a shape; 0 for a control net without degrees. Of several patches, those of the first.
-inline int dimensionOf(const RectangleSpec&) {
-  return 2;
+template <class Shape>
+int dimensionOf(const Shape& /*shape*/) {
+  return static_cast<int>(Shape::kind.degrees.size());
 }
-inline int dimensionOf(const AnnulusSpec&) {
-  return 2;
-}
-inline int dimensionOf(const DiscSpec&) {
-  return 2;
-}
-inline int dimensionOf(const EllipseSpec&) {
-  return 2;
-}
-inline int dimensionOf(const BoxSpec&) {
-  return 3;
-}
-inline int dimensionOf(const TubeSpec&) {
-  return 3;
-}
-inline int dimensionOf(const CylinderSpec&) {
-  return 3;
-}
-inline int dimensionOf(const BallOctantSpec&) {
-  return 3;
-}
-inline int dimensionOf(const ControlNetSpec& net) {
+inline int dimensionOf(const ControlNetBody& net) {
   return static_cast<int>(net.degrees.size());
 }
 int dimensionOf(const PatchesSpec& body);

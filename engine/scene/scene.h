@@ -12,6 +12,8 @@
 #include "engine/material/material.h"
 #include "engine/rezoning/rezoning_options.h"
 #include "engine/scene/tool_spec.h"
+#include "engine/schema/alternatives.h"
+#include "engine/solid/bodies/bodies.h"
 #include "engine/solid/formulation.h"
 #include "engine/solid/stabilisation_options.h"
 #include "engine/solver/solver_options.h"
@@ -23,79 +25,6 @@ namespace burnish {
 
 enum class BasisChoice { Nurbs, Lagrange };
 enum class KinematicsChoice { PlaneStrain, Axisymmetric };
-
-struct RectangleSpec {
-  std::vector<double> origin{0.0, 0.0};  ///< lower left corner
-  std::vector<double> size;              ///< width and height, > 0
-};
-
-/// Part of a ring: first parameter along the radius (inner to outer), second along the angle.
-struct AnnulusSpec {
-  std::vector<double> center{0.0, 0.0};
-  double innerRadius = 0.0;
-  double outerRadius = 0.0;
-  double startAngle = 0.0;     ///< degrees
-  double openingAngle = 90.0;  ///< degrees, (0, 180)
-};
-
-/// A disc, whole or a sector of it.
-struct DiscSpec {
-  std::vector<double> center{0.0, 0.0};
-  double radius = 0.0;
-  double startAngle = 0.0;      ///< degrees
-  double openingAngle = 360.0;  ///< degrees, (0, 180), or 360 for the whole disc
-};
-
-/// A whole ellipse with axes along x and y.
-struct EllipseSpec {
-  std::vector<double> center{0.0, 0.0};
-  std::vector<double> size;  ///< width and height, > 0
-};
-
-struct BoxSpec {
-  std::vector<double> origin{0.0, 0.0, 0.0};
-  std::vector<double> size;
-};
-
-/// Part of a tube: radius (inner to outer), angle, axis. Angles count from the coordinate axis that follows
-/// the largest component of `axis`.
-struct TubeSpec {
-  std::vector<double> center{0.0, 0.0, 0.0};  ///< begin of the axis
-  std::vector<double> axis{0.0, 0.0, 1.0};    ///< direction of any length
-  double innerRadius = 0.0;
-  double outerRadius = 0.0;
-  double length = 0.0;
-  double startAngle = 0.0;     ///< degrees
-  double openingAngle = 90.0;  ///< degrees, (0, 180)
-};
-
-/// A solid cylinder, whole or a sector of it; angles as those of a tube.
-struct CylinderSpec {
-  std::vector<double> center{0.0, 0.0, 0.0};  ///< begin of the axis
-  std::vector<double> axis{0.0, 0.0, 1.0};    ///< direction of any length
-  double radius = 0.0;
-  double length = 0.0;
-  double startAngle = 0.0;      ///< degrees
-  double openingAngle = 360.0;  ///< degrees, (0, 180), or 360 for the whole cylinder
-};
-
-/// Half a ball cut by two planes of symmetry that meet at its pole.
-struct BallOctantSpec {
-  std::vector<double> center{0.0, 0.0, 0.0};
-  double radius = 0.0;
-  std::vector<double> pole{0.0, 0.0, -1.0};  ///< direction of any length from the centre
-};
-
-/// Control points, weights and knot vectors given in the scene, or in a YAML file of the same keys.
-/// `degrees`, `knots` one entry per direction; points with the first direction fastest; weights may be left
-/// out (all 1).
-struct ControlNetSpec {
-  std::string file;  ///< relative to the scene's file; replaced by its contents when the scene is read
-  std::vector<int> degrees;
-  std::vector<std::vector<double>> knots;
-  std::vector<std::vector<double>> points;
-  std::vector<double> weights;
-};
 
 /// How a shape is divided into knot spans.
 struct MeshSpec {
@@ -112,21 +41,20 @@ struct MeshSpec {
 /// One of several patches.
 struct PatchSpec {
   std::string name;
-  std::variant<RectangleSpec, AnnulusSpec, DiscSpec, EllipseSpec, BoxSpec, TubeSpec, CylinderSpec,
-               BallOctantSpec, ControlNetSpec>
-      shape;
+  BodyShape shape;
   MeshSpec mesh;
 };
 
 /// Patches that share the control points of the faces at which they meet.
 struct PatchesSpec {
+  static constexpr PartKind kind{"patches",
+                                 "Several patches, joined at common faces; each has its own mesh."};
+
   std::vector<PatchSpec> patches;
 };
 
 struct GeometrySpec {
-  std::variant<RectangleSpec, AnnulusSpec, DiscSpec, EllipseSpec, BoxSpec, TubeSpec, CylinderSpec,
-               BallOctantSpec, ControlNetSpec, PatchesSpec>
-      shape;
+  Extended<BodyShape, PatchesSpec> shape;
   MeshSpec mesh;  ///< unused with several patches, which have their own
 };
 

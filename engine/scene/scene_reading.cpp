@@ -37,7 +37,7 @@ std::vector<int> netDegrees(const GeometrySpec& geometry) {
   std::vector<int> degrees;
   bool only = true;
   const auto add = [&](const auto& shape) {
-    if (const auto* net = std::get_if<ControlNetSpec>(&shape))
+    if (const auto* net = std::get_if<ControlNetBody>(&shape))
       degrees.insert(degrees.end(), net->degrees.begin(), net->degrees.end());
     else
       only = false;

@@ -12,6 +12,7 @@ class Coordinates : public Eigen::Vector3d {
   /// None is given.
   Coordinates() : Eigen::Vector3d(Eigen::Vector3d::Zero()) {}
 
+  Coordinates(double x, double y) : Eigen::Vector3d(x, y, 0.0), entries_(2) {}
   Coordinates(double x, double y, double z) : Eigen::Vector3d(x, y, z), entries_(3) {}
 
   template <class Derived>

@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "engine/schema/rule.h"
+#include "engine/schema/alternatives.h"
 #include "engine/tools/box.h"
 #include "engine/tools/cone.h"
 #include "engine/tools/cylinder.h"
@@ -39,12 +39,6 @@ using SimpleShape = std::variant<Plane,         //
 template <class... Shape>
 std::array<ShapeKind, sizeof...(Shape)> kindsOf(const std::variant<Shape...>& /*shape*/) {
   return {Shape::kind...};
-}
-
-/// The alternatives of a variant of shapes, for the schema.
-template <class... Shape>
-std::array<Alternative, sizeof...(Shape)> alternativesOf(const std::variant<Shape...>& /*shape*/) {
-  return {Alternative{Shape::kind.key, Shape::kind.sentence}...};
 }
 
 /// The rigid surface of a shape that a scene gives, or the die around it. Throws `Error` if a file cannot be

@@ -155,11 +155,11 @@ TEST(Scene, fillsInDefaults) {
   EXPECT_EQ(scene.dim(), 2);
   EXPECT_EQ(scene.basis, BasisChoice::Nurbs);
   EXPECT_EQ(scene.degree, 2);
-  EXPECT_EQ(std::get<RectangleSpec>(scene.geometry.shape).origin, (std::vector<double>{0, 0}));
+  EXPECT_EQ(std::get<RectangleBody>(scene.geometry.shape).origin.given(), (std::vector<double>{0, 0}));
   const auto& material = std::get<NeoHookean::Parameters>(scene.material);
   EXPECT_EQ(material.E, 1e-3);
   EXPECT_EQ(material.nu, 0.25);
-  EXPECT_EQ(material.volumetric, NeoHookeanSpec::Volumetric::Log);
+  EXPECT_EQ(material.volumetric, NeoHookean::Volumetric::Log);
   EXPECT_EQ(scene.contact.at(0).options.method, Enforcement::AugmentedLagrangian);
   EXPECT_FALSE(scene.contact.at(0).parameter.has_value());
   EXPECT_FALSE(scene.tools.at(0).motion.has_value());
@@ -176,7 +176,7 @@ TEST(Scene, leavesKeysOfTheDocumentAroundItToOthers) {
 
 TEST(Scene, readsEveryValueOfAScene) {
   const Scene scene = parseScene(block, "test.yaml");
-  EXPECT_EQ(std::get<RectangleSpec>(scene.geometry.shape).size, (std::vector<double>{3, 1}));
+  EXPECT_EQ(std::get<RectangleBody>(scene.geometry.shape).size.given(), (std::vector<double>{3, 1}));
   EXPECT_EQ(scene.geometry.mesh.functions, (std::vector<int>{49, 25}));
   EXPECT_EQ(scene.supports.at(0).place.face, "bottom");
   EXPECT_EQ(scene.supports.at(0).fix, (std::vector<std::string>{"x", "y"}));
@@ -193,7 +193,7 @@ TEST(Scene, readsEveryValueOfAScene) {
 
 TEST(Scene, controlNetKeepsItsDegrees) {
   const Scene scene = parseScene(net, "test.yaml");
-  const auto& given = std::get<ControlNetSpec>(scene.geometry.shape);
+  const auto& given = std::get<ControlNetBody>(scene.geometry.shape);
   EXPECT_EQ(given.degrees, (std::vector<int>{1, 2}));
   EXPECT_EQ(given.points.at(3), (std::vector<double>{2, 2}));
   EXPECT_EQ(given.weights.at(2), 0.7071067811865476);
@@ -244,7 +244,7 @@ TEST_F(ControlNetFile, isReadAndItsContentsStandInTheResolvedScene) {
   ASSERT_EQ(errorWith(ring_), "no error");
   const Scene scene = readScene(directory_ / "scene.yaml");
   EXPECT_EQ(scene.dim(), 2);
-  EXPECT_EQ(std::get<ControlNetSpec>(scene.geometry.shape).points.at(3), (std::vector<double>{2, 2}));
+  EXPECT_EQ(std::get<ControlNetBody>(scene.geometry.shape).points.at(3), (std::vector<double>{2, 2}));
   EXPECT_EQ(scene.resolvedYaml.find("ring.yaml"), std::string::npos);
   const Scene again = parseScene(scene.resolvedYaml, "elsewhere/again.yaml");
   EXPECT_EQ(again.resolvedYaml, scene.resolvedYaml);

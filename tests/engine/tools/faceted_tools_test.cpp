@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/tools/box.h"
 #include "engine/tools/faceted_shape.h"
 #include "engine/tools/polyline.h"
 #include "engine/tools/rigid_shape.h"

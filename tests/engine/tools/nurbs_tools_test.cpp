@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/tools/box.h"
 #include "engine/tools/nurbs_shape.h"
 #include "tests/engine/tools/gap_check.h"
 

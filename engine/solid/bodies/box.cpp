@@ -1,0 +1,11 @@
+#include "engine/solid/bodies/box.h"
+
+#include "engine/nurbs/shapes.h"
+
+namespace burnish {
+
+Patch<3> BoxBody::patch() const {
+  return box(origin, size);
+}
+
+}  // namespace burnish

@@ -1,0 +1,11 @@
+#include "engine/solid/bodies/ellipse.h"
+
+#include "engine/nurbs/shapes.h"
+
+namespace burnish {
+
+Patch<2> EllipseBody::patch() const {
+  return ellipse(center.head<2>(), size.head<2>());
+}
+
+}  // namespace burnish
