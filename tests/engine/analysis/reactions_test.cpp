@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/core/error.h"
+#include "engine/results/summary_file.h"
 #include "tests/engine/analysis/run_scene.h"
 #include "tests/engine/scene/scene_samples.h"
 

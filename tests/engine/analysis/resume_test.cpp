@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/results/restart.h"
 #include "engine/results/result_files.h"
+#include "engine/results/summary_file.h"
 #include "tests/engine/analysis/run_scene.h"
 #include "tests/engine/scene/scene_samples.h"
 
