@@ -22,7 +22,7 @@
 ///   fields()                          what of a state results and pictures show,
 ///   carried(), begin(stretch)         numbers of a state that go along to a new mesh, and how it begins there,
 ///   yieldStress(e_p)                  if the material flows,
-///   checkMaterial(parameters, …)      what the rules of the keys do not say.
+///   check(parameters, problems)       of what the rules of the keys do not say.
 /// Everything else follows from this list.
 namespace burnish {
 
@@ -106,7 +106,7 @@ std::vector<std::string> materialComponentNames();
 /// Why a material has not the field, or component, of another law; empty if it has it, or no law has.
 std::string whyWithout(const MaterialParameters& material, const std::string& field);
 
-/// Reports what keeps the law from being made. key: under which it stands.
+/// Reports what keeps the law from being made.
 void checkMaterial(const MaterialParameters& material, const Problems& problems);
 
 }  // namespace burnish

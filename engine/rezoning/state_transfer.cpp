@@ -100,7 +100,9 @@ Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch
 PointStates interpolated(const SpanQuadrature<2>& quadrature, const TensorBasis<2>& basis,
                          const PointStates& states, const Eigen::Matrix2Xd& parameters) {
   std::array<std::vector<double>, 2> grid{gridCoordinates(quadrature, 0), gridCoordinates(quadrature, 1)};
-  Eigen::MatrixXd values(4 + states.numbers.rows(), quadrature.numPoints());
+  // One row at least beside those of the strain: how many there are decides how their sums are rounded.
+  const Eigen::Index numRows = 4 + std::max<Eigen::Index>(1, states.numbers.rows());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(numRows, quadrature.numPoints());
   Eigen::VectorXd volumes(quadrature.numPoints());
   for (const auto& span : quadrature.spans())
     for (Eigen::Index q = 0; q < span.xi.cols(); ++q) {
@@ -115,7 +117,7 @@ PointStates interpolated(const SpanQuadrature<2>& quadrature, const TensorBasis<
       volumes(span.firstPoint + q) = strain.trace();
       strain.diagonal().array() -= strain.trace() / 3.0;
       values.col(place).head<4>() = components<2>(strain);
-      values.col(place).tail(states.numbers.rows()) = states.numbers.col(span.firstPoint + q);
+      values.col(place).segment(4, states.numbers.rows()) = states.numbers.col(span.firstPoint + q);
     }
   const GridInterpolation interpolation(std::move(grid), std::move(values));
   const ReducedField volume(quadrature, basis, volumes);

@@ -9,6 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/material/material.h"
 
 namespace burnish {
 namespace {
@@ -17,16 +18,36 @@ namespace {
 struct Wording {
   std::string words;
   RichText symbol;  ///< an index for the component is added
+  bool isNonNegative = false;
 };
 
-const std::map<std::string, Wording>& wordings() {
-  static const std::map<std::string, Wording> table{
-      {"displacement", {"Displacement", {{"u"}}}},
-      {"plastic_strain", {"Equivalent plastic strain", {{"ε̄"}, {"p", Script::Super}}}},
-      {"von_mises", {"von Mises stress", {{"σ"}, {"v", Script::Sub}}}},
-      {"stress", {"Cauchy stress", {{"σ"}}}},
-      {"pressure", {"Pressure", {{"p"}}}}};
+/// A symbol as a `FieldKind` has it, whose letters behind ^ or _ are raised or lowered.
+RichText symbolOf(const std::string& text) {
+  const std::size_t script = text.find_first_of("^_");
+  RichText symbol{{text.substr(0, script)}};
+  if (script != std::string::npos)
+    symbol.push_back({text.substr(script + 1), text[script] == '^' ? Script::Super : Script::Sub});
+  return symbol;
+}
+
+std::map<std::string, Wording> allWordings() {
+  std::map<std::string, Wording> table{{"displacement", {"Displacement", {{"u"}}, false}},
+                                       {"von_mises", {"von Mises stress", symbolOf("σ_v"), true}},
+                                       {"stress", {"Cauchy stress", {{"σ"}}, false}},
+                                       {"pressure", {"Pressure", {{"p"}}, false}}};
+  for (const FieldKind& field : materialFields())
+    table[field.name] = {field.words, symbolOf(field.symbol), field.isNonNegative};
   return table;
+}
+
+const std::map<std::string, Wording>& wordings() {
+  static const std::map<std::string, Wording> table = allWordings();
+  return table;
+}
+
+bool isNonNegative(const std::string& name) {
+  const auto wording = wordings().find(name);
+  return wording != wordings().end() && wording->second.isNonNegative;
 }
 
 bool isVector(const FieldRecord& field) {
@@ -92,8 +113,7 @@ FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, cons
     const auto names = namesOf(fieldName, field);
     if (std::find(names.begin(), names.end(), name) == names.end()) continue;
     if (name == fieldName)
-      return {titleOf(fieldName, "", isVector(field)), field.unit, field.values,
-              name == "von_mises" || name == "plastic_strain"};
+      return {titleOf(fieldName, "", isVector(field)), field.unit, field.values, isNonNegative(name)};
     const std::string component = name.substr(fieldName.size() + 1);
     const auto row = std::find(field.components.begin(), field.components.end(), component);
     return {titleOf(fieldName, component, false), field.unit,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -122,14 +123,14 @@ TEST(PointsOf, HandTheStepToALawThatDependsOnRates) {
   PointsOf<Fluid> points{{}, std::vector<Fluid::State>(1), std::vector<Fluid::State>(1)};
   points.timeStep = 0.5;
   MaterialResponse<2> response;
-  ASSERT_TRUE(points.evaluate<2>(0, test::stretched<2>(1.1, 1.0, 1.0), response));
+  ASSERT_TRUE(points.evaluate<2>(0, Eigen::Vector3d(1.1, 1.0, 1.0).asDiagonal(), response));
   EXPECT_NEAR(response.tau(0), 0.2, 1e-15);
   EXPECT_EQ(points.trial[0].F(0, 0), 1.1);
 }
 
 TEST(Material, ListsTheFieldsOfItsLaws) {
-  EXPECT_EQ(materialFieldNames(), std::vector<std::string>{"plastic_strain"});
-  EXPECT_EQ(materialScalarNames(), std::vector<std::string>{"plastic_strain"});
+  for (const auto& names : {materialFieldNames(), materialScalarNames(), materialComponentNames()})
+    EXPECT_EQ(std::count(names.begin(), names.end(), "plastic_strain"), 1);
   EXPECT_EQ(whyWithout(NeoHookean::Parameters{}, "plastic_strain"), "the material is elastic");
   EXPECT_EQ(whyWithout(J2Plasticity::Parameters{}, "plastic_strain"), "");
   EXPECT_EQ(whyWithout(NeoHookean::Parameters{}, "stress.xx"), "");

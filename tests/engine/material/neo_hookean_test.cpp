@@ -147,7 +147,7 @@ TEST(NeoHookean, RefusesImpossibleModuli) {
   EXPECT_THROW(NeoHookean({-1.0, 0.3}), Error);
   EXPECT_THROW(NeoHookean({1.0, 0.5}), Error);
   EXPECT_THROW(NeoHookean({1.0, -1.0}), Error);
-  EXPECT_THROW(NeoHookean(std::numeric_limits<double>::quiet_NaN(), 0.3), Error);
+  EXPECT_THROW(NeoHookean({std::numeric_limits<double>::quiet_NaN(), 0.3}), Error);
 }
 
 }  // namespace

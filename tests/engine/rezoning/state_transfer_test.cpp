@@ -168,7 +168,7 @@ TEST(StateTransfer, InterpolatesEveryNumberForItself) {
   states.numbers =
       (Eigen::MatrixXd(2, states.numbers.cols()) << -2.0 * states.numbers, states.numbers).finished();
   const Eigen::MatrixXd both = transferred(from, states, to).numbers;
-  EXPECT_EQ(both.row(1), alone.row(0));
+  EXPECT_LT((both.row(1) - alone.row(0)).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_LT((both.row(0) + 2.0 * alone.row(0)).cwiseAbs().maxCoeff(), 1e-14);
 }
 

@@ -161,7 +161,7 @@ TEST(Scene, fillsInDefaults) {
   EXPECT_EQ(material.nu, 0.25);
   EXPECT_EQ(material.volumetric, NeoHookean::Volumetric::Log);
   EXPECT_EQ(scene.contact.at(0).options.method, Enforcement::AugmentedLagrangian);
-  EXPECT_FALSE(scene.contact.at(0).parameter.has_value());
+  EXPECT_FALSE(scene.contact.at(0).options.parameter.has_value());
   EXPECT_FALSE(scene.tools.at(0).motion.has_value());
   EXPECT_EQ(scene.solver.newton.tolerance, 1e-9);
   EXPECT_EQ(scene.output.subdivision, 4);
@@ -324,7 +324,7 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
     EXPECT_EQ(std::get<NeoHookean::Parameters>(again.material).E,
               std::get<NeoHookean::Parameters>(scene.material).E);
     EXPECT_EQ(again.supports[0].move.has_value(), scene.supports[0].move.has_value());
-    EXPECT_EQ(again.contact[0].parameter, scene.contact[0].parameter);
+    EXPECT_EQ(again.contact[0].options.parameter, scene.contact[0].options.parameter);
   }
   EXPECT_EQ(parseScene(title + block, "test.yaml").title, "a \"b\": # é\t~");
 }
@@ -341,7 +341,7 @@ TEST(SceneOverride, setsMakesAndReplacesValues) {
   EXPECT_EQ(*scene.tools[0].motion->x, (std::vector<double>{0, 0, 1.5}));
   EXPECT_EQ(scene.solver.stepping.maxCuts, 3);
   EXPECT_EQ(std::get<NeoHookean::Parameters>(scene.material).E, 5.0);
-  EXPECT_EQ(scene.contact[0].parameter, 2.5);
+  EXPECT_EQ(scene.contact[0].options.parameter, 2.5);
   EXPECT_EQ(scene.title, "a = b");
 }
 
