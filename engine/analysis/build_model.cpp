@@ -122,8 +122,7 @@ void ModelBuilder<Dim>::addLoad(std::size_t number) {
     return;
   }
   model_->faces_.requireOuter(load.place, fmt::format("loads[{}]", number));
-  const int patch = model_->faces_.patch(load.place.patch);
-  const FaceId side = faceFromName<Dim>(load.place.face);
+  const auto [patch, side] = model_->faces_.face(load.place);
   FaceQuadrature<Dim> face(model_->body_, patch, side, 0,
                            model_->faces_.part(load.place, fmt::format("loads[{}]", number)));
   if (!load.traction.empty()) {
@@ -158,13 +157,13 @@ template <int Dim>
 void ModelBuilder<Dim>::addContact(std::size_t number) {
   const auto& spec = scene_.contact[number];
   const std::size_t tool = model_->toolNumber(spec.tool);
-  const int patch = model_->faces_.patch(spec.place.patch);
+  const FacePlace place = model_->faces_.face(spec.place);
   ContactOptions options = spec.options;
   options.parameter = options.parameterFor(youngsModulus(model_->bulk_->material()), model_->body_.size());
-  auto term = std::make_unique<ContactTerm<Dim>>(model_->body_, patch, faceFromName<Dim>(spec.place.face),
+  auto term = std::make_unique<ContactTerm<Dim>>(model_->body_, place.patch, place.face,
                                                  *model_->tools_[tool], options, model_->numUnknowns_);
   model_->numUnknowns_ += term->numMultipliers();
-  model_->contacts_.push_back({tool, patch, spec.place.face, std::move(term)});
+  model_->contacts_.push_back({tool, place, std::move(term)});
 }
 
 template <int Dim>
@@ -175,17 +174,16 @@ void ModelBuilder<Dim>::addSelfContact(std::size_t number, bool mayPenetrate) {
     SelfContactOptions options = spec.options;
     options.parameter = options.parameterFor(youngsModulus(model_->bulk_->material()), model_->body_.size());
     options.reach = options.reachFor(model_->body_.size());
-    const int patch = model_->faces_.patch(spec.place.patch);
-    const FaceId face = faceFromName<2>(spec.place.face);
+    const FacePlace place = model_->faces_.face(spec.place);
     std::unique_ptr<SelfContactTerm> term;
     try {
-      term = std::make_unique<SelfContactTerm>(model_->body_, patch, face, options, model_->numUnknowns_,
-                                               mayPenetrate);
+      term = std::make_unique<SelfContactTerm>(model_->body_, place.patch, place.face, options,
+                                               model_->numUnknowns_, mayPenetrate);
     } catch (const Error& error) {
       throw InputError(fmt::format("self_contact[{}]", number), error.what());
     }
     model_->numUnknowns_ += term->numMultipliers();
-    model_->selfContacts_.push_back({patch, face, std::move(term)});
+    model_->selfContacts_.push_back({place, std::move(term)});
   }
 }
 

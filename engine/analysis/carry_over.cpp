@@ -35,9 +35,9 @@ void setMultipliers(const Model<2>& before, const Patch<2>& deformed, const Mode
         before.body(), face, deformed, next.body().patches.front(), oldTerm.state().lambdaHat);
   };
   for (std::size_t k = 0; k < next.contacts().size(); ++k)
-    set(*before.contacts()[k].term, *next.contacts()[k].term, faceFromName<2>(next.contacts()[k].faceName));
+    set(*before.contacts()[k].term, *next.contacts()[k].term, next.contacts()[k].place.face);
   for (std::size_t k = 0; k < next.selfContacts().size(); ++k)
-    set(*before.selfContacts()[k].term, *next.selfContacts()[k].term, next.selfContacts()[k].face);
+    set(*before.selfContacts()[k].term, *next.selfContacts()[k].term, next.selfContacts()[k].place.face);
 }
 
 }  // namespace

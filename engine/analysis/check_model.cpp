@@ -21,9 +21,9 @@ template <class Spec>
 void gatherInfinite(const std::string& path, const Spec& spec, const std::optional<FormulaText>& turn,
                     const char* turnKey, const Scene& scene, const std::vector<double>& times,
                     InputProblems& problems) {
-  const std::array<std::pair<const char*, const std::optional<FormulaText>*>, kToolWays> ways{
+  const std::array<std::pair<const char*, const std::optional<FormulaText>*>, kToolDofs> dofs{
       {{"x", &spec.x}, {"y", &spec.y}, {"z", &spec.z}, {turnKey, &turn}}};
-  for (const auto& [key, text] : ways)
+  for (const auto& [key, text] : dofs)
     if (*text)
       problems.gather([&] {
         placed(fmt::format("{}.{}", path, key), [&] {
@@ -67,8 +67,7 @@ void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const st
   const Tool& tool = *model.tools()[model.toolNumber(spec.tool)];
   const FaceFinder<Dim>& faces = model.faces();
   faces.requireOuter(spec.place, place);
-  const NearestPoint nearest = nearestPoint(model.body(), faces.patch(spec.place.patch),
-                                            faceFromName<Dim>(spec.place.face), tool, 0.0);
+  const NearestPoint nearest = nearestPoint(model.body(), faces.face(spec.place), tool, 0.0);
   if (-nearest.gap > kTouching * std::min(tool.shape.halfThickness(), model.body().size()))
     throw InputError(place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; move it away "
                                         "by at least that much (touching is fine)",
@@ -117,13 +116,13 @@ void requireSupported(const Model<Dim>& model) {
   const Eigen::MatrixXd atSupports = motions(held, Eigen::all);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(atSupports);
   qr.setThreshold(1e-10);
-  const int freeWays = numRigid - (held.empty() ? 0 : static_cast<int>(qr.rank()));
-  if (freeWays > 0)
+  const int freeMotions = numRigid - (held.empty() ? 0 : static_cast<int>(qr.rank()));
+  if (freeMotions > 0)
     throw InputError(
         "supports",
         fmt::format(
             "they leave the body free to move as a rigid whole in {} way{}; hold more components or faces",
-            freeWays, freeWays == 1 ? "" : "s"));
+            freeMotions, freeMotions == 1 ? "" : "s"));
 }
 
 template void requireFiniteFormulas(const Scene&, const Model<2>&);

@@ -9,8 +9,8 @@ namespace burnish {
 /// Path of what a load of the scene is given by: `loads[0].pressure`.
 std::string loadKey(const Scene& scene, std::size_t number);
 
-/// Throws `InputError` at the keys of all formulas of supports, loads and tools that have no finite value at a
-/// time point.
+/// Throws `InputError` at the keys of all formulas of supports, loads and tools that have no finite value at
+/// a time point.
 template <int Dim>
 void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model);
 

@@ -9,7 +9,7 @@ double forceFromInside(const Body<Dim>& body, const ContactPair<Dim>& pair, cons
   const auto& face = pair.term->face();
   const ContactState& state = pair.term->state();
   const double outward =
-      outwardSign(body.patches[static_cast<std::size_t>(pair.patch)], faceFromName<Dim>(pair.faceName));
+      outwardSign(body.patches[static_cast<std::size_t>(pair.place.patch)], pair.place.face);
   double all = 0.0, inside = 0.0;
   for (const auto& span : face.spans()) {
     Eigen::MatrixXd points(Dim, span.functions.size());

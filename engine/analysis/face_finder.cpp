@@ -73,12 +73,12 @@ template <int Dim>
 std::vector<OuterFace> FaceFinder<Dim>::outerFaces() const {
   std::vector<OuterFace> faces;
   for (std::size_t patch = 0; patch < names_.size(); ++patch)
-    for (FaceId side = 0; side < 2 * Dim; ++side) {
-      const std::string face = faceName(side);
-      if (neighbour({names_[patch], face, {}})) continue;
-      faces.push_back({static_cast<int>(patch), side,
-                       names_.size() == 1 ? fmt::format("'{}'", face)
-                                          : fmt::format("'{}' of patch '{}'", face, names_[patch])});
+    for (FaceId face = 0; face < 2 * Dim; ++face) {
+      const std::string name = faceName(face);
+      if (neighbour({names_[patch], name, {}})) continue;
+      faces.push_back({{static_cast<int>(patch), face},
+                       names_.size() == 1 ? fmt::format("'{}'", name)
+                                          : fmt::format("'{}' of patch '{}'", name, names_[patch])});
     }
   return faces;
 }

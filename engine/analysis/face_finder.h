@@ -6,13 +6,13 @@
 
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
+#include "engine/solid/face_place.h"
 
 namespace burnish {
 
 /// A face of the body that is joined to no other patch.
 struct OuterFace {
-  int patch = 0;
-  FaceId side = 0;
+  FacePlace place;
   std::string text;  ///< for messages: 'top', or 'top' of patch 'rim'
 };
 
@@ -25,6 +25,9 @@ class FaceFinder {
 
   /// Number of the patch; of the first one for an empty name.
   int patch(const std::string& name) const;
+
+  /// The face that the scene names.
+  FacePlace face(const FaceSpec& place) const { return {patch(place.patch), faceFromName<Dim>(place.face)}; }
 
   const Body<Dim>& body() const { return body_; }
 

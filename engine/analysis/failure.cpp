@@ -28,9 +28,9 @@ std::string placeOf(const Model<Dim>& model, int unknown) {
                        kAxes[static_cast<std::size_t>(unknown % Dim)]);
   }
   for (const auto& tool : model.tools())
-    for (std::size_t way = 0; way < kToolWays; ++way)
-      if (tool->unknowns[way] == unknown)
-        return fmt::format("tool '{}', {}", tool->name, way == kTurn ? "in its turn" : kAxes[way]);
+    for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+      if (tool->unknowns[dof] == unknown)
+        return fmt::format("tool '{}', {}", tool->name, dof == kTurn ? "in its turn" : kAxes[dof]);
   return "a constraint";
 }
 
@@ -47,9 +47,9 @@ ContactFindings contactFindings(const Model<Dim>& model) {
     const ContactState& contact = pair.term->state();
     if (contact.active.empty()) continue;
     found.changes += contact.changes;
-    found.findings.push_back(
-        fmt::format("{} control points of face '{}' touch tool '{}', {} changed in the last iteration",
-                    contact.numActive(), pair.faceName, model.tools()[pair.tool]->name, contact.changes));
+    found.findings.push_back(fmt::format(
+        "{} control points of face '{}' touch tool '{}', {} changed in the last iteration",
+        contact.numActive(), faceName(pair.place.face), model.tools()[pair.tool]->name, contact.changes));
   }
   for (const auto& contact : model.selfContacts()) {
     const SelfContactState& state = contact.term->state();
@@ -57,7 +57,7 @@ ContactFindings contactFindings(const Model<Dim>& model) {
     if (state.numActive() > 0 || state.changes > 0)
       found.findings.push_back(fmt::format(
           "{} control points of face '{}' touch the face itself, {} changed in the last iteration",
-          state.numActive(), faceName(contact.face), state.changes));
+          state.numActive(), faceName(contact.place.face), state.changes));
   }
   return found;
 }

@@ -45,16 +45,16 @@ template <int Dim>
 ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pair, const Eigen::VectorXd& x) {
   ContactRecord record = faceRecord(pair.term->face(), pair.term->state(), x);
   record.tool = model.tools()[pair.tool]->name;
-  record.face = pair.faceName;
-  record.patch = pair.patch;
+  record.face = faceName(pair.place.face);
+  record.patch = pair.place.patch;
   record.quadratureNormal = pair.term->state().normal.template topRows<Dim>();
   return record;
 }
 
 ContactRecord contactRecord(const SelfContact& contact, const Eigen::VectorXd& x) {
   ContactRecord record = faceRecord(contact.term->face(), contact.term->state(), x);
-  record.face = faceName(contact.face);
-  record.patch = contact.patch;
+  record.face = faceName(contact.place.face);
+  record.patch = contact.place.patch;
   record.quadratureNormal = contact.term->state().normal;
   const double reach = contact.term->reach();
   record.averageGap = record.averageGap.cwiseMin(reach);

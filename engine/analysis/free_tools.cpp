@@ -15,8 +15,8 @@ std::string pulledTool(const Model<Dim>& model) {
 template <int Dim>
 std::string runawayKey(const Model<Dim>& model) {
   for (const auto& load : model.toolLoads())
-    if (const auto way = load.term->runaway())
-      return fmt::format("tools[{}].carry.{}", load.tool, kCarryKeys[*way]);
+    if (const auto dof = load.term->runaway())
+      return fmt::format("tools[{}].carry.{}", load.tool, kCarryKeys[*dof]);
   return {};
 }
 

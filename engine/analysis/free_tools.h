@@ -7,7 +7,7 @@
 namespace burnish {
 
 /// Keys of a tool's degrees of freedom under `carry`.
-inline constexpr std::array<const char*, kToolWays> kCarryKeys{"x", "y", "z", "moment"};
+inline constexpr std::array<const char*, kToolDofs> kCarryKeys{"x", "y", "z", "moment"};
 
 /// Name of a tool that has to be held by what it carries to stay in touch with the body, in the state that
 /// the terms have been evaluated at; empty if there is none.

@@ -82,8 +82,8 @@ std::vector<Eigen::Vector2d> samplesOf(const Patch<1, 2>& face) {
 std::vector<BoundaryPiece> outerBoundary(const FaceFinder<2>& faces) {
   std::vector<BoundaryPiece> pieces;
   for (const OuterFace& face : faces.outerFaces()) {
-    const auto& patch = faces.body().patches[static_cast<std::size_t>(face.patch)];
-    const auto samples = samplesOf(tracePatch(patch, face.side));
+    const auto& patch = faces.body().patches[static_cast<std::size_t>(face.place.patch)];
+    const auto samples = samplesOf(tracePatch(patch, face.place.face));
     for (std::size_t k = 1; k < samples.size(); ++k)
       if (samples[k] != samples[k - 1]) pieces.push_back({samples[k - 1], samples[k], face.text});
   }

@@ -55,15 +55,14 @@ std::unique_ptr<Measure> Measures<Dim>::make(const PointMeasureSpec& spec) {
 
 template <int Dim>
 std::unique_ptr<Measure> Measures<Dim>::make(const FaceMeasureSpec& spec) {
-  const int patch = model_.faces().patch(spec.place.patch);
+  const FacePlace place = model_.faces().face(spec.place);
   std::vector<const LoadTerm*> elsewhere;
   for (std::size_t k = 0; k < scene_.loads.size(); ++k) {
     const LoadSpec& load = scene_.loads[k];
-    const bool here = load.bodyForce.empty() && load.place.face == spec.place.face &&
-                      model_.faces().patch(load.place.patch) == patch;
+    const bool here = load.bodyForce.empty() && model_.faces().face(load.place) == place;
     if (!here) elsewhere.push_back(model_.loads()[k].get());
   }
-  FaceQuadrature<Dim> face(model_.body(), patch, faceFromName<Dim>(spec.place.face), 0,
+  FaceQuadrature<Dim> face(model_.body(), place.patch, place.face, 0,
                            model_.faces().part(spec.place, "face"));
   return std::make_unique<FaceMeasure<Dim>>(std::move(face), std::move(elsewhere));
 }
@@ -80,10 +79,9 @@ std::unique_ptr<Measure> Measures<Dim>::make(const EllipseMeasureSpec& spec) {
     const auto middle = spec.middle == EllipseMeasureSpec::Middle::Free    ? EllipseMeasure::Middle::Free
                         : spec.middle == EllipseMeasureSpec::Middle::Begin ? EllipseMeasure::Middle::Begin
                                                                            : EllipseMeasure::Middle::End;
-    const int patch = model_.faces().patch(spec.place.patch);
+    const FacePlace place = model_.faces().face(spec.place);
     for (const auto& pair : model_.contacts())
-      if (model_.tools()[pair.tool]->name == spec.tool && pair.patch == patch &&
-          pair.faceName == spec.place.face)
+      if (model_.tools()[pair.tool]->name == spec.tool && pair.place == place)
         return std::make_unique<EllipseMeasure>(*pair.term, middle);
     throw Error(fmt::format("tool '{}' and face '{}' are no pair of contact", spec.tool, spec.place.face));
   } else {
@@ -93,9 +91,8 @@ std::unique_ptr<Measure> Measures<Dim>::make(const EllipseMeasureSpec& spec) {
 
 template <int Dim>
 std::unique_ptr<Measure> Measures<Dim>::make(const ExtentMeasureSpec& spec) {
-  const int patch = model_.faces().patch(spec.place.patch);
-  return std::make_unique<ExtentMeasure<Dim>>(
-      FaceQuadrature<Dim>(model_.body(), patch, faceFromName<Dim>(spec.place.face), 0));
+  const auto [patch, face] = model_.faces().face(spec.place);
+  return std::make_unique<ExtentMeasure<Dim>>(FaceQuadrature<Dim>(model_.body(), patch, face, 0));
 }
 
 template <int Dim>

@@ -11,6 +11,7 @@
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
 #include "engine/solid/bulk_term.h"
+#include "engine/solid/face_place.h"
 #include "engine/solid/load_term.h"
 #include "engine/solid/span_quadrature.h"
 #include "engine/solid/stabilisation.h"
@@ -23,12 +24,11 @@ namespace burnish {
 /// Smallest force that counts over E L (E L² in 3D and axisymmetry).
 inline constexpr double kForceFloor = 1e-9;
 
-/// A contact pair of the scene: its term and the place of its tool.
+/// A contact pair of the scene: the number of its tool, the face that may touch it, and its term.
 template <int Dim>
 struct ContactPair {
   std::size_t tool = 0;
-  int patch = 0;
-  std::string faceName;
+  FacePlace place;
   std::unique_ptr<ContactTerm<Dim>> term;
 };
 
@@ -40,8 +40,7 @@ struct CarriedLoad {
 
 /// A face that may touch itself.
 struct SelfContact {
-  int patch = 0;
-  FaceId face = 0;
+  FacePlace place;
   std::unique_ptr<SelfContactTerm> term;
 };
 

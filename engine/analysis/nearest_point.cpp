@@ -51,12 +51,13 @@ Eigen::Vector<double, Dim> outwardNormal(const Patch<Dim>& patch, FaceId face,
 }  // namespace
 
 template <int Dim>
-NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, double t) {
+NearestPoint nearestPoint(const Body<Dim>& body, const FacePlace& place, const Tool& tool, double t) {
+  const Patch<Dim>& patch = body.patches[static_cast<std::size_t>(place.patch)];
   constexpr int P = Dim - 1;
   constexpr int kIntervals = Dim == 2 ? 16 : 6;
   constexpr int kZooms = 8;
   using Parameter = Eigen::Vector<double, P>;
-  const auto trace = tracePatch(body.patches[static_cast<std::size_t>(patch)], face);
+  const auto trace = tracePatch(patch, place.face);
   const ToolPose pose = tool.pose(t);
   const auto query = [&](const Parameter& xi) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
@@ -98,11 +99,11 @@ NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const T
     }
     if (box.best.gap < nearest.gap) nearest = box.best;
   }
-  const auto outward = outwardNormal(body.patches[static_cast<std::size_t>(patch)], face, nearest.xi);
+  const auto outward = outwardNormal(patch, place.face, nearest.xi);
   return {nearest.gap, outward.dot(query(nearest.xi).normal.template head<Dim>())};
 }
 
-template NearestPoint nearestPoint(const Body<2>&, int, FaceId, const Tool&, double);
-template NearestPoint nearestPoint(const Body<3>&, int, FaceId, const Tool&, double);
+template NearestPoint nearestPoint(const Body<2>&, const FacePlace&, const Tool&, double);
+template NearestPoint nearestPoint(const Body<3>&, const FacePlace&, const Tool&, double);
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/solid/body.h"
+#include "engine/solid/face_place.h"
 #include "engine/tools/tool.h"
 
 namespace burnish {
@@ -16,6 +17,6 @@ struct NearestPoint {
 /// Nearest point of the undeformed face and the tool where its motion has it at time t, found by sampling and
 /// zooming in.
 template <int Dim>
-NearestPoint nearestPoint(const Body<Dim>& body, int patch, FaceId face, const Tool& tool, double t);
+NearestPoint nearestPoint(const Body<Dim>& body, const FacePlace& place, const Tool& tool, double t);
 
 }  // namespace burnish

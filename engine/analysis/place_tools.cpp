@@ -100,7 +100,8 @@ std::vector<Eigen::Vector3d> pointsAround(const Eigen::Vector3d& middle, int dim
   constexpr int kPerDirection = 4;
   std::vector<Eigen::Vector3d> points;
   for (int k = 0; k < (dim == 2 ? 1 : kPerDirection) * kPerDirection * kPerDirection; ++k) {
-    // Shares that differ from one direction to the next, so that no symmetry of a shape hides a way.
+    // Shares that differ from one direction to the next, so that no symmetry of a shape hides a degree of
+    // freedom.
     const Eigen::Vector3i place(k % kPerDirection, k / kPerDirection % kPerDirection,
                                 k / (kPerDirection * kPerDirection));
     const Eigen::Vector3d grid = place.cast<double>();
@@ -111,24 +112,25 @@ std::vector<Eigen::Vector3d> pointsAround(const Eigen::Vector3d& middle, int dim
   return points;
 }
 
-/// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free ways in which the shape
-/// of a tool moves in itself, for instance a disc that turns about its middle: no contact resists it there.
+/// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free degrees of freedom in
+/// which the shape of a tool moves in itself, for instance a disc that turns about its middle: no contact
+/// resists it there.
 void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize) {
   constexpr double kNothing = 1e-8;
-  std::vector<std::size_t> ways;
-  for (std::size_t way = 0; way < kToolWays; ++way)
-    if (tool.isFree(way)) ways.push_back(way);
+  std::vector<std::size_t> dofs;
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+    if (tool.isFree(dof)) dofs.push_back(dof);
   const ToolPose pose = tool.pose(0.0);
   const auto points = pointsAround(tool.shape.middle(), dim, bodySize);
-  Eigen::MatrixXd slopes(points.size(), ways.size());  // of the gap, by the free ways
+  Eigen::MatrixXd slopes(points.size(), dofs.size());  // of the gap, by the free degrees of freedom
   for (std::size_t k = 0; k < points.size(); ++k)
-    slopes.row(static_cast<Eigen::Index>(k)) = tool.queryWithWays(pose, points[k]).dWays(ways).transpose();
+    slopes.row(static_cast<Eigen::Index>(k)) = tool.queryWithDofs(pose, points[k]).dDofs(dofs).transpose();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinV);
   if (svd.singularValues().tail<1>()(0) > kNothing * static_cast<double>(points.size())) return;
   std::vector<std::string> keys;
-  for (std::size_t k = 0; k < ways.size(); ++k)
+  for (std::size_t k = 0; k < dofs.size(); ++k)
     if (std::abs(svd.matrixV().rightCols<1>()(static_cast<Eigen::Index>(k))) > kNothing)
-      keys.push_back(fmt::format("{}.{}", place, kCarryKeys[ways[k]]));
+      keys.push_back(fmt::format("{}.{}", place, kCarryKeys[dofs[k]]));
   const std::string others =
       keys.size() == 1 ? ""
                        : fmt::format(", together with {},", fmt::join(keys.begin() + 1, keys.end(), " and "));
@@ -204,8 +206,8 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
         place, fmt::format("tool '{}' carries no force at any time; give it one, or prescribe its motion",
                            tool.name));
   const Eigen::Vector3d shift = shiftToTouch<Dim>(pairs, tool, direction, bodySize, place);
-  for (std::size_t way = 0; way < kTurn; ++way)
-    if (tool.isFree(way)) x(tool.unknowns[way]) = shift(static_cast<Eigen::Index>(way));
+  for (std::size_t dof = 0; dof < kTurn; ++dof)
+    if (tool.isFree(dof)) x(tool.unknowns[dof]) = shift(static_cast<Eigen::Index>(dof));
 }
 
 }  // namespace

@@ -7,11 +7,11 @@ namespace burnish {
 
 /// Places the tools at the undeformed body and returns the state in which a run begins.
 ///
-/// A tool in prescribed motion is lifted so that no averaged gap is negative, and comes down before t = 0: the
-/// state's time. Functions of a Lagrange basis have negative lobes, whose averaged gaps can be negative although
-/// nothing touches, and the first step would start with a jump. A tool that carries a load is moved along it
-/// until it touches the body. Throws `InputError` for a tool that cannot be lifted, does not meet the body, or
-/// moves in itself in a free degree of freedom.
+/// A tool in prescribed motion is lifted so that no averaged gap is negative, and comes down before t = 0:
+/// the state's time. Functions of a Lagrange basis have negative lobes, whose averaged gaps can be negative
+/// although nothing touches, and the first step would start with a jump. A tool that carries a load is moved
+/// along it until it touches the body. Throws `InputError` for a tool that cannot be lifted, does not meet
+/// the body, or moves in itself in a free degree of freedom.
 template <int Dim>
 SteppingState placeTools(const Scene& scene, Model<Dim>& model);
 

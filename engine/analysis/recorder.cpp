@@ -241,9 +241,8 @@ template <int Dim>
 bool Recorder<Dim>::faceCrossesItself(const ContactPair<Dim>& pair) const {
   if constexpr (Dim == 2) {
     const auto& others = model_.selfContacts();
-    const bool touchesItself = std::any_of(others.begin(), others.end(), [&](const SelfContact& other) {
-      return other.patch == pair.patch && faceName(other.face) == pair.faceName;
-    });
+    const bool touchesItself = std::any_of(
+        others.begin(), others.end(), [&](const SelfContact& other) { return other.place == pair.place; });
     return !touchesItself &&
            burnish::crossesItself(pair.term->face().positions(x_), kCrossing * model_.body().size());
   }

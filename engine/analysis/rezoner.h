@@ -11,7 +11,7 @@
 #include "engine/analysis/simulation.h"
 #include "engine/core/state_archive.h"
 #include "engine/results/result.h"
-#include "engine/results/summary_file.h"
+#include "engine/results/run_account.h"
 
 namespace burnish {
 

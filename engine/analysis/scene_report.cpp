@@ -49,9 +49,7 @@ double smallestGap(const Model<Dim>& model, std::size_t number, double end) {
   for (const double t : times)
     for (const ContactPair<Dim>& pair : model.contacts()) {
       if (pair.tool != number || t < 0.0 || t > end) continue;
-      smallest = std::min(smallest, nearestPoint(model.body(), pair.patch, faceFromName<Dim>(pair.faceName),
-                                                 *model.tools()[number], t)
-                                        .gap);
+      smallest = std::min(smallest, nearestPoint(model.body(), pair.place, *model.tools()[number], t).gap);
       if (smallest <= kTouching * model.body().size()) return 0.0;
     }
   return smallest;

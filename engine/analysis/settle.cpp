@@ -74,8 +74,8 @@ Settlement settle(Simulation<2>& simulation, int parts) {
   std::vector<Eigen::VectorXd> before = multipliersOf(simulation);
   for (int left = parts - 1; left >= 0; --left) {
     for (std::size_t k = 0; k < gaps.size(); ++k)
-      contacts[k].term->countGapsFrom(left == 0 ? Eigen::VectorXd()
-                                                : Eigen::VectorXd(gaps[k] * left / parts));
+      contacts[k].term->measureGapsFrom(left == 0 ? Eigen::VectorXd()
+                                                  : Eigen::VectorXd(gaps[k] * left / parts));
     report = simulation.stepping.settle();
     iterations += report.iterations;
     if (report.outcome != NewtonOutcome::Converged) break;

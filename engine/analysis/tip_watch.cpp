@@ -58,7 +58,7 @@ DeepestPoint deepestPoint(const Tool& tool, const ToolPose& pose, const Eigen::M
 template <int Dim>
 TipWatch<Dim>::TipWatch(const Model<Dim>& model) : model_(model) {
   for (const auto& pair : model.contacts())
-    samples_.emplace_back(model.body(), pair.patch, faceFromName<Dim>(pair.faceName), kSamples<Dim>);
+    samples_.emplace_back(model.body(), pair.place.patch, pair.place.face, kSamples<Dim>);
 }
 
 template <int Dim>
@@ -94,8 +94,8 @@ std::string TipWatch<Dim>::sentence(std::size_t pair, const FoundTip& tip) const
       "tool '{}' is {:.2g} deep in face '{}' with a tip or edge too sharp for the mesh, it turns by {:.0f} "
       "degrees within half a knot span ({:.2g}); round it by more than a knot span (radius, of facets "
       "smoothing), or refine the mesh there",
-      model_.tools()[contact.tool]->name, tip.depth, contact.faceName, tip.turn * 180.0 / std::numbers::pi,
-      0.5 * tip.span);
+      model_.tools()[contact.tool]->name, tip.depth, faceName(contact.place.face),
+      tip.turn * 180.0 / std::numbers::pi, 0.5 * tip.span);
 }
 
 template class TipWatch<2>;

@@ -10,10 +10,9 @@ namespace {
 constexpr double kDeepSpanShare = 0.1;
 
 template <int Dim>
-bool hasPair(const Model<Dim>& model, std::size_t tool, int patch, const std::string& face) {
-  return std::any_of(model.contacts().begin(), model.contacts().end(), [&](const ContactPair<Dim>& pair) {
-    return pair.tool == tool && pair.patch == patch && pair.faceName == face;
-  });
+bool hasPair(const Model<Dim>& model, std::size_t tool, const FacePlace& place) {
+  return std::any_of(model.contacts().begin(), model.contacts().end(),
+                     [&](const ContactPair<Dim>& pair) { return pair.tool == tool && pair.place == place; });
 }
 
 }  // namespace
@@ -22,8 +21,9 @@ template <int Dim>
 ToolWatch<Dim>::ToolWatch(const Model<Dim>& model) : model_(model) {
   for (const OuterFace& face : model.faces().outerFaces())
     for (std::size_t tool = 0; tool < model.tools().size(); ++tool)
-      if (!hasPair(model, tool, face.patch, faceName(face.side)))
-        faces_.push_back({tool, face.text, FaceQuadrature<Dim>(model.body(), face.patch, face.side, 1)});
+      if (!hasPair(model, tool, face.place))
+        faces_.push_back(
+            {tool, face.text, FaceQuadrature<Dim>(model.body(), face.place.patch, face.place.face, 1)});
 }
 
 template <int Dim>

@@ -10,28 +10,28 @@ namespace burnish {
 namespace {
 
 using TimeFunction = std::function<double(double)>;
-using Ways = std::array<TimeFunction, kToolWays>;
+using DofFunctions = std::array<TimeFunction, kToolDofs>;
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 /// Values over the same times; empty functions for components that are left out.
-Ways tables(const ToolMotionSpec& motion) {
-  Ways ways;
+DofFunctions tables(const ToolMotionSpec& motion) {
+  DofFunctions dofs;
   const std::array components{&motion.x, &motion.y, &motion.z, &motion.angle};
-  for (std::size_t way = 0; way < kToolWays; ++way)
-    if (components[way]->has_value()) ways[way] = Schedule{motion.times, **components[way]};
-  return ways;
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+    if (components[dof]->has_value()) dofs[dof] = Schedule{motion.times, **components[dof]};
+  return dofs;
 }
 
-Ways formulas(const std::array<const std::optional<FormulaText>*, kToolWays>& components,
-              const std::vector<DefinitionSpec>& definitions) {
-  Ways ways;
-  for (std::size_t way = 0; way < kToolWays; ++way)
-    if (components[way]->has_value())
-      ways[way] = [formula = Formula(**components[way], definitions)](double t) {
+DofFunctions formulas(const std::array<const std::optional<FormulaText>*, kToolDofs>& components,
+                      const std::vector<DefinitionSpec>& definitions) {
+  DofFunctions dofs;
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+    if (components[dof]->has_value())
+      dofs[dof] = [formula = Formula(**components[dof], definitions)](double t) {
         return formula(Eigen::Vector3d::Zero(), t);
       };
-  return ways;
+  return dofs;
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int fir
   if (const auto& carry = spec.carry) {
     const std::array isFree{carry->x.has_value(), carry->y.has_value(), carry->z.has_value(),
                             carry->moment.has_value()};
-    for (std::size_t way = 0; way < kToolWays; ++way)
-      if (isFree[way]) tool->unknowns[way] = firstUnknown++;
+    for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+      if (isFree[dof]) tool->unknowns[dof] = firstUnknown++;
   }
   return tool;
 }
@@ -60,7 +60,7 @@ std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int fir
 std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene, const Tool& tool) {
   if (!spec.carry) return nullptr;
   const auto& carry = *spec.carry;
-  Ways loads = formulas({&carry.x, &carry.y, &carry.z, &carry.moment}, scene.definitions);
+  DofFunctions loads = formulas({&carry.x, &carry.y, &carry.z, &carry.moment}, scene.definitions);
   if (carry.schedule)
     for (auto& load : loads)
       if (load) load = [load, factor = *carry.schedule](double t) { return factor(t) * load(t); };

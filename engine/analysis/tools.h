@@ -8,11 +8,11 @@
 
 namespace burnish {
 
-/// The tool of a scene. Its free ways are numbered from `firstUnknown` on; bodySize scales the unknown of a
-/// free turn.
+/// The tool of a scene. Its free degrees of freedom are numbered from `firstUnknown` on; bodySize scales the
+/// unknown of a free turn.
 std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int firstUnknown, double bodySize);
 
-/// What the tool carries; null for a tool without free ways.
+/// What the tool carries; null for a tool without free degrees of freedom.
 std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene, const Tool& tool);
 
 /// Times at which a motion or a load of the tool has a corner.

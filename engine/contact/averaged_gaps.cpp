@@ -38,7 +38,7 @@ int contactPoints(const Body<Dim>& body, int patch, std::optional<int> wanted) {
   return 2 * degree;
 }
 
-CountedGap countedGap(double gap, double limit) {
+LimitedGap limitedGap(double gap, double limit) {
   if (!(gap > limit)) return {gap, 1.0, 0.0};
   const double width = 2.0 * limit, s = (gap - limit) / width;
   if (s >= 1.0) return {2.0 * limit, 0.0, 0.0};

@@ -29,16 +29,16 @@ struct FaceContactState {
 template <int Dim>
 int contactPoints(const Body<Dim>& body, int patch, std::optional<int> wanted);
 
-/// A gap as it counts in an average, with its first and second derivative by the gap.
-struct CountedGap {
+/// A gap as an average takes it, with its first and second derivative by the gap.
+struct LimitedGap {
   double value = 0.0, slope = 1.0, curvature = 0.0;
 };
 
 /// A gap in full up to a limit c > 0, above 3c as 2c, between them by a polynomial with continuous slope and
 /// curvature; in full if c is infinite.
-CountedGap countedGap(double gap, double limit);
+LimitedGap limitedGap(double gap, double limit);
 
-/// Averaged slope ∫ R_A φ' dΓ / ∫ R_A dΓ of counted gaps φ(g) below which a function lies open: its averaged
+/// Averaged slope ∫ R_A φ' dΓ / ∫ R_A dΓ of limited gaps φ(g) below which a function lies open: its averaged
 /// gap does not change any more, so that no multiplier can close it. Contact of a face with itself integrates
 /// over points that have a partner.
 constexpr double kOpenSlope = 1e-3;

@@ -30,7 +30,7 @@ struct ContactOptions {
   std::optional<double> parameter{};      ///< ε, stress per length; see `parameterFor`
   std::optional<int> quadraturePoints{};  ///< per span and direction; 2p when left out
 
-  /// Share of the size of a span at which gaps begin to count less in averages (`countedGap`); the traction
+  /// Share of the size of a span at which gaps begin to be limited in averages (`limitedGap`); the traction
   /// at a point is λ̂ times the slope there, none from three times that on. Without it a face that turns away
   /// sharply is pressed where it is open and let into the tool beside that. Mortar methods, and pairs that do
   /// not `keepInTouch`: what is open everywhere is never active.

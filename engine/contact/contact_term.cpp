@@ -13,10 +13,11 @@ template <int Dim>
 struct ContactTerm<Dim>::Mortar {
   Eigen::MatrixXd positions;        ///< current, Dim x quadrature points
   std::vector<ToolGap> points;      ///< quadrature points
-  std::vector<CountedGap> counted;  ///< their gaps as averages count them
-  Eigen::VectorXd G;                ///< ∫ R_A g dΓ of counted gaps
+  std::vector<LimitedGap> limited;  ///< their gaps as averages take them
+  Eigen::VectorXd G;                ///< ∫ R_A g dΓ of limited gaps
   Eigen::VectorXd S;                ///< ∫ R_A φ' dΓ of their slopes
-  std::vector<Eigen::VectorXd> D;   ///< ∂G: (29), over the unknowns of A's support and the free ways
+  std::vector<Eigen::VectorXd>
+      D;  ///< ∂G: (29), over the unknowns of A's support and the free degrees of freedom
 };
 
 namespace {
@@ -40,8 +41,8 @@ ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, con
       axisymmetric_(body.axisymmetric),
       deepest_(kDeepestShare * tool.shape.halfThickness()),
       A_(Eigen::VectorXd::Zero(face_.numFunctions())) {
-  for (std::size_t way = 0; way < kToolWays; ++way)
-    if (tool.isFree(way)) ways_.push_back(way);
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+    if (tool.isFree(dof)) dofs_.push_back(dof);
   std::vector<std::set<int>> supports(static_cast<std::size_t>(face_.numFunctions()));
   for (const auto& span : face_.spans()) {
     A_(span.functions) += span.R * span.weights;
@@ -81,18 +82,18 @@ std::vector<int> ContactTerm<Dim>::unknownsOf(const std::vector<int>& functions)
   std::vector<int> unknowns;
   for (const int a : functions)
     for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * face_.nodes()[static_cast<std::size_t>(a)] + d);
-  for (const std::size_t way : ways_) unknowns.push_back(tool_.unknowns[way]);
+  for (const std::size_t dof : dofs_) unknowns.push_back(tool_.unknowns[dof]);
   return unknowns;
 }
 
 template <int Dim>
 Eigen::VectorXd ContactTerm<Dim>::gapDerivative(const typename FaceQuadrature<Dim>::Span& span,
                                                 Eigen::Index q, const ToolGap& query) const {
-  const auto n = span.R.rows(), numWays = static_cast<Eigen::Index>(ways_.size());
-  Eigen::VectorXd N(Dim * n + numWays);
+  const auto n = span.R.rows(), numDofs = static_cast<Eigen::Index>(dofs_.size());
+  Eigen::VectorXd N(Dim * n + numDofs);
   for (Eigen::Index a = 0; a < n; ++a)
     N.segment<Dim>(Dim * a) = span.R(a, q) * query.point.normal.template head<Dim>();
-  N.tail(numWays) = query.dWays(ways_);
+  N.tail(numDofs) = query.dDofs(dofs_);
   return N;
 }
 
@@ -113,12 +114,12 @@ CouplingGroups ContactTerm<Dim>::couplings() const {
 template <int Dim>
 typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& pose,
                                                               const Eigen::VectorXd& x) const {
-  const auto numWays = static_cast<Eigen::Index>(ways_.size());
+  const auto numDofs = static_cast<Eigen::Index>(dofs_.size());
   Mortar mortar;
   mortar.G = Eigen::VectorXd::Zero(face_.numFunctions());
   mortar.S = Eigen::VectorXd::Zero(face_.numFunctions());
   for (const auto& support : supports_)
-    mortar.D.push_back(Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(support.size()) + numWays));
+    mortar.D.push_back(Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(support.size()) + numDofs));
   mortar.positions = face_.positions(x);
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
@@ -126,22 +127,22 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
       Eigen::Vector3d point = Eigen::Vector3d::Zero();
       point.head<Dim>() = mortar.positions.col(span.firstPoint + q);
       auto& query = mortar.points.emplace_back();
-      if (ways_.empty())
+      if (dofs_.empty())
         query.point = tool_.query(pose, point);
       else
-        query = tool_.queryWithWays(pose, point);
-      const auto& counted = mortar.counted.emplace_back(
-          countedGap(query.point.gap, options_.gapLimit.value_or(kAnyGap) * span.size));
-      const Eigen::Vector<double, Dim> n = counted.slope * query.point.normal.template head<Dim>();
+        query = tool_.queryWithDofs(pose, point);
+      const auto& limited = mortar.limited.emplace_back(
+          limitedGap(query.point.gap, options_.gapLimit.value_or(kAnyGap) * span.size));
+      const Eigen::Vector<double, Dim> n = limited.slope * query.point.normal.template head<Dim>();
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
-        mortar.G(A) += wR * counted.value;
-        mortar.S(A) += wR * counted.slope;
+        mortar.G(A) += wR * limited.value;
+        mortar.S(A) += wR * limited.slope;
         auto& D = mortar.D[static_cast<std::size_t>(A)];
         for (std::size_t b = 0; b < span.functions.size(); ++b)
           D.template segment<Dim>(Dim * slots_[e][a][b]) += wR * span.R(static_cast<Eigen::Index>(b), q) * n;
-        D.tail(numWays) += wR * counted.slope * query.dWays(ways_);
+        D.tail(numDofs) += wR * limited.slope * query.dDofs(dofs_);
       }
     }
   }
@@ -310,7 +311,7 @@ void ContactTerm<Dim>::evaluateMortar(const Eigen::VectorXd& x, Assembly& out, c
     state_.pressure.segment(span.firstPoint, span.R.cols()) =
         -span.R.transpose() * state_.lambdaHat(span.functions);
   for (Eigen::Index q = 0; q < state_.pressure.size(); ++q)
-    state_.pressure(q) *= mortar.counted[static_cast<std::size_t>(q)].slope;
+    state_.pressure(q) *= mortar.limited[static_cast<std::size_t>(q)].slope;
 }
 
 template <int Dim>
@@ -341,14 +342,14 @@ void ContactTerm<Dim>::evaluatePointwise(Assembly& out, const Mortar& mortar) {
 }
 
 /// ∫ λ̂_I (φ' ∂N + φ'' N Nᵀ) dΓ with the pressure field λ̂_I of (37) and gaps that count as φ(g), N the gap's
-/// derivative; of ∂N the part R_a R_b ∂n/∂x, and the same by the tool's ways.
+/// derivative; of ∂N the part R_a R_b ∂n/∂x, and the same by the tool's degrees of freedom.
 template <int Dim>
 void ContactTerm<Dim>::addGeometricTangent(Assembly& out, const Mortar& mortar) {
-  const auto numWays = static_cast<Eigen::Index>(ways_.size());
+  const auto numDofs = static_cast<Eigen::Index>(dofs_.size());
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     const Eigen::Index n = span.R.rows();
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(Dim * n + numWays, Dim * n + numWays);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(Dim * n + numDofs, Dim * n + numDofs);
     bool any = false;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const double pressure = state_.pressure(span.firstPoint + q);
@@ -357,22 +358,22 @@ void ContactTerm<Dim>::addGeometricTangent(Assembly& out, const Mortar& mortar) 
       const auto point = static_cast<std::size_t>(span.firstPoint + q);
       const ToolGap& query = mortar.points[point];
       const double weighted = -span.weights(q) * pressure;
-      if (const CountedGap& counted = mortar.counted[point]; counted.curvature != 0.0) {
+      if (const LimitedGap& limited = mortar.limited[point]; limited.curvature != 0.0) {
         const Eigen::VectorXd N = gapDerivative(span, q, query);
-        K += weighted * counted.curvature / counted.slope * N * N.transpose();
+        K += weighted * limited.curvature / limited.slope * N * N.transpose();
       }
       const Eigen::Matrix<double, Dim, Dim> dn = query.point.dNormal.template topLeftCorner<Dim, Dim>();
       for (Eigen::Index b = 0; b < n; ++b)
         for (Eigen::Index a = 0; a < n; ++a)
           K.block<Dim, Dim>(Dim * a, Dim * b) += weighted * span.R(a, q) * span.R(b, q) * dn;
-      if (numWays == 0) continue;
-      const Eigen::MatrixXd byWays = query.dNormal.template topRows<Dim>()(Eigen::all, ways_);
+      if (numDofs == 0) continue;
+      const Eigen::MatrixXd byDofs = query.dNormal.template topRows<Dim>()(Eigen::all, dofs_);
       for (Eigen::Index a = 0; a < n; ++a)
-        K.block(Dim * a, Dim * n, Dim, numWays) += weighted * span.R(a, q) * byWays;
-      K.bottomRightCorner(numWays, numWays) += weighted * query.d2(ways_, ways_);
+        K.block(Dim * a, Dim * n, Dim, numDofs) += weighted * span.R(a, q) * byDofs;
+      K.bottomRightCorner(numDofs, numDofs) += weighted * query.d2(dofs_, dofs_);
     }
     if (!any) continue;
-    K.bottomLeftCorner(numWays, Dim * n) = K.topRightCorner(Dim * n, numWays).transpose();
+    K.bottomLeftCorner(numDofs, Dim * n) = K.topRightCorner(Dim * n, numDofs).transpose();
     out.system->add(out.term, e, K);
   }
 }

@@ -41,14 +41,14 @@ class ContactTerm final : public Term {
   int numMultipliers() const;
   int firstMultiplier() const { return firstMultiplier_; }
 
-  /// Makes this pair the one that keeps a tool with free ways in touch with the body, without which its place
-  /// is not determined: while nothing is active, here or in the tool's other pairs (which are evaluated
-  /// before), the nearest function (or point) counts as active.
+  /// Makes this pair the one that keeps a tool with free degrees of freedom in touch with the body, without
+  /// which its place is not determined: while nothing is active, here or in the tool's other pairs (which are
+  /// evaluated before), the nearest function (or point) counts as active.
   void keepInTouch(std::vector<const ContactTerm*> others);
 
-  /// Averaged gaps count from these values instead of zero (mortar methods): those with which a state that
-  /// does not fit begins can be taken away little by little. One per function; empty: from zero.
-  void countGapsFrom(Eigen::VectorXd origin) { gapOrigin_ = std::move(origin); }
+  /// Averaged gaps are measured from these values instead of zero (mortar methods): those with which a state
+  /// that does not fit begins can be taken away little by little. One per function; empty: from zero.
+  void measureGapsFrom(Eigen::VectorXd origin) { gapOrigin_ = std::move(origin); }
 
   /// Replaces ε. With an augmented Lagrangian the way into equilibrium depends on it, the equilibrium does
   /// not.
@@ -75,7 +75,7 @@ class ContactTerm final : public Term {
   struct LinearGaps {
     Eigen::VectorXd values;
     Eigen::MatrixXd gradient;
-    Eigen::VectorXd slopes;  ///< averaged ones of counted gaps, see `kOpenSlope`
+    Eigen::VectorXd slopes;  ///< averaged ones of limited gaps, see `kOpenSlope`
   };
   LinearGaps linearReferenceGaps(const ToolPose& pose) const;
 
@@ -107,12 +107,12 @@ class ContactTerm final : public Term {
   Eigen::VectorXd gapDerivative(const typename FaceQuadrature<Dim>::Span& span, Eigen::Index q,
                                 const ToolGap& query) const;
 
-  /// Displacement components of functions, then the tool's free ways.
+  /// Displacement components of functions, then the tool's free degrees of freedom.
   std::vector<int> unknownsOf(const std::vector<int>& functions) const;
 
   FaceQuadrature<Dim> face_;
   const Tool& tool_;
-  std::vector<std::size_t> ways_;  ///< free ones of the tool
+  std::vector<std::size_t> dofs_;  ///< free ones of the tool
   Options options_;
   int firstMultiplier_;
   bool axisymmetric_;

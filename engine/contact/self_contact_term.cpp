@@ -57,9 +57,9 @@ struct SelfContactTerm::Slave {
 struct SelfContactTerm::Mortar {
   std::vector<std::optional<SurfaceCurve::Point>> partners;  ///< quadrature points
   Eigen::VectorXd gap;                                       ///< quadrature points, infinite without partners
-  std::vector<CountedGap> counted;                           ///< quadrature points: as averages count them
+  std::vector<LimitedGap> limited;                           ///< quadrature points: as averages take them
   Eigen::VectorXd A;                                         ///< ∫ R_A dΓ over points with partners
-  Eigen::VectorXd G;                                         ///< ∫ R_A g dΓ of counted gaps
+  Eigen::VectorXd G;                                         ///< ∫ R_A g dΓ of limited gaps
   Eigen::VectorXd S;                                         ///< ∫ R_A φ' dΓ of their slopes
   Eigen::MatrixXd D;  ///< ∂G_A/∂u: unknowns of the face x functions
 };
@@ -163,7 +163,7 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
   const Eigen::Index n = face_.numFunctions();
   mortar.partners.resize(partners_.size());
   mortar.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
-  mortar.counted.resize(partners_.size());
+  mortar.limited.resize(partners_.size());
   mortar.A = mortar.G = mortar.S = Eigen::VectorXd::Zero(n);
   mortar.D = Eigen::MatrixXd::Zero(2 * n, n);
   for (const auto& span : face_.spans()) {
@@ -176,15 +176,15 @@ bool SelfContactTerm::integrate(Mortar& mortar) const {
       const Eigen::Vector2d& normal = partner->normal;
       const double gap = mortar.gap(span.firstPoint + q) = (points.col(q) - partner->x).dot(normal);
       if (shareOfRadius(*partner, gap) > kLargestShareOfRadius) return false;
-      const CountedGap& counted = mortar.counted[number] =
-          countedGap(gap, options_.gapLimit.value_or(kAnyGap) * span.size);
-      const Eigen::Vector2d slope = counted.slope * normal;
+      const LimitedGap& limited = mortar.limited[number] =
+          limitedGap(gap, options_.gapLimit.value_or(kAnyGap) * span.size);
+      const Eigen::Vector2d slope = limited.slope * normal;
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const int A = span.functions[a];
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
         mortar.A(A) += wR;
-        mortar.G(A) += wR * counted.value;
-        mortar.S(A) += wR * counted.slope;
+        mortar.G(A) += wR * limited.value;
+        mortar.S(A) += wR * limited.slope;
         for (std::size_t b = 0; b < span.functions.size(); ++b)
           mortar.D.block<2, 1>(2 * span.functions[b], A) +=
               wR * span.R(static_cast<Eigen::Index>(b), q) * slope;
@@ -246,7 +246,7 @@ void SelfContactTerm::addForces(const Eigen::VectorXd& x, Assembly& out, const M
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto& partner = mortar.partners[static_cast<std::size_t>(span.firstPoint + q)];
       if (!partner) continue;
-      const double slope = mortar.counted[static_cast<std::size_t>(span.firstPoint + q)].slope;
+      const double slope = mortar.limited[static_cast<std::size_t>(span.firstPoint + q)].slope;
       const double pressure = -slope * span.R.col(q).dot(state_.lambdaHat(span.functions));
       state_.pressure(span.firstPoint + q) = pressure;
       state_.partner.col(span.firstPoint + q) = partner->x;
@@ -287,10 +287,10 @@ void SelfContactTerm::addGeometricTangent(Assembly& out, const Mortar& mortar) c
       for (Eigen::Index b = 0; b < partner.R.size(); ++b)
         append(partner.functions[static_cast<std::size_t>(b)], -partner.R(b), partner.dR(b) * partner.normal);
       const double weighted = -span.weights(q) * state_.pressure(point);
-      const CountedGap& counted = mortar.counted[static_cast<std::size_t>(point)];
+      const LimitedGap& limited = mortar.limited[static_cast<std::size_t>(point)];
       Eigen::MatrixXd second = Eigen::MatrixXd::Zero(size, size);
-      if (counted.curvature != 0.0)
-        second = weighted * counted.curvature / counted.slope * normal * normal.transpose();
+      if (limited.curvature != 0.0)
+        second = weighted * limited.curvature / limited.slope * normal * normal.transpose();
       if (!partner.isKink) {
         const double m = t.squaredNorm(), k = partner.normal.dot(partner.ddx), h = m - g * k;
         const Eigen::MatrixXd mixed = tangential * turning.transpose();

@@ -23,7 +23,7 @@ struct SelfContactState : FaceContactState {
 /// Lagrangian. Of two points that face each other the one with the smaller parameter is the slave: it carries
 /// the quadrature and the multipliers; the other one is its closest point x̄ on the same curve, with the
 /// outward normal n there. Gap g = (x - x̄) · n >= 0; g_A, λ̂_A and the active set as in contact with a tool
-/// (31)-(43), with averages over the points that have a partner, of gaps as `countedGap` counts them.
+/// (31)-(43), with averages over the points that have a partner, of gaps as `limitedGap` has them.
 ///
 /// Who is whose partner is decided at accepted states and kept during a step, in which only the closest
 /// points move: the residual is smooth but for the active set. With δw the difference of the two points'
@@ -32,8 +32,8 @@ struct SelfContactState : FaceContactState {
 ///
 ///     δg = n · δw,   δ²g = -(2 (t·δw)(n·δt) + k/m (t·δw)² + g (n·δt)²)/h,
 ///
-/// at a kink, where it does not move, δ²g = (t·δw)²/g with the unit vector t across n. A gap that counts as
-/// φ(g) has the traction λ̂ φ' and adds φ'' (δg)² to φ' δ²g.
+/// at a kink, where it does not move, δ²g = (t·δw)²/g with the unit vector t across n. A gap that is limited
+/// to φ(g) has the traction λ̂ φ' and adds φ'' (δg)² to φ' δ²g.
 class SelfContactTerm final : public Term {
  public:
   using Options = SelfContactOptions;

@@ -13,7 +13,7 @@ std::vector<int> Tool::freeUnknowns() const {
 
 ToolPose Tool::pose(double t) const {
   const double moved = std::max(t, 0.0);
-  const auto value = [&](std::size_t way) { return motion[way] ? motion[way](moved) : 0.0; };
+  const auto value = [&](std::size_t dof) { return motion[dof] ? motion[dof](moved) : 0.0; };
   ToolPose pose{{value(0), value(1), value(2)}, value(kTurn)};
   if (t < 0.0 && approachTime > 0.0) pose.displacement += -t / approachTime * lift;
   return pose;
@@ -21,8 +21,8 @@ ToolPose Tool::pose(double t) const {
 
 ToolPose Tool::pose(double t, const Eigen::VectorXd& x) const {
   ToolPose result = pose(t);
-  for (std::size_t way = 0; way < kTurn; ++way)
-    if (isFree(way)) result.displacement(static_cast<Eigen::Index>(way)) = x(unknowns[way]);
+  for (std::size_t dof = 0; dof < kTurn; ++dof)
+    if (isFree(dof)) result.displacement(static_cast<Eigen::Index>(dof)) = x(unknowns[dof]);
   if (isFree(kTurn)) result.angle = x(unknowns[kTurn]) / turnLength;
   return result;
 }
@@ -39,14 +39,14 @@ GapQuery Tool::query(const ToolPose& pose, const Eigen::Vector3d& x) const {
   return {own.gap, R * own.normal, R * own.dNormal * R.transpose()};
 }
 
-ToolGap Tool::queryWithWays(const ToolPose& pose, const Eigen::Vector3d& x) const {
+ToolGap Tool::queryWithDofs(const ToolPose& pose, const Eigen::Vector3d& x) const {
   ToolGap answer;
   answer.point = query(pose, x);
   const auto& [gap, n, H] = answer.point;
   const Eigen::Vector3d arm = axis / turnLength;
-  Eigen::Matrix<double, 3, kToolWays> velocity;  // of the tool's matter at x, per way
+  Eigen::Matrix<double, 3, kToolDofs> velocity;  // of the tool's matter at x, per degree of freedom
   velocity << Eigen::Matrix3d::Identity(), arm.cross(x - pose.displacement - pivot);
-  answer.dWays = -velocity.transpose() * n;
+  answer.dDofs = -velocity.transpose() * n;
   answer.dNormal = -H * velocity;
   answer.dNormal.col(kTurn) += arm.cross(n);
   answer.d2 = -velocity.transpose() * answer.dNormal;

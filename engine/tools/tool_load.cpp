@@ -13,20 +13,20 @@ constexpr double kLargestTurn = 0.2;
 
 }  // namespace
 
-ToolLoad::ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolWays> load)
+ToolLoad::ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load)
     : tool_(tool), load_(std::move(load)) {}
 
 bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   last_.emplace();
-  for (std::size_t way = 0; way < kToolWays; ++way) {
-    if (!tool_.isFree(way)) continue;
-    const double value = (*last_)[way] = x(tool_.unknowns[way]);
-    const double farthest = (way == kTurn ? kLargestTurn : 1.0) * tool_.turnLength;
-    if (accepted_ && std::abs(value - (*accepted_)[way]) > farthest) {
-      runaway_ = way;
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof) {
+    if (!tool_.isFree(dof)) continue;
+    const double value = (*last_)[dof] = x(tool_.unknowns[dof]);
+    const double farthest = (dof == kTurn ? kLargestTurn : 1.0) * tool_.turnLength;
+    if (accepted_ && std::abs(value - (*accepted_)[dof]) > farthest) {
+      runaway_ = dof;
       return false;
     }
-    out.force(tool_.unknowns[way]) -= load_[way](std::max(t, 0.0)) / (way == kTurn ? tool_.turnLength : 1.0);
+    out.force(tool_.unknowns[dof]) -= load_[dof](std::max(t, 0.0)) / (dof == kTurn ? tool_.turnLength : 1.0);
   }
   return true;
 }
@@ -37,13 +37,13 @@ void ToolLoad::archive(StateArchive& archive) {
   archive.field("accepted", values);
   if (!archive.restores()) return;
   accepted_.reset();
-  if (values.size() == kToolWays) std::ranges::copy(values, accepted_.emplace().begin());
+  if (values.size() == kToolDofs) std::ranges::copy(values, accepted_.emplace().begin());
 }
 
 Eigen::Vector3d ToolLoad::force(double t) const {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  for (std::size_t way = 0; way < kTurn; ++way)
-    if (load_[way]) force(static_cast<Eigen::Index>(way)) = load_[way](std::max(t, 0.0));
+  for (std::size_t dof = 0; dof < kTurn; ++dof)
+    if (load_[dof]) force(static_cast<Eigen::Index>(dof)) = load_[dof](std::max(t, 0.0));
   return force;
 }
 

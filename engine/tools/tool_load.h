@@ -9,16 +9,17 @@
 
 namespace burnish {
 
-/// Forces and the moment that a tool carries in its free ways.
+/// Forces and the moment that a tool carries in its free degrees of freedom.
 class ToolLoad final : public Term {
  public:
-  /// load: per way, in time; empty for ways that are prescribed. The tool must outlive the term.
-  ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolWays> load);
+  /// load: per degree of freedom, in time; empty for those that are prescribed. The tool must outlive the
+  /// term.
+  ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load);
 
   CouplingGroups couplings() const override { return {}; }
 
-  /// Not admissible where a free way has moved so far since the last accepted state that Newton's
-  /// linearisation says nothing about the place it has come to.
+  /// Not admissible where a free degree of freedom has moved so far since the last accepted state that
+  /// Newton's linearisation says nothing about the place it has come to.
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
   void accept() override {
@@ -27,18 +28,19 @@ class ToolLoad final : public Term {
   }
   void archive(StateArchive& archive) override;
 
-  /// The way, if there is one, for which `evaluate` has refused a state since the last accepted one.
+  /// The degree of freedom, if there is one, for which `evaluate` has refused a state since the last accepted
+  /// one.
   std::optional<std::size_t> runaway() const { return runaway_; }
 
-  /// Force that the tool carries at time t, zero in prescribed ways; that of t = 0 before.
+  /// Force that the tool carries at time t, zero in prescribed degrees of freedom; that of t = 0 before.
   Eigen::Vector3d force(double t) const;
 
   const Tool& tool() const { return tool_; }
 
  private:
   const Tool& tool_;
-  std::array<std::function<double(double)>, kToolWays> load_;
-  std::optional<std::array<double, kToolWays>> accepted_, last_;  ///< values of the free unknowns
+  std::array<std::function<double(double)>, kToolDofs> load_;
+  std::optional<std::array<double, kToolDofs>> accepted_, last_;  ///< values of the free unknowns
   std::optional<std::size_t> runaway_;
 };
 

@@ -187,18 +187,12 @@ TEST(Ironing, HasTheSameBitsWithAnyNumberOfThreads) {
   EXPECT_GT(one.summary.end.maxPlasticStrain, 0.0);
 }
 
-TEST(Ironing, ALagrangeToolThatMerelyTouchesComesDownFromALiftedPosition) {
+TEST(Ironing, WithALiftedToolBeginsAtZeroToo) {
   const auto scene = coarseScene("plastic", {"basis=lagrange", "steps=[{until: 0.2, count: 2}]"});
-  const auto built = buildModel<2>(scene);
-  const Model<2>& model = *built;
-  EXPECT_LT(model.startTime(), 0.0);
-  EXPECT_GT(model.tools().front()->pose(model.startTime()).displacement(1), 0.0);
-  EXPECT_EQ(model.tools().front()->pose(0.0).displacement.norm(), 0.0);
+  ASSERT_LT(buildModel<2>(scene)->startTime(), 0.0);
   const auto outcome = test::run(scene, "lifted");
   ASSERT_TRUE(outcome.summary.completed);
   EXPECT_EQ(outcome.history.column("time").front(), 0.0);
-  const auto nurbs = coarseScene("plastic", {"steps=[{until: 0.2, count: 2}]"});
-  EXPECT_EQ(buildModel<2>(nurbs)->startTime(), 0.0) << "B-splines have no negative lobes";
 }
 
 }  // namespace

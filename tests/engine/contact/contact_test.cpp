@@ -25,10 +25,11 @@ Tool disc() {
   return {"disc", Cylinder{{0.4, 0.5 + 0.24, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}};
 }
 
-/// A tool that is turned and displaced, and free in all its ways; its unknowns follow the displacements.
+/// A tool that is turned and displaced, and free in all its degrees of freedom; its unknowns follow the
+/// displacements.
 Tool freeTool(Tool tool, int firstUnknown) {
   tool.pivot = {0.3, 0.8, 0.1};
-  for (std::size_t way = 0; way < kToolWays; ++way) tool.unknowns[way] = firstUnknown + static_cast<int>(way);
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof) tool.unknowns[dof] = firstUnknown + static_cast<int>(dof);
   tool.turnLength = 1.7;
   return tool;
 }
@@ -53,7 +54,7 @@ TEST_P(ContactTangent, AgreesWithCentralDifferences) {
   EXPECT_GT(term.state().reaction(1), 0.0);
 }
 
-/// The block under a disc that is free in all its ways, in a random state near the reference.
+/// The block under a disc that is free in all its degrees of freedom, in a random state near the reference.
 struct BlockUnderFreeDisc {
   Body<2> body;
   Tool tool;
@@ -64,8 +65,8 @@ struct BlockUnderFreeDisc {
       : body(block(c.degree, c.family)),
         tool(freeTool(disc(), 2 * body.numNodes)),
         term(body, 0, faceFromName<2>("top"), tool, c.options(),
-             2 * body.numNodes + static_cast<int>(kToolWays)),
-        x(test::randomState(2 * body.numNodes + static_cast<int>(kToolWays) + term.numMultipliers(), 2e-3,
+             2 * body.numNodes + static_cast<int>(kToolDofs)),
+        x(test::randomState(2 * body.numNodes + static_cast<int>(kToolDofs) + term.numMultipliers(), 2e-3,
                             7)) {}
 };
 
@@ -91,7 +92,7 @@ TEST_P(ContactTangent, ReactionAndMomentAreTheForcesOnTheFreeTool) {
 TEST(FreeTool, MovesWithTheBody) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   const Tool tool = freeTool({"plate", Plane{{0.0, 0.495, 0.0}, {0.1, -1.0, 0.0}}}, 2 * body.numNodes);
-  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
+  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolDofs);
   ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {Enforcement::MortarPenalty, 10.0},
                       firstMultiplier);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(firstMultiplier), force = x;
@@ -120,7 +121,7 @@ TEST(FreeTool, MovesWithTheBody) {
 TEST(FreeTool, StaysInTouchWithTheNearestFunction) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   const Tool tool = freeTool({"plate", Plane{{0.0, 0.6, 0.0}, {0.1, -1.0, 0.0}}}, 2 * body.numNodes);
-  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolWays);
+  const int firstMultiplier = 2 * body.numNodes + static_cast<int>(kToolDofs);
   for (const auto enforcement :
        {Enforcement::AugmentedLagrangian, Enforcement::MortarPenalty, Enforcement::PointwisePenalty}) {
     ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, {enforcement, 10.0}, firstMultiplier);
@@ -149,28 +150,28 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{Enforcement::MortarPenalty, BasisFamily::BSpline, 4, 0.05},
                     Case{Enforcement::PointwisePenalty, BasisFamily::BSpline, 2}));
 
-TEST(CountedGap, IsInFullUpToTheLimitAndTwiceTheLimitBeyondThreeOfIt) {
+TEST(LimitedGap, IsInFullUpToTheLimitAndTwiceTheLimitBeyondThreeOfIt) {
   const double c = 0.02;
   for (const double gap : {-1.0, 0.0, c}) {
-    EXPECT_EQ(countedGap(gap, c).value, gap);
-    EXPECT_EQ(countedGap(gap, c).slope, 1.0);
-    EXPECT_EQ(countedGap(gap, c).curvature, 0.0);
+    EXPECT_EQ(limitedGap(gap, c).value, gap);
+    EXPECT_EQ(limitedGap(gap, c).slope, 1.0);
+    EXPECT_EQ(limitedGap(gap, c).curvature, 0.0);
   }
   for (const double gap : {3.0 * c, 5.0}) {
-    EXPECT_NEAR(countedGap(gap, c).value, 2.0 * c, 1e-15);
-    EXPECT_NEAR(countedGap(gap, c).slope, 0.0, 1e-15);
-    EXPECT_NEAR(countedGap(gap, c).curvature, 0.0, 1e-12);
+    EXPECT_NEAR(limitedGap(gap, c).value, 2.0 * c, 1e-15);
+    EXPECT_NEAR(limitedGap(gap, c).slope, 0.0, 1e-15);
+    EXPECT_NEAR(limitedGap(gap, c).curvature, 0.0, 1e-12);
   }
-  EXPECT_EQ(countedGap(5.0, std::numeric_limits<double>::infinity()).value, 5.0);
+  EXPECT_EQ(limitedGap(5.0, std::numeric_limits<double>::infinity()).value, 5.0);
   const double h = 1e-6;
   for (double gap = 1.1 * c; gap < 3.0 * c; gap += 0.2 * c) {
-    const auto before = countedGap(gap - h, c), here = countedGap(gap, c), after = countedGap(gap + h, c);
+    const auto before = limitedGap(gap - h, c), here = limitedGap(gap, c), after = limitedGap(gap + h, c);
     EXPECT_NEAR(here.slope, (after.value - before.value) / (2.0 * h), 1e-6);
     EXPECT_NEAR(here.curvature, (after.slope - before.slope) / (2.0 * h), 1e-4);
   }
 }
 
-/// The mortar penalty has the energy ε/2 Σ A_A g_A² of counted gaps, and forces are its derivative.
+/// The mortar penalty has the energy ε/2 Σ A_A g_A² of limited gaps, and forces are its derivative.
 TEST(GapLimit, ForcesAreTheDerivativeOfTheEnergyAndNothingPressesWhereTheFaceIsOpen) {
   for (const bool axisymmetric : {false, true}) {
     Body<2> body = block(3, BasisFamily::BSpline);

@@ -165,11 +165,11 @@ TEST(SelfContactPartners, OpenPlacesBearNoPressure) {
     for (const auto& span : pressed.term.face().spans())
       for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
         const double gap = state.gap(span.firstPoint + q), limit = share * span.size;
-        const double uncounted = -span.R.col(q).dot(state.lambdaHat(span.functions));
-        if (!std::isfinite(gap) || uncounted == 0.0) continue;
+        const double unlimited = -span.R.col(q).dot(state.lambdaHat(span.functions));
+        if (!std::isfinite(gap) || unlimited == 0.0) continue;
         (gap < limit ? full : gap < 3.0 * limit ? part : open) += 1;
-        const double slope = gap < 3.0 * limit ? countedGap(gap, limit).slope : 0.0;
-        EXPECT_NEAR(state.pressure(span.firstPoint + q), slope * uncounted, 1e-12 * uncounted);
+        const double slope = gap < 3.0 * limit ? limitedGap(gap, limit).slope : 0.0;
+        EXPECT_NEAR(state.pressure(span.firstPoint + q), slope * unlimited, 1e-12 * unlimited);
       }
   }
   EXPECT_GT(full, 0);
