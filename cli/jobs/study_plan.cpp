@@ -103,7 +103,9 @@ std::vector<std::string> partsOf(const FigureSpec& figure) {
 class Planner {
  public:
   Planner(const Study& study, const fs::path& directory, int atOnce)
-      : study_(study), digest_(digestOf(study.file)), directory_(directory), atOnce_(atOnce) {}
+      : study_(study), directory_(directory), atOnce_(atOnce) {
+    if (!study.spec.figures.empty()) digest_ = digestOf(study.file);  // runs alone need no file
+  }
 
   StudyPlan plan(const std::vector<std::string>& only) {
     chooseFigures(only);
