@@ -16,8 +16,8 @@
 #include "cli/jobs/study_progress.h"
 #include "cli/output_lock.h"
 #include "engine/core/error.h"
-#include "postproc/study/evidence/check_table.h"
-#include "postproc/study/evidence/verification_document.h"
+#include "postproc/study/verification/check_table.h"
+#include "postproc/study/verification/verification_document.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {

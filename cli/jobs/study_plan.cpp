@@ -95,15 +95,12 @@ struct FunctionCount {
   }
 };
 
-std::vector<std::string> partsOf(const FigureSpec& figure) {
-  const auto* composite = std::get_if<CompositeSpec>(&figure.what);
-  return composite != nullptr ? composite->figures : std::vector<std::string>{};
-}
-
 class Planner {
  public:
   Planner(const Study& study, const fs::path& directory, int atOnce)
-      : study_(study), digest_(digestOf(study.file)), directory_(directory), atOnce_(atOnce) {}
+      : study_(study), directory_(directory), atOnce_(atOnce) {
+    if (!study.spec.figures.empty()) digest_ = digestOf(study.file);  // runs alone need no file
+  }
 
   StudyPlan plan(const std::vector<std::string>& only) {
     chooseFigures(only);
@@ -168,8 +165,7 @@ class Planner {
                           "--draw-only"},
             .log = logFile(directory_, figure.name)};
     std::vector<fs::path> inputs{study_.file, "/proc/self/exe"};
-    if (const auto* chart = std::get_if<HistoryChartSpec>(&figure.what); chart != nullptr && chart->reference)
-      inputs.push_back(study_.file.parent_path() / *chart->reference);
+    for (fs::path& file : inputsOf(study_, figure)) inputs.push_back(std::move(file));
     for (const StudyRun* run : runsOf(study_, figure)) {
       inputs.push_back(runDirectory(directory_, *run) / "summary.yaml");
       const auto needed = std::find_if(plan_.runs.begin(), plan_.runs.end(),

@@ -19,7 +19,7 @@
 #include "postproc/report/run_facts.h"
 #include "postproc/report/run_record.h"
 #include "postproc/report/run_warnings.h"
-#include "postproc/study/evidence/claims.h"
+#include "postproc/study/claims.h"
 #include "postproc/text/markdown.h"
 #include "postproc/text/markdown_html.h"
 #include "postproc/text/text_file.h"

@@ -55,7 +55,7 @@ std::optional<double> constantOf(const CheckContext& c, const std::string& path,
 }
 
 void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& /*check*/,
-                      const ValueCheckSpec& expect) {
+                      const ExpectedValue& expect) {
   if (expect.relative.has_value() == expect.absolute.has_value())
     c.report(path, fmt::format("found {} relative and absolute; allowed: exactly one of the two.",
                                expect.relative ? "both" : "none of"));
@@ -65,7 +65,7 @@ void checkExpectation(const DocumentContext& c, const std::string& path, const C
 }
 
 void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& /*check*/,
-                      const RangeCheckSpec& expect) {
+                      const ExpectedRange& expect) {
   if (!expect.atLeast && !expect.atMost)
     return c.report(path, "found no bound; allowed: at_least, at_most or both.");
   std::optional<double> low, high;
@@ -84,18 +84,18 @@ void checkNumMeshes(const DocumentContext& c, const std::string& path, const cha
 }
 
 void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& /*check*/,
-                      const OrderCheckSpec& expect) {
+                      const ExpectedOrder& expect) {
   checkNumMeshes(c, path, "order", 3);
   if (expect.limit) constantOf(c, path + ".limit", *expect.limit);
 }
 
 void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& /*check*/,
-                      const MonotoneCheckSpec& /*expect*/) {
+                      const ExpectedTrend& /*expect*/) {
   checkNumMeshes(c, path, "monotone", 2);
 }
 
 void checkExpectation(const DocumentContext& c, const std::string& path, const CheckSpec& check,
-                      const SameCheckSpec& /*expect*/) {
+                      const ExpectedSameness& /*expect*/) {
   const std::size_t families = check.families.empty() ? familyNames(c).size() : check.families.size();
   if (families < 2)
     c.report(path + ".expect",
@@ -155,11 +155,12 @@ void checkQuantity(const CheckContext& c, const std::string& path, const std::st
 }
 
 void checkCheck(const DocumentContext& c, const std::string& path, const CheckSpec& check) {
-  checkQuantity(c, path + ".quantity", check.quantity);
+  checkQuantity(c, path + ".quantity", check.quantity.formula);
   if (c.clean("variants")) checkFamilies(c, path, check);
-  if (check.time && c.clean("steps") && c.clean(path + ".time") && *check.time > c.scene.steps.back().until)
-    c.report(path + ".time", fmt::format("found {}; allowed: a time up to the end of the run at {}.",
-                                         *check.time, c.scene.steps.back().until));
+  const std::optional<double>& time = check.quantity.time;
+  if (time && c.clean("steps") && c.clean(path + ".time") && *time > c.scene.steps.back().until)
+    c.report(path + ".time", fmt::format("found {}; allowed: a time up to the end of the run at {}.", *time,
+                                         c.scene.steps.back().until));
   if (!c.clean("variants") || !c.clean(path)) return;
   std::visit([&](const auto& expect) { checkExpectation(c, path, check, expect); }, check.expect);
 }

@@ -22,7 +22,7 @@ Wanted wantedBy(const SceneDocument& document) {
   for (const PictureSpec& picture : document.pictures)
     wanted.frames.insert(wanted.frames.end(), picture.times.begin(), picture.times.end());
   for (std::size_t k = 0; k < document.checks.size(); ++k)
-    wanted.quantities.push_back({fmt::format("checks[{}].quantity", k), document.checks[k].quantity});
+    wanted.quantities.push_back({fmt::format("checks[{}].quantity", k), document.checks[k].quantity.formula});
   for (std::size_t k = 0; k < document.charts.size(); ++k) {
     wanted.quantities.push_back({fmt::format("charts[{}].x", k), document.charts[k].x});
     wanted.quantities.push_back({fmt::format("charts[{}].y", k), document.charts[k].y});

@@ -7,13 +7,13 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/version.h"
-#include "postproc/study/evidence/claims.h"
-#include "postproc/study/evidence/measures.h"
+#include "postproc/study/claims.h"
+#include "postproc/study/figures/figures.h"
+#include "postproc/study/measures.h"
 #include "postproc/study/run_data.h"
 #include "postproc/text/markdown.h"
 #include "postproc/text/text_file.h"
@@ -228,15 +228,12 @@ class Document {
       throw Error(fmt::format("{}: there is no figure \"{}\"", study_.file.string(), name));
     const fs::path picture = directory_ / "figures" / (name + ".png");
     if (!fs::exists(picture)) return fmt::format("(The figure {} has not been drawn.)\n", name);
-    return markdownPicture(shown(picture), found->caption + clipText(found->what));
+    return markdownPicture(shown(picture), found->caption + clipText(*found));
   }
 
   /// Contour pictures with a common scale do not say themselves that their colours are clipped.
-  static std::string clipText(const decltype(FigureSpec::what)& what) {
-    std::optional<double> clip;
-    if (const auto* sheet = std::get_if<ContourSheetSpec>(&what); sheet && sheet->scale != SheetScale::Panel)
-      clip = sheet->panel.clip;
-    if (const auto* animation = std::get_if<AnimationSpec>(&what)) clip = animation->picture.clip;
+  static std::string clipText(const FigureSpec& figure) {
+    const auto clip = clipOf(figure);
     if (!clip) return {};
     return fmt::format(" (Colours end at the percentiles {} and {} of the values.)",
                        plainNumber(100.0 - *clip), plainNumber(*clip));

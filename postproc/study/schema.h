@@ -1,16 +1,15 @@
 #pragma once
-#include "postproc/study/evidence/schema_measure.h"
-#include "postproc/study/figures/schema_figure.h"
+#include "postproc/study/schema_measure.h"
 #include "postproc/study/study.h"
 
 /// The one declaration of every option of a study, in the manner of engine/scene/schema.h.
 namespace burnish {
 
 template <>
-struct EnumNames<Expectation> {
+struct EnumNames<ClaimSpec::Expect> {
   static constexpr std::array values{
-      std::pair{"increasing", Expectation::Increasing}, std::pair{"equal", Expectation::Equal},
-      std::pair{"different", Expectation::Different}, std::pair{"between", Expectation::Between}};
+      std::pair{"increasing", ClaimSpec::Expect::Increasing}, std::pair{"equal", ClaimSpec::Expect::Equal},
+      std::pair{"different", ClaimSpec::Expect::Different}, std::pair{"between", ClaimSpec::Expect::Between}};
 };
 
 template <class Visitor>

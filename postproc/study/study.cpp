@@ -68,6 +68,21 @@ std::vector<const StudyRun*> Study::matching(const std::vector<std::string>& pat
   return matches;
 }
 
+ClaimExpectation ClaimSpec::expectation() const {
+  switch (expect) {
+    case Expect::Increasing:
+      return ExpectedTrend{ExpectedTrend::Direction::Increasing};
+    case Expect::Equal:
+      return ExpectedSameness{within.value()};
+    case Expect::Different:
+      return ExpectedDifference{within.value()};
+    case Expect::Between:
+      break;
+  }
+  const auto number = [](double bound) { return FormulaText{fmt::format("{}", bound)}; };
+  return ExpectedRange{number(range.value()[0]), number(range.value()[1])};
+}
+
 std::string fillIn(const std::string& text, const std::map<std::string, std::string>& parameters) {
   constexpr const char* nameCharacters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
   std::string filled;

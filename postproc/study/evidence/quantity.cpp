@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "postproc/study/evidence/expression.h"
+#include "postproc/study/evidence/reductions.h"
 
 namespace burnish {
 namespace {
@@ -49,26 +50,28 @@ std::size_t rowAt(double time, const std::vector<double>& times) {
   throw Error(fmt::format("there is no row at t = {}; the nearest one is at t = {}", time, *nearest));
 }
 
+/// The rows that the number is made of.
+Series countedRows(const CheckedQuantity& quantity, const Series& all) {
+  const auto only = [&](std::size_t row) { return Series{{all.x[row]}, {all.y[row]}}; };
+  if (quantity.time) return only(rowAt(*quantity.time, all.x));
+  return quantity.reduction == RowReduction::Last ? only(all.x.size() - 1) : all;
+}
+
 }  // namespace
 
-double quantityOf(const CheckSpec& check, const HistoryTable& history,
-                  const std::vector<DefinitionSpec>& definitions) {
+double valueOf(const CheckedQuantity& quantity, const HistoryTable& history,
+               const std::vector<DefinitionSpec>& definitions) {
   if (history.numRows() == 0) throw Error(fmt::format("{} has no rows", history.path.string()));
   HistoryTable extended = history;
   for (const DefinitionSpec& definition : definitions)
-    if (mentions(check.quantity, definition.name)) addColumn(extended, definition, definitions);
-  std::vector<double> values = evaluate(extended, check.quantity);
-  const std::vector<double>& times = history.column("time");
-  if (check.time)
-    values = {values[rowAt(*check.time, times)]};
-  else if (check.reduction == CheckSpec::Reduction::Last)
-    values = {values.back()};
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (!std::isfinite(values[k]))
-      throw Error(values.size() == 1 ? "the quantity is not finite"
-                                     : fmt::format("the quantity is not finite at t = {}", times[k]));
-  return check.reduction == CheckSpec::Reduction::Min ? *std::min_element(values.begin(), values.end())
-                                                      : *std::max_element(values.begin(), values.end());
+    if (mentions(quantity.formula, definition.name)) addColumn(extended, definition, definitions);
+  const std::vector<double> values = evaluate(extended, quantity.formula);
+  const Series rows = countedRows(quantity, {history.column("time"), values});
+  for (std::size_t k = 0; k < rows.y.size(); ++k)
+    if (!std::isfinite(rows.y[k]))
+      throw Error(rows.y.size() == 1 ? "the quantity is not finite"
+                                     : fmt::format("the quantity is not finite at t = {}", rows.x[k]));
+  return reduced(rows, static_cast<Reduction>(quantity.reduction)).value();
 }
 
 }  // namespace burnish

@@ -1,16 +1,89 @@
 #pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/core/formula.h"
 #include "engine/results/history.h"
-#include "postproc/scene/scene_checks.h"
 
+/// What is read off a run: the quantities of checks of scenes and of measures of studies.
 namespace burnish {
 
-/// The value of a check's quantity in a history: in its last row, in the row of the check's time, or the
-/// largest or smallest of all rows. The formula may name definitions without coordinates. Throws `Error` for
-/// columns that do not exist, values that are not finite, and a time that has no row, with the nearest one.
-double quantityOf(const CheckSpec& check, const HistoryTable& history,
-                  const std::vector<DefinitionSpec>& definitions);
+/// The number that is made of a curve y(x). `oscillation`: standard deviation about the least-squares
+/// quartic; `at`: linear interpolation.
+enum class Reduction { First, Last, Max, Min, Mean, At, Oscillation };
+
+/// A number from the history: y(x) restricted to a range of x and reduced. Expressions are formulas in the
+/// columns.
+struct HistoryMeasure {
+  std::string x = "time", y;
+  std::string where = "1";
+  std::optional<std::array<double, 2>> range;
+  Reduction reduce = Reduction::Last;
+  std::optional<double> at;
+};
+
+/// A number of `summary.yaml`, such as iterations, cut_backs, seconds.
+struct SummaryMeasure {
+  std::string entry;
+};
+
+enum class LineReduction { Variation, Max, Min };
+
+/// A projected field along a line of constant second parameter of the first patch, on which it is sampled at
+/// 11 points per knot span. Variation: the sum of |differences|.
+struct LineMeasure {
+  std::string field;
+  double time = 0.0;
+  double height = 0.5;  ///< second parameter as a part of its range, 0 to 1
+  LineReduction reduce = LineReduction::Variation;
+};
+
+/// How far y(x) is from that of another run, at the x that both have: the largest |difference| as a part of
+/// the other run's largest |y|; with `tolerance`, the first x at which the difference exceeds this part.
+struct DifferenceMeasure {
+  std::string other;  ///< name of a run, in braces as above
+  std::string x = "time", y;
+  std::string where = "1";
+  std::optional<std::array<double, 2>> range;
+  std::optional<double> tolerance;
+};
+
+/// Median over all steps of the order log(r_k+1/r_k) / log(r_k/r_k-1) that the last residuals above rounding
+/// show, from `convergence.csv`.
+struct ConvergenceMeasure {};
+
+using Quantity =
+    std::variant<HistoryMeasure, SummaryMeasure, LineMeasure, DifferenceMeasure, ConvergenceMeasure>;
+
+/// A quantity of a study, with a name.
+struct MeasureSpec {
+  std::string name;   ///< for claims
+  std::string title;  ///< column of the table
+  Quantity what;
+};
+
+/// Which row of a history counts: those of the reductions that choose one.
+enum class RowReduction {
+  Last = static_cast<int>(Reduction::Last),
+  Max = static_cast<int>(Reduction::Max),
+  Min = static_cast<int>(Reduction::Min)
+};
+
+/// The quantity of a check: a formula in columns of a history and definitions without coordinates.
+struct CheckedQuantity {
+  std::string formula;
+  RowReduction reduction = RowReduction::Last;
+  std::optional<double> time;  ///< the row of this time instead
+
+  friend bool operator==(const CheckedQuantity&, const CheckedQuantity&) = default;
+};
+
+/// The value of a checked quantity. Throws `Error` for columns that do not exist, values that are not finite,
+/// and a time that has no row, with the nearest one.
+double valueOf(const CheckedQuantity& quantity, const HistoryTable& history,
+               const std::vector<DefinitionSpec>& definitions);
 
 }  // namespace burnish

@@ -97,6 +97,26 @@ std::optional<double> oscillation(const Series& series) {
   return (y - powers * quartic).norm() / std::sqrt(static_cast<double>(n));
 }
 
+std::optional<double> reduced(const Series& series, Reduction reduction) {
+  switch (reduction) {
+    case Reduction::First:
+      return series.y.front();
+    case Reduction::Last:
+      return series.y.back();
+    case Reduction::Max:
+      return *std::max_element(series.y.begin(), series.y.end());
+    case Reduction::Min:
+      return *std::min_element(series.y.begin(), series.y.end());
+    case Reduction::Mean:
+      return meanOver(series);
+    case Reduction::Oscillation:
+      return oscillation(series);
+    case Reduction::At:
+      break;
+  }
+  return {};
+}
+
 std::optional<double> largestDifference(const Series& a, const Series& b) {
   const Series d = difference(a, b);
   if (d.y.empty()) return {};

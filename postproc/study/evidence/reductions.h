@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/results/history.h"
+#include "postproc/study/evidence/quantity.h"
 
 /// Numbers from curves. None of them has a value where the curve does not show it.
 namespace burnish {
@@ -33,6 +34,9 @@ std::optional<double> meanOver(const Series& series);
 
 /// Root mean square of what is left of y without its least-squares quartic in x; from 6 points on.
 std::optional<double> oscillation(const Series& series);
+
+/// A curve of one point or more reduced to a number; `at`, which needs an x, has none.
+std::optional<double> reduced(const Series& series, Reduction reduction);
 
 /// Largest |a - b| of two curves at the x that both have.
 std::optional<double> largestDifference(const Series& a, const Series& b);

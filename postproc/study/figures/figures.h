@@ -1,14 +1,32 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "postproc/study/study.h"
 
 namespace burnish {
 
+/// The figure of a name. Throws `Error` with the nearest name.
+const FigureSpec& figureNamed(const Study& study, const std::string& name);
+
 /// Runs whose results a figure shows, each once, in the order of the study; of a composite, those of its
 /// parts. Throws `Error` for patterns without a run and parts that do not exist or are composites.
 std::vector<const StudyRun*> runsOf(const Study& study, const FigureSpec& figure);
+
+/// Names of the figures that a figure shows; none but for composites.
+std::vector<std::string> partsOf(const FigureSpec& figure);
+
+/// Files beside the study that a figure shows.
+std::vector<std::filesystem::path> inputsOf(const Study& study, const FigureSpec& figure);
+
+/// The percentile at which the colours of all pictures of a figure end, which they do not say themselves.
+std::optional<double> clipOf(const FigureSpec& figure);
+
+/// Reports what is wrong with a figure before the runs of its study are known, and what is wrong with what it
+/// names. path: of the figure.
+void checkFigure(const FigureSpec& figure, const std::string& path, const StudyReporter& reporter);
+void checkReferencesOf(const FigureSpec& figure, const std::string& path, const RunReporter& reporter);
 
 /// Draws a figure from the results in `studyDirectory`/runs. Returns the files made in
 /// `studyDirectory`/figures: first NAME.png, then its panels NAME_*.png, data NAME*.csv and videos. Throws

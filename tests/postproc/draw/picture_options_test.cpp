@@ -5,7 +5,7 @@
 
 #include "engine/schema/declaration_collector.h"
 #include "engine/schema/rule_check.h"
-#include "postproc/study/figures/schema_figure.h"
+#include "postproc/study/figures/figure_spec.h"
 
 /// What the declaration of a picture's options says, whichever door they come through.
 namespace burnish {
@@ -129,8 +129,8 @@ TEST(PictureOptions, EveryDoorHasThem) {
     if (key != "range") {
       EXPECT_THAT(keysOf(declarationsOf<PictureOptions>()), Contains(key));
     }
-    EXPECT_THAT(keysOf(declarationsOf<ContourSheetSpec>()), Contains(key));
-    EXPECT_THAT(keysOf(declarationsOf<AnimationSpec>()), Contains(key));
+    EXPECT_THAT(keysOf(declarationsOf<SheetFigure>()), Contains(key));
+    EXPECT_THAT(keysOf(declarationsOf<AnimationFigure>()), Contains(key));
   }
 }
 

@@ -51,7 +51,7 @@ TEST(SceneDocument, ReadsWhatTheEngineLeavesAlone) {
   EXPECT_EQ(document.pictures[1].range, (std::array<double, 2>{0.0, 2.0}));
   EXPECT_THAT(document.pictures[1].times, ElementsAre(1.0, 1.5, 2.0));
   EXPECT_EQ(document.variants.value().families.at(0).name, "a");
-  EXPECT_EQ(std::get<ValueCheckSpec>(document.checks.at(0).expect).relative, 0.1);
+  EXPECT_EQ(std::get<ExpectedValue>(document.checks.at(0).expect).relative, 0.1);
   EXPECT_EQ(document.charts.at(0).yTitle, "force");
 }
 
@@ -94,7 +94,7 @@ TEST(SceneDocument, ResolvedYamlReadsBackToTheSameDocument) {
   EXPECT_EQ(again.scene.resolvedYaml, document.scene.resolvedYaml);
   EXPECT_EQ(again.pictures[0].range, document.pictures[0].range);
   EXPECT_EQ(again.pictures[0].mirror, document.pictures[0].mirror);
-  EXPECT_EQ(std::get<OrderCheckSpec>(again.checks.at(0).expect).order, 2.0);
+  EXPECT_EQ(std::get<ExpectedOrder>(again.checks.at(0).expect).order, 2.0);
   EXPECT_EQ(again.variants.value().meshes.size(), 3u);
   EXPECT_NO_THROW(parseScene(document.scene.resolvedYaml, "the engine's part"));
 }

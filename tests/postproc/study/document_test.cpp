@@ -59,10 +59,10 @@ class Document : public testing::Test {
     ClaimSpec open = true_;
     open.text = "Both agree";
     open.runs = {"nurbs-fine", "lagrange-fine"};
-    open.expect = Expectation::Equal;
+    open.expect = ClaimSpec::Expect::Equal;
     open.within = 0.01;
-    study_.spec.figures = {{.name = "drawn", .caption = "A picture.", .what = SetupSpec{"nurbs-fine"}},
-                           {.name = "missing", .caption = "None.", .what = SetupSpec{"nurbs-fine"}}};
+    study_.spec.figures = {{.name = "drawn", .caption = "A picture.", .what = SetupFigure{"nurbs-fine"}},
+                           {.name = "missing", .caption = "None.", .what = SetupFigure{"nurbs-fine"}}};
     study_.spec.statements = {{.name = "meshes",
                                .title = "Meshes",
                                .text = "Text of the section.",

@@ -1,4 +1,4 @@
-#include "postproc/study/evidence/measures.h"
+#include "postproc/study/measures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/core/error.h"
-#include "postproc/study/evidence/claims.h"
+#include "postproc/study/claims.h"
 #include "postproc/study/evidence/reductions.h"
 #include "postproc/study/evidence/refinement.h"
 #include "tests/postproc/sample_records.h"
@@ -229,25 +229,6 @@ TEST(EvaluateMeasure, MarksWhatARunThatStoppedCannotShow) {
   EXPECT_THAT(evaluateMeasure(study, stopped, end, directory.path()).comparable(), Optional(1.4));
 }
 
-std::vector<ClaimedValue> claimed(const std::vector<std::optional<double>>& values) {
-  std::vector<ClaimedValue> all;
-  for (const auto& value : values) all.push_back({"run", {value, value ? "" : "stopped"}});
-  return all;
-}
-
-TEST(Claims, IncreasingIsStrict) {
-  EXPECT_EQ(judgeIncreasing(claimed({1.0, 2.0, 3.0})), Verdict::Holds);
-  EXPECT_EQ(judgeIncreasing(claimed({1.0, 2.0, 2.0})), Verdict::DoesNotHold);
-  EXPECT_EQ(judgeIncreasing(claimed({1.0, {}, 3.0})), Verdict::CannotBeTold);
-  EXPECT_EQ(judgeIncreasing(claimed({3.0, {}, 1.0})), Verdict::DoesNotHold);
-}
-
-TEST(Claims, EqualIsWithinAPartOfTheLargest) {
-  EXPECT_EQ(judgeEqual(claimed({-10.0, -9.6}), 0.05), Verdict::Holds);
-  EXPECT_EQ(judgeEqual(claimed({-10.0, -9.4}), 0.05), Verdict::DoesNotHold);
-  EXPECT_EQ(judgeEqual(claimed({1.0, {}}), 0.05), Verdict::CannotBeTold);
-}
-
 TEST(Claims, ShowTheNumbersThatDecide) {
   const ScratchDirectory directory;
   const Study study = madeUpStudy(directory.path());
@@ -259,7 +240,7 @@ TEST(Claims, ShowTheNumbersThatDecide) {
                        .measure = "last",
                        .vary = {basis},
                        .runs = {"{basis}-fine", "nurbs-middle"},
-                       .expect = Expectation::Increasing,
+                       .expect = ClaimSpec::Expect::Increasing,
                        .within = {},
                        .range = {}}};
   const auto judged = judgeClaims(study, statement, directory.path());
@@ -275,12 +256,12 @@ TEST(Claims, ShowTheNumbersThatDecide) {
   claim.vary = {};
   claim.runs = {"nurbs-fine", "nurbs-middle"};
   const auto verdictOf = [&] { return judgeClaims(study, statement, directory.path()).front().verdict; };
-  claim.expect = Expectation::Different;
+  claim.expect = ClaimSpec::Expect::Different;
   claim.within = 0.04;
   EXPECT_EQ(verdictOf(), Verdict::Holds);
   claim.within = 0.05;
   EXPECT_EQ(verdictOf(), Verdict::DoesNotHold);
-  claim.expect = Expectation::Between;
+  claim.expect = ClaimSpec::Expect::Between;
   claim.range = {1.0, 1.05};
   EXPECT_EQ(verdictOf(), Verdict::DoesNotHold);
   claim.range = {1.0, 1.07};

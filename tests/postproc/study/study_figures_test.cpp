@@ -49,16 +49,16 @@ class StudyFigures : public testing::Test {
   Study study_ = madeUpStudy(directory_.path());
 };
 
-HistoryChartSpec valueChart() {
-  HistoryChartSpec spec;
+HistoryFigure valueChart() {
+  HistoryFigure spec;
   spec.runs = {"*-fine"};
   spec.y = "value";
   spec.where = "time >= 1";
   return spec;
 }
 
-RefinementChartSpec lastValueRefined() {
-  RefinementChartSpec spec;
+RefinementFigure lastValueRefined() {
+  RefinementFigure spec;
   spec.runs = {"*"};
   spec.refine = "mesh";
   HistoryMeasure last;
@@ -67,8 +67,8 @@ RefinementChartSpec lastValueRefined() {
   return spec;
 }
 
-ContourSheetSpec sheetOfFine() {
-  ContourSheetSpec spec;
+SheetFigure sheetOfFine() {
+  SheetFigure spec;
   spec.runs = {"*-fine"};
   spec.times = {1.0, 2.0};
   spec.panel.field = "plastic_strain";
@@ -87,7 +87,7 @@ bool bodyIsBright(const fs::path& png) {
 }
 
 TEST_F(StudyFigures, SheetsMarkDoubtfulRunsAndShowImages) {
-  ContourSheetSpec spec = sheetOfFine();
+  SheetFigure spec = sheetOfFine();
   draw("sound", spec);
   spec.panel.mirror = {{0, 0.0}};
   draw("whole", spec);
@@ -115,7 +115,7 @@ TEST_F(StudyFigures, HistoryChartHasItsDataBesideIt) {
 
 TEST_F(StudyFigures, ReferenceIsPointsOrAPictureBeside) {
   writeText("x,y\n1.5,0.7\n", directory_.path() / "paper.csv");
-  HistoryChartSpec spec = valueChart();
+  HistoryFigure spec = valueChart();
   spec.reference = "paper.csv";
   draw("points", spec);
   EXPECT_THAT(text("points.csv"), HasSubstr("reference x"));
@@ -128,7 +128,7 @@ TEST_F(StudyFigures, ReferenceIsPointsOrAPictureBeside) {
 }
 
 TEST_F(StudyFigures, SurfaceChartShowsTheContactAtEachTime) {
-  SurfaceChartSpec spec;
+  SurfaceFigure spec;
   spec.runs = {"nurbs-fine", "lagrange-fine"};
   spec.times = {1.0, 2.0};
   EXPECT_THAT(draw("pressure", spec), ElementsAre("pressure.png", "pressure_t1.png", "pressure_t1.csv",
@@ -158,7 +158,7 @@ TEST_F(StudyFigures, RefinementFindsLimitAndOrder) {
 }
 
 TEST_F(StudyFigures, RefinementThatDoesNotSettleIsRefusedWithItsValues) {
-  RefinementChartSpec spec = lastValueRefined();
+  RefinementFigure spec = lastValueRefined();
   spec.measure.what = SummaryMeasure{"functions"};
   EXPECT_THAT(errorOf([&] { draw("error", spec); }), HasSubstr("figure error: no limit can be extrapolated"));
   EXPECT_THAT(errorOf([&] { draw("error", spec); }), HasSubstr("NURBS: 16, 64, 256"));
@@ -172,7 +172,7 @@ TEST_F(StudyFigures, SheetHasAPanelForEachRunAndTime) {
 }
 
 TEST_F(StudyFigures, SheetSharesColoursWhereItIsAskedTo) {
-  ContourSheetSpec spec = sheetOfFine();
+  SheetFigure spec = sheetOfFine();
   spec.runs = {"nurbs-fine"};
   draw("panel", spec);  // strains at t = 2 are twice those at t = 1
   EXPECT_TRUE(bodyIsBright(figures() / "panel_a.png"));
@@ -186,7 +186,7 @@ TEST_F(StudyFigures, SheetSharesColoursWhereItIsAskedTo) {
 }
 
 TEST_F(StudyFigures, SheetTakesWordsForItsCaptionsFromTheRun) {
-  ContourSheetSpec spec = sheetOfFine();
+  SheetFigure spec = sheetOfFine();
   spec.panelCaption = "{letter}) {basis.label}, mesh {mesh}, {time}";
   draw("good", spec);
   spec.panelCaption = "{lettre}";
@@ -200,7 +200,7 @@ TEST_F(StudyFigures, SheetsAreTheSameBytesTwice) {
 }
 
 TEST_F(StudyFigures, FramesThatARunThatCompletedDoesNotHaveAreAnError) {
-  ContourSheetSpec spec = sheetOfFine();
+  SheetFigure spec = sheetOfFine();
   spec.times = {0.7};
   EXPECT_THAT(errorOf([&] { draw("strain", spec); }),
               HasSubstr("figure strain: run nurbs-fine: there is no frame at t = 0.7"));
@@ -209,7 +209,7 @@ TEST_F(StudyFigures, FramesThatARunThatCompletedDoesNotHaveAreAnError) {
 TEST_F(StudyFigures, CompositeDrawsPartsThatAreMissing) {
   draw("value", valueChart());
   fs::remove(figures() / "value.png");
-  CompositeSpec spec;
+  CompositeFigure spec;
   spec.figures = {"value", "value"};
   spec.captions = {"a)", "b)"};
   EXPECT_THAT(draw("both", spec), ElementsAre("both.png"));
@@ -219,7 +219,7 @@ TEST_F(StudyFigures, CompositeDrawsPartsThatAreMissing) {
 }
 
 TEST_F(StudyFigures, AnimationHasAPictureForEveryFrame) {
-  AnimationSpec spec;
+  AnimationFigure spec;
   spec.runs = {"nurbs-fine"};
   spec.picture.field = "plastic_strain";
   spec.picture.size = {320, 200};
@@ -240,12 +240,12 @@ TEST_F(StudyFigures, NeedTheRunsThatTheyShowAndCompareWith) {
   DifferenceMeasure difference;
   difference.other = "nurbs-coarse";
   difference.y = "value";
-  RefinementChartSpec compared = lastValueRefined();
+  RefinementFigure compared = lastValueRefined();
   compared.runs = {"lagrange-*"};
   compared.measure.what = difference;
   EXPECT_THAT(names(compared), ElementsAre("nurbs-coarse", "lagrange-fine"));
-  study_.spec.figures = {{"part", "", SetupSpec{"nurbs-middle"}}};
-  CompositeSpec composite;
+  study_.spec.figures = {{"part", "", SetupFigure{"nurbs-middle"}}};
+  CompositeFigure composite;
   composite.figures = {"part", "part"};
   EXPECT_THAT(names(composite), ElementsAre("nurbs-middle"));
 }

@@ -111,10 +111,10 @@ TEST_F(StudyFile, runsAreTheCombinationsOfTheParametersTheFirstSlowest) {
 
 TEST_F(StudyFile, figuresAndStatementsAreRead) {
   const Study study = read(kStudy);
-  const auto& chart = std::get<HistoryChartSpec>(study.spec.figures.at(0).what);
+  const auto& chart = std::get<HistoryFigure>(study.spec.figures.at(0).what);
   EXPECT_EQ(chart.x, "time");
   EXPECT_EQ(chart.looks.color, "basis");
-  const auto& sheet = std::get<ContourSheetSpec>(study.spec.figures.at(1).what);
+  const auto& sheet = std::get<SheetFigure>(study.spec.figures.at(1).what);
   EXPECT_EQ(sheet.times, (std::vector<double>{0, 1}));
   EXPECT_EQ(sheet.panelCaption, "{letter}) {label}, {time}");
   const auto& measure = std::get<HistoryMeasure>(study.spec.statements.at(0).measures.at(0).what);
@@ -125,7 +125,7 @@ TEST_F(StudyFile, aTimeMayBeTheEndOfTheRuns) {
   std::string text = kStudy;
   text.replace(text.find("times: [0, 1]"), 13, "times: [0, end]");
   const Study study = read(text);
-  EXPECT_THAT(std::get<ContourSheetSpec>(study.spec.figures[1].what).times, ElementsAre(0.0, kEndOfRun));
+  EXPECT_THAT(std::get<SheetFigure>(study.spec.figures[1].what).times, ElementsAre(0.0, kEndOfRun));
 }
 
 TEST_F(StudyFile, patternsNameRunsOnceInTheirOrder) {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "postproc/study/evidence/check_table.h"
-#include "postproc/study/evidence/judgement.h"
 #include "postproc/study/evidence/quantity.h"
-#include "postproc/study/evidence/verification_document.h"
+#include "postproc/study/verification/check_table.h"
+#include "postproc/study/verification/judgement.h"
+#include "postproc/study/verification/verification_document.h"
 #include "postproc/text/text_file.h"
 #include "tests/postproc/study/study_samples.h"
 
@@ -78,7 +78,7 @@ class Verify : public testing::Test {
 
   std::vector<bool> verdicts(const std::string& check, const std::vector<std::vector<double>>& values) const {
     std::vector<bool> verdicts;
-    for (const CheckRow& row : rowsOf(check, values)) verdicts.push_back(row.holds);
+    for (const CheckRow& row : rowsOf(check, values)) verdicts.push_back(row.holds());
     return verdicts;
   }
 
@@ -138,39 +138,39 @@ TEST_F(Verify, AQuantityIsARowOrAnExtremeOfAFormula) {
   const VerificationCase verified = caseOf(kBlock + checks("quantity: time, expect: range, at_least: 0"));
   const HistoryTable table = history({3.0, 7.0, 5.0});
   const auto& definitions = verified.document.scene.definitions;
-  CheckSpec check;
-  check.quantity = "value";
-  EXPECT_EQ(quantityOf(check, table, definitions), 5.0);
-  check.reduction = CheckSpec::Reduction::Max;
-  EXPECT_EQ(quantityOf(check, table, definitions), 7.0);
-  check.reduction = CheckSpec::Reduction::Min;
-  EXPECT_EQ(quantityOf(check, table, definitions), 3.0);
-  check.quantity = "value - ramp";  // 3, 6.5, 4
-  check.time = 1.0 + 1e-12;
-  EXPECT_EQ(quantityOf(check, table, definitions), 6.5);
+  CheckedQuantity quantity;
+  quantity.formula = "value";
+  EXPECT_EQ(valueOf(quantity, table, definitions), 5.0);
+  quantity.reduction = RowReduction::Max;
+  EXPECT_EQ(valueOf(quantity, table, definitions), 7.0);
+  quantity.reduction = RowReduction::Min;
+  EXPECT_EQ(valueOf(quantity, table, definitions), 3.0);
+  quantity.formula = "value - ramp";  // 3, 6.5, 4
+  quantity.time = 1.0 + 1e-12;
+  EXPECT_EQ(valueOf(quantity, table, definitions), 6.5);
 }
 
 TEST_F(Verify, AQuantityThatCannotBeHadIsAnError) {
   const VerificationCase verified = caseOf(kBlock + checks("quantity: time, expect: range, at_least: 0"));
-  const auto message = [&](const CheckSpec& check) -> std::string {
+  const auto message = [&](const CheckedQuantity& quantity) -> std::string {
     try {
-      quantityOf(check, history({3.0, 7.0, 5.0}), verified.document.scene.definitions);
+      valueOf(quantity, history({3.0, 7.0, 5.0}), verified.document.scene.definitions);
     } catch (const Error& error) {
       return error.what();
     }
     return {};
   };
-  CheckSpec check;
-  check.quantity = "valu";
-  EXPECT_THAT(message(check), HasSubstr("Did you mean \"value\"?"));
-  check.quantity = "value/time";
-  check.reduction = CheckSpec::Reduction::Max;
-  EXPECT_EQ(message(check), "the quantity is not finite at t = 0");
-  check.quantity = "value - a";
-  EXPECT_THAT(message(check), HasSubstr("the definition a depends on X"));
-  check.quantity = "value";
-  check.time = 0.8;
-  EXPECT_EQ(message(check), "there is no row at t = 0.8; the nearest one is at t = 1");
+  CheckedQuantity quantity;
+  quantity.formula = "valu";
+  EXPECT_THAT(message(quantity), HasSubstr("Did you mean \"value\"?"));
+  quantity.formula = "value/time";
+  quantity.reduction = RowReduction::Max;
+  EXPECT_EQ(message(quantity), "the quantity is not finite at t = 0");
+  quantity.formula = "value - a";
+  EXPECT_THAT(message(quantity), HasSubstr("the definition a depends on X"));
+  quantity.formula = "value";
+  quantity.time = 0.8;
+  EXPECT_EQ(message(quantity), "there is no row at t = 0.8; the nearest one is at t = 1");
 }
 
 TEST_F(Verify, AValueHoldsWithinItsTolerance) {
@@ -195,10 +195,10 @@ TEST_F(Verify, AnOrderIsThatOfTheTwoFinestMeshesAboveTheFloor) {
   const auto rows = rowsOf("expect: order, order: 2, limit: half", {{1.5, 0.75, 0.5625}, {0.4, 0.48, 0.49}});
   EXPECT_THAT(rows[0].orders, ElementsAre(testing::Optional(2.0), testing::Optional(2.0)));
   EXPECT_THAT(rows[0].values, ElementsAre(1.0, 0.25, 0.0625));
-  EXPECT_TRUE(rows[0].holds);
+  EXPECT_TRUE(rows[0].holds());
   EXPECT_NEAR(rows[1].orders[0].value(), std::log2(5.0), 1e-12);
   EXPECT_NEAR(rows[1].orders[1].value(), 1.0, 1e-12);
-  EXPECT_FALSE(rows[1].holds);
+  EXPECT_FALSE(rows[1].holds());
 
   EXPECT_THAT(verdicts("expect: order, order: 2", {{1.0, 0.5, 0.125}, {1.0, 0.1, 0.05}}),
               ElementsAre(true, false));
@@ -229,10 +229,10 @@ TEST_F(Verify, ARunThatHasNoValueFailsItsChecks) {
              "- {name: B, quantity: value, expect: same}\n");
   const VariantOutcome fine{history({1.0, 1.0, 1.0}), {}};
   const auto judged = judgeChecks(verified, {{fine, fine, fine}, {fine, {{}, "the run failed"}, fine}});
-  EXPECT_TRUE(judged[0].rows[0].holds);
-  EXPECT_FALSE(judged[0].rows[1].holds);
+  EXPECT_TRUE(judged[0].rows[0].holds());
+  EXPECT_FALSE(judged[0].rows[1].holds());
   EXPECT_EQ(judged[0].rows[1].problem, "mesh 2: the run failed");
-  EXPECT_FALSE(judged[1].rows[0].holds);
+  EXPECT_FALSE(judged[1].rows[0].holds());
   EXPECT_EQ(numHolding(judged), 0u);
   EXPECT_THAT(problemsText(judged), HasSubstr("- A, p = 2: mesh 2: the run failed\n"));
 }

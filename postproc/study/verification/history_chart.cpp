@@ -1,4 +1,4 @@
-#include "postproc/study/evidence/history_chart.h"
+#include "postproc/study/verification/history_chart.h"
 
 #include <fmt/format.h>
 

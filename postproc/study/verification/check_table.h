@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/study/evidence/judgement.h"
+#include "postproc/study/verification/judgement.h"
 #include "postproc/text/markdown.h"
 
 namespace burnish {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "postproc/study/evidence/judgement.h"
+#include "postproc/study/verification/judgement.h"
 
 namespace burnish {
 

@@ -1,13 +1,13 @@
-#include "postproc/study/evidence/verification_document.h"
+#include "postproc/study/verification/verification_document.h"
 
 #include <fmt/format.h>
 
 #include <string>
 
 #include "engine/core/version.h"
-#include "postproc/study/evidence/check_table.h"
-#include "postproc/study/evidence/history_chart.h"
-#include "postproc/study/evidence/order_chart.h"
+#include "postproc/study/verification/check_table.h"
+#include "postproc/study/verification/history_chart.h"
+#include "postproc/study/verification/order_chart.h"
 #include "postproc/text/markdown.h"
 #include "postproc/text/text_file.h"
 

@@ -3,22 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "postproc/study/evidence/verification_case.h"
+#include "postproc/study/evidence/expectation.h"
+#include "postproc/study/verification/verification_case.h"
 
 namespace burnish {
 
-/// What became of a check in one family.
-struct CheckRow {
+/// What became of a check in one family. Nothing is judged where a value is missing.
+struct CheckRow : Judgement {
   std::string family;
   /// One per mesh, coarse to fine: the quantity, or the error if an order is checked.
   std::vector<std::optional<double>> values;
-  std::vector<std::optional<double>> orders;  ///< observed from each mesh to the next
-  std::string expected, tolerance;
-  std::optional<double>
-      deviation;         ///< the largest of the meshes that are judged, in the measure of the tolerance
-  bool isShare = false;  ///< deviation and tolerance are parts of a value
-  bool holds = false;
-  std::string problem;  ///< why nothing could be judged
+
+  bool holds() const { return verdict == Verdict::Holds; }
 };
 
 struct JudgedCheck {

@@ -1,3 +1,5 @@
+#include "postproc/study/figures/surface_figure.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,51 +8,14 @@
 
 #include "engine/core/error.h"
 #include "postproc/draw/page/sheet.h"
-#include "postproc/study/evidence/reductions.h"
-#include "postproc/study/figures/figure_kinds.h"
 #include "postproc/study/run_data.h"
+#include "postproc/study/study_reporter.h"
 
 namespace burnish {
 namespace {
 
-constexpr int kChartWidth = 1200;
-
 /// Interrupts a curve.
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-
-/// A chart with the data that it shows beside it.
-Files drawWithData(const Chart& chart, const std::filesystem::path& png) {
-  std::filesystem::path csv = png;
-  csv.replace_extension(".csv");
-  drawChart(chart, png);
-  writeChartData(chart, csv);
-  return {png, csv};
-}
-
-/// Points without a line between them: a gap follows each.
-ChartCurve scatteredPoints(const std::string& label, const std::vector<double>& x,
-                           const std::vector<double>& y, int number) {
-  ChartCurve curve{label, {}, {}, CurveStyle{number, 0, number}};
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    curve.x.insert(curve.x.end(), {x[k], kGap});
-    curve.y.insert(curve.y.end(), {y[k], kGap});
-  }
-  return curve;
-}
-
-Chart historyChart(const FigureTask& task, const HistoryChartSpec& spec) {
-  Chart chart;
-  chart.x.title = spec.xTitle.empty() ? spec.x : spec.xTitle;
-  chart.y.title = spec.yTitle.empty() ? spec.y : spec.yTitle;
-  for (const StudyRun* run : task.study.matching(spec.runs)) {
-    const RunData data(*run, task.studyDirectory);
-    const Series series = seriesOf(data.history(), spec.x, spec.y, spec.where);
-    const auto stopped = data.stoppedAt();
-    chart.curves.push_back({stopped ? withStop(run->label, *stopped) : run->label, series.x, series.y,
-                            styleOf(task.study, *run, spec.looks)});
-  }
-  return chart;
-}
 
 /// A contact pair's quantity at the points of the face in their order, which go back where the face folds.
 ChartCurve surfaceCurve(const ContactRecord& contact, SurfaceQuantity quantity) {
@@ -91,7 +56,7 @@ ChartCurve within(const ChartCurve& curve, const std::array<double, 2>& window) 
 /// What the charts of all times of a surface figure share.
 class SurfaceCharts {
  public:
-  SurfaceCharts(const FigureTask& task, const SurfaceChartSpec& spec) : task_(task), spec_(spec) {
+  SurfaceCharts(const FigureTask& task, const SurfaceFigure& spec) : task_(task), spec_(spec) {
     for (const StudyRun* run : task.study.matching(spec.runs)) data_.emplace_back(*run, task.studyDirectory);
     for (const RunData& data : data_) results_.push_back(data.result());
     for (const ResultReader& result : results_)
@@ -155,7 +120,7 @@ class SurfaceCharts {
   }
 
   const FigureTask& task_;
-  const SurfaceChartSpec& spec_;
+  const SurfaceFigure& spec_;
   std::vector<RunData> data_;
   std::vector<ResultReader> results_;
   std::array<double, 2> touched_{};  ///< smallest and largest x with pressure at the time of the chart
@@ -163,33 +128,28 @@ class SurfaceCharts {
 
 }  // namespace
 
-Files drawKind(const FigureTask& task, const HistoryChartSpec& spec) {
-  Chart chart = historyChart(task, spec);
-  if (!spec.reference) return drawWithData(chart, task.file(".png"));
-  const std::filesystem::path reference = task.study.file.parent_path() / *spec.reference;
-  if (reference.extension() == ".csv") {
-    const HistoryTable points = readHistory(reference);
-    chart.curves.push_back(scatteredPoints("reference", points.column("x"), points.column("y"),
-                                           static_cast<int>(chart.curves.size())));
-    return drawWithData(chart, task.file(".png"));
-  }
-  drawChart(chart, task.file("_ours.png"));
-  writeChartData(chart, task.file(".csv"));
-  drawSheet({{task.file("_ours.png"), "This program"}, {reference, "Reference"}}, 2, 2 * kChartWidth,
-            task.file(".png"));
-  return {task.file(".png"), task.file("_ours.png"), task.file(".csv")};
+Alternative SurfaceFigure::about() {
+  return {"surface", "A contact quantity along the contact face, a picture for each time."};
 }
 
-Files drawKind(const FigureTask& task, const SurfaceChartSpec& spec) {
-  SurfaceCharts charts(task, spec);
+void SurfaceFigure::check(const std::string& path, const StudyReporter& reporter) const {
+  reporter.requireSameLength(path + ".time_labels", timeLabels.size(), "times", times.size());
+}
+
+void SurfaceFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {
+  reporter.checkLooks(path, looks, reporter.runsOf(path + ".runs", runs));
+}
+
+Files SurfaceFigure::draw(const FigureTask& task) const {
+  SurfaceCharts charts(task, *this);
   Files files{task.file(".png")};
   std::vector<SheetPanel> panels;
-  for (std::size_t k = 0; k < spec.times.size(); ++k) {
-    const Files made = drawWithData(charts.chart(spec.times[k]), task.file(fmt::format("_t{}.png", k + 1)));
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const Files made = drawWithData(charts.chart(times[k]), task.file(fmt::format("_t{}.png", k + 1)));
     files.insert(files.end(), made.begin(), made.end());
-    panels.push_back({made.front(), timeText(spec.times, spec.timeLabels, k)});
+    panels.push_back({made.front(), timeText(times, timeLabels, k)});
   }
-  const int columns = spec.times.size() % 2 == 0 ? 2 : 1;
+  const int columns = times.size() % 2 == 0 ? 2 : 1;
   drawSheet(panels, columns, columns * kChartWidth, files.front());
   return files;
 }

@@ -1,4 +1,4 @@
-#include "postproc/study/evidence/order_chart.h"
+#include "postproc/study/verification/order_chart.h"
 
 #include <fmt/format.h>
 
@@ -33,8 +33,8 @@ struct ErrorChart {
 };
 
 bool haveSameQuantity(const CheckSpec& a, const CheckSpec& b) {
-  return a.quantity == b.quantity && a.time == b.time && a.reduction == b.reduction &&
-         std::get<OrderCheckSpec>(a.expect).limit == std::get<OrderCheckSpec>(b.expect).limit;
+  return a.quantity == b.quantity &&
+         std::get<ExpectedOrder>(a.expect).limit == std::get<ExpectedOrder>(b.expect).limit;
 }
 
 /// What the errors of several checks are errors of; those of measures have a name.
@@ -44,7 +44,7 @@ std::string commonTitle(const std::string& quantity) {
   return "error of " + quantity;
 }
 
-ErrorCurve curveOf(const VerificationCase& verified, const OrderCheckSpec& expect, const CheckRow& row) {
+ErrorCurve curveOf(const VerificationCase& verified, const ExpectedOrder& expect, const CheckRow& row) {
   ErrorCurve curve{row.family, expect.order, {}};
   const auto& variants = verified.families.front().variants;
   for (std::size_t m = 0; m < variants.size(); ++m)
@@ -56,7 +56,7 @@ ErrorCurve curveOf(const VerificationCase& verified, const OrderCheckSpec& expec
 std::vector<ErrorChart> chartsOf(const VerificationCase& verified, const std::vector<JudgedCheck>& judged) {
   std::vector<ErrorChart> charts;
   for (const JudgedCheck& check : judged) {
-    const auto* expect = std::get_if<OrderCheckSpec>(&check.check->expect);
+    const auto* expect = std::get_if<ExpectedOrder>(&check.check->expect);
     if (expect == nullptr) continue;
     auto chart = std::find_if(charts.begin(), charts.end(), [&](const ErrorChart& other) {
       return haveSameQuantity(*other.first, *check.check);
@@ -64,7 +64,7 @@ std::vector<ErrorChart> chartsOf(const VerificationCase& verified, const std::ve
     if (chart == charts.end())
       chart = charts.insert(charts.end(), {check.check, check.check->name, {}});
     else if (chart->title != check.check->name)
-      chart->title = commonTitle(check.check->quantity);
+      chart->title = commonTitle(check.check->quantity.formula);
     for (const CheckRow& row : check.rows)
       if (ErrorCurve curve = curveOf(verified, *expect, row); !curve.errors.empty())
         chart->curves.push_back(std::move(curve));

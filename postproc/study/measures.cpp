@@ -1,4 +1,4 @@
-#include "postproc/study/evidence/measures.h"
+#include "postproc/study/measures.h"
 
 #include <fmt/format.h>
 
@@ -40,26 +40,6 @@ Covered cover(const Series& series, const std::optional<std::array<double, 2>>& 
   else if (covered.series.x.empty())
     covered.gap = "no rows in the range";
   return covered;
-}
-
-std::optional<double> reduceSeries(const Series& series, Reduction reduction) {
-  switch (reduction) {
-    case Reduction::First:
-      return series.y.front();
-    case Reduction::Last:
-      return series.y.back();
-    case Reduction::Max:
-      return *std::max_element(series.y.begin(), series.y.end());
-    case Reduction::Min:
-      return *std::min_element(series.y.begin(), series.y.end());
-    case Reduction::Mean:
-      return meanOver(series);
-    case Reduction::Oscillation:
-      return oscillation(series);
-    case Reduction::At:
-      break;
-  }
-  return {};
 }
 
 Measured valueOr(std::optional<double> value, const std::string& note) {
@@ -124,7 +104,7 @@ Measured reduceHistory(const HistoryTable& history, const HistoryMeasure& measur
   const bool startOnly = measure.reduce == Reduction::First && !measure.range;
   const Covered covered = cover(series, measure.range, startOnly ? std::nullopt : stoppedAt);
   if (!covered.gap.empty()) return {{}, covered.gap};
-  return valueOr(reduceSeries(covered.series, measure.reduce), "too few points");
+  return valueOr(reduced(covered.series, measure.reduce), "too few points");
 }
 
 Measured compareHistories(const HistoryTable& history, std::optional<double> stoppedAt,

@@ -1,18 +1,17 @@
+#include "postproc/study/figures/sheet_figure.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 
-#include "engine/core/error.h"
 #include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/page/sheet.h"
-#include "postproc/export/video.h"
-#include "postproc/study/figures/figure_kinds.h"
 #include "postproc/study/run_data.h"
-#include "postproc/text/text_file.h"
+#include "postproc/study/study_reporter.h"
 
 namespace burnish {
 namespace {
@@ -35,7 +34,7 @@ std::string letters(std::size_t number) {
 /// Draws the panels of a sheet from left to right and from top to bottom.
 class ContourSheet {
  public:
-  ContourSheet(const FigureTask& task, const ContourSheetSpec& spec) : task_(task), spec_(spec) {
+  ContourSheet(const FigureTask& task, const SheetFigure& spec) : task_(task), spec_(spec) {
     for (const StudyRun* run : task.study.matching(spec.runs)) data_.emplace_back(*run, task.studyDirectory);
     for (const RunData& data : data_) results_.push_back(data.result());
   }
@@ -118,49 +117,36 @@ class ContourSheet {
   }
 
   const FigureTask& task_;
-  const ContourSheetSpec& spec_;
+  const SheetFigure& spec_;
   std::vector<RunData> data_;
   std::vector<ResultReader> results_;
 };
 
-/// Pictures of all frames of a run with one colour range and one window.
-Files drawFrames(const FigureTask& task, const AnimationSpec& spec, const StudyRun& run) {
-  const ResultReader result = RunData(run, task.studyDirectory).result();
-  const ModelRecord& model = result.model();
-  std::vector<int> all(static_cast<std::size_t>(result.numFrames()));
-  std::iota(all.begin(), all.end(), 0);
-  ContourOptions options = contourOptions(spec.picture, result, result.frame(0));
-  if (!options.textSize) options.textSize = options.theme.textSize * sheetTextSize(options.size[0], 6.0);
-  if (!options.title) options.title = run.label;
-  options = withCommonView(options, result, all, all);
-  const auto directory = task.directory() / task.figure.name / run.name;
-  makeDirectory(directory);
-  Files frames;
-  for (int k = 0; k < result.numFrames(); ++k) {
-    frames.push_back(directory / fmt::format("frame_{:04d}.png", k + 1));
-    drawContour(model, result.frame(k), options, frames.back());
-  }
-  return frames;
-}
-
 }  // namespace
 
-Files drawKind(const FigureTask& task, const ContourSheetSpec& spec) {
-  return ContourSheet(task, spec).draw();
+Alternative SheetFigure::about() {
+  return {"sheet", "Contour pictures in a grid, a row for each time and a column for each run."};
 }
 
-Files drawKind(const FigureTask& task, const AnimationSpec& spec) {
-  Files files{task.file(".png")};
-  std::vector<SheetPanel> lastFrames;
-  for (const StudyRun* run : task.study.matching(spec.runs)) {
-    const Files frames = drawFrames(task, spec, *run);
-    const auto video = task.file("_" + run->name + ".mp4");
-    if (writeVideo(frames, spec.framesPerSecond, video)) files.push_back(video);
-    files.insert(files.end(), frames.begin(), frames.end());
-    lastFrames.push_back({frames.back(), ""});
+void SheetFigure::check(const std::string& path, const StudyReporter& reporter) const {
+  reporter.requireSameLength(path + ".time_labels", timeLabels.size(), "times", times.size());
+  reporter.checkPicture(path, panel, "panel_size");
+}
+
+void SheetFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {
+  for (const StudyRun* run : reporter.runsOf(path + ".runs", runs)) {
+    auto parameters = run->parameters;
+    for (const char* name : {"letter", "label", "time"}) parameters.emplace(name, "");
+    if (!reporter.tryTo(path + ".panel_caption", [&] { fillIn(panelCaption, parameters); })) return;
   }
-  drawSheet(lastFrames, 1, drawnSize(spec.picture)[0], files.front(), themeOf(spec.picture));
-  return files;
+}
+
+std::optional<double> SheetFigure::clipOfAll() const {
+  return scale == SheetScale::Panel ? std::nullopt : panel.clip;
+}
+
+Files SheetFigure::draw(const FigureTask& task) const {
+  return ContourSheet(task, *this).draw();
 }
 
 }  // namespace burnish

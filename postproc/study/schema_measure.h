@@ -1,20 +1,10 @@
 #pragma once
 #include "engine/schema/leaf.h"
 #include "postproc/draw/contour/schema_picture.h"
-#include "postproc/study/study.h"
+#include "postproc/study/evidence/quantity.h"
+#include "postproc/study/evidence/schema_reduction.h"
 
 namespace burnish {
-
-template <>
-struct EnumNames<Reduction> {
-  static constexpr std::array values{std::pair{"first", Reduction::First},
-                                     std::pair{"last", Reduction::Last},
-                                     std::pair{"max", Reduction::Max},
-                                     std::pair{"min", Reduction::Min},
-                                     std::pair{"mean", Reduction::Mean},
-                                     std::pair{"at", Reduction::At},
-                                     std::pair{"oscillation", Reduction::Oscillation}};
-};
 
 template <>
 struct EnumNames<LineReduction> {

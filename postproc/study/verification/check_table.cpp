@@ -1,4 +1,4 @@
-#include "postproc/study/evidence/check_table.h"
+#include "postproc/study/verification/check_table.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr int kValueDigits = 4, kErrorDigits = 2;
 
 std::vector<std::string> valueTexts(const JudgedCheck& judged, const CheckRow& row) {
-  const bool areErrors = std::holds_alternative<OrderCheckSpec>(judged.check->expect);
+  const bool areErrors = std::holds_alternative<ExpectedOrder>(judged.check->expect);
   std::vector<std::string> texts;
   for (const auto& value : row.values)
     texts.push_back(value ? numberText(*value, areErrors ? kErrorDigits : kValueDigits) : "—");
@@ -68,7 +68,7 @@ std::string checkTable(const VerificationCase& verified, const std::vector<Judge
       orders.cells.push_back(ordersText(row));
       deviations.cells.push_back(deviationText(row));
       tolerances.cells.push_back(toleranceText(row));
-      verdicts.cells.emplace_back(row.holds ? "holds" : "**FAILS**");
+      verdicts.cells.emplace_back(row.holds() ? "holds" : "**FAILS**");
     }
   std::vector<MarkdownColumn> all{std::move(names), std::move(families)};
   std::move(meshes.begin(), meshes.end(), std::back_inserter(all));

@@ -1,15 +1,19 @@
+#include "postproc/study/figures/refinement_figure.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <variant>
 
 #include "engine/core/error.h"
-#include "postproc/study/evidence/measures.h"
 #include "postproc/study/evidence/reductions.h"
 #include "postproc/study/evidence/refinement.h"
-#include "postproc/study/figures/figure_kinds.h"
+#include "postproc/study/measures.h"
 #include "postproc/study/run_data.h"
+#include "postproc/study/study_reporter.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -60,7 +64,7 @@ std::optional<RefinedRun> refinedRun(const FigureTask& task, const StudyRun& run
 }
 
 /// Runs without a value, such as those that stopped early, are left out.
-std::vector<RefinementCurve> refinementCurves(const FigureTask& task, const RefinementChartSpec& spec) {
+std::vector<RefinementCurve> refinementCurves(const FigureTask& task, const RefinementFigure& spec) {
   std::vector<RefinementCurve> curves;
   for (const StudyRun* run : task.study.matching(spec.runs)) {
     const auto refined = refinedRun(task, *run, spec.measure);
@@ -126,7 +130,7 @@ double errorOf(const RefinedRun& run, double limit) {
   return limit == 0.0 ? difference : difference / std::abs(limit);
 }
 
-ChartCurve chartCurve(const FigureTask& task, const RefinementChartSpec& spec, const RefinementCurve& curve,
+ChartCurve chartCurve(const FigureTask& task, const RefinementFigure& spec, const RefinementCurve& curve,
                       const CommonLimit& limit) {
   ChartCurve drawn;
   const auto order = orderOf(curve, limit);
@@ -173,14 +177,41 @@ std::string dataText(const std::vector<RefinementCurve>& curves, double limit) {
 
 }  // namespace
 
-Files drawKind(const FigureTask& task, const RefinementChartSpec& spec) {
-  const std::vector<RefinementCurve> curves = refinementCurves(task, spec);
+Alternative RefinementFigure::about() {
+  return {"refinement", "Error of a measure against the number of basis functions, log-log."};
+}
+
+void RefinementFigure::check(const std::string& path, const StudyReporter& reporter) const {
+  reporter.checkMeasure(path + ".measure", measure);
+}
+
+void RefinementFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {
+  const RunReporter::Runs shown = reporter.runsOf(path + ".runs", runs);
+  reporter.checkLooks(path, looks, shown);
+  for (const StudyRun* run : shown)
+    if (!run->parameters.contains(refine)) return reporter.requireParameter(path + ".refine", refine, {run});
+  reporter.checkReferences(path + ".measure", measure, shown);
+}
+
+std::vector<const StudyRun*> RefinementFigure::shownRuns(const Study& study) const {
+  std::vector<const StudyRun*> shown = study.matching(runs);
+  const auto* difference = std::get_if<DifferenceMeasure>(&measure.what);
+  if (difference == nullptr) return shown;
+  std::vector<const StudyRun*> compared;
+  for (const StudyRun* run : shown)
+    compared.push_back(&runNamed(study, fillIn(difference->other, run->parameters)));
+  shown.insert(shown.end(), compared.begin(), compared.end());
+  return shown;
+}
+
+Files RefinementFigure::draw(const FigureTask& task) const {
+  const std::vector<RefinementCurve> curves = refinementCurves(task, *this);
   const CommonLimit limit = commonLimit(curves);
   Chart chart;
   chart.size = {1200, 1200};  // room for the legend, which has the orders in it
   chart.x = {"number of basis functions", true, {}};
-  chart.y = {spec.yTitle.empty() ? "relative error of " + spec.measure.title : spec.yTitle, true, {}};
-  for (const RefinementCurve& curve : curves) chart.curves.push_back(chartCurve(task, spec, curve, limit));
+  chart.y = {yTitle.empty() ? "relative error of " + measure.title : yTitle, true, {}};
+  for (const RefinementCurve& curve : curves) chart.curves.push_back(chartCurve(task, *this, curve, limit));
   if (limit.scatter > 0.0) chart.curves.push_back(scatterLine(chart.curves, limit));
   drawChart(chart, task.file(".png"));
   writeText(dataText(curves, limit.value), task.file(".csv"));

@@ -1,4 +1,4 @@
-#include "postproc/study/evidence/verification_case.h"
+#include "postproc/study/verification/verification_case.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "postproc/study/figures/figure.h"
+
+namespace burnish {
+
+enum class SheetScale { Panel, Row, Sheet };
+
+template <>
+struct EnumNames<SheetScale> {
+  static constexpr std::array values{std::pair{"panel", SheetScale::Panel}, std::pair{"row", SheetScale::Row},
+                                     std::pair{"sheet", SheetScale::Sheet}};
+};
+
+/// Contour pictures in a grid: a row for each time, a column for each run.
+struct SheetFigure {
+  std::vector<std::string> runs;
+  std::vector<double> times;
+  std::vector<std::string> timeLabels;  ///< "{time}" in the captions; as many as times, or none
+  SheetScale scale = SheetScale::Panel;
+  std::string panelCaption = "{letter}) {label}, {time}";
+  PanelOptions panel = picturesOfSize<PanelOptions>({960, 480});
+
+  static Alternative about();
+  void check(const std::string& path, const StudyReporter& reporter) const;
+  void checkReferences(const std::string& path, const RunReporter& reporter) const;
+  std::optional<double> clipOfAll() const;
+  Files draw(const FigureTask& task) const;
+};
+
+template <class Visitor>
+void describe(Visitor& v, SheetFigure& s) {
+  describeRuns(v, s.runs);
+  describeTimes(v, s.times, s.timeLabels);
+  describeField(v, s.panel);
+  describe(v, s.panel);
+  describeSize(v, s.panel, "panel_size");
+  describeTextSize(v, s.panel);
+  v.field("scale", s.scale, {}, "What shares a colour scale.");
+  v.field("panel_caption", s.panelCaption, {.longest = kLongestShownText},
+          "Below a panel; in braces letter, label and time, and the parameters of the run.");
+}
+
+}  // namespace burnish
