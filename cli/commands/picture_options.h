@@ -27,7 +27,7 @@ struct PictureArguments {
 /// Adds the options of a picture to a command, or a part of them. fresh: has the defaults.
 template <class Options>
 void addPictureOptions(CLI::App& command, DeclaredOptions& picture, const Options& fresh) {
-  std::map<std::string, std::string> usual{{"title", "that of the scene"}};
+  std::map<std::string, std::string> usual;
   for (const Declaration& key : declarationsOf<PictureDefaults>()) usual[key.key] = "as the theme has it";
   picture.addTo(command, fresh, usual);
   picture.allow("bands", {{"smooth", "0"}});

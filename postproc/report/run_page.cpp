@@ -28,7 +28,7 @@ ContourOptions pictureOptions(const RunRecord& run, const ReportOptions& report,
                               const std::vector<int>& frames) {
   ContourOptions options = contourOptions(report.picture, run.result, run.result.frame(frames.back()));
   options.size = kPictureSize;
-  options.textSize = kTextSize;
+  options.textSize = options.theme.textSize * kTextSize;
   options.title = "";
   options.time = false;  // the page says it
   return withCommonView(options, run.result, frames, frames);

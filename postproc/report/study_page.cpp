@@ -223,7 +223,7 @@ class StudyPage {
   std::string drawnPicture(const RunRecord& run, const FrameRecord& frame) const {
     ContourOptions options = contourOptions(options_.picture, run.result, frame);
     options.size = kPictureSize;
-    options.textSize = kTextSize;
+    options.textSize = options.theme.textSize * kTextSize;
     options.title = "";
     return htmlPicture(framePicture(run.result, frame, options, scratch_.path()),
                        fmt::format("{} of {} at t = {}", options.field, run.name, plainNumber(frame.time)));
