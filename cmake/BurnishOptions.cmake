@@ -19,6 +19,9 @@ endif()
 target_compile_options(burnish_options INTERFACE -ffp-contract=fast -fno-math-errno)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
+# For what computes nothing: the command and the tests. Full optimisation of them takes as long as that of the engine.
+set(BURNISH_QUICK_BUILD $<$<CONFIG:Release>:-O1>)
+
 # What nearly every file includes is read once for each library. Headers of the project are not among them: a change of one
 # of them compiles again what includes it, and nothing else.
 set(BURNISH_COMMON_HEADERS

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -81,8 +82,9 @@ class BulkTerm : public Term {
   bool respond(PointsOf<Law>& points, std::size_t point, double weight, const Eigen::Matrix3d& F,
                MaterialResponse<Dim>& response, BulkSummary& summary) {
     if (!points.template evaluate<Dim>(point, F, response)) return false;
-    summary.strainEnergy += weight * response.strainEnergy;
-    summary.plasticWorkIncrement += weight * response.plasticWork;
+    // Written as fused operations, so that no choice of the compiler decides the last digit.
+    summary.strainEnergy = std::fma(weight, response.strainEnergy, summary.strainEnergy);
+    summary.plasticWorkIncrement = std::fma(weight, response.plasticWork, summary.plasticWorkIncrement);
     return true;
   }
 

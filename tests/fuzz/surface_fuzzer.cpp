@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "engine/core/error.h"
+#include "engine/tools/polyline.h"
 #include "engine/tools/surface_file.h"
 #include "tests/fuzz/temporary_file.h"
 
