@@ -24,34 +24,18 @@ FrameRecord frameAtRest(const ModelRecord& model) {
 
 }  // namespace
 
-ContourOptions contourOptions(const PictureSpec& picture) {
-  ContourOptions options;
-  options.field = picture.field;
-  options.range = picture.range;
-  options.size = picture.size;
-  options.bands = picture.bands;
-  options.knots = picture.knots;
-  options.undeformed = picture.undeformed;
-  if (picture.cut) options.cut = cutPlaneNamed(*picture.cut);
-  if (picture.slice) options.slice = cutPlaneNamed(*picture.slice);
-  if (picture.mirror) options.mirror = mirrorPlanesNamed(*picture.mirror).value();
-  options.toolOpacity = picture.toolOpacity;
-  return options;
-}
-
 void requirePlanes(const SceneDocument& document, const ModelRecord& model) {
   const FrameRecord frame = frameAtRest(model);
   std::vector<InputProblem> problems;
   for (std::size_t k = 0; k < document.pictures.size(); ++k) {
-    const PictureSpec& picture = document.pictures[k];
-    ContourOptions options = contourOptions(picture);
+    ContourOptions options(document.pictures[k]);
     options.field = "displacement";
     const std::string path = fmt::format("pictures[{}]", k);
     std::string key = "mirror";
     try {
-      if (picture.mirror) static_cast<void>(mirrored(model, frame, options.mirror));
-      key = picture.cut ? "cut" : "slice";
-      if (picture.cut || picture.slice) static_cast<void>(contentOf(model, frame, options));
+      if (!options.mirror.empty()) static_cast<void>(mirrored(model, frame, options.mirror));
+      key = options.cut ? "cut" : "slice";
+      if (options.cut || options.slice) static_cast<void>(contentOf(model, frame, options));
     } catch (const Error& error) {
       const std::string text = error.what();  // begins with the key
       problems.push_back(

@@ -5,9 +5,6 @@
 
 namespace burnish {
 
-/// A picture of a scene as options of `drawContour`.
-ContourOptions contourOptions(const PictureSpec& picture);
-
 /// Throws `Error` with places in the scene's file if the planes of its pictures are none of symmetry or miss
 /// the undeformed body.
 void requirePlanes(const SceneDocument& document, const ModelRecord& model);

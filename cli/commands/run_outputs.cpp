@@ -11,6 +11,7 @@
 #include "cli/arguments.h"
 #include "cli/commands/picture_planes_check.h"
 #include "cli/console.h"
+#include "cli/declared_options.h"
 #include "cli/foreign_files.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
@@ -29,27 +30,14 @@ bool sameTime(double a, double b) {
 }
 
 /// The call that draws a picture of a scene from the results.
-std::string renderCommand(const PictureSpec& picture, std::optional<double> time, const fs::path& directory,
+std::string renderCommand(const ScenePicture& picture, std::optional<double> time, const fs::path& directory,
                           const fs::path& file) {
-  const PictureSpec usual;
-  std::string line =
-      fmt::format("burnish render {} --field {}", shellWord(directory.string()), shellWord(picture.field));
-  const auto add = [&](const char* option, const std::string& value) {
-    line += fmt::format(" {} {}", option, shellWord(value));
-  };
-  if (time) add("--frame", fmt::format("time={}", *time));
-  if (picture.range) add("--range", fmt::format("{},{}", (*picture.range)[0], (*picture.range)[1]));
-  if (picture.size != usual.size) add("--size", fmt::format("{},{}", picture.size[0], picture.size[1]));
-  if (picture.bands != usual.bands) add("--bands", std::to_string(picture.bands));
-  if (picture.knots) line += " --knots";
-  if (!picture.undeformed) add("--undeformed", "off");
-  if (picture.cut) add("--cut", *picture.cut);
-  if (picture.slice) add("--slice", *picture.slice);
-  if (picture.mirror) add("--mirror", *picture.mirror);
-  if (!picture.doubtMarks) line += " --no-doubts";
-  if (picture.toolOpacity != usual.toolOpacity) add("--tool-opacity", fmt::format("{}", picture.toolOpacity));
-  add("-o", file.string());
-  return line;
+  const std::string frame = time ? fmt::format(" --frame time={}", *time) : "";
+  const std::string range =
+      picture.range ? fmt::format(" --range {},{}", (*picture.range)[0], (*picture.range)[1]) : "";
+  return fmt::format("burnish render {} --field {}{}{}{} -o {}", shellWord(directory.string()),
+                     shellWord(picture.field), frame, range,
+                     optionsText(static_cast<const PictureOptions&>(picture)), shellWord(file.string()));
 }
 
 }  // namespace
@@ -65,7 +53,7 @@ void RunOutputs::requireNoForeignFiles() const {
                               directory_ / "summary.yaml"};
   if (document_.scene.output.vtu)
     for (fs::path& file : seriesFiles(directory_)) files.push_back(std::move(file));
-  for (const PictureSpec& picture : document_.pictures) {
+  for (const ScenePicture& picture : document_.pictures) {
     files.push_back(pictureFile(picture, std::nullopt));
     for (const double time : picture.times) files.push_back(pictureFile(picture, time));
   }
@@ -85,7 +73,7 @@ void RunOutputs::onStart(const ModelRecord& model) {
   model_ = model;
   if (document_.scene.output.vtu) vtu_.emplace(directory_, model);
   std::error_code absent;
-  for (const PictureSpec& picture : document_.pictures) {
+  for (const ScenePicture& picture : document_.pictures) {
     // A picture of an earlier run would pass for one of this run if this one stops before.
     fs::remove(pictureFile(picture, std::nullopt), absent);
     for (const double time : picture.times) fs::remove(pictureFile(picture, time), absent);
@@ -103,19 +91,19 @@ void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
 }
 
 bool RunOutputs::isDue(double time) const {
-  return std::ranges::any_of(document_.pictures, [time](const PictureSpec& picture) {
+  return std::ranges::any_of(document_.pictures, [time](const ScenePicture& picture) {
     return std::ranges::any_of(picture.times, [time](double wanted) { return sameTime(time, wanted); });
   });
 }
 
 void RunOutputs::drawDue(const FrameRecord& frame) {
-  for (const PictureSpec& picture : document_.pictures)
+  for (const ScenePicture& picture : document_.pictures)
     for (const double time : picture.times)
       if (sameTime(frame.time, time)) draw(picture, time, frame);
 }
 
-ContourOptions RunOutputs::marked(const PictureSpec& picture) const {
-  ContourOptions options = contourOptions(picture);
+ContourOptions RunOutputs::marked(const ScenePicture& picture) const {
+  ContourOptions options(picture);
   if (isDoubtful_ && picture.doubtMarks) options.doubt = kDoubtMark;
   return options;
 }
@@ -135,16 +123,16 @@ void RunOutputs::finish(bool isDoubtful) {
   if (!lastFrame_) return;
   isDoubtful_ = isDoubtful && marksDoubts_;
   if (isDoubtful_) drawMarked();
-  for (const PictureSpec& picture : document_.pictures)
+  for (const ScenePicture& picture : document_.pictures)
     if (picture.times.empty()) draw(picture, std::nullopt, *lastFrame_);
 }
 
-fs::path RunOutputs::pictureFile(const PictureSpec& picture, std::optional<double> time) const {
+fs::path RunOutputs::pictureFile(const ScenePicture& picture, std::optional<double> time) const {
   const std::string stem = picture.name.value_or(picture.field);
   return directory_ / "pictures" / (time ? fmt::format("{}_t{}.png", stem, *time) : stem + ".png");
 }
 
-void RunOutputs::draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame) {
+void RunOutputs::draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame) {
   const fs::path file = pictureFile(picture, time);
   const auto note = [&](const char* reason) {
     missing_.push_back({file, reason, renderCommand(picture, time, directory_, file)});

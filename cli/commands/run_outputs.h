@@ -48,13 +48,13 @@ class RunOutputs : public RunObserver {
   const std::vector<Missing>& missing() const { return missing_; }
 
  private:
-  std::filesystem::path pictureFile(const PictureSpec& picture, std::optional<double> time) const;
+  std::filesystem::path pictureFile(const ScenePicture& picture, std::optional<double> time) const;
 
   /// A picture of the frame, or of the last one without a time. What goes wrong costs this picture only.
-  void draw(const PictureSpec& picture, std::optional<double> time, const FrameRecord& frame);
+  void draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame);
 
   /// How a picture is drawn, with a mark once the run doubts its results.
-  ContourOptions marked(const PictureSpec& picture) const;
+  ContourOptions marked(const ScenePicture& picture) const;
 
   /// Whether a picture of this time is wanted.
   bool isDue(double time) const;

@@ -27,7 +27,8 @@ class SceneReading {
   /// Fills in what follows from other values, and notes what is wrong between them.
   void check(Scene& scene);
 
-  const YamlNode& root() const { return root_; }
+  /// The file as a tree, with all overrides applied; what it says of files may be resolved before it is read.
+  YamlNode& root() { return root_; }
   Diagnostics& errors() { return errors_; }
 
   /// Throws one `Error` with everything that is wrong, or lets the scene know where it comes from. The

@@ -19,7 +19,7 @@ bool isChangedByVariants(const SceneDocument& document) {
 Wanted wantedBy(const SceneDocument& document) {
   Wanted wanted;
   wanted.onlyWarns = isChangedByVariants(document);
-  for (const PictureSpec& picture : document.pictures)
+  for (const ScenePicture& picture : document.pictures)
     wanted.frames.insert(wanted.frames.end(), picture.times.begin(), picture.times.end());
   for (std::size_t k = 0; k < document.checks.size(); ++k)
     wanted.quantities.push_back({fmt::format("checks[{}].quantity", k), document.checks[k].quantity.formula});
@@ -35,6 +35,10 @@ Wanted wantedBy(const SceneDocument& document) {
 SceneDocument parseSceneDocument(const std::string& yaml, const std::string& name,
                                  const std::vector<std::string>& overrides) {
   SceneReading reading(yaml, name, overrides);
+  for (YamlNode& list : reading.root().children)
+    if (list.key == "pictures")
+      for (YamlNode& picture : list.children)
+        resolveLookFiles(picture, std::filesystem::path(name).parent_path());
   SceneDocument document;
   reading.read(document);
   reading.check(document.scene);

@@ -5,17 +5,23 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
-#include "postproc/draw/contour/picture_spec.h"
+#include "postproc/draw/contour/picture_options.h"
 #include "postproc/scene/scene_checks.h"
 
 namespace burnish {
+
+/// A contour picture of a scene.
+struct ScenePicture : PictureOptions {
+  std::optional<std::string> name;  ///< file name stem; the field's name when left out
+  std::vector<double> times;        ///< one picture for each; the last frame when empty
+};
 
 /// What a scene's file says: the scene that the engine computes, the pictures to be drawn of its results, and
 /// what `burnish verify` makes of it. `scene.resolvedYaml` is the whole document, and `scene.wanted` says
 /// what the document needs of a run.
 struct SceneDocument {
   Scene scene;
-  std::vector<PictureSpec> pictures;
+  std::vector<ScenePicture> pictures;
   std::optional<VariantsSpec> variants;
   std::vector<CheckSpec> checks;
   std::vector<CurveChartSpec> charts;

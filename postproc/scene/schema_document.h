@@ -1,10 +1,20 @@
 #pragma once
 #include "engine/scene/schema.h"
-#include "postproc/draw/contour/schema_picture.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/scene/schema_checks.h"
 
 namespace burnish {
+
+template <class Visitor>
+void describe(Visitor& v, ScenePicture& s) {
+  describeField(v, s);
+  v.field("name", s.name, {.identifier = true},
+          "Beginning of the file name; the field's name when left out.");
+  v.field("times", s.times, {.atLeast = 0, .increasing = true, .unit = "time"},
+          "One picture for each; the end of the run when left out.");
+  describeRange(v, s);
+  describe(v, static_cast<PictureOptions&>(s));
+}
 
 /// Every key of a scene's file: those of the engine, and those that it leaves to others
 /// (`keysOfDocuments`).

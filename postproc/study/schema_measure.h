@@ -1,6 +1,6 @@
 #pragma once
 #include "engine/schema/leaf.h"
-#include "postproc/draw/contour/schema_picture.h"
+#include "postproc/draw/contour/picture_options.h"
 #include "postproc/study/evidence/quantity.h"
 #include "postproc/study/evidence/schema_reduction.h"
 

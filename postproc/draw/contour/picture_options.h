@@ -3,9 +3,11 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/core/input_error.h"
+#include "engine/material/material.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/page/picture_look.h"
 #include "postproc/draw/page/picture_size.h"
@@ -112,6 +114,23 @@ std::array<int, 2> drawnSize(const PictureOptions& options);
 /// known: paths are keys. What the rules of single values say is left out.
 std::vector<InputProblem> conflictsIn(const PictureOptions& options, std::optional<int> dim);
 
+/// Fields and components that contour pictures show.
+inline std::vector<std::string> drawableFields() {
+  std::vector<std::string> names{"displacement", "displacement.x", "displacement.y", "displacement.z"};
+  for (std::string& name : materialComponentNames()) names.push_back(std::move(name));
+  for (const char* name : {"von_mises", "stress.xx", "stress.yy", "stress.zz", "stress.xy", "stress.yz",
+                           "stress.zx", "pressure"})
+    names.emplace_back(name);
+  return names;
+}
+
+/// The field, of a picture that is asked for before there is a result.
+template <class Visitor>
+void describeField(Visitor& v, PictureOptions& s) {
+  v.field("field", s.field, {.required = true, .choices = drawableFields()},
+          "What is drawn; displacement alone is its magnitude.");
+}
+
 /// Ends of the colour scale.
 template <class Visitor>
 void describeRange(Visitor& v, PictureOptions& s) {
@@ -177,8 +196,7 @@ void describeTextSize(Visitor& v, PictureOptions& s) {
           "Height of the font in pixels; follows from the size when left out.");
 }
 
-/// All but the field, for which each door has a rule of its own, and the range, which the command words
-/// otherwise.
+/// All but field and range, for which the command has words of its own.
 template <class Visitor>
 void describe(Visitor& v, PictureOptions& s) {
   describeParts(v, s);

@@ -7,7 +7,6 @@
 #include "engine/schema/leaf.h"
 #include "postproc/draw/chart/chart.h"
 #include "postproc/draw/contour/picture_options.h"
-#include "postproc/draw/contour/schema_picture.h"
 
 /// What the kinds of figures share. A kind is a struct of its parameters with a `describe` beside it and
 ///
@@ -88,11 +87,6 @@ void describeTimes(Visitor& v, std::vector<double>& times, std::vector<std::stri
           "Times of frames.");
   v.field("time_labels", labels, {.longest = kLongestShownText},
           "What is written instead of t = ..., one for each time.");
-}
-
-template <class Visitor>
-void describeField(Visitor& v, PictureOptions& picture) {
-  v.field("field", picture.field, {.required = true, .choices = drawableFields()}, "What is drawn.");
 }
 
 }  // namespace burnish

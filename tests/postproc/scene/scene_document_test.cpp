@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -93,10 +94,39 @@ TEST(SceneDocument, ResolvedYamlReadsBackToTheSameDocument) {
   const SceneDocument again = parseSceneDocument(document.scene.resolvedYaml, "again.yaml");
   EXPECT_EQ(again.scene.resolvedYaml, document.scene.resolvedYaml);
   EXPECT_EQ(again.pictures[0].range, document.pictures[0].range);
-  EXPECT_EQ(again.pictures[0].mirror, document.pictures[0].mirror);
+  EXPECT_EQ(Spelling<std::vector<MirrorPlane>>::write(again.pictures[0].mirror), "x,y=0.5");
   EXPECT_EQ(std::get<ExpectedOrder>(again.checks.at(0).expect).order, 2.0);
   EXPECT_EQ(again.variants.value().meshes.size(), 3u);
   EXPECT_NO_THROW(parseScene(document.scene.resolvedYaml, "the engine's part"));
+}
+
+TEST(SceneDocument, PicturesHaveWhatTheirThemeSaysUnlessTheySayIt) {
+  const SceneDocument document =
+      parseSceneDocument(replaced(block, "{field: von_mises,",
+                                  "{knots: false, theme: complas, field: von_mises, isolines: 4, zoom: "
+                                  "\"0,0,1,0.5\", vectors: displacement,"),
+                         "test.yaml");
+  const ScenePicture& picture = document.pictures[0];
+  EXPECT_EQ(picture.colormap, "rainbow");
+  EXPECT_EQ(picture.bands, 12);
+  EXPECT_EQ(picture.isolines, 4);
+  EXPECT_FALSE(picture.knots);
+  EXPECT_EQ(picture.arrows, ArrowField::Displacement);
+  EXPECT_EQ(picture.window.value().max(), Eigen::Vector2d(1.0, 0.5));
+  EXPECT_THAT(document.scene.resolvedYaml, HasSubstr("bands: 12"));
+}
+
+TEST(SceneDocument, ThemeFilesOfPicturesAreRelativeToTheScene) {
+  const auto directory = std::filesystem::temp_directory_path() / "burnish_scene_theme";
+  std::filesystem::create_directories(directory);
+  std::ofstream(directory / "own.yaml") << "base: dark\npicture: {bands: 7}\n";
+  const SceneDocument document =
+      parseSceneDocument(replaced(block, "{field: von_mises,", "{field: von_mises, theme: own.yaml,"),
+                         (directory / "test.yaml").string());
+  EXPECT_EQ(document.pictures[0].bands, 7);
+  EXPECT_EQ(document.pictures[0].theme.paper, themeNamed("dark").paper);
+  EXPECT_EQ(parseSceneDocument(document.scene.resolvedYaml, "elsewhere.yaml").pictures[0].bands, 7);
+  std::filesystem::remove_all(directory);
 }
 
 TEST(SceneDocument, NamesAllKeysThatTheEngineLeavesToOthers) {
@@ -124,7 +154,19 @@ INSTANTIATE_TEST_SUITE_P(
             "charts. Did you mean \"degree\"?"},
         Mistake{"pairLength", &block, "{field: von_mises,", "{field: von_mises, size: [800],", "[800]",
                 "pictures[0].size",
-                "found a list of 1 entry; allowed: a list of 2 whole numbers from 200 to 8000."},
+                "found a list of 1 entry; allowed: a list of 2 whole numbers from 150 to 8000."},
+        Mistake{"narrowPicture", &block, "{field: von_mises,", "{field: von_mises, size: [160, 160],", "[160",
+                "pictures[0].size", "found 160 x 160 pixels; expected 200 x 150 to 8000 x 8000"},
+        Mistake{"theme", &block, "{field: von_mises,", "{field: von_mises, theme: drak,", "drak",
+                "pictures[0].theme",
+                "found \"drak\"; allowed: paper, dark, slide, complas, or a file that "
+                "ends in .yaml. Did you mean \"dark\"?"},
+        Mistake{"themeFile", &block, "{field: von_mises,", "{field: von_mises, theme: absent.yaml,", "absent",
+                "pictures[0].theme", "absent.yaml: cannot be read"},
+        Mistake{"viewInThePlane", &block, "{field: von_mises,", "{field: von_mises, view: iso,", "iso",
+                "pictures[0].view", "found \"iso\"; a plane body is only seen in its plane"},
+        Mistake{"clipAndRange", &block, "{field: von_mises,", "{field: von_mises, range: [0, 1], clip: 99,",
+                "99", "pictures[0].clip", "found beside range"},
         Mistake{"latePicture", &block, "times: [1, 1.5, 2]", "times: [1, 1.5, 2.5]", "2.5",
                 "pictures[0].times[2]", "found 2.5; allowed: a time up to the end of the run at 2."},
         Mistake{"field", &block, "field: von_mises", "field: vonmises", "vonmises", "pictures[0].field",
