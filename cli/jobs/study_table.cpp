@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 
+#include "engine/core/csv.h"
 #include "engine/results/summary_file.h"
 
 namespace burnish {
@@ -59,17 +60,17 @@ std::string runsTable(const StudyPlan& plan, const std::vector<JobStatus>& jobs)
 }
 
 std::string runsCsv(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
-  std::string text = "run,state";
-  for (const Column& column : kColumns) text += fmt::format(",{}", column.entry);
-  text += "\n";
+  std::vector<std::string> titles{"run", "state"};
+  for (const Column& column : kColumns) titles.emplace_back(column.entry);
+  std::string text = csvRow(titles) + "\n";
   for (const PlannedRun& run : plan.runs) {
     const Row row = rowOf(run, jobs);
-    text += run.run->name + "," + row.state;
+    std::vector<std::string> cells{run.run->name, row.state};
     for (const Column& column : kColumns) {
       const auto number = row.numbers.find(column.entry);
-      text += number == row.numbers.end() ? "," : fmt::format(",{}", number->second);
+      cells.push_back(number == row.numbers.end() ? "" : fmt::format("{}", number->second));
     }
-    text += "\n";
+    text += csvRow(cells) + "\n";
   }
   return text;
 }

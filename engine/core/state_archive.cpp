@@ -37,9 +37,22 @@ double& StateArchive::single(std::string_view name) {
   return values(0);
 }
 
+void StateArchive::exchange(std::string_view name, std::span<double> numbers) {
+  Eigen::Map<Eigen::VectorXd> here(numbers.data(), std::ssize(numbers));
+  Eigen::VectorXd values = here;
+  fixedField(name, values);
+  here = values;
+}
+
 void StateArchive::field(std::string_view name, double& value) {
   double& stored = single(name);
   (restores_ ? value : stored) = restores_ ? stored : value;
+}
+
+void StateArchive::field(std::string_view name, bool& value) {
+  int number = value ? 1 : 0;
+  field(name, number);
+  value = number != 0;
 }
 
 void StateArchive::field(std::string_view name, int& value) {
@@ -68,6 +81,18 @@ void StateArchive::field(std::string_view name, std::vector<bool>& values) {
 void StateArchive::field(std::string_view name, Eigen::VectorXd& values) {
   Eigen::VectorXd& stored = at(name);
   (restores_ ? values : stored) = restores_ ? stored : values;
+}
+
+/// The number of rows stands before the entries.
+void StateArchive::field(std::string_view name, Eigen::MatrixXd& values) {
+  Eigen::VectorXd stored(1 + values.size());
+  stored << static_cast<double>(values.rows()), values.reshaped();
+  field(name, stored);
+  if (!restores_) return;
+  const auto entries = stored.size() - 1;
+  const auto rows = entries < 0 ? -1 : static_cast<Eigen::Index>(stored(0));
+  if (rows < 0 || (rows == 0 ? entries != 0 : entries % rows != 0)) failAt(name);
+  values = stored.tail(entries).reshaped(rows, rows == 0 ? 0 : entries / rows);
 }
 
 void StateArchive::field(std::string_view name, Eigen::Vector3d& value) {

@@ -1,8 +1,11 @@
 #pragma once
 #include <Eigen/Dense>
+#include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace burnish {
@@ -28,12 +31,41 @@ class StateArchive {
 
   /// Restoring throws `Error` if there is no such value or it is of another kind.
   void field(std::string_view name, double& value);
+  void field(std::string_view name, bool& value);
   void field(std::string_view name, int& value);
   void field(std::string_view name, long& value);
   void field(std::string_view name, std::vector<double>& values);
   void field(std::string_view name, std::vector<bool>& values);
   void field(std::string_view name, Eigen::VectorXd& values);
+  void field(std::string_view name, Eigen::MatrixXd& values);
   void field(std::string_view name, Eigen::Vector3d& value);
+
+  /// An enumeration, by its number.
+  template <class E>
+  requires std::is_enum_v<E>
+  void field(std::string_view name, E& value) {
+    int number = static_cast<int>(value);
+    field(name, number);
+    value = static_cast<E>(number);
+  }
+
+  /// A matrix of fixed size, column by column.
+  template <int Rows, int Columns>
+  requires(Rows > 0 && Columns > 1) void field(std::string_view name,
+                                               Eigen::Matrix<double, Rows, Columns>& value) {
+    Eigen::VectorXd values = value.reshaped();
+    fixedField(name, values);
+    value = values.reshaped(Rows, Columns);
+  }
+
+  /// Several numbers and truth values under one name: a field of its own costs a file more than its value.
+  template <class... Values>
+  void together(std::string_view name, Values&... values) {
+    std::array<double, sizeof...(Values)> numbers{static_cast<double>(values)...};
+    exchange(name, numbers);
+    const double* next = numbers.data();
+    ((values = static_cast<Values>(*next++)), ...);
+  }
 
   /// As `field`; restoring also throws if the number of values is not the one that the object has now.
   template <class Vector>
@@ -56,6 +88,10 @@ class StateArchive {
   /// The saved values of this name; empty on saving.
   Eigen::VectorXd& at(std::string_view name);
   double& single(std::string_view name);
+
+  /// Saves or restores so many numbers.
+  void exchange(std::string_view name, std::span<double> numbers);
+
   [[noreturn]] void failAt(std::string_view name) const;
 
   SavedState values_;

@@ -3,52 +3,139 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace burnish {
 namespace {
 
-std::string sentenceOf(Condition condition, bool rezones, bool touchesItself) {
-  switch (condition) {
-    case Condition::Penetration:
-      return "point-wise penetration above a tenth of a knot span or 1 % of the tool's radius";
-    case Condition::SmallJ:
-      return "smallest J below 0.05";
-    case Condition::LostContact:
-      return rezones ? "fewer than three control points carry a contact for which no new mesh was found, or "
-                       "whose face penetrates by more than a tenth of a knot span: the mesh does not resolve "
-                       "it any more; give new meshes more spans (rezoning.spans)"
-                     : "fewer than three control points carry a contact whose face penetrates by more than a "
-                       "tenth of a knot span: the mesh does not resolve it any more; `rezoning: {}` in the "
-                       "scene of a plane body meshes it anew under way";
-    case Condition::CrossesItself:
-      return touchesItself ? "a contact face crosses itself: name it under self_contact or, if it is there, "
-                             "give it a larger reach, finer steps or more knot spans"
-                           : "a contact face crosses itself, as contact of the body with itself is not "
-                             "computed; self_contact computes it for plane and axisymmetric bodies";
-    case Condition::NewBoundary:
-      return "the boundary of a new mesh is farther than 0.5 % of the body's size from the old one; give new "
-             "meshes more spans (rezoning.spans)";
-    case Condition::InsideTheBody:
-      return "a tool presses on a contact face from inside the body: it has come through, or the face has "
-             "turned over; take finer steps or more knot spans";
-    case Condition::Balance:
-      return fmt::format("work and energies differ by more than {:.0f} % of the work",
-                         100.0 * kDoubtfulBalance);
-    case Condition::Unstable:
-      return "the equilibrium is unstable: the body would leave it by itself, by buckling, a jump or rolling "
-             "away";
-    case Condition::Stabilisation:
-      return fmt::format("the stabilisation carries more than {:.0f} % of the largest force",
-                         100.0 * kDoubtfulStabilisation);
-    case Condition::Count:
-      break;
-  }
+std::string countText(double count) {
+  constexpr std::array words{"no", "one", "two", "three", "four"};
+  return words.at(static_cast<std::size_t>(count));
+}
+
+/// Of a doubt with a value that is a share.
+std::string worstShare(const Doubt& doubt) {
+  return fmt::format("at worst {:.3g} %", 100.0 * doubt.worst);
+}
+
+std::string nothing(const Doubt& /*doubt*/) {
   return {};
 }
 
+struct Row {
+  Condition condition;
+  double limit;
+  std::string (*sentence)(double limit, const SceneTraits& scene);
+  std::string (*detail)(const Doubt& doubt);
+};
+
+constexpr std::array<Row, kConditions> kTable{{
+    {Condition::Penetration, 0.1,
+     [](double limit, const SceneTraits&) {
+       return fmt::format("point-wise penetration above {} of a knot span or {} of the tool's radius",
+                          shareText(limit), shareText(kDoubtfulRadiusShare));
+     },
+     [](const Doubt& doubt) {
+       return fmt::format(
+           "{:.2g} times as many knot spans along the contact face would do for the worst (at t = {:.5g})",
+           std::ceil(10.0 * doubt.worst) / 10.0, doubt.worstTime);
+     }},
+    {Condition::SmallJ, 0.05,
+     [](double limit, const SceneTraits&) { return fmt::format("smallest J below {}", limit); },
+     [](const Doubt& doubt) {
+       return fmt::format(
+           "at worst {:.3g} (at t = {:.5g}); more knot spans where the body is squeezed, or finer steps, help",
+           1.0 / doubt.worst, doubt.worstTime);
+     }},
+    {Condition::LostContact, 3,
+     [](double limit, const SceneTraits& scene) {
+       const std::string few = fmt::format("fewer than {} control points carry a contact", countText(limit));
+       const std::string deep = fmt::format(
+           "face penetrates by more than {} of a knot span: the mesh does not "
+           "resolve it any more",
+           shareText(limitOf(Condition::Penetration)));
+       return scene.rezones ? fmt::format(
+                                  "{} for which no new mesh was found, or whose {}; give new meshes more "
+                                  "spans (rezoning.spans)",
+                                  few, deep)
+                            : fmt::format(
+                                  "{} whose {}; `rezoning: {{}}` in the scene of a plane body meshes it "
+                                  "anew under way",
+                                  few, deep);
+     },
+     nothing},
+    {Condition::CrossesItself, 0,
+     [](double, const SceneTraits& scene) -> std::string {
+       return scene.touchesItself
+                  ? "a contact face crosses itself: name it under self_contact or, if it is there, give it a "
+                    "larger reach, finer steps or more knot spans"
+                  : "a contact face crosses itself, as contact of the body with itself is not computed; "
+                    "self_contact computes it for plane and axisymmetric bodies";
+     },
+     nothing},
+    {Condition::NewBoundary, 0.005,
+     [](double limit, const SceneTraits&) {
+       return fmt::format(
+           "the boundary of a new mesh is farther than {} of the body's size from the old one; "
+           "give new meshes more spans (rezoning.spans)",
+           shareText(limit));
+     },
+     nothing},
+    {Condition::InsideTheBody, 0.1,
+     [](double, const SceneTraits&) -> std::string {
+       return "a tool presses on a contact face from inside the body: it has come through, or the face has "
+              "turned over; take finer steps or more knot spans";
+     },
+     [](const Doubt& doubt) {
+       return fmt::format("{} of its force (at t = {:.5g})", worstShare(doubt), doubt.worstTime);
+     }},
+    {Condition::Balance, 0.1,
+     [](double limit, const SceneTraits&) {
+       return fmt::format("work and energies differ by more than {:g} % of the work", 100.0 * limit);
+     },
+     [](const Doubt& doubt) {
+       return fmt::format(
+           "{} (at t = {:.5g}); steps of half the size tell whether the sums of work are coarse or "
+           "the body has jumped",
+           worstShare(doubt), doubt.worstTime);
+     }},
+    {Condition::Unstable, 0,
+     [](double, const SceneTraits&) -> std::string {
+       return "the equilibrium is unstable: the body would leave it by itself, by buckling, a jump or rolling "
+              "away";
+     },
+     [](const Doubt& doubt) {
+       return fmt::format(
+           "in up to {} direction{} (at t = {:.5g}); a small imperfection or side load lets it "
+           "take the stable way",
+           doubt.worst, doubt.worst == 1.0 ? "" : "s", doubt.worstTime);
+     }},
+    {Condition::Stabilisation, 0.01,
+     [](double limit, const SceneTraits&) {
+       return fmt::format("the stabilisation carries more than {:g} % of the largest force", 100.0 * limit);
+     },
+     [](const Doubt& doubt) {
+       return fmt::format("{} (at t = {:.5g}), for the last time at t = {:.5g}", worstShare(doubt),
+                          doubt.worstTime, doubt.lastTime);
+     }},
+}};
+
+constexpr bool isInOrder() {
+  for (std::size_t k = 0; k < kConditions; ++k)
+    if (static_cast<std::size_t>(kTable.at(k).condition) != k) return false;
+  return true;
+}
+static_assert(isInOrder(), "rows stand in the order of the conditions");
+
+const Row& rowOf(Condition condition) {
+  return kTable.at(static_cast<std::size_t>(condition));
+}
+
 }  // namespace
+
+std::string shareText(double share) {
+  return share == 0.1 ? "a tenth" : fmt::format("{:g} %", 100.0 * share);
+}
 
 void Doubt::note(double time, double value) {
   if (steps == 0) firstTime = time;
@@ -59,62 +146,21 @@ void Doubt::note(double time, double value) {
   worstTime = time;
 }
 
-void archiveDoubts(StateArchive& archive, const char* name, std::vector<Doubt>& doubts) {
-  // One field for all: a field of its own costs a file more than its values.
-  constexpr std::array kNumbers{&Doubt::firstTime, &Doubt::worst, &Doubt::worstTime, &Doubt::lastTime};
-  std::vector<double> values;
-  for (const Doubt& doubt : doubts) {
-    values.push_back(doubt.steps);
-    for (const auto number : kNumbers) values.push_back(doubt.*number);
-  }
-  archive.fixedField(name, values);
-  auto value = values.begin();
-  for (Doubt& doubt : doubts) {
-    doubt.steps = static_cast<int>(*value++);
-    for (const auto number : kNumbers) doubt.*number = *value++;
-  }
+void Doubt::archive(StateArchive& archive) {
+  archive.together("held", steps, firstTime, worst, worstTime, lastTime);
 }
 
-std::vector<Doubt> commonDoubts(bool rezones, bool touchesItself) {
-  std::vector<Doubt> doubts;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(Condition::Count); ++k)
-    doubts.push_back({sentenceOf(static_cast<Condition>(k), rezones, touchesItself)});
-  return doubts;
+double limitOf(Condition condition) {
+  return rowOf(condition).limit;
+}
+
+std::string sentenceOf(Condition condition, const SceneTraits& scene) {
+  const Row& row = rowOf(condition);
+  return row.sentence(row.limit, scene);
 }
 
 std::string detailOf(Condition condition, const Doubt& doubt) {
-  const double time = doubt.worstTime;
-  switch (condition) {
-    case Condition::Penetration:
-      return fmt::format(
-          "{:.2g} times as many knot spans along the contact face would do for the worst (at t = {:.5g})",
-          std::ceil(10.0 * doubt.worst) / 10.0, time);
-    case Condition::SmallJ:
-      return fmt::format(
-          "at worst {:.3g} (at t = {:.5g}); more knot spans where the body is squeezed, or finer steps, help",
-          1.0 / doubt.worst, time);
-    case Condition::Balance:
-      return fmt::format(
-          "at worst {:.3g} % (at t = {:.5g}); steps of half the size tell whether the sums of work are "
-          "coarse or the body has jumped",
-          100.0 * doubt.worst, time);
-    case Condition::Unstable:
-      return fmt::format(
-          "in up to {} direction{} (at t = {:.5g}); a small imperfection or side load lets it take the "
-          "stable way",
-          doubt.worst, doubt.worst == 1.0 ? "" : "s", time);
-    case Condition::InsideTheBody:
-      return fmt::format("at worst {:.3g} % of its force (at t = {:.5g})", 100.0 * doubt.worst, time);
-    case Condition::Stabilisation:
-      return fmt::format("at worst {:.3g} % (at t = {:.5g}), for the last time at t = {:.5g}",
-                         100.0 * doubt.worst, time, doubt.lastTime);
-    case Condition::LostContact:
-    case Condition::CrossesItself:
-    case Condition::NewBoundary:
-    case Condition::Count:
-      break;
-  }
-  return {};
+  return rowOf(condition).detail(doubt);
 }
 
 double imbalanceOf(double found, double done, double largestEnergy) {

@@ -2,14 +2,13 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "engine/core/state_archive.h"
-#include "engine/results/run_account.h"
 
+/// What makes the results of a run doubtful. docs/doubts.md explains the conditions.
 namespace burnish {
 
-/// Conditions that make the results of any scene doubtful.
+/// Conditions of any scene, in the order in which they are told.
 enum class Condition : std::size_t {
   Penetration,    ///< point-wise, per knot span or tool radius
   SmallJ,         ///< a mesh near to folding
@@ -20,36 +19,42 @@ enum class Condition : std::size_t {
   Balance,        ///< of work and energies
   Unstable,       ///< equilibrium
   Stabilisation,  ///< carries a share of the forces
-  Count
 };
+inline constexpr std::size_t kConditions = 9;
 
-/// Limits of the conditions.
-inline constexpr double kDoubtfulSpanShare = 0.1;     ///< of a knot span: penetration
-inline constexpr double kDoubtfulRadiusShare = 0.01;  ///< of a tool's radius: penetration
-inline constexpr double kDoubtfulJ = 0.05;
-inline constexpr double kDoubtfulBoundary = 0.005;      ///< of the body's size
-inline constexpr double kDoubtfulInside = 0.1;          ///< of a pair's force
-inline constexpr double kDoubtfulBalance = 0.1;         ///< of the work done
-inline constexpr double kDoubtfulStabilisation = 0.01;  ///< of the largest force
+/// The limit of a condition: shares of a knot span (Penetration), of the body's size (NewBoundary), of a
+/// pair's force (InsideTheBody), of the work done (Balance) and of the largest force (Stabilisation); a volume
+/// ratio (SmallJ); a number of control points (LostContact) and of directions (Unstable).
+double limitOf(Condition condition);
 
-/// A condition, for how long it held, and how badly.
+/// The other limit of penetration: a share of the tool's radius.
+inline constexpr double kDoubtfulRadiusShare = 0.01;
+
+/// A share in words: 0.1 as "a tenth", others in per cent.
+std::string shareText(double share);
+
+/// For how long a condition held, and how badly.
 struct Doubt {
-  std::string what;
+  int steps = 0;  ///< 0: never
   double firstTime = 0.0;
-  int steps = 0;           ///< 0: never
   double worst = 0.0;      ///< largest value while it held; what it measures is the condition's business
   double worstTime = 0.0;  ///< of that value
   double lastTime = 0.0;   ///< at which it held
 
   /// Takes in a state in which the condition holds.
-  void note(double time, double value);
+  void note(double time, double value = 0.0);
+
+  void archive(StateArchive& archive);
 };
 
-/// Saves or restores how long conditions held, and how badly.
-void archiveDoubts(StateArchive& archive, const char* name, std::vector<Doubt>& doubts);
+/// What a scene has that sentences depend on.
+struct SceneTraits {
+  bool rezones = false;
+  bool touchesItself = false;
+};
 
-/// The conditions of any scene, in their order.
-std::vector<Doubt> commonDoubts(bool rezones, bool touchesItself);
+/// What a condition means, and its limit.
+std::string sentenceOf(Condition condition, const SceneTraits& scene);
 
 /// How bad a condition was at its worst, and what would do; empty where the sentence says it all.
 std::string detailOf(Condition condition, const Doubt& doubt);

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/core/csv.h"
 #include "engine/core/error.h"
 
 namespace burnish {
@@ -33,7 +34,7 @@ void requireColumns(const std::filesystem::path& path, const std::vector<std::st
   std::ifstream file(path);
   std::string header;
   const bool isWhole = std::getline(file, header) && !file.eof();
-  if (isWhole && header != fmt::format("{}", fmt::join(columns, ",")))
+  if (isWhole && header != csvRow(columns))
     throw Error(fmt::format("{}: its columns are not those of the run that is to be resumed", path.string()));
 }
 
@@ -79,7 +80,7 @@ Fingerprint fingerprintBefore(const TableMark& mark, const std::filesystem::path
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string> columns)
     : columns_((checkColumns(columns, path), std::move(columns))), file_(std::move(path)) {
-  write(fmt::format("{}", fmt::join(columns_, ",")));
+  write(csvRow(columns_));
 }
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, std::vector<std::string> columns,
@@ -104,14 +105,12 @@ void HistoryWriter::append(const std::vector<double>& row) {
   if (row.size() != columns_.size())
     throw std::invalid_argument(
         fmt::format("a row of {} values for {} columns", row.size(), columns_.size()));
-  std::string line;
+  std::vector<std::string> cells;
   for (const double value : row) {
     std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    if (!line.empty()) line += ',';
-    line.append(text.data(), end);
+    cells.emplace_back(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
   }
-  write(std::move(line));
+  write(csvRow(cells));
 }
 
 const std::vector<double>& HistoryTable::column(const std::string& name) const {

@@ -37,8 +37,9 @@ SoundPenetration soundPenetration(const ModelRecord& model, const FrameRecord& f
   const MeshRecord& mesh = meshOf(model, frame);
   for (const ContactRecord& contact : frame.contact) {
     double& limit = contact.tool.empty() ? limits.ofItself : limits.ofTools;
-    limit = std::min(limit, kDoubtfulSpanShare * (model.dim == 2 ? smallestSpan<2>(mesh, contact)
-                                                                 : smallestSpan<3>(mesh, contact)));
+    limit =
+        std::min(limit, limitOf(Condition::Penetration) * (model.dim == 2 ? smallestSpan<2>(mesh, contact)
+                                                                          : smallestSpan<3>(mesh, contact)));
   }
   for (const ToolRecord& tool : model.tools)
     limits.ofTools = std::min(limits.ofTools, kDoubtfulRadiusShare * tool.halfThickness);
@@ -96,21 +97,23 @@ std::string penetrationDoubt(const RunRecord& run) {
   const auto* ofTools = findColumn(run.history, "max_penetration");
   const auto* ofItself = findColumn(run.history, "max_self_penetration");
   const MeshLimits limits(run);
-  return doubt(run.history,
-               "Point-wise penetration above a tenth of the smallest knot span of a contact face or 1 % of a "
-               "tool's radius",
-               [&](std::size_t row) {
-                 const SoundPenetration sound = limits.at(row);
-                 return (ofTools != nullptr && (*ofTools)[row] > sound.ofTools) ||
-                        (ofItself != nullptr && (*ofItself)[row] > sound.ofItself);
-               });
+  return doubt(
+      run.history,
+      fmt::format("Point-wise penetration above {} of the smallest knot span of a contact face or {} of a "
+                  "tool's radius",
+                  shareText(limitOf(Condition::Penetration)), shareText(kDoubtfulRadiusShare)),
+      [&](std::size_t row) {
+        const SoundPenetration sound = limits.at(row);
+        return (ofTools != nullptr && (*ofTools)[row] > sound.ofTools) ||
+               (ofItself != nullptr && (*ofItself)[row] > sound.ofItself);
+      });
 }
 
 std::string smallJDoubt(const RunRecord& run) {
   const auto* smallest = findColumn(run.history, "min_detJ");
   if (smallest == nullptr) return {};
-  return doubt(run.history, fmt::format("Volume ratio J below {}", kDoubtfulJ),
-               [&](std::size_t row) { return (*smallest)[row] < kDoubtfulJ; });
+  return doubt(run.history, fmt::format("Volume ratio J below {}", limitOf(Condition::SmallJ)),
+               [&](std::size_t row) { return (*smallest)[row] < limitOf(Condition::SmallJ); });
 }
 
 /// With a capital letter and a full stop.

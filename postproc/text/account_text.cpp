@@ -59,7 +59,7 @@ std::string balance(const RunAccount& account, const HistoryTable& history) {
   if (done == 0.0 && imbalance == 0.0) return "nothing stored, no work done";
   return fmt::format("{} differs by {:.2g} % from energies and plastic work; doubtful above {:.0f} %",
                      account.rezonings.empty() ? "external work" : "work, that of closing gaps included,",
-                     100.0 * imbalance, 100.0 * kDoubtfulBalance);
+                     100.0 * imbalance, 100.0 * limitOf(Condition::Balance));
 }
 
 /// How often the body was meshed anew.

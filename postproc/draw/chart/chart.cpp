@@ -8,6 +8,7 @@
 #include <span>
 
 #include "engine/core/atomic_file.h"
+#include "engine/core/csv.h"
 #include "engine/core/drawable_range.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
@@ -79,14 +80,6 @@ void check(const Chart& chart) {
   if (empty) throw Error("chart: there is no point to draw; all curves are empty or not finite");
 }
 
-/// A cell of CSV, in quotes where it must be.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 }  // namespace
 
 bool Chart::hasRightAxis() const {
@@ -100,22 +93,20 @@ void drawChart(const Chart& chart, const std::filesystem::path& file) {
 }
 
 std::string chartDataText(const Chart& chart) {
-  std::string text;
+  std::vector<std::string> titles;
   std::size_t rows = 0;
   for (std::size_t number = 0; number < chart.curves.size(); ++number) {
     const std::string name = curveName(chart, number), axis = chart.curves[number].onRight ? "2" : "";
-    text +=
-        fmt::format("{}{},{}", number == 0 ? "" : ",", cell(name + " x" + axis), cell(name + " y" + axis));
+    for (const char* direction : {" x", " y"}) titles.push_back(name + direction + axis);
     rows = std::max(rows, chart.curves[number].x.size());
   }
-  text += '\n';
+  std::string text = csvRow(titles) + "\n";
   for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t number = 0; number < chart.curves.size(); ++number) {
-      const ChartCurve& curve = chart.curves[number];
-      if (number > 0) text += ',';
-      text += row < curve.x.size() ? fmt::format("{},{}", curve.x[row], curve.y[row]) : ",";
-    }
-    text += '\n';
+    std::vector<std::string> cells;
+    for (const ChartCurve& curve : chart.curves)
+      for (const std::vector<double>* values : {&curve.x, &curve.y})
+        cells.push_back(row < curve.x.size() ? fmt::format("{}", (*values)[row]) : "");
+    text += csvRow(cells) + "\n";
   }
   return text;
 }

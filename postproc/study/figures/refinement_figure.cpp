@@ -8,6 +8,7 @@
 #include <optional>
 #include <variant>
 
+#include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "postproc/study/evidence/reductions.h"
 #include "postproc/study/evidence/refinement.h"
@@ -164,13 +165,16 @@ std::string numberCell(const std::optional<double>& value) {
 }
 
 std::string dataText(const std::vector<RefinementCurve>& curves, double limit) {
-  std::string text = "run,functions,value,relative_error,order,limit_of_curve,limit\n";
+  std::string text =
+      csvRow({"run", "functions", "value", "relative_error", "order", "limit_of_curve", "limit"}) + "\n";
   for (const RefinementCurve& curve : curves)
     for (std::size_t k = 0; k < curve.runs.size(); ++k) {
       const RefinedRun& run = curve.runs[k];
       const auto order = k == 0 ? std::nullopt : observedOrder(curve.runs[k - 1].mesh, run.mesh, limit);
-      text += fmt::format("{},{},{},{},{},{},{}\n", run.run->name, run.functions, run.mesh.value,
-                          errorOf(run, limit), numberCell(order), numberCell(curve.limit), limit);
+      text += csvRow({run.run->name, numberCell(run.functions), numberCell(run.mesh.value),
+                      numberCell(errorOf(run, limit)), numberCell(order), numberCell(curve.limit),
+                      numberCell(limit)}) +
+              "\n";
     }
   return text;
 }

@@ -155,7 +155,7 @@ TEST_P(LostState, ChangesTheResult) {
 
 INSTANTIATE_TEST_SUITE_P(All, LostState,
                          testing::Values("term0.history", "term0.plastic_work", "stepping.last_increment",
-                                         "stepping.last_size", "recorder.current.tool0_force"),
+                                         "stepping.last_size", "recorder.history.current.tool0_force"),
                          [](const auto& test) {
                            std::string name = test.param;
                            std::replace(name.begin(), name.end(), '.', '_');

@@ -21,9 +21,9 @@
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/mirror.h"
 #include "postproc/mesh/outlines.h"
-#include "postproc/mesh/recorded_shape.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/plane_section.h"
+#include "postproc/mesh/recorded_shape.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "tests/engine/analysis/model_samples.h"
 

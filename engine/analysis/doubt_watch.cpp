@@ -1,0 +1,171 @@
+#include "engine/analysis/doubt_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/analysis/contact_side.h"
+
+namespace burnish {
+namespace {
+
+/// So many states are needed before sums of work mean much; a run of fewer is judged by its end alone.
+constexpr int kCoarseStates = 10;
+
+/// Largest penetration over the size of a span.
+template <class Contact>
+double penetrationPerSpan(const Contact& term) {
+  double largest = 0.0;
+  for (const auto& span : term.face().spans())
+    largest = std::max(
+        largest, -term.state().gap.segment(span.firstPoint, span.weights.size()).minCoeff() / span.size);
+  return largest;
+}
+
+/// Saves or restores doubts under numbered names.
+template <class Doubts>
+void archiveAll(StateArchive& archive, const std::string& name, Doubts& doubts) {
+  for (std::size_t k = 0; k < doubts.size(); ++k) archive.part(fmt::format("{}{}", name, k), doubts[k]);
+}
+
+}  // namespace
+
+template <int Dim>
+DoubtWatch<Dim>::DoubtWatch(const Scene& scene, const Model<Dim>& model)
+    : model_(model),
+      scene_{.rezones = scene.rezoning.has_value(), .touchesItself = !scene.selfContact.empty()},
+      toolWatch_(model),
+      tipWatch_(model),
+      toolDoubts_(toolWatch_.sentences().size()),
+      tipDoubts_(model.contacts().size()),
+      tips_(model.contacts().size()),
+      touched_(model.tools().size(), false) {}
+
+template <int Dim>
+void DoubtWatch<Dim>::note(Condition condition, bool holds, double time, double value) {
+  if (holds) doubts_[static_cast<std::size_t>(condition)].note(time, value);
+}
+
+template <int Dim>
+void DoubtWatch<Dim>::update(const RunHistory<Dim>& history, int unstableDirections) {
+  const StateQuantities& s = history.current();
+  note(Condition::SmallJ, s.minJ < limitOf(Condition::SmallJ), s.time, 1.0 / s.minJ);
+  note(Condition::CrossesItself, s.crossesItself, s.time);
+  note(Condition::NewBoundary,
+       s.rezonings.boundaryError > limitOf(Condition::NewBoundary) * model_.body().size(), s.time);
+  note(Condition::Unstable, unstableDirections > limitOf(Condition::Unstable), s.time, unstableDirections);
+  note(Condition::Stabilisation, s.stabilisedShare > limitOf(Condition::Stabilisation), s.time,
+       s.stabilisedShare);
+  watchContacts(history);
+  if (history.numStates() > kCoarseStates) watchWork(history);
+  watchTools(s, history.x());
+}
+
+template <int Dim>
+bool DoubtWatch<Dim>::hasLostResolution(const ContactPair<Dim>& pair) const {
+  const int active = pair.term->state().numActive();
+  return active > 0 && active < limitOf(Condition::LostContact) &&
+         (needsNewMesh_ || penetrationPerSpan(*pair.term) > limitOf(Condition::Penetration));
+}
+
+template <int Dim>
+void DoubtWatch<Dim>::watchContacts(const RunHistory<Dim>& history) {
+  const double time = history.current().time, spanShare = limitOf(Condition::Penetration);
+  double refinement = 0.0, inside = 0.0;
+  bool lost = false;
+  for (const auto& pair : model_.contacts()) {
+    const double radius = model_.tools()[pair.tool]->shape.halfThickness();
+    // On finer spans the penetration falls with the square of their size.
+    refinement =
+        std::max({refinement, penetrationPerSpan(*pair.term) / spanShare,
+                  std::sqrt(pair.term->state().largestPenetration() / (kDoubtfulRadiusShare * radius))});
+    inside = std::max(inside, forceFromInside(model_.body(), pair, history.x()));
+    lost = lost || hasLostResolution(pair);
+    if (pair.term->state().pressure.maxCoeff() > 0.0) touched_[pair.tool] = true;
+  }
+  for (const auto& contact : model_.selfContacts())
+    refinement = std::max(refinement, penetrationPerSpan(*contact.term) / spanShare);
+  note(Condition::Penetration, refinement > 1.0, time, refinement);
+  note(Condition::LostContact, lost, time);
+  note(Condition::InsideTheBody, inside > limitOf(Condition::InsideTheBody), time, inside);
+}
+
+template <int Dim>
+void DoubtWatch<Dim>::watchWork(const RunHistory<Dim>& history) {
+  const StateQuantities& s = history.current();
+  const double imbalance =
+      imbalanceOf(s.energyFound(), s.externalWork + history.otherWork(), s.largestEnergy);
+  note(Condition::Balance, imbalance > limitOf(Condition::Balance), s.time, imbalance);
+}
+
+template <int Dim>
+void DoubtWatch<Dim>::noteEnd(const RunHistory<Dim>& history) {
+  if (history.numStates() <= kCoarseStates) watchWork(history);
+}
+
+template <int Dim>
+void DoubtWatch<Dim>::watchTools(const StateQuantities& current, const Eigen::VectorXd& x) {
+  const auto reached = toolWatch_.reached(current.toolPoses, x);
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    if (reached[k]) toolDoubts_[k].note(current.time);
+  const auto tips = tipWatch_.tips(current.toolPoses, x);
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    if (tips_[k].depth == 0.0) tips_[k] = tips[k];
+    if (tips[k].depth > 0.0) tipDoubts_[k].note(current.time);
+  }
+}
+
+template <int Dim>
+std::vector<DoubtRecord> DoubtWatch<Dim>::records() const {
+  std::vector<DoubtRecord> records;
+  const auto add = [&](const Doubt& doubt, std::string what, std::string detail = {}) {
+    if (doubt.steps > 0)
+      records.push_back({std::move(what), doubt.firstTime, doubt.steps, std::move(detail)});
+  };
+  for (std::size_t k = 0; k < kConditions; ++k) {
+    const auto condition = static_cast<Condition>(k);
+    add(doubts_[k], sentenceOf(condition, scene_), detailOf(condition, doubts_[k]));
+  }
+  const std::vector<std::string> sentences = toolWatch_.sentences();
+  for (std::size_t k = 0; k < toolDoubts_.size(); ++k) add(toolDoubts_[k], sentences[k]);
+  for (std::size_t k = 0; k < tipDoubts_.size(); ++k) add(tipDoubts_[k], tipWatch_.sentence(k, tips_[k]));
+  return records;
+}
+
+template <int Dim>
+std::vector<std::string> DoubtWatch<Dim>::idleTools() const {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < touched_.size(); ++k) {
+    const auto& contacts = model_.contacts();
+    const bool paired =
+        std::any_of(contacts.begin(), contacts.end(), [&](const auto& pair) { return pair.tool == k; });
+    if (paired && !touched_[k]) names.push_back(model_.tools()[k]->name);
+  }
+  return names;
+}
+
+template <int Dim>
+void DoubtWatch<Dim>::continueFrom(const DoubtWatch& before) {
+  doubts_ = before.doubts_;
+  toolDoubts_ = before.toolDoubts_;
+  tipDoubts_ = before.tipDoubts_;
+  tips_ = before.tips_;
+  touched_ = before.touched_;
+}
+
+template <int Dim>
+void DoubtWatch<Dim>::archive(StateArchive& archive) {
+  archiveAll(archive, "condition", doubts_);
+  archiveAll(archive, "tool", toolDoubts_);
+  archiveAll(archive, "pair", tipDoubts_);
+  for (std::size_t k = 0; k < tips_.size(); ++k)
+    archive.together(fmt::format("tip{}", k), tips_[k].depth, tips_[k].turn, tips_[k].span);
+  archive.fixedField("touched", touched_);
+  archive.field("needs_new_mesh", needsNewMesh_);
+}
+
+template class DoubtWatch<2>;
+template class DoubtWatch<3>;
+
+}  // namespace burnish

@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "engine/analysis/model.h"
+#include "engine/analysis/run_history.h"
+#include "engine/analysis/tip_watch.h"
+#include "engine/analysis/tool_watch.h"
+#include "engine/results/doubts.h"
+
+namespace burnish {
+
+/// Watches, state by state, for what makes the results of a run doubtful.
+template <int Dim>
+class DoubtWatch {
+ public:
+  /// Scene and model must outlive the object.
+  DoubtWatch(const Scene& scene, const Model<Dim>& model);
+
+  /// Takes in the state that the history has just taken in and the terms have been evaluated at.
+  /// unstableDirections: see `Inertia`.
+  void update(const RunHistory<Dim>& history, int unstableDirections);
+
+  /// The run ends with the current state.
+  void noteEnd(const RunHistory<Dim>& history);
+
+  /// A new mesh was due, and none was found.
+  void noteFailedRezoning() { needsNewMesh_ = true; }
+
+  /// Goes on with the doubts about a run of the same scene on another mesh.
+  void continueFrom(const DoubtWatch& before);
+
+  /// The conditions that held at some time, with how badly.
+  std::vector<DoubtRecord> records() const;
+
+  /// Names of the tools with contact pairs that nothing has touched so far.
+  std::vector<std::string> idleTools() const;
+
+  void archive(StateArchive& archive);
+
+ private:
+  void note(Condition condition, bool holds, double time, double value = 0.0);
+  void watchContacts(const RunHistory<Dim>& history);
+  void watchWork(const RunHistory<Dim>& history);
+  void watchTools(const StateQuantities& current, const Eigen::VectorXd& x);
+  bool hasLostResolution(const ContactPair<Dim>& pair) const;
+
+  const Model<Dim>& model_;
+  SceneTraits scene_;
+  ToolWatch<Dim> toolWatch_;
+  TipWatch<Dim> tipWatch_;
+  std::array<Doubt, kConditions> doubts_{};
+  std::vector<Doubt> toolDoubts_;  ///< one for each tool and face that `ToolWatch` watches
+  std::vector<Doubt> tipDoubts_;   ///< one for each contact pair
+  std::vector<FoundTip> tips_;     ///< the first ones
+  std::vector<bool> touched_;      ///< per tool
+  bool needsNewMesh_ = false;      ///< of this mesh, since a rezoning that failed; the next one's begins anew
+};
+
+}  // namespace burnish

@@ -1,0 +1,13 @@
+#pragma once
+#include <Eigen/Dense>
+
+#include "engine/analysis/model.h"
+
+namespace burnish {
+
+/// Whether a contact face crosses itself in the state x that the terms have been evaluated at (2D). Parts
+/// that touch by self-contact do not.
+template <int Dim>
+bool anyFaceCrossesItself(const Model<Dim>& model, const Eigen::VectorXd& x);
+
+}  // namespace burnish

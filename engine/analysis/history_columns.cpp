@@ -1,0 +1,120 @@
+#include "engine/analysis/history_columns.h"
+
+#include <numbers>
+
+namespace burnish {
+namespace {
+
+struct Row {
+  const char* name;
+  double (*value)(const HistoryRow& row);
+};
+
+constexpr Row kStep[] = {
+    {"step", [](const HistoryRow& r) { return static_cast<double>(r.step); }},
+    {"time", [](const HistoryRow& r) { return r.state.time; }},
+};
+
+constexpr Row kBody[] = {
+    {"strain_energy", [](const HistoryRow& r) { return r.state.strainEnergy; }},
+    {"contact_energy", [](const HistoryRow& r) { return r.state.contactEnergy; }},
+    {"external_work", [](const HistoryRow& r) { return r.state.externalWork; }},
+    {"plastic_work", [](const HistoryRow& r) { return r.state.plasticWork; }},
+    {"max_plastic_strain", [](const HistoryRow& r) { return r.state.maxPlasticStrain; }},
+    {"max_plastic_strain_projected", [](const HistoryRow& r) { return r.state.projectedPlasticStrain.max; }},
+    {"min_plastic_strain_projected", [](const HistoryRow& r) { return r.state.projectedPlasticStrain.min; }},
+    {"active_control_points",
+     [](const HistoryRow& r) { return static_cast<double>(r.state.activeControlPoints); }},
+    {"max_penetration", [](const HistoryRow& r) { return r.state.maxPenetration; }},
+    {"min_detJ", [](const HistoryRow& r) { return r.state.minJ; }},
+    {"newton_iterations", [](const HistoryRow& r) { return static_cast<double>(r.newtonIterations); }},
+};
+
+constexpr Row kSelfContact[] = {
+    {"self_active_control_points",
+     [](const HistoryRow& r) { return static_cast<double>(r.state.selfActiveControlPoints); }},
+    {"max_self_penetration", [](const HistoryRow& r) { return r.state.maxSelfPenetration; }},
+    {"self_contact_force", [](const HistoryRow& r) { return r.state.selfForce; }},
+};
+
+constexpr Row kRezoning[] = {
+    {"rezonings", [](const HistoryRow& r) { return static_cast<double>(r.state.rezonings.count); }},
+    {"rezoning_energy_lost", [](const HistoryRow& r) { return r.state.rezonings.energyLost; }},
+    {"rezoning_gap_work", [](const HistoryRow& r) { return r.state.rezonings.gapWork; }},
+    {"rezoning_volume_drift", [](const HistoryRow& r) { return r.state.rezonings.volumeDrift; }},
+    {"rezoning_boundary_error", [](const HistoryRow& r) { return r.state.rezonings.boundaryError; }},
+    {"crosses_itself", [](const HistoryRow& r) { return r.state.crossesItself ? 1.0 : 0.0; }},
+};
+
+/// Which bodies have a column of a tool.
+enum class Where { Everywhere, InSpace, NotInAxisymmetry };
+
+struct ToolRow {
+  const char* suffix;
+  Where where;
+  double (*value)(const StateQuantities& state, std::size_t tool);
+};
+
+using State = const StateQuantities&;
+
+constexpr ToolRow kTool[] = {
+    {".ux", Where::Everywhere, [](State s, std::size_t k) { return s.toolPoses[k].displacement(0); }},
+    {".uy", Where::Everywhere, [](State s, std::size_t k) { return s.toolPoses[k].displacement(1); }},
+    {".uz", Where::InSpace, [](State s, std::size_t k) { return s.toolPoses[k].displacement(2); }},
+    {".fx", Where::Everywhere, [](State s, std::size_t k) { return s.toolForces[k](0); }},
+    {".fy", Where::Everywhere, [](State s, std::size_t k) { return s.toolForces[k](1); }},
+    {".fz", Where::InSpace, [](State s, std::size_t k) { return s.toolForces[k](2); }},
+    {".mx", Where::InSpace, [](State s, std::size_t k) { return s.toolMoments[k](0); }},
+    {".my", Where::InSpace, [](State s, std::size_t k) { return s.toolMoments[k](1); }},
+    {".mz", Where::NotInAxisymmetry, [](State s, std::size_t k) { return s.toolMoments[k](2); }},
+    {".angle", Where::NotInAxisymmetry,
+     [](State s, std::size_t k) { return s.toolPoses[k].angle * 180.0 / std::numbers::pi; }},
+};
+
+template <std::size_t Count>
+void add(std::vector<HistoryColumn>& columns, const Row (&rows)[Count]) {
+  for (const Row& row : rows) columns.push_back({row.name, row.value});
+}
+
+void addTool(std::vector<HistoryColumn>& columns, const std::string& name, std::size_t tool, bool inSpace,
+             bool axisymmetric) {
+  for (const ToolRow& row : kTool) {
+    if (row.where == Where::InSpace && !inSpace) continue;
+    if (row.where == Where::NotInAxisymmetry && axisymmetric) continue;
+    columns.push_back(
+        {name + row.suffix, [tool, value = row.value](const HistoryRow& r) { return value(r.state, tool); }});
+  }
+}
+
+void addList(std::vector<HistoryColumn>& columns, const std::vector<std::string>& names,
+             std::vector<double> StateQuantities::*values) {
+  for (std::size_t k = 0; k < names.size(); ++k)
+    columns.push_back({names[k], [k, values](const HistoryRow& r) { return (r.state.*values)[k]; }});
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& model,
+                                          const std::vector<std::string>& reactions,
+                                          const std::vector<std::string>& measures) {
+  std::vector<HistoryColumn> columns;
+  add(columns, kStep);
+  for (std::size_t k = 0; k < model.tools().size(); ++k)
+    addTool(columns, model.tools()[k]->name, k, Dim == 3, model.body().axisymmetric);
+  add(columns, kBody);
+  if (!model.selfContacts().empty()) add(columns, kSelfContact);
+  if (scene.rezoning) add(columns, kRezoning);
+  if (scene.output.reactions) addList(columns, reactions, &StateQuantities::reactions);
+  addList(columns, measures, &StateQuantities::measured);
+  return columns;
+}
+
+template std::vector<HistoryColumn> historyColumns(const Scene&, const Model<2>&,
+                                                   const std::vector<std::string>&,
+                                                   const std::vector<std::string>&);
+template std::vector<HistoryColumn> historyColumns(const Scene&, const Model<3>&,
+                                                   const std::vector<std::string>&,
+                                                   const std::vector<std::string>&);
+
+}  // namespace burnish

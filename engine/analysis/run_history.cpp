@@ -1,0 +1,186 @@
+#include "engine/analysis/run_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/analysis/face_crossing.h"
+#include "engine/core/stopwatch.h"
+#include "engine/fields/body_fields.h"
+
+namespace burnish {
+namespace {
+
+/// The field of a material law that has columns of its own in the history, zero for laws without it.
+constexpr const char* kPlasticStrain = "plastic_strain";
+
+}  // namespace
+
+template <int Dim>
+RunHistory<Dim>::RunHistory(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection)
+    : model_(model),
+      projection_(projection),
+      extremes_(model.body()),
+      measures_(scene, model, projection),
+      reactions_(scene, model),
+      columns_(historyColumns(scene, model, reactions_.columns(), measures_.columns())) {
+  current_.toolPoses.resize(model.tools().size());
+  current_.toolForces.resize(model.tools().size(), Eigen::Vector3d::Zero());
+  current_.toolMoments = current_.toolForces;
+  current_.reactions = reactions_.values();
+  current_.measured.resize(measures_.columns().size());
+}
+
+template <int Dim>
+std::vector<std::string> RunHistory<Dim>::columns() const {
+  std::vector<std::string> names;
+  for (const HistoryColumn& column : columns_) names.push_back(column.name);
+  return names;
+}
+
+template <int Dim>
+std::vector<double> RunHistory<Dim>::row(int step, int newtonIterations) const {
+  const HistoryRow row{current_, step, newtonIterations};
+  std::vector<double> values;
+  for (const HistoryColumn& column : columns_) values.push_back(column.value(row));
+  return values;
+}
+
+template <int Dim>
+Eigen::VectorXd RunHistory<Dim>::loadForces() const {
+  Eigen::VectorXd sum;
+  for (const auto& load : model_.loads())
+    sum = sum.size() == 0 ? load->nodalForces() : Eigen::VectorXd(sum + load->nodalForces());
+  return sum;
+}
+
+template <int Dim>
+double RunHistory<Dim>::workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force,
+                                      const Eigen::VectorXd& loads) const {
+  if (x_.size() == 0) return 0.0;
+  double work = 0.0;
+  const Eigen::VectorXd increment = x - x_;
+  for (Eigen::Index i = 0; i < model_.numDisplacements(); ++i)
+    if (model_.prescribed()[static_cast<std::size_t>(i)]) work += 0.5 * (force_(i) + force(i)) * increment(i);
+  if (loads_.size() > 0) work += 0.5 * (loads_ + loads).dot(increment.head(model_.numDisplacements()));
+  return work;
+}
+
+template <int Dim>
+void RunHistory<Dim>::addTools(const MeasuredState& state, StateQuantities& next) const {
+  for (const auto& tool : model_.tools()) next.toolPoses.push_back(tool->pose(state.time, state.x));
+  next.toolForces.assign(model_.tools().size(), Eigen::Vector3d::Zero());
+  next.toolMoments = next.toolForces;
+  for (const auto& pair : model_.contacts()) {
+    const ContactState& contact = pair.term->state();
+    next.toolForces[pair.tool] += contact.reaction;
+    next.toolMoments[pair.tool] += contact.moment;
+    next.contactEnergy += contact.energy;
+    next.activeControlPoints += contact.numActive();
+    next.maxPenetration = std::max(next.maxPenetration, contact.largestPenetration());
+  }
+}
+
+template <int Dim>
+void RunHistory<Dim>::addSelfContacts(StateQuantities& next) const {
+  for (const auto& contact : model_.selfContacts()) {
+    const SelfContactState& state = contact.term->state();
+    next.selfActiveControlPoints += state.numActive();
+    next.maxSelfPenetration = std::max(next.maxSelfPenetration, state.largestPenetration());
+    next.selfForce += state.force.norm();
+  }
+}
+
+template <int Dim>
+void RunHistory<Dim>::addBody(StateQuantities& next) {
+  const BulkTerm<Dim>& bulk = model_.bulk();
+  next.strainEnergy = bulk.summary().strainEnergy;
+  next.plasticWork = bulk.plasticWork();
+  next.minJ = bulk.summary().minJ;
+  if (!bulk.points().hasField(kPlasticStrain)) return;
+  const Eigen::VectorXd strain = bulk.points().field(kPlasticStrain).row(0);
+  next.maxPlasticStrain = strain.maxCoeff();
+  const Stopwatch stopwatch(projectionSeconds_);
+  next.projectedPlasticStrain = extremes_(projection_.project(strain).col(0));
+}
+
+/// Work of the tools on the body since the last state.
+template <int Dim>
+double RunHistory<Dim>::toolWork(const StateQuantities& next) const {
+  double work = 0.0;
+  for (std::size_t k = 0; k < next.toolForces.size(); ++k) {
+    const ToolPose &from = current_.toolPoses[k], &to = next.toolPoses[k];
+    const double moment = model_.tools()[k]->axis.dot(current_.toolMoments[k] + next.toolMoments[k]);
+    work -= 0.5 * (current_.toolForces[k] + next.toolForces[k]).dot(to.displacement - from.displacement) +
+            0.5 * moment * (to.angle - from.angle);
+  }
+  return work;
+}
+
+template <int Dim>
+void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force,
+                             double stabilisedShare) {
+  const Eigen::VectorXd& x = state.x;
+  Eigen::VectorXd loads = loadForces();
+  StateQuantities next;
+  next.time = state.time;
+  next.rezonings = current_.rezonings;
+  next.externalWork = current_.externalWork + workIncrement(x, force, loads);
+  if (++states_ == 2 && loads_.size() > 0) suddenWork_ = 0.5 * loads_.dot((x - x_).head(loads_.size()));
+  addTools(state, next);
+  addSelfContacts(next);
+  if (x_.size() > 0) next.externalWork += toolWork(next);
+  addBody(next);
+  next.stabilisedShare = stabilisedShare;
+  next.stabilisationWork = current_.stabilisationWork;
+  if (const auto* stabilisation = model_.stabilisation()) next.stabilisationWork += stabilisation->work();
+  next.largestEnergy = std::max(current_.largestEnergy, std::abs(next.energyFound()));
+  next.crossesItself = anyFaceCrossesItself(model_, x);
+  next.measured = measures_.values(state);
+  reactions_.update(state, force);
+  next.reactions = reactions_.values();
+
+  current_ = std::move(next);
+  x_ = x;
+  force_ = force;
+  loads_ = std::move(loads);
+  smallestJ_ = std::min(smallestJ_, current_.minJ);
+  largestPenetration_ = std::max({largestPenetration_, current_.maxPenetration, current_.maxSelfPenetration});
+  largestStabilisedShare_ = std::max(largestStabilisedShare_, current_.stabilisedShare);
+}
+
+template <int Dim>
+Extremes RunHistory<Dim>::projectedVonMises() const {
+  const Eigen::MatrixXd mises = quadratureFields(model_.bulk(), "").at("von_mises").values;
+  return extremes_(projection_.project(mises.transpose()).col(0));
+}
+
+template <int Dim>
+void RunHistory<Dim>::continueFrom(const RunHistory& before) {
+  current_ = before.current_;
+  smallestJ_ = before.smallestJ_;
+  largestPenetration_ = before.largestPenetration_;
+  largestStabilisedShare_ = before.largestStabilisedShare_;
+  states_ = before.states_;
+  suddenWork_ = before.suddenWork_;
+  reactions_.continueFrom(before.reactions_);
+  projectionSeconds_ = before.projectionSeconds_;
+}
+
+template <int Dim>
+void RunHistory<Dim>::archive(StateArchive& archive) {
+  archive.part("current", current_);
+  archive.field("x", x_);
+  archive.field("force", force_);
+  archive.field("loads", loads_);
+  archive.together("extremes", smallestJ_, largestPenetration_, largestStabilisedShare_);
+  archive.field("states", states_);
+  archive.field("sudden_work", suddenWork_);
+  reactions_.archive(archive);
+  archive.field("projection_seconds", projectionSeconds_);
+}
+
+template class RunHistory<2>;
+template class RunHistory<3>;
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+#include "engine/analysis/state_quantities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace burnish {
+
+void RezoningSums::add(const RezoningRecord& rezoning) {
+  ++count;
+  energyLost += rezoning.energyLost;
+  gapWork += rezoning.gapWork;
+  volumeDrift = rezoning.volumeDrift;
+  boundaryError = std::max(boundaryError, rezoning.boundaryError);
+}
+
+void StateQuantities::archive(StateArchive& archive) {
+  archive.field("time", time);
+  for (std::size_t k = 0; k < toolPoses.size(); ++k) {
+    const std::string name = fmt::format("tool{}_", k);
+    archive.field(name + "displacement", toolPoses[k].displacement);
+    archive.field(name + "angle", toolPoses[k].angle);
+    archive.field(name + "force", toolForces[k]);
+    archive.field(name + "moment", toolMoments[k]);
+  }
+  archive.together("energies", strainEnergy, contactEnergy, externalWork, plasticWork, stabilisationWork,
+                   largestEnergy);
+  archive.together("plastic_strain", maxPlasticStrain, projectedPlasticStrain.min,
+                   projectedPlasticStrain.max);
+  archive.together("contact", activeControlPoints, maxPenetration, selfActiveControlPoints,
+                   maxSelfPenetration, selfForce, crossesItself);
+  archive.together("bounds", minJ, stabilisedShare);
+  archive.together("rezonings", rezonings.count, rezonings.energyLost, rezonings.gapWork,
+                   rezonings.volumeDrift, rezonings.boundaryError);
+  archive.fixedField("reactions", reactions);
+  archive.fixedField("measured", measured);
+}
+
+}  // namespace burnish

@@ -1,0 +1,56 @@
+#pragma once
+#include <Eigen/Dense>
+#include <vector>
+
+#include "engine/core/state_archive.h"
+#include "engine/fields/span_extremes.h"
+#include "engine/results/run_account.h"
+#include "engine/tools/tool.h"
+
+namespace burnish {
+
+/// What meshing a body anew has cost so far.
+struct RezoningSums {
+  int count = 0;
+  double energyLost = 0.0;     ///< altogether
+  double gapWork = 0.0;        ///< altogether
+  double volumeDrift = 0.0;    ///< at the last one
+  double boundaryError = 0.0;  ///< the largest
+
+  void add(const RezoningRecord& rezoning);
+};
+
+/// Quantities of one accepted state, in the units of the scene.
+struct StateQuantities {
+  double time = 0.0;
+  std::vector<ToolPose> toolPoses;           ///< per tool
+  std::vector<Eigen::Vector3d> toolForces;   ///< force of the body on each tool
+  std::vector<Eigen::Vector3d> toolMoments;  ///< of that force about the tool's pivot
+  double strainEnergy = 0.0;
+  double contactEnergy = 0.0;
+  double externalWork = 0.0;  ///< trapezoidal sum over the steps: tools, tractions, moved supports
+  double plasticWork = 0.0;
+  double maxPlasticStrain = 0.0;  ///< over quadrature points
+  Extremes projectedPlasticStrain;
+  int activeControlPoints = 0;
+  double maxPenetration = 0.0;
+  int selfActiveControlPoints = 0;  ///< of faces that touch themselves
+  double maxSelfPenetration = 0.0;
+  double selfForce = 0.0;  ///< between the parts of a face, summed over the faces
+  double minJ = 1.0;
+  double stabilisationWork = 0.0;  ///< taken from the body by a drag that holds it
+  double stabilisedShare = 0.0;    ///< of the largest force, see `Model::stabilisedShare`
+  double largestEnergy = 0.0;      ///< up to this state: of what work became, see `energyFound`
+  bool crossesItself = false;      ///< a contact face does
+  RezoningSums rezonings;
+  std::vector<double> reactions;  ///< one for each of their columns
+  std::vector<double> measured;   ///< one for each column of the scene's measures
+
+  /// What became of the work done: energies, plastic work, and what a drag took.
+  double energyFound() const { return strainEnergy + contactEnergy + plasticWork + stabilisationWork; }
+
+  /// The vectors must have their sizes.
+  void archive(StateArchive& archive);
+};
+
+}  // namespace burnish
