@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/material/principal_axes.h"
+#include "engine/material/push_forward.h"
 #include "engine/material/symmetric_tensor.h"
 #include "engine/material/volume_change.h"
 #include "engine/schema/problems.h"
@@ -106,8 +107,7 @@ double J2Plasticity::yieldStress(double e_p) const {
 }
 
 Eigen::Matrix3d J2Plasticity::elasticDeformation(const Eigen::Matrix3d& F, const State& state) const {
-  const Eigen::Matrix3d f = F * state.F_inv;
-  return f * state.b_e * f.transpose();
+  return pushedForward(state.b_e, F * state.F_inv);
 }
 
 void check(const J2Plasticity::Parameters& law, const Problems& problems) {
