@@ -5,6 +5,7 @@
 #include "engine/core/enum_names.h"
 #include "engine/material/elastic_moduli.h"
 #include "engine/material/law_list.h"
+#include "engine/material/push_forward.h"
 #include "engine/material/response.h"
 
 namespace burnish {
@@ -42,7 +43,7 @@ class NeoHookean {
 
   /// b = F F^T.
   Eigen::Matrix3d elasticDeformation(const Eigen::Matrix3d& F, const State&) const {
-    return F * F.transpose();
+    return pushedForward(Eigen::Matrix3d::Identity(), F);
   }
 
  private:

@@ -3,7 +3,8 @@
 namespace burnish {
 
 Eigen::Matrix3d pushedForward(const Eigen::Matrix3d& b, const Eigen::Matrix3d& f) {
-  // Assigned, not returned at once: Eigen sums the two in different orders; rezoned runs keep their bits with this one.
+  // Assigned, not returned at once: Eigen sums the two in different orders, and rezoned runs keep their bits
+  // with this one.
   Eigen::Matrix3d result = b;
   result = f * b * f.transpose();
   return result;
