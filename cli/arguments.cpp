@@ -12,14 +12,10 @@
 
 #include "engine/core/drawable_range.h"
 #include "engine/scene/end_of_run.h"
-#include "postproc/draw/page/color_name.h"
+#include "postproc/draw/page/picture_size.h"
 
 namespace burnish {
 namespace {
-
-constexpr int kSmallestPicture = 150;
-constexpr int kLargestPicture = 8000;
-constexpr int kMostBands = 256;
 
 /// The whole text as a number, or nothing.
 template <class Number>
@@ -56,10 +52,6 @@ int frameAtTime(double time, const std::vector<double>& times) {
 }
 
 }  // namespace
-
-bool isOn(const char* option, const std::string& word) {
-  return chosen(option, word, std::array{std::pair{"on", true}, std::pair{"off", false}});
-}
 
 int frameIndex(const std::string& text, const std::vector<double>& times) {
   if (times.empty()) throw Error("the result has no frames yet");
@@ -133,51 +125,8 @@ std::array<double, 2> rangeFromText(const char* option, const std::string& text,
 
 std::array<int, 2> sizeFromText(const std::string& text) {
   const auto size = listFrom<int, 2>(text);
-  const auto fits = [](int n) { return n >= kSmallestPicture && n <= kLargestPicture; };
-  if (size && fits((*size)[0]) && fits((*size)[1])) return *size;
-  throw Error(fmt::format("--size: found \"{}\"; expected W,H: pixels from {} to {}", text, kSmallestPicture,
-                          kLargestPicture));
-}
-
-Eigen::AlignedBox2d windowFromText(const std::string& text) {
-  const auto corners = listFrom<double, 4>(text);
-  Eigen::AlignedBox2d window;
-  if (corners) {
-    const Eigen::Vector4d c = Eigen::Map<const Eigen::Vector4d>(corners->data());
-    window.extend(Eigen::Vector2d(c.head<2>())).extend(Eigen::Vector2d(c.tail<2>()));
-    if (c.allFinite() && window.sizes().minCoeff() > 0.0 && window.sizes().allFinite()) return window;
-  }
-  throw Error(fmt::format("--zoom: found \"{}\"; expected X0,Y0,X1,Y1: two corners of a window", text));
-}
-
-std::optional<Eigen::Vector3d> directionFromText(const std::string& text) {
-  const auto direction = listFrom<double, 3>(text);
-  if (!direction) return std::nullopt;
-  return Eigen::Map<const Eigen::Vector3d>(direction->data());
-}
-
-CutPlane cutPlaneFromText(const char* option, const std::string& text) {
-  if (const auto plane = cutPlaneNamed(text)) return *plane;
-  throw Error(fmt::format("{}: found \"{}\"; expected {}", option, text, kCutPlaneWords));
-}
-
-std::vector<MirrorPlane> mirrorFromText(const std::string& text) {
-  if (const auto planes = mirrorPlanesNamed(text)) return *planes;
-  throw Error(fmt::format("--mirror: found \"{}\"; expected {}", text, kMirrorPlaneWords));
-}
-
-int bandsFromText(const std::string& text) {
-  if (text == "smooth") return 0;
-  const auto bands = numberFrom<int>(text);
-  if (bands && *bands >= 0 && *bands <= kMostBands) return *bands;
-  throw Error(fmt::format("--bands: found \"{}\"; expected a number up to {}, or smooth.{}", text, kMostBands,
-                          didYouMean(text, {"smooth"})));
-}
-
-Color colorFromText(const char* option, const std::string& text) {
-  if (const auto color = colorNamed(text)) return *color;
-  throw Error(fmt::format("{}: found \"{}\"; expected {}.{}", option, text, kColorWords,
-                          didYouMean(text, colorNames())));
+  if (size && isPictureSize(*size)) return *size;
+  throw Error(fmt::format("--size: found \"{}\"; expected W,H: pixels from {}", text, pictureSizeWords()));
 }
 
 std::string shellWord(const std::string& word) {

@@ -2,19 +2,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "engine/core/shown_text.h"
-#include "postproc/draw/page/color_scale.h"
-#include "postproc/mesh/mirror.h"
-#include "postproc/mesh/plane_section.h"
 
 /// Values of options that are more than a number or a word. All throw `Error` with the option, what was found
 /// and what is expected.
@@ -37,9 +32,6 @@ inline std::string cannotBeShown(const std::string& text) {
   return shownTextFault(text);
 }
 
-/// `on` or `off`.
-bool isOn(const char* option, const std::string& word);
-
 /// `N`, `last`, `end` or `time=T` as an index into the frames with these times.
 int frameIndex(const std::string& text, const std::vector<double>& times);
 
@@ -57,24 +49,6 @@ std::array<double, 2> rangeFromText(const char* option, const std::string& text,
 
 /// `W,H` in pixels.
 std::array<int, 2> sizeFromText(const std::string& text);
-
-/// `X0,Y0,X1,Y1`: two opposite corners.
-Eigen::AlignedBox2d windowFromText(const std::string& text);
-
-/// `X,Y,Z`, or nothing if it is not three numbers.
-std::optional<Eigen::Vector3d> directionFromText(const std::string& text);
-
-/// `x=V`, `y=V` or `z=V`, or `X,Y,Z,NX,NY,NZ`: a point and a normal.
-CutPlane cutPlaneFromText(const char* option, const std::string& text);
-
-/// Axes, each with the place of the plane behind it if that is not 0: `x,z=2.5`.
-std::vector<MirrorPlane> mirrorFromText(const std::string& text);
-
-/// `smooth` (0) or a number of bands.
-int bandsFromText(const std::string& text);
-
-/// As `colorNamed` has it.
-Color colorFromText(const char* option, const std::string& text);
 
 /// A word of a command line for the shell, in quotes where it needs them.
 std::string shellWord(const std::string& word);

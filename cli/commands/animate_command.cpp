@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct AnimateArguments {
-  PictureOptions options;
+  PictureArguments options;
   fs::path video;
   double framesPerSecond = 10.0;
 };
@@ -32,8 +32,6 @@ void checkName(const AnimateArguments& arguments) {
   if (ending != ".mp4" && ending != ".png" && ending != ".gif")
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a video that ends in .mp4, .png or .gif",
                             arguments.video.string()));
-  if (ending == ".mp4" && arguments.options.transparent)
-    throw Error("--transparent: an MP4 video has no alpha channel; take .png or .gif");
   if (ending != ".png" && !haveFfmpeg())
     throw Error(
         fmt::format("-o: {} needs the program ffmpeg, which is not in PATH; install it (Debian: apt-get "
@@ -54,6 +52,8 @@ ExitCode animate(const AnimateArguments& arguments) {
   const ResultReader result(arguments.options.result);
   const std::vector<int> frames = frameIndices(arguments.options.frame, result.times());
   const ContourOptions options = contourOptions(arguments.options, result, frames);
+  if (options.transparent && arguments.video.extension() == ".mp4")
+    throw Error("--transparent: an MP4 video has no alpha channel; take .png or .gif");
   makeDirectoryOf(arguments.video);
   const ScratchDirectory scratch;
   std::vector<fs::path> pictures;
@@ -70,7 +70,7 @@ void addAnimateCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("animate", "Draw frames into a video");
   const auto arguments = std::make_shared<AnimateArguments>();
   arguments->options.frame = "all";
-  addPictureOptions(*command, arguments->options);
+  addPictureArguments(*command, arguments->options);
   command->add_option("--rate", arguments->framesPerSecond, "Frames per second [10]")
       ->check(CLI::Range(0.1, 100.0))
       ->type_name("FPS");

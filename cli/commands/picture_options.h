@@ -1,10 +1,11 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/commands/look_options.h"
+#include "cli/declared_options.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour/contour.h"
 
@@ -14,40 +15,41 @@ class App;
 
 namespace burnish {
 
-/// What the options of `render` and `animate` were given.
-struct PictureOptions {
+/// What `render` and `animate` were given: which frames, which field, and the options of a picture.
+struct PictureArguments {
   std::filesystem::path result;
   std::string frame = "last";
   std::string field, component;
   std::string range = "auto";
-  std::optional<double> clip;
-  /// What is not given is that of the theme.
-  std::optional<std::string> colormap, bands, undeformed, tools;
-  std::optional<int> isolines;
-  std::optional<bool> knots;
-  bool controlNet = false;
-  std::string vectors = "none";
-  double warp = 1.0;
-  std::string view = "auto", zoom;
-  std::string cut, slice, mirror;
-  std::optional<double> toolOpacity;
-  std::string size;
-  double scale = 1.0;
-  std::optional<double> textSize;
-  int subdivision = 0;
-  LookOptions look;
-  std::string background;
-  bool transparent = false;
-  bool noDoubts = false;
-  std::optional<std::string> title;
+  DeclaredOptions picture;
 };
 
+/// Adds the options of a picture to a command, or a part of them. fresh: has the defaults.
+template <class Options>
+void addPictureOptions(CLI::App& command, DeclaredOptions& picture, const Options& fresh) {
+  std::map<std::string, std::string> usual;
+  for (const Declaration& key : declarationsOf<PictureDefaults>()) usual[key.key] = "as the theme has it";
+  picture.addTo(command, fresh, usual);
+  picture.allow("bands", {{"smooth", "0"}});
+  picture.addFlag(command, "--no-doubts", "doubt_marks", "off", "The same as --doubt-marks off");
+}
+
+/// Throws `Error` for options that cannot be together, in a body of `dim` dimensions if these are known.
+void requireNoConflicts(const PictureOptions& options, std::optional<int> dim);
+
+/// Replaces what was given. Throws `Error` that names the option.
+template <class Options>
+void readPicture(const DeclaredOptions& picture, Options& options, std::optional<int> dim) {
+  picture.readInto(options);
+  requireNoConflicts(options, dim);
+}
+
 /// Adds the result and all of these options, with `frame` as it is for a default, to a command.
-void addPictureOptions(CLI::App& command, PictureOptions& options);
+void addPictureArguments(CLI::App& command, PictureArguments& arguments);
 
 /// How these frames are drawn. Several frames share a window and, unless something else is asked for, a range
 /// of colours. Throws `Error` that names the option.
-ContourOptions contourOptions(const PictureOptions& options, const ResultReader& result,
+ContourOptions contourOptions(const PictureArguments& arguments, const ResultReader& result,
                               const std::vector<int>& frames);
 
 }  // namespace burnish

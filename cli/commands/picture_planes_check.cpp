@@ -7,6 +7,7 @@
 #include "engine/core/error.h"
 #include "engine/core/input_error.h"
 #include "engine/scene/scene_places.h"
+#include "postproc/mesh/mirror.h"
 
 namespace burnish {
 namespace {

@@ -132,7 +132,9 @@ class ChartMaker {
     chart.y2 = {axisTitle(arguments_.y2Title, arguments_.y2), isLogarithmic("y2"),
                 axisRange("--y2-range", arguments_.y2Range)};
     chart.markers = markersOf(arguments_.markers);
-    chart.theme = themeOf(arguments_.look);
+    PageLook look;
+    arguments_.look.readInto(look);
+    chart.theme = themeOf(look);
     if (!arguments_.size.empty()) chart.size = sizeFromText(arguments_.size);
   }
 

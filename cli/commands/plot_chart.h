@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/look_options.h"
+#include "cli/declared_options.h"
 #include "postproc/draw/chart/chart.h"
 #include "postproc/draw/chart/chart_difference.h"
+#include "postproc/draw/page/picture_look.h"
 
 namespace burnish {
 
@@ -22,7 +23,7 @@ struct PlotArguments {
   std::vector<std::string> logarithmic;
   std::string xRange, yRange, y2Range;
   std::string markers = "some", size;
-  LookOptions look;
+  DeclaredOptions look;  ///< of a `PageLook`
 };
 
 /// DIR/history.csv for the directory of a run, else the file itself.

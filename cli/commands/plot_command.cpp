@@ -9,7 +9,6 @@
 
 #include "cli/arguments.h"
 #include "cli/command.h"
-#include "cli/commands/look_options.h"
 #include "cli/commands/plot_chart.h"
 #include "cli/console.h"
 #include "engine/core/error.h"
@@ -124,7 +123,7 @@ void addDrawingOptions(CLI::App& command, PlotArguments& arguments) {
       .add_option("--markers", arguments.markers,
                   "Points with a marker: some (all of a few), all, none [some]")
       ->type_name("WHICH");
-  addLookOptions(command, arguments.look);
+  arguments.look.addTo(command, PageLook{});
   command.add_option("--size", arguments.size, "Size in pixels, or in points for SVG and PDF [1200,900]")
       ->type_name("W,H");
 }

@@ -17,7 +17,7 @@ namespace burnish {
 namespace {
 
 struct RenderArguments {
-  PictureOptions options;
+  PictureArguments options;
   std::string picture;
 };
 
@@ -43,7 +43,7 @@ ExitCode render(const RenderArguments& arguments) {
 void addRenderCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("render", "Draw contour pictures of frames");
   const auto arguments = std::make_shared<RenderArguments>();
-  addPictureOptions(*command, arguments->options);
+  addPictureArguments(*command, arguments->options);
   command
       ->add_option("-o,--output", arguments->picture,
                    "Name of the picture; for several frames with {frame} or {frame:04} or {time} in it")

@@ -3,10 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
-#include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/commands/picture_options.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
@@ -19,7 +18,7 @@ struct ReportArguments {
   std::filesystem::path directory;
   std::filesystem::path page;
   ReportOptions options;
-  std::string mirror;
+  DeclaredOptions picture;
 };
 
 ExitCode report(ReportArguments arguments) {
@@ -28,10 +27,7 @@ ExitCode report(ReportArguments arguments) {
   if (arguments.page.extension() != ".html")
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a page that ends in .html",
                             arguments.page.string()));
-  const std::optional<double>& clip = arguments.options.clip;
-  if (clip && !(*clip > 50.0 && *clip <= 100.0))
-    throw Error(fmt::format("--clip: found {}; expected a percentile above 50, up to 100", *clip));
-  if (!arguments.mirror.empty()) arguments.options.mirror = mirrorFromText(arguments.mirror);
+  readPicture(arguments.picture, arguments.options.picture, {});
   writeReport(arguments.directory, arguments.options, arguments.page);
   printOut("report {}\n", arguments.page.string());
   return ExitCode::Fine;
@@ -46,19 +42,10 @@ void addReportCommand(CLI::App& app, Action& action) {
   command->add_option("-o,--output", arguments->page, "Name of the page [DIR/report.html]")
       ->type_name("PAGE.html");
   command
-      ->add_option("--field", arguments->options.field,
+      ->add_option("--field", arguments->options.picture.field,
                    "What the pictures show, as for render [plastic_strain or von_mises]")
       ->type_name("NAME");
-  command
-      ->add_option("--clip", arguments->options.clip,
-                   "End the colours at this percentile and at 100 minus it, as for render [no]")
-      ->type_name("P");
-  command
-      ->add_option("--mirror", arguments->mirror,
-                   "Draw also the images of a symmetric part beyond these planes, as for render [no]")
-      ->type_name("x[=V],...");
-  command->add_flag("!--no-doubts", arguments->options.marksDoubts,
-                    "Do not mark pictures of results that the run doubts");
+  addPictureOptions(*command, arguments->picture, PanelOptions{});
   command
       ->add_option("--frames", arguments->options.frames,
                    fmt::format("Pictures of a run, at most; evenly chosen [{}]", ReportOptions{}.frames))

@@ -11,8 +11,9 @@
 
 #include "cli/arguments.h"
 #include "cli/command.h"
-#include "cli/commands/look_options.h"
+#include "cli/declared_options.h"
 #include "engine/core/error.h"
+#include "postproc/draw/page/picture_look.h"
 
 namespace burnish {
 namespace {
@@ -23,7 +24,7 @@ struct SheetArguments {
   int columns = 0;  ///< 0: as many as rows
   std::vector<std::string> captions;
   int width = 1600;
-  LookOptions look;
+  DeclaredOptions look;  ///< of a `PageLook`
 };
 
 ExitCode sheet(const SheetArguments& arguments) {
@@ -41,8 +42,10 @@ ExitCode sheet(const SheetArguments& arguments) {
   const int columns = arguments.columns > 0
                           ? arguments.columns
                           : static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+  PageLook look;
+  arguments.look.readInto(look);
   makeDirectoryOf(arguments.sheet);
-  drawSheet(panels, columns, arguments.width, arguments.sheet, themeOf(arguments.look));
+  drawSheet(panels, columns, arguments.width, arguments.sheet, themeOf(look));
   return ExitCode::Fine;
 }
 
@@ -62,7 +65,7 @@ void addSheetCommand(CLI::App& app, Action& action) {
       ->check(cannotBeShown)
       ->type_name("TEXT");
   command->add_option("--width", arguments->width, "Width of the sheet in pixels [1600]")->type_name("W");
-  addLookOptions(*command, arguments->look);
+  arguments->look.addTo(*command, PageLook{});
   command->add_option("-o,--output", arguments->sheet, "Name of the sheet")
       ->type_name("SHEET.png")
       ->required();

@@ -16,6 +16,8 @@ class MappingWriter {
     if constexpr (Optional<T>) {
       if (value) field(key, *value, rule, "");
     } else {
+      if constexpr (Spelled<T>)
+        if (Spelling<T>::write(value).empty()) return;
       if constexpr (List<T>)
         if (value.empty()) return;
       if constexpr (std::is_same_v<T, std::string>)

@@ -11,6 +11,8 @@ ValueType typeOf() {
   using Kind = ValueType::Kind;
   if constexpr (Optional<T>) {
     return typeOf<typename T::value_type>();
+  } else if constexpr (Spelled<T>) {
+    return {.kind = Kind::Text};
   } else if constexpr (List<T>) {
     ValueType type = typeOf<typename ListTraits<T>::Item>();
     ++type.lists;
@@ -86,6 +88,8 @@ class DeclarationCollector {
       return std::nullopt;
     } else {
       if (rule.required) return std::nullopt;
+      if constexpr (Spelled<T>)
+        if (Spelling<T>::write(value).empty()) return std::nullopt;
       if constexpr (List<T>)
         if (value.empty()) return std::nullopt;
       YAML::Emitter text;

@@ -34,8 +34,21 @@ struct ListTraits<std::array<T, N>> : std::true_type {
   static constexpr std::size_t length = N;
 };
 
+/// Specialised for a type that is written as one text with a spelling of its own, such as a plane, "z=2.5":
+/// `read(text)`, the value, or nothing for a text that is none (throws `Error` if it is one that cannot be
+/// used); `write(value)`, a text that reads back to it, empty for none; `words()`, what is allowed;
+/// `candidates()`, words to propose.
 template <class T>
-concept List = ListTraits<T>::value;
+struct Spelling;
+
+template <class T>
+concept Spelled = requires(const std::string& text, const T& value) {
+  { Spelling<T>::read(text) } -> std::same_as<std::optional<T>>;
+  { Spelling<T>::write(value) } -> std::same_as<std::string>;
+};
+
+template <class T>
+concept List = ListTraits<T>::value && !Spelled<T>;
 
 template <class T>
 struct OptionalTraits : std::false_type {};
@@ -50,11 +63,20 @@ struct IsLeaf
     : std::bool_constant<std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>> {};
 template <>
 struct IsLeaf<FormulaText> : std::true_type {};
+template <Spelled T>
+struct IsLeaf<T> : std::true_type {};
 template <List T>
 struct IsLeaf<T> : IsLeaf<typename ListTraits<T>::Item> {};
 
 template <class T>
 concept Leaf = IsLeaf<T>::value;
+
+/// A visitor that fills the struct. When it has read a key that chooses the defaults of others, `describe` sets
+/// these, and what is stated then replaces them.
+template <class Visitor>
+concept Fills = requires {
+  requires Visitor::fills;
+};
 
 template <class E>
 std::vector<std::string> enumNames() {
@@ -69,6 +91,8 @@ template <class T>
 std::string allowedText(const Rule& rule, bool plural = false) {
   if constexpr (Optional<T>) {
     return allowedText<typename T::value_type>(rule, plural);
+  } else if constexpr (Spelled<T>) {
+    return plural ? "texts" : "a text";
   } else if constexpr (List<T>) {
     using Item = typename ListTraits<T>::Item;
     const std::size_t length = ListTraits<T>::length;

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "engine/schema/leaf.h"
 #include "engine/schema/yaml_tree.h"
@@ -29,6 +30,21 @@ class LeafReader {
       }
     }
     reject(node, path, allowedText<E>(rule), enumNames<E>());
+  }
+
+  template <Spelled T>
+  void read(const YamlNode& node, const std::string& path, T& value, const Rule& rule) {
+    if (node.kind != YamlNode::Kind::Scalar) return reject(node, path, allowedText<T>(rule));
+    try {
+      if (const auto found = Spelling<T>::read(node.text))
+        value = *found;
+      else
+        errors_.add(node.place, path,
+                    fmt::format("found \"{}\"; allowed: {}.{}", node.text, Spelling<T>::words(),
+                                didYouMean(node.text, Spelling<T>::candidates())));
+    } catch (const Error& error) {
+      errors_.add(node.place, path, error.what());
+    }
   }
 
   template <List T>

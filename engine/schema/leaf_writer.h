@@ -10,7 +10,9 @@ namespace burnish {
 /// Writes a leaf in one line: numbers with the fewest digits that read back exactly, texts in quotes.
 template <Leaf T>
 void writeLeaf(YAML::Emitter& out, const T& value, const Rule& rule) {
-  if constexpr (List<T>) {
+  if constexpr (Spelled<T>) {
+    out << YAML::DoubleQuoted << Spelling<T>::write(value);
+  } else if constexpr (List<T>) {
     out << YAML::Flow << YAML::BeginSeq;
     for (const auto& item : value) writeLeaf(out, item, rule);
     out << YAML::EndSeq;

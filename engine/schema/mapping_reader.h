@@ -18,6 +18,8 @@ struct DimensionedList {
 /// Visitor that fills a struct from one mapping of the scene. What is wrong goes to the diagnostics.
 class MappingReader {
  public:
+  static constexpr bool fills = true;
+
   MappingReader(const YamlNode& node, std::string path, Diagnostics& errors,
                 std::vector<DimensionedList>& dimensioned)
       : node_(node), path_(std::move(path)), errors_(errors), dimensioned_(dimensioned) {}
@@ -63,8 +65,8 @@ class MappingReader {
   }
 
   template <class T>
-  requires(!Leaf<T>) void read(const YamlNode& node, const std::string& path, std::vector<T>& value,
-                               const Rule& rule) {
+  requires(!Leaf<std::vector<T>>) void read(const YamlNode& node, const std::string& path,
+                                            std::vector<T>& value, const Rule& rule) {
     if (node.kind != YamlNode::Kind::Sequence || !rule.admitsEntries(node.children.size()))
       return LeafReader(errors_).reject(node, path, allowedText<std::vector<T>>(rule));
     for (std::size_t i = 0; i < node.children.size(); ++i)

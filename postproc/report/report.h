@@ -1,20 +1,14 @@
 #pragma once
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "engine/scene/picture_planes.h"
+#include "postproc/draw/contour/picture_options.h"
 
 namespace burnish {
 
 struct ReportOptions {
-  std::string field;                ///< of the pictures; empty: plastic strain, or else the von Mises stress
-  std::optional<double> clip;       ///< percentile at which the colours end; see `fieldRange`
-  std::vector<MirrorPlane> mirror;  ///< of the pictures of a run
-  bool marksDoubts = true;          ///< in the pictures
-  int frames = 40;                  ///< at most so many pictures of a run, >= 2, evenly chosen
-  std::filesystem::path document;   ///< of a study; empty: the only Markdown file in its directory, if any
+  PanelOptions picture;            ///< without a field: plastic strain, or else the von Mises stress
+  int frames = 40;                 ///< at most so many pictures of a run, >= 2, evenly chosen
+  std::filesystem::path document;  ///< of a study; empty: the only Markdown file in its directory, if any
 };
 
 /// Writes a page about a run or a study, which needs nothing else: no network, no other file. directory: of a

@@ -9,8 +9,6 @@
 #include "engine/core/version.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_series.h"
-#include "postproc/draw/contour/field_choice.h"
-#include "postproc/draw/page/doubt_mark.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/report/frame_pictures.h"
 #include "postproc/report/html_parts.h"
@@ -28,19 +26,12 @@ constexpr double kTextSize = 18.0;
 
 ContourOptions pictureOptions(const RunRecord& run, const ReportOptions& report,
                               const std::vector<int>& frames) {
-  ContourOptions options;
-  options.field = report.field.empty() ? fieldToShow(run.result.frame(frames.back())) : report.field;
-  options.clip = report.clip;
-  options.mirror = report.mirror;
-  if (report.marksDoubts) options.doubt = doubtMarkOf(run.result.file().parent_path());
+  ContourOptions options = contourOptions(report.picture, run.result, run.result.frame(frames.back()));
   options.size = kPictureSize;
-  options.textSize = kTextSize;
+  options.textSize = options.theme.textSize * kTextSize;
   options.title = "";
   options.time = false;  // the page says it
-  options.range = commonRange(run.result, frames, options);
-  options.window = commonWindow(run.result, frames, options);
-  options.clip.reset();  // it is in the range
-  return options;
+  return withCommonView(options, run.result, frames, frames);
 }
 
 std::string scaleNote(std::optional<double> clip, int dim) {
@@ -70,7 +61,7 @@ std::string pictures(const RunRecord& run, const ReportOptions& report) {
       "<div class=\"control\"><input type=\"range\" id=\"frame\" min=\"0\" max=\"{0}\" value=\"{0}\" "
       "aria-label=\"Frame\"><output id=\"time\" for=\"frame\">{1}</output></div>\n<div "
       "id=\"frames\">\n{2}</div>\n<p>{3}</p>\n",
-      most, last, images, scaleNote(report.clip, run.result.model().dim));
+      most, last, images, scaleNote(report.picture.clip, run.result.model().dim));
 }
 
 /// Seconds by part of the program, with a bar for the share.

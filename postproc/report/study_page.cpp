@@ -12,8 +12,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/version.h"
-#include "postproc/draw/contour/field_choice.h"
-#include "postproc/draw/page/doubt_mark.h"
+#include "postproc/draw/contour/contour_series.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/report/frame_pictures.h"
 #include "postproc/report/html_parts.h"
@@ -222,13 +221,9 @@ class StudyPage {
   }
 
   std::string drawnPicture(const RunRecord& run, const FrameRecord& frame) const {
-    ContourOptions options;
-    options.field = options_.field.empty() ? fieldToShow(frame) : options_.field;
-    options.clip = options_.clip;
-    options.mirror = options_.mirror;
-    if (options_.marksDoubts) options.doubt = doubtMarkOf(run.result.file().parent_path());
+    ContourOptions options = contourOptions(options_.picture, run.result, frame);
     options.size = kPictureSize;
-    options.textSize = kTextSize;
+    options.textSize = options.theme.textSize * kTextSize;
     options.title = "";
     return htmlPicture(framePicture(run.result, frame, options, scratch_.path()),
                        fmt::format("{} of {} at t = {}", options.field, run.name, plainNumber(frame.time)));

@@ -235,8 +235,8 @@ class Document {
   static std::string clipText(const decltype(FigureSpec::what)& what) {
     std::optional<double> clip;
     if (const auto* sheet = std::get_if<ContourSheetSpec>(&what); sheet && sheet->scale != SheetScale::Panel)
-      clip = sheet->clip;
-    if (const auto* animation = std::get_if<AnimationSpec>(&what)) clip = animation->clip;
+      clip = sheet->panel.clip;
+    if (const auto* animation = std::get_if<AnimationSpec>(&what)) clip = animation->picture.clip;
     if (!clip) return {};
     return fmt::format(" (Colours end at the percentiles {} and {} of the values.)",
                        plainNumber(100.0 - *clip), plainNumber(*clip));

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "postproc/draw/contour/picture_options.h"
+
 /// A study as a value: which scenes are run with which settings, and what is drawn and said about them.
 ///
 /// A *pattern* names runs; `*` stands for any part of a name. Texts in braces are replaced by parameters of
@@ -121,15 +123,9 @@ struct ContourSheetSpec {
   std::vector<std::string> runs;
   std::vector<double> times;
   std::vector<std::string> timeLabels;  ///< "{time}" in the captions; as many as times, or none
-  std::string field;
   SheetScale scale = SheetScale::Panel;
-  std::optional<double> clip;         ///< percentile at which the colours end; see ContourOptions
-  std::optional<std::string> mirror;  ///< see `mirrorPlanesNamed`
-  bool doubtMarks = true;
   std::string panelCaption = "{letter}) {label}, {time}";
-  std::array<int, 2> panelSize{960, 480};
-  std::string colormap = "viridis";
-  int bands = 0;
+  PanelOptions panel = picturesOfSize<PanelOptions>({960, 480});
 };
 
 /// Geometry and boundary conditions of a run.
@@ -147,11 +143,7 @@ struct CompositeSpec {
 /// Every frame of each run as a picture, and as a video if ffmpeg is there.
 struct AnimationSpec {
   std::vector<std::string> runs;
-  std::string field;
-  std::optional<double> clip;
-  std::optional<std::string> mirror;  ///< see `mirrorPlanesNamed`
-  bool doubtMarks = true;
-  std::array<int, 2> size{960, 480};
+  PictureOptions picture = picturesOfSize({960, 480});
   double framesPerSecond = 5.0;
 };
 

@@ -9,7 +9,6 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
-#include "engine/scene/picture_planes.h"
 #include "postproc/study/combinations.h"
 
 namespace burnish {
@@ -102,7 +101,7 @@ class NameCheck : Reporter {
   }
   void checkFigure(const std::string& path, const ContourSheetSpec& s) const {
     requireSameLength(path + ".time_labels", s.timeLabels.size(), "times", s.times.size());
-    checkMirror(path, s.mirror);
+    checkPicture(path, s.panel, "panel_size");
   }
   void checkFigure(const std::string& path, const CompositeSpec& s) const {
     requireSameLength(path + ".captions", s.captions.size(), "figures", s.figures.size());
@@ -116,11 +115,13 @@ class NameCheck : Reporter {
              fmt::format("found {}; allowed: a file with the ending .png or .csv.", *s.reference));
   }
   void checkFigure(const std::string&, const SetupSpec&) const {}
-  void checkFigure(const std::string& path, const AnimationSpec& s) const { checkMirror(path, s.mirror); }
+  void checkFigure(const std::string& path, const AnimationSpec& s) const {
+    checkPicture(path, s.picture, "size");
+  }
 
-  void checkMirror(const std::string& path, const std::optional<std::string>& mirror) const {
-    if (mirror && !mirrorPlanesNamed(*mirror))
-      report(path + ".mirror", fmt::format("found \"{}\"; allowed: {}.", *mirror, kMirrorPlaneWords));
+  void checkPicture(const std::string& path, const PictureOptions& picture, const char* sizeKey) const {
+    for (const InputProblem& problem : conflictsIn(picture, {}))
+      report(fmt::format("{}.{}", path, problem.path == "size" ? sizeKey : problem.path), problem.text);
   }
 
   void checkMeasure(const std::string& path, const MeasureSpec& measure) const {

@@ -107,6 +107,9 @@ Study readStudy(const std::filesystem::path& file) {
   Diagnostics errors(file.string(), {});
   YamlNode root = parseDocument(readDocument(file, kStudyKind), kStudyKind, errors);
   replaceEndOfRun(root, fmt::format("{}", kEndOfRun));
+  for (YamlNode& list : root.children)
+    if (list.key == "figures")
+      for (YamlNode& figure : list.children) resolveLookFiles(figure, file.parent_path());
   Study study{.spec = {}, .file = file, .runs = {}};
   std::vector<DimensionedList> dimensioned;  // a study has none
   MappingReader(root, "", errors, dimensioned).readInto(study.spec);

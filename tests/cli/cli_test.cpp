@@ -48,7 +48,8 @@ TEST(Arguments, RangeAndSizeArePairs) {
   EXPECT_EQ(sizeFromText("640,480"), (std::array{640, 480}));
   for (const char* text : {"", "1", "1,", ",1", "1;2", "2,1", "1,1", "0,nan", "0,1,2", "0, 1"})
     expectError([=] { rangeFromText("--range", text); }, "expected LO,HI");
-  for (const char* text : {"640x480", "640.5,480", "640,0", "-640,480", "99999,480", "99999999999,480"})
+  for (const char* text :
+       {"640x480", "160,480", "640,149", "640.5,480", "640,0", "-640,480", "99999,480", "99999999999,480"})
     expectError([=] { sizeFromText(text); }, "expected W,H");
 }
 

@@ -62,28 +62,6 @@ TEST(PictureNames, HoldFrameAndTime) {
   expectError([] { pictureNames("{frame", {1}, kTimes); }, "frame_{frame:04}.png");
 }
 
-TEST(Planes, AreOfACoordinateOrAPointAndANormal) {
-  const CutPlane z = cutPlaneFromText("--cut", "z=-2.5");
-  EXPECT_EQ(z.point, Eigen::Vector3d(0.0, 0.0, -2.5));
-  EXPECT_EQ(z.normal, Eigen::Vector3d(0.0, 0.0, 1.0));
-  const CutPlane any = cutPlaneFromText("--cut", "1,2,3,0,-1,0.5");
-  EXPECT_EQ(any.point, Eigen::Vector3d(1.0, 2.0, 3.0));
-  EXPECT_EQ(any.normal, Eigen::Vector3d(0.0, -1.0, 0.5));
-  for (const char* text : {"", "z", "z=", "w=1", "z=nan", "1,2,3", "1,2,3,0,0,0", "1,2,3,0,0,1,2"})
-    expectError([=] { cutPlaneFromText("--slice", text); }, "--slice: found \"" + std::string(text) + "\"");
-}
-
-TEST(MirrorPlanes, AreAxesWithAPlace) {
-  const std::vector<MirrorPlane> planes = mirrorFromText("x,z=2.5");
-  ASSERT_EQ(planes.size(), 2U);
-  EXPECT_EQ(planes[0].axis, 0);
-  EXPECT_EQ(planes[0].at, 0.0);
-  EXPECT_EQ(planes[1].axis, 2);
-  EXPECT_EQ(planes[1].at, 2.5);
-  for (const char* text : {"w", "x,x=1", ",x", "x=", "1"})
-    expectError([=] { mirrorFromText(text); }, "--mirror: found \"" + std::string(text) + "\"");
-}
-
 /// Five frames of the slab, whose plastic strain grows in proportion to their numbers.
 class RenderCommand : public testing::Test {
  protected:
@@ -235,8 +213,9 @@ TEST_F(RenderCommand, AnswersWithTheNearestValidValue) {
       {"--zoom 1,1,1,2", "two corners of a window"},
       {"--zoom 1,2,3", "two corners of a window"},
       {"--bands 257", "--bands: found \"257\""},
-      {"--scale 0", "--scale: found 0"},
-      {"--scale 9", "expected 200 x 150 to 8000 x 8000"},
+      {"--scale 0", "--scale: found \"0\"; expected a number from 0.25 to 10"},
+      {"--size 160,160", "--size: found 160 x 160 pixels; expected 200 x 150 to 8000 x 8000"},
+      {"--scale 9", "--scale: found 9, which makes 14400 x 8100 pixels; expected 200 x 150 to 8000 x 8000"},
       {"--vectors traction --warp 2", "without a warp"},
       {"--background white --transparent", "exclude each other"},
       {"--clip 99 --range 0,1", "give one of them"},

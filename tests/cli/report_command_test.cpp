@@ -64,7 +64,7 @@ TEST_F(ReportCommand, RefusesWhatIsNoRunAndNoStudy) {
   expectRefused("absent", "absent: found neither");
   expectRefused("out -o page.pdf", "expected the name of a page that ends in .html");
   expectRefused("out --field strain", "strain");
-  expectRefused("out --clip 20", "--clip: found 20");
+  expectRefused("out --clip 20", "--clip: found \"20\"");
   EXPECT_FALSE(fs::exists(dir / "out/report.html"));
 }
 

@@ -14,11 +14,10 @@
 #include "postproc/draw/chart/chart_layout.h"
 #include "postproc/draw/chart/chart_output.h"
 #include "postproc/draw/chart/chart_sketch.h"
+#include "postproc/draw/page/picture_size.h"
 
 namespace burnish {
 namespace {
-
-constexpr int kSmallestWidth = 200, kSmallestHeight = 150, kLargestSide = 8000;
 
 std::string curveName(const Chart& chart, std::size_t number) {
   const std::string& label = chart.curves[number].label;
@@ -26,9 +25,9 @@ std::string curveName(const Chart& chart, std::size_t number) {
 }
 
 void checkSize(const std::array<int, 2>& size) {
-  if (size[0] < kSmallestWidth || size[1] < kSmallestHeight || std::max(size[0], size[1]) > kLargestSide)
-    throw Error(fmt::format("chart: found a size of {} x {}; expected {} x {} to {} x {}", size[0], size[1],
-                            kSmallestWidth, kSmallestHeight, kLargestSide, kLargestSide));
+  if (!isPictureSize(size))
+    throw Error(
+        fmt::format("chart: found a size of {} x {}; expected {}", size[0], size[1], pictureSizeWords()));
 }
 
 void checkRange(const ChartAxis& axis, const char* name) {

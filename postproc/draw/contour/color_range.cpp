@@ -120,9 +120,10 @@ std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& fr
 
 FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
                        int subdivision, std::optional<double> clip) {
-  if (clip && !(*clip > 50.0 && *clip <= 100.0))
-    throw Error(fmt::format(
-        "clip: found {}; expected a percentile above 50, at which the colours end, up to 100", *clip));
+  if (clip && !(*clip > kLowestPercentile && *clip <= 100.0))
+    throw Error(
+        fmt::format("clip: found {}; expected a percentile above {}, at which the colours end, up to 100",
+                    *clip, kLowestPercentile));
   const FieldChoice choice = chooseField(model, frame, field);
   const MeshRecord& mesh = meshOf(model, frame);
   const std::optional<std::array<double, 2>> whole = extremes(mesh, choice, subdivision);

@@ -8,6 +8,8 @@
 
 namespace burnish {
 
+inline constexpr double kLowestPercentile = 50.0;  ///< exclusive, of a `clip`
+
 /// Smallest and largest value that a picture of the field shows; with `clip` (a percentile p in (50, 100])
 /// the (100-p)th and the p-th percentile, each part of the body weighted by its undeformed area (2D) or
 /// volume (3D). Where those two are the same, as in a field that is constant but for a spot, the smallest and

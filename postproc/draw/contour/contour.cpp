@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/schema/rule_check.h"
 #include "postproc/draw/contour/axes_triad.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_layout.h"
@@ -29,15 +30,11 @@
 #include "postproc/draw/page/flat_shapes.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/png_file.h"
+#include "postproc/mesh/mirror.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
 namespace {
-
-constexpr int kSmallestWidth = 200, kSmallestHeight = 150, kLargestSide = 8000;
-constexpr double kSmallestText = 6.0, kLargestText = 200.0;
-
-constexpr int kMostIsolines = 100;
 
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
@@ -55,38 +52,11 @@ enum Layer {
   kArrows
 };
 
-void checkOptions(const ContourOptions& options) {
-  const auto [width, height] = options.size;
-  if (width < kSmallestWidth || height < kSmallestHeight || std::max(width, height) > kLargestSide)
-    throw Error(fmt::format("size: found {} x {} pixels; expected {} x {} to {} x {}", width, height,
-                            kSmallestWidth, kSmallestHeight, kLargestSide, kLargestSide));
-  if (options.textSize && !(*options.textSize >= kSmallestText && *options.textSize <= kLargestText))
-    throw Error(fmt::format("text size: found {}; expected {} to {} pixels", *options.textSize, kSmallestText,
-                            kLargestText));
-  if (options.range && options.clip)
-    throw Error("range and clip both say where the colours end; give one of them");
-  if (options.isolines < 0 || options.isolines > kMostIsolines)
-    throw Error(fmt::format("isolines: found {}; expected 0 to {}", options.isolines, kMostIsolines));
-  if (!std::isfinite(options.warp))
-    throw Error(fmt::format("warp: found {}; expected a number", options.warp));
-  if (options.arrows == ArrowField::Traction && options.warp != 1.0)
-    throw Error("contact tractions belong to the true displacements; draw them without a warp");
-}
-
-void checkPlanes(const ContourOptions& options, int dim) {
-  if (!(options.toolOpacity > 0.0 && options.toolOpacity <= 1.0))
-    throw Error(fmt::format("tool opacity: found {}; expected more than 0, up to 1", options.toolOpacity));
-  if (!options.cut && !options.slice) return;
-  if (options.cut && options.slice) throw Error("cut and slice exclude each other; give one of them");
-  const char* option = options.cut ? "cut" : "slice";
-  const CutPlane& plane = options.cut ? *options.cut : *options.slice;
-  if (dim == 2) throw Error(fmt::format("{}: the body is plane; only one in space can be cut", option));
-  if (!plane.point.allFinite() || !plane.normal.allFinite() || plane.normal.norm() == 0.0)
-    throw Error(fmt::format("{}: expected a point and a normal that is not 0,0,0", option));
-  if (options.controlNet)
-    throw Error(fmt::format("{}: the control net belongs to the whole body; draw it without", option));
-  if (options.arrows == ArrowField::Traction)
-    throw Error(fmt::format("{}: contact tractions act on the whole body; draw them without", option));
+/// Throws `Error` for the first thing that is wrong.
+void check(const PictureOptions& options, int dim) {
+  std::vector<InputProblem> problems = conflictsIn(options, dim);
+  if (problems.empty()) problems = ruleProblems(options);
+  if (!problems.empty()) throw Error(fmt::format("{}: {}", problems.front().path, problems.front().text));
 }
 
 /// The notes that there are, in one line.
@@ -104,7 +74,9 @@ class ContourPicture {
       : model_(model),
         frame_(frame),
         options_(options),
-        textSize_(options.textSize.value_or(options.theme.textSize * textSizeFor(options.size))),
+        theme_(themeOf(options)),
+        size_(drawnSize(options)),
+        textSize_(options.scale * options.textSize.value_or(theme_.textSize * textSizeFor(options.size))),
         field_(chooseField(model, frame, options.field)),
         parts_(contourParts(model, frame, options)) {}
 
@@ -113,11 +85,11 @@ class ContourPicture {
         fieldRanges(model_, frame_, options_.field, subdivisionOf(model_, options_), options_.clip);
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), options_.bands);
-    const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1]}, textSize_, options_.theme);
-    const ContourLayout layout = layOutContour(
-        options_.size, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim),
-        parts_.axes, caption(options_.clip && shown != whole), bar, options_.theme);
-    if (!options_.transparent) return {capture(options_.theme.paper, layout, bar, scale), layout.view};
+    const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1]}, textSize_, theme_);
+    const ContourLayout layout =
+        layOutContour(size_, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim),
+                      parts_.axes, caption(options_.clip && shown != whole), bar, theme_);
+    if (!options_.transparent) return {capture(theme_.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
             layout.view};
   }
@@ -144,7 +116,7 @@ class ContourPicture {
 
   vtkSmartPointer<vtkImageData> capture(const Color& background, const ContourLayout& layout,
                                         const ScalarBar& bar, const ColorScale& scale) const {
-    OffscreenCanvas canvas(options_.size[0], options_.size[1]);
+    OffscreenCanvas canvas(size_[0], size_[1]);
     vtkNew<vtkRenderer> paper, space;
     canvas.window().SetNumberOfLayers(2);
     canvas.window().AddRenderer(paper);
@@ -168,8 +140,7 @@ class ContourPicture {
     FlatShapes shapes(renderer, scale);
     bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody()) drawFrame(shapes, layout.view.area);
-    if (model_.dim == 3)
-      drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, options_.theme);
+    if (model_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
   }
 
   /// Whether only a part of the body is seen.
@@ -181,7 +152,7 @@ class ContourPicture {
   void drawFrame(FlatShapes& shapes, const PixelRect& area) const {
     const double left = area.x - 0.5, right = area.right() + 0.5, low = area.y - 0.5, top = area.top() + 0.5;
     shapes.addPolyline({{left, low}, {right, low}, {right, top}, {left, top}, {left, low}},
-                       std::max(1.0, textSize_ / 24.0), options_.theme.softInk);
+                       std::max(1.0, textSize_ / 24.0), theme_.softInk);
   }
 
   /// Whether what is drawn lies in a plane.
@@ -196,31 +167,30 @@ class ContourPicture {
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
     };
-    const Theme& theme = options_.theme;
     add(contourActor(*parts_.body, colors, !isFlat()), kBody);
     if (parts_.section) add(contourActor(*parts_.section, colors, false), kBody);
     for (const auto& part : {parts_.body, parts_.section})
       if (part && options_.isolines > 0)
-        add(lineActor(*isolines(*part, colors.range()), theme.outline, 0.7 * line, 1.0), kIsolines);
-    if (parts_.knots) add(lineActor(*parts_.knots, theme.knots, 0.5 * line, 0.5), kKnots);
+        add(lineActor(*isolines(*part, colors.range()), theme_.outline, 0.7 * line, 1.0), kIsolines);
+    if (parts_.knots) add(lineActor(*parts_.knots, theme_.knots, 0.5 * line, 0.5), kKnots);
     if (parts_.net) {
-      add(lineActor(*parts_.net, theme.controlNet, 0.6 * line, 1.0), kNet);
-      add(pointActor(*parts_.net, theme.controlNet, 4.0 * line), kNet);
+      add(lineActor(*parts_.net, theme_.controlNet, 0.6 * line, 1.0), kNet);
+      add(pointActor(*parts_.net, theme_.controlNet, 4.0 * line), kNet);
     }
     if (parts_.undeformed)
-      add(lineActor(*parts_.undeformed, theme.undeformed, 0.8 * line, 1.0),
+      add(lineActor(*parts_.undeformed, theme_.undeformed, 0.8 * line, 1.0),
           isFlat() ? kUndeformed : kBehindBody);
-    add(lineActor(*parts_.outline, theme.outline, line, 1.0), kBodyOutline);
-    if (!isFlat()) add(lineActor(*silhouetteOf(*parts_.body, eye), theme.outline, line, 1.0), kBodyOutline);
+    add(lineActor(*parts_.outline, theme_.outline, line, 1.0), kBodyOutline);
+    if (!isFlat()) add(lineActor(*silhouetteOf(*parts_.body, eye), theme_.outline, line, 1.0), kBodyOutline);
     for (const ShownTool& tool : parts_.tools) {
       const ToolDrawing drawing = drawTool(tool, view);
-      if (drawing.area) add(plainActor(*drawing.area, theme.tool, false, 1.0), kToolFill);
+      if (drawing.area) add(plainActor(*drawing.area, theme_.tool, false, 1.0), kToolFill);
       if (drawing.surface)
-        add(plainActor(*drawing.surface, theme.tool, true, options_.toolOpacity), kToolFill);
-      if (drawing.lines) add(lineActor(*drawing.lines, theme.outline, 1.2 * line, 1.0), kToolLines);
+        add(plainActor(*drawing.surface, theme_.tool, true, options_.toolOpacity), kToolFill);
+      if (drawing.lines) add(lineActor(*drawing.lines, theme_.outline, 1.2 * line, 1.0), kToolLines);
     }
     if (parts_.arrows.areas) drawArrows(renderer, line, eye);
-    aim(renderer, view, options_.size, 10.0 * parts_.body->GetLength());
+    aim(renderer, view, size_, 10.0 * parts_.body->GetLength());
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
@@ -267,6 +237,8 @@ class ContourPicture {
   const ModelRecord& model_;
   const FrameRecord& frame_;
   const ContourOptions& options_;
+  Theme theme_;
+  std::array<int, 2> size_;
   double textSize_;
   FieldChoice field_;
   ContourParts parts_;
@@ -275,8 +247,7 @@ class ContourPicture {
 }  // namespace
 
 ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
-  checkOptions(options);
-  checkPlanes(options, model.dim);
+  check(options, model.dim);
   if (options.mirror.empty()) return ContourPicture(model, frame, options).draw();
   const ModelFrame whole = mirrored(model, frame, options.mirror);
   return ContourPicture(whole.model, whole.frame, options).draw();

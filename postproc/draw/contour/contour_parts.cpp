@@ -200,9 +200,8 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   const int subdivision = subdivisionOf(model, options);
   const MeshRecord& mesh = meshOf(model, frame);
   ContourParts parts;
-  parts.axes = options.axes    ? *options.axes
-               : options.slice ? viewFrom(options.slice->normal)
-                               : viewNamed("auto", model.dim);
+  const bool alongNormal = options.slice && options.view.name == "auto";
+  parts.axes = alongNormal ? viewFrom(options.slice->normal) : viewAxes(options.view, model.dim);
   parts.displacement = options.warp * frame.displacement;
   if (options.tools) parts.tools = shownTools(model, frame, options.warp);
   parts.body = makeBody(model, frame, options);

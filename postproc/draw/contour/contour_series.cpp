@@ -4,42 +4,79 @@
 
 #include <algorithm>
 #include <future>
-#include <limits>
+#include <set>
 
 #include "engine/core/interruption.h"
 #include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/contour_parts.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/png_file.h"
+#include "postproc/mesh/mirror.h"
 
 namespace burnish {
-std::array<double, 2> shownRange(const ModelRecord& model, const FrameRecord& frame,
-                                 const ContourOptions& options) {
-  const int subdivision = options.subdivision.value_or(model.subdivision);
-  if (options.mirror.empty()) return fieldRange(model, frame, options.field, subdivision, options.clip);
-  // Components of a field may have another sign in a mirror.
+namespace {
+
+using Range = std::array<double, 2>;
+
+/// Calls `act` with the model and the frame that are drawn: components of a field may have another sign in a
+/// mirror.
+template <class Act>
+auto withImages(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                const Act& act) {
+  if (options.mirror.empty()) return act(model, frame);
   const ModelFrame whole = mirrored(model, frame, options.mirror);
-  return fieldRange(whole.model, whole.frame, options.field, subdivision, options.clip);
+  return act(whole.model, whole.frame);
 }
 
-std::array<double, 2> commonRange(const ResultReader& result, const std::vector<int>& frames,
-                                  const ContourOptions& options) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 2> range{infinity, -infinity};
-  for (const int k : frames) {
-    throwIfInterrupted();
-    const auto [low, high] = shownRange(result.model(), result.frame(k), options);
-    range = {std::min(range[0], low), std::max(range[1], high)};
-  }
-  return widened(range);
+Range rangeOf(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+  return fieldRange(model, frame, options.field, subdivisionOf(model, options), options.clip);
 }
 
-Eigen::AlignedBox2d commonWindow(const ResultReader& result, const std::vector<int>& frames,
-                                 const ContourOptions& options) {
+Range joined(const std::optional<Range>& a, const Range& b) {
+  return a ? Range{std::min((*a)[0], b[0]), std::max((*a)[1], b[1])} : b;
+}
+
+}  // namespace
+
+ContourOptions contourOptions(const PictureOptions& picture, const ResultReader& result,
+                              const FrameRecord& frame) {
+  ContourOptions options(picture);
+  if (options.field.empty()) options.field = fieldToShow(frame);
+  if (options.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
+  return options;
+}
+
+Range shownRange(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+  return withImages(model, frame, options, [&](const ModelRecord& wholeModel, const FrameRecord& whole) {
+    return rangeOf(wholeModel, whole, options);
+  });
+}
+
+ContourOptions withCommonView(ContourOptions options, const ResultReader& result,
+                              const std::vector<int>& ofRange, const std::vector<int>& ofWindow) {
+  std::set<int> inRange, inWindow;
+  if (!options.range) inRange.insert(ofRange.begin(), ofRange.end());
+  if (!options.window) inWindow.insert(ofWindow.begin(), ofWindow.end());
+  std::set<int> frames = inRange;
+  frames.insert(inWindow.begin(), inWindow.end());
+  std::optional<Range> range;
   Eigen::AlignedBox2d window;
   for (const int k : frames) {
     throwIfInterrupted();
-    window.extend(contentOf(result.model(), result.frame(k), options));
+    withImages(result.model(), result.frame(k), options,
+               [&](const ModelRecord& model, const FrameRecord& frame) {
+                 if (inRange.contains(k)) range = joined(range, rangeOf(model, frame, options));
+                 if (inWindow.contains(k))
+                   window.extend(contentOf(contourParts(model, frame, options), model.dim));
+               });
   }
-  return window;
+  if (range) {
+    options.range = widened(*range);
+    options.clip.reset();  // it is in the range
+  }
+  if (!inWindow.empty()) options.window = window;
+  return options;
 }
 
 void drawSeries(const ResultReader& result, const std::vector<int>& frames, const ContourOptions& options,

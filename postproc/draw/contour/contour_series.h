@@ -8,18 +8,21 @@
 /// Pictures of several frames, and what they share so that they can be compared.
 namespace burnish {
 
+/// How this frame of a result is drawn: with a mark if the run doubts its results and the options have marks;
+/// without a field, what one most probably wants to see.
+ContourOptions contourOptions(const PictureOptions& picture, const ResultReader& result,
+                              const FrameRecord& frame);
+
 /// The range of colours of one frame that is drawn like this.
 std::array<double, 2> shownRange(const ModelRecord& model, const FrameRecord& frame,
                                  const ContourOptions& options);
 
-/// A range of colours for these frames: from the smallest to the largest value that one of them shows, or
-/// that `options.clip` leaves of it. Throws `Error` as `drawContour` does.
-std::array<double, 2> commonRange(const ResultReader& result, const std::vector<int>& frames,
-                                  const ContourOptions& options);
-
-/// The window in which all of these frames are seen whole.
-Eigen::AlignedBox2d commonWindow(const ResultReader& result, const std::vector<int>& frames,
-                                 const ContourOptions& options);
+/// The options with a range of colours and a window for several frames, unless they have one. The range goes from
+/// the smallest to the largest value that one of the frames `ofRange` shows, or that `clip` leaves of it; in the
+/// window, all of the frames `ofWindow` are seen whole. Each frame is read once. Throws `Error` as `drawContour`
+/// does.
+ContourOptions withCommonView(ContourOptions options, const ResultReader& result,
+                              const std::vector<int>& ofRange, const std::vector<int>& ofWindow);
 
 /// Draws these frames as `drawContour` does, each into its file, one after the other. A picture is written
 /// while the next one is drawn. names: one per frame. Throws `Error` as `drawContour` does.

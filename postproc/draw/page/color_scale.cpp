@@ -16,7 +16,7 @@
 namespace burnish {
 namespace {
 
-constexpr int kSmoothColors = 256;
+constexpr int kSmoothColors = kMostBands;
 
 /// Colours at equal distances, and the space in which they are joined.
 struct Colormap {
@@ -120,8 +120,8 @@ ColorScale::ColorScale(const std::string& colormap, const std::array<double, 2>&
   if (map == colormaps().end())
     throw Error(fmt::format("colormap: found \"{}\"; allowed: {}.{}", colormap,
                             fmt::join(colormapNames(), ", "), didYouMean(colormap, colormapNames())));
-  if (bands < 0 || bands > kSmoothColors)
-    throw Error(fmt::format("bands: found {}; expected 0 (smooth) to {}", bands, kSmoothColors));
+  if (bands < 0 || bands > kMostBands)
+    throw Error(fmt::format("bands: found {}; expected 0 (smooth) to {}", bands, kMostBands));
   if (!isDrawableRange(range))
     throw Error(fmt::format("range: found {}, {}; expected {}", range[0], range[1], kDrawableRangeWords));
   const auto function = transferFunction(map->second);

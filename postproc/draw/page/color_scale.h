@@ -15,11 +15,13 @@ using Color = std::array<unsigned char, 3>;  ///< red, green, blue
 /// and rainbow.
 const std::vector<std::string>& colormapNames();
 
+inline constexpr int kMostBands = 256;
+
 /// Colours for the values of a range: the whole colour map, smooth or in equal bands. Values outside have the
 /// colours of the ends.
 class ColorScale {
  public:
-  /// bands: 0 for smooth colours. Throws `Error` for an unknown map, bands outside [0, 256] and a range that
+  /// bands: 0 for smooth colours. Throws `Error` for an unknown map, bands outside [0, `kMostBands`] and a range that
   /// is not drawable.
   ColorScale(const std::string& colormap, const std::array<double, 2>& range, int bands);
 

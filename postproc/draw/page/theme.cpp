@@ -9,7 +9,6 @@
 #include "engine/core/nearest.h"
 #include "engine/schema/mapping_reader.h"
 #include "engine/schema/yaml_document.h"
-#include "postproc/draw/page/color_name.h"
 #include "postproc/draw/page/theme_files.h"
 #include "postproc/draw/page/theme_schema.h"
 
@@ -30,13 +29,7 @@ void setColors(const ThemeSpec& spec, const YamlNode& root, Theme& theme, Diagno
     if (node->kind == YamlNode::Kind::Null)
       errors.add(node->keyPlace, key,
                  "found nothing; a colour such as \"#1e1e1e\" stands in quotes, as # begins a comment.");
-    if (!spec.colors[k]) continue;
-    if (const auto found = colorNamed(*spec.colors[k]))
-      theme.*color = *found;
-    else
-      errors.add(node->place, key,
-                 fmt::format("found \"{}\"; allowed: {}.{}", *spec.colors[k], kColorWords,
-                             didYouMean(*spec.colors[k], colorNames())));
+    if (spec.colors[k]) theme.*color = *spec.colors[k];
   }
 }
 
@@ -103,10 +96,13 @@ Theme readTheme(const fs::path& file) {
   return parseTheme(readDocument(file, kThemeKind), file, builtInThemes());
 }
 
-Theme themeFrom(const std::string& nameOrFile) {
+bool isThemeFile(const std::string& nameOrFile) {
   const fs::path ending = fs::path(nameOrFile).extension();
-  const bool isFile = ending == ".yaml" || ending == ".yml" || nameOrFile.find('/') != std::string::npos;
-  return isFile ? readTheme(nameOrFile) : themeNamed(nameOrFile);
+  return ending == ".yaml" || ending == ".yml" || nameOrFile.find('/') != std::string::npos;
+}
+
+Theme themeFrom(const std::string& nameOrFile) {
+  return isThemeFile(nameOrFile) ? readTheme(nameOrFile) : themeNamed(nameOrFile);
 }
 
 }  // namespace burnish

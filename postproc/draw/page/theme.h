@@ -8,7 +8,8 @@
 
 namespace burnish {
 
-/// What a contour picture shows unless it is asked for something else; as in `ContourOptions`.
+/// What a contour picture shows unless it is asked for something else: the part of `PictureOptions` that a
+/// theme states.
 struct PictureDefaults {
   std::string colormap = "viridis";
   int bands = 0;
@@ -38,7 +39,7 @@ struct Theme {
   bool operator==(const Theme&) const = default;
 };
 
-/// paper, dark, slide, complas: the files in postproc/draw/themes.
+/// paper, dark, slide, complas: the files in postproc/draw/page/themes.
 const std::vector<std::string>& themeNames();
 
 /// Throws `Error` that lists the themes and tells the nearest.
@@ -48,7 +49,10 @@ const Theme& themeNamed(const std::string& name);
 /// everything that is wrong: `FILE:LINE:COLUMN: key: what was found; what is allowed`.
 Theme readTheme(const std::filesystem::path& file);
 
-/// The theme of a name, or of a file if the text ends in .yaml or .yml or has a slash.
+/// Whether a text stands for a file: it ends in .yaml or .yml or has a slash.
+bool isThemeFile(const std::string& nameOrFile);
+
+/// The theme of a name or of a file.
 Theme themeFrom(const std::string& nameOrFile);
 
 }  // namespace burnish

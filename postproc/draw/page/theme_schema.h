@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/schema/leaf.h"
-#include "postproc/draw/page/theme.h"
+#include "postproc/draw/page/picture_look.h"
 
 /// The one declaration of every key of a theme, in the manner of engine/scene/schema.h.
 namespace burnish {
@@ -28,22 +27,11 @@ inline constexpr std::array kThemeColors{
 /// A theme file as it is written: what it does not state is that of the base.
 struct ThemeSpec {
   std::string base = "paper";
-  std::array<std::optional<std::string>, kThemeColors.size()> colors;
+  std::array<std::optional<Color>, kThemeColors.size()> colors;
   std::optional<std::string> font;
   double textSize = 1.0;
   PictureDefaults picture;
 };
-
-template <class Visitor>
-void describe(Visitor& v, PictureDefaults& s) {
-  v.field("colormap", s.colormap, {.choices = colormapNames()}, "Colours.");
-  v.field("bands", s.bands, {.atLeast = 0, .atMost = 256}, "Number of colour bands; 0 for smooth colours.");
-  v.field("isolines", s.isolines, {.atLeast = 0, .atMost = 100}, "Number of lines of equal value.");
-  v.field("knots", s.knots, {}, "Draw the knot lines.");
-  v.field("undeformed", s.undeformed, {}, "Draw the outline of the undeformed body.");
-  v.field("tools", s.tools, {}, "Draw the tools.");
-  v.field("doubt_marks", s.doubtMarks, {}, "Mark pictures of results that the run doubts.");
-}
 
 template <class Visitor>
 void describe(Visitor& v, ThemeSpec& s) {

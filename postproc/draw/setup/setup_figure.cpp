@@ -15,6 +15,7 @@
 #include "engine/tools/outline_parts.h"
 #include "postproc/draw/contour/space_actors.h"
 #include "postproc/draw/contour/tool_drawing.h"
+#include "postproc/draw/page/picture_size.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/setup/setup_layout.h"
 #include "postproc/draw/setup/setup_loads.h"
@@ -31,7 +32,6 @@ namespace {
 using Eigen::Vector2d;
 using Points = SetupSymbols::Points;
 
-constexpr int kSmallestSide = 200, kLargestSide = 8000;
 constexpr Color kBodyColor{226, 226, 226}, kToolColor{248, 248, 248}, kInk{20, 20, 20},
     kKnotColor{190, 190, 190};
 
@@ -263,9 +263,8 @@ void drawSetup(const ModelRecord& model, const std::array<int, 2>& size, const s
                bool knots) {
   if (model.dim != 2)
     throw Error(fmt::format("set-up drawing: found a model in {} dimensions; expected 2", model.dim));
-  if (std::min(size[0], size[1]) < kSmallestSide || std::max(size[0], size[1]) > kLargestSide)
-    throw Error(fmt::format("size: found {} x {} pixels; expected {} to {}", size[0], size[1], kSmallestSide,
-                            kLargestSide));
+  if (!isPictureSize(size))
+    throw Error(fmt::format("size: found {} x {} pixels; expected {}", size[0], size[1], pictureSizeWords()));
   SetupPicture(model, size, knots).draw(png);
 }
 

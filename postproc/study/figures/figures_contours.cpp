@@ -8,7 +8,6 @@
 #include "engine/core/error.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_series.h"
-#include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/sheet.h"
 #include "postproc/export/video.h"
 #include "postproc/study/figures/figure_kinds.h"
@@ -52,18 +51,18 @@ class ContourSheet {
         files.push_back(panels.back().picture);
       }
     }
-    drawSheet(panels, columns(), sheetWidth(), files.front());
+    drawSheet(panels, columns(), sheetWidth(), files.front(), themeOf(spec_.panel));
     return files;
   }
 
  private:
   int columns() const { return static_cast<int>(data_.size()); }
-  int sheetWidth() const { return columns() * spec_.panelSize[0]; }
+  int sheetWidth() const { return columns() * spec_.panel.size[0]; }
 
   /// The gutters of the sheet are taken off the panels, so that these are not resized.
   std::array<int, 2> panelSize() const {
     const int width = sheetPanelWidth(columns(), sheetWidth());
-    return {width, spec_.panelSize[1] * width / spec_.panelSize[0]};
+    return {width, spec_.panel.size[1] * width / spec_.panel.size[0]};
   }
 
   FrameAt frame(std::size_t row, std::size_t column) const {
@@ -73,9 +72,8 @@ class ContourSheet {
   Range rowRange(std::size_t row) const {
     Range range = kNothing;
     for (std::size_t column = 0; column < data_.size(); ++column) {
-      ContourOptions options = contourOptions(column);
-      options.clip = spec_.clip;
-      range = joined(range, shownRange(results_[column].model(), frame(row, column).frame, options));
+      const FrameRecord shown = frame(row, column).frame;
+      range = joined(range, shownRange(results_[column].model(), shown, panelOptions(column, shown)));
     }
     return range;
   }
@@ -86,16 +84,10 @@ class ContourSheet {
     return range;
   }
 
-  /// What all panels of a run share.
-  ContourOptions contourOptions(std::size_t column) const {
-    ContourOptions options;
-    options.field = spec_.field;
+  ContourOptions panelOptions(std::size_t column, const FrameRecord& shown) const {
+    ContourOptions options = contourOptions(spec_.panel, results_[column], shown);
     options.size = panelSize();
-    options.textSize = sheetTextSize(options.size[0]);
-    options.bands = spec_.bands;
-    options.colormap = spec_.colormap;
-    if (spec_.mirror) options.mirror = mirrorPlanesNamed(*spec_.mirror).value();
-    if (spec_.doubtMarks) options.doubt = doubtMarkOf(results_[column].file().parent_path());
+    if (!options.textSize) options.textSize = options.theme.textSize * sheetTextSize(options.size[0]);
     options.title = "";
     options.time = false;
     return options;
@@ -104,11 +96,11 @@ class ContourSheet {
   SheetPanel drawPanel(std::size_t row, std::size_t column, const Range& common) const {
     const FrameAt at = frame(row, column);
     const std::string letter = letters(row * data_.size() + column);
-    ContourOptions options = contourOptions(column);
-    if (spec_.scale == SheetScale::Panel)
-      options.clip = spec_.clip;
-    else
+    ContourOptions options = panelOptions(column, at.frame);
+    if (spec_.scale != SheetScale::Panel && !options.range) {
       options.range = widened(common);
+      options.clip.reset();  // it is in the range
+    }
     const auto picture = task_.file("_" + letter + ".png");
     drawContour(results_[column].model(), at.frame, options, picture);
     return {picture, caption(row, column, letter, at)};
@@ -135,19 +127,12 @@ class ContourSheet {
 Files drawFrames(const FigureTask& task, const AnimationSpec& spec, const StudyRun& run) {
   const ResultReader result = RunData(run, task.studyDirectory).result();
   const ModelRecord& model = result.model();
-  ContourOptions options;
-  options.field = spec.field;
-  options.clip = spec.clip;
-  if (spec.mirror) options.mirror = mirrorPlanesNamed(*spec.mirror).value();
-  if (spec.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
   std::vector<int> all(static_cast<std::size_t>(result.numFrames()));
   std::iota(all.begin(), all.end(), 0);
-  options.range = commonRange(result, all, options);
-  options.clip.reset();
-  options.window = commonWindow(result, all, options);
-  options.size = spec.size;
-  options.textSize = sheetTextSize(spec.size[0], 6.0);
-  options.title = run.label;
+  ContourOptions options = contourOptions(spec.picture, result, result.frame(0));
+  if (!options.textSize) options.textSize = options.theme.textSize * sheetTextSize(options.size[0], 6.0);
+  if (!options.title) options.title = run.label;
+  options = withCommonView(options, result, all, all);
   const auto directory = task.directory() / task.figure.name / run.name;
   makeDirectory(directory);
   Files frames;
@@ -174,7 +159,7 @@ Files drawKind(const FigureTask& task, const AnimationSpec& spec) {
     files.insert(files.end(), frames.begin(), frames.end());
     lastFrames.push_back({frames.back(), ""});
   }
-  drawSheet(lastFrames, 1, spec.size[0], files.front());
+  drawSheet(lastFrames, 1, drawnSize(spec.picture)[0], files.front(), themeOf(spec.picture));
   return files;
 }
 

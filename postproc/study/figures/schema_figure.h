@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/scene/schema_run.h"
 #include "engine/schema/leaf.h"
-#include "postproc/draw/page/color_scale.h"
+#include "postproc/draw/contour/picture_options.h"
 #include "postproc/study/evidence/schema_measure.h"
 #include "postproc/study/study.h"
 
@@ -46,18 +46,8 @@ void describeTimes(Visitor& v, std::vector<double>& times, std::vector<std::stri
 }
 
 template <class Visitor>
-void describeColors(Visitor& v, std::string& field, std::optional<double>& clip) {
-  v.field("field", field, {.required = true, .choices = drawableFields()}, "What is drawn.");
-  v.field("clip", clip, {.above = 50, .atMost = 100},
-          "Percentile of the values at which the colours end; single peaks then do not hide the rest.");
-}
-
-template <class Visitor>
-void describeBody(Visitor& v, std::optional<std::string>& mirror, bool& doubtMarks) {
-  v.field("mirror", mirror, {},
-          "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are "
-          "drawn too. Of an axisymmetric body, x is the axis.");
-  v.field("doubt_marks", doubtMarks, {}, "Mark pictures of runs that doubt their results.");
+void describeField(Visitor& v, PictureOptions& picture) {
+  v.field("field", picture.field, {.required = true, .choices = drawableFields()}, "What is drawn.");
 }
 
 template <class Visitor>
@@ -98,14 +88,13 @@ template <class Visitor>
 void describe(Visitor& v, ContourSheetSpec& s) {
   describeRuns(v, s.runs);
   describeTimes(v, s.times, s.timeLabels);
-  describeColors(v, s.field, s.clip);
-  describeBody(v, s.mirror, s.doubtMarks);
+  describeField(v, s.panel);
+  describe(v, s.panel);
+  describeSize(v, s.panel, "panel_size");
+  describeTextSize(v, s.panel);
   v.field("scale", s.scale, {}, "What shares a colour scale.");
   v.field("panel_caption", s.panelCaption, {.longest = kLongestShownText},
           "Below a panel; in braces letter, label and time, and the parameters of the run.");
-  v.field("panel_size", s.panelSize, {.atLeast = 200, .atMost = 8000}, "Width and height in pixels.");
-  v.field("colormap", s.colormap, {.choices = colormapNames()}, "Colours.");
-  v.field("bands", s.bands, {.atLeast = 0, .atMost = 256}, "Number of colour bands; 0 for smooth colours.");
 }
 
 template <class Visitor>
@@ -124,9 +113,9 @@ void describe(Visitor& v, CompositeSpec& s) {
 template <class Visitor>
 void describe(Visitor& v, AnimationSpec& s) {
   describeRuns(v, s.runs);
-  describeColors(v, s.field, s.clip);
-  describeBody(v, s.mirror, s.doubtMarks);
-  v.field("size", s.size, {.atLeast = 200, .atMost = 8000}, "Width and height in pixels.");
+  describeField(v, s.picture);
+  describeRange(v, s.picture);
+  describe(v, s.picture);
   v.field("frames_per_second", s.framesPerSecond, {.above = 0, .atMost = 100}, "Speed of the video.");
 }
 

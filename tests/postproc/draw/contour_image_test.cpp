@@ -151,7 +151,7 @@ TEST_F(ContourPictures, CommandDrawsTheSameInAnEmptyEnvironment) {
 
 TEST_F(ContourPictures, ArrowsIsolinesAndKnotsOnADarkGround) {
   ContourOptions options = small("plastic_strain");
-  options.theme = themeNamed("dark");
+  options.theme = {themeNamed("dark"), "dark"};
   options.bands = 6;
   options.isolines = 5;
   options.knots = true;
@@ -218,7 +218,7 @@ TEST_F(ContourPictures, ToolsCanBeLeftOut) {
 
 TEST_F(ContourPictures, CubeFromAGivenSide) {
   ContourOptions options = small("pressure");
-  options.axes = viewNamed("xz", 3);
+  options.view.name = "xz";
   const Picture picture = drawn(samples::cube(), options);
   // The eye sees the face y = 0, on which the pressure is x + z.
   const ColorScale scale("viridis", {0.0, 3.0}, 0);

@@ -108,7 +108,7 @@ TEST_F(SpaceImage, ComponentsHaveTheirSignBeyondAMirror) {
 
 TEST_F(SpaceImage, ToolLetsTheBodyShineThroughUnlessItIsOpaque) {
   ContourOptions options = small("pressure");
-  options.axes = viewFrom({0.0, 1.0, 0.2});
+  options.view.name = "0,1,0.2";
   const Eigen::Vector3d top(0.5, 1.5, 0.5);
   const Color through = drawn(samples::cube(), options).at(view.pixel(top));
   options.toolOpacity = 1.0;
@@ -129,19 +129,20 @@ TEST_F(SpaceImage, MistakesAreTold) {
   expectRefused(samples::cube(), options, "exclude each other");
   options = small("pressure");
   options.cut = CutPlane{{0.5, 0.5, 0.5}, {0.0, 0.0, 1.0}};
-  options.axes = viewNamed("yz", 3);
+  options.view.name = "yz";
   expectRefused(samples::cube(), options, "edge-on");
   options = small("pressure");
   options.mirror = {{0, 0.5}};
   expectRefused(samples::cube(), options,
                 "mirror: found the plane x = 0.5; the undeformed body goes from x = 0");
   options.mirror = {{2, 0.0}};
-  expectRefused(samples::square(), options, "the model has 2 dimensions");
+  expectRefused(samples::square(), options,
+                "mirror: found \"z\"; allowed in two dimensions: planes of x and y.");
   options.mirror = {{0, 1.0}};
   expectRefused(samples::square(), options, "no plane of symmetry");  // it is sheared
   options = small("von_mises");
   options.slice = CutPlane{};
-  expectRefused(samples::ring(), options, "only one in space can be cut");
+  expectRefused(samples::ring(), options, "slice: found a plane through a plane body");
 }
 
 /// A pyramid that stands on its tip in the middle of the cube's upper face.

@@ -251,7 +251,7 @@ TEST_F(Report, PagesAreMadeOfRunsInAnyState) {
   writeReport(run_, {}, scratch_.path() / "page.html");
   EXPECT_THROW(writeReport(scratch_.path(), {}, scratch_.path() / "page.html"), Error);
   ReportOptions unknown;
-  unknown.field = "strain";
+  unknown.picture.field = "strain";
   EXPECT_THROW(writeReport(run_, unknown, scratch_.path() / "page.html"), Error);
 }
 
@@ -324,7 +324,7 @@ TEST_F(Report, StudiesShowRunsDocumentAndFigures) {
     drawContour(result.model(), result.frame(2), options, study / "figures" / name);
   }
   ReportOptions unknown;
-  unknown.field = "strain";
+  unknown.picture.field = "strain";
   writeReport(study, unknown, study / "report.html");
   EXPECT_THAT(readText(study / "report.html"), HasSubstr("<div class=\"absent\">"));
   writeReport(study, {}, study / "report.html");

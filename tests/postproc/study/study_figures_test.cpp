@@ -71,8 +71,8 @@ ContourSheetSpec sheetOfFine() {
   ContourSheetSpec spec;
   spec.runs = {"*-fine"};
   spec.times = {1.0, 2.0};
-  spec.field = "plastic_strain";
-  spec.panelSize = {320, 200};
+  spec.panel.field = "plastic_strain";
+  spec.panel.size = {320, 200};
   return spec;
 }
 
@@ -89,16 +89,16 @@ bool bodyIsBright(const fs::path& png) {
 TEST_F(StudyFigures, SheetsMarkDoubtfulRunsAndShowImages) {
   ContourSheetSpec spec = sheetOfFine();
   draw("sound", spec);
-  spec.mirror = "x";
+  spec.panel.mirror = {{0, 0.0}};
   draw("whole", spec);
   const fs::path run = directory_.path() / "runs/nurbs-fine";
   RunAccount summary = readSummary(run);
   summary.doubts.push_back({.what = "smallest J", .firstTime = 0.5, .steps = 3});
   writeSummary(run, summary);
   draw("marked_whole", spec);
-  spec.mirror.reset();
+  spec.panel.mirror.clear();
   draw("marked", spec);
-  spec.doubtMarks = false;
+  spec.panel.doubtMarks = false;
   draw("unmarked", spec);
   EXPECT_EQ(text("unmarked_a.png"), text("sound_a.png"));
   EXPECT_NE(text("marked_a.png"), text("sound_a.png"));
@@ -221,8 +221,8 @@ TEST_F(StudyFigures, CompositeDrawsPartsThatAreMissing) {
 TEST_F(StudyFigures, AnimationHasAPictureForEveryFrame) {
   AnimationSpec spec;
   spec.runs = {"nurbs-fine"};
-  spec.field = "plastic_strain";
-  spec.size = {320, 200};
+  spec.picture.field = "plastic_strain";
+  spec.picture.size = {320, 200};
   auto files = draw("movie", spec);
   std::erase(files, "movie_nurbs-fine.mp4");  // only where ffmpeg is installed
   EXPECT_THAT(files, ElementsAre("movie.png", "movie/nurbs-fine/frame_0001.png",

@@ -1,0 +1,162 @@
+#include "postproc/draw/contour/picture_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "engine/core/drawable_range.h"
+#include "postproc/draw/contour/contour_view.h"
+
+namespace burnish {
+namespace {
+
+/// So many finite numbers with commas between them, or nothing.
+template <int Count>
+std::optional<Eigen::Vector<double, Count>> numbersFrom(std::string_view text) {
+  Eigen::Vector<double, Count> numbers;
+  for (Eigen::Index k = 0; k < Count; ++k) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), numbers(k));
+    const bool last = k + 1 == Count, atEnd = end == text.data() + text.size();
+    if (error != std::errc() || !std::isfinite(numbers(k)) || atEnd != last || (!last && *end != ','))
+      return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()) + (last ? 0 : 1));
+  }
+  return numbers;
+}
+
+std::string textOf(const MirrorPlane& plane) {
+  const char axis = "xyz"[plane.axis];
+  return plane.at == 0.0 ? std::string(1, axis) : fmt::format("{}={}", axis, plane.at);
+}
+
+std::string sizeText(const std::array<int, 2>& size) {
+  return fmt::format("{} x {} pixels; expected {}", size[0], size[1], pictureSizeWords());
+}
+
+void checkSize(const PictureOptions& options, std::vector<InputProblem>& problems) {
+  const std::array<int, 2> drawn = drawnSize(options);
+  if (!isPictureSize(options.size))
+    problems.push_back({"size", fmt::format("found {}", sizeText(options.size))});
+  else if (!isPictureSize(drawn))
+    problems.push_back({"scale", fmt::format("found {}, which makes {}", options.scale, sizeText(drawn))});
+}
+
+void checkColors(const PictureOptions& options, std::vector<InputProblem>& problems) {
+  if (options.range && !isDrawableRange(*options.range))
+    problems.push_back({"range", fmt::format("found {}, {}; allowed: {}.", (*options.range)[0],
+                                             (*options.range)[1], kDrawableRangeWords)});
+  if (options.range && options.clip)
+    problems.push_back({"clip", "found beside range; both say where the colours end: give one of them."});
+  if (options.background && options.transparent)
+    problems.push_back({"background", "found beside transparent; the two exclude each other."});
+}
+
+/// What does not belong to a part of the body.
+void checkPlanes(const PictureOptions& options, std::optional<int> dim, std::vector<InputProblem>& problems) {
+  if (!options.cut && !options.slice) return;
+  const std::string key = options.cut ? "cut" : "slice";
+  const CutPlane& plane = options.cut ? *options.cut : *options.slice;
+  if (options.cut && options.slice)
+    problems.push_back({"slice", "found beside cut; the two exclude each other: give one of them."});
+  if (dim == 2)
+    problems.push_back(
+        {key, "found a plane through a plane body; allowed: in three-dimensional scenes alone."});
+  if (!plane.point.allFinite() || !plane.normal.allFinite() || plane.normal.norm() == 0.0)
+    problems.push_back({key, "expected a point and a normal that is not 0,0,0."});
+  if (options.controlNet)
+    problems.push_back({key, "the control net belongs to the whole body; draw it without."});
+  if (options.arrows == ArrowField::Traction)
+    problems.push_back({key, "contact tractions act on the whole body; draw them without."});
+}
+
+void checkView(const PictureOptions& options, std::optional<int> dim, std::vector<InputProblem>& problems) {
+  const auto isZ = [](const MirrorPlane& plane) { return plane.axis == 2; };
+  if (dim == 2 && std::any_of(options.mirror.begin(), options.mirror.end(), isZ))
+    problems.push_back({"mirror", fmt::format("found \"{}\"; allowed in two dimensions: planes of x and y.",
+                                              Spelling<std::vector<MirrorPlane>>::write(options.mirror))});
+  if (dim == 2 && options.view.name != "auto" && options.view.name != "xy")
+    problems.push_back(
+        {"view", fmt::format("found \"{}\"; a plane body is only seen in its plane: auto or xy.",
+                             options.view.name)});
+  if (options.arrows == ArrowField::Traction && options.warp != 1.0)
+    problems.push_back(
+        {"warp", "contact tractions belong to the true displacements; draw them without a warp."});
+}
+
+}  // namespace
+
+std::optional<ViewName> Spelling<ViewName>::read(const std::string& text) {
+  const auto& names = viewNames();
+  const bool isName = std::find(names.begin(), names.end(), text) != names.end();
+  const auto direction = numbersFrom<3>(text);
+  if (!isName && !(direction && direction->norm() > 0.0)) return std::nullopt;
+  return ViewName{text};
+}
+
+std::string Spelling<ViewName>::words() {
+  return fmt::format("{}, or a direction X,Y,Z towards the eye that is not 0,0,0",
+                     fmt::join(viewNames(), ", "));
+}
+
+const std::vector<std::string>& Spelling<ViewName>::candidates() {
+  return viewNames();
+}
+
+ViewAxes viewAxes(const ViewName& view, int dim) {
+  if (dim == 3)
+    if (const auto direction = numbersFrom<3>(view.name)) return viewFrom(*direction);
+  return viewNamed(view.name, dim);
+}
+
+std::optional<Eigen::AlignedBox2d> Spelling<Eigen::AlignedBox2d>::read(const std::string& text) {
+  const auto corners = numbersFrom<4>(text);
+  if (!corners) return std::nullopt;
+  Eigen::AlignedBox2d window;
+  window.extend(Eigen::Vector2d(corners->head<2>())).extend(Eigen::Vector2d(corners->tail<2>()));
+  if (!(window.sizes().minCoeff() > 0.0) || !window.sizes().allFinite()) return std::nullopt;
+  return window;
+}
+
+std::string Spelling<Eigen::AlignedBox2d>::write(const Eigen::AlignedBox2d& window) {
+  return fmt::format("{},{}", fmt::join(window.min(), ","), fmt::join(window.max(), ","));
+}
+
+std::string Spelling<CutPlane>::write(const CutPlane& plane) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d normal = Eigen::Vector3d::Unit(axis);
+    if (plane.normal == normal && plane.point == plane.point(axis) * normal)
+      return fmt::format("{}={}", "xyz"[axis], plane.point(axis));
+  }
+  return fmt::format("{},{}", fmt::join(plane.point, ","), fmt::join(plane.normal, ","));
+}
+
+std::string Spelling<std::vector<MirrorPlane>>::write(const std::vector<MirrorPlane>& planes) {
+  std::string text;
+  for (const MirrorPlane& plane : planes) text += (text.empty() ? "" : ",") + textOf(plane);
+  return text;
+}
+
+Theme themeOf(const PictureOptions& options) {
+  Theme theme = themeOf(static_cast<const PageLook&>(options));
+  if (options.background) theme.paper = *options.background;
+  return theme;
+}
+
+std::array<int, 2> drawnSize(const PictureOptions& options) {
+  const auto scaled = [&](int side) { return static_cast<int>(std::lround(options.scale * side)); };
+  return {scaled(options.size[0]), scaled(options.size[1])};
+}
+
+std::vector<InputProblem> conflictsIn(const PictureOptions& options, std::optional<int> dim) {
+  std::vector<InputProblem> problems;
+  checkSize(options, problems);
+  checkColors(options, problems);
+  checkPlanes(options, dim, problems);
+  checkView(options, dim, problems);
+  return problems;
+}
+
+}  // namespace burnish

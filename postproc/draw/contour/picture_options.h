@@ -1,0 +1,206 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/input_error.h"
+#include "engine/scene/picture_planes.h"
+#include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/page/picture_look.h"
+#include "postproc/draw/page/picture_size.h"
+#include "postproc/draw/page/view.h"
+
+/// What a contour picture shows and how it looks, declared once. A scene's `pictures`, a study's sheets and
+/// animations, a theme's defaults and the options of `render`, `animate` and `report` are these options or a part
+/// of them. A new option is a member, its line in one of the `describe…` below, its use, and a picture that tests
+/// it.
+namespace burnish {
+
+/// What the arrows of a picture show: displacements on the body, or what tools do to its contact faces.
+enum class ArrowField { None, Displacement, Traction };
+
+template <>
+struct EnumNames<ArrowField> {
+  static constexpr std::array values{std::pair{"none", ArrowField::None},
+                                     std::pair{"displacement", ArrowField::Displacement},
+                                     std::pair{"traction", ArrowField::Traction}};
+};
+
+/// A name of `viewNames`, or a direction "X,Y,Z" towards the eye.
+struct ViewName {
+  std::string name = "auto";
+};
+
+/// The view of a body of so many dimensions. Throws `Error` as `viewNamed` does.
+ViewAxes viewAxes(const ViewName& view, int dim);
+
+template <>
+struct Spelling<ViewName> {
+  static std::optional<ViewName> read(const std::string& text);
+  static std::string write(const ViewName& view) { return view.name; }
+  static std::string words();
+  static const std::vector<std::string>& candidates();
+};
+
+/// Two opposite corners of a part of the view's plane.
+template <>
+struct Spelling<Eigen::AlignedBox2d> {
+  static std::optional<Eigen::AlignedBox2d> read(const std::string& text);
+  static std::string write(const Eigen::AlignedBox2d& window);
+  static std::string words() { return "X0,Y0,X1,Y1: two corners of a window"; }
+  static std::vector<std::string> candidates() { return {}; }
+};
+
+template <>
+struct Spelling<CutPlane> {
+  static std::optional<CutPlane> read(const std::string& text) { return cutPlaneNamed(text); }
+  static std::string write(const CutPlane& plane);
+  static std::string words() { return kCutPlaneWords; }
+  static std::vector<std::string> candidates() { return {}; }
+};
+
+template <>
+struct Spelling<std::vector<MirrorPlane>> {
+  static std::optional<std::vector<MirrorPlane>> read(const std::string& text) {
+    return mirrorPlanesNamed(text);
+  }
+  static std::string write(const std::vector<MirrorPlane>& planes);
+  static std::string words() { return kMirrorPlaneWords; }
+  static std::vector<std::string> candidates() { return {}; }
+};
+
+struct PictureOptions : PageLook, PictureDefaults {
+  std::string field;  ///< `plastic_strain`, `stress.xx`, …; a vector alone: magnitude
+  std::optional<std::array<double, 2>> range;  ///< ends of the colour scale; smallest and largest value shown
+  /// Instead of a range: the colours end at this percentile p and at the (100-p)th; see `fieldRange`.
+  std::optional<double> clip;
+  ArrowField arrows = ArrowField::None;
+  bool controlNet = false;         ///< draw the control points and the lines between them
+  double toolOpacity = 0.3;        ///< of the tools in space, 1: hides what is behind
+  double warp = 1.0;               ///< factor on the displacements of body and tools; values keep theirs
+  std::optional<int> subdivision;  ///< cells per knot span and direction, instead of the model's
+  ViewName view;                   ///< auto of a slice: along its normal
+  std::optional<Eigen::AlignedBox2d> window;  ///< of the view's plane, that must be seen; see `contentOf`
+  std::optional<CutPlane> cut;                ///< in space: what is on the eye's side of it is left out
+  std::optional<CutPlane> slice;              ///< in space: only the section, seen against its normal
+  std::vector<MirrorPlane> mirror;            ///< planes of symmetry, beyond which the images are drawn too
+  std::array<int, 2> size{1600, 900};         ///< pixels
+  double scale = 1.0;                         ///< factor on the size with all texts and lines
+  std::optional<double> textSize;             ///< in pixels; follows from the picture's size when left out
+  std::optional<std::string> title;           ///< instead of the model's; empty: none
+  std::optional<Color> background;            ///< instead of the theme's paper
+  bool transparent = false;                   ///< no paper: the picture has an alpha channel
+};
+
+/// Fresh options with a size of their own.
+template <class Options = PictureOptions>
+Options picturesOfSize(const std::array<int, 2>& size) {
+  Options options;
+  options.size = size;
+  return options;
+}
+
+/// The theme with font and paper of the options.
+Theme themeOf(const PictureOptions& options);
+
+/// Width and height in pixels of what is drawn: the size times the scale.
+std::array<int, 2> drawnSize(const PictureOptions& options);
+
+/// What options say that cannot be, each alone or two together, in a body of `dim` dimensions where these are
+/// known: paths are keys. What the rules of single values say is left out.
+std::vector<InputProblem> conflictsIn(const PictureOptions& options, std::optional<int> dim);
+
+/// Ends of the colour scale.
+template <class Visitor>
+void describeRange(Visitor& v, PictureOptions& s) {
+  v.field("range", s.range, {.increasing = true},
+          "Smallest and greatest value of the colours; automatic when left out.");
+}
+
+/// What is drawn of the body and the tools.
+template <class Visitor>
+void describeParts(Visitor& v, PictureOptions& s) {
+  v.field("clip", s.clip, {.above = kLowestPercentile, .atMost = 100},
+          "Percentile of the values at which the colours end; single peaks then do not hide the rest.");
+  v.field("vectors", s.arrows, {},
+          "Draw arrows: displacement, or traction, what tools do to the body where they touch it.");
+  v.field("control_net", s.controlNet, {}, "Draw the control points and the lines between them.");
+  v.field("tool_opacity", s.toolOpacity, {.above = 0, .atMost = 1},
+          "Of the tools in space; 1 hides what is behind.");
+  v.field("warp", s.warp, {}, "Factor on the displacements of body and tools; values keep theirs.");
+  v.field("subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
+          "Cells per knot span and direction: more for smoother lines; those of the scene's output when left "
+          "out.");
+}
+
+/// From where the body is seen, and how much of it.
+template <class Visitor>
+void describeView(Visitor& v, PictureOptions& s) {
+  v.field("view", s.view, {},
+          "auto, iso, xy, xz or yz, or X,Y,Z: the direction towards the eye; auto shows a plane body in its "
+          "plane.");
+  v.field("zoom", s.window, {},
+          "X0,Y0,X1,Y1: corners of what is seen, in the plane of the view: coordinates of a plane body; "
+          "everything when left out.");
+  v.field("cut", s.cut, {},
+          "Plane, x=V, y=V or z=V, or X,Y,Z,NX,NY,NZ: a point and a normal; what is on the eye's side of it "
+          "is left out (3D).");
+  v.field("slice", s.slice, {}, "Plane, given like that of cut; only the section is drawn (3D).");
+  v.field("mirror", s.mirror, {},
+          "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are "
+          "drawn too. Of an axisymmetric body, x is the axis.");
+}
+
+/// How the picture looks. The theme is read first: what the picture does not state is the theme's.
+template <class Visitor>
+void describeLook(Visitor& v, PictureOptions& s) {
+  describe(v, static_cast<PageLook&>(s));
+  if constexpr (Fills<Visitor>) static_cast<PictureDefaults&>(s) = s.theme.picture;
+  describe(v, static_cast<PictureDefaults&>(s));
+  v.field("background", s.background, {},
+          "Colour of the paper: #rrggbb in quotes, or a basic name of CSS; that of the theme when left out.");
+  v.field("transparent", s.transparent, {}, "No paper: what is behind the picture shows through.");
+}
+
+/// The size, by the key that the door has for it.
+template <class Visitor>
+void describeSize(Visitor& v, PictureOptions& s, const char* key) {
+  v.field(key, s.size, {.atLeast = kSmallestPicture[1], .atMost = kLargestSide},
+          "Width and height in pixels.");
+}
+
+template <class Visitor>
+void describeTextSize(Visitor& v, PictureOptions& s) {
+  v.field("text_size", s.textSize, {.atLeast = 6, .atMost = 200},
+          "Height of the font in pixels; follows from the size when left out.");
+}
+
+/// All but the field, for which each door has a rule of its own, and the range, which the command words
+/// otherwise.
+template <class Visitor>
+void describe(Visitor& v, PictureOptions& s) {
+  describeParts(v, s);
+  describeView(v, s);
+  describeLook(v, s);
+  describeSize(v, s, "size");
+  describeTextSize(v, s);
+  v.field("scale", s.scale, {.atLeast = 0.25, .atMost = 10},
+          "Factor on the size with all texts and lines: 2 for a screen of high density.");
+  v.field("title", s.title, {.longest = kLongestShownText},
+          "Title of the picture, empty for none; that of the scene when left out.");
+}
+
+/// The part of the options that a picture in a sheet or on a page has: it leaves size and texts to its place.
+struct PanelOptions : PictureOptions {};
+
+template <class Visitor>
+void describe(Visitor& v, PanelOptions& s) {
+  describeRange(v, s);
+  describeParts(v, s);
+  describeView(v, s);
+  describeLook(v, s);
+}
+
+}  // namespace burnish
