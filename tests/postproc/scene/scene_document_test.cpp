@@ -161,8 +161,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "pictures[0].theme",
                 "found \"drak\"; allowed: paper, dark, slide, complas, or a file that "
                 "ends in .yaml. Did you mean \"dark\"?"},
-        Mistake{"themeFile", &block, "{field: von_mises,", "{field: von_mises, theme: absent.yaml,", "absent",
-                "pictures[0].theme", "absent.yaml: cannot be read"},
+        Mistake{"themeFile", &block, "{field: von_mises,", "{field: von_mises, theme: /absent/theme.yaml,",
+                "/absent", "pictures[0].theme", "/absent/theme.yaml: cannot be read"},
         Mistake{"viewInThePlane", &block, "{field: von_mises,", "{field: von_mises, view: iso,", "iso",
                 "pictures[0].view", "found \"iso\"; a plane body is only seen in its plane"},
         Mistake{"clipAndRange", &block, "{field: von_mises,", "{field: von_mises, range: [0, 1], clip: 99,",
