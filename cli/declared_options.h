@@ -16,9 +16,9 @@ namespace CLI {
 class App;
 }
 
-/// Options of commands that follow from the declaration of a struct: its `describe` gives their names, help and
-/// rules. The key `tool_opacity` is the option `--tool-opacity`; the entries of a list stand between commas; a
-/// truth value is a flag, or with the default true an option that is on or off.
+/// Options of commands that follow from the declaration of a struct: its `describe` gives their names, help
+/// and rules. The key `tool_opacity` is the option `--tool-opacity`; the entries of a list stand between
+/// commas; a truth value is a flag, or with the default true an option that is on or off.
 namespace burnish {
 
 /// What the options of a command were given, until they are read into the struct.

@@ -10,7 +10,8 @@ namespace burnish {
 
 /// The model of a scene. Throws `Error` if it cannot be computed, every line with its place in the scene's
 /// file: patches that do not fit, folded geometry, supports that contradict each other or leave the body free
-/// to move away, a tool that overlaps the body at the start, a formula without a finite value at a time point.
+/// to move away, a tool that overlaps the body at the start, a formula without a finite value at a time
+/// point.
 template <int Dim>
 std::unique_ptr<Model<Dim>> buildModel(const Scene& scene);
 
@@ -23,8 +24,8 @@ struct RezonedBody {
   double time = 0.0;
 };
 
-/// The model with the same tools, supports and contact pairs for a body that was remeshed; what the scene's own
-/// body was checked for is not checked again. Throws `Error` if the map of the body is folded.
+/// The model with the same tools, supports and contact pairs for a body that was remeshed; what the scene's
+/// own body was checked for is not checked again. Throws `Error` if the map of the body is folded.
 std::unique_ptr<Model<2>> rebuildModel(const Scene& scene, const RezonedBody& rezoned);
 
 }  // namespace burnish

@@ -7,7 +7,8 @@
 
 namespace burnish {
 
-/// Columns that the quantities wanted of a scene name and that a history with these columns does not have, each with its key, the nearest column and all of them.
+/// Columns that the quantities wanted of a scene name and that a history with these columns does not have,
+/// each with its key, the nearest column and all of them.
 std::vector<InputProblem> unknownColumns(const Scene& scene, const std::vector<std::string>& columns);
 
 }  // namespace burnish

@@ -14,8 +14,8 @@ std::string loadKey(const Scene& scene, std::size_t number);
 template <int Dim>
 void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model);
 
-/// Throws `InputError` at `place` unless the tool of a pair can come into contact with its face: it begins in front of the
-/// outer face, which is free to move. model: with its tools and supports.
+/// Throws `InputError` at `place` unless the tool of a pair can come into contact with its face: it begins in
+/// front of the outer face, which is free to move. model: with its tools and supports.
 template <int Dim>
 void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place);
 

@@ -28,8 +28,8 @@ class Rezoner {
   bool isDue(const Simulation<2>& simulation) const { return trigger_.isDue(simulation); }
 
   /// The simulation that goes on from the last accepted state of this one, in equilibrium on a new mesh.
-  /// Nothing if there is no sound mesh or no equilibrium on it: the run then goes on as it is, and tries again
-  /// later.
+  /// Nothing if there is no sound mesh or no equilibrium on it: the run then goes on as it is, and tries
+  /// again later.
   std::unique_ptr<Simulation<2>> rezone(Simulation<2>& simulation);
 
   const std::vector<RezoningRecord>& records() const { return records_; }

@@ -59,8 +59,8 @@ Scene readResultScene(const std::filesystem::path& directory);
 
 /// Goes on with the run in a directory that was halted, killed, or could not be brought to its end, from its
 /// newest restart record, as `runScene` does; scene: that of the result, with the same `wanted`. Everything
-/// that is written has the same bits as if the run had not been stopped. Throws `Error` if there is nothing to resume or the
-/// program or a file that the scene names is not the same.
+/// that is written has the same bits as if the run had not been stopped. Throws `Error` if there is nothing
+/// to resume or the program or a file that the scene names is not the same.
 RunSummary resumeRun(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
                      RunObserver& observer);
 

@@ -23,8 +23,8 @@ enum class Condition : std::size_t {
 inline constexpr std::size_t kConditions = 9;
 
 /// The limit of a condition: shares of a knot span (Penetration), of the body's size (NewBoundary), of a
-/// pair's force (InsideTheBody), of the work done (Balance) and of the largest force (Stabilisation); a volume
-/// ratio (SmallJ); a number of control points (LostContact) and of directions (Unstable).
+/// pair's force (InsideTheBody), of the work done (Balance) and of the largest force (Stabilisation); a
+/// volume ratio (SmallJ); a number of control points (LostContact) and of directions (Unstable).
 double limitOf(Condition condition);
 
 /// The other limit of penetration: a share of the tool's radius.

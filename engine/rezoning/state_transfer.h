@@ -17,10 +17,10 @@ Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& pos
 Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch<2>& patch);
 
 /// States at other parameters of a patch. The law's numbers, none below what it may be at least, and the
-/// deviator of log b_e by cubic interpolation on the tensor grid of its quadrature points. The volume change ln det b_e by projection onto
-/// splines of one degree less: pressures that alternate from point to point, as they do where a body that
-/// flows is nearly incompressible, would else be carried on from mesh to mesh and grow. `quadrature`: of a
-/// body of this patch alone, on this basis.
+/// deviator of log b_e by cubic interpolation on the tensor grid of its quadrature points. The volume change
+/// ln det b_e by projection onto splines of one degree less: pressures that alternate from point to point, as
+/// they do where a body that flows is nearly incompressible, would else be carried on from mesh to mesh and
+/// grow. `quadrature`: of a body of this patch alone, on this basis.
 PointStates interpolated(const SpanQuadrature<2>& quadrature, const TensorBasis<2>& basis,
                          const PointStates& states, const Eigen::Matrix2Xd& parameters);
 

@@ -11,21 +11,21 @@
 namespace burnish {
 namespace {
 
-/// The ways in which a tool moves or carries a load: the three displacements and the turn, by key.
+/// The degrees of freedom in which a tool moves or carries a load: the three displacements and the turn, by key.
 template <class Spec, class T>
-Components<T> waysOf(const Spec& s, const char* turnKey, const std::optional<T>& turn) {
-  auto ways = componentsOf(s);
-  ways.emplace_back(turnKey, &turn);
-  return ways;
+Components<T> dofsOf(const Spec& s, const char* turnKey, const std::optional<T>& turn) {
+  auto dofs = componentsOf(s);
+  dofs.emplace_back(turnKey, &turn);
+  return dofs;
 }
 
-/// In axisymmetry a tool moves along the axis alone. across, around: what the other ways are called.
+/// In axisymmetry a tool moves along the axis alone. across, around: what the other degrees of freedom are called.
 template <class T>
-void checkAlongAxis(const CheckContext& c, const std::string& path, const Components<T>& ways,
+void checkAlongAxis(const CheckContext& c, const std::string& path, const Components<T>& dofs,
                     const char* across, const char* around) {
   if (c.scene.kinematics != KinematicsChoice::Axisymmetric) return;
-  for (const auto& [key, way] : ways)
-    if (*way && std::string(key) != "y" && c.clean(fmt::format("{}.{}", path, key)))
+  for (const auto& [key, dof] : dofs)
+    if (*dof && std::string(key) != "y" && c.clean(fmt::format("{}.{}", path, key)))
       c.report(fmt::format("{}.{}", path, key), fmt::format("found a {}; allowed in axisymmetry: y alone.",
                                                             std::string(key) == "x" ? across : around));
 }
@@ -35,14 +35,14 @@ constexpr const char* kTurning = "turn";
 
 void checkMotion(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
   if (tool.motion) {
-    const auto ways = waysOf(*tool.motion, "angle", tool.motion->angle);
-    checkTable(c, path + ".motion", tool.motion->times, ways);
-    checkAlongAxis(c, path + ".motion", ways, kAcross, kTurning);
+    const auto dofs = dofsOf(*tool.motion, "angle", tool.motion->angle);
+    checkTable(c, path + ".motion", tool.motion->times, dofs);
+    checkAlongAxis(c, path + ".motion", dofs, kAcross, kTurning);
   }
   if (tool.prescribe) {
-    const auto ways = waysOf(*tool.prescribe, "angle", tool.prescribe->angle);
-    checkFormulas(c, path + ".prescribe", ways, checkTimeFormula);
-    checkAlongAxis(c, path + ".prescribe", ways, kAcross, kTurning);
+    const auto dofs = dofsOf(*tool.prescribe, "angle", tool.prescribe->angle);
+    checkFormulas(c, path + ".prescribe", dofs, checkTimeFormula);
+    checkAlongAxis(c, path + ".prescribe", dofs, kAcross, kTurning);
   }
   if (tool.motion && tool.prescribe && c.clean(path + ".prescribe"))
     c.report(path + ".prescribe", "found beside motion; allowed: one of motion and prescribe.");
@@ -50,19 +50,19 @@ void checkMotion(const CheckContext& c, const std::string& path, const ToolSpec&
 
 /// Whether a component of a prescribed motion is given, by the place of its key in x, y, z, turn.
 template <class Motion>
-bool isGiven(const std::optional<Motion>& motion, std::size_t way) {
-  return motion && waysOf(*motion, "angle", motion->angle)[way].second->has_value();
+bool isGiven(const std::optional<Motion>& motion, std::size_t dof) {
+  return motion && dofsOf(*motion, "angle", motion->angle)[dof].second->has_value();
 }
 
 void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
   if (!tool.carry) return;
   const std::string place = path + ".carry";
-  const auto ways = waysOf(*tool.carry, "moment", tool.carry->moment);
-  checkFormulas(c, place, ways, checkTimeFormula);
-  checkAlongAxis(c, place, ways, "force across the axis of revolution", "moment");
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    const std::string key = fmt::format("{}.{}", place, ways[k].first);
-    if (ways[k].second->has_value() && c.clean(key) &&
+  const auto dofs = dofsOf(*tool.carry, "moment", tool.carry->moment);
+  checkFormulas(c, place, dofs, checkTimeFormula);
+  checkAlongAxis(c, place, dofs, "force across the axis of revolution", "moment");
+  for (std::size_t k = 0; k < dofs.size(); ++k) {
+    const std::string key = fmt::format("{}.{}", place, dofs[k].first);
+    if (dofs[k].second->has_value() && c.clean(key) &&
         (isGiven(tool.motion, k) || isGiven(tool.prescribe, k)))
       c.report(key, "found although the motion in this way is prescribed; allowed: one of the two.");
   }

@@ -12,9 +12,10 @@ inline std::vector<std::string> keysOfDocuments() {
   return {"pictures", "variants", "checks", "charts"};
 }
 
-/// Reads and checks what the engine needs of a scene. `overrides` are "path.to[1].key=value" each, the value as YAML, applied in order
-/// before anything is checked. Throws one `Error` with a line for everything that is wrong:
-/// `FILE:LINE:COLUMN: key.path: what was found; what is allowed`, or `--set path=value: ...` for an override.
+/// Reads and checks what the engine needs of a scene. `overrides` are "path.to[1].key=value" each, the value
+/// as YAML, applied in order before anything is checked. Throws one `Error` with a line for everything that
+/// is wrong: `FILE:LINE:COLUMN: key.path: what was found; what is allowed`, or `--set path=value: ...` for an
+/// override.
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// The same for a scene in memory; `name` stands for the file in messages.

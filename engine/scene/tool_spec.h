@@ -33,7 +33,7 @@ struct ToolPrescribedSpec {
 };
 
 /// Forces and the moment about the axis through the pivot that a tool presses with; it is free to move in
-/// these ways.
+/// these degrees of freedom.
 struct ToolCarrySpec {
   std::optional<FormulaText> x, y, z;
   std::optional<FormulaText> moment;
@@ -46,7 +46,7 @@ struct ToolSpec {
   bool inside = false;                                   ///< the body is in the hollow of the shape
   Point pivot;                                           ///< the shape's own middle when left out
   Eigen::Vector3d pivotAxis = Eigen::Vector3d::UnitZ();  ///< 3D only
-  /// At most one of the two; ways that are in none of the three are held.
+  /// At most one of the two; degrees of freedom that are in none of the three are held.
   std::optional<ToolMotionSpec> motion;
   std::optional<ToolPrescribedSpec> prescribe;
   std::optional<ToolCarrySpec> carry;

@@ -5,8 +5,8 @@
 
 #include "engine/schema/rule.h"
 
-/// Variants whose alternatives say themselves what they are called: each has a static `kind` with a `key`, the
-/// value by which a document chooses it, and a `sentence`.
+/// Variants whose alternatives say themselves what they are called: each has a static `kind` with a `key`,
+/// the value by which a document chooses it, and a `sentence`.
 namespace burnish {
 
 /// The least that a `kind` says.

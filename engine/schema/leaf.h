@@ -84,8 +84,8 @@ Rule ruleOf(Rule rule) {
   return rule;
 }
 
-/// A visitor that fills the struct. When it has read a key that chooses the defaults of others, `describe` sets
-/// these, and what is stated then replaces them.
+/// A visitor that fills the struct. When it has read a key that chooses the defaults of others, `describe`
+/// sets these, and what is stated then replaces them.
 template <class Visitor>
 concept Fills = requires {
   requires Visitor::fills;

@@ -66,7 +66,8 @@ struct PointModuli {
   double e;
   double r;
 
-  /// p: mean stress on J̄; stiffness: φ''; projected: the share of J̄'s stresses that comes back to this point.
+  /// p: mean stress on J̄; stiffness: φ''; projected: the share of J̄'s stresses that comes back to this
+  /// point.
   PointModuli(const MaterialResponse<kDim>& response, double p, double stiffness, double projected) {
     constexpr double m = kColumns<K>;
     const auto one = blockIdentity<K>();

@@ -30,8 +30,8 @@ concept ToolSurface = requires(const S& shape, const Eigen::Vector3d& x) {
   { shape.outline(2, 1.0) } -> std::same_as<SurfaceMesh>;
 };
 
-/// Any shape of a rigid tool, in the tool's reference position. 2D scenes live in the plane z = 0. Copies share
-/// the shape, which does not change.
+/// Any shape of a rigid tool, in the tool's reference position. 2D scenes live in the plane z = 0. Copies
+/// share the shape, which does not change.
 class RigidShape {
  public:
   RigidShape() : RigidShape(Plane{}) {}

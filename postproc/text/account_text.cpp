@@ -55,7 +55,7 @@ std::string balance(const RunAccount& account, const HistoryTable& history) {
   const double found = end("strain_energy") + end("contact_energy") + end("plastic_work") +
                        account.stabilisationWork.value_or(0.0);
   const double done = end("external_work") + end("rezoning_gap_work");
-  const double imbalance = imbalanceOf(found, done, largestEnergy(history));
+  const double imbalance = imbalanceOf(found, done, std::max(std::abs(found), largestEnergy(history)));
   if (done == 0.0 && imbalance == 0.0) return "nothing stored, no work done";
   return fmt::format("{} differs by {:.2g} % from energies and plastic work; doubtful above {:.0f} %",
                      account.rezonings.empty() ? "external work" : "work, that of closing gaps included,",

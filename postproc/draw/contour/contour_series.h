@@ -17,10 +17,10 @@ ContourOptions contourOptions(const PictureOptions& picture, const ResultReader&
 std::array<double, 2> shownRange(const ModelRecord& model, const FrameRecord& frame,
                                  const ContourOptions& options);
 
-/// The options with a range of colours and a window for several frames, unless they have one. The range goes from
-/// the smallest to the largest value that one of the frames `ofRange` shows, or that `clip` leaves of it; in the
-/// window, all of the frames `ofWindow` are seen whole. Each frame is read once. Throws `Error` as `drawContour`
-/// does.
+/// The options with a range of colours and a window for several frames, unless they have one. The range goes
+/// from the smallest to the largest value that one of the frames `ofRange` shows, or that `clip` leaves of
+/// it; in the window, all of the frames `ofWindow` are seen whole. Each frame is read once. Throws `Error` as
+/// `drawContour` does.
 ContourOptions withCommonView(ContourOptions options, const ResultReader& result,
                               const std::vector<int>& ofRange, const std::vector<int>& ofWindow);
 

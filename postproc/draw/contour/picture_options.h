@@ -15,9 +15,9 @@
 #include "postproc/mesh/picture_planes.h"
 
 /// What a contour picture shows and how it looks, declared once. A scene's `pictures`, a study's sheets and
-/// animations, a theme's defaults and the options of `render`, `animate` and `report` are these options or a part
-/// of them. A new option is a member, its line in one of the `describe…` below, its use, and a picture that tests
-/// it.
+/// animations, a theme's defaults and the options of `render`, `animate` and `report` are these options or a
+/// part of them. A new option is a member, its line in one of the `describe…` below, its use, and a picture
+/// that tests it.
 namespace burnish {
 
 /// What the arrows of a picture show: displacements on the body, or what tools do to its contact faces.

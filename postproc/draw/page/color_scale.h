@@ -21,8 +21,8 @@ inline constexpr int kMostBands = 256;
 /// colours of the ends.
 class ColorScale {
  public:
-  /// bands: 0 for smooth colours. Throws `Error` for an unknown map, bands outside [0, `kMostBands`] and a range that
-  /// is not drawable.
+  /// bands: 0 for smooth colours. Throws `Error` for an unknown map, bands outside [0, `kMostBands`] and a
+  /// range that is not drawable.
   ColorScale(const std::string& colormap, const std::array<double, 2>& range, int bands);
 
   const std::array<double, 2>& range() const { return range_; }

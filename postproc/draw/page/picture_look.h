@@ -50,7 +50,8 @@ struct PageLook {
   std::optional<FontName> font;  ///< instead of the theme's
 };
 
-/// Makes the files of theme and font in the mapping of a picture, which are relative to `directory`, absolute.
+/// Makes the files of theme and font in the mapping of a picture, which are relative to `directory`,
+/// absolute.
 void resolveLookFiles(YamlNode& picture, const std::filesystem::path& directory);
 
 /// The theme with what is given instead of its own.
