@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-/// The degrees of freedom in which a tool moves or carries a load: the three displacements and the turn, by key.
+/// The degrees of freedom in which a tool moves or carries a load, by key: displacements and the turn.
 template <class Spec, class T>
 Components<T> dofsOf(const Spec& s, const char* turnKey, const std::optional<T>& turn) {
   auto dofs = componentsOf(s);
@@ -19,7 +19,7 @@ Components<T> dofsOf(const Spec& s, const char* turnKey, const std::optional<T>&
   return dofs;
 }
 
-/// In axisymmetry a tool moves along the axis alone. across, around: what the other degrees of freedom are called.
+/// In axisymmetry a tool moves along the axis alone. across, around: words for the other degrees of freedom.
 template <class T>
 void checkAlongAxis(const CheckContext& c, const std::string& path, const Components<T>& dofs,
                     const char* across, const char* around) {
