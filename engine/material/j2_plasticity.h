@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -53,7 +54,7 @@ class J2Plasticity {
               .words = "Equivalent plastic strain",
               .symbol = "ε̄^p",
               .isNonNegative = true},
-             [](const State& state) { return std::vector{state.e_p}; }}};
+             [](const State& state, std::span<double> values) { values[0] = state.e_p; }}};
   }
 
   static std::vector<CarriedNumber<State>> carried() {

@@ -54,7 +54,7 @@ std::string whyWithout(const MaterialParameters& material, const std::string& fi
   const std::string name = field.substr(0, field.find('.'));
   return MaterialLaws::withLaw(material, [&]<class Law>(std::type_identity<Law>) -> std::string {
     if (!has(materialFields(), name) || has(fieldKindsOf<Law>(), name)) return "";
-    if (fieldKindsOf<Law>().empty()) return "the material is elastic";
+    if (std::is_empty_v<typename Law::State>) return "the material is elastic";
     return fmt::format("{} has no such field", Law::kind.key);
   });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <type_traits>
 
 #include "engine/core/error.h"
@@ -95,8 +96,8 @@ Eigen::MatrixXd MaterialPoints::field(const std::string& name) const {
       Eigen::MatrixXd values(std::max<Eigen::Index>(1, std::ssize(field.components)),
                              std::ssize(points.accepted));
       for (Eigen::Index q = 0; q < values.cols(); ++q)
-        values.col(q) = Eigen::Map<const Eigen::VectorXd>(
-            field.values(points.accepted[static_cast<std::size_t>(q)]).data(), values.rows());
+        field.write(points.accepted[static_cast<std::size_t>(q)],
+                    std::span(values.col(q).data(), static_cast<std::size_t>(values.rows())));
       return values;
     }
     throw Error(fmt::format("the material has no field {}", name));

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct FieldKind {
 /// A field that a law makes of the state of a point.
 template <class State>
 struct StateField : FieldKind {
-  std::vector<double> (*values)(const State&);  ///< one for a scalar, else one per component
+  /// Writes the values at a point: one for a scalar, else one per component.
+  void (*write)(const State& state, std::span<double> values);
 };
 
 /// A number that goes along to a new mesh, where it is interpolated between the points of the old one.
