@@ -75,18 +75,20 @@ void writeDifference(const Comparison& comparison, const fs::path& file) {
 
 void print(const std::vector<Comparison>& comparisons) {
   for (const Comparison& comparison : comparisons)
-    if (comparison.verdict != Verdict::Unusable) printOut("{}: {}\n", comparison.name, comparison.message);
+    if (comparison.verdict != PictureVerdict::Unusable)
+      printOut("{}: {}\n", comparison.name, comparison.message);
   if (comparisons.size() == 1) return;
-  const auto equal = std::count_if(comparisons.begin(), comparisons.end(),
-                                   [](const Comparison& each) { return each.verdict == Verdict::Equal; });
+  const auto equal = std::count_if(comparisons.begin(), comparisons.end(), [](const Comparison& each) {
+    return each.verdict == PictureVerdict::Equal;
+  });
   printOut("{} of {} pictures are equal to their baselines\n", equal, comparisons.size());
 }
 
 ExitCode exitCodeOf(const std::vector<Comparison>& comparisons) {
   ExitCode code = ExitCode::Fine;
   for (const Comparison& comparison : comparisons) {
-    if (comparison.verdict == Verdict::Unusable) return ExitCode::BadInput;
-    if (comparison.verdict != Verdict::Equal) code = ExitCode::Different;
+    if (comparison.verdict == PictureVerdict::Unusable) return ExitCode::BadInput;
+    if (comparison.verdict != PictureVerdict::Equal) code = ExitCode::Different;
   }
   return code;
 }
@@ -101,7 +103,7 @@ ExitCode compare(const CompareArguments& arguments) {
   if (!arguments.report.empty())
     page = writeReport(comparisons, rule, acceptCommand(arguments), arguments.report);
   for (const Comparison& comparison : comparisons)
-    if (comparison.verdict == Verdict::Unusable) printError("burnish: {}\n", comparison.message);
+    if (comparison.verdict == PictureVerdict::Unusable) printError("burnish: {}\n", comparison.message);
   if (arguments.json) {
     printText(comparisonsText(comparisons, rule));
     return exitCodeOf(comparisons);

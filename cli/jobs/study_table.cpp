@@ -18,13 +18,13 @@ struct Column {
   int digits;  ///< significant ones
 };
 
-constexpr std::array kColumns{Column{"end_time", "end time", 6},
-                              Column{"steps", "steps", 9},
-                              Column{"cut_backs", "cut-backs", 9},
-                              Column{"smallest_step", "smallest step", 4},
-                              Column{"mean_iterations", "mean iter.", 3},
-                              Column{"max_iterations", "max iter.", 9},
-                              Column{"seconds", "seconds", 4}};
+constexpr std::array kTableColumns{Column{"end_time", "end time", 6},
+                                   Column{"steps", "steps", 9},
+                                   Column{"cut_backs", "cut-backs", 9},
+                                   Column{"smallest_step", "smallest step", 4},
+                                   Column{"mean_iterations", "mean iter.", 3},
+                                   Column{"max_iterations", "max iter.", 9},
+                                   Column{"seconds", "seconds", 4}};
 
 struct Row {
   std::string state;
@@ -45,13 +45,13 @@ std::string runsTable(const StudyPlan& plan, const std::vector<JobStatus>& jobs)
   std::size_t width = 3;
   for (const PlannedRun& run : plan.runs) width = std::max(width, run.run->name.size());
   std::string text = fmt::format("{:<{}}  {:<9}", "run", width, "state");
-  for (const Column& column : kColumns) text += fmt::format("  {}", column.title);
+  for (const Column& column : kTableColumns) text += fmt::format("  {}", column.title);
   text += "\n";
   for (const PlannedRun& run : plan.runs) {
     const Row row = rowOf(run, jobs);
     text += fmt::format("{:<{}}  {:<9}", run.run->name, width, row.state);
     if (!row.numbers.empty())
-      for (const Column& column : kColumns)
+      for (const Column& column : kTableColumns)
         text += fmt::format("  {:>{}.{}g}", row.numbers.at(column.entry),
                             std::string_view(column.title).size(), column.digits);
     text += "\n";
@@ -61,12 +61,12 @@ std::string runsTable(const StudyPlan& plan, const std::vector<JobStatus>& jobs)
 
 std::string runsCsv(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
   std::vector<std::string> titles{"run", "state"};
-  for (const Column& column : kColumns) titles.emplace_back(column.entry);
+  for (const Column& column : kTableColumns) titles.emplace_back(column.entry);
   std::string text = csvRow(titles) + "\n";
   for (const PlannedRun& run : plan.runs) {
     const Row row = rowOf(run, jobs);
     std::vector<std::string> cells{run.run->name, row.state};
-    for (const Column& column : kColumns) {
+    for (const Column& column : kTableColumns) {
       const auto number = row.numbers.find(column.entry);
       cells.push_back(number == row.numbers.end() ? "" : fmt::format("{}", number->second));
     }

@@ -25,10 +25,10 @@ std::string place(const PictureDifference& difference) {
   return fmt::format("no pixel differs visibly by itself; the patterns differ most in {}", area);
 }
 
-/// Verdict and message of two pictures that show something.
+/// PictureVerdict and message of two pictures that show something.
 void judge(Comparison& comparison, const Picture& actual, const Picture& baseline, const PictureRule& rule) {
   if (actual.width != baseline.width || actual.height != baseline.height) {
-    comparison.verdict = Verdict::SizesDiffer;
+    comparison.verdict = PictureVerdict::SizesDiffer;
     comparison.message = fmt::format("sizes differ: found {} x {}, the baseline has {} x {}", actual.width,
                                      actual.height, baseline.width, baseline.height);
     return;
@@ -36,7 +36,7 @@ void judge(Comparison& comparison, const Picture& actual, const Picture& baselin
   comparison.difference = differenceOf(actual, baseline);
   const double value = metricValue(rule.metric, comparison.difference);
   const bool equal = value <= rule.threshold;
-  comparison.verdict = equal ? Verdict::Equal : Verdict::Different;
+  comparison.verdict = equal ? PictureVerdict::Equal : PictureVerdict::Different;
   const std::string measured =
       fmt::format("{} {:.3g}, threshold {:.3g}", metricName(rule.metric), value, rule.threshold);
   if (equal)
@@ -92,41 +92,42 @@ double metricValue(Metric metric, const PictureDifference& difference) {
   return std::max(difference.dissimilarity, difference.windowShare);
 }
 
-std::string verdictName(Verdict verdict) {
-  static const std::map<Verdict, std::string> names{{Verdict::Equal, "equal"},
-                                                    {Verdict::Different, "different"},
-                                                    {Verdict::SizesDiffer, "sizes-differ"},
-                                                    {Verdict::Blank, "blank"},
-                                                    {Verdict::NoBaseline, "no-baseline"},
-                                                    {Verdict::NoActual, "no-actual"},
-                                                    {Verdict::Unusable, "unusable"}};
+std::string verdictName(PictureVerdict verdict) {
+  static const std::map<PictureVerdict, std::string> names{{PictureVerdict::Equal, "equal"},
+                                                           {PictureVerdict::Different, "different"},
+                                                           {PictureVerdict::SizesDiffer, "sizes-differ"},
+                                                           {PictureVerdict::Blank, "blank"},
+                                                           {PictureVerdict::NoBaseline, "no-baseline"},
+                                                           {PictureVerdict::NoActual, "no-actual"},
+                                                           {PictureVerdict::Unusable, "unusable"}};
   return names.at(verdict);
 }
 
 bool isMeasured(const Comparison& comparison) {
-  return comparison.verdict == Verdict::Equal || comparison.verdict == Verdict::Different;
+  return comparison.verdict == PictureVerdict::Equal || comparison.verdict == PictureVerdict::Different;
 }
 
-bool isAcceptable(Verdict verdict) {
-  return verdict == Verdict::Different || verdict == Verdict::SizesDiffer || verdict == Verdict::NoBaseline;
+bool isAcceptable(PictureVerdict verdict) {
+  return verdict == PictureVerdict::Different || verdict == PictureVerdict::SizesDiffer ||
+         verdict == PictureVerdict::NoBaseline;
 }
 
 Comparison compareFiles(const std::string& name, const fs::path& actual, const fs::path& baseline,
                         const PictureRule& rule) {
-  Comparison comparison{name, actual, baseline, Verdict::Unusable, {}, {}};
+  Comparison comparison{name, actual, baseline, PictureVerdict::Unusable, {}, {}};
   std::error_code status;
   if (!fs::exists(actual, status)) {
-    comparison.verdict = Verdict::NoActual;
+    comparison.verdict = PictureVerdict::NoActual;
     comparison.message = fmt::format("missing: there is a baseline, but no {}", actual.string());
     return comparison;
   }
   try {
     const Picture picture = readPicture(actual);
     if (isBlank(picture)) {
-      comparison.verdict = Verdict::Blank;
+      comparison.verdict = PictureVerdict::Blank;
       comparison.message = "blank: fewer than 1 of 1000 pixels have another colour than the rest";
     } else if (!fs::exists(baseline, status)) {
-      comparison.verdict = Verdict::NoBaseline;
+      comparison.verdict = PictureVerdict::NoBaseline;
       comparison.message = fmt::format("no baseline: there is no {}", baseline.string());
     } else {
       judge(comparison, picture, readPicture(baseline), rule);

@@ -26,16 +26,16 @@ struct PictureRule {
 /// faint patterns.
 double metricValue(Metric metric, const PictureDifference& difference);
 
-enum class Verdict { Equal, Different, SizesDiffer, Blank, NoBaseline, NoActual, Unusable };
+enum class PictureVerdict { Equal, Different, SizesDiffer, Blank, NoBaseline, NoActual, Unusable };
 
 /// "equal", "different", "sizes-differ", "blank", "no-baseline", "no-actual", "unusable".
-std::string verdictName(Verdict verdict);
+std::string verdictName(PictureVerdict verdict);
 
 /// What became of one pair of pictures.
 struct Comparison {
   std::string name;  ///< of the file, in the directory that was given
   std::filesystem::path actual, baseline;
-  Verdict verdict = Verdict::Unusable;
+  PictureVerdict verdict = PictureVerdict::Unusable;
   PictureDifference difference;  ///< for Equal and Different
   std::string message;           ///< one line: what is wrong, where and how much
 };
@@ -44,7 +44,7 @@ struct Comparison {
 bool isMeasured(const Comparison& comparison);
 
 /// Whether the actual picture may become the baseline of a pair of this verdict.
-bool isAcceptable(Verdict verdict);
+bool isAcceptable(PictureVerdict verdict);
 
 /// Compares two files; never throws for what is in them. A blank picture is never equal to anything.
 Comparison compareFiles(const std::string& name, const std::filesystem::path& actual,

@@ -42,7 +42,7 @@ Json::Value pageData(const std::vector<Comparison>& comparisons, const PictureRu
   std::vector<const Comparison*> sorted;
   for (const Comparison& comparison : comparisons) sorted.push_back(&comparison);
   std::stable_partition(sorted.begin(), sorted.end(),
-                        [](const Comparison* each) { return each->verdict != Verdict::Equal; });
+                        [](const Comparison* each) { return each->verdict != PictureVerdict::Equal; });
   for (const Comparison* comparison : sorted) {
     Json::Value pair = comparisonJson(*comparison, rule);
     pair["acceptable"] = isAcceptable(comparison->verdict);

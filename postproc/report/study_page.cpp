@@ -29,8 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<int, 2> kPictureSize{640, 320};
-constexpr double kTextSize = 13.0;
+constexpr std::array<int, 2> kSmallPictureSize{640, 320};
+constexpr double kSmallTextSize = 13.0;
 
 std::set<fs::path> filesIn(const fs::path& directory, const std::string& ending) {
   std::set<fs::path> files;
@@ -222,8 +222,8 @@ class StudyPage {
 
   std::string drawnPicture(const RunRecord& run, const FrameRecord& frame) const {
     ContourOptions options = contourOptions(options_.picture, run.result, frame);
-    options.size = kPictureSize;
-    options.textSize = options.theme.textSize * kTextSize;
+    options.size = kSmallPictureSize;
+    options.textSize = options.theme.textSize * kSmallTextSize;
     options.title = "";
     return htmlPicture(framePicture(run.result, frame, options, scratch_.path()),
                        fmt::format("{} of {} at t = {}", options.field, run.name, plainNumber(frame.time)));

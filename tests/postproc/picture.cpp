@@ -23,7 +23,7 @@ void expectBaseline(const std::filesystem::path& drawn, const std::string& name)
     return;
   }
   const Comparison comparison = compareFiles(name, drawn, baseline, {});
-  EXPECT_EQ(comparison.verdict, Verdict::Equal) << baseline << ": " << comparison.message;
+  EXPECT_EQ(comparison.verdict, PictureVerdict::Equal) << baseline << ": " << comparison.message;
 }
 
 }  // namespace burnish

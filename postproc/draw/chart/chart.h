@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct ChartCurve {
   std::vector<double> x, y;         ///< of the same length; a point that is not finite interrupts the curve
   std::optional<CurveStyle> style;  ///< by the number of the curve when left out, with markers where useful
   bool onRight = false;             ///< y belongs to the axis at the right, and the legend says so
+
+  static constexpr double kGap = std::numeric_limits<double>::quiet_NaN();  ///< interrupts the curve
 };
 
 struct ChartAxis {

@@ -13,7 +13,7 @@
 namespace burnish {
 namespace {
 
-constexpr double kSlack = 1e-9;  ///< round-off at the ends of the reference, part of its length
+constexpr double kReferenceSlack = 1e-9;  ///< round-off at the ends of the reference, part of its length
 
 /// The points whose x is a number.
 ChartCurve withX(const ChartCurve& curve) {
@@ -49,7 +49,7 @@ class Interpolant {
   double at(double x) const {
     const std::vector<double>& xs = curve_.x;
     if (xs.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const double slack = kSlack * (xs.back() - xs.front());
+    const double slack = kReferenceSlack * (xs.back() - xs.front());
     if (x < xs.front() - slack || x > xs.back() + slack) return std::numeric_limits<double>::quiet_NaN();
     const double inside = std::clamp(x, xs.front(), xs.back());
     const auto next = static_cast<std::size_t>(std::lower_bound(xs.begin(), xs.end(), inside) - xs.begin());

@@ -8,7 +8,7 @@ namespace burnish {
 namespace {
 
 // Parts of the text size.
-constexpr double kPadding = 0.5;
+constexpr double kLegendPadding = 0.5;
 constexpr double kRow = 1.4;
 constexpr double kSample = 2.9;  ///< shows two periods of every dash pattern
 constexpr double kSampleGap = 0.5;
@@ -67,9 +67,9 @@ double ChartLegend::labelOffset() const {
 
 Eigen::Vector2d ChartLegend::extent(int columns) const {
   const auto rows = std::ceil(static_cast<double>(entries_.size()) / columns);
-  return {
-      columns * (labelOffset() + longestLabel_) + (columns - 1) * kColumnGap * size_ + 2 * kPadding * size_,
-      (rows * kRow + 2 * kPadding - (kRow - 1.0)) * size_};
+  return {columns * (labelOffset() + longestLabel_) + (columns - 1) * kColumnGap * size_ +
+              2 * kLegendPadding * size_,
+          (rows * kRow + 2 * kLegendPadding - (kRow - 1.0)) * size_};
 }
 
 int ChartLegend::columnsIn(double width) const {
@@ -106,8 +106,8 @@ std::vector<Eigen::Vector2d> ChartLegend::entryStarts(const PixelRect& box, int 
   std::vector<Eigen::Vector2d> starts;
   for (int k = 0; k < count; ++k) {
     const int column = k / rows, row = k % rows;
-    starts.emplace_back(box.x + kPadding * size_ + column * columnStep,
-                        box.top() - (kPadding + 0.5 + row * kRow) * size_);
+    starts.emplace_back(box.x + kLegendPadding * size_ + column * columnStep,
+                        box.top() - (kLegendPadding + 0.5 + row * kRow) * size_);
   }
   return starts;
 }

@@ -10,10 +10,10 @@ namespace {
 using Eigen::Vector2d;
 
 // Measures as parts of the text size.
-constexpr double kArrow = 2.0, kHead = 0.6, kHeadHalfWidth = 0.2, kBeyondTip = 0.55, kNameSize = 0.85,
-                 kEdge = 0.25;
+constexpr double kAxisLength = 2.0, kAxisHead = 0.6, kAxisHeadHalfWidth = 0.2, kBeyondTip = 0.55,
+                 kNameSize = 0.85, kAxisEdge = 0.25;
 
-constexpr double kShortest = 0.15;  // of an arrow that lies in the picture
+constexpr double kShortestAxis = 0.15;  // of an arrow that lies in the picture
 
 /// The directions from the one that points away from the eye most.
 std::array<Eigen::Index, 3> fromBackToFront(const ViewAxes& axes) {
@@ -31,16 +31,16 @@ void drawAxesTriad(FlatShapes& shapes, Overlay& overlay, const ViewAxes& axes, c
   const TextStyle style{kNameSize * textSize, theme.ink, theme.font};
   // Arrows and names go as far to the left and down as they must.
   const Vector2d low = axes.rowwise().minCoeff().cwiseMin(0.0),
-                 reach = (kArrow + kBeyondTip) * textSize * low;
-  const Vector2d origin = corner - reach + Vector2d::Constant(kEdge * textSize);
+                 reach = (kAxisLength + kBeyondTip) * textSize * low;
+  const Vector2d origin = corner - reach + Vector2d::Constant(kAxisEdge * textSize);
   for (const Eigen::Index d : fromBackToFront(axes)) {
     const Vector2d along = axes.col(d);
     const double length = along.norm();
-    if (length < kShortest) continue;
-    const Vector2d tip = origin + kArrow * textSize * along, direction = along / length,
+    if (length < kShortestAxis) continue;
+    const Vector2d tip = origin + kAxisLength * textSize * along, direction = along / length,
                    across(-direction.y(), direction.x());
-    const Vector2d neck = tip - std::min(kHead, 0.7 * kArrow * length) * textSize * direction,
-                   half = kHeadHalfWidth * textSize * across;
+    const Vector2d neck = tip - std::min(kAxisHead, 0.7 * kAxisLength * length) * textSize * direction,
+                   half = kAxisHeadHalfWidth * textSize * across;
     shapes.addSegments({origin, neck}, std::max(1.0, textSize / 14.0), theme.ink);
     shapes.addConvexPolygon({tip, neck + half, neck - half}, theme.ink);
     const Vector2d name = tip + kBeyondTip * textSize * direction;

@@ -10,8 +10,6 @@
 namespace burnish {
 namespace {
 
-using Direction = Overlay::Direction;
-
 constexpr double kSmallestText = 10.0, kSmallestNote = 6.0;  // pixels
 
 // Measures as parts of the text size.
@@ -43,25 +41,26 @@ Eigen::Vector2d drawnSize(const Eigen::Vector2d& extent, double scale, double si
 }
 
 /// As long as the content, unless that is too short for its labels.
-double barLength(const PixelRect& room, const Eigen::Vector2d& drawn, Direction direction, double size) {
-  if (direction == Direction::Up)
+double barLength(const PixelRect& room, const Eigen::Vector2d& drawn, Overlay::Direction direction,
+                 double size) {
+  if (direction == Overlay::Direction::Up)
     return std::clamp(drawn.y(), std::min(kShortestBar * size, room.height), room.height);
   return std::clamp(drawn.x(), std::min(3 * kShortestBar * size, room.width), room.width);
 }
 
 /// The content as large as possible with the bar at its right (Up) or below (Right).
 Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const ScalarBar& bar,
-                Direction direction, double size) {
+                Overlay::Direction direction, double size) {
   const double padding = 2.0 * kPadding * size;
   Placement p;
   p.room = room;
-  double depth = bar.depth(direction, direction == Direction::Up ? room.height : room.width);
+  double depth = bar.depth(direction, direction == Overlay::Direction::Up ? room.height : room.width);
   // A shorter bar has other labels, and may need more room for them.
   while (depth > p.barDepth) {
     p.barDepth = depth;
     const double taken = p.barDepth + kBarGap * size + padding;
-    p.scale = direction == Direction::Up ? fit(extent, room.width - taken, room.height - padding)
-                                         : fit(extent, room.width - padding, room.height - taken);
+    p.scale = direction == Overlay::Direction::Up ? fit(extent, room.width - taken, room.height - padding)
+                                                  : fit(extent, room.width - padding, room.height - taken);
     depth = bar.depth(direction, barLength(room, drawnSize(extent, p.scale, size), direction, size));
   }
   return p;
@@ -70,7 +69,7 @@ Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const Scal
 /// Content and bar as one group in the middle of the room.
 void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& extent, double size) {
   const Eigen::Vector2d drawn = drawnSize(extent, p.scale, size);
-  const bool up = layout.barDirection == Direction::Up;
+  const bool up = layout.barDirection == Overlay::Direction::Up;
   const double gap = kBarGap * size, length = barLength(p.room, drawn, layout.barDirection, size);
   const double group = (up ? drawn.x() : drawn.y()) + gap + p.barDepth;
   const Eigen::Vector2d middle = p.room.center();
@@ -92,7 +91,7 @@ void placeNote(ContourLayout& layout, double size, double margin) {
   const double baseline =
       std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.style);
   const double length = textWidth(layout.note.text, layout.note.style);
-  layout.noteAt = layout.barDirection == Direction::Up
+  layout.noteAt = layout.barDirection == Overlay::Direction::Up
                       ? Eigen::Vector2d(std::max(layout.bar.right(), margin + length), baseline)
                       : Eigen::Vector2d(layout.bar.center().x(), baseline);
 }
@@ -141,9 +140,9 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   layout.triadAt = {margin, margin};
   const PixelRect room{left, bottom, width - margin - left, top - bottom};
   const Eigen::Vector2d extent = content.sizes().cwiseMax(1e-9 * content.sizes().maxCoeff());
-  const Placement up = place(room, extent, bar, Direction::Up, size);
-  const Placement across = place(room, extent, bar, Direction::Right, size);
-  layout.barDirection = up.scale >= across.scale ? Direction::Up : Direction::Right;
+  const Placement up = place(room, extent, bar, Overlay::Direction::Up, size);
+  const Placement across = place(room, extent, bar, Overlay::Direction::Right, size);
+  layout.barDirection = up.scale >= across.scale ? Overlay::Direction::Up : Overlay::Direction::Right;
   layout.view.axes = axes;
   layout.view.center = content.center();
   layout.view.pixelsPerLength = std::max(up.scale, across.scale);

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kNarrowestPanel = 100, kLargestSide = 20000;
+constexpr int kNarrowestPanel = 100, kLargestSheetSide = 20000;
 
 constexpr double kPointsPerInch = 72.0, kMillimetresPerInch = 25.4;
 constexpr double kPrintedColumn = 80.0;  // mm
@@ -46,9 +46,9 @@ vtkSmartPointer<vtkImageData> readPanel(const fs::path& file, int width) {
   const int* size = picture->GetDimensions();
   if (size[0] == width) return picture;
   const double height = static_cast<double>(size[1]) * width / size[0];
-  if (height > kLargestSide)
+  if (height > kLargestSheetSide)
     throw Error(fmt::format("{}: {} x {} pixels would be {:.0f} pixels high on the sheet; expected up to {}",
-                            file.string(), size[0], size[1], height, kLargestSide));
+                            file.string(), size[0], size[1], height, kLargestSheetSide));
   vtkNew<vtkImageResize> resize;
   resize->SetInputData(picture);
   resize->SetResizeMethodToOutputDimensions();
@@ -125,10 +125,10 @@ Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, c
     sheet.tiles.push_back(
         {readPanel(panel.picture, sheet.panelWidth), wrapped(panel.caption, sheet.style, sheet.panelWidth)});
   place(sheet, columns);
-  if (sheet.height > kLargestSide)
+  if (sheet.height > kLargestSheetSide)
     throw Error(
         fmt::format("sheet: it would be {} pixels high; expected up to {}: take more columns or fewer panels",
-                    sheet.height, kLargestSide));
+                    sheet.height, kLargestSheetSide));
   return sheet;
 }
 
@@ -158,10 +158,10 @@ int sheetPanelWidth(int columns, int width) {
   if (columns < 1) throw Error(fmt::format("columns: found {}; expected at least 1", columns));
   const int column = width / columns;
   const int panel = static_cast<int>(column / (1.0 + kGutter * sheetTextSize(1000) / 1000.0));
-  if (panel < kNarrowestPanel || width > kLargestSide)
+  if (panel < kNarrowestPanel || width > kLargestSheetSide)
     throw Error(
         fmt::format("width: found {} pixels for {} columns; expected up to {}, and columns of {} or more",
-                    width, columns, kLargestSide, kNarrowestPanel + kNarrowestPanel / 20));
+                    width, columns, kLargestSheetSide, kNarrowestPanel + kNarrowestPanel / 20));
   return panel;
 }
 

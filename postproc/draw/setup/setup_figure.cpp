@@ -32,8 +32,7 @@ namespace {
 using Eigen::Vector2d;
 using Points = SetupSymbols::Points;
 
-constexpr Color kBodyColor{226, 226, 226}, kToolColor{248, 248, 248}, kInk{20, 20, 20},
-    kKnotColor{190, 190, 190};
+constexpr Color kBodyColor{226, 226, 226}, kToolColor{248, 248, 248}, kKnotColor{190, 190, 190};
 
 /// Digits of a load that is not the same everywhere on its face.
 constexpr int kDigitsInMiddle = 3;
@@ -79,12 +78,12 @@ class SetupPicture {
     add(plainActor(*body, kBodyColor, false, 1.0));
     if (knots_)
       add(lineActor(*knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line, 1.0));
-    add(lineActor(*outlineBesideAxis(), kInk, line, 1.0));
+    add(lineActor(*outlineBesideAxis(), SetupSymbols::kInk, line, 1.0));
     for (const ToolRecord& record : layout_.tools()) {
       const ToolDrawing drawing =
           drawPlaneTool(record, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
       if (drawing.area) add(plainActor(*drawing.area, kToolColor, false, 1.0));
-      if (drawing.lines) add(lineActor(*drawing.lines, kInk, line, 1.0));
+      if (drawing.lines) add(lineActor(*drawing.lines, SetupSymbols::kInk, line, 1.0));
     }
     aim(renderer, view(), size_, 10.0 * body->GetLength());
   }
@@ -203,7 +202,7 @@ class SetupPicture {
   }
 
   void drawCarried(SetupSymbols& symbols, std::size_t k) const {
-    const ToolLoad load = toolLoad(*scene().tools[k].carry, scene(), layout_.endTime());
+    const DrawnToolLoad load = toolLoad(*scene().tools[k].carry, scene(), layout_.endTime());
     const Vector2d middle = layout_.middleOf(k);
     if (load.force.norm() > 0.0)
       symbols.addForceTo(middle, load.force.normalized(), layout_.forceText(load.force.norm()));

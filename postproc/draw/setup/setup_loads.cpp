@@ -76,7 +76,7 @@ Vector2d bodyForceAt(const LoadSpec& load, const Vector2d& X, const Scene& scene
   return LoadVector(load, scene, end).at(X, Vector2d::Zero(), Vector2d::Zero());
 }
 
-ToolLoad toolLoad(const ToolCarrySpec& carry, const Scene& scene, double end) {
+DrawnToolLoad toolLoad(const ToolCarrySpec& carry, const Scene& scene, double end) {
   const Instant instant = largestOf(carry.schedule, end);
   const auto value = [&](const std::optional<FormulaText>& text) {
     return text ? instant.factor * Formula(*text, scene.definitions)({0.0, 0.0, 0.0}, instant.time) : 0.0;

@@ -22,10 +22,10 @@ FaceLoad faceLoad(const LoadSpec& load, const FaceLine& face, const Scene& scene
 Eigen::Vector2d bodyForceAt(const LoadSpec& load, const Eigen::Vector2d& X, const Scene& scene, double end);
 
 /// What a tool carries when its schedule has its largest magnitude, or at the end of the run without one.
-struct ToolLoad {
+struct DrawnToolLoad {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   double moment = 0.0;
 };
-ToolLoad toolLoad(const ToolCarrySpec& carry, const Scene& scene, double end);
+DrawnToolLoad toolLoad(const ToolCarrySpec& carry, const Scene& scene, double end);
 
 }  // namespace burnish

@@ -12,7 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Points = SetupSymbols::Points;
 
-constexpr Color kInk{20, 20, 20};
 constexpr Color kFaint{150, 150, 150}, kFaintText{110, 110, 110};
 
 // Measures as parts of the text size.

@@ -13,6 +13,8 @@ class SetupSymbols {
  public:
   using Points = FlatShapes::Points;
 
+  static constexpr Color kInk{20, 20, 20};
+
   /// Depth that supports, rows of arrows, dimension lines take beside the body, in
   /// text sizes.
   static constexpr double kSupportDepth = 1.1, kLoadDepth = 3.4, kDimensionDepth = 2.6;

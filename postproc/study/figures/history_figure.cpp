@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "postproc/draw/page/sheet.h"
 #include "postproc/study/evidence/reductions.h"
 #include "postproc/study/run_data.h"
@@ -12,16 +10,13 @@
 namespace burnish {
 namespace {
 
-/// Interrupts a curve.
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-
 /// Points without a line between them: a gap follows each.
 ChartCurve scatteredPoints(const std::string& label, const std::vector<double>& x,
                            const std::vector<double>& y, int number) {
   ChartCurve curve{label, {}, {}, CurveStyle{number, 0, number}};
   for (std::size_t k = 0; k < x.size(); ++k) {
-    curve.x.insert(curve.x.end(), {x[k], kGap});
-    curve.y.insert(curve.y.end(), {y[k], kGap});
+    curve.x.insert(curve.x.end(), {x[k], ChartCurve::kGap});
+    curve.y.insert(curve.y.end(), {y[k], ChartCurve::kGap});
   }
   return curve;
 }

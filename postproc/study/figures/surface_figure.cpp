@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/core/error.h"
 #include "postproc/draw/page/sheet.h"
@@ -13,9 +12,6 @@
 
 namespace burnish {
 namespace {
-
-/// Interrupts a curve.
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 /// A contact pair's quantity at the points of the face in their order, which go back where the face folds.
 ChartCurve surfaceCurve(const ContactRecord& contact, SurfaceQuantity quantity) {
@@ -43,8 +39,8 @@ ChartCurve within(const ChartCurve& curve, const std::array<double, 2>& window) 
       continue;
     }
     if (interrupted) {
-      kept.x.push_back(kGap);
-      kept.y.push_back(kGap);
+      kept.x.push_back(ChartCurve::kGap);
+      kept.y.push_back(ChartCurve::kGap);
       interrupted = false;
     }
     kept.x.push_back(curve.x[k]);

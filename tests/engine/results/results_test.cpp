@@ -17,6 +17,7 @@
 #include "engine/results/result_reader.h"
 #include "engine/results/result_writer.h"
 #include "engine/results/summary_file.h"
+#include "tests/message_of.h"
 
 /// HDF5 1.10 forgets memory of its own when it meets damaged metadata; the leak sanitizer is not to report
 /// that.
@@ -46,15 +47,6 @@ class Results : public testing::Test {
 
   fs::path dir;
 };
-
-std::string messageOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 void expectError(const std::function<void()>& action, const std::string& part) {
   const std::string message = messageOf(action);

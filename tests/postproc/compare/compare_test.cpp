@@ -231,11 +231,12 @@ TEST_F(Directories, ChosenPicturesBecomeBaselines) {
   for (const char* name : {"different.png", "no-baseline.png"})
     EXPECT_EQ(readText(dir / "actual" / name), readText(dir / "baseline" / name));
   EXPECT_NE(readText(dir / "actual/unusable.png"), readText(dir / "baseline/unusable.png"));
-  std::vector<Verdict> verdicts;
+  std::vector<PictureVerdict> verdicts;
   for (const Comparison& comparison : comparisons) verdicts.push_back(comparison.verdict);
   EXPECT_THAT(verdicts,
-              testing::ElementsAre(Verdict::Blank, Verdict::Equal, Verdict::Equal, Verdict::NoActual,
-                                   Verdict::Equal, Verdict::SizesDiffer, Verdict::Unusable));
+              testing::ElementsAre(PictureVerdict::Blank, PictureVerdict::Equal, PictureVerdict::Equal,
+                                   PictureVerdict::NoActual, PictureVerdict::Equal,
+                                   PictureVerdict::SizesDiffer, PictureVerdict::Unusable));
   EXPECT_THROW(acceptActual(comparisons, {"difference.png"}, {}), Error);
 }
 

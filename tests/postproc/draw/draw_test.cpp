@@ -25,6 +25,7 @@
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/theme.h"
 #include "postproc/text/ticks.h"
+#include "tests/message_of.h"
 
 namespace burnish {
 namespace {
@@ -34,15 +35,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pointwise;
-
-std::string messageOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(Ticks, AreRoundAndWithinTheRange) {
   const Ticks ticks = makeTicks({-0.0086, 0.39}, 9);

@@ -26,7 +26,7 @@ class NewMesh : public ContourPictures {
     drawContour(before.model, before.frame, options, dir / "before.png");
     drawContour(anew.model, anew.frame, options, dir / "after.png");
     const Comparison comparison = compareFiles("after", dir / "after.png", dir / "before.png", {});
-    EXPECT_EQ(comparison.verdict, Verdict::Equal) << comparison.message;
+    EXPECT_EQ(comparison.verdict, PictureVerdict::Equal) << comparison.message;
   }
 };
 

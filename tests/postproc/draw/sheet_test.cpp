@@ -17,6 +17,7 @@
 #include "postproc/draw/setup/setup_loads.h"
 #include "postproc/draw/setup/setup_motion.h"
 #include "postproc/export/video.h"
+#include "tests/message_of.h"
 
 namespace burnish {
 namespace {
@@ -24,15 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string messageOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 /// Linear elements on [0, 1]^Dim, ten narrow ones below 0.1 and a wide one in every direction, with the field
 /// `x`, its first coordinate.
