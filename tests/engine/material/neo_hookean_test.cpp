@@ -31,7 +31,8 @@ const Volumetric kForms[] = {Volumetric::Log, Volumetric::Simo};
 TYPED_TEST(NeoHookeanTest, IsFreeOfStressWhenUndeformed) {
   constexpr int Dim = TypeParam::value;
   for (const Volumetric form : kForms) {
-    const auto response = evaluate<Dim>(NeoHookean({kYoung, kPoisson, form}), Eigen::Matrix3d::Identity()).response;
+    const auto response =
+        evaluate<Dim>(NeoHookean({kYoung, kPoisson, form}), Eigen::Matrix3d::Identity()).response;
     EXPECT_EQ(response.tau.cwiseAbs().maxCoeff(), 0.0);
     EXPECT_EQ(response.strainEnergy, 0.0);
     EXPECT_EQ(response.plasticWork, 0.0);
@@ -63,7 +64,8 @@ TYPED_TEST(NeoHookeanTest, EnergyIsThatOfTheFormula) {
     const double U =
         form == Volumetric::Log ? 0.5 * kLame * logJ * logJ : 0.25 * kLame * (J * J - 1.0 - 2.0 * logJ);
     const double W = 0.5 * kShear * (F.squaredNorm() - 3.0) - kShear * logJ + U;
-    EXPECT_NEAR(evaluate<Dim>(NeoHookean({kYoung, kPoisson, form}), F).response.strainEnergy, W, 1e-14 * kYoung);
+    EXPECT_NEAR(evaluate<Dim>(NeoHookean({kYoung, kPoisson, form}), F).response.strainEnergy, W,
+                1e-14 * kYoung);
   }
 }
 
@@ -71,7 +73,8 @@ TYPED_TEST(NeoHookeanTest, StressIsTheDerivativeOfTheEnergy) {
   constexpr int Dim = TypeParam::value;
   for (const Volumetric form : kForms)
     for (const double amount : {0.0, 1e-5, 0.05, 0.4})
-      EXPECT_LT(test::stressError<Dim>(NeoHookean({kYoung, kPoisson, form}), test::skewed<Dim>(amount), {}, 1e-3, kYoung),
+      EXPECT_LT(test::stressError<Dim>(NeoHookean({kYoung, kPoisson, form}), test::skewed<Dim>(amount), {},
+                                       1e-3, kYoung),
                 1e-10);
 }
 

@@ -294,7 +294,7 @@ TEST_F(SheetImage, SetupOfARingWithLoadRollersAndPlate) {
 }
 
 TEST_F(SheetImage, SetupOfAnAxisymmetricBodyOfTwoPatches) {
-  drawSetup(modelOf(kTwoPatches), {600, 500}, dir / "setup.png");
+  drawSetup(modelOf(kTwoPatches), {620, 510}, dir / "setup.png");
   expectBaseline(dir / "setup.png", "setup_two_patches");
 }
 
