@@ -173,8 +173,7 @@ class Run {
     step_ = step.step - summary_.approachSteps;
     output_.appendRow(simulation_->recorder, step_, step.iterations);
     output_.appendConvergence(step_, step);
-    observer_.onStep(
-        {step_, step.time, endTime_, step.size, step.iterations, state().cuts, step.newton.residual});
+    observer_.onStep({step_, step.time, endTime_, step.iterations, state().cuts});
     halts_ = halt_();
   }
 

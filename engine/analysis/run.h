@@ -23,10 +23,8 @@ struct RunProgress {
   int step = 0;
   double time = 0.0;
   double endTime = 0.0;
-  double stepSize = 0.0;
   int iterations = 0;  ///< of this step, failed attempts included
   int totalCuts = 0;
-  double residual = 0.0;  ///< relative, at the end of the step
 };
 
 /// Is told what happens during a run.

@@ -58,9 +58,9 @@ std::string doubt(const HistoryTable& history, const std::string& what,
     ++count;
   }
   if (count == 0) return {};
-  const std::size_t steps = std::max<std::size_t>(1, times->size() - 1);  // the first row is the start
-  return fmt::format("{}: first at t = {:.5g}, in {:.1f} % of the steps.", what, (*times)[first],
-                     100.0 * static_cast<double>(count) / static_cast<double>(steps));
+  // The first row is the start.
+  return doubtText(what, (*times)[first], static_cast<double>(count), static_cast<int>(times->size()) - 1) +
+         ".";
 }
 
 /// The meshes of a run, by the number of rezonings before them, with what is sound on each. A mesh that no

@@ -138,12 +138,15 @@ AccountLines accountLines(const RunAccount& a, const HistoryTable& history) {
 std::vector<std::string> warningsOf(const RunAccount& account) {
   std::vector<std::string> texts;
   for (const DoubtRecord& doubt : account.doubts)
-    texts.push_back(fmt::format("{}: first at t = {:.5g}, in {:.1f} % of the steps{}{}", doubt.what,
-                                doubt.firstTime,
-                                std::min(100.0, 100.0 * doubt.steps / std::max(1, account.steps)),
-                                doubt.detail.empty() ? "" : "; ", doubt.detail));
+    texts.push_back(doubtText(doubt.what, doubt.firstTime, doubt.steps, account.steps) +
+                    (doubt.detail.empty() ? "" : "; " + doubt.detail));
   for (const std::string& tool : account.idleTools) texts.push_back(idleToolText(tool));
   return texts;
+}
+
+std::string doubtText(const std::string& what, double firstTime, double doubtfulSteps, int steps) {
+  return fmt::format("{}: first at t = {:.5g}, in {:.1f} % of the steps", what, firstTime,
+                     std::min(100.0, 100.0 * doubtfulSteps / std::max(1, steps)));
 }
 
 std::string idleToolText(const std::string& tool) {

@@ -18,6 +18,10 @@ AccountLines accountLines(const RunAccount& account, const HistoryTable& history
 /// A sentence, without a full stop, for everything that makes the results doubtful.
 std::vector<std::string> warningsOf(const RunAccount& account);
 
+/// "what: first at t = 0.5, in 12.0 % of the steps": how often something was doubtful in a run of so many
+/// steps.
+std::string doubtText(const std::string& what, double firstTime, double doubtfulSteps, int steps);
+
 /// "tool 'disc' has never touched the body".
 std::string idleToolText(const std::string& tool);
 
