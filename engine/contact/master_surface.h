@@ -1,0 +1,137 @@
+#pragma once
+#include <Eigen/Dense>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/nurbs/second_order_shape.h"
+#include "engine/solid/body.h"
+#include "engine/solid/face_place.h"
+
+namespace burnish {
+
+/// A place on a surface of one or several faces. A place on a knot belongs to any of the spans around it.
+template <int Dim>
+struct SurfacePlace {
+  int face = 0;  ///< number in the list of faces
+  int span = 0;  ///< of that face
+  Eigen::Vector<double, Dim - 1> xi;
+};
+
+/// A point of a surface in its current place, with derivatives by the face's parameters.
+template <int Dim>
+struct SurfacePoint {
+  SurfacePlace<Dim> place;
+  std::vector<int> nodes;                                    ///< of the body, n
+  SecondOrderShape<Dim - 1> shape;                           ///< of these nodes
+  Eigen::Vector<double, Dim> x;                              ///< y = Σ R_b y_b
+  Eigen::Matrix<double, Dim, Dim - 1> tangents;              ///< y_α = ∂y/∂η^α
+  Eigen::Matrix<double, Dim, Dim*(Dim - 1) / 2> curvatures;  ///< y_αβ, see `secondDerivative`
+  Eigen::Vector<double, Dim> normal;                         ///< unit, out of the body
+};
+
+/// Closest point of a surface to a position x. Where the surface has a kink only some of the two parameters
+/// move with the position, or none:
+///
+///     inside a span, or on a knot without a kink   all of them            n: normal of the surface
+///     on a line between two smooth parts           the one along the line n = (x - y)/g
+///     on a kink of a curve, at a corner            none                   n = (x - y)/g
+///
+/// and (x - y)·y_α = 0 for those that move. g = (x - y)·n is positive outside.
+template <int Dim>
+struct Foot {
+  SurfacePoint<Dim> point;
+  std::array<bool, Dim - 1> moves{};
+  Eigen::Vector<double, Dim> normal;
+  double gap = 0.0;
+
+  bool isSmooth() const { return moves.front() && moves.back(); }
+
+  /// Gap over the distance to the nearer centre of curvature, positive on its side, where the foot ends to be
+  /// the closest point at 1: the largest eigenvalue of g m⁻¹ κ of the parameters that move, with
+  /// m_αβ = y_α·y_β and κ_αβ = n·y_αβ.
+  double shareOfRadius() const;
+};
+
+/// One or several faces of a body as one surface: rims with the same nodes are glued to one another. Beyond a
+/// rim that is not, the surface goes on along its tangents by the size of the last span.
+template <int Dim>
+class MasterSurface {
+ public:
+  /// firstUnknown: number of the body's first displacement component among the unknowns. Throws `Error` if a
+  /// face is named twice or more than two faces meet in a rim. In its reference place at first.
+  MasterSurface(const Body<Dim>& body, std::vector<FacePlace> faces, int firstUnknown = 0);
+
+  /// Moves it to where the unknowns put it.
+  void moveTo(const Eigen::VectorXd& x);
+
+  int numFaces() const { return static_cast<int>(faces_.size()); }
+  const TensorBasis<Dim - 1>& basis(int face) const { return at(face).trace.basis(); }
+
+  /// Body's node behind each function of a face.
+  const std::vector<int>& nodes(int face) const { return at(face).nodes; }
+
+  /// Number of the first displacement component of a node among the unknowns.
+  int unknown(int node) const { return firstUnknown_ + Dim * node; }
+
+  SurfacePlace<Dim> placeOf(int face, const Eigen::Vector<double, Dim - 1>& xi) const;
+  SurfacePoint<Dim> at(const SurfacePlace<Dim>& place) const;
+
+  /// The foot that one comes to from a place when one walks downhill over the squared distance to a position:
+  /// by Newton's method for (x - y)·y_α = 0, over knots and glued rims, along lines and into corners. Nothing
+  /// where that does not converge, beyond the continued surface, and where a face is collapsed to a point.
+  std::optional<Foot<Dim>> project(const Eigen::Vector<double, Dim>& position,
+                                   const SurfacePlace<Dim>& start) const;
+
+  /// How far a place lies beyond a rim that is not glued, in parts of its span; at most 0 on the surface.
+  double overhang(const SurfacePlace<Dim>& place) const;
+
+  /// All spans that a place belongs to, each with its own parameters; the one that is given comes first.
+  /// Around a rim that is collapsed to a point also the middles of its spans.
+  std::vector<SurfacePlace<Dim>> around(const SurfacePlace<Dim>& place) const;
+
+  /// Current Bézier points of a span, in whose convex hull it lies; empty if their weights are not positive
+  /// (possible for Lagrange bases with weights only).
+  Eigen::Matrix<double, Dim, Eigen::Dynamic> hull(int face, int span) const;
+
+ private:
+  static constexpr int P = Dim - 1;
+
+  /// Across a rim: the first span of another rim, whose parameter along it may run the other way.
+  struct Glue {
+    int face = 0, rim = 0;
+    bool reversed = false;
+  };
+
+  struct Face {
+    Patch<P, Dim> trace;  ///< in the reference place
+    std::vector<int> nodes;
+    double outward = 1.0;
+    Eigen::MatrixXd points;  ///< current control points
+    std::array<std::optional<Glue>, 2 * P> glued;
+    std::array<bool, 2 * P> collapsed{};
+  };
+
+  /// A place on the edge of a span, seen from that span: parameter d at its begin (side 0) or end (1).
+  struct Edge {
+    SurfacePlace<Dim> place;
+    int direction = 0, side = 0;
+  };
+
+  const Face& at(int face) const { return faces_[static_cast<std::size_t>(face)]; }
+  void glueRims();
+  bool isAtRim(const SurfacePlace<Dim>& place, int direction, int side) const;
+  bool isFree(const SurfacePlace<Dim>& place, int direction, int side) const;
+
+  /// How far a foot may go in a span: to its ends, and on beyond those at free rims.
+  double limit(const SurfacePlace<Dim>& place, int direction, int side) const;
+  std::optional<Edge> across(const SurfacePlace<Dim>& place, int direction, int side) const;
+  std::vector<Edge> edgesAround(const SurfacePlace<Dim>& place) const;
+  std::optional<Foot<Dim>> footAt(const SurfacePoint<Dim>& point, const Eigen::Vector<double, Dim>& position,
+                                  const std::array<bool, Dim - 1>& held) const;
+
+  std::vector<Face> faces_;
+  int firstUnknown_;
+};
+
+}  // namespace burnish
