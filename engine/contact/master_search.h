@@ -1,0 +1,49 @@
+#pragma once
+#include <Eigen/Dense>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/contact/box_tree.h"
+#include "engine/contact/master_surface.h"
+
+namespace burnish {
+
+/// Finds the spans of a surface, in the place where it was when this was made, that are near to something. A
+/// span lies in the box of its Bézier points in every state.
+template <int Dim>
+class MasterSearch {
+ public:
+  using Point = Eigen::Vector<double, Dim>;
+
+  struct Span {
+    int face = 0, span = 0;
+    auto operator<=>(const Span&) const = default;
+  };
+
+  MasterSearch() = default;
+  explicit MasterSearch(const MasterSurface<Dim>& surface);
+
+  /// Spans whose boxes meet a box, ascending; among them all that have a point in it.
+  std::vector<Span> meeting(const Point& low, const Point& high) const;
+
+  /// The nearest of the feet that are at most `reach` away from a position and suit. One foot per span is
+  /// tried, from the nearest box on until the next box is farther away than the best foot. surface: in the
+  /// place in which it was before.
+  std::optional<Foot<Dim>> nearest(const MasterSurface<Dim>& surface, const Point& position, double reach,
+                                   const std::function<bool(const Foot<Dim>&)>& suits) const;
+
+ private:
+  struct Candidate {
+    Span span;
+    Point low, high;  ///< of its Bézier points, infinite where it has none
+    Eigen::Matrix<double, Dim, Eigen::Dynamic> samples;  ///< degree + 1 points per direction
+  };
+
+  std::vector<Candidate> candidates_;  ///< ascending
+  BoxTree tree_;                       ///< of those with Bézier points
+  std::vector<int> inTree_;            ///< their numbers
+  std::vector<int> others_;
+};
+
+}  // namespace burnish
