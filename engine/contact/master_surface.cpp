@@ -287,9 +287,11 @@ std::optional<Foot<Dim>> MasterSurface<Dim>::footAt(const SurfacePoint<Dim>& poi
     for (std::size_t d = 0; d < held.size(); ++d) foot.moves[d] = !held[d];
     const double distance = way.norm();
     foot.gap = way.dot(sum) < 0.0 ? -distance : distance;
-    foot.normal = distance > kRounding * (position.norm() + point.x.norm())
-                      ? Eigen::Vector<double, Dim>(way / foot.gap)
-                      : sum.normalized();
+    foot.normal = sum.normalized();
+    if (distance > kRounding * (position.norm() + point.x.norm())) {
+      foot.edgeCurvature = 1.0 / foot.gap;
+      foot.normal = foot.edgeCurvature * way;
+    }
   }
   if (!foot.normal.allFinite()) return std::nullopt;
   return foot;

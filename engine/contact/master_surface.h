@@ -44,6 +44,7 @@ struct Foot {
   std::array<bool, Dim - 1> moves{};
   Eigen::Vector<double, Dim> normal;
   double gap = 0.0;
+  double edgeCurvature = 0.0;  ///< 1/g if n turns about a kink; 0 for gaps below rounding and elsewhere
 
   bool isSmooth() const { return moves.front() && moves.back(); }
 
