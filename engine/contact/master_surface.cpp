@@ -124,6 +124,15 @@ void MasterSurface<Dim>::moveTo(const Eigen::VectorXd& x) {
 }
 
 template <int Dim>
+void MasterSurface<Dim>::archive(StateArchive& archive) {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    Eigen::VectorXd points = faces_[f].points.reshaped();
+    archive.fixedField(fmt::format("face_{}", f), points);
+    faces_[f].points = points.reshaped(Dim, faces_[f].points.cols());
+  }
+}
+
+template <int Dim>
 SurfacePlace<Dim> MasterSurface<Dim>::placeOf(int face, const Eigen::Vector<double, Dim - 1>& xi) const {
   return {face, at(face).trace.findSpan(xi), xi};
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/core/state_archive.h"
 #include "engine/nurbs/second_order_shape.h"
 #include "engine/solid/body.h"
 #include "engine/solid/face_place.h"
@@ -65,6 +66,9 @@ class MasterSurface {
 
   /// Moves it to where the unknowns put it.
   void moveTo(const Eigen::VectorXd& x);
+
+  /// Its current place.
+  void archive(StateArchive& archive);
 
   int numFaces() const { return static_cast<int>(faces_.size()); }
   const TensorBasis<Dim - 1>& basis(int face) const { return at(face).trace.basis(); }

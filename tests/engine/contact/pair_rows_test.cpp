@@ -111,22 +111,6 @@ struct Scene {
   }
 };
 
-/// Derivative of a vector of functions by some of the unknowns, of the others zero: fourth-order central
-/// differences, columns per unknown.
-Eigen::MatrixXd differences(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& f,
-                            const Eigen::VectorXd& u, const std::vector<int>& unknowns, double h) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(f(u).size(), u.size());
-  for (const int j : unknowns) {
-    const auto at = [&](double steps) {
-      Eigen::VectorXd shifted = u;
-      shifted(j) += steps * h;
-      return f(shifted);
-    };
-    result.col(j) = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * h);
-  }
-  return result;
-}
-
 enum class Where { Inside, Line, Corner };
 
 /// A scene with a foot of a kind at a random place; none if there is no such foot there.
@@ -190,7 +174,7 @@ void expectDerivatives(Scene<Dim>& scene) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(scene.size());
   const auto exact = scene.at(zero);
   const Eigen::Index n = scene.size();
-  const auto all = differences(
+  const auto all = test::differences(
       [&](const Eigen::VectorXd& u) {
         const auto answer = scene.at(u, false);
         EXPECT_EQ(answer.foot.moves, exact.foot.moves);

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <algorithm>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -65,6 +66,22 @@ Patch<Dim> wavy(BasisFamily family, int degree, int spans, double amplitude, uns
   for (double& coordinate : points.reshaped()) coordinate += amplitude / spans * uniform(random);
   for (double& weight : weights) weight += 0.2 * uniform(random);
   return {block.basis(), std::move(points), std::move(weights)};
+}
+
+/// Derivative of a vector of functions by some of the unknowns, of the others zero: fourth-order central
+/// differences, columns per unknown.
+inline Eigen::MatrixXd differences(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& f,
+                                   const Eigen::VectorXd& u, const std::vector<int>& unknowns, double h) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(f(u).size(), u.size());
+  for (const int j : unknowns) {
+    const auto at = [&](double steps) {
+      Eigen::VectorXd shifted = u;
+      shifted(j) += steps * h;
+      return f(shifted);
+    };
+    result.col(j) = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * h);
+  }
+  return result;
 }
 
 }  // namespace burnish::test

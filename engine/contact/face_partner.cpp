@@ -1,0 +1,414 @@
+#include "engine/contact/face_partner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "engine/contact/pair_rows.h"
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+/// Cosine between the outward normals of partners: at least 120 degrees apart.
+constexpr double kOpposed = -0.5;
+
+/// Feet are used up to this share of the distance to the centre of curvature, where they end to be the
+/// closest ones: of partners at accepted states, and during a step.
+constexpr double kShareOfRadius = 0.75;
+constexpr double kLargestShareOfRadius = 0.95;
+
+/// A partner is left for a foot that is nearer by more than this part of the slave's span.
+constexpr double kNearer = 1e-3;
+
+/// Rounding errors of gaps in parts of the coordinates, and of overhangs: touching parts are outside of one
+/// another, an end is not beyond itself.
+constexpr double kRounding = 1e-12;
+constexpr double kRoundedOverhang = 1e-12;
+
+/// Lists of entries of several numbers, each list behind its length.
+class SavedLists {
+ public:
+  SavedLists(const std::vector<double>& numbers, int entrySize)
+      : next_(numbers.data()), end_(numbers.data() + numbers.size()), entrySize_(entrySize) {}
+
+  /// Calls a function for every entry of the next list. Throws `Error` if it is cut short.
+  template <class F>
+  void forEach(F&& f) {
+    if (next_ == end_ || !(*next_ >= 0.0) || !(entrySize_ * *next_ < static_cast<double>(end_ - next_)))
+      throw Error("saved state: a list of spans of a pair of faces is cut short");
+    const auto count = static_cast<int>(*next_++);
+    for (int k = 0; k < count; ++k, next_ += entrySize_) f(next_);
+  }
+
+ private:
+  const double *next_, *end_;
+  int entrySize_;
+};
+
+}  // namespace
+
+/// A quadrature point.
+template <int Dim>
+struct FacePartner<Dim>::Slave {
+  Eigen::Vector<double, Dim - 1> xi;
+  Vector x, normal;
+};
+
+template <int Dim>
+FacePartner<Dim>::FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, Dim> slaveTrace,
+                              double outward, MasterSurface<Dim> surface, const PartnerRules& rules)
+    : slave_(slave),
+      outward_(outward),
+      slaveTrace_(std::move(slaveTrace)),
+      surface_(std::move(surface)),
+      acceptedSurface_(surface_),
+      rules_(rules),
+      slavePoints_(slave.points()),
+      positions_(Dim, slave.numPoints()),
+      feet_(static_cast<std::size_t>(slave.numPoints())),
+      places_(feet_.size()) {
+  for (const auto& span : slave_.spans())
+    positions_.middleCols(span.firstPoint, span.R.cols()) = slavePoints_(Eigen::all, span.functions) * span.R;
+  accept();
+}
+
+template <int Dim>
+bool FacePartner<Dim>::update(double, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) {
+  surface_.moveTo(x);
+  positions_ = positions;
+  slavePoints_ = slave_.points();
+  for (int a = 0; a < slave_.numFunctions(); ++a)
+    slavePoints_.col(a) += x.template segment<Dim>(Dim * slave_.nodes()[static_cast<std::size_t>(a)]);
+  hasLeft_ = false;
+  for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
+    const auto& span = slave_.spans()[e];
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const auto number = static_cast<std::size_t>(span.firstPoint + q);
+      feet_[number].reset();
+      if (!places_[number]) continue;
+      const Place& start = *places_[number];
+      auto foot = surface_.project(positions_.col(span.firstPoint + q), start);
+      if (!foot || foot->shareOfRadius() > kLargestShareOfRadius) return false;
+      if (std::isfinite(rules_.largestSlip) &&
+          (foot->point.x - surface_.at(start).x).norm() > rules_.largestSlip)
+        return false;
+      checkCouplings(e, *foot);
+      feet_[number] = std::move(foot);
+    }
+  }
+  return true;
+}
+
+template <int Dim>
+void FacePartner<Dim>::checkCouplings(std::size_t span, const Foot<Dim>& foot) const {
+  const auto& known = couplings_[span];
+  if (!std::binary_search(known.begin(), known.end(), Span{foot.point.place.face, foot.point.place.span}))
+    hasLeft_ = true;
+}
+
+/// The quadrature point of a span whose parameters are nearest.
+template <int Dim>
+int FacePartner<Dim>::nearestNumber(std::size_t span, const Eigen::Vector<double, Dim - 1>& xi) const {
+  const auto& rule = slave_.spans()[span];
+  Eigen::Index nearest = 0;
+  (rule.xi.colwise() - xi).colwise().squaredNorm().minCoeff(&nearest);
+  return rule.firstPoint + static_cast<int>(nearest);
+}
+
+/// A place near the foot of a point between quadrature points: of the segment or of a neighbour. None if the
+/// point has no partner.
+template <int Dim>
+std::optional<typename FacePartner<Dim>::Place> FacePartner<Dim>::startOf(const SlavePoint<Dim>& point,
+                                                                          bool inAcceptedState) const {
+  if constexpr (Dim == 2) {
+    const auto& segments = segments_[point.span];
+    const auto found = std::find_if(segments.begin(), segments.end(),
+                                    [&](const Segment& segment) { return point.xi(0) <= segment.end; });
+    if (found != segments.end()) return found->foot;
+  }
+  const auto number = static_cast<std::size_t>(nearestNumber(point.span, point.xi));
+  if (inAcceptedState || !feet_[number]) return places_[number];
+  return feet_[number]->point.place;
+}
+
+template <int Dim>
+std::optional<Foot<Dim>> FacePartner<Dim>::footOf(const SlavePoint<Dim>& point) const {
+  if (point.number >= 0) return feet_[static_cast<std::size_t>(point.number)];
+  const auto start = startOf(point, false);
+  if (!start) return std::nullopt;
+  auto foot = surface_.project(point.x, *start);
+  if (foot) checkCouplings(point.span, *foot);
+  return foot;
+}
+
+/// The place of the foot in the accepted state; of the present one if there was none between the quadrature
+/// points.
+template <int Dim>
+typename FacePartner<Dim>::Place FacePartner<Dim>::acceptedPlaceOf(const SlavePoint<Dim>& point,
+                                                                   const Foot<Dim>& foot) const {
+  if (point.number >= 0) return *places_[static_cast<std::size_t>(point.number)];
+  const auto start = startOf(point, true);
+  const auto accepted = start ? acceptedSurface_.project(point.xAccepted, *start) : std::nullopt;
+  return accepted ? accepted->point.place : foot.point.place;
+}
+
+template <int Dim>
+std::optional<ContactPoint<Dim>> FacePartner<Dim>::at(const SlavePoint<Dim>& point,
+                                                      PointDetail detail) const {
+  const auto foot = footOf(point);
+  if (!foot) return std::nullopt;
+  ContactPoint<Dim> contact;
+  contact.gap = foot->gap;
+  contact.normal = foot->normal;
+  if (detail == PointDetail::Gap) return contact;
+  contact.unknowns.assign(point.unknowns.begin(), point.unknowns.end());
+  for (const int node : foot->point.nodes)
+    for (int d = 0; d < Dim; ++d) contact.unknowns.push_back(surface_.unknown(node) + d);
+  const PairRows<Dim> rows(point.R, *foot);
+  contact.dGap = rows.dGap();
+  if (detail == PointDetail::SecondDerivatives) contact.d2Gap = rows.d2Gap();
+  return contact;
+}
+
+template <int Dim>
+void FacePartner<Dim>::addSlip(const SlavePoint<Dim>& point, ContactPoint<Dim>& contact) const {
+  const Foot<Dim> foot = *footOf(point);
+  const SurfacePoint<Dim> before = surface_.at(acceptedPlaceOf(point, foot));
+  std::vector<int> nodes = foot.point.nodes;
+  const auto places = placesAmong(nodes, before.nodes);
+  for (std::size_t k = foot.point.nodes.size(); k < nodes.size(); ++k)
+    for (int d = 0; d < Dim; ++d) contact.unknowns.push_back(surface_.unknown(nodes[k]) + d);
+  const auto size = std::ssize(contact.unknowns);
+  contact.dGap.conservativeResizeLike(Eigen::VectorXd::Zero(size));
+  if (contact.d2Gap.size() > 0) contact.d2Gap.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
+
+  const PairRows<Dim> rows(point.R, foot, static_cast<int>(nodes.size() - foot.point.nodes.size()));
+  const auto frame = carriedFrame<Dim>(origin_, originNormal_, foot.normal);
+  const Vector way = point.x - before.x;
+  contact.frame = frame.vectors;
+  contact.slip = frame.vectors.transpose() * way;
+  contact.virtualSlip = rows.virtualSlip(frame);
+  contact.dSlip = rows.dSlip(frame, way, rows.differenceTo(before.shape.R, places));
+}
+
+template <int Dim>
+Eigen::MatrixXd FacePartner<Dim>::frictionTangent(const SlavePoint<Dim>& point,
+                                                  const ContactPoint<Dim>& contact,
+                                                  const Eigen::Vector<double, Dim - 1>& traction) const {
+  const Foot<Dim> foot = *footOf(point);
+  const auto own = point.R.size() + std::ssize(foot.point.nodes);
+  const PairRows<Dim> rows(point.R, foot, static_cast<int>(std::ssize(contact.unknowns) / Dim - own));
+  const auto frame = carriedFrame<Dim>(origin_, originNormal_, foot.normal);
+  Eigen::Matrix<double, Dim, Dim> byNormal = Eigen::Matrix<double, Dim, Dim>::Zero();
+  for (int k = 0; k < Dim - 1; ++k) byNormal += traction(k) * frame.byNormal[static_cast<std::size_t>(k)];
+  return rows.frictionTangent(frame.vectors * traction, byNormal);
+}
+
+template <int Dim>
+std::vector<int> FacePartner<Dim>::couplings(std::size_t span) const {
+  std::vector<int> unknowns;
+  for (const Span& master : couplings_[span])
+    for (const int a : surface_.basis(master.face).spanFunctions(master.span)) {
+      const int first = surface_.unknown(surface_.nodes(master.face)[static_cast<std::size_t>(a)]);
+      for (int d = 0; d < Dim; ++d) unknowns.push_back(first + d);
+    }
+  std::sort(unknowns.begin(), unknowns.end());
+  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  return unknowns;
+}
+
+template <int Dim>
+bool FacePartner<Dim>::suits(const Slave& slave, const Foot<Dim>& foot, bool isNew) const {
+  const Place& place = foot.point.place;
+  if (rules_.ownFace) {
+    const int own = *rules_.ownFace;
+    const bool isLater = place.face != own ? place.face > own
+                                           : std::lexicographical_compare(slave.xi.begin(), slave.xi.end(),
+                                                                          place.xi.begin(), place.xi.end());
+    if (!isLater) return false;
+  }
+  if (!(foot.normal.dot(slave.normal) < kOpposed)) return false;
+  const double deepest = isNew ? std::min(rules_.newPenetration, rules_.reach) : rules_.reach;
+  const double rounding = kRounding * (slave.x.norm() + foot.point.x.norm());
+  if (!(foot.gap < rules_.reach) || !(foot.gap > -deepest - rounding)) return false;
+  if (surface_.overhang(place) > (isNew ? rules_.newOverhang : rules_.overhang) + kRoundedOverhang)
+    return false;
+  return foot.shareOfRadius() <= kShareOfRadius;
+}
+
+template <int Dim>
+void FacePartner<Dim>::choosePartners() {
+  const MasterSearch<Dim> search(surface_);
+  for (const auto& span : slave_.spans())
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const auto number = static_cast<std::size_t>(span.firstPoint + q);
+      const Eigen::Matrix<double, Dim, Dim - 1> tangents =
+          slavePoints_(Eigen::all, span.functions) * span.dR.middleCols((Dim - 1) * q, Dim - 1);
+      const Slave slave{span.xi.col(q), positions_.col(span.firstPoint + q),
+                        outward_ * areaVector<Dim>(tangents).normalized()};
+      auto& foot = feet_[number];
+      if (foot && !suits(slave, *foot, false)) foot.reset();
+      if (!foot || rules_.takesNearer) {
+        const double reach = foot ? std::min(rules_.reach, std::abs(foot->gap)) : rules_.reach;
+        auto found = search.nearest(surface_, slave.x, reach,
+                                    [&](const Foot<Dim>& other) { return suits(slave, other, true); });
+        if (found && (!foot || std::abs(found->gap) < std::abs(foot->gap) - kNearer * span.size))
+          foot = std::move(found);
+      }
+      places_[number] = foot ? std::optional(foot->point.place) : std::nullopt;
+    }
+  cutSegments(search);
+  couplings_.assign(slave_.spans().size(), {});
+  addCouplings(search);
+}
+
+template <int Dim>
+void FacePartner<Dim>::cutSegments(const MasterSearch<Dim>& search) {
+  segments_.assign(slave_.spans().size(), {});
+  if constexpr (Dim == 2) {
+    if (!rules_.segments) return;
+    const UnivariateBasis& basis = slaveTrace_.basis().direction(0);
+    for (std::size_t e = 0; e < segments_.size(); ++e) {
+      const auto& functions = slave_.spans()[e].functions;
+      const int span = slaveTrace_.findSpan(slave_.spans()[e].xi.col(0));
+      const Eigen::Matrix2Xd points = slavePoints_(Eigen::all, functions);
+      const auto footAt = [&](double xi) -> std::optional<Foot<2>> {
+        const Eigen::Vector<double, 1> parameter(xi);
+        const auto shape = slaveTrace_.shape(span, parameter);
+        const Slave slave{parameter, points * shape.R,
+                          outward_ * areaVector<2>(Eigen::Vector2d(points * shape.dR)).normalized()};
+        const auto isPartner = [&](const Foot<2>& foot) {
+          return suits(slave, foot, false) &&
+                 surface_.overhang(foot.point.place) <= rules_.newOverhang + kRoundedOverhang;
+        };
+        std::optional<Foot<2>> foot;
+        if (const auto& start = places_[static_cast<std::size_t>(nearestNumber(e, parameter))])
+          foot = surface_.project(slave.x, *start);
+        if (!foot || !isPartner(*foot)) foot = search.nearest(surface_, slave.x, rules_.reach, isPartner);
+        return foot;
+      };
+      segments_[e] = segmentsOf(basis.spanBegin(span), basis.spanEnd(span), footAt);
+    }
+  }
+}
+
+template <int Dim>
+void FacePartner<Dim>::addCouplings(const MasterSearch<Dim>& search) {
+  for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
+    const auto& span = slave_.spans()[e];
+    const Eigen::MatrixXd points = slavePoints_(Eigen::all, span.functions);
+    const auto positions = positions_.middleCols(span.firstPoint, span.R.cols());
+    const Vector margin = Vector::Constant(rules_.reach);
+    const Vector low = points.rowwise().minCoeff().cwiseMin(positions.rowwise().minCoeff()) - margin;
+    const Vector high = points.rowwise().maxCoeff().cwiseMax(positions.rowwise().maxCoeff()) + margin;
+    std::vector<Span> spans = search.meeting(low, high);
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q)
+      if (const auto& foot = feet_[static_cast<std::size_t>(span.firstPoint + q)])
+        spans.push_back({foot->point.place.face, foot->point.place.span});
+    spans.insert(spans.end(), couplings_[e].begin(), couplings_[e].end());
+    std::sort(spans.begin(), spans.end());
+    spans.erase(std::unique(spans.begin(), spans.end()), spans.end());
+    couplings_[e] = std::move(spans);
+  }
+}
+
+template <int Dim>
+void FacePartner<Dim>::widenCouplings() {
+  addCouplings(MasterSearch<Dim>(surface_));
+}
+
+template <int Dim>
+void FacePartner<Dim>::chooseFrame() {
+  Vector sum = Vector::Zero();
+  for (const auto& foot : feet_)
+    if (foot) sum += foot->normal;
+  originNormal_ = sum.norm() > 0.0 ? Vector(sum.normalized()) : Vector(Vector::Unit(Dim - 1));
+  origin_ = anyFrame<Dim>(originNormal_);
+}
+
+template <int Dim>
+void FacePartner<Dim>::accept() {
+  choosePartners();
+  chooseFrame();
+  acceptedSurface_ = surface_;
+}
+
+/// Throws `Error` if the surface has no such span.
+template <int Dim>
+typename FacePartner<Dim>::Span FacePartner<Dim>::savedSpan(double face, double span) const {
+  const bool exists = face >= 0.0 && face < surface_.numFaces() && span >= 0.0 &&
+                      span < surface_.basis(static_cast<int>(face)).numSpans();
+  if (!exists) throw Error("saved state: a foot of a pair of faces lies on a span that is not there");
+  return {static_cast<int>(face), static_cast<int>(span)};
+}
+
+template <int Dim>
+void FacePartner<Dim>::archive(StateArchive& archive) {
+  // Per quadrature point face, span and parameters; face -1 without a partner.
+  Eigen::VectorXd feet = Eigen::VectorXd::Constant((Dim + 1) * std::ssize(places_), -1.0);
+  for (std::size_t k = 0; k < places_.size(); ++k)
+    if (const auto& place = places_[k])
+      feet.segment<Dim + 1>((Dim + 1) * static_cast<Eigen::Index>(k)) << place->face, place->span, place->xi;
+  archive.fixedField("feet", feet);
+
+  // Per span of the slave the number of master spans, then face and number of each.
+  std::vector<double> couplings;
+  for (const auto& spans : couplings_) {
+    couplings.push_back(static_cast<double>(spans.size()));
+    for (const Span& span : spans) {
+      couplings.push_back(span.face);
+      couplings.push_back(span.span);
+    }
+  }
+  archive.field("couplings", couplings);
+  // Per span of the slave the number of segments, then begin, end and foot of each, as above.
+  std::vector<double> segments;
+  for (const auto& pieces : segments_) {
+    segments.push_back(static_cast<double>(pieces.size()));
+    for (const Segment& piece : pieces) {
+      const auto foot = piece.foot.value_or(SurfacePlace<2>{-1, -1, Eigen::Vector<double, 1>(0.0)});
+      segments.insert(segments.end(), {piece.begin, piece.end, static_cast<double>(foot.face),
+                                       static_cast<double>(foot.span), foot.xi(0)});
+    }
+  }
+  archive.field("segments", segments);
+  Eigen::VectorXd frame(Dim * Dim);
+  frame << originNormal_, origin_.reshaped();
+  archive.fixedField("frame", frame);
+  archive.part("accepted", acceptedSurface_);
+  if (!archive.restores()) return;
+
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const auto saved = feet.segment<Dim + 1>((Dim + 1) * static_cast<Eigen::Index>(k));
+    places_[k].reset();
+    if (!(saved(0) >= 0.0)) continue;
+    const Span span = savedSpan(saved(0), saved(1));
+    places_[k] = Place{span.face, span.span, saved.template tail<Dim - 1>()};
+  }
+  SavedLists savedCouplings(couplings, 2);
+  for (auto& spans : couplings_) {
+    spans.clear();
+    savedCouplings.forEach([&](const double* entry) { spans.push_back(savedSpan(entry[0], entry[1])); });
+  }
+  SavedLists savedSegments(segments, 5);
+  for (auto& pieces : segments_) {
+    pieces.clear();
+    savedSegments.forEach([&](const double* entry) {
+      Segment piece{entry[0], entry[1], std::nullopt};
+      if (entry[2] >= 0.0) {
+        const Span span = savedSpan(entry[2], entry[3]);
+        piece.foot = SurfacePlace<2>{span.face, span.span, Eigen::Vector<double, 1>(entry[4])};
+      }
+      pieces.push_back(piece);
+    });
+  }
+  originNormal_ = frame.head<Dim>();
+  origin_ = frame.tail(Dim * (Dim - 1)).reshaped(Dim, Dim - 1);
+}
+
+template class FacePartner<2>;
+template class FacePartner<3>;
+
+}  // namespace burnish

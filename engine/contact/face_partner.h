@@ -1,0 +1,133 @@
+#pragma once
+#include <Eigen/Dense>
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/contact/carried_frame.h"
+#include "engine/contact/master_search.h"
+#include "engine/contact/master_surface.h"
+#include "engine/contact/partner.h"
+#include "engine/contact/segments.h"
+#include "engine/solid/face_quadrature.h"
+
+namespace burnish {
+
+/// Which feet are partners. It is decided at accepted states and kept during a step, in which the feet move.
+struct PartnerRules {
+  /// Largest distance of partners, either side of the surface.
+  double reach = 0.0;
+
+  /// How deep a point may be inside when it finds a partner; from the other side of a thin part it has to
+  /// find none.
+  double newPenetration = std::numeric_limits<double>::infinity();
+
+  /// How far beyond a free rim of the surface a foot may be, in parts of the last span there: of a partner,
+  /// and of a new one.
+  double overhang = 0.25, newOverhang = 0.0;
+
+  /// Whether a partner is left for a foot that is nearer by more than a thousandth of the slave's span.
+  bool takesNearer = true;
+
+  /// A state is not admissible if a foot has moved farther since the accepted one.
+  double largestSlip = std::numeric_limits<double>::infinity();
+
+  /// In the plane: whether spans of the slave are cut into `FacePartner::segments`.
+  bool segments = false;
+
+  /// If the slave is one of the surface's own faces, its number: of two points that face each other the one
+  /// with the smaller face and parameters is the slave.
+  std::optional<int> ownFace = std::nullopt;
+};
+
+/// Default of `PartnerRules::reach` for two bodies of these sizes.
+inline double defaultReach(double size, double otherSize) {
+  return std::min(size, otherSize) / 20.0;
+}
+
+/// Faces of a body, of another one or of the slave's own, as the partner of a face. See `PairRows` for the
+/// derivatives; the slave's unknowns may be there a second time among the master's.
+///
+/// The slip of a step is s = (I - n⊗n)(x - y(η̄_n)): the way of the slave point from the material point of
+/// the master that was its foot η̄_n in the accepted state, both in their present places. It vanishes in rigid
+/// motions of both bodies. With v = x - y(η̄_n) and the frame e_α of `CarriedFrame`,
+/// d(e_α·s) = e_α·(Σ R_a dx_a - Σ R_b(η̄_n) dy_b) + v·de_α. The frame's origin is the mean normal of all feet
+/// in the accepted state.
+template <int Dim>
+class FacePartner final : public Partner<Dim> {
+ public:
+  /// slave: must outlive the object; slaveTrace, outward: its `tracePatch` and `outwardSign`. Both faces in their reference places, where
+  /// partners are chosen.
+  FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, Dim> slaveTrace, double outward,
+              MasterSurface<Dim> surface, const PartnerRules& rules);
+
+  [[nodiscard]] bool update(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) override;
+
+  /// Between quadrature points there is a partner where the segment has one; without segments, where the
+  /// nearest quadrature point of the span has one.
+  std::optional<ContactPoint<Dim>> at(const SlavePoint<Dim>& point, PointDetail detail) const override;
+
+  /// Adds to the unknowns those of nodes that only the foot in the accepted state stands on.
+  void addSlip(const SlavePoint<Dim>& point, ContactPoint<Dim>& contact) const override;
+  Eigen::MatrixXd frictionTangent(const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact,
+                                  const Eigen::Vector<double, Dim - 1>& traction) const override;
+
+  /// Those of the master spans within reach of the slave's in the accepted state.
+  std::vector<int> couplings(std::size_t span) const override;
+
+  /// Whether a foot has been asked for, since the last update, on a span that `couplings` do not know.
+  bool hasLeftCouplings() const { return hasLeft_; }
+
+  /// Adds what is within reach in the last updated state to the couplings.
+  void widenCouplings();
+
+  /// Segments of a span, begin to end, frozen since the accepted state; empty unless the rules want them.
+  const std::vector<Segment>& segments(std::size_t span) const { return segments_[span]; }
+
+  Eigen::Vector3d pivot() const override { return Eigen::Vector3d::Zero(); }
+  void accept() override;
+  void archive(StateArchive& archive) override;
+
+  const MasterSurface<Dim>& surface() const { return surface_; }
+
+  /// Foot of a quadrature point in the last updated state, if it has one.
+  const std::optional<Foot<Dim>>& foot(int number) const { return feet_[static_cast<std::size_t>(number)]; }
+
+ private:
+  using Vector = Eigen::Vector<double, Dim>;
+  using Place = SurfacePlace<Dim>;
+  using Span = typename MasterSearch<Dim>::Span;
+  using Frame = Eigen::Matrix<double, Dim, Dim - 1>;
+
+  struct Slave;
+
+  int nearestNumber(std::size_t span, const Eigen::Vector<double, Dim - 1>& xi) const;
+  std::optional<Place> startOf(const SlavePoint<Dim>& point, bool inAcceptedState) const;
+  std::optional<Foot<Dim>> footOf(const SlavePoint<Dim>& point) const;
+  Place acceptedPlaceOf(const SlavePoint<Dim>& point, const Foot<Dim>& foot) const;
+  void checkCouplings(std::size_t span, const Foot<Dim>& foot) const;
+  bool suits(const Slave& slave, const Foot<Dim>& foot, bool isNew) const;
+  void choosePartners();
+  void cutSegments(const MasterSearch<Dim>& search);
+  void addCouplings(const MasterSearch<Dim>& search);
+  void chooseFrame();
+  Span savedSpan(double face, double span) const;
+
+  const FaceQuadrature<Dim>& slave_;
+  double outward_;
+  Patch<Dim - 1, Dim> slaveTrace_;
+  MasterSurface<Dim> surface_, acceptedSurface_;
+  PartnerRules rules_;
+  Eigen::MatrixXd slavePoints_, positions_;     ///< control points, quadrature points: last updated state
+  std::vector<std::optional<Foot<Dim>>> feet_;  ///< in the last updated state
+  std::vector<std::optional<Place>> places_;    ///< of feet in the accepted state
+  std::vector<std::vector<Span>> couplings_;    ///< per span of the slave, ascending
+  std::vector<std::vector<Segment>> segments_;  ///< per span of the slave
+  mutable std::atomic<bool> hasLeft_ = false;
+  Vector originNormal_;
+  Frame origin_;
+};
+
+}  // namespace burnish
