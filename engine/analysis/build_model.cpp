@@ -159,9 +159,11 @@ void ModelBuilder<Dim>::addContact(std::size_t number) {
   const std::size_t tool = model_->toolNumber(spec.tool);
   const FacePlace place = model_->faces_.face(spec.place);
   ContactOptions options = spec.options;
-  options.parameter = options.parameterFor(youngsModulus(model_->bulk_->material()), model_->body_.size());
-  auto term = std::make_unique<ContactTerm<Dim>>(model_->body_, place.patch, place.face,
-                                                 *model_->tools_[tool], options, model_->numUnknowns_);
+  const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
+  options.parameter = options.parameterFor(youngsModulus(model_->bulk_->material()), model_->body_.size(),
+                                           meanControlPointDistance(patch, place.face));
+  auto term = makeToolContact<Dim>(model_->body_, place.patch, place.face, *model_->tools_[tool], options,
+                                   model_->numUnknowns_, model_->supports_.prescribed());
   model_->numUnknowns_ += term->numMultipliers();
   model_->contacts_.push_back({tool, place, std::move(term)});
 }

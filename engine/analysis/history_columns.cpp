@@ -1,5 +1,6 @@
 #include "engine/analysis/history_columns.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace burnish {
@@ -37,6 +38,10 @@ constexpr Row kSelfContact[] = {
     {"self_contact_force", [](const HistoryRow& r) { return r.state.selfForce; }},
 };
 
+constexpr Row kFriction[] = {
+    {"friction_work", [](const HistoryRow& r) { return r.state.frictionWork(); }},
+};
+
 constexpr Row kRezoning[] = {
     {"rezonings", [](const HistoryRow& r) { return static_cast<double>(r.state.rezonings.count); }},
     {"rezoning_energy_lost", [](const HistoryRow& r) { return r.state.rezonings.energyLost; }},
@@ -71,14 +76,31 @@ constexpr ToolRow kTool[] = {
      [](State s, std::size_t k) { return s.toolPoses[k].angle * 180.0 / std::numbers::pi; }},
 };
 
+/// Of tools that a pair touches with the integral method.
+constexpr ToolRow kArea[] = {
+    {".contact_area", Where::Everywhere, [](State s, std::size_t k) { return s.toolTouches[k].area; }},
+};
+
+/// Of tools that rub.
+constexpr ToolRow kToolFriction[] = {
+    {".friction", Where::Everywhere, [](State s, std::size_t k) { return s.toolTouches[k].friction; }},
+    {".sticking", Where::Everywhere,
+     [](State s, std::size_t k) { return static_cast<double>(s.toolTouches[k].sticking); }},
+    {".slipping", Where::Everywhere,
+     [](State s, std::size_t k) { return static_cast<double>(s.toolTouches[k].slipping); }},
+    {".friction_work", Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolTouches[k].frictionWork; }},
+};
+
 template <std::size_t Count>
 void add(std::vector<HistoryColumn>& columns, const Row (&rows)[Count]) {
   for (const Row& row : rows) columns.push_back({row.name, row.value});
 }
 
-void addTool(std::vector<HistoryColumn>& columns, const std::string& name, std::size_t tool, bool inSpace,
-             bool axisymmetric) {
-  for (const ToolRow& row : kTool) {
+template <std::size_t Count>
+void addTool(std::vector<HistoryColumn>& columns, const ToolRow (&rows)[Count], const std::string& name,
+             std::size_t tool, bool inSpace, bool axisymmetric) {
+  for (const ToolRow& row : rows) {
     if (row.where == Where::InSpace && !inSpace) continue;
     if (row.where == Where::NotInAxisymmetry && axisymmetric) continue;
     columns.push_back(
@@ -92,6 +114,22 @@ void addList(std::vector<HistoryColumn>& columns, const std::vector<std::string>
     columns.push_back({names[k], [k, values](const HistoryRow& r) { return (r.state.*values)[k]; }});
 }
 
+/// Whether a pair of a tool is one of those that are meant.
+template <int Dim, class IsMeant>
+bool hasPair(const Model<Dim>& model, std::size_t tool, const IsMeant& isMeant) {
+  return std::any_of(model.contacts().begin(), model.contacts().end(), [&](const ContactPair<Dim>& pair) {
+    return pair.tool == tool && isMeant(pair.term->options());
+  });
+}
+
+bool isIntegral(const ContactOptions& options) {
+  return options.method == Enforcement::IntegralAugmentedLagrangian;
+}
+
+bool rubs(const ContactOptions& options) {
+  return options.hasFriction();
+}
+
 }  // namespace
 
 template <int Dim>
@@ -100,9 +138,19 @@ std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& 
                                           const std::vector<std::string>& measures) {
   std::vector<HistoryColumn> columns;
   add(columns, kStep);
-  for (std::size_t k = 0; k < model.tools().size(); ++k)
-    addTool(columns, model.tools()[k]->name, k, Dim == 3, model.body().axisymmetric);
+  bool anyRubs = false;
+  for (std::size_t k = 0; k < model.tools().size(); ++k) {
+    const auto addRows = [&](const auto& rows) {
+      addTool(columns, rows, model.tools()[k]->name, k, Dim == 3, model.body().axisymmetric);
+    };
+    addRows(kTool);
+    if (hasPair(model, k, isIntegral)) addRows(kArea);
+    if (!hasPair(model, k, rubs)) continue;
+    addRows(kToolFriction);
+    anyRubs = true;
+  }
   add(columns, kBody);
+  if (anyRubs) add(columns, kFriction);
   if (!model.selfContacts().empty()) add(columns, kSelfContact);
   if (scene.rezoning) add(columns, kRezoning);
   if (scene.output.reactions) addList(columns, reactions, &StateQuantities::reactions);

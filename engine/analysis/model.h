@@ -6,8 +6,8 @@
 
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/supports.h"
-#include "engine/contact/contact_term.h"
 #include "engine/contact/self_contact_term.h"
+#include "engine/contact/tool_contact.h"
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
 #include "engine/solid/bulk_term.h"
@@ -29,7 +29,7 @@ template <int Dim>
 struct ContactPair {
   std::size_t tool = 0;
   FacePlace place;
-  std::unique_ptr<ContactTerm<Dim>> term;
+  std::unique_ptr<ToolContact<Dim>> term;
 };
 
 /// A tool of the scene with free degrees of freedom: the forces that it carries in them.

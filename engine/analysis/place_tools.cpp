@@ -17,7 +17,7 @@ namespace burnish {
 namespace {
 
 template <int Dim>
-using Pairs = std::vector<ContactTerm<Dim>*>;
+using Pairs = std::vector<ToolContact<Dim>*>;
 
 template <int Dim>
 Pairs<Dim> pairsOf(const Model<Dim>& model, std::size_t tool) {
@@ -83,9 +83,7 @@ double liftTools(const Scene& scene, Model<Dim>& model) {
     Tool& tool = *model.tools()[k];
     if (!tool.freeUnknowns().empty()) continue;  // finds its own height
     Pairs<Dim> pairs = pairsOf(model, k);
-    std::erase_if(pairs, [](const ContactTerm<Dim>* pair) {
-      return pair->options().method == Enforcement::PointwisePenalty;
-    });
+    std::erase_if(pairs, [](const ToolContact<Dim>* pair) { return !averagesGaps(pair->options().method); });
     if (pairs.empty()) continue;
     tool.lift = liftToSeparate<Dim>(pairs, tool, model.body().size(), fmt::format("tools[{}]", k));
     if (tool.lift.isZero(0.0)) continue;

@@ -27,6 +27,7 @@ RunHistory<Dim>::RunHistory(const Scene& scene, const Model<Dim>& model, const P
   current_.toolPoses.resize(model.tools().size());
   current_.toolForces.resize(model.tools().size(), Eigen::Vector3d::Zero());
   current_.toolMoments = current_.toolForces;
+  current_.toolTouches.resize(model.tools().size());
   current_.reactions = reactions_.values();
   current_.measured.resize(measures_.columns().size());
 }
@@ -71,6 +72,7 @@ void RunHistory<Dim>::addTools(const MeasuredState& state, StateQuantities& next
   for (const auto& tool : model_.tools()) next.toolPoses.push_back(tool->pose(state.time, state.x));
   next.toolForces.assign(model_.tools().size(), Eigen::Vector3d::Zero());
   next.toolMoments = next.toolForces;
+  next.toolTouches.resize(model_.tools().size());
   for (const auto& pair : model_.contacts()) {
     const ContactState& contact = pair.term->state();
     next.toolForces[pair.tool] += contact.reaction;
@@ -78,6 +80,12 @@ void RunHistory<Dim>::addTools(const MeasuredState& state, StateQuantities& next
     next.contactEnergy += contact.energy;
     next.activeControlPoints += contact.numActive();
     next.maxPenetration = std::max(next.maxPenetration, contact.largestPenetration());
+    ToolTouch& touch = next.toolTouches[pair.tool];
+    touch.area += contact.area;
+    touch.friction += contact.frictionForce;
+    touch.sticking += contact.sticking;
+    touch.slipping += contact.slipping;
+    touch.frictionWork += contact.frictionWork;
   }
 }
 

@@ -14,6 +14,12 @@ void RezoningSums::add(const RezoningRecord& rezoning) {
   boundaryError = std::max(boundaryError, rezoning.boundaryError);
 }
 
+double StateQuantities::frictionWork() const {
+  double work = 0.0;
+  for (const ToolTouch& touch : toolTouches) work += touch.frictionWork;
+  return work;
+}
+
 void StateQuantities::archive(StateArchive& archive) {
   archive.field("time", time);
   for (std::size_t k = 0; k < toolPoses.size(); ++k) {
@@ -22,6 +28,9 @@ void StateQuantities::archive(StateArchive& archive) {
     archive.field(name + "angle", toolPoses[k].angle);
     archive.field(name + "force", toolForces[k]);
     archive.field(name + "moment", toolMoments[k]);
+    ToolTouch& touch = toolTouches[k];
+    archive.together(name + "touch", touch.area, touch.friction, touch.sticking, touch.slipping,
+                     touch.frictionWork);
   }
   archive.together("energies", strainEnergy, contactEnergy, externalWork, plasticWork, stabilisationWork,
                    largestEnergy);

@@ -20,12 +20,21 @@ struct RezoningSums {
   void add(const RezoningRecord& rezoning);
 };
 
+/// What contact with a tool is like, over all of its pairs.
+struct ToolTouch {
+  double area = 0.0;               ///< reference area under pressure, of pairs that know it
+  double friction = 0.0;           ///< ∫ |t| dΓ of frictional tractions
+  int sticking = 0, slipping = 0;  ///< control points
+  double frictionWork = 0.0;       ///< since the start
+};
+
 /// Quantities of one accepted state, in the units of the scene.
 struct StateQuantities {
   double time = 0.0;
   std::vector<ToolPose> toolPoses;           ///< per tool
   std::vector<Eigen::Vector3d> toolForces;   ///< force of the body on each tool
   std::vector<Eigen::Vector3d> toolMoments;  ///< of that force about the tool's pivot
+  std::vector<ToolTouch> toolTouches;        ///< per tool
   double strainEnergy = 0.0;
   double contactEnergy = 0.0;
   double externalWork = 0.0;  ///< trapezoidal sum over the steps: tools, tractions, moved supports
@@ -46,8 +55,13 @@ struct StateQuantities {
   std::vector<double> reactions;  ///< one for each of their columns
   std::vector<double> measured;   ///< one for each column of the scene's measures
 
-  /// What became of the work done: energies, plastic work, and what a drag took.
-  double energyFound() const { return strainEnergy + contactEnergy + plasticWork + stabilisationWork; }
+  /// Work that friction has taken since the start.
+  double frictionWork() const;
+
+  /// What became of the work done: energies, plastic work, and what a drag and friction took.
+  double energyFound() const {
+    return strainEnergy + contactEnergy + plasticWork + stabilisationWork + frictionWork();
+  }
 
   /// The vectors must have their sizes.
   void archive(StateArchive& archive);

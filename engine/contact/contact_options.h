@@ -12,17 +12,25 @@ namespace burnish {
 inline constexpr double kAnyGap = std::numeric_limits<double>::infinity();
 
 enum class Enforcement {
-  AugmentedLagrangian,  ///< mortar, (31)-(43): displacements and multipliers in one Newton iteration
-  MortarPenalty,        ///< mortar, (4)
-  PointwisePenalty      ///< "knot-to-surface": penalty at every quadrature point
+  AugmentedLagrangian,          ///< mortar, (31)-(43): displacements and multipliers in one Newton iteration
+  IntegralAugmentedLagrangian,  ///< the same with complementarity at the quadrature points
+  MortarPenalty,                ///< mortar, (4)
+  PointwisePenalty              ///< "knot-to-surface": penalty at every quadrature point
 };
 
 template <>
 struct EnumNames<Enforcement> {
-  static constexpr std::array values{std::pair{"augmented-lagrangian", Enforcement::AugmentedLagrangian},
-                                     std::pair{"penalty", Enforcement::MortarPenalty},
-                                     std::pair{"pointwise-penalty", Enforcement::PointwisePenalty}};
+  static constexpr std::array values{
+      std::pair{"augmented-lagrangian", Enforcement::AugmentedLagrangian},
+      std::pair{"integral-augmented-lagrangian", Enforcement::IntegralAugmentedLagrangian},
+      std::pair{"penalty", Enforcement::MortarPenalty},
+      std::pair{"pointwise-penalty", Enforcement::PointwisePenalty}};
 };
+
+/// Whether a method closes gaps that are averaged over the functions of the face.
+constexpr bool averagesGaps(Enforcement method) {
+  return method == Enforcement::AugmentedLagrangian || method == Enforcement::MortarPenalty;
+}
 
 /// How contact of a face with a tool is enforced.
 struct ContactOptions {
@@ -36,27 +44,57 @@ struct ContactOptions {
   /// not `keepInTouch`: what is open everywhere is never active.
   std::optional<double> gapLimit{};
 
-  /// ε of a body with Young's modulus E and the largest extent L. The answer of the augmented Lagrangian does
-  /// not depend on it; penalty methods trade penetration against conditioning.
-  double parameterFor(double E, double L) const {
-    return parameter.value_or((method == Enforcement::AugmentedLagrangian ? 1.0 : 100.0) * E / L);
+  std::optional<double> friction{};           ///< Coulomb's μ; none without
+  std::optional<double> shearLimit{};         ///< largest true shear stress of friction
+  bool rough = false;                         ///< no slip where the face is pressed
+  std::optional<double> frictionParameter{};  ///< ε_T, stress per length; ε when left out
+
+  bool hasFriction() const { return friction.value_or(0.0) > 0.0 || rough; }
+
+  /// ε of a body with Young's modulus E and the largest extent L, d the mean distance of control points on
+  /// the face. The answer of the augmented Lagrangian does not depend on it, that of the integral one little;
+  /// penalty methods trade penetration against conditioning.
+  double parameterFor(double E, double L, double d) const {
+    if (parameter) return *parameter;
+    switch (method) {
+      case Enforcement::AugmentedLagrangian:
+        return E / L;
+      case Enforcement::IntegralAugmentedLagrangian:
+        return E / d;
+      case Enforcement::MortarPenalty:
+      case Enforcement::PointwisePenalty:
+        break;
+    }
+    return 100.0 * E / L;
   }
 };
 
 template <class Visitor>
 void describe(Visitor& v, ContactOptions& s) {
-  v.field("method", s.method, {},
-          "Mortar augmented Lagrangian (no penetration on average), mortar penalty, or penalty at every "
-          "quadrature point.");
-  v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
-          "Penalty or augmentation parameter; when left out E/L (augmented Lagrangian) or 100 E/L "
-          "(penalties), L the body's largest extent.");
+  v.field(
+      "method", s.method, {},
+      "Mortar augmented Lagrangian (no penetration on average), augmented Lagrangian with contact or none "
+      "at every quadrature point (smoother forces), mortar penalty, or penalty at every quadrature point.");
+  v.field(
+      "parameter", s.parameter, {.above = 0, .unit = "stress per length"},
+      "Penalty or augmentation parameter; when left out E/L (augmented Lagrangian), E/d (integral one) or "
+      "100 E/L (penalties), L the body's largest extent, d the mean distance of control points on the "
+      "face.");
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Quadrature points per knot span and direction; twice the degree when left out.");
   v.field("gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
           "Gaps count in averages in full up to this share of the knot span's length, then ever less; what "
           "is open by three times that counts as twice that and bears no pressure. For a face that turns "
           "away from the tool sharply, as at the lip of a chip: 0.02. All gaps count in full when left out.");
+  v.field("friction", s.friction, {.atLeast = 0},
+          "Coefficient of Coulomb friction, tangential over normal traction in slip; with method "
+          "integral-augmented-lagrangian. No friction when left out.");
+  v.field("shear_limit", s.shearLimit, {.above = 0, .unit = "stress"},
+          "Largest shear stress of friction, on the deformed face; unlimited when left out.");
+  v.field("rough", s.rough, {},
+          "The face does not slip on the tool where it is pressed; instead of friction.");
+  v.field("friction_parameter", s.frictionParameter, {.above = 0, .unit = "stress per length"},
+          "Augmentation parameter of friction; parameter when left out.");
 }
 
 /// How contact of a face with itself is enforced: mortar augmented Lagrangian.

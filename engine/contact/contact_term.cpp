@@ -20,27 +20,11 @@ struct ContactTerm<Dim>::Mortar {
       D;  ///< ∂G: (29), over the unknowns of A's support and the free degrees of freedom
 };
 
-namespace {
-
-/// A point that is deeper inside a round tool than this share of its radius is about to leave it on the far
-/// side, where the nearest surface would pull it on: such a state is not admissible.
-constexpr double kDeepestShare = 0.5;
-
-/// The way of a point is looked at in pieces of at least this share of that depth.
-constexpr double kShortestShare = 0.5;
-
-}  // namespace
-
 template <int Dim>
 ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
                               const Options& options, int firstMultiplier)
-    : face_(body, patch, face, contactPoints(body, patch, options.quadraturePoints)),
-      tool_(tool),
-      options_(options),
-      firstMultiplier_(firstMultiplier),
-      axisymmetric_(body.axisymmetric),
-      deepest_(kDeepestShare * tool.shape.halfThickness()),
-      A_(Eigen::VectorXd::Zero(face_.numFunctions())) {
+    : ToolContact<Dim>(body, patch, face, options, firstMultiplier), tool_(tool), passage_(tool) {
+  A_ = Eigen::VectorXd::Zero(face_.numFunctions());
   for (std::size_t dof = 0; dof < kToolDofs; ++dof)
     if (tool.isFree(dof)) dofs_.push_back(dof);
   std::vector<std::set<int>> supports(static_cast<std::size_t>(face_.numFunctions()));
@@ -68,13 +52,6 @@ ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, con
 template <int Dim>
 int ContactTerm<Dim>::numMultipliers() const {
   return options_.method == Enforcement::AugmentedLagrangian ? face_.numFunctions() : 0;
-}
-
-template <int Dim>
-void ContactTerm<Dim>::keepInTouch(std::vector<const ContactTerm*> others) {
-  assert(options_.gapLimit.value_or(kAnyGap) == kAnyGap);
-  keepsInTouch_ = true;
-  others_ = std::move(others);
 }
 
 template <int Dim>
@@ -185,52 +162,12 @@ double ContactTerm<Dim>::smallestReferenceGap(const ToolPose& pose) const {
 }
 
 template <int Dim>
-bool ContactTerm<Dim>::isTooDeep(const Mortar& mortar) const {
-  return std::any_of(mortar.points.begin(), mortar.points.end(),
-                     [&](const ToolGap& query) { return query.point.gap < -deepest_; });
-}
-
-template <int Dim>
-Eigen::VectorXd ContactTerm<Dim>::pointsInTool(const ToolPose& pose, const Eigen::MatrixXd& positions) const {
-  if (std::isinf(deepest_)) return {};
-  Eigen::VectorXd points(3 * positions.cols());
-  for (Eigen::Index q = 0; q < positions.cols(); ++q) {
-    Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    x.head<Dim>() = positions.col(q);
-    points.segment<3>(3 * q) = tool_.toReference(pose, x);
-  }
-  return points;
-}
-
-template <int Dim>
-bool ContactTerm<Dim>::hasPassedThrough() const {
-  for (Eigen::Index q = 0; 3 * q < pointsInTool_.size(); ++q) {
-    const Eigen::Vector3d from = pointsInTool_.segment<3>(3 * q), to = trialPointsInTool_.segment<3>(3 * q);
-    const double way = (to - from).norm();
-    // Gaps change by no more than the way. A short one that begins and ends near the surface stays there.
-    for (double done = 0.0; way > deepest_ && done < way;) {
-      const double gap = tool_.shape.query(from + done / way * (to - from)).gap;
-      if (gap < -deepest_) return true;
-      done += std::max(gap + deepest_, kShortestShare * deepest_);
-    }
-  }
-  return false;
-}
-
-template <int Dim>
-bool ContactTerm<Dim>::isAlone() const {
-  return std::none_of(others_.begin(), others_.end(), [](const ContactTerm* other) {
-    return other->state().pressure.size() > 0 && other->state().pressure.maxCoeff() > 0.0;
-  });
-}
-
-template <int Dim>
 bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   const ToolPose pose = tool_.pose(t, x);
   Mortar mortar = integrate(pose, x);
   if (gapOrigin_.size() > 0) mortar.G -= A_.cwiseProduct(gapOrigin_);
-  trialPointsInTool_ = pointsInTool(pose, mortar.positions);
-  if (isTooDeep(mortar) || hasPassedThrough()) return false;
+  const auto gapAt = [&](Eigen::Index q) { return mortar.points[static_cast<std::size_t>(q)].point.gap; };
+  if (!passage_.admits(pose, mortar.positions, gapAt)) return false;
   const std::vector<bool> before = std::move(state_.active);
   state_ = {};
   state_.averageGap = mortar.G.cwiseQuotient(A_);
@@ -255,7 +192,7 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
 
 template <int Dim>
 void ContactTerm<Dim>::accept() {
-  pointsInTool_ = trialPointsInTool_;
+  passage_.accept();
 }
 
 template <int Dim>

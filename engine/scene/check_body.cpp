@@ -11,10 +11,9 @@ namespace {
 void checkMortarDegree(const CheckContext& c) {
   constexpr int highest = 7;
   const auto& pairs = c.scene.contact;
-  const bool mortar =
-      !c.scene.selfContact.empty() || std::any_of(pairs.begin(), pairs.end(), [](const ContactSpec& pair) {
-        return pair.options.method != Enforcement::PointwisePenalty;
-      });
+  const bool mortar = !c.scene.selfContact.empty() ||
+                      std::any_of(pairs.begin(), pairs.end(),
+                                  [](const ContactSpec& pair) { return averagesGaps(pair.options.method); });
   if (mortar && c.scene.basis == BasisChoice::Lagrange && c.scene.degree > highest && c.clean("degree"))
     c.report("degree", fmt::format("found {}; allowed for mortar contact with Lagrange elements: at most {}, "
                                    "above it the integral of a basis function is no longer positive.",

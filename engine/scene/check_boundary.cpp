@@ -94,15 +94,29 @@ void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& l
 
 void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::string& path) {
   if (!pair.options.gapLimit || !c.clean(path)) return;
-  if (pair.options.method == Enforcement::PointwisePenalty)
-    return c.report(path,
-                    "found with method pointwise-penalty, which averages no gaps; allowed: with "
-                    "augmented-lagrangian and penalty.");
+  if (!averagesGaps(pair.options.method))
+    return c.report(path, fmt::format("found with method {}, which averages no gaps; allowed: with "
+                                      "augmented-lagrangian and penalty.",
+                                      pair.options.method == Enforcement::PointwisePenalty
+                                          ? "pointwise-penalty"
+                                          : "integral-augmented-lagrangian"));
   const auto& tools = c.scene.tools;
   const auto tool =
       std::find_if(tools.begin(), tools.end(), [&](const ToolSpec& t) { return t.name == pair.tool; });
   if (tool != tools.end() && tool->carry)
     c.report(path, "found for a tool that carries a load; allowed: for tools whose motion is given.");
+}
+
+void checkFriction(const CheckContext& c, const ContactOptions& options, const std::string& path) {
+  if (options.rough && options.friction && c.clean(path + ".friction"))
+    c.report(path + ".friction", "found beside rough: true; allowed: one of the two.");
+  if (options.hasFriction() && options.method != Enforcement::IntegralAugmentedLagrangian &&
+      c.clean(path + ".method"))
+    c.report(path + ".method",
+             "found a method without friction beside friction or rough; allowed: "
+             "integral-augmented-lagrangian.");
+  if (options.shearLimit && !options.friction && c.clean(path + ".shear_limit"))
+    c.report(path + ".shear_limit", "found without friction; allowed: beside friction.");
 }
 
 void checkContact(const CheckContext& c, const std::vector<std::string>& toolNames) {
@@ -120,6 +134,7 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
                                                              : fmt::format("{}", fmt::join(toolNames, " | ")),
                                            didYouMean(pair.tool, toolNames)));
     checkGapLimit(c, pair, path + ".gap_limit");
+    checkFriction(c, pair.options, path);
     if (!pairs.insert({pair.tool, pair.place.patch, pair.place.face}).second)
       c.report(path,
                fmt::format("found the pair of tool {} and face {} a second time; allowed: each pair once.",

@@ -23,7 +23,10 @@ void checkContact(const CheckContext& c) {
     if (contact[k].options.method != Enforcement::AugmentedLagrangian &&
         c.clean(fmt::format("contact[{}].method", k)))
       c.report(fmt::format("contact[{}].method", k),
-               "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian.");
+               fmt::format("found {} in a scene with rezoning; allowed there: augmented-lagrangian.",
+                           contact[k].options.method == Enforcement::IntegralAugmentedLagrangian
+                               ? "integral-augmented-lagrangian"
+                               : "a penalty method"));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/solid/body.h"
+#include "engine/solid/span_quadrature.h"
 
 namespace burnish {
 
@@ -12,6 +13,7 @@ template <int Dim>
 class FaceQuadrature {
  public:
   struct Span {
+    int number = 0;              ///< span of the trace's basis
     std::vector<int> functions;  ///< n functions of the trace, numbered as in `nodes()`
     int firstPoint = 0;
     Eigen::MatrixXd xi;           ///< (Dim-1) x Q parameters of the trace
@@ -33,10 +35,17 @@ class FaceQuadrature {
   const std::vector<int>& nodes() const { return nodes_; }
 
   /// Reference positions of the trace's control points, Dim x functions.
-  const Eigen::MatrixXd& points() const { return points_; }
+  const Eigen::MatrixXd& points() const { return trace_.points(); }
 
   int numFunctions() const { return static_cast<int>(nodes_.size()); }
   int numPoints() const { return numPoints_; }
+
+  const Patch<Dim - 1, Dim>& trace() const { return trace_; }
+
+  /// Quadrature over a box of parameters inside of a span of the trace's basis, with points numbered from
+  /// zero. body: the same as before.
+  Span part(const Body<Dim>& body, int number, const ParameterBox<Dim - 1>& box,
+            int pointsPerDirection) const;
 
   /// Current positions of the points of a span, Dim x Q. x: displacements of all nodes, Dim per node, first.
   Eigen::MatrixXd positions(const Span& span, const Eigen::VectorXd& x) const;
@@ -45,9 +54,9 @@ class FaceQuadrature {
   Eigen::MatrixXd positions(const Eigen::VectorXd& x) const;
 
  private:
+  Patch<Dim - 1, Dim> trace_;
   std::vector<Span> spans_;
   std::vector<int> nodes_;
-  Eigen::MatrixXd points_;
   int numPoints_ = 0;
 };
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/UmfPackSupport>
-#include <cassert>
 #include <vector>
 
 #include "engine/core/blas.h"
@@ -68,9 +67,11 @@ class DirectSolver::Definite {
     const auto rest = b.size() - n_;
     x.tail(rest) = b.tail(rest).cwiseQuotient(C_);
     if (!coupled_.empty()) {
-      const Eigen::VectorXd residual = B_.transpose() * x.head(n_) - b(coupled_);
+      const Eigen::VectorXd fromK = B_.transpose() * x.head(n_);
+      Eigen::VectorXd residual = -b(coupled_);
+      residual.head(numTouching_) += fromK;
       const Eigen::VectorXd border = schur_.solve(residual);
-      x.head(n_) -= KinvB_ * border;
+      x.head(n_) -= KinvB_ * border.head(numTouching_);
       x(coupled_) = border;
     }
     return x;
@@ -78,7 +79,7 @@ class DirectSolver::Definite {
 
   Eigen::Index factorNonZeros() {
     const auto m = static_cast<Eigen::Index>(coupled_.size());
-    return static_cast<Eigen::Index>(llt_.cholmod().lnz) + m * n_ + m * (m + 1) / 2;
+    return static_cast<Eigen::Index>(llt_.cholmod().lnz) + numTouching_ * n_ + m * (m + 1) / 2;
   }
 
  private:
@@ -99,42 +100,58 @@ class DirectSolver::Definite {
     analysed_ = llt_.info() == Eigen::Success;
   }
 
-  /// Sorts the border into unknowns that are coupled with K at present and those that stand alone; false if
-  /// one of these has no equation.
+  /// Sorts the border into unknowns that are coupled with K at present, then those that are coupled with
+  /// other unknowns of the border alone, and those that stand alone; false if one of these has no equation.
   bool findBorder(const Matrix& A) {
     C_ = A.diagonal().tail(A.cols() - n_);
     coupled_.clear();
+    std::vector<int> amongThemselves;
     for (Eigen::Index column = n_; column < A.cols(); ++column) {
-      bool isCoupled = false;
+      bool touchesK = false, touchesBorder = false;
       for (Matrix::InnerIterator entry(A, column); entry; ++entry) {
-        assert(entry.row() < n_ || entry.row() == column);
-        isCoupled = isCoupled || (entry.row() < n_ && entry.value() != 0.0);
+        if (entry.value() == 0.0 || entry.row() == column) continue;
+        (entry.row() < n_ ? touchesK : touchesBorder) = true;
       }
-      if (isCoupled)
+      if (touchesK)
         coupled_.push_back(static_cast<int>(column));
+      else if (touchesBorder)
+        amongThemselves.push_back(static_cast<int>(column));
       else if (C_(column - n_) == 0.0)
         return false;
     }
+    numTouching_ = std::ssize(coupled_);
+    coupled_.insert(coupled_.end(), amongThemselves.begin(), amongThemselves.end());
     return true;
   }
 
-  /// Solving for the columns of B costs 4 lnz each; a factorisation of all of A about twice that of K.
+  /// Solving for the columns of B costs 4 lnz each, and the Schur complement of what is coupled with the
+  /// border alone a dense factorisation; a factorisation of all of A about twice that of K.
   bool isTooWide() {
     const auto& cost = llt_.cholmod();
-    return 4.0 * cost.lnz * static_cast<double>(coupled_.size()) > 2.0 * cost.fl;
+    const auto m = static_cast<double>(coupled_.size()), touching = static_cast<double>(numTouching_);
+    const double dense = (m * m * m - touching * touching * touching) / 3.0;
+    return 4.0 * cost.lnz * touching + dense > 2.0 * cost.fl;
   }
 
   bool eliminateBorder(const Matrix& A) {
     const auto m = static_cast<Eigen::Index>(coupled_.size());
-    B_.setZero(n_, m);
+    B_.setZero(n_, numTouching_);
     Eigen::MatrixXd S(m, m);
     S.setZero();
-    for (Eigen::Index j = 0; j < m; ++j)
+    for (Eigen::Index j = 0; j < numTouching_; ++j)
       for (Matrix::InnerIterator entry(A, coupled_[static_cast<std::size_t>(j)]); entry; ++entry)
         if (entry.row() < n_) B_(entry.row(), j) = entry.value();
     KinvB_ = llt_.solve(B_);
-    S.noalias() = B_.transpose() * KinvB_;
-    for (Eigen::Index j = 0; j < m; ++j) S(j, j) -= C_(coupled_[static_cast<std::size_t>(j)] - n_);
+    S.topLeftCorner(numTouching_, numTouching_).noalias() = B_.transpose() * KinvB_;
+    placeInBorder_.assign(static_cast<std::size_t>(A.cols() - n_), -1);
+    for (std::size_t j = 0; j < coupled_.size(); ++j)
+      placeInBorder_[static_cast<std::size_t>(coupled_[j] - n_)] = static_cast<int>(j);
+    for (Eigen::Index j = 0; j < m; ++j)
+      for (Matrix::InnerIterator entry(A, coupled_[static_cast<std::size_t>(j)]); entry; ++entry) {
+        if (entry.row() < n_) continue;
+        const int i = placeInBorder_[static_cast<std::size_t>(entry.row() - n_)];
+        if (i >= 0) S(i, j) -= entry.value();
+      }
     schur_.compute(S);
     return schur_.info() == Eigen::Success;
   }
@@ -145,7 +162,9 @@ class DirectSolver::Definite {
   Matrix K_;
   std::vector<int> entries_;
   Eigen::VectorXd C_;
-  std::vector<int> coupled_;
+  std::vector<int> coupled_;        ///< columns of the border in the Schur complement, those of B first
+  Eigen::Index numTouching_ = 0;    ///< columns of B
+  std::vector<int> placeInBorder_;  ///< per unknown of the border: its place in `coupled_`, -1 if it has none
   Eigen::MatrixXd B_, KinvB_;
   Eigen::LLT<Eigen::MatrixXd> schur_;  ///< of -S = Bᵀ K⁻¹ B - C
 };

@@ -26,24 +26,56 @@ struct SimplicialFactors : Eigen::CholmodSimplicialLDLT<Matrix, Eigen::Upper> {
   }
 };
 
-/// Adds w b bᵀ to the upper triangle of K for every column b of the border whose multiplier is active: those
-/// of the others are empty.
-void addBorder(const Matrix& A, Matrix& K) {
-  const Eigen::Index n = K.rows();
-  const Eigen::VectorXd diagonal = K.diagonal().cwiseAbs();  // before anything is added
-  for (Eigen::Index column = n; column < A.cols(); ++column) {
-    std::vector<std::pair<Eigen::Index, double>> entries;
-    double square = 0.0, largest = 0.0;
+/// The part of a column of the border that stands beside K.
+struct BorderColumn {
+  std::vector<std::pair<Eigen::Index, double>> entries;
+  double square = 0.0, largest = 0.0;  ///< of the entries; of the diagonal entries of K that they meet
+
+  BorderColumn(const Matrix& A, Eigen::Index n, const Eigen::VectorXd& diagonal, Eigen::Index column) {
     for (Matrix::InnerIterator entry(A, column); entry; ++entry) {
       if (entry.row() >= n || entry.value() == 0.0) continue;
       entries.emplace_back(entry.row(), entry.value());
       square += entry.value() * entry.value();
       largest = std::max(largest, diagonal(entry.row()));
     }
-    for (const auto& [j, bj] : entries)
-      for (const auto& [i, bi] : entries)
-        if (i <= j) K.coeffRef(i, j) += kStiffness * largest / square * bi * bj;
   }
+};
+
+/// Adds w b bᵀ to the upper triangle of K for every column b of the border whose multiplier is active: those
+/// of the others are empty.
+void addBorder(const Matrix& A, Matrix& K) {
+  const Eigen::Index n = K.rows();
+  const Eigen::VectorXd diagonal = K.diagonal().cwiseAbs();  // before anything is added
+  for (Eigen::Index column = n; column < A.cols(); ++column) {
+    const BorderColumn border(A, n, diagonal, column);
+    for (const auto& [j, bj] : border.entries)
+      for (const auto& [i, bi] : border.entries)
+        if (i <= j) K.coeffRef(i, j) += kStiffness * border.largest / border.square * bi * bj;
+  }
+}
+
+/// Whether multipliers are coupled with one another.
+bool couplesMultipliers(const Matrix& A, Eigen::Index n) {
+  for (Eigen::Index column = n; column < A.cols(); ++column)
+    for (Matrix::InnerIterator entry(A, column); entry; ++entry)
+      if (entry.row() >= n && entry.row() != column) return true;
+  return false;
+}
+
+/// The upper triangle of A with C - W⁻¹. A multiplier that is not coupled with K and has no equation of its
+/// own counts as -1.
+Matrix relaxed(const Matrix& A, Eigen::Index n) {
+  Matrix result = A.triangularView<Eigen::Upper>();
+  const Eigen::VectorXd diagonal = A.diagonal().cwiseAbs();
+  for (Eigen::Index column = n; column < A.cols(); ++column) {
+    const BorderColumn border(A, n, diagonal, column);
+    double& own = result.coeffRef(column, column);
+    if (!border.entries.empty())
+      own -= border.square / (kStiffness * border.largest);
+    else if (own == 0.0)
+      own = -1.0;
+  }
+  return result;
 }
 
 }  // namespace
@@ -77,6 +109,11 @@ Inertia::~Inertia() = default;
 
 int Inertia::unstableDirections(const Matrix& A) {
   const Matrix symmetric = 0.5 * (A + Matrix(A.transpose()));
+  if (couplesMultipliers(symmetric, n_)) {
+    const Matrix whole = relaxed(symmetric, n_);
+    if (!factors_) factors_ = std::make_unique<Factors>(whole);
+    return factors_->negativePivots(whole) - static_cast<int>(A.cols() - n_);
+  }
   Matrix K = symmetric.topLeftCorner(n_, n_).triangularView<Eigen::Upper>();
   addBorder(symmetric, K);
   if (!factors_) factors_ = std::make_unique<Factors>(K);

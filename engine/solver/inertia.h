@@ -12,7 +12,9 @@ namespace burnish {
 ///
 /// these are the negative eigenvalues of K on displacements d with Bᵀd = 0, B the columns of the active
 /// multipliers. They are counted as the negative pivots of L D Lᵀ = K + B W Bᵀ (Sylvester's law of inertia),
-/// W a diagonal that is large beside K. Of a matrix that is not symmetric its symmetric part is taken.
+/// W a diagonal that is large beside K. Where C is more than a diagonal, multipliers stand for their
+/// constraint only in part: then the negative pivots of A with C - W⁻¹ are counted, less one per multiplier.
+/// Of a matrix that is not symmetric its symmetric part is taken.
 class Inertia {
  public:
   /// `leading`: number of rows of K.

@@ -15,8 +15,8 @@ enum class TangentKind { Symmetric, General };
 ///     A = [ K   B ]
 ///         [ Bᵀ  C ],
 ///
-/// whose leading block K is usually positive definite and whose border, the multipliers, is coupled with
-/// itself by nothing but the diagonal C.
+/// whose leading block K is usually positive definite and whose border, the multipliers, has a C that is
+/// negative semidefinite: a diagonal, or sparse.
 class LinearSolver {
  public:
   LinearSolver() = default;

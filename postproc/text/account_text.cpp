@@ -37,12 +37,13 @@ class LastRow {
   const HistoryTable& history_;
 };
 
-/// The largest energy that the body and its contact held together with the plastic work, of all rows.
+/// The largest energy that the body and its contact held together with what plastic flow and friction took, of
+/// all rows.
 double largestEnergy(const HistoryTable& history) {
   double largest = 0.0;
   for (std::size_t row = 0; row < history.numRows(); ++row) {
     double sum = 0.0;
-    for (const char* name : {"strain_energy", "contact_energy", "plastic_work"})
+    for (const char* name : {"strain_energy", "contact_energy", "plastic_work", "friction_work"})
       if (const auto* column = findColumn(history, name)) sum += (*column)[row];
     largest = std::max(largest, std::abs(sum));
   }
@@ -53,13 +54,15 @@ double largestEnergy(const HistoryTable& history) {
 std::string balance(const RunAccount& account, const HistoryTable& history) {
   const LastRow end(history);
   const double found = end("strain_energy") + end("contact_energy") + end("plastic_work") +
-                       account.stabilisationWork.value_or(0.0);
+                       account.stabilisationWork.value_or(0.0) + end("friction_work");
   const double done = end("external_work") + end("rezoning_gap_work");
   const double imbalance = imbalanceOf(found, done, std::max(std::abs(found), largestEnergy(history)));
+  const bool rubs = end.has("friction_work");
   if (done == 0.0 && imbalance == 0.0) return "nothing stored, no work done";
-  return fmt::format("{} differs by {:.2g} % from energies and plastic work; doubtful above {:.0f} %",
+  return fmt::format("{} differs by {:.2g} % from energies{} plastic work{}; doubtful above {:.0f} %",
                      account.rezonings.empty() ? "external work" : "work, that of closing gaps included,",
-                     100.0 * imbalance, 100.0 * limitOf(Condition::Balance));
+                     rubs ? "," : " and", rubs ? " and work of friction" : "", 100.0 * imbalance,
+                     100.0 * limitOf(Condition::Balance));
 }
 
 /// How often the body was meshed anew.

@@ -1,0 +1,628 @@
+#include "engine/contact/integral_contact_term.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "engine/contact/tool_partner.h"
+
+namespace burnish {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Pieces of a span between whose ends a change of sign is looked for, in the plane.
+constexpr int kSampledPieces = 20;
+
+/// Lengths of a span and multiples of its largest multiplier from which on no point of it can be pressed:
+/// gaps change by no more than the way between two points, λ is no larger than so many of its coefficients.
+constexpr double kFarSpans = 2.0;
+constexpr double kFarMultipliers = 8.0;
+
+/// Zero of a function between a and b, where it has different signs: regula falsi (Illinois) to rounding,
+/// halving where it is not finite.
+template <class F>
+double zeroBetween(double a, double fa, double b, double fb, const F& f) {
+  constexpr int kMost = 200;
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+  const bool negativeFirst = fa < 0.0;
+  int kept = 0;  // the end that has been kept the last time: -1 the first, 1 the second
+  double last = a;
+  for (int k = 0; k < kMost && b - a > rounding; ++k) {
+    double m = (a * fb - b * fa) / (fb - fa);
+    if (!(m > a && m < b)) m = 0.5 * (a + b);
+    const double fm = f(m);
+    if (fm == 0.0 || std::abs(m - last) <= 0.25 * rounding) return m;
+    last = m;
+    if ((fm < 0.0) == negativeFirst) {
+      a = m;
+      fa = fm;
+      if (kept == 1) fb *= 0.5;
+      kept = 1;
+    } else {
+      b = m;
+      fb = fm;
+      if (kept == -1) fa *= 0.5;
+      kept = -1;
+    }
+  }
+  return 0.5 * (a + b);
+}
+
+}  // namespace
+
+/// What a span interpolates, by its functions.
+template <int Dim>
+struct IntegralContactTerm<Dim>::SpanValues {
+  std::size_t number = 0;
+  std::span<const int> unknowns;  ///< displacement components
+  Eigen::MatrixXd points;         ///< current, Dim x n
+  Eigen::VectorXd lambda;         ///< λ
+  Eigen::VectorXd origin;         ///< gaps that count as zero
+  Eigen::MatrixXd accepted;       ///< positions in the accepted state, Dim x n; with friction alone
+  Eigen::MatrixXd tau;            ///< τ, (Dim-1) x n; with friction alone
+};
+
+/// Tangential traction and its derivatives.
+template <int Dim>
+struct IntegralContactTerm<Dim>::FrictionLaw {
+  Tangential traction = Tangential::Zero();  ///< τᵉ
+  Eigen::Matrix<double, Dim - 1, Dim - 1> byTrial =
+      Eigen::Matrix<double, Dim - 1, Dim - 1>::Identity();  ///< M = ∂τᵉ/∂τ̂
+  Tangential byPressure = Tangential::Zero();               ///< c = ∂τᵉ/∂p
+  bool slips = false;
+};
+
+/// Residual and tangent of a span: displacements, the partner's unknowns, λ of the span's functions, with
+/// friction τ of these.
+template <int Dim>
+struct IntegralContactTerm<Dim>::Contributions {
+  Eigen::VectorXd force;
+  Eigen::MatrixXd K;  ///< empty if no tangent is wanted
+  Eigen::Index firstLambda = 0, firstTau = 0;
+};
+
+template <int Dim>
+void IntegralContactTerm<Dim>::FrictionHistory::archive(StateArchive& archive) {
+  archive.field("accepted_x", x);
+  archive.field("friction_force", force);
+  archive.field("friction_reaction", reaction);
+  archive.field("friction_moment", moment);
+  archive.field("friction_work", work);
+}
+
+template <int Dim>
+IntegralContactTerm<Dim>::IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
+                                              const ContactOptions& options, int firstMultiplier,
+                                              const std::vector<bool>& held)
+    : ToolContact<Dim>(body, patch, face, options, firstMultiplier),
+      body_(body),
+      tool_(tool),
+      partner_(std::make_unique<ToolPartner<Dim>>(tool)),
+      hasFriction_(options.hasFriction()) {
+  const HeldControlPoints points = heldControlPoints(body, patch, face, held);
+  multipliers_ = MultiplierBasis(face_.trace().basis(), points.across);
+  tangential_ = MultiplierBasis(face_.trace().basis(), points.along);
+  A_ = Eigen::VectorXd::Zero(numMultipliers());
+  addSpanTables(body);
+  const auto& trace = face_.trace();
+  for (int A = 0; A < face_.numFunctions(); ++A) {
+    const Parameter xi = trace.basis().anchor(A);
+    const int span = trace.findSpan(xi);
+    anchors_.push_back({static_cast<std::size_t>(span), xi, trace.shape(span, xi)});
+  }
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::addSpanTables(const Body<Dim>& body) {
+  const auto& trace = face_.trace();
+  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
+    const Span& span = face_.spans()[e];
+    mass_.emplace_back(span.R * span.weights.asDiagonal() * span.R.transpose());
+    std::vector<int> unknowns;
+    for (const int a : span.functions)
+      for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * face_.nodes()[static_cast<std::size_t>(a)] + d);
+    unknowns_.push_back(std::move(unknowns));
+    partnerUnknowns_.push_back(partner_->couplings(e));
+    const Eigen::VectorXd sizes = span.R.cwiseAbs() * span.weights;
+    const auto multipliers = multiplierUnknowns(e);
+    for (std::size_t k = 0; k < multipliers.size(); ++k) {
+      const std::size_t n = span.functions.size(),
+                        a = k < n ? k : (k - n) / static_cast<std::size_t>(Dim - 1);
+      if (multipliers[k] >= 0) A_(multipliers[k] - firstMultiplier_) += sizes(static_cast<Eigen::Index>(a));
+    }
+    const auto box = spanBox(trace.basis(), span.number);
+    if (Dim == 3 || hasFriction_) {
+      const double points = std::pow(static_cast<double>(span.weights.size()), 1.0 / (Dim - 1));
+      fine_.push_back(face_.part(body, span.number, box, 2 * static_cast<int>(std::lround(points))));
+    }
+    Samples samples;
+    if constexpr (Dim == 2) {
+      samples.xi.resize(1, kSampledPieces + 1);
+      samples.R.resize(span.R.rows(), kSampledPieces + 1);
+      for (int k = 0; k <= kSampledPieces; ++k) {
+        samples.xi(0, k) = std::lerp(box.begin(0), box.end(0), static_cast<double>(k) / kSampledPieces);
+        samples.R.col(k) = trace.shape(span.number, samples.xi.col(k)).R;
+      }
+    } else {
+      samples = {fine_.back().xi, fine_.back().R};
+    }
+    samples_.push_back(std::move(samples));
+  }
+}
+
+template <int Dim>
+CouplingGroups IntegralContactTerm<Dim>::couplings() const {
+  CouplingGroups groups;
+  for (std::size_t e = 0; e < unknowns_.size(); ++e) {
+    auto& group = groups.emplace_back(unknowns_[e]);
+    group.insert(group.end(), partnerUnknowns_[e].begin(), partnerUnknowns_[e].end());
+    for (const int unknown : multiplierUnknowns(e))
+      if (unknown >= 0) group.push_back(unknown);
+  }
+  return groups;
+}
+
+template <int Dim>
+std::vector<int> IntegralContactTerm<Dim>::multiplierUnknowns(std::size_t e) const {
+  std::vector<int> unknowns;
+  for (const int a : face_.spans()[e].functions) {
+    const int A = multipliers_.multiplierOf(a);
+    unknowns.push_back(A >= 0 ? firstMultiplier_ + A : -1);
+  }
+  if (!hasFriction_) return unknowns;
+  const int first = firstMultiplier_ + multipliers_.size();
+  for (const int a : face_.spans()[e].functions)
+    for (int alpha = 0; alpha < Dim - 1; ++alpha) {
+      const int A = tangential_.multiplierOf(a);
+      unknowns.push_back(A >= 0 ? first + (Dim - 1) * A + alpha : -1);
+    }
+  return unknowns;
+}
+
+template <int Dim>
+typename IntegralContactTerm<Dim>::SpanValues IntegralContactTerm<Dim>::valuesOf(
+    std::size_t e, const Eigen::VectorXd& x) const {
+  const auto& functions = face_.spans()[e].functions;
+  SpanValues values{e, unknowns_[e], face_.points()(Eigen::all, functions), {}, {}, {}, {}};
+  values.points += x(unknowns_[e]).reshaped(Dim, std::ssize(functions));
+  values.lambda = multipliers_.coefficients(functions, x.segment(firstMultiplier_, multipliers_.size()));
+  values.origin = gapOrigin_.size() > 0 ? Eigen::VectorXd(gapOrigin_(functions))
+                                        : Eigen::VectorXd::Zero(std::ssize(functions));
+  if (!hasFriction_) return values;
+  values.accepted = face_.points()(Eigen::all, functions);
+  values.accepted += accepted_.x(unknowns_[e]).reshaped(Dim, std::ssize(functions));
+  values.tau.resize(Dim - 1, std::ssize(functions));
+  const auto components = x.segment(firstMultiplier_ + multipliers_.size(), (Dim - 1) * tangential_.size())
+                              .reshaped(Dim - 1, tangential_.size());
+  for (int alpha = 0; alpha < Dim - 1; ++alpha)
+    values.tau.row(alpha) =
+        tangential_.coefficients(functions, components.row(alpha).transpose()).transpose();
+  return values;
+}
+
+template <int Dim>
+SlavePoint<Dim> IntegralContactTerm<Dim>::pointOf(const SpanValues& values, const Parameter& xi,
+                                                  const Eigen::Ref<const Eigen::VectorXd>& R, int number) {
+  Eigen::Vector<double, Dim> accepted = Eigen::Vector<double, Dim>::Zero();
+  if (values.accepted.size() > 0) accepted = values.accepted * R;
+  return {values.number, number, xi, values.unknowns, R, values.points * R, accepted};
+}
+
+template <int Dim>
+double IntegralContactTerm<Dim>::augmented(const SpanValues& values, const SlavePoint<Dim>& point,
+                                           double gap) const {
+  return values.lambda.dot(point.R) + parameter() * (gap - values.origin.dot(point.R));
+}
+
+template <int Dim>
+double IntegralContactTerm<Dim>::augmented(const SpanValues& values, const SlavePoint<Dim>& point) const {
+  const auto contact = partner_->at(point, PointDetail::Gap);
+  return contact ? augmented(values, point, contact->gap) : kInfinity;
+}
+
+template <int Dim>
+double IntegralContactTerm<Dim>::stretchOfArea(const SpanValues& values, const SlavePoint<Dim>& point,
+                                               const Eigen::Ref<const Eigen::MatrixXd>& dR) const {
+  const Eigen::MatrixXd reference = face_.points()(Eigen::all, face_.spans()[values.number].functions);
+  const auto areaOf = [&](const Eigen::MatrixXd& points) {
+    const Eigen::Matrix<double, Dim, Dim - 1> tangents = points * dR;
+    return areaVector<Dim>(tangents).norm();
+  };
+  const double stretch = areaOf(values.accepted) / areaOf(reference);
+  if (!axisymmetric_) return stretch;
+  const double radius = reference.row(0) * point.R;
+  return radius > 0.0 ? stretch * point.xAccepted(0) / radius : stretch * stretch;
+}
+
+template <int Dim>
+typename IntegralContactTerm<Dim>::FrictionLaw IntegralContactTerm<Dim>::frictionAt(
+    const SpanValues& values, const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact, double p,
+    const Eigen::Ref<const Eigen::MatrixXd>& dR) const {
+  FrictionLaw law;
+  law.traction = values.tau * point.R + frictionParameter() * contact.slip;
+  if (options_.rough) return law;
+  double bound = -*options_.friction * p, slope = -*options_.friction;
+  if (options_.shearLimit) {
+    const double limit = *options_.shearLimit * stretchOfArea(values, point, dR);
+    if (limit < bound) {
+      bound = limit;
+      slope = 0.0;
+    }
+  }
+  const double size = law.traction.norm();
+  if (size <= bound) return law;
+  const Tangential direction = law.traction / size;
+  law.slips = true;
+  law.traction = bound * direction;
+  law.byTrial = bound / size * (law.byTrial - direction * direction.transpose());
+  law.byPressure = slope * direction;
+  return law;
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::reportFriction(const SpanValues& values, const Span& span, Eigen::Index q,
+                                              const SlavePoint<Dim>& point, double p) {
+  const auto number = static_cast<Eigen::Index>(point.number);
+  state_.sliding[static_cast<std::size_t>(number)] = 0;
+  if (!(p < 0.0)) return;
+  auto contact = *partner_->at(point, PointDetail::Derivatives);
+  partner_->addSlip(point, contact);
+  const FrictionLaw law = frictionAt(values, point, contact, p, span.dR.middleCols((Dim - 1) * q, Dim - 1));
+  state_.traction.col(number).template head<Dim>() = contact.frame * law.traction;
+  state_.slip.col(number).template head<Dim>() = contact.frame * contact.slip;
+  state_.sliding[static_cast<std::size_t>(number)] = law.slips ? 2 : 1;
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::reportPoints(const SpanValues& values) {
+  const Span& span = face_.spans()[values.number];
+  for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+    const auto number = static_cast<int>(span.firstPoint + q);
+    const auto point = pointOf(values, span.xi.col(q), span.R.col(q), number);
+    const auto contact = partner_->at(point, PointDetail::Gap);
+    if (!contact) continue;
+    state_.gap(number) = contact->gap;
+    state_.normal.col(number).template head<Dim>() = contact->normal;
+    const double p = augmented(values, point, contact->gap);
+    state_.pressure(number) = std::max(0.0, -p);
+    if (hasFriction_) reportFriction(values, span, q, point, p);
+  }
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::reportAnchors(const std::vector<SpanValues>& values) {
+  for (std::size_t A = 0; A < anchors_.size(); ++A) {
+    const Anchor& anchor = anchors_[A];
+    const SpanValues& here = values[anchor.span];
+    const auto point = pointOf(here, anchor.xi, anchor.shape.R);
+    auto contact = partner_->at(point, hasFriction_ ? PointDetail::Derivatives : PointDetail::Gap);
+    if (!contact) continue;
+    const auto a = static_cast<Eigen::Index>(A);
+    state_.averageGap(a) = contact->gap;
+    state_.lambdaHat(a) = std::min(0.0, augmented(here, point, contact->gap));
+    state_.active[A] = state_.lambdaHat(a) < 0.0;
+    if (!hasFriction_ || !state_.active[A]) continue;
+    partner_->addSlip(point, *contact);
+    const bool slips = frictionAt(here, point, *contact, state_.lambdaHat(a), anchor.shape.dR).slips;
+    ++(slips ? state_.slipping : state_.sticking);
+  }
+}
+
+template <int Dim>
+typename IntegralContactTerm<Dim>::SpanState IntegralContactTerm<Dim>::stateOf(
+    const SpanValues& values) const {
+  const Span& span = face_.spans()[values.number];
+  const auto points = Eigen::seqN(span.firstPoint, span.R.cols());
+  const Eigen::VectorXd extent = values.points.rowwise().maxCoeff() - values.points.rowwise().minCoeff();
+  if (parameter() *
+          (state_.gap(points).minCoeff() - kFarSpans * extent.norm() - values.origin.cwiseAbs().sum()) >
+      kFarMultipliers * values.lambda.cwiseAbs().maxCoeff())
+    return SpanState::Open;
+  bool anyPressed = state_.pressure(points).maxCoeff() > 0.0;
+  bool anyOpen = !(state_.pressure(points).minCoeff() > 0.0);
+  const Samples& samples = samples_[values.number];
+  for (Eigen::Index k = 0; k < samples.R.cols() && !(anyPressed && anyOpen); ++k) {
+    const bool isPressed = augmented(values, pointOf(values, samples.xi.col(k), samples.R.col(k))) < 0.0;
+    anyPressed = anyPressed || isPressed;
+    anyOpen = anyOpen || !isPressed;
+  }
+  return !anyPressed ? SpanState::Open : anyOpen ? SpanState::Cut : SpanState::Closed;
+}
+
+template <int Dim>
+std::vector<typename IntegralContactTerm<Dim>::Span> IntegralContactTerm<Dim>::rulesOf(
+    const SpanValues& values, SpanState state) const {
+  const std::size_t e = values.number;
+  const Span& span = face_.spans()[e];
+  if (hasFriction_ && state != SpanState::Open) return {fine_[e]};
+  if (state != SpanState::Cut) return {span};
+  if constexpr (Dim == 3) {
+    return {fine_[e]};
+  } else {
+    const Samples& samples = samples_[e];
+    const auto value = [&](double xi) {
+      const Parameter place(xi);
+      const Eigen::VectorXd R = face_.trace().shape(span.number, place).R;
+      return augmented(values, pointOf(values, place, R));
+    };
+    std::vector<double> ends{samples.xi(0, 0)};
+    double before = augmented(values, pointOf(values, samples.xi.col(0), samples.R.col(0)));
+    for (Eigen::Index k = 1; k < samples.R.cols(); ++k) {
+      const double here = augmented(values, pointOf(values, samples.xi.col(k), samples.R.col(k)));
+      if ((before < 0.0) != (here < 0.0))
+        ends.push_back(zeroBetween(samples.xi(0, k - 1), before, samples.xi(0, k), here, value));
+      before = here;
+    }
+    ends.push_back(samples.xi(0, samples.xi.cols() - 1));
+    std::vector<Span> rules;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+      if (ends[k] < ends[k + 1])
+        rules.push_back(face_.part(body_, span.number, {Parameter(ends[k]), Parameter(ends[k + 1])},
+                                   static_cast<int>(span.weights.size())));
+    return rules;
+  }
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::addOpenSpan(const SpanValues& values, Contributions& sums) {
+  const Eigen::MatrixXd& mass = mass_[values.number];
+  const Eigen::Index n = mass.rows();
+  const Eigen::VectorXd force = mass * values.lambda / parameter();
+  sums.force.segment(sums.firstLambda, n) -= force;
+  state_.energy -= 0.5 * values.lambda.dot(force);
+  const bool wantsTangent = sums.K.size() > 0;
+  if (wantsTangent) sums.K.block(sums.firstLambda, sums.firstLambda, n, n) -= mass / parameter();
+  if (!hasFriction_) return;
+  for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha) {
+    const auto rows = Eigen::seqN(sums.firstTau + alpha, n, Dim - 1);
+    sums.force(rows) -= mass * values.tau.row(alpha).transpose() / frictionParameter();
+    if (wantsTangent) sums.K(rows, rows) -= mass / frictionParameter();
+  }
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::addPoint(const SpanValues& values, const Span& rule, Eigen::Index q,
+                                        bool mustTouch, Contributions& sums) {
+  const bool wantsTangent = sums.K.size() > 0;
+  const auto R = rule.R.col(q);
+  const Eigen::Index n = R.size();
+  const double r = parameter(), w = rule.weights(q), lambda = values.lambda.dot(R);
+  const auto multipliers = Eigen::seqN(sums.firstLambda, n);
+  const auto point = pointOf(values, rule.xi.col(q), R);
+  auto contact =
+      partner_->at(point, wantsTangent ? PointDetail::SecondDerivatives : PointDetail::Derivatives);
+  const double p = contact ? augmented(values, point, contact->gap) : kInfinity;
+  if (hasFriction_ && !(p < 0.0)) addOpenTangential(values, R, w, sums);
+  if (!(p < 0.0) && !mustTouch) {
+    sums.force(multipliers) -= w / r * lambda * R;
+    state_.energy -= 0.5 * w / r * lambda * lambda;
+    if (wantsTangent) sums.K(multipliers, multipliers) -= w / r * R * R.transpose();
+    return;
+  }
+  const auto& partners = partnerUnknowns_[values.number];
+  const auto own = static_cast<Eigen::Index>(values.unknowns.size());
+  std::vector<Eigen::Index> places(contact->unknowns.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = i < values.unknowns.size()
+                    ? static_cast<Eigen::Index>(i)
+                    : own + (std::lower_bound(partners.begin(), partners.end(), contact->unknowns[i]) -
+                             partners.begin());
+  sums.force(places) += w * p * contact->dGap;
+  sums.force(multipliers) += w / r * (p - lambda) * R;
+  state_.energy += 0.5 * w / r * (p * p - lambda * lambda);
+  state_.area += w;
+  if (mustTouch && p > 0.0) state_.pull += w * p;
+  addForce(w * p * contact->normal, point, state_.reaction, state_.moment);
+  if (wantsTangent) {
+    sums.K(places, places) += w * (r * contact->dGap * contact->dGap.transpose() + p * contact->d2Gap);
+    const Eigen::MatrixXd border = w * contact->dGap * R.transpose();
+    sums.K(places, multipliers) += border;
+    sums.K(multipliers, places) += border.transpose();
+  }
+  if (hasFriction_ && p < 0.0) addFriction(values, rule, q, p, point, *contact, places, sums);
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::addForce(const Eigen::Vector<double, Dim>& force, const SlavePoint<Dim>& point,
+                                        Eigen::Vector3d& sum, Eigen::Vector3d& moment) const {
+  Eigen::Vector3d inSpace = Eigen::Vector3d::Zero(), arm = -partner_->pivot();
+  inSpace.head<Dim>() = force;
+  arm.head<Dim>() += point.x;
+  sum += inSpace;
+  moment += arm.cross(inSpace);
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::addOpenTangential(const SpanValues& values,
+                                                 const Eigen::Ref<const Eigen::VectorXd>& R, double w,
+                                                 Contributions& sums) const {
+  const double weight = w / frictionParameter();
+  const Tangential tau = values.tau * R;
+  for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha) {
+    const auto rows = Eigen::seqN(sums.firstTau + alpha, R.size(), Dim - 1);
+    sums.force(rows) -= weight * tau(alpha) * R;
+    if (sums.K.size() > 0) sums.K(rows, rows) -= weight * R * R.transpose();
+  }
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span& rule, Eigen::Index q,
+                                           double p, const SlavePoint<Dim>& point, ContactPoint<Dim>& contact,
+                                           const std::vector<Eigen::Index>& places, Contributions& sums) {
+  partner_->addSlip(point, contact);
+  const FrictionLaw law = frictionAt(values, point, contact, p, rule.dR.middleCols((Dim - 1) * q, Dim - 1));
+  const auto& R = point.R;
+  const Eigen::Index n = R.size();
+  const double w = rule.weights(q), r = parameter(), rT = frictionParameter();
+  const Tangential tau = values.tau * R;
+  const Eigen::VectorXd force = w * contact.virtualSlip * law.traction;
+  sums.force(places) += force;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    trial_.force(contact.unknowns[i]) += force(static_cast<Eigen::Index>(i));
+  const Eigen::Vector<double, Dim> onPartner = w * contact.frame * law.traction;
+  addForce(onPartner, point, trial_.reaction, trial_.moment);
+  state_.frictionForce += onPartner.norm();
+  const auto rowsOf = [&](Eigen::Index alpha) { return Eigen::seqN(sums.firstTau + alpha, n, Dim - 1); };
+  for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha)
+    sums.force(rowsOf(alpha)) += w / rT * (law.traction(alpha) - tau(alpha)) * R;
+  if (sums.K.size() == 0) return;
+
+  const auto multipliers = Eigen::seqN(sums.firstLambda, n);
+  const auto& N = contact.dGap;
+  const auto& T = contact.virtualSlip;
+  const Eigen::VectorXd Tc = T * law.byPressure;
+  const Eigen::MatrixXd TM = T * law.byTrial, MS = law.byTrial * contact.dSlip.transpose();
+  sums.K(places, places) +=
+      w * (rT * T * MS + r * Tc * N.transpose() + partner_->frictionTangent(point, contact, law.traction));
+  sums.K(places, multipliers) += w * Tc * R.transpose();
+  for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha) {
+    sums.K(places, rowsOf(alpha)) += w * TM.col(alpha) * R.transpose();
+    sums.K(rowsOf(alpha), places) += w * R * (MS.row(alpha) + r / rT * law.byPressure(alpha) * N.transpose());
+    sums.K(rowsOf(alpha), multipliers) += w / rT * law.byPressure(alpha) * R * R.transpose();
+    for (Eigen::Index beta = 0; beta < Dim - 1; ++beta)
+      sums.K(rowsOf(alpha), rowsOf(beta)) +=
+          w / rT * (law.byTrial(alpha, beta) - (alpha == beta ? 1.0 : 0.0)) * R * R.transpose();
+  }
+}
+
+template <int Dim>
+bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
+  if (!partner_->update(t, x, face_.positions(x))) return false;
+  const std::vector<bool> before = std::move(state_.active);
+  state_ = {};
+  if (hasFriction_) beginFriction(x);
+  state_.averageGap = Eigen::VectorXd::Constant(face_.numFunctions(), kInfinity);
+  state_.lambdaHat = Eigen::VectorXd::Zero(face_.numFunctions());
+  state_.active.assign(anchors_.size(), false);
+  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
+  state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
+  state_.normal = Eigen::MatrixXd::Zero(3, face_.numPoints());
+  if (hasFriction_) {
+    state_.traction = state_.slip = Eigen::Matrix3Xd::Zero(3, face_.numPoints());
+    state_.sliding.assign(static_cast<std::size_t>(face_.numPoints()), 0);
+  }
+
+  std::vector<SpanValues> values;
+  std::vector<SpanState> states;
+  for (std::size_t e = 0; e < unknowns_.size(); ++e) {
+    values.push_back(valuesOf(e, x));
+    reportPoints(values[e]);
+    states.push_back(stateOf(values[e]));
+  }
+  reportAnchors(values);
+  state_.countChanges(before);
+  const bool anyPressed =
+      std::any_of(states.begin(), states.end(), [](SpanState state) { return state != SpanState::Open; });
+  Eigen::Index nearest = -1;  // the point that keeps a free tool in touch
+  if (keepsInTouch_ && !anyPressed && isAlone()) state_.gap.minCoeff(&nearest);
+
+  for (std::size_t e = 0; e < unknowns_.size(); ++e) {
+    const Span& span = face_.spans()[e];
+    const Eigen::Index touching = nearest - span.firstPoint;
+    const bool touches = nearest >= 0 && touching >= 0 && touching < span.R.cols();
+    const Eigen::Index n = span.R.rows(), first = std::ssize(unknowns_[e]) + std::ssize(partnerUnknowns_[e]),
+                       size = first + (hasFriction_ ? Dim : 1) * n;
+    Contributions sums{Eigen::VectorXd::Zero(size), {}, first, first + n};
+    if (out.system != nullptr) sums.K = Eigen::MatrixXd::Zero(size, size);
+    if (states[e] == SpanState::Open && !touches) {
+      addOpenSpan(values[e], sums);
+    } else {
+      for (const Span& rule : rulesOf(values[e], states[e]))
+        for (Eigen::Index q = 0; q < rule.R.cols(); ++q)
+          addPoint(values[e], rule, q, touches && q == touching, sums);
+    }
+    addToSystem(e, sums, out);
+  }
+  if (hasFriction_) endFriction();
+  if (axisymmetric_) {
+    state_.reaction(0) = 0.0;  // radial forces around the ring balance one another, and so do all moments
+    state_.moment.setZero();
+  }
+  return true;
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::beginFriction(const Eigen::VectorXd& x) {
+  if (accepted_.x.size() == 0) {
+    accepted_.x = x;
+    accepted_.force = Eigen::VectorXd::Zero(x.size());
+  }
+  trial_ = {x, Eigen::VectorXd::Zero(x.size()), {}, {}, 0.0};
+  trial_.reaction = trial_.moment = Eigen::Vector3d::Zero();
+}
+
+/// The tool bears the traction, and with it friction does work on the tool's own motion.
+template <int Dim>
+void IntegralContactTerm<Dim>::endFriction() {
+  trial_.work = accepted_.work + 0.5 * (accepted_.force + trial_.force).dot(trial_.x - accepted_.x) -
+                partner_->prescribedWork(0.5 * (accepted_.reaction + trial_.reaction),
+                                         0.5 * (accepted_.moment + trial_.moment));
+  state_.frictionWork = trial_.work;
+  state_.reaction += trial_.reaction;
+  state_.moment += trial_.moment;
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::accept() {
+  partner_->accept();
+  if (hasFriction_) accepted_ = trial_;
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::archive(StateArchive& archive) {
+  partner_->archive(archive);
+  if (hasFriction_) archive.part("friction", accepted_);
+}
+
+template <int Dim>
+void IntegralContactTerm<Dim>::addToSystem(std::size_t e, const Contributions& sums, Assembly& out) const {
+  // Rows of displacements and of the partner as they are, then those of multipliers that there are.
+  std::vector<Eigen::Index> rows(static_cast<std::size_t>(sums.firstLambda));
+  std::iota(rows.begin(), rows.end(), Eigen::Index{0});
+  const Eigen::Index own = std::ssize(unknowns_[e]);
+  out.force(unknowns_[e]) += sums.force.head(own);
+  out.force(partnerUnknowns_[e]) += sums.force.segment(own, sums.firstLambda - own);
+  const auto multipliers = multiplierUnknowns(e);
+  for (std::size_t k = 0; k < multipliers.size(); ++k) {
+    if (multipliers[k] < 0) continue;
+    const auto row = sums.firstLambda + static_cast<Eigen::Index>(k);
+    rows.push_back(row);
+    out.force(multipliers[k]) += sums.force(row);
+  }
+  if (out.system != nullptr) out.system->add(out.term, e, sums.K(rows, rows));
+}
+
+template <int Dim>
+Eigen::VectorXd IntegralContactTerm<Dim>::referenceGaps(const ToolPose& pose) const {
+  Eigen::VectorXd gaps(std::ssize(anchors_));
+  for (std::size_t A = 0; A < anchors_.size(); ++A) {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    x.head<Dim>() =
+        face_.points()(Eigen::all, face_.spans()[anchors_[A].span].functions) * anchors_[A].shape.R;
+    gaps(static_cast<Eigen::Index>(A)) = tool_.query(pose, x).gap;
+  }
+  return gaps;
+}
+
+template <int Dim>
+double IntegralContactTerm<Dim>::smallestReferenceGap(const ToolPose& pose) const {
+  double smallest = kInfinity;
+  for (std::size_t e = 0; e < samples_.size(); ++e) {
+    const Eigen::MatrixXd places = face_.points()(Eigen::all, face_.spans()[e].functions) * samples_[e].R;
+    for (Eigen::Index k = 0; k < places.cols(); ++k) {
+      Eigen::Vector3d x = Eigen::Vector3d::Zero();
+      x.head<Dim>() = places.col(k);
+      smallest = std::min(smallest, tool_.query(pose, x).gap);
+    }
+  }
+  return smallest;
+}
+
+template class IntegralContactTerm<2>;
+template class IntegralContactTerm<3>;
+
+}  // namespace burnish

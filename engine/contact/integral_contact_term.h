@@ -1,0 +1,163 @@
+#pragma once
+#include <Eigen/Dense>
+#include <memory>
+#include <vector>
+
+#include "engine/contact/multiplier_basis.h"
+#include "engine/contact/partner.h"
+#include "engine/contact/tool_contact.h"
+
+namespace burnish {
+
+/// Contact of one face of the body with a rigid tool, complementarity at the quadrature points
+/// ("integral" augmented Lagrangian; Poulios and Renard, Comput. Struct. 153 (2015)). The multiplier
+/// λ = Σ M_A λ_A is a field of the face's own trace, N = ∂g the derivative of the gap by the unknowns,
+///
+///     p = min(0, λ + r g),   χ = 1 where λ + r g < 0, else 0,   L_c = ∫ (p² - λ²)/(2r) dΓ,
+///     R_u += ∫ p N dΓ,   R_λA = -1/r ∫ (λ - p) M_A dΓ,
+///     K_uu += ∫ χ r N Nᵀ + p ∂²g dΓ,   K_uλ = ∫ χ N M_A dΓ,   K_λλ = -1/r ∫ (1 - χ) M_A M_B dΓ,
+///
+/// over the reference face. p is the contact pressure; λ agrees with it where the face is pressed and
+/// ripples around zero elsewhere. r should be Young's modulus over the distance of control points: in a
+/// span where the contact ends it weighs gaps against tractions.
+///
+/// In the plane a span is split where λ + r g changes its sign: p has a kink there. The split moves with the
+/// unknowns, but the integrands agree on both sides of it, so that the tangent takes no part in that. In
+/// space such a span has twice the points in each direction; so have, with friction, all spans that are pressed:
+/// tractions have kinks between stick and slip, too, and points that moved with a split would be no rule for
+/// these.
+///
+/// Friction: τ = Σ M_A τ_A along the frame e_α, slip s and virtual slip δs_T = T of the partner, S = ∂s,
+///
+///     τ̂ = τ + r_T s,   b = μ ⟨-p⟩, no more than the shear limit,
+///     τᵉ = τ̂ where |τ̂| <= b (stick), b τ̂/|τ̂| elsewhere (slip), 0 where p = 0,
+///     R_u += ∫ T τᵉ dΓ,   R_τA = 1/r_T ∫ (τᵉ - τ) M_A dΓ,
+///
+/// with the derivatives M = ∂τᵉ/∂τ̂ and c = ∂τᵉ/∂(λ + r g) in the tangent, which is not symmetric. τᵉ points
+/// along the slip of the face and is the traction on the partner.
+template <int Dim>
+class IntegralContactTerm final : public ToolContact<Dim> {
+ public:
+  /// As `makeToolContact` says.
+  IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
+                      const ContactOptions& options, int firstMultiplier, const std::vector<bool>& held);
+
+  /// Those λ_A come first; then, with friction, the components of τ_A one after the other.
+  int numMultipliers() const override {
+    return multipliers_.size() + (hasFriction_ ? (Dim - 1) * tangential_.size() : 0);
+  }
+
+  CouplingGroups couplings() const override;
+  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+  bool hasSymmetricTangent() const override { return !hasFriction_; }
+  void accept() override;
+  void archive(StateArchive& archive) override;
+
+  Eigen::VectorXd referenceGaps(const ToolPose& pose) const override;
+  double smallestReferenceGap(const ToolPose& pose) const override;
+
+ private:
+  using Span = typename FaceQuadrature<Dim>::Span;
+  using Parameter = Eigen::Vector<double, Dim - 1>;
+  using Tangential = Eigen::Vector<double, Dim - 1>;
+
+  /// Points of a span at which the sign of λ + r g is looked at: equally spaced in the plane, ends included;
+  /// in space those of the finer rule.
+  struct Samples {
+    Eigen::MatrixXd xi;  ///< (Dim-1) x S
+    Eigen::MatrixXd R;   ///< n x S
+  };
+
+  /// The anchor of a function.
+  struct Anchor {
+    std::size_t span = 0;
+    Parameter xi;
+    RationalShape<Dim - 1> shape;  ///< of the span's functions
+  };
+
+  struct SpanValues;
+  struct Contributions;
+  struct FrictionLaw;
+  enum class SpanState { Open, Closed, Cut };
+
+  void addSpanTables(const Body<Dim>& body);
+  SpanValues valuesOf(std::size_t e, const Eigen::VectorXd& x) const;
+  static SlavePoint<Dim> pointOf(const SpanValues& values, const Parameter& xi,
+                                 const Eigen::Ref<const Eigen::VectorXd>& R, int number = -1);
+
+  /// λ + r g at a point; infinite without a partner.
+  double augmented(const SpanValues& values, const SlavePoint<Dim>& point, double gap) const;
+  double augmented(const SpanValues& values, const SlavePoint<Dim>& point) const;
+
+  /// Friction at a point with slip, p < 0 the contact pressure; dR: derivatives of the functions.
+  FrictionLaw frictionAt(const SpanValues& values, const SlavePoint<Dim>& point,
+                         const ContactPoint<Dim>& contact, double p,
+                         const Eigen::Ref<const Eigen::MatrixXd>& dR) const;
+
+  /// Current, as of the accepted state, over reference area.
+  double stretchOfArea(const SpanValues& values, const SlavePoint<Dim>& point,
+                       const Eigen::Ref<const Eigen::MatrixXd>& dR) const;
+
+  void reportFriction(const SpanValues& values, const Span& span, Eigen::Index q,
+                      const SlavePoint<Dim>& point, double p);
+  void reportPoints(const SpanValues& values);
+  void reportAnchors(const std::vector<SpanValues>& values);
+  SpanState stateOf(const SpanValues& values) const;
+
+  /// The quadrature of a span in the state that it is in.
+  std::vector<Span> rulesOf(const SpanValues& values, SpanState state) const;
+
+  void addOpenSpan(const SpanValues& values, Contributions& sums);
+  void addPoint(const SpanValues& values, const Span& rule, Eigen::Index q, bool mustTouch,
+                Contributions& sums);
+  double frictionParameter() const { return options_.frictionParameter.value_or(parameter()); }
+  void beginFriction(const Eigen::VectorXd& x);
+  void endFriction();
+  void addOpenTangential(const SpanValues& values, const Eigen::Ref<const Eigen::VectorXd>& R, double w,
+                         Contributions& sums) const;
+  void addFriction(const SpanValues& values, const Span& rule, Eigen::Index q, double p,
+                   const SlavePoint<Dim>& point, ContactPoint<Dim>& contact,
+                   const std::vector<Eigen::Index>& places, Contributions& sums);
+  void addForce(const Eigen::Vector<double, Dim>& force, const SlavePoint<Dim>& point, Eigen::Vector3d& sum,
+                Eigen::Vector3d& moment) const;
+
+  /// Numbers of the unknowns behind the multipliers of a span's functions, λ first; -1 for none.
+  std::vector<int> multiplierUnknowns(std::size_t e) const;
+  void addToSystem(std::size_t e, const Contributions& sums, Assembly& out) const;
+
+  using ToolContact<Dim>::face_;
+  using ToolContact<Dim>::options_;
+  using ToolContact<Dim>::firstMultiplier_;
+  using ToolContact<Dim>::axisymmetric_;
+  using ToolContact<Dim>::A_;
+  using ToolContact<Dim>::gapOrigin_;
+  using ToolContact<Dim>::keepsInTouch_;
+  using ToolContact<Dim>::state_;
+  using ToolContact<Dim>::isAlone;
+  using ToolContact<Dim>::parameter;
+
+  const Body<Dim>& body_;
+  const Tool& tool_;
+  std::unique_ptr<Partner<Dim>> partner_;
+  bool hasFriction_;
+  MultiplierBasis multipliers_, tangential_;
+  std::vector<Samples> samples_;                   ///< per span
+  std::vector<Span> fine_;                         ///< per span, in space and with friction
+  std::vector<Eigen::MatrixXd> mass_;              ///< per span: ∫ R_a R_b dΓ
+  std::vector<std::vector<int>> unknowns_;         ///< per span: displacement components
+  std::vector<std::vector<int>> partnerUnknowns_;  ///< per span, ascending
+  std::vector<Anchor> anchors_;                    ///< per function
+
+  /// What friction remembers of a state.
+  struct FrictionHistory {
+    Eigen::VectorXd x;      ///< all unknowns; empty before the first state
+    Eigen::VectorXd force;  ///< of friction, by these
+    Eigen::Vector3d reaction = Eigen::Vector3d::Zero(), moment = reaction;  ///< of friction on the partner
+    double work = 0.0;                                                      ///< since the start
+
+    void archive(StateArchive& archive);
+  };
+  FrictionHistory accepted_, trial_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,248 @@
+#include "engine/contact/tool_partner.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace burnish {
+
+template <int Dim>
+ToolPartner<Dim>::ToolPartner(const Tool& tool) : tool_(tool), passage_(tool) {
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+    if (tool.isFree(dof)) dofs_.push_back(dof);
+}
+
+template <int Dim>
+ToolGap ToolPartner<Dim>::query(const Eigen::Vector3d& x) const {
+  if (!dofs_.empty()) return tool_.queryWithDofs(pose_, x);
+  ToolGap answer;
+  answer.point = tool_.query(pose_, x);
+  return answer;
+}
+
+template <int Dim>
+const ToolGap& ToolPartner<Dim>::queryAt(const SlavePoint<Dim>& point, ToolGap& storage) const {
+  if (point.number >= 0) return queries_[static_cast<std::size_t>(point.number)];
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  x.head<Dim>() = point.x;
+  return storage = query(x);
+}
+
+template <int Dim>
+bool ToolPartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) {
+  pose_ = tool_.pose(t, x);
+  queries_.resize(static_cast<std::size_t>(positions.cols()));
+  for (Eigen::Index q = 0; q < positions.cols(); ++q) {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    place.head<Dim>() = positions.col(q);
+    queries_[static_cast<std::size_t>(q)] = query(place);
+  }
+  if (!hasAccepted_) chooseAccepted();
+  return passage_.admits(pose_, positions,
+                         [&](Eigen::Index q) { return queries_[static_cast<std::size_t>(q)].point.gap; });
+}
+
+template <int Dim>
+std::optional<ContactPoint<Dim>> ToolPartner<Dim>::at(const SlavePoint<Dim>& point,
+                                                      PointDetail detail) const {
+  ToolGap storage;
+  const ToolGap& found = queryAt(point, storage);
+  ContactPoint<Dim> contact;
+  contact.gap = found.point.gap;
+  contact.normal = found.point.normal.template head<Dim>();
+  if (detail == PointDetail::Gap) return contact;
+
+  const Eigen::Index n = point.R.size(), numDofs = std::ssize(dofs_), size = Dim * n + numDofs;
+  contact.unknowns.assign(point.unknowns.begin(), point.unknowns.end());
+  for (const std::size_t dof : dofs_) contact.unknowns.push_back(tool_.unknowns[dof]);
+  contact.dGap.resize(size);
+  for (Eigen::Index a = 0; a < n; ++a)
+    contact.dGap.template segment<Dim>(Dim * a) = point.R(a) * contact.normal;
+  if (numDofs > 0) contact.dGap.tail(numDofs) = found.dDofs(dofs_);
+  if (detail == PointDetail::Derivatives) return contact;
+
+  const Eigen::Matrix<double, Dim, Dim> dn = found.point.dNormal.template topLeftCorner<Dim, Dim>();
+  contact.d2Gap.resize(size, size);
+  for (Eigen::Index b = 0; b < n; ++b)
+    for (Eigen::Index a = 0; a < n; ++a)
+      contact.d2Gap.template block<Dim, Dim>(Dim * a, Dim * b) = point.R(a) * point.R(b) * dn;
+  if (numDofs == 0) return contact;
+  const Rows byDofs = found.dNormal.template topRows<Dim>()(Eigen::all, dofs_);
+  for (Eigen::Index a = 0; a < n; ++a)
+    contact.d2Gap.block(Dim * a, Dim * n, Dim, numDofs) = point.R(a) * byDofs;
+  contact.d2Gap.bottomLeftCorner(numDofs, Dim * n) =
+      contact.d2Gap.topRightCorner(Dim * n, numDofs).transpose();
+  contact.d2Gap.bottomRightCorner(numDofs, numDofs) = found.d2(dofs_, dofs_);
+  return contact;
+}
+
+template <int Dim>
+Eigen::Vector3d ToolPartner<Dim>::movedFoot(const SlavePoint<Dim>& point) const {
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  x.head<Dim>() = point.xAccepted;
+  const GapQuery accepted = tool_.query(acceptedPose_, x);
+  const Eigen::Vector3d inTool = tool_.toReference(acceptedPose_, x - accepted.gap * accepted.normal);
+  return Eigen::AngleAxisd(pose_.angle, tool_.axis) * (inTool - tool_.pivot) + tool_.pivot +
+         pose_.displacement;
+}
+
+template <int Dim>
+typename ToolPartner<Dim>::Rows ToolPartner<Dim>::relativeMotion(const SlavePoint<Dim>& point,
+                                                                 const Eigen::Vector3d& y) const {
+  const Eigen::Index n = point.R.size();
+  Rows motion(Dim, Dim * n + std::ssize(dofs_));
+  for (Eigen::Index a = 0; a < n; ++a)
+    motion.template middleCols<Dim>(Dim * a) = point.R(a) * Eigen::Matrix<double, Dim, Dim>::Identity();
+  for (std::size_t k = 0; k < dofs_.size(); ++k) {
+    const Eigen::Vector3d velocity =
+        dofs_[k] == kTurn ? Eigen::Vector3d((tool_.axis / tool_.turnLength).cross(y - pivot()))
+                          : Eigen::Vector3d(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(dofs_[k])));
+    motion.col(Dim * n + static_cast<Eigen::Index>(k)) = -velocity.head<Dim>();
+  }
+  return motion;
+}
+
+template <int Dim>
+typename ToolPartner<Dim>::Rows ToolPartner<Dim>::normalMotion(const SlavePoint<Dim>& point) const {
+  ToolGap storage;
+  const ToolGap& found = queryAt(point, storage);
+  const Eigen::Index n = point.R.size();
+  Rows motion(Dim, Dim * n + std::ssize(dofs_));
+  for (Eigen::Index a = 0; a < n; ++a)
+    motion.template middleCols<Dim>(Dim * a) =
+        point.R(a) * found.point.dNormal.template topLeftCorner<Dim, Dim>();
+  if (!dofs_.empty())
+    motion.rightCols(std::ssize(dofs_)) = found.dNormal.template topRows<Dim>()(Eigen::all, dofs_);
+  return motion;
+}
+
+template <int Dim>
+typename ToolPartner<Dim>::Frame ToolPartner<Dim>::frameAt(const Vector& n) const {
+  if constexpr (Dim == 2) {
+    return Vector(n(1), -n(0));
+  } else {
+    return E_ - (n0_ + n) * (n.transpose() * E_) / (1.0 + n0_.dot(n));
+  }
+}
+
+template <int Dim>
+std::array<typename ToolPartner<Dim>::Rows, Dim - 1> ToolPartner<Dim>::frameMotion(const Vector& n,
+                                                                                   const Rows& dn) const {
+  std::array<Rows, Dim - 1> motion;
+  if constexpr (Dim == 2) {
+    motion[0].resize(2, dn.cols());
+    motion[0] << dn.row(1), -dn.row(0);
+  } else {
+    const double c = 1.0 + n0_.dot(n);
+    const Vector sum = n0_ + n;
+    const Eigen::RowVectorXd along = n0_.transpose() * dn;
+    for (std::size_t alpha = 0; alpha < motion.size(); ++alpha) {
+      const Vector E = E_.col(static_cast<Eigen::Index>(alpha));
+      motion[alpha] = -(sum * (E.transpose() * dn) + n.dot(E) * dn) / c + n.dot(E) / (c * c) * sum * along;
+    }
+  }
+  return motion;
+}
+
+template <int Dim>
+void ToolPartner<Dim>::addSlip(const SlavePoint<Dim>& point, ContactPoint<Dim>& contact) const {
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  x.head<Dim>() = point.x;
+  const Eigen::Vector3d y = movedFoot(point);
+  const Vector v = (x - y).template head<Dim>();
+  const auto turned = frameMotion(contact.normal, normalMotion(point));
+  contact.frame = frameAt(contact.normal);
+  contact.slip = contact.frame.transpose() * v;
+  contact.virtualSlip = relativeMotion(point, x).transpose() * contact.frame;
+  contact.dSlip = relativeMotion(point, y).transpose() * contact.frame;
+  for (std::size_t alpha = 0; alpha < turned.size(); ++alpha)
+    contact.dSlip.col(static_cast<Eigen::Index>(alpha)) += turned[alpha].transpose() * v;
+}
+
+/// The variation δx - w(x) meets the turning frame; under a turn of the tool, w = δθ × (x - c), also x and c
+/// move.
+template <int Dim>
+Eigen::MatrixXd ToolPartner<Dim>::frictionTangent(const SlavePoint<Dim>& point,
+                                                  const ContactPoint<Dim>& contact,
+                                                  const Eigen::Vector<double, Dim - 1>& traction) const {
+  Eigen::Vector3d x = Eigen::Vector3d::Zero(), t = x;
+  x.head<Dim>() = point.x;
+  t.head<Dim>() = contact.frame * traction;
+  const auto turned = frameMotion(contact.normal, normalMotion(point));
+  Rows turn = traction(0) * turned[0];
+  for (std::size_t alpha = 1; alpha < turned.size(); ++alpha)
+    turn += traction(static_cast<Eigen::Index>(alpha)) * turned[alpha];
+  Eigen::MatrixXd K = relativeMotion(point, x).transpose() * turn;
+  if (!tool_.isFree(kTurn)) return K;
+  const Eigen::Vector3d moment = t.cross(tool_.axis / tool_.turnLength);  // t · (a × Δ) = (t × a) · Δ
+  const Eigen::Index n = point.R.size(), row = K.rows() - 1;              // the turn comes last
+  for (Eigen::Index a = 0; a < n; ++a)
+    K.row(row).template segment<Dim>(Dim * a) -= point.R(a) * moment.head<Dim>().transpose();
+  for (std::size_t k = 0; k + 1 < dofs_.size(); ++k)
+    K(row, Dim * n + static_cast<Eigen::Index>(k)) += moment(static_cast<Eigen::Index>(dofs_[k]));
+  return K;
+}
+
+template <int Dim>
+typename ToolPartner<Dim>::Vector ToolPartner<Dim>::meanNormal() const {
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
+  for (const ToolGap& found : queries_) {
+    nearest = std::min(nearest, std::abs(found.point.gap));
+    farthest = std::max(farthest, std::abs(found.point.gap));
+  }
+  constexpr double kNear = 0.01;  // of the span of gaps: how far points count in full
+  const double scale = nearest + kNear * farthest + std::numeric_limits<double>::min();
+  Vector sum = Vector::Zero();
+  for (const ToolGap& found : queries_) {
+    const double far = found.point.gap / scale;
+    sum += found.point.normal.template head<Dim>() / (1.0 + far * far);
+  }
+  return sum.norm() > 0.0 ? Vector(sum.normalized()) : Vector(Vector::Unit(Dim - 1));
+}
+
+template <int Dim>
+void ToolPartner<Dim>::chooseAccepted() {
+  hasAccepted_ = true;
+  acceptedPose_ = pose_;
+  if constexpr (Dim == 3) {
+    n0_ = meanNormal();
+    E_.col(0) = n0_.unitOrthogonal();
+    E_.col(1) = n0_.cross(E_.col(0));
+  }
+}
+
+template <int Dim>
+double ToolPartner<Dim>::prescribedWork(const Eigen::Vector3d& force, const Eigen::Vector3d& moment) const {
+  const Eigen::Vector3d way = pose_.displacement - acceptedPose_.displacement;
+  double work = 0.0;
+  for (std::size_t dof = 0; dof < kTurn; ++dof)
+    if (const auto d = static_cast<Eigen::Index>(dof); !tool_.isFree(dof)) work += force(d) * way(d);
+  if (!tool_.isFree(kTurn)) work += tool_.axis.dot(moment) * (pose_.angle - acceptedPose_.angle);
+  return work;
+}
+
+template <int Dim>
+void ToolPartner<Dim>::accept() {
+  passage_.accept();
+  chooseAccepted();
+}
+
+template <int Dim>
+void ToolPartner<Dim>::archive(StateArchive& archive) {
+  passage_.archive(archive);
+  archive.field("has_accepted", hasAccepted_);
+  archive.field("accepted_displacement", acceptedPose_.displacement);
+  archive.field("accepted_angle", acceptedPose_.angle);
+  Eigen::VectorXd frame(Dim * Dim);
+  frame << n0_, E_.reshaped();
+  archive.fixedField("frame", frame);
+  n0_ = frame.head<Dim>();
+  E_ = frame.tail(Dim * (Dim - 1)).reshaped(Dim, Dim - 1);
+}
+
+template class ToolPartner<2>;
+template class ToolPartner<3>;
+
+}  // namespace burnish

@@ -1,0 +1,166 @@
+// Coulomb friction of a face on a rigid tool.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/contact/integral_contact_term.h"
+#include "engine/nurbs/refinement.h"
+#include "engine/nurbs/shapes.h"
+#include "tests/engine/solid/term_check.h"
+
+namespace burnish {
+namespace {
+
+struct Case {
+  double mu = 0.0;  ///< rough if zero
+  BasisFamily family = BasisFamily::BSpline;
+  int degree = 2;
+  bool axisymmetric = false;
+  bool isFree = false;
+  std::optional<double> shearLimit{};
+
+  bool sticks() const { return mu == 0.0 || mu > 1.0; }
+
+  ContactOptions options() const {
+    ContactOptions options{Enforcement::IntegralAugmentedLagrangian, 10.0, 8};
+    options.rough = mu == 0.0;
+    if (mu > 0.0) options.friction = mu;
+    options.shearLimit = shearLimit;
+    options.frictionParameter = 7.0;
+    return options;
+  }
+};
+
+template <int Dim>
+Tool movedTool(Tool tool, bool isFree, int firstUnknown) {
+  tool.pivot = {0.3, 0.8, 0.1};
+  if (Dim == 3) tool.axis = Eigen::Vector3d(0.2, -0.3, 1.0).normalized();
+  tool.turnLength = 1.7;
+  if (isFree) {
+    for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+      tool.unknowns[dof] = firstUnknown + static_cast<int>(dof);
+  } else {
+    tool.motion[0] = [](double t) { return 0.003 * t; };
+    tool.motion[kTurn] = [](double t) { return 0.02 * t; };
+  }
+  return tool;
+}
+
+/// A block under a tool: pressed and accepted in one random state, looked at in another one near to it.
+template <int Dim>
+struct Rubbed {
+  Body<Dim> body;
+  int first;
+  Tool tool;
+  IntegralContactTerm<Dim> term;
+  Eigen::VectorXd x;
+
+  Rubbed(Body<Dim> itsBody, FaceId face, const Tool& itsTool, const Case& c)
+      : body(std::move(itsBody)),
+        first(Dim * body.numNodes + (c.isFree ? static_cast<int>(kToolDofs) : 0)),
+        tool(movedTool<Dim>(itsTool, c.isFree, Dim * body.numNodes)),
+        term(body, 0, face, tool, c.options(), first,
+             std::vector<bool>(static_cast<std::size_t>(Dim * body.numNodes), false)) {
+    const Eigen::VectorXd before = test::randomState(first + term.numMultipliers(), 2e-3, 7);
+    static_cast<void>(test::forceOf(term, 0.0, before));
+    term.accept();
+    x = before + test::randomState(before.size(), 3e-3, 11);
+    x.tail(term.numMultipliers()) = test::randomState(term.numMultipliers(), 0.2, 3);
+  }
+};
+
+Rubbed<2> rubbedBlock(const Case& c) {
+  const Patch<2> shape = rectangle({0.0, 0.0}, {1.0, 0.5});
+  Body<2> body =
+      c.family == BasisFamily::BSpline
+          ? makeBody(refined(shape, {KnotVector::uniform(c.degree, 6), KnotVector::uniform(c.degree, 2)}))
+          : makeBody(lagrangeInterpolant(shape, c.degree,
+                                         {KnotVector::uniform(1, 6).breakpoints(), {0.0, 0.5, 1.0}}));
+  body.axisymmetric = c.axisymmetric;
+  return {std::move(body), faceFromName<2>("top"),
+          Tool{"disc", Cylinder{{0.4, 0.5 + 0.24, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}}, c};
+}
+
+Rubbed<3> rubbedBox(const Case& c) {
+  return {
+      makeBody(refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}),
+                       {KnotVector::uniform(2, 3), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)})),
+      faceFromName<3>("front"), Tool{"ball", Sphere{{0.45, 0.55, 0.5 + 0.7}, 0.8}}, c};
+}
+
+class Friction : public testing::TestWithParam<Case> {};
+
+TEST_P(Friction, TangentAgreesWithCentralDifferences) {
+  Rubbed rubbed = rubbedBlock(GetParam());
+  EXPECT_FALSE(rubbed.term.hasSymmetricTangent());
+  EXPECT_LT(test::tangentError(rubbed.term, 1.0, rubbed.x, 1e-6), 1e-6);
+  const ContactState& state = rubbed.term.state();
+  EXPECT_GT(state.frictionForce, 0.0);
+  const auto count = [&](int kind) { return std::count(state.sliding.begin(), state.sliding.end(), kind); };
+  EXPECT_GT(count(GetParam().sticks() ? 1 : 2), 0);
+  EXPECT_GT(count(0), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Friction,
+                         testing::Values(Case{}, Case{.mu = 0.1}, Case{.mu = 5.0},
+                                         Case{.mu = 0.1, .degree = 3},
+                                         Case{.mu = 0.1, .family = BasisFamily::Lagrange},
+                                         Case{.mu = 0.1, .axisymmetric = true}, Case{.axisymmetric = true},
+                                         Case{.mu = 0.1, .isFree = true}, Case{.isFree = true},
+                                         Case{.mu = 0.1, .shearLimit = 0.05}));
+
+class FrictionInSpace : public testing::TestWithParam<Case> {};
+
+TEST_P(FrictionInSpace, TangentAgreesWithCentralDifferences) {
+  Rubbed rubbed = rubbedBox(GetParam());
+  EXPECT_LT(test::tangentError(rubbed.term, 1.0, rubbed.x, 1e-6), 1e-6);
+  EXPECT_GT(rubbed.term.state().frictionForce, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FrictionInSpace,
+                         testing::Values(Case{}, Case{.mu = 0.1}, Case{.mu = 0.1, .isFree = true},
+                                         Case{.isFree = true}));
+
+/// Reaction and moment, those of friction included, are what a free tool's equations say.
+TEST(FrictionOnAFreeTool, ReactionAndMomentAreTheForcesOnIt) {
+  Rubbed rubbed = rubbedBlock({.mu = 0.1, .isFree = true});
+  const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
+  const ContactState& state = rubbed.term.state();
+  const int unknown = 2 * rubbed.body.numNodes;
+  EXPECT_NEAR((force.segment<3>(unknown) + state.reaction).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(force(unknown + 3), -state.moment.z() / rubbed.tool.turnLength, 1e-15);
+}
+
+/// A rigid motion of body and tool together is no slip and does no work, and turns forces.
+TEST(FrictionOnAFreeTool, IsIndifferentToRigidMotions) {
+  Rubbed rubbed = rubbedBlock({.mu = 0.1, .isFree = true});
+  static_cast<void>(test::forceOf(rubbed.term, 1.0, rubbed.x));
+  rubbed.term.accept();
+  const double before = rubbed.term.state().frictionWork;
+  const double angle = 0.7;
+  const Eigen::Vector2d shift(0.2, -0.4), pivot = rubbed.tool.pivot.head<2>();
+  const Eigen::Rotation2Dd R(angle);
+  Eigen::VectorXd x = rubbed.x;
+  const int unknown = 2 * rubbed.body.numNodes;
+  const Eigen::Vector2d toolWas = x.segment<2>(unknown);
+  const Eigen::Vector2d center = pivot + toolWas;
+  for (int a = 0; a < rubbed.body.numNodes; ++a) {
+    const Eigen::Vector2d X = rubbed.body.nodePositions().col(a), was = X + x.segment<2>(2 * a);
+    x.segment<2>(2 * a) = R * (was - center) + center + shift - X;
+  }
+  x.segment<2>(unknown) += shift;
+  x(unknown + 3) += angle * rubbed.tool.turnLength;
+  const Eigen::Vector2d reaction = [&] {
+    static_cast<void>(test::forceOf(rubbed.term, 1.0, rubbed.x));
+    return Eigen::Vector2d(rubbed.term.state().reaction.head<2>());
+  }();
+  static_cast<void>(test::forceOf(rubbed.term, 1.0, x));
+  const ContactState& state = rubbed.term.state();
+  EXPECT_NEAR(state.slip.norm(), 0.0, 1e-14);
+  EXPECT_NEAR((state.reaction.head<2>() - R * reaction).norm(), 0.0, 1e-14);
+  EXPECT_GT(state.frictionForce, 1e-4);
+  EXPECT_GT(std::abs(before), 1e-8);
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "engine/contact/integral_contact_term.h"
+#include "engine/nurbs/refinement.h"
+#include "engine/nurbs/shapes.h"
+#include "tests/engine/solid/term_check.h"
+
+namespace burnish {
+namespace {
+
+constexpr double kParameter = 10.0;
+
+/// More points than usual: the tangent leaves out that the points of a split span move, by which only the
+/// rule's error changes, and that must be small beside the differences on these few spans.
+ContactOptions integral() {
+  return {Enforcement::IntegralAugmentedLagrangian, kParameter, 8};
+}
+
+/// A 1 x 0.5 block of 6 x 2 spans whose top face is pressed by a tool.
+Body<2> block(int degree, BasisFamily family, bool axisymmetric = false) {
+  const Patch<2> shape = rectangle({0.0, 0.0}, {1.0, 0.5});
+  Body<2> body =
+      family == BasisFamily::BSpline
+          ? makeBody(refined(shape, {KnotVector::uniform(degree, 6), KnotVector::uniform(degree, 2)}))
+          : makeBody(lagrangeInterpolant(shape, degree,
+                                         {KnotVector::uniform(1, 6).breakpoints(), {0.0, 0.5, 1.0}}));
+  body.axisymmetric = axisymmetric;
+  return body;
+}
+
+Tool disc() {
+  return {"disc", Cylinder{{0.4, 0.5 + 0.24, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}};
+}
+
+Tool freeTool(Tool tool, int firstUnknown) {
+  tool.pivot = {0.3, 0.8, 0.1};
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof) tool.unknowns[dof] = firstUnknown + static_cast<int>(dof);
+  tool.turnLength = 1.7;
+  return tool;
+}
+
+std::vector<bool> noneHeld(int unknowns) {
+  return std::vector<bool>(static_cast<std::size_t>(unknowns), false);
+}
+
+struct Case {
+  BasisFamily family;
+  int degree;
+  bool axisymmetric = false;
+};
+
+/// The block under a disc in a random state with multipliers of the size of the gaps, so that the contact
+/// ends within spans. The disc may be free.
+struct Pressed {
+  Body<2> body;
+  int first;
+  Tool tool;
+  IntegralContactTerm<2> term;
+  Eigen::VectorXd x;
+
+  Pressed(const Case& c, bool isFree)
+      : body(block(c.degree, c.family, c.axisymmetric)),
+        first(2 * body.numNodes + (isFree ? static_cast<int>(kToolDofs) : 0)),
+        tool(isFree ? freeTool(disc(), 2 * body.numNodes) : disc()),
+        term(body, 0, faceFromName<2>("top"), tool, integral(), first, noneHeld(2 * body.numNodes)),
+        x(test::randomState(first + term.numMultipliers(), 2e-3, 7)) {
+    x.tail(term.numMultipliers()) = test::randomState(term.numMultipliers(), 0.2, 3);
+  }
+};
+
+class IntegralContact : public testing::TestWithParam<Case> {};
+
+TEST_P(IntegralContact, TangentAgreesWithCentralDifferencesAndIsSymmetric) {
+  for (const bool isFree : {false, true}) {
+    Pressed pressed(GetParam(), isFree);
+    EXPECT_LT(test::tangentError(pressed.term, 0.0, pressed.x, 1e-6), 1e-7);
+    EXPECT_GT(pressed.term.state().reaction(1), 0.0);
+    EXPECT_GT(pressed.term.state().numActive(), 0);
+    EXPECT_LT(pressed.term.state().numActive(), pressed.term.face().numFunctions());
+    EXPECT_LT(test::asymmetry(test::tangentOf(pressed.term, 0.0, pressed.x)), 1e-14);
+  }
+}
+
+/// R is the derivative of L_c = ∫ (p² - λ²)/(2r) dΓ.
+TEST_P(IntegralContact, ForcesAreTheDerivativeOfTheEnergy) {
+  Pressed pressed(GetParam(), false);
+  const Eigen::VectorXd force = test::forceOf(pressed.term, 0.0, pressed.x);
+  const auto direction = test::randomState(pressed.x.size(), 1.0, 5);
+  const double h = 1e-6;
+  const auto energyAt = [&](double step) {
+    static_cast<void>(test::forceOf(pressed.term, 0.0, pressed.x + step * direction));
+    return pressed.term.state().energy;
+  };
+  EXPECT_NEAR(force.dot(direction), (energyAt(h) - energyAt(-h)) / (2.0 * h), 1e-7 * force.norm());
+}
+
+TEST_P(IntegralContact, ReactionAndMomentAreTheForcesOnTheFreeTool) {
+  if (GetParam().axisymmetric) GTEST_SKIP() << "of whole rings only the axial force is left";
+  Pressed pressed(GetParam(), true);
+  const Eigen::VectorXd force = test::forceOf(pressed.term, 0.0, pressed.x);
+  const ContactState& state = pressed.term.state();
+  const int unknown = 2 * pressed.body.numNodes;
+  EXPECT_NEAR((force.segment<3>(unknown) + state.reaction).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(force(unknown + 3), -state.moment.z() / pressed.tool.turnLength, 1e-15);
+  EXPECT_GT(std::abs(state.moment.z()), 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, IntegralContact,
+                         testing::Values(Case{BasisFamily::BSpline, 2}, Case{BasisFamily::BSpline, 3},
+                                         Case{BasisFamily::BSpline, 4}, Case{BasisFamily::Lagrange, 2},
+                                         Case{BasisFamily::Lagrange, 4}, Case{BasisFamily::BSpline, 2, true},
+                                         Case{BasisFamily::Lagrange, 2, true}));
+
+TEST(IntegralContactInThreeDimensions, TangentAgreesWithCentralDifferences) {
+  const Body<3> body =
+      makeBody(refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}),
+                       {KnotVector::uniform(2, 3), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)}));
+  const std::array<Tool, 2> tools{Tool{"ball", Sphere{{0.45, 0.55, 0.5 + 0.7}, 0.8}},
+                                  Tool{"roller", Cylinder{{0.5, 0.5, 0.5 + 0.24}, {1.0, 0.2, 0.0}, 0.3}}};
+  for (const Tool& tool : tools) {
+    IntegralContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, integral(), 3 * body.numNodes,
+                                noneHeld(3 * body.numNodes));
+    Eigen::VectorXd x = test::randomState(3 * body.numNodes + term.numMultipliers(), 2e-3, 9);
+    x.tail(term.numMultipliers()) = test::randomState(term.numMultipliers(), 0.1, 3);
+    EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6) << tool.name;
+    EXPECT_GT(term.state().reaction(2), 0.0) << tool.name;
+  }
+}
+
+/// ∫ g M_A dΓ of a plate that is tilted against the face is that of a polynomial.
+TEST(IntegralContact, ConstraintsOfAPressedFaceAreIntegralsOfTheGap) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool plate{"plate", Plane{{0.0, 0.49, 0.0}, {0.01, -1.0, 0.0}}};
+  const int first = 2 * body.numNodes;
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), plate, integral(), first, noneHeld(first));
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(first + term.numMultipliers());
+  const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
+  // The gap is linear along the face, so that B-spline quasi-interpolation at the anchors has no error.
+  const Eigen::VectorXd gaps = term.referenceGaps(plate.pose(0.0));
+  EXPECT_NEAR(force.tail(gaps.size()).sum(), term.weights().dot(gaps), 1e-15);
+  EXPECT_NEAR(term.state().area, 1.0, 1e-14);
+  EXPECT_NEAR(term.state().largestPenetration(), -term.smallestReferenceGap(plate.pose(0.0)), 2e-3);
+}
+
+/// Control points that a support holds across the face share the multiplier of their neighbour.
+TEST(IntegralContact, HeldEndsHaveNoMultiplierOfTheirOwn) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool tool = disc();
+  const int first = 2 * body.numNodes;
+  std::vector<bool> held = noneHeld(first);
+  const auto functions = faceFunctions(body.patches[0].basis(), faceFromName<2>("top"));
+  held[static_cast<std::size_t>(2 * functions.front() + 1)] = true;  // across the face
+  held[static_cast<std::size_t>(2 * functions.back())] = true;       // along it
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, integral(), first, held);
+  EXPECT_EQ(term.numMultipliers(), term.face().numFunctions() - 1);
+  EXPECT_NEAR(term.weights().sum(), 1.0, 1e-14);
+  Eigen::VectorXd x = test::randomState(first + term.numMultipliers(), 2e-3, 7);
+  EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-7);
+}
+
+/// A tool that nothing touches would have no stiffness; the nearest point holds it and says with what.
+TEST(IntegralContact, AFreeToolStaysInTouchWithTheNearestPoint) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool tool = freeTool({"plate", Plane{{0.0, 0.6, 0.0}, {0.1, -1.0, 0.0}}}, 2 * body.numNodes);
+  const int first = 2 * body.numNodes + static_cast<int>(kToolDofs);
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, integral(), first,
+                              noneHeld(2 * body.numNodes));
+  const Eigen::VectorXd x = Eigen::VectorXd::Zero(first + term.numMultipliers());
+  EXPECT_TRUE(test::forceOf(term, 0.0, x).isZero(0.0));
+  EXPECT_EQ(term.state().pull, 0.0);
+  term.keepInTouch({});
+  EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
+  EXPECT_GT(term.state().pull, 0.0);
+  EXPECT_LT(term.state().reaction(1), 0.0) << "the body pulls the tool";
+}
+
+TEST(IntegralContact, AStateThatLetsTheToolThroughIsNotAdmissible) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool tool{"disc", Cylinder{{0.4, 0.5 + 0.1, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}};
+  const int first = 2 * body.numNodes;
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, integral(), first, noneHeld(first));
+  bool admissible = true;
+  static_cast<void>(
+      test::forceOf(term, 0.0, Eigen::VectorXd::Zero(first + term.numMultipliers()), &admissible));
+  EXPECT_FALSE(admissible) << "0.2 deep in a disc of radius 0.3";
+}
+
+}  // namespace
+}  // namespace burnish
