@@ -10,24 +10,14 @@
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_parts.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/shown_model.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/png_file.h"
-#include "postproc/mesh/mirror.h"
 
 namespace burnish {
 namespace {
 
 using Range = std::array<double, 2>;
-
-/// Calls `act` with the model and the frame that are drawn: components of a field may have another sign in a
-/// mirror.
-template <class Act>
-auto withImages(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
-                const Act& act) {
-  if (options.mirror.empty()) return act(model, frame);
-  const ModelFrame whole = mirrored(model, frame, options.mirror);
-  return act(whole.model, whole.frame);
-}
 
 Range rangeOf(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   return fieldRange(model, frame, options.field, subdivisionOf(model, options), options.clip);
@@ -48,7 +38,7 @@ ContourOptions contourOptions(const PictureOptions& picture, const ResultReader&
 }
 
 Range shownRange(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
-  return withImages(model, frame, options, [&](const ModelRecord& wholeModel, const FrameRecord& whole) {
+  return withShownModel(model, frame, options, [&](const ModelRecord& wholeModel, const FrameRecord& whole) {
     return rangeOf(wholeModel, whole, options);
   });
 }
@@ -64,12 +54,12 @@ ContourOptions withCommonView(ContourOptions options, const ResultReader& result
   Eigen::AlignedBox2d window;
   for (const int k : frames) {
     throwIfInterrupted();
-    withImages(result.model(), result.frame(k), options,
-               [&](const ModelRecord& model, const FrameRecord& frame) {
-                 if (inRange.contains(k)) range = joined(range, rangeOf(model, frame, options));
-                 if (inWindow.contains(k))
-                   window.extend(contentOf(contourParts(model, frame, options), model.dim));
-               });
+    withShownModel(result.model(), result.frame(k), options,
+                   [&](const ModelRecord& model, const FrameRecord& frame) {
+                     if (inRange.contains(k)) range = joined(range, rangeOf(model, frame, options));
+                     if (inWindow.contains(k))
+                       window.extend(contentOf(contourParts(model, frame, options), model.dim));
+                   });
   }
   if (range) {
     options.range = widened(*range);

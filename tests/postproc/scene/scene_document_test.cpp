@@ -46,7 +46,7 @@ TEST(SceneDocument, ReadsWhatTheEngineLeavesAlone) {
           "checks: [{name: force, quantity: cylinder.fy, expect: value, value: 1, relative: 0.1}]\n"
           "charts: [{x: time, y: cylinder.fy, y_title: force}]\n",
       "test.yaml");
-  EXPECT_EQ(document.scene.degree, 2);
+  EXPECT_EQ(document.scene.body.degree, 2);
   ASSERT_EQ(document.pictures.size(), 2u);
   EXPECT_EQ(document.pictures[0].size, (std::array<int, 2>{1600, 900}));
   EXPECT_EQ(document.pictures[1].range, (std::array<double, 2>{0.0, 2.0}));
