@@ -40,20 +40,37 @@ void describe(Visitor& v, UnitsSpec& s) {
   v.field("stress", s.stress, {.longest = kLongestShownText}, "Label of the unit of stress.");
 }
 
+/// A key of a body that may have its value from elsewhere: a list of keys names no default then.
+template <class Visitor, class T>
+void describeInherited(Visitor& v, const char* key, T& value, const Rule& rule, const char* sentence,
+                       bool inherits) {
+  if constexpr (requires { Visitor::declares; }) {
+    std::optional<T> none;
+    if (inherits) return v.field(key, none, rule, sentence);
+  }
+  v.field(key, value, rule, sentence);
+}
+
+/// inherits: from what the scene says of all bodies.
 template <class Visitor>
-void describeBasis(Visitor& v, BodySpec& s) {
-  v.field("basis", s.basis, {},
-          "Basis functions of the body: NURBS, or Lagrange elements that are continuous only.");
-  v.field("degree", s.degree, {.atLeast = 1, .atMost = 10},
-          "Polynomial degree in every direction. Control nets of a lower degree are raised to it; a body of "
-          "nets alone keeps theirs when the key is left out.");
+void describeBasis(Visitor& v, BodySpec& s, bool inherits = false) {
+  describeInherited(v, "basis", s.basis, {},
+                    "Basis functions of the body: NURBS, or Lagrange elements that are continuous only.",
+                    inherits);
+  describeInherited(
+      v, "degree", s.degree, {.atLeast = 1, .atMost = 10},
+      "Polynomial degree in every direction. Control nets of a lower degree are raised to it; a body of "
+      "nets alone keeps theirs when the key is left out.",
+      inherits);
 }
 
 template <class Visitor>
-void describeIntegration(Visitor& v, BodySpec& s) {
-  v.field("formulation", s.formulation, {},
-          "displacement alone, or fbar: with a projected change of volume, which does not lock when the "
-          "material is nearly incompressible.");
+void describeIntegration(Visitor& v, BodySpec& s, bool inherits = false) {
+  describeInherited(
+      v, "formulation", s.formulation, {},
+      "displacement alone, or fbar: with a projected change of volume, which does not lock when the "
+      "material is nearly incompressible.",
+      inherits);
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Gauss points of the body per knot span and direction; the degree plus one when left out.");
 }
@@ -71,8 +88,8 @@ void describe(Visitor& v, BodySpec& s) {
   v.field("name", s.name, {.required = true, .identifier = true},
           "Name for supports, loads, contact, measures and results; unlike those of other bodies, tools and "
           "measures.");
-  describeBasis(v, s);
-  describeIntegration(v, s);
+  describeBasis(v, s, true);
+  describeIntegration(v, s, true);
   describeMatter(v, s);
 }
 

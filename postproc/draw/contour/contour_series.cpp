@@ -32,7 +32,10 @@ Range joined(const std::optional<Range>& a, const Range& b) {
 ContourOptions contourOptions(const PictureOptions& picture, const ResultReader& result,
                               const FrameRecord& frame) {
   ContourOptions options(picture);
-  if (options.field.empty()) options.field = fieldToShow(frame);
+  if (options.field.empty())
+    options.field =
+        withShownModel(result.model(), frame, options,
+                       [](const ModelRecord&, const FrameRecord& shown) { return fieldToShow(shown); });
   if (options.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
   return options;
 }

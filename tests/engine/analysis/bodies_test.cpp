@@ -168,13 +168,13 @@ loads:
   - {@patch: right, face: right, traction: [0, 2, 0]}
   - {@patch: left, face: front, pressure: 1.5}
 tools:
-  - {name: ball, shape: sphere, center: [1.5, 0.5, 1.5], radius: 0.5, motion: {times: [0, 1], z: [0, -0.02]}}
+  - {name: ball, shape: sphere, center: [1.5, 0.5, 1.5], radius: 0.5, motion: {times: [0, 1], z: [0, -0.12]}}
 contact: [{tool: ball, @patch: right, face: front}]
 measures:
   - {name: end, kind: face, @patch: right, face: right}
   - {name: spot, kind: point, @patch: right, parameters: [0.5, 0.5, 0], fields: [displacement, pressure]}
 solver: {tolerance: 1e-11}
-steps: [{until: 1, count: 1}]
+steps: [{until: 1, count: 4}]
 )";
   for (std::size_t at; (at = text.find('@')) != std::string::npos;) text.replace(at, 1, body);
   return text;

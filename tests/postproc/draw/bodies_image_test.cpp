@@ -23,7 +23,7 @@ TEST_F(ContourPictures, ABodyWithoutTheFieldIsDrawnPlain) {
   const samples::Sample sample = samples::twoBodies();
   const Picture picture = expectBaseline(sample, small("plastic_strain"), "two_bodies");
   const ColorScale scale("viridis", {0.0, 1.0}, 0);
-  expectColor(picture, Eigen::Vector2d(0.0, 0.5), scale.color(0.0));
+  expectColor(picture, Eigen::Vector2d(1.5, 0.425), scale.color(0.25));  // s = t = 0.5
   expectColor(picture, Eigen::Vector2d(4.0, 0.5), {238, 238, 238});
   // The zeros that stand for it do not widen the scale.
   samples::Sample offset = sample;
