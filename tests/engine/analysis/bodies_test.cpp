@@ -164,9 +164,9 @@ std::string loadedPair(const std::string& body) {
   std::string text = R"(
 supports: [{@patch: left, face: left, fix: [x, y, z]}]
 loads:
-  - {@patch: right, body_force: [0, 0, -1]}
+  - {@patch: right, body_force: [0, 0, -0.1]}
   - {@patch: right, face: right, traction: [0, 2, 0]}
-  - {@patch: left, face: front, pressure: 1.5}
+  - {@patch: left, face: front, pressure: 0.5}
 tools:
   - {name: ball, shape: sphere, center: [1.5, 0.5, 1.5], radius: 0.5, motion: {times: [0, 1], z: [0, -0.12]}}
 contact: [{tool: ball, @patch: right, face: front}]
@@ -201,7 +201,7 @@ material: {law: neo-hookean, E: 200, nu: 0.3})";
   const Outcome together = test::run(both, "pair_and_block");
   const Outcome alone = test::run(parseScene(pair + "\n" + loadedPair(""), "alone.yaml"), "pair_alone");
   ASSERT_TRUE(alone.summary.completed);
-  EXPECT_LT(alone.history.column("ball.fz").back(), -1e-3);
+  EXPECT_GT(alone.history.column("ball.fz").back(), 0.1);
   for (const char* column : {"end.ux", "end.uy", "end.uz", "end.fy", "spot.uz", "spot.pressure", "ball.fz",
                              "strain_energy", "external_work"})
     EXPECT_NEAR(together.history.column(column).back(), alone.history.column(column).back(),
