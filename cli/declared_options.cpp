@@ -63,11 +63,10 @@ void DeclaredOptions::add(CLI::App& command, const Declaration& key, const std::
         helpOf(key, usual));
     return;
   }
-  command
-      .add_option_function<std::string>(
-          option, [this, name = key.key](const std::string& text) { given_[name] = text; },
-          helpOf(key, usual))
-      ->type_name(typeName(key));
+  CLI::Option* added = command.add_option_function<std::string>(
+      option, [this, name = key.key](const std::string& text) { given_[name] = text; }, helpOf(key, usual));
+  added->type_name(typeName(key));
+  if (key.type.kind == Kind::Text && key.type.lists == 1) added->join(',');  // given once or several times
 }
 
 void DeclaredOptions::addFlag(CLI::App& command, const char* flag, const std::string& key,

@@ -41,16 +41,29 @@ std::string patchText(const PatchRecord& patch) {
                      fmt::join(degrees, " x "), fmt::join(spans, " x "), patch.nodes.size());
 }
 
-std::string patchesText(const MeshRecord& mesh) {
+/// bodies: their names, if there are any.
+std::string patchesText(const MeshRecord& mesh, const std::vector<std::string>& bodies) {
   std::string text;
-  for (const PatchRecord& patch : mesh.patches) text += line("patch", patchText(patch));
+  for (const PatchRecord& patch : mesh.patches) {
+    const std::string body =
+        bodies.empty() ? "" : fmt::format("body {}: ", shown(bodies[static_cast<std::size_t>(patch.body)]));
+    text += line("patch", body + patchText(patch));
+  }
   return text;
+}
+
+/// " of body NAME" where bodies have names.
+std::string ofBody(const ModelRecord& model, const PatchRecord& patch) {
+  return model.bodies.empty()
+             ? ""
+             : fmt::format(" of body {}", shown(model.bodies[static_cast<std::size_t>(patch.body)]));
 }
 
 std::string fieldText(const std::string& name, const FieldRecord& field) {
   std::string text = name;
   if (!field.components.empty()) text += fmt::format(" ({})", fmt::join(field.components, " "));
   if (!field.unit.empty()) text += fmt::format(" [{}]", shown(field.unit));
+  if (!field.bodies.empty()) text += fmt::format(", of {} alone", fmt::join(field.bodies, ", "));
   return text;
 }
 
@@ -61,12 +74,15 @@ std::string framesText(const ResultReader& result) {
       line("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
   const FrameRecord last = result.frame(result.numFrames() - 1);
   if (last.mesh)
-    text += line("last mesh", fmt::format("{} nodes", last.mesh->numNodes)) + patchesText(*last.mesh);
+    text += line("last mesh", fmt::format("{} nodes", last.mesh->numNodes)) +
+            patchesText(*last.mesh, result.model().bodies);
   for (const auto& [name, field] : last.fields) text += line("field", fieldText(name, field));
-  for (const ContactRecord& contact : last.contact)
+  for (const ContactRecord& contact : last.contact) {
+    const auto& patch = meshOf(result.model(), last).patches[static_cast<std::size_t>(contact.patch)];
     text += line("contact",
-                 fmt::format("{} on {}, {} control points", contact.tool.empty() ? "self" : contact.tool,
-                             contact.face, contact.nodes.size()));
+                 fmt::format("{} on {}{}, {} control points", contact.tool.empty() ? "self" : contact.tool,
+                             contact.face, ofBody(result.model(), patch), contact.nodes.size()));
+  }
   return text;
 }
 
@@ -109,7 +125,7 @@ std::string resultText(const ResultReader& result) {
   text += line("title", shown(model.title));
   text += line("written by", model.program);
   text += line("model", fmt::format("{} dimensions, {} nodes", model.dim, model.mesh.numNodes));
-  text += patchesText(model.mesh);
+  text += patchesText(model.mesh, model.bodies);
   for (const ToolRecord& tool : model.tools)
     text += line("tool", fmt::format("{}: {}", shown(tool.name), shapeText(tool.shape)));
   text += framesText(result);

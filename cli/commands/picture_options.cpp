@@ -11,6 +11,7 @@
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/shown_model.h"
 
 namespace burnish {
 namespace {
@@ -83,11 +84,13 @@ ContourOptions contourOptions(const PictureArguments& arguments, const ResultRea
   const FrameRecord first = result.frame(frames.front());
   const int dim = result.model().dim;
   PictureOptions picture;
-  picture.field = fieldName(arguments, first);
   const std::vector<std::string> words{"auto", "frame", "run"};
   if (std::find(words.begin(), words.end(), arguments.range) == words.end())
     picture.range = rangeFromText("--range", arguments.range, words);
   readPicture(arguments.picture, picture, dim);
+  picture.field = withShownModel(
+      result.model(), first, picture,
+      [&](const ModelRecord&, const FrameRecord& shown) { return fieldName(arguments, shown); });
   const std::vector<int> ofRange = framesOfRange(arguments.range, frames, result.numFrames());
   const std::vector<int> ofWindow = frames.size() > 1 ? frames : std::vector<int>();
   ContourOptions contour = withCommonView(contourOptions(picture, result, first), result, ofRange, ofWindow);

@@ -33,10 +33,11 @@ struct VerifyArguments {
   fs::path gallery;
 };
 
-/// Control nets may lie beside the scenes that name them; only scenes have a geometry.
+/// Control nets may lie beside the scenes that name them; only scenes have a geometry or
+/// bodies.
 bool isScene(const fs::path& file) {
   const std::string text = "\n" + readText(file);
-  return text.find("\ngeometry:") != std::string::npos;
+  return text.find("\ngeometry:") != std::string::npos || text.find("\nbodies:") != std::string::npos;
 }
 
 /// The scenes of a directory in the order of their names, or the file itself.

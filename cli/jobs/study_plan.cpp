@@ -77,19 +77,20 @@ std::vector<KnotVector> shapeKnots(const Shape& shape) {
 
 /// Number of basis functions of a shape on its mesh, or of all patches.
 struct FunctionCount {
-  const Scene& scene;
+  const BodySpec& body;
+  const std::vector<DefinitionSpec>& definitions;
 
   template <class Shape>
   double operator()(const Shape& shape, const MeshSpec& mesh) const {
     double product = 1.0;
     const std::vector<KnotVector> knots = shapeKnots(shape);
     for (std::size_t d = 0; d < knots.size(); ++d)
-      product *= numFunctions(scene, meshKnots(scene, mesh, d, knots[d]));
+      product *= numFunctions(body, meshKnots(body, definitions, mesh, d, knots[d]));
     return product;
   }
-  double operator()(const PatchesSpec& body, const MeshSpec&) const {
+  double operator()(const PatchesSpec& several, const MeshSpec&) const {
     double sum = 0.0;
-    for (const PatchSpec& patch : body.patches)
+    for (const PatchSpec& patch : several.patches)
       sum += std::visit([&](const auto& shape) { return (*this)(shape, patch.mesh); }, patch.shape);
     return sum;
   }
@@ -220,10 +221,15 @@ const FigureSpec& findFigure(const Study& study, const std::string& name) {
 }
 
 double expectedCost(const Scene& scene) {
-  const double functions =
-      std::visit([&](const auto& shape) { return FunctionCount{scene}(shape, scene.geometry.mesh); },
-                 scene.geometry.shape);
-  const double perUnknown = std::pow(scene.degree, scene.dim());
+  double functions = 0.0;
+  int degree = 1;
+  for (const BodySpec& body : scene.allBodies()) {
+    const FunctionCount count{body, scene.definitions};
+    functions +=
+        std::visit([&](const auto& shape) { return count(shape, body.geometry.mesh); }, body.geometry.shape);
+    degree = std::max(degree, body.degree);
+  }
+  const double perUnknown = std::pow(degree, scene.dim());
   const int steps = std::accumulate(scene.steps.begin(), scene.steps.end(), 0,
                                     [](int sum, const PhaseSpec& phase) { return sum + phase.count; });
   return scene.dim() * std::pow(functions, scene.dim() == 3 ? 2.0 : 1.5) * perUnknown * steps;

@@ -29,11 +29,12 @@ class ModelBuilder {
   static std::unique_ptr<Model<Dim>> rebuild(const Scene& scene, const RezonedBody& rezoned);
 
  private:
-  ModelBuilder(const Scene& scene, NamedBody<Dim> body)
-      : scene_(scene), model_(new Model<Dim>(scene, std::move(body))) {}
+  ModelBuilder(const Scene& scene, const std::vector<NamedBody<Dim>>& bodies)
+      : scene_(scene), model_(new Model<Dim>(scene, bodies)) {}
 
-  const SpanQuadrature<Dim>& addQuadrature();
-  void addBody(const std::optional<ReferenceState>& reference);
+  static std::vector<NamedBody<Dim>> bodiesOf(const Scene& scene);
+  const SpanQuadrature<Dim>& addQuadrature(std::size_t body);
+  void addBody(std::size_t number, const std::optional<ReferenceState>& reference);
   void addLoad(std::size_t number);
   void addTool(std::size_t number);
   void addContact(std::size_t number);
@@ -51,12 +52,16 @@ class ModelBuilder {
 
 template <int Dim>
 std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
-  ModelBuilder builder(scene, makeBody<Dim>(scene));
+  ModelBuilder builder(scene, bodiesOf(scene));
   Model<Dim>& model = *builder.model_;
-  requireSoundGeometry(model.faces(), scene);
-  builder.addQuadrature();
-  builder.addBody({});
+  requireSoundGeometry(model, scene);
   InputProblems problems;
+  for (std::size_t k = 0; k < model.bodies_.size(); ++k)
+    problems.gather([&] {
+      builder.addQuadrature(k);
+      builder.addBody(k, {});
+    });
+  problems.throwIfAny();
   for (std::size_t k = 0; k < scene.loads.size(); ++k)
     problems.gather([&] { placed(loadKey(scene, k), [&] { builder.addLoad(k); }); });
   for (std::size_t k = 0; k < scene.tools.size(); ++k) problems.gather([&] { builder.addTool(k); });
@@ -79,11 +84,11 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
 
 template <int Dim>
 std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const RezonedBody& rezoned) {
-  ModelBuilder builder(scene, rezoned.named);
+  ModelBuilder builder(scene, {rezoned.named});
   Model<Dim>& model = *builder.model_;
-  ReferenceState reference = referenceState(builder.addQuadrature(), rezoned.states);
+  ReferenceState reference = referenceState(builder.addQuadrature(0), rezoned.states);
   reference.plasticWork = rezoned.plasticWork;
-  builder.addBody(reference);
+  builder.addBody(0, reference);
   for (std::size_t k = 0; k < scene.loads.size(); ++k) builder.addLoad(k);
   for (std::size_t k = 0; k < scene.tools.size(); ++k) builder.addTool(k);
   for (std::size_t k = 0; k < scene.contact.size(); ++k) builder.addContact(k);
@@ -97,16 +102,33 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const
 }
 
 template <int Dim>
-const SpanQuadrature<Dim>& ModelBuilder<Dim>::addQuadrature() {
-  model_->quadrature_ =
-      std::make_unique<SpanQuadrature<Dim>>(model_->body_, scene_.quadraturePoints.value_or(0));
-  return *model_->quadrature_;
+std::vector<NamedBody<Dim>> ModelBuilder<Dim>::bodiesOf(const Scene& scene) {
+  std::vector<NamedBody<Dim>> bodies;
+  InputProblems problems;
+  for (std::size_t k = 0; k < scene.allBodies().size(); ++k)
+    problems.gather([&] { bodies.push_back(makeBody<Dim>(scene, k)); });
+  problems.throwIfAny();
+  return bodies;
 }
 
 template <int Dim>
-void ModelBuilder<Dim>::addBody(const std::optional<ReferenceState>& reference) {
-  model_->bulk_ = makeBulkTerm(model_->body_, *model_->quadrature_, MaterialLaws::make(scene_.material),
-                               scene_.formulation, reference);
+const SpanQuadrature<Dim>& ModelBuilder<Dim>::addQuadrature(std::size_t number) {
+  ModelBody<Dim>& body = model_->bodies_[number];
+  try {
+    body.quadrature = std::make_unique<SpanQuadrature<Dim>>(
+        body.body, scene_.allBodies()[number].quadraturePoints.value_or(0));
+  } catch (const InputError& error) {
+    throw InputError(scene_.bodyKey(number, "geometry"), error.problems().front().text);
+  }
+  return *body.quadrature;
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addBody(std::size_t number, const std::optional<ReferenceState>& reference) {
+  ModelBody<Dim>& body = model_->bodies_[number];
+  const BodySpec& spec = scene_.allBodies()[number];
+  body.bulk = makeBulkTerm(body.body, *body.quadrature, MaterialLaws::make(spec.material), spec.formulation,
+                           reference);
 }
 
 template <int Dim>
@@ -115,10 +137,10 @@ void ModelBuilder<Dim>::addLoad(std::size_t number) {
   const Schedule factor = load.schedule.value_or(Schedule{});
   model_->corners_.insert(model_->corners_.end(), factor.times.begin(), factor.times.end());
   if (!load.bodyForce.empty()) {
-    const int patch = load.place.patch.empty() ? -1 : model_->faces_.patch(load.place.patch);
-    model_->loads_.push_back(std::make_unique<DeadLoad<Dim>>(model_->body_, *model_->quadrature_, patch,
-                                                             makeFormulas(load.bodyForce, scene_.definitions),
-                                                             factor));
+    const ModelBody<Dim>& body = model_->bodies_[scene_.bodyNumber(load.place.body)];
+    const int patch = load.place.patch.empty() ? -1 : model_->faces_.patch(load.place) - body.firstPatch;
+    model_->loads_.push_back(std::make_unique<DeadLoad<Dim>>(
+        body.body, *body.quadrature, patch, makeFormulas(load.bodyForce, scene_.definitions), factor));
     return;
   }
   model_->faces_.requireOuter(load.place, fmt::format("loads[{}]", number));
@@ -159,10 +181,12 @@ void ModelBuilder<Dim>::addContact(std::size_t number) {
   const std::size_t tool = model_->toolNumber(spec.tool);
   const FacePlace place = model_->faces_.face(spec.place);
   ContactOptions options = spec.options;
-  const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
-  options.parameter = options.parameterFor(youngsModulus(model_->bulk_->material()), model_->body_.size(),
-                                           meanControlPointDistance(patch, place.face));
-  auto term = makeToolContact<Dim>(model_->body_, place.patch, place.face, *model_->tools_[tool], options,
+  const ModelBody<Dim>& body = model_->bodyOf(place);
+  const int patch = place.patch - body.firstPatch;
+  options.parameter = options.parameterFor(
+      youngsModulus(body.bulk->material()), body.body.size(),
+      meanControlPointDistance(body.body.patches[static_cast<std::size_t>(patch)], place.face));
+  auto term = makeToolContact<Dim>(body.body, patch, place.face, *model_->tools_[tool], options,
                                    model_->numUnknowns_, model_->supports_.prescribed());
   model_->numUnknowns_ += term->numMultipliers();
   model_->contacts_.push_back({tool, place, std::move(term)});
@@ -174,12 +198,13 @@ void ModelBuilder<Dim>::addSelfContact(std::size_t number, bool mayPenetrate) {
     const auto& spec = scene_.selfContact[number];
     model_->faces_.requireOuter(spec.place, fmt::format("self_contact[{}]", number));
     SelfContactOptions options = spec.options;
-    options.parameter = options.parameterFor(youngsModulus(model_->bulk_->material()), model_->body_.size());
-    options.reach = options.reachFor(model_->body_.size());
     const FacePlace place = model_->faces_.face(spec.place);
+    const ModelBody<Dim>& body = model_->bodyOf(place);
+    options.parameter = options.parameterFor(youngsModulus(body.bulk->material()), body.body.size());
+    options.reach = options.reachFor(body.body.size());
     std::unique_ptr<SelfContactTerm> term;
     try {
-      term = std::make_unique<SelfContactTerm>(model_->body_, place.patch, place.face, options,
+      term = std::make_unique<SelfContactTerm>(body.body, place.patch - body.firstPatch, place.face, options,
                                                model_->numUnknowns_, mayPenetrate);
     } catch (const Error& error) {
       throw InputError(fmt::format("self_contact[{}]", number), error.what());
@@ -193,11 +218,14 @@ template <int Dim>
 void ModelBuilder<Dim>::addStabilisation() {
   if (!scene_.stabilise) return;
   const double end = scene_.stabilise->until.value_or(scene_.steps.front().until);
-  // η V (L / T) = strength E L (E L² in 3D)
-  const double force = scene_.stabilise->strength * model_->forceFloor() / kForceFloor;
-  const double viscosity = force * end / (model_->quadrature_->volume() * model_->body_.size());
   model_->stabilisation_ = std::make_unique<Stabilisation<Dim>>(
-      *model_->quadrature_, typename Stabilisation<Dim>::Drag{viscosity, model_->startTime(), end});
+      model_->body_.numNodes, typename Stabilisation<Dim>::Drag{model_->startTime(), end});
+  for (const ModelBody<Dim>& body : model_->bodies_) {
+    // η V (L / T) = strength E L (E L² in 3D)
+    const double force = scene_.stabilise->strength * model_->forceFloorOf(body) / kForceFloor;
+    const double viscosity = force * end / (body.quadrature->volume() * body.body.size());
+    model_->stabilisation_->hold(*body.quadrature, viscosity);
+  }
 }
 
 template <int Dim>

@@ -47,14 +47,15 @@ CarryOver::CarryOver(const Simulation<2>& before, const Patch<2>& deformed, cons
     : before_(before), deformed_(deformed) {
   const Model<2>& model = *before.model;
   const SteppingState& state = before.stepping.state();
-  body_ = {{makeBody(mesh.patch), {{}}}, {}, model.bulk().plasticWork(), state.time};
+  body_ = {{makeBody(mesh.patch), {{}}}, {}, model.bodies().front().bulk->plasticWork(), state.time};
   body_.named.body.axisymmetric = model.body().axisymmetric;
   const SpanQuadrature<2> quadrature(body_.named.body, quadraturePoints);
   const InverseMap map(deformed);
   const double farthest = kFarthestShare * mesh.smallestSpan;
   points_ = parametersIn(map, pointPositions(quadrature, mesh.patch), farthest);
   anchors_ = parametersIn(map, anchorPositions(mesh.patch), farthest);
-  body_.states = interpolated(model.quadrature(), deformed.basis(), model.bulk().carried(state.x), points_);
+  body_.states = interpolated(*model.bodies().front().quadrature, deformed.basis(),
+                              model.bodies().front().bulk->carried(state.x), points_);
 }
 
 SteppingState CarryOver::startOf(const Model<2>& next) const {

@@ -1,6 +1,7 @@
 #include "engine/analysis/check_model.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,8 @@
 
 namespace burnish {
 namespace {
+
+constexpr std::array kComponentNames{"x", "y", "z"};
 
 /// Gathers the formulas of a motion or load of tools, in t alone, that have no finite value at one of the
 /// times.
@@ -30,6 +33,62 @@ void gatherInfinite(const std::string& path, const Spec& spec, const std::option
           requireFinite({Formula(**text, scene.definitions)}, Eigen::Matrix3Xd::Zero(3, 1), times);
         });
       });
+}
+
+/// Rigid motions of a body that its supports leave free.
+struct FreeMotions {
+  int count = 0;
+  std::vector<std::string> names;  ///< "x", "y", "its turn"
+};
+
+/// Rigid motions of a reference body, displacement components of its nodes x motions: first the translations.
+template <int Dim>
+Eigen::MatrixXd rigidMotions(const Body<Dim>& body) {
+  const int numRigid = body.axisymmetric ? 1 : Dim == 2 ? 3 : 6;
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(Dim * body.numNodes, numRigid);
+  const Eigen::MatrixXd positions = body.nodePositions() / body.size();
+  for (int a = 0; a < body.numNodes; ++a) {
+    if (body.axisymmetric) {
+      motions(Dim * a + 1, 0) = 1.0;
+      continue;
+    }
+    for (int d = 0; d < Dim; ++d) motions(Dim * a + d, d) = 1.0;
+    int column = Dim;
+    for (int i = 0; i < Dim; ++i)
+      for (int j = i + 1; j < Dim; ++j, ++column) {
+        motions(Dim * a + i, column) = -positions(j, a);
+        motions(Dim * a + j, column) = positions(i, a);
+      }
+  }
+  return motions;
+}
+
+/// The supports hold a body if the values of its rigid motions at the unknowns that they prescribe are linearly
+/// independent.
+template <int Dim>
+FreeMotions freeMotions(const Model<Dim>& model, const ModelBody<Dim>& body) {
+  constexpr double kRounding = 1e-10;
+  const Eigen::MatrixXd motions = rigidMotions(body.body);
+  const auto [first, end] = body.body.nodeRange();
+  std::vector<int> held;
+  for (int i = Dim * first; i < Dim * end; ++i)
+    if (model.prescribed()[static_cast<std::size_t>(i)]) held.push_back(i);
+  const Eigen::MatrixXd atSupports = motions(held, Eigen::all);
+  const auto rankOf = [&](const Eigen::MatrixXd& values) {
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(values);
+    qr.setThreshold(kRounding);
+    return held.empty() ? 0 : static_cast<int>(qr.rank());
+  };
+  FreeMotions free;
+  free.count = static_cast<int>(motions.cols()) - rankOf(atSupports);
+  // A translation is free where it moves nothing that is held.
+  const int translations = body.body.axisymmetric ? 1 : Dim;
+  for (int d = 0; d < translations; ++d)
+    if (held.empty() || atSupports.col(d).isZero(kRounding))
+      free.names.emplace_back(body.body.axisymmetric ? "y" : kComponentNames[static_cast<std::size_t>(d)]);
+  if (const int turns = free.count - static_cast<int>(free.names.size()); turns > 0)
+    free.names.push_back(turns == 1 ? "a turn" : fmt::format("{} turns", turns));
+  return free;
 }
 
 }  // namespace
@@ -91,38 +150,21 @@ void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const st
 
 template <int Dim>
 void requireSupported(const Model<Dim>& model) {
-  const Body<Dim>& body = model.body();
-  // The rigid motions of the reference body must not all fit the supports: their values at the prescribed
-  // unknowns have to be linearly independent.
-  const int numRigid = body.axisymmetric ? 1 : Dim == 2 ? 3 : 6;
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(model.numDisplacements(), numRigid);
-  const Eigen::MatrixXd positions = body.nodePositions() / body.size();
-  for (int a = 0; a < body.numNodes; ++a) {
-    if (body.axisymmetric) {
-      motions(Dim * a + 1, 0) = 1.0;
-      continue;
-    }
-    for (int d = 0; d < Dim; ++d) motions(Dim * a + d, d) = 1.0;
-    int column = Dim;
-    for (int i = 0; i < Dim; ++i)
-      for (int j = i + 1; j < Dim; ++j, ++column) {
-        motions(Dim * a + i, column) = -positions(j, a);
-        motions(Dim * a + j, column) = positions(i, a);
-      }
-  }
-  std::vector<int> held;
-  for (int i = 0; i < model.numDisplacements(); ++i)
-    if (model.prescribed()[static_cast<std::size_t>(i)]) held.push_back(i);
-  const Eigen::MatrixXd atSupports = motions(held, Eigen::all);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(atSupports);
-  qr.setThreshold(1e-10);
-  const int freeMotions = numRigid - (held.empty() ? 0 : static_cast<int>(qr.rank()));
-  if (freeMotions > 0)
-    throw InputError(
-        "supports",
-        fmt::format(
-            "they leave the body free to move as a rigid whole in {} way{}; hold more components or faces",
-            freeMotions, freeMotions == 1 ? "" : "s"));
+  InputProblems problems;
+  for (const ModelBody<Dim>& body : model.bodies())
+    problems.gather([&] {
+      const FreeMotions free = freeMotions(model, body);
+      if (free.count == 0) return;
+      if (body.name.empty())
+        throw InputError("supports", fmt::format("they leave the body free to move as a rigid whole in {} "
+                                                 "way{}; hold more components or faces",
+                                                 free.count, free.count == 1 ? "" : "s"));
+      throw InputError("supports",
+                       fmt::format("body '{}': nothing holds it in {}; hold more of its components "
+                                   "or faces",
+                                   body.name, fmt::join(free.names, ", ")));
+    });
+  problems.throwIfAny();
 }
 
 template void requireFiniteFormulas(const Scene&, const Model<2>&);

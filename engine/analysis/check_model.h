@@ -19,7 +19,7 @@ void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model);
 template <int Dim>
 void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place);
 
-/// Throws `InputError` if the supports leave the body free to move as a rigid whole.
+/// Throws `InputError` if the supports leave a body free to move as a rigid whole.
 template <int Dim>
 void requireSupported(const Model<Dim>& model);
 

@@ -51,20 +51,46 @@ std::vector<double> sharesAt(const Patch<1, 2>& curve, const std::vector<double>
 }  // namespace
 
 template <int Dim>
-int FaceFinder<Dim>::patch(const std::string& name) const {
-  const auto found = std::find(names_.begin(), names_.end(), name);
-  return name.empty() || found == names_.end() ? 0 : static_cast<int>(found - names_.begin());
+FaceFinder<Dim>::FaceFinder(const Body<Dim>& body, std::vector<BodyNames> names)
+    : body_(body), names_(std::move(names)) {
+  for (std::size_t k = 0; k < names_.size(); ++k)
+    for (const std::string& patch : names_[k].patches) patches_.push_back({k, patch});
 }
 
 template <int Dim>
-std::optional<std::string> FaceFinder<Dim>::neighbour(const FaceSpec& place) const {
-  const auto own = static_cast<std::size_t>(patch(place.patch));
-  const auto onFace = nodes(place);
+int FaceFinder<Dim>::patch(const std::string& body, const std::string& name) const {
+  int first = 0;
+  for (std::size_t k = 0; k < names_.size(); ++k) {
+    const auto& [itsName, patches] = names_[k];
+    if (body.empty() || body == itsName) {
+      const auto found = std::find(patches.begin(), patches.end(), name);
+      return name.empty() || found == patches.end() ? first
+                                                    : first + static_cast<int>(found - patches.begin());
+    }
+    first += static_cast<int>(patches.size());
+  }
+  return 0;
+}
+
+template <int Dim>
+std::string FaceFinder<Dim>::textOf(const FacePlace& place) const {
+  const Name& name = patches_[static_cast<std::size_t>(place.patch)];
+  const BodyNames& body = names_[name.body];
+  std::string text = fmt::format("'{}'", faceName(place.face));
+  if (body.patches.size() > 1) text += fmt::format(" of patch '{}'", name.patch);
+  if (names_.size() > 1) text += fmt::format(" of body '{}'", body.body);
+  return text;
+}
+
+template <int Dim>
+std::optional<std::string> FaceFinder<Dim>::neighbour(const FacePlace& place) const {
+  const auto own = static_cast<std::size_t>(place.patch);
+  const auto onFace = nodesOn(place);
   for (std::size_t other = 0; other < body_.patches.size(); ++other) {
     const std::set<int> theirs(body_.nodes[other].begin(), body_.nodes[other].end());
     if (other != own &&
         std::all_of(onFace.begin(), onFace.end(), [&](int node) { return theirs.contains(node); }))
-      return names_[other];
+      return patches_[other].patch;
   }
   return std::nullopt;
 }
@@ -72,20 +98,17 @@ std::optional<std::string> FaceFinder<Dim>::neighbour(const FaceSpec& place) con
 template <int Dim>
 std::vector<OuterFace> FaceFinder<Dim>::outerFaces() const {
   std::vector<OuterFace> faces;
-  for (std::size_t patch = 0; patch < names_.size(); ++patch)
+  for (int patch = 0; patch < static_cast<int>(patches_.size()); ++patch)
     for (FaceId face = 0; face < 2 * Dim; ++face) {
-      const std::string name = faceName(face);
-      if (neighbour({names_[patch], name, {}})) continue;
-      faces.push_back({{static_cast<int>(patch), face},
-                       names_.size() == 1 ? fmt::format("'{}'", name)
-                                          : fmt::format("'{}' of patch '{}'", name, names_[patch])});
+      const FacePlace place{patch, face};
+      if (!neighbour(place)) faces.push_back({place, textOf(place)});
     }
   return faces;
 }
 
 template <int Dim>
 void FaceFinder<Dim>::requireOuter(const FaceSpec& place, const std::string& key) const {
-  if (const auto other = neighbour(place))
+  if (const auto other = neighbour(face(place)))
     throw InputError(
         key,
         fmt::format(
@@ -97,23 +120,23 @@ template <int Dim>
 std::vector<double> FaceFinder<Dim>::part(const FaceSpec& place, const std::string& key) const {
   if constexpr (Dim == 2)
     if (!place.length.empty()) {
-      const auto& own = body_.patches[static_cast<std::size_t>(patch(place.patch))];
+      const auto& own = body_.patches[static_cast<std::size_t>(patch(place))];
       return sharesAt(tracePatch(own, faceFromName<2>(place.face)), place.length, key + ".length");
     }
   return place.part;
 }
 
 template <int Dim>
-std::vector<int> FaceFinder<Dim>::functions(const FaceSpec& place) const {
-  return faceFunctions(body_.patches[static_cast<std::size_t>(patch(place.patch))].basis(),
-                       faceFromName<Dim>(place.face));
+std::vector<int> FaceFinder<Dim>::nodes(const FaceSpec& place) const {
+  return nodesOn(face(place));
 }
 
 template <int Dim>
-std::vector<int> FaceFinder<Dim>::nodes(const FaceSpec& place) const {
+std::vector<int> FaceFinder<Dim>::nodesOn(const FacePlace& place) const {
+  const auto patch = static_cast<std::size_t>(place.patch);
   std::vector<int> result;
-  const auto& nodes = body_.nodes[static_cast<std::size_t>(patch(place.patch))];
-  for (const int a : functions(place)) result.push_back(nodes[static_cast<std::size_t>(a)]);
+  for (const int a : faceFunctions(body_.patches[patch].basis(), place.face))
+    result.push_back(body_.nodes[patch][static_cast<std::size_t>(a)]);
   return result;
 }
 

@@ -48,16 +48,16 @@ ContactFindings contactFindings(const Model<Dim>& model) {
     if (contact.active.empty()) continue;
     found.changes += contact.changes;
     found.findings.push_back(fmt::format(
-        "{} control points of face '{}' touch tool '{}', {} changed in the last iteration",
-        contact.numActive(), faceName(pair.place.face), model.tools()[pair.tool]->name, contact.changes));
+        "{} control points of face {} touch tool '{}', {} changed in the last iteration", contact.numActive(),
+        model.faces().textOf(pair.place), model.tools()[pair.tool]->name, contact.changes));
   }
   for (const auto& contact : model.selfContacts()) {
     const SelfContactState& state = contact.term->state();
     found.changes += state.changes;
     if (state.numActive() > 0 || state.changes > 0)
-      found.findings.push_back(fmt::format(
-          "{} control points of face '{}' touch the face itself, {} changed in the last iteration",
-          state.numActive(), faceName(contact.place.face), state.changes));
+      found.findings.push_back(
+          fmt::format("{} control points of face {} touch the face itself, {} changed in the last iteration",
+                      state.numActive(), model.faces().textOf(contact.place), state.changes));
   }
   return found;
 }
@@ -105,8 +105,12 @@ Failure diagnose(const Simulation<Dim>& simulation) {
     findings.push_back(fmt::format("the residual is largest at {}", placeOf(model, report.worstUnknown)));
   const ContactFindings contact = contactFindings(model);
   std::ranges::copy(contact.findings, std::back_inserter(findings));
-  const double minJ = model.bulk().summary().minJ;
-  findings.push_back(fmt::format("the smallest J is {:.3g}", minJ));
+  const auto& folding = *std::ranges::min_element(
+      model.bodies(), {}, [](const ModelBody<Dim>& body) { return body.bulk->summary().minJ; });
+  const double minJ = folding.bulk->summary().minJ;
+  findings.push_back(
+      fmt::format("the smallest J is {:.3g}{}", minJ,
+                  model.bodies().size() > 1 ? fmt::format(", in body '{}'", folding.name) : ""));
   std::ranges::copy(toolFindings(model), std::back_inserter(findings));
   return {fmt::format("{}", fmt::join(findings, "; ")), adviceFor(minJ, contact.changes)};
 }

@@ -1,6 +1,7 @@
 #include "engine/analysis/frames.h"
 
 #include <string>
+#include <utility>
 
 #include "engine/core/version.h"
 #include "engine/fields/body_fields.h"
@@ -11,19 +12,62 @@ namespace {
 /// Half the length that is drawn of an infinite tool, in sizes of the body.
 constexpr double kDrawnSizes = 3.0;
 
+using Fields = std::map<std::string, FieldRecord>;
+
+/// Adds the fields of a body, whose values have a column for every node or point of all bodies.
+void addFields(Fields& all, const Fields& ofBody, const std::string& body, std::ptrdiff_t numBodies) {
+  for (const auto& [name, field] : ofBody) {
+    const auto [known, isNew] = all.try_emplace(name, field);
+    FieldRecord& record = known->second;
+    if (!isNew) record.values += field.values;
+    record.bodies.push_back(body);
+    if (std::ssize(record.bodies) == numBodies) record.bodies.clear();
+  }
+}
+
+/// Values at the points of one body among those of all.
+Fields padded(Fields fields, Eigen::Index firstPoint, Eigen::Index numPoints) {
+  for (auto& [name, field] : fields) {
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(field.values.rows(), numPoints);
+    all.middleCols(firstPoint, field.values.cols()) = field.values;
+    field.values = std::move(all);
+  }
+  return fields;
+}
+
+/// Fields of all bodies, projected and at the quadrature points.
 template <int Dim>
-QuadratureRecord quadratureRecord(const Model<Dim>& model, const Eigen::MatrixXd& currentNodes,
-                                  const std::map<std::string, FieldRecord>& fields) {
-  QuadratureRecord record;
-  record.positions.resize(Dim, model.quadrature().numPoints());
-  for (const auto& span : model.quadrature().spans())
-    record.positions.middleCols(span.firstPoint, span.R.cols()) =
-        currentNodes(Eigen::all, span.nodes) * span.R;
-  record.fields = fields;
-  const auto& J = model.bulk().jacobians();
-  record.fields["J"] = {
-      {}, "", Eigen::Map<const Eigen::RowVectorXd>(J.data(), static_cast<Eigen::Index>(J.size()))};
-  return record;
+void addAllFields(FrameRecord& frame, const Scene& scene, const Model<Dim>& model,
+                  const std::vector<Projection<Dim>>& projections) {
+  const std::ptrdiff_t numBodies = std::ssize(model.bodies());
+  Eigen::Index numPoints = 0, firstPoint = 0;
+  for (const auto& body : model.bodies()) numPoints += body.quadrature->numPoints();
+  for (std::size_t k = 0; k < model.bodies().size(); ++k) {
+    const ModelBody<Dim>& body = model.bodies()[k];
+    Fields fields = quadratureFields(*body.bulk, scene.units.stress);
+    addFields(frame.fields, projected(projections[k], fields), body.name, numBodies);
+    const auto& J = body.bulk->jacobians();
+    fields["J"] = {{}, "", Eigen::Map<const Eigen::RowVectorXd>(J.data(), std::ssize(J)), {}};
+    addFields(frame.quadrature.fields, padded(std::move(fields), firstPoint, numPoints), body.name,
+              numBodies);
+    firstPoint += body.quadrature->numPoints();
+  }
+}
+
+/// Current positions of the quadrature points, body after body.
+template <int Dim>
+void addQuadraturePoints(QuadratureRecord& record, const Model<Dim>& model,
+                         const Eigen::MatrixXd& currentNodes) {
+  Eigen::Index numPoints = 0, firstPoint = 0;
+  for (const auto& body : model.bodies()) numPoints += body.quadrature->numPoints();
+  record.positions.resize(Dim, numPoints);
+  for (const auto& body : model.bodies()) {
+    for (const auto& span : body.quadrature->spans())
+      record.positions.middleCols(firstPoint + span.firstPoint, span.R.cols()) =
+          currentNodes(Eigen::all, span.nodes) * span.R;
+    firstPoint += body.quadrature->numPoints();
+    if (model.bodies().size() > 1) record.numPoints.push_back(body.quadrature->numPoints());
+  }
 }
 
 template <int Dim>
@@ -93,6 +137,11 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
   record.stressUnit = scene.units.stress;
   record.subdivision = scene.output.subdivision;
   record.mesh = meshRecord(model.body());
+  for (const BodySpec& body : scene.bodies) record.bodies.push_back(body.name);
+  for (std::size_t k = 1; k < model.bodies().size(); ++k)
+    for (std::size_t p = 0; p < model.bodies()[k].body.patches.size(); ++p)
+      record.mesh.patches[static_cast<std::size_t>(model.bodies()[k].firstPatch) + p].body =
+          static_cast<int>(k);
   for (const auto& tool : model.tools())
     record.tools.push_back({tool->name, tool->shape.recorded(Dim, kDrawnSizes * model.body().size()),
                             tool->pivot, tool->axis, tool->shape.halfThickness()});
@@ -100,15 +149,15 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
 }
 
 template <int Dim>
-FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection,
-                      int index, int step, double t, const Eigen::VectorXd& x) {
+FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model,
+                      const std::vector<Projection<Dim>>& projections, int index, int step, double t,
+                      const Eigen::VectorXd& x) {
   FrameRecord frame;
   frame.index = index;
   frame.step = step;
   frame.time = t;
   frame.displacement = Eigen::Map<const Eigen::MatrixXd>(x.data(), Dim, model.body().numNodes);
-  const auto raw = quadratureFields(model.bulk(), scene.units.stress);
-  frame.fields = projected(projection, raw);
+  addAllFields(frame, scene, model, projections);
 
   const auto tools = static_cast<Eigen::Index>(model.tools().size());
   frame.toolDisplacement.resize(Dim, tools);
@@ -129,7 +178,7 @@ FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model, const Project
       current.col(nodes[a]) = frame.displacement.col(nodes[a]) +
                               model.body().patches[p].points().col(static_cast<Eigen::Index>(a));
   }
-  frame.quadrature = quadratureRecord(model, current, raw);
+  addQuadraturePoints(frame.quadrature, model, current);
   return frame;
 }
 
@@ -137,9 +186,9 @@ template MeshRecord meshRecord(const Body<2>&);
 template MeshRecord meshRecord(const Body<3>&);
 template ModelRecord makeModelRecord(const Scene&, const Model<2>&);
 template ModelRecord makeModelRecord(const Scene&, const Model<3>&);
-template FrameRecord makeFrame(const Scene&, const Model<2>&, const Projection<2>&, int, int, double,
-                               const Eigen::VectorXd&);
-template FrameRecord makeFrame(const Scene&, const Model<3>&, const Projection<3>&, int, int, double,
-                               const Eigen::VectorXd&);
+template FrameRecord makeFrame(const Scene&, const Model<2>&, const std::vector<Projection<2>>&, int, int,
+                               double, const Eigen::VectorXd&);
+template FrameRecord makeFrame(const Scene&, const Model<3>&, const std::vector<Projection<3>>&, int, int,
+                               double, const Eigen::VectorXd&);
 
 }  // namespace burnish

@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// The mesh of a body.
+/// The mesh of a body, or of all bodies.
 template <int Dim>
 MeshRecord meshRecord(const Body<Dim>& body);
 
@@ -13,9 +13,11 @@ MeshRecord meshRecord(const Body<Dim>& body);
 template <int Dim>
 ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model);
 
-/// The accepted state that the terms have just been evaluated at, as an output instant.
+/// The accepted state that the terms have just been evaluated at, as an output instant. projections: one per
+/// body.
 template <int Dim>
-FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection,
-                      int index, int step, double t, const Eigen::VectorXd& x);
+FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model,
+                      const std::vector<Projection<Dim>>& projections, int index, int step, double t,
+                      const Eigen::VectorXd& x);
 
 }  // namespace burnish

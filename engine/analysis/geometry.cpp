@@ -25,31 +25,35 @@ Patch<Dim> coarse(const ControlNetBody& net) {
   return net.patch<Dim>();
 }
 
-/// A shape on the scene's basis.
+using Definitions = std::vector<DefinitionSpec>;
+
+/// A shape on the body's basis.
 template <int Dim, class Spec>
-Patch<Dim> meshed(const Scene& scene, const Spec& spec, const MeshSpec& mesh) {
+Patch<Dim> meshed(const BodySpec& body, const Definitions& definitions, const Spec& spec,
+                  const MeshSpec& mesh) {
   Patch<Dim> shape = coarse<Dim>(spec);
   std::vector<KnotVector> target;
   bool asGiven = true;
   for (int d = 0; d < Dim; ++d) {
     const auto& direction = shape.basis().direction(d);
     const KnotVector knots(direction.degree(), direction.knots());
-    target.push_back(meshKnots(scene, mesh, static_cast<std::size_t>(d), knots));
+    target.push_back(meshKnots(body, definitions, mesh, static_cast<std::size_t>(d), knots));
     asGiven = asGiven && target.back() == knots;
   }
-  if (scene.basis == BasisChoice::Nurbs) return asGiven ? shape : refined(shape, target);
+  if (body.basis == BasisChoice::Nurbs) return asGiven ? shape : refined(shape, target);
   std::vector<std::vector<double>> breakpoints;
   for (const KnotVector& knots : target) breakpoints.push_back(knots.breakpoints());
-  return lagrangeInterpolant(shape, scene.degree, breakpoints);
+  return lagrangeInterpolant(shape, body.degree, breakpoints);
 }
 
 template <int Dim>
-NamedBody<Dim> joined(const Scene& scene, const std::vector<PatchSpec>& specs) {
+NamedBody<Dim> joined(const BodySpec& spec, const Definitions& definitions,
+                      const std::vector<PatchSpec>& specs) {
   std::vector<Patch<Dim>> patches;
   std::vector<std::string> names;
   for (const PatchSpec& patch : specs) {
-    patches.push_back(
-        std::visit([&](const auto& spec) { return meshed<Dim>(scene, spec, patch.mesh); }, patch.shape));
+    patches.push_back(std::visit(
+        [&](const auto& shape) { return meshed<Dim>(spec, definitions, shape, patch.mesh); }, patch.shape));
     names.push_back(patch.name);
   }
   auto body = joinedBody<Dim>(std::move(patches), names);
@@ -58,30 +62,34 @@ NamedBody<Dim> joined(const Scene& scene, const std::vector<PatchSpec>& specs) {
 
 template <int Dim>
 struct BodyMaker {
-  const Scene& scene;
+  const BodySpec& body;
+  const Definitions& definitions;
 
-  NamedBody<Dim> operator()(const PatchesSpec& spec) const { return joined<Dim>(scene, spec.patches); }
+  NamedBody<Dim> operator()(const PatchesSpec& shape) const {
+    return joined<Dim>(body, definitions, shape.patches);
+  }
 
-  template <class Spec>
-  NamedBody<Dim> operator()(const Spec& spec) const {
-    return {joinedBody<Dim>({meshed<Dim>(scene, spec, scene.geometry.mesh)}, {""}), {""}};
+  template <class Shape>
+  NamedBody<Dim> operator()(const Shape& shape) const {
+    return {joinedBody<Dim>({meshed<Dim>(body, definitions, shape, body.geometry.mesh)}, {""}), {""}};
   }
 };
 
 }  // namespace
 
 template <int Dim>
-NamedBody<Dim> makeBody(const Scene& scene) {
+NamedBody<Dim> makeBody(const Scene& scene, std::size_t number) {
   try {
-    NamedBody<Dim> made = std::visit(BodyMaker<Dim>{scene}, scene.geometry.shape);
+    const BodySpec& body = scene.allBodies()[number];
+    NamedBody<Dim> made = std::visit(BodyMaker<Dim>{body, scene.definitions}, body.geometry.shape);
     made.body.axisymmetric = Dim == 2 && scene.kinematics == KinematicsChoice::Axisymmetric;
     return made;
   } catch (const Error& error) {
-    throw InputError("geometry", error.what());
+    throw InputError(scene.bodyKey(number, "geometry"), error.what());
   }
 }
 
-template NamedBody<2> makeBody(const Scene&);
-template NamedBody<3> makeBody(const Scene&);
+template NamedBody<2> makeBody(const Scene&, std::size_t);
+template NamedBody<3> makeBody(const Scene&, std::size_t);
 
 }  // namespace burnish

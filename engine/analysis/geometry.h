@@ -14,10 +14,11 @@ struct NamedBody {
   std::vector<std::string> names;
 };
 
-/// The reference geometry of a scene on the basis, degree and meshes that it asks for, matching faces joined.
+/// The reference geometry of a scene's body, by its number, on the basis, degree and meshes that it asks for,
+/// matching faces joined.
 /// Lagrange bases interpolate the exact shapes at their nodes. Throws `InputError` for what the reader cannot
 /// see: patches that lie on each other and do not match, or that are not connected.
 template <int Dim>
-NamedBody<Dim> makeBody(const Scene& scene);
+NamedBody<Dim> makeBody(const Scene& scene, std::size_t number = 0);
 
 }  // namespace burnish

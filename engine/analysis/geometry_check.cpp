@@ -79,9 +79,11 @@ std::vector<Eigen::Vector2d> samplesOf(const Patch<1, 2>& face) {
   return samples;
 }
 
-std::vector<BoundaryPiece> outerBoundary(const FaceFinder<2>& faces) {
+/// Of the body with the patches from `first` to before `end`.
+std::vector<BoundaryPiece> outerBoundary(const FaceFinder<2>& faces, int first, int end) {
   std::vector<BoundaryPiece> pieces;
   for (const OuterFace& face : faces.outerFaces()) {
+    if (face.place.patch < first || face.place.patch >= end) continue;
     const auto& patch = faces.body().patches[static_cast<std::size_t>(face.place.patch)];
     const auto samples = samplesOf(tracePatch(patch, face.place.face));
     for (std::size_t k = 1; k < samples.size(); ++k)
@@ -90,11 +92,14 @@ std::vector<BoundaryPiece> outerBoundary(const FaceFinder<2>& faces) {
   return pieces;
 }
 
-void requireSimpleBoundary(const FaceFinder<2>& faces) {
+void requireSimpleBoundary(const Model<2>& model, std::size_t number, const Scene& scene) {
   constexpr double kRounding = 1e-9;
-  const auto crossing = findCrossing(outerBoundary(faces), kRounding * faces.body().size());
+  const ModelBody<2>& body = model.bodies()[number];
+  const int end = body.firstPatch + static_cast<int>(body.body.patches.size());
+  const auto crossing =
+      findCrossing(outerBoundary(model.faces(), body.firstPatch, end), kRounding * body.body.size());
   if (!crossing) return;
-  throw InputError("geometry",
+  throw InputError(scene.bodyKey(number, "geometry"),
                    fmt::format("the boundary crosses itself near ({:.4g}, {:.4g}), face {} and face {}; move "
                                "the control points so that the body covers no place twice",
                                crossing->place.x(), crossing->place.y(), crossing->first, crossing->second));
@@ -103,18 +108,24 @@ void requireSimpleBoundary(const FaceFinder<2>& faces) {
 }  // namespace
 
 template <int Dim>
-void requireSoundGeometry(const FaceFinder<Dim>& faces, const Scene& scene) {
-  const bool several = std::holds_alternative<PatchesSpec>(scene.geometry.shape);
-  const auto& patches = faces.body().patches;
+void requireSoundGeometry(const Model<Dim>& model, const Scene& scene) {
   InputProblems problems;
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    problems.gather(
-        [&] { requirePositive(patches[p], several ? fmt::format("geometry.patches[{}]", p) : "geometry"); });
+  for (std::size_t k = 0; k < model.bodies().size(); ++k) {
+    const std::string path = scene.bodyKey(k, "geometry");
+    const bool several = std::holds_alternative<PatchesSpec>(scene.allBodies()[k].geometry.shape);
+    const auto& patches = model.bodies()[k].body.patches;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      problems.gather(
+          [&] { requirePositive(patches[p], several ? fmt::format("{}.patches[{}]", path, p) : path); });
+  }
   problems.throwIfAny();
-  if constexpr (Dim == 2) requireSimpleBoundary(faces);
+  if constexpr (Dim == 2)
+    for (std::size_t k = 0; k < model.bodies().size(); ++k)
+      problems.gather([&] { requireSimpleBoundary(model, k, scene); });
+  problems.throwIfAny();
 }
 
-template void requireSoundGeometry(const FaceFinder<2>&, const Scene&);
-template void requireSoundGeometry(const FaceFinder<3>&, const Scene&);
+template void requireSoundGeometry(const Model<2>&, const Scene&);
+template void requireSoundGeometry(const Model<3>&, const Scene&);
 
 }  // namespace burnish

@@ -91,6 +91,23 @@ constexpr ToolRow kToolFriction[] = {
     {".friction_work", Where::Everywhere,
      [](State s, std::size_t k) { return s.toolTouches[k].frictionWork; }},
 };
+struct BodyRow {
+  const char* suffix;
+  double BodyQuantities::*value;
+};
+
+constexpr BodyRow kEachBody[] = {{".strain_energy", &BodyQuantities::strainEnergy},
+                                 {".plastic_work", &BodyQuantities::plasticWork},
+                                 {".max_plastic_strain", &BodyQuantities::maxPlasticStrain},
+                                 {".min_detJ", &BodyQuantities::minJ}};
+
+/// Columns of each of several bodies.
+void addBody(std::vector<HistoryColumn>& columns, const std::string& name, std::size_t body) {
+  for (const BodyRow& row : kEachBody)
+    columns.push_back({name + row.suffix, [body, value = row.value](const HistoryRow& r) {
+                         return r.state.bodies[body].*value;
+                       }});
+}
 
 template <std::size_t Count>
 void add(std::vector<HistoryColumn>& columns, const Row (&rows)[Count]) {
@@ -151,6 +168,8 @@ std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& 
   }
   add(columns, kBody);
   if (anyRubs) add(columns, kFriction);
+  if (model.bodies().size() > 1)
+    for (std::size_t k = 0; k < model.bodies().size(); ++k) addBody(columns, model.bodies()[k].name, k);
   if (!model.selfContacts().empty()) add(columns, kSelfContact);
   if (scene.rezoning) add(columns, kRezoning);
   if (scene.output.reactions) addList(columns, reactions, &StateQuantities::reactions);

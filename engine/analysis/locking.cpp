@@ -29,22 +29,24 @@ double lockingRatio(int degree) {
 
 template <int Dim>
 std::vector<InputProblem> lockingWarnings(const Scene& scene, const Model<Dim>& model) {
-  if (scene.formulation != Formulation::Displacement) return {};
   std::vector<InputProblem> warnings;
-  const Material material = model.bulk().material();
-  const double nu = poissonsRatio(material);
-  const int degree = lowestDegree(model.body());
-  if (nu >= lockingRatio(degree))
-    warnings.push_back(
-        {"material.nu",
-         fmt::format("{} is nearly incompressible: the displacement formulation of degree {} locks from {} "
-                     "on, its forces are too large by 5 % and more; add formulation: fbar",
-                     nu, degree, lockingRatio(degree))});
-  if (flows(material))
-    warnings.push_back(
-        {"material.law",
-         "plastic flow is nearly incompressible: where the body flows, pressures of the displacement "
-         "formulation oscillate from span to span, and forces are too large; add formulation: fbar"});
+  for (std::size_t k = 0; k < model.bodies().size(); ++k) {
+    if (scene.allBodies()[k].formulation != Formulation::Displacement) continue;
+    const Material material = model.bodies()[k].bulk->material();
+    const double nu = poissonsRatio(material);
+    const int degree = lowestDegree(model.bodies()[k].body);
+    if (nu >= lockingRatio(degree))
+      warnings.push_back(
+          {scene.bodyKey(k, "material.nu"),
+           fmt::format("{} is nearly incompressible: the displacement formulation of degree {} locks from {} "
+                       "on, its forces are too large by 5 % and more; add formulation: fbar",
+                       nu, degree, lockingRatio(degree))});
+    if (flows(material))
+      warnings.push_back(
+          {scene.bodyKey(k, "material.law"),
+           "plastic flow is nearly incompressible: where the body flows, pressures of the displacement "
+           "formulation oscillate from span to span, and forces are too large; add formulation: fbar"});
+  }
   return warnings;
 }
 

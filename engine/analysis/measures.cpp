@@ -18,8 +18,9 @@
 namespace burnish {
 
 template <int Dim>
-Measures<Dim>::Measures(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection)
-    : scene_(scene), model_(model), projection_(projection) {
+Measures<Dim>::Measures(const Scene& scene, const Model<Dim>& model,
+                        const std::vector<Projection<Dim>>& projections)
+    : scene_(scene), model_(model), projections_(projections), fields_(model.bodies().size()) {
   std::vector<InputProblem> problems;
   for (std::size_t k = 0; k < scene.measures.size(); ++k) {
     const auto& spec = scene.measures[k];
@@ -36,8 +37,10 @@ Measures<Dim>::Measures(const Scene& scene, const Model<Dim>& model, const Proje
 template <int Dim>
 std::unique_ptr<Measure> Measures<Dim>::make(const PointMeasureSpec& spec) {
   using Vector = Eigen::Vector<double, Dim>;
-  const Body<Dim>& body = model_.body();
-  int patch = spec.patch.empty() ? -1 : model_.faces().patch(spec.patch);
+  const std::size_t number = scene_.bodyNumber(spec.body);
+  const ModelBody<Dim>& itsBody = model_.bodies()[number];
+  const Body<Dim>& body = itsBody.body;
+  int patch = spec.patch.empty() ? -1 : model_.faces().patch(spec.body, spec.patch) - itsBody.firstPatch;
   Vector xi;
   if (!spec.position.empty()) {
     std::tie(patch, xi) = findPoint<Dim>(body, patch, Eigen::Map<const Vector>(spec.position.data()));
@@ -50,7 +53,7 @@ std::unique_ptr<Measure> Measures<Dim>::make(const PointMeasureSpec& spec) {
   auto names = spec.fields.empty() ? std::vector<std::string>{"displacement"} : spec.fields;
   return std::make_unique<PointMeasure<Dim>>(
       body, patch, xi, std::move(names),
-      [this]() -> const std::map<std::string, FieldRecord>& { return fields(); });
+      [this, number]() -> const std::map<std::string, FieldRecord>& { return fields(number); });
 }
 
 template <int Dim>
@@ -69,7 +72,7 @@ std::unique_ptr<Measure> Measures<Dim>::make(const FaceMeasureSpec& spec) {
 
 template <int Dim>
 std::unique_ptr<Measure> Measures<Dim>::make(const ErrorMeasureSpec& spec) {
-  return std::make_unique<ErrorMeasure<Dim>>(model_.body(),
+  return std::make_unique<ErrorMeasure<Dim>>(model_.bodies()[scene_.bodyNumber(spec.body)].body,
                                              makeFormulas(spec.displacement, scene_.definitions));
 }
 
@@ -97,12 +100,13 @@ std::unique_ptr<Measure> Measures<Dim>::make(const ExtentMeasureSpec& spec) {
 
 template <int Dim>
 std::unique_ptr<Measure> Measures<Dim>::make(const PercentileMeasureSpec& spec) {
+  const BulkTerm<Dim>& bulk = *model_.bodies()[scene_.bodyNumber(spec.body)].bulk;
   return std::make_unique<PercentileMeasure>(
       spec.share,
-      [this, field = spec.field]() -> Eigen::VectorXd {
-        return quadratureFields(model_.bulk(), scene_.units.stress).at(field).values.row(0);
+      [this, &bulk, field = spec.field]() -> Eigen::VectorXd {
+        return quadratureFields(bulk, scene_.units.stress).at(field).values.row(0);
       },
-      [this] { return model_.bulk().weights(); });
+      [&bulk] { return bulk.weights(); });
 }
 
 template <int Dim>
@@ -115,7 +119,7 @@ std::vector<std::string> Measures<Dim>::columns() const {
 
 template <int Dim>
 std::vector<double> Measures<Dim>::values(const MeasuredState& state) {
-  fields_.clear();
+  for (auto& fields : fields_) fields.clear();
   std::vector<double> result;
   for (const auto& [name, measure] : measures_) {
     const auto values = measure->values(state);
@@ -125,9 +129,12 @@ std::vector<double> Measures<Dim>::values(const MeasuredState& state) {
 }
 
 template <int Dim>
-const std::map<std::string, FieldRecord>& Measures<Dim>::fields() {
-  if (fields_.empty()) fields_ = projected(projection_, quadratureFields(model_.bulk(), scene_.units.stress));
-  return fields_;
+const std::map<std::string, FieldRecord>& Measures<Dim>::fields(std::size_t body) {
+  auto& fields = fields_[body];
+  if (fields.empty())
+    fields =
+        projected(projections_[body], quadratureFields(*model_.bodies()[body].bulk, scene_.units.stress));
+  return fields;
 }
 
 template class Measures<2>;

@@ -14,9 +14,9 @@ namespace burnish {
 template <int Dim>
 class Measures {
  public:
-  /// Model and projection must outlive the object. Throws `Error` with the place in the scene for points
+  /// Model and projections (one per body) must outlive the object. Throws `Error` with the place in the scene for points
   /// outside the body and ellipses of pairs that are no contact.
-  Measures(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection);
+  Measures(const Scene& scene, const Model<Dim>& model, const std::vector<Projection<Dim>>& projections);
 
   /// NAME.ux, ...
   std::vector<std::string> columns() const;
@@ -35,13 +35,13 @@ class Measures {
   std::unique_ptr<Measure> make(const ExtentMeasureSpec& spec);
   std::unique_ptr<Measure> make(const PercentileMeasureSpec& spec);
 
-  /// Projected once per state, and only if a measure asks.
-  const std::map<std::string, FieldRecord>& fields();
+  /// Of a body; projected once per state, and only if a measure asks.
+  const std::map<std::string, FieldRecord>& fields(std::size_t body);
 
   const Scene& scene_;
   const Model<Dim>& model_;
-  const Projection<Dim>& projection_;
-  std::map<std::string, FieldRecord> fields_;
+  const std::vector<Projection<Dim>>& projections_;
+  std::vector<std::map<std::string, FieldRecord>> fields_;  ///< one per body; empty before they are asked for
   std::vector<Named> measures_;
 };
 

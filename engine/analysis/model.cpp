@@ -2,14 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 namespace burnish {
 
+namespace {
+
 template <int Dim>
-Model<Dim>::Model(const Scene& scene, NamedBody<Dim> named)
-    : body_(std::move(named.body)),
-      faces_(body_, std::move(named.names)),
+std::vector<ModelBody<Dim>> modelBodies(const Scene& scene, const std::vector<NamedBody<Dim>>& named) {
+  std::vector<Body<Dim>> numbered;
+  for (const NamedBody<Dim>& one : named) numbered.push_back(one.body);
+  numberTogether(numbered);
+  std::vector<ModelBody<Dim>> bodies;
+  int patches = 0;
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    bodies.push_back({scene.allBodies()[k].name, patches, std::move(numbered[k]), nullptr, nullptr});
+    patches += static_cast<int>(named[k].names.size());
+  }
+  return bodies;
+}
+
+template <int Dim>
+Body<Dim> united(const std::vector<ModelBody<Dim>>& bodies) {
+  std::vector<Body<Dim>> all;
+  for (const ModelBody<Dim>& one : bodies) all.push_back(one.body);
+  return unitedBody(all);
+}
+
+template <int Dim>
+std::vector<BodyNames> namesOf(const Scene& scene, const std::vector<NamedBody<Dim>>& named) {
+  std::vector<BodyNames> names;
+  for (std::size_t k = 0; k < named.size(); ++k) names.push_back({scene.allBodies()[k].name, named[k].names});
+  return names;
+}
+
+}  // namespace
+
+template <int Dim>
+Model<Dim>::Model(const Scene& scene, const std::vector<NamedBody<Dim>>& bodies)
+    : bodies_(modelBodies(scene, bodies)),
+      body_(united(bodies_)),
+      faces_(body_, namesOf(scene, bodies)),
       supports_(scene, faces_),
       prescribed_(supports_.prescribed()),
       corners_(supports_.corners()),
@@ -25,7 +60,8 @@ std::size_t Model<Dim>::toolNumber(const std::string& name) const {
 
 template <int Dim>
 std::vector<Term*> Model<Dim>::terms() const {
-  std::vector<Term*> terms{bulk_.get()};
+  std::vector<Term*> terms;
+  for (const auto& body : bodies_) terms.push_back(body.bulk.get());
   for (const auto& pair : contacts_) terms.push_back(pair.term.get());
   for (const auto& contact : selfContacts_) terms.push_back(contact.term.get());
   for (const auto& load : loads_) terms.push_back(load.get());
@@ -42,9 +78,29 @@ Eigen::VectorXd Model<Dim>::target(double t) const {
 }
 
 template <int Dim>
+const ModelBody<Dim>& Model<Dim>::bodyOf(int patch) const {
+  return *std::prev(std::find_if(bodies_.begin() + 1, bodies_.end(),
+                                 [&](const ModelBody<Dim>& body) { return body.firstPatch > patch; }));
+}
+
+template <int Dim>
+double Model<Dim>::forceFloorOf(const ModelBody<Dim>& body) const {
+  return kForceFloor * youngsModulus(body.bulk->material()) *
+         std::pow(body.body.size(), body_.axisymmetric ? 2 : Dim - 1);
+}
+
+template <int Dim>
 double Model<Dim>::forceFloor() const {
-  return kForceFloor * youngsModulus(bulk_->material()) *
-         std::pow(body_.size(), body_.axisymmetric ? 2 : Dim - 1);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& body : bodies_) smallest = std::min(smallest, forceFloorOf(body));
+  return smallest;
+}
+
+template <int Dim>
+Eigen::VectorXd Model<Dim>::bulkForces(const std::vector<Eigen::VectorXd>& forces) const {
+  Eigen::VectorXd sum = forces.front();
+  for (std::size_t k = 1; k < bodies_.size(); ++k) sum += forces[k];
+  return sum;
 }
 
 template <int Dim>
@@ -52,7 +108,7 @@ double Model<Dim>::stabilisedShare(const std::vector<Eigen::VectorXd>& forces) c
   if (!stabilisation_ || stabilisation_->force() < forceFloor()) return 0.0;
   const Eigen::Index n = numDisplacements();
   double largest = stabilisation_->force();
-  for (std::size_t k = 1; k + 1 < forces.size(); ++k)  // the body's own forces hold one another
+  for (std::size_t k = bodies_.size(); k + 1 < forces.size(); ++k)  // a body's own forces hold one another
     largest = std::max(largest, forces[k].head(n).template lpNorm<1>());
   return stabilisation_->force() / largest;
 }

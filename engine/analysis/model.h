@@ -24,6 +24,16 @@ namespace burnish {
 /// Smallest force that counts over E L (E L² in 3D and axisymmetry).
 inline constexpr double kForceFloor = 1e-9;
 
+/// A body of the scene: its patches, whose nodes are numbered over all bodies, and what resists there.
+template <int Dim>
+struct ModelBody {
+  std::string name;    ///< empty for the one body of a scene without `bodies`
+  int firstPatch = 0;  ///< its number among the patches of all bodies
+  Body<Dim> body;
+  std::unique_ptr<SpanQuadrature<Dim>> quadrature;
+  std::unique_ptr<BulkTerm<Dim>> bulk;
+};
+
 /// A contact pair of the scene: the number of its tool, the face that may touch it, and its term.
 template <int Dim>
 struct ContactPair {
@@ -56,10 +66,14 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
+  /// The patches of all bodies, body after body.
   const Body<Dim>& body() const { return body_; }
-  const SpanQuadrature<Dim>& quadrature() const { return *quadrature_; }
-  BulkTerm<Dim>& bulk() { return *bulk_; }
-  const BulkTerm<Dim>& bulk() const { return *bulk_; }
+  const std::vector<ModelBody<Dim>>& bodies() const { return bodies_; }
+
+  /// The body that a patch belongs to.
+  const ModelBody<Dim>& bodyOf(int patch) const;
+  const ModelBody<Dim>& bodyOf(const FacePlace& place) const { return bodyOf(place.patch); }
+
   const std::vector<std::unique_ptr<Tool>>& tools() const { return tools_; }
   const std::vector<ContactPair<Dim>>& contacts() const { return contacts_; }
   const std::vector<SelfContact>& selfContacts() const { return selfContacts_; }
@@ -74,7 +88,7 @@ class Model {
   /// Null unless the scene asks for it.
   const Stabilisation<Dim>* stabilisation() const { return stabilisation_.get(); }
 
-  /// Bulk, contacts, contacts of faces with themselves, loads, loads of tools, stabilisation, in this order.
+  /// Bodies, contacts, contacts of faces with themselves, loads, loads of tools, stabilisation, in this order.
   std::vector<Term*> terms() const;
 
   int numDisplacements() const { return Dim * body_.numNodes; }
@@ -83,8 +97,12 @@ class Model {
   int numForces() const { return numForces_; }
   int numUnknowns() const { return numUnknowns_; }
 
-  /// Smallest force that counts, see `kForceFloor`.
+  /// Smallest force that counts, see `kForceFloor`: of a body, and of the one for which it is smallest.
+  double forceFloorOf(const ModelBody<Dim>& body) const;
   double forceFloor() const;
+
+  /// Forces of the bodies' stresses, the sum of what their terms add. forces: of the terms, in their order.
+  Eigen::VectorXd bulkForces(const std::vector<Eigen::VectorXd>& forces) const;
 
   /// Share of the largest force that the stabilisation carries in the state that the terms have been
   /// evaluated at. forces: of the terms, in their order.
@@ -107,13 +125,12 @@ class Model {
 
  private:
   friend class ModelBuilder<Dim>;
-  Model(const Scene& scene, NamedBody<Dim> named);
+  Model(const Scene& scene, const std::vector<NamedBody<Dim>>& bodies);
 
+  std::vector<ModelBody<Dim>> bodies_;
   Body<Dim> body_;
   FaceFinder<Dim> faces_;
   Supports<Dim> supports_;
-  std::unique_ptr<SpanQuadrature<Dim>> quadrature_;
-  std::unique_ptr<BulkTerm<Dim>> bulk_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::vector<ContactPair<Dim>> contacts_;
   std::vector<SelfContact> selfContacts_;  ///< none in 3D

@@ -27,7 +27,9 @@ Reactions<Dim>::Reactions(const Scene& scene, const Model<Dim>& model)
     const FaceSpec& place = scene.supports[k].place;
     records_.push_back(
         {.support = names[k],
-         .place = place.patch.empty() ? place.face : fmt::format("{} of patch {}", place.face, place.patch),
+         .place = fmt::format("{}{}{}", place.face,
+                              place.patch.empty() ? "" : fmt::format(" of patch {}", place.patch),
+                              place.body.empty() ? "" : fmt::format(" of body {}", place.body)),
          .force = std::vector<double>(Dim, 0.0),
          .moment = std::vector<double>(moments, 0.0)});
   }

@@ -17,9 +17,9 @@ struct Equilibrium {
 template <int Dim>
 class Recorder {
  public:
-  /// Scene, model and projection must outlive the recorder.
-  Recorder(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection)
-      : history_(scene, model, projection), doubts_(scene, model) {}
+  /// Scene, model and projections (one per body) must outlive the recorder.
+  Recorder(const Scene& scene, const Model<Dim>& model, const std::vector<Projection<Dim>>& projections)
+      : history_(scene, model, projections), doubts_(scene, model) {}
 
   /// Takes in the accepted state that the terms have just been evaluated at. `force`: sum of all terms'
   /// forces there.

@@ -4,25 +4,27 @@ namespace burnish {
 
 template <int Dim>
 ResidualScales residualScales(const Model<Dim>& model) {
-  const double L = model.body().size();
   ResidualScales scales;
   scales.numForces = model.numForces();
   scales.forceFloor = model.forceFloor();
   scales.spanSizes = Eigen::VectorXd::Zero(model.numForces());
-  for (const auto& span : model.quadrature().spans())
-    for (const int node : span.nodes) {
-      auto sizes = scales.spanSizes.segment<Dim>(Dim * node);
-      sizes = sizes.cwiseMax(span.size);
-    }
+  for (const auto& body : model.bodies())
+    for (const auto& span : body.quadrature->spans())
+      for (const int node : span.nodes) {
+        auto sizes = scales.spanSizes.segment<Dim>(Dim * node);
+        sizes = sizes.cwiseMax(span.size);
+      }
   scales.constraints.resize(model.numUnknowns() - model.numForces());
+  const auto sizeAt = [&](const FacePlace& place) { return model.bodyOf(place).body.size(); };
   Eigen::Index next = 0;
   for (const auto& pair : model.contacts()) {
     scales.constraints.segment(next, pair.term->numMultipliers()) =
-        L * pair.term->weights().head(pair.term->numMultipliers());
+        sizeAt(pair.place) * pair.term->weights().head(pair.term->numMultipliers());
     next += pair.term->numMultipliers();
   }
   for (const auto& contact : model.selfContacts()) {
-    scales.constraints.segment(next, contact.term->numMultipliers()) = L * contact.term->weights();
+    scales.constraints.segment(next, contact.term->numMultipliers()) =
+        sizeAt(contact.place) * contact.term->weights();
     next += contact.term->numMultipliers();
   }
   return scales;

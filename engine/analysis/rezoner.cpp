@@ -24,7 +24,7 @@ Rezoner::Rezoner(const Scene& scene, const Simulation<2>& initial)
     : scene_(scene),
       choice_(meshChoice(scene, initial)),
       trigger_(choice_.options, choice_.travel, initial),
-      volume_(initial.model->bulk().weights().sum()),
+      volume_(initial.model->bodies().front().bulk->weights().sum()),
       origin_(initial.model->body().nodePositions()) {}
 
 std::unique_ptr<Simulation<2>> Rezoner::rezone(Simulation<2>& simulation) {
@@ -49,7 +49,8 @@ std::unique_ptr<Simulation<2>> Rezoner::attempt(Simulation<2>& simulation) {
     fail(simulation, "no mesh of the deformed body is sound");
     return nullptr;
   }
-  const CarryOver carried(simulation, deformed, *mesh, scene_.quadraturePoints.value_or(0));
+  const CarryOver carried(simulation, deformed, *mesh,
+                          scene_.allBodies().front().quadraturePoints.value_or(0));
   Settled next = settledOn(carried);
   lastReport_ = next.settlement.report;
   if (lastReport_.outcome != NewtonOutcome::Converged) {
@@ -59,7 +60,7 @@ std::unique_ptr<Simulation<2>> Rezoner::attempt(Simulation<2>& simulation) {
   }
   next.simulation->recorder.continueFrom(simulation.recorder);
   next.simulation->record();
-  origin_ = next.simulation->projection.project(carried.atQuadraturePoints(origin_)).transpose();
+  origin_ = next.simulation->projections.front().project(carried.atQuadraturePoints(origin_)).transpose();
   body_ = carried.body();
   records_.push_back(recordOf(simulation, next, *mesh));
   next.simulation->recorder.noteRezoning(records_.back());
@@ -87,7 +88,7 @@ RezoningRecord Rezoner::recordOf(const Simulation<2>& before, const Settled& aft
   return {.time = before.stepping.state().time,
           .energyLost = before.recorder.current().strainEnergy - now.recorder.current().strainEnergy,
           .gapWork = after.settlement.gapWork,
-          .volumeDrift = now.model->bulk().weights().sum() / volume_ - 1.0,
+          .volumeDrift = now.model->bodies().front().bulk->weights().sum() / volume_ - 1.0,
           .boundaryError = mesh.boundaryError,
           .quality = mesh.quality,
           .smallestSpan = mesh.smallestSpan,
@@ -114,7 +115,7 @@ void Rezoner::archive(StateArchive& archive) {
   archiveRecords(archive);
   if (records_.empty()) return;
   archiveMatrix(archive, "origin", 2, origin_);
-  archiveBody(archive, scene_.material, body_);
+  archiveBody(archive, scene_.allBodies().front().material, body_);
 }
 
 void Rezoner::archiveRecords(StateArchive& archive) {

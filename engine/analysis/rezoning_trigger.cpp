@@ -31,7 +31,7 @@ bool RezoningTrigger::isDue(const Simulation<2>& simulation) const {
   if (failedLast_) return false;
   const Model<2>& model = *simulation.model;
   const auto& x = simulation.stepping.state().x;
-  if (model.bulk().largestStretch(x) > stretch_) return true;
+  if (model.bodies().front().bulk->largestStretch(x) > stretch_) return true;
   return quality_ > 0.0 && meshQuality(deformedPatch(model.body().patches.front(), x)) < quality_;
 }
 

@@ -195,7 +195,7 @@ class Run {
 
   /// The current state as the next frame.
   FrameRecord nextFrame() {
-    FrameRecord frame = makeFrame(scene_, *simulation_->model, simulation_->projection, summary_.frames,
+    FrameRecord frame = makeFrame(scene_, *simulation_->model, simulation_->projections, summary_.frames,
                                   step_, state().time, state().x);
     if constexpr (Dim == 2)
       if (rezoner_) frame.mesh = rezoner_->frameMesh(*simulation_, frame.displacement);

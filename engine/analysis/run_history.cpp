@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/analysis/face_crossing.h"
@@ -14,17 +15,26 @@ namespace {
 /// The field of a material law that has columns of its own in the history, zero for laws without it.
 constexpr const char* kPlasticStrain = "plastic_strain";
 
+template <int Dim>
+std::vector<SpanExtremes<Dim>> extremesOf(const Model<Dim>& model) {
+  std::vector<SpanExtremes<Dim>> extremes;
+  for (const auto& body : model.bodies()) extremes.emplace_back(body.body);
+  return extremes;
+}
+
 }  // namespace
 
 template <int Dim>
-RunHistory<Dim>::RunHistory(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection)
+RunHistory<Dim>::RunHistory(const Scene& scene, const Model<Dim>& model,
+                            const std::vector<Projection<Dim>>& projections)
     : model_(model),
-      projection_(projection),
-      extremes_(model.body()),
-      measures_(scene, model, projection),
+      projections_(projections),
+      extremes_(extremesOf(model)),
+      measures_(scene, model, projections),
       reactions_(scene, model),
       columns_(historyColumns(scene, model, reactions_.columns(), measures_.columns())) {
   current_.toolPoses.resize(model.tools().size());
+  if (model.bodies().size() > 1) current_.bodies.resize(model.bodies().size());
   current_.toolForces.resize(model.tools().size(), Eigen::Vector3d::Zero());
   current_.toolMoments = current_.toolForces;
   current_.toolTouches.resize(model.tools().size());
@@ -100,16 +110,27 @@ void RunHistory<Dim>::addSelfContacts(StateQuantities& next) const {
 }
 
 template <int Dim>
-void RunHistory<Dim>::addBody(StateQuantities& next) {
-  const BulkTerm<Dim>& bulk = model_.bulk();
-  next.strainEnergy = bulk.summary().strainEnergy;
-  next.plasticWork = bulk.plasticWork();
-  next.minJ = bulk.summary().minJ;
-  if (!bulk.points().hasField(kPlasticStrain)) return;
-  const Eigen::VectorXd strain = bulk.points().field(kPlasticStrain).row(0);
-  next.maxPlasticStrain = strain.maxCoeff();
-  const Stopwatch stopwatch(projectionSeconds_);
-  next.projectedPlasticStrain = extremes_(projection_.project(strain).col(0));
+void RunHistory<Dim>::addBodies(StateQuantities& next) {
+  next.minJ = std::numeric_limits<double>::infinity();
+  bool flowed = false;
+  for (std::size_t k = 0; k < model_.bodies().size(); ++k) {
+    const BulkTerm<Dim>& bulk = *model_.bodies()[k].bulk;
+    BodyQuantities body{bulk.summary().strainEnergy, bulk.plasticWork(), 0.0, bulk.summary().minJ};
+    next.strainEnergy += body.strainEnergy;
+    next.plasticWork += body.plasticWork;
+    next.minJ = std::min(next.minJ, body.minJ);
+    if (bulk.points().hasField(kPlasticStrain)) {
+      const Eigen::VectorXd strain = bulk.points().field(kPlasticStrain).row(0);
+      body.maxPlasticStrain = strain.maxCoeff();
+      next.maxPlasticStrain = std::max(next.maxPlasticStrain, body.maxPlasticStrain);
+      const Stopwatch stopwatch(projectionSeconds_);
+      const Extremes found = extremes_[k](projections_[k].project(strain).col(0));
+      Extremes& all = next.projectedPlasticStrain;
+      all = std::exchange(flowed, true) ? Extremes{std::min(all.min, found.min), std::max(all.max, found.max)}
+                                        : found;
+    }
+    if (!next.bodies.empty()) next.bodies[k] = body;
+  }
 }
 
 /// Work of the tools on the body since the last state.
@@ -138,7 +159,8 @@ void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& 
   addTools(state, next);
   addSelfContacts(next);
   if (x_.size() > 0) next.externalWork += toolWork(next);
-  addBody(next);
+  next.bodies.resize(current_.bodies.size());
+  addBodies(next);
   next.stabilisedShare = stabilisedShare;
   next.stabilisationWork = current_.stabilisationWork;
   if (const auto* stabilisation = model_.stabilisation()) next.stabilisationWork += stabilisation->work();
@@ -159,8 +181,13 @@ void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& 
 
 template <int Dim>
 Extremes RunHistory<Dim>::projectedVonMises() const {
-  const Eigen::MatrixXd mises = quadratureFields(model_.bulk(), "").at("von_mises").values;
-  return extremes_(projection_.project(mises.transpose()).col(0));
+  Extremes all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 0; k < model_.bodies().size(); ++k) {
+    const Eigen::MatrixXd mises = quadratureFields(*model_.bodies()[k].bulk, "").at("von_mises").values;
+    const Extremes found = extremes_[k](projections_[k].project(mises.transpose()).col(0));
+    all = {std::min(all.min, found.min), std::max(all.max, found.max)};
+  }
+  return all;
 }
 
 template <int Dim>

@@ -17,8 +17,8 @@ namespace burnish {
 template <int Dim>
 class RunHistory {
  public:
-  /// Scene, model and projection must outlive the object.
-  RunHistory(const Scene& scene, const Model<Dim>& model, const Projection<Dim>& projection);
+  /// Scene, model and projections (one per body) must outlive the object.
+  RunHistory(const Scene& scene, const Model<Dim>& model, const std::vector<Projection<Dim>>& projections);
 
   std::vector<std::string> columns() const;
 
@@ -71,12 +71,12 @@ class RunHistory {
   double toolWork(const StateQuantities& next) const;
   void addTools(const MeasuredState& state, StateQuantities& next) const;
   void addSelfContacts(StateQuantities& next) const;
-  void addBody(StateQuantities& next);
+  void addBodies(StateQuantities& next);
   Eigen::VectorXd loadForces() const;
 
   const Model<Dim>& model_;
-  const Projection<Dim>& projection_;
-  SpanExtremes<Dim> extremes_;
+  const std::vector<Projection<Dim>>& projections_;
+  std::vector<SpanExtremes<Dim>> extremes_;  ///< one per body
   Measures<Dim> measures_;
   Reactions<Dim> reactions_;
   std::vector<HistoryColumn> columns_;

@@ -14,6 +14,7 @@
 #include "engine/analysis/model.h"
 #include "engine/analysis/nearest_point.h"
 #include "engine/analysis/recorder.h"
+#include "engine/analysis/simulation.h"
 #include "engine/analysis/softening.h"
 #include "engine/scene/scene_places.h"
 
@@ -25,9 +26,13 @@ std::string summaryOf(const Scene& scene, const Model<Dim>& model) {
   std::vector<std::string> names;
   for (const auto& tool : model.tools()) names.push_back(tool->name);
   const char* kinematics = Dim == 3 ? "" : model.body().axisymmetric ? ", axisymmetric" : ", plane strain";
+  std::vector<std::string> bases;
+  for (const BodySpec& body : scene.allBodies())
+    bases.push_back(
+        fmt::format("{}{} of degree {}", body.name.empty() ? "" : fmt::format("body {}: ", body.name),
+                    body.basis == BasisChoice::Nurbs ? "NURBS" : "Lagrange elements", body.degree));
   return fmt::format(
-      "{} dimensions{}, {} of degree {}, {} unknowns, {}", Dim, kinematics,
-      scene.basis == BasisChoice::Nurbs ? "NURBS" : "Lagrange elements", scene.degree, model.numUnknowns(),
+      "{} dimensions{}, {}, {} unknowns, {}", Dim, kinematics, fmt::join(bases, ", "), model.numUnknowns(),
       names.empty() ? "no tools"
                     : fmt::format("{} {}", names.size() == 1 ? "tool" : "tools", fmt::join(names, ", ")));
 }
@@ -93,8 +98,8 @@ SceneReport reportInDimension(const Scene& scene) {
   const auto model = buildModel<Dim>(scene);
   std::vector<std::string> columns;
   if (!scene.measures.empty() || !scene.wanted.quantities.empty()) {
-    const Projection<Dim> projection(model->quadrature());
-    columns = Recorder<Dim>(scene, *model, projection).columns();
+    const auto projections = projectionsOf(*model);
+    columns = Recorder<Dim>(scene, *model, projections).columns();
     requireKnownColumns(scene, columns);
   }
   return {summaryOf(scene, *model), warningLines(scene, sceneWarnings(scene, *model, columns)),
@@ -107,7 +112,9 @@ template <int Dim>
 std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& model,
                                         const std::vector<std::string>& columns) {
   std::vector<InputProblem> warnings = lockingWarnings(scene, model);
-  std::ranges::move(softeningWarnings(model.bulk().material()), std::back_inserter(warnings));
+  for (std::size_t k = 0; k < model.bodies().size(); ++k)
+    for (auto& [path, text] : softeningWarnings(model.bodies()[k].bulk->material()))
+      warnings.push_back({scene.bodyKey(k, path), std::move(text)});
   std::ranges::move(toolWarnings(scene, model), std::back_inserter(warnings));
   if (scene.wanted.onlyWarns) std::ranges::move(unknownColumns(scene, columns), std::back_inserter(warnings));
   return warnings;

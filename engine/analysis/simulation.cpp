@@ -8,6 +8,13 @@
 namespace burnish {
 
 template <int Dim>
+std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model) {
+  std::vector<Projection<Dim>> projections;
+  for (const auto& body : model.bodies()) projections.emplace_back(*body.quadrature);
+  return projections;
+}
+
+template <int Dim>
 Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start)
     : model(std::move(itsModel)),
       terms(model->terms()),
@@ -15,20 +22,21 @@ Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsM
       stepping(
           newton, terms, [this](double t) { return model->target(t); }, scene.solver.stepping,
           std::move(start)),
-      projection(model->quadrature()),
-      recorder(scene, *model, projection) {}
+      projections(projectionsOf(*model)),
+      recorder(scene, *model, projections) {}
 
 template <int Dim>
 typename Simulation<Dim>::Forces Simulation<Dim>::evaluateHere() {
   const auto& state = stepping.state();
   Forces forces{{}, Eigen::VectorXd::Zero(model->numUnknowns()), true};
+  std::vector<Eigen::VectorXd> ofTerms;
   for (Term* term : terms) {
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(model->numUnknowns());
+    Eigen::VectorXd& force = ofTerms.emplace_back(Eigen::VectorXd::Zero(model->numUnknowns()));
     Assembly out{force};
     if (!term->evaluate(state.time, state.x, out)) forces.admissible = false;
     forces.total += force;
-    if (term == terms.front()) forces.bulk = std::move(force);
   }
+  forces.bulk = model->bulkForces(ofTerms);
   return forces;
 }
 
@@ -36,7 +44,8 @@ template <int Dim>
 void Simulation<Dim>::record() {
   Eigen::VectorXd total = Eigen::VectorXd::Zero(model->numUnknowns());
   for (const Eigen::VectorXd& force : newton.forces()) total += force;
-  recorder.update({stepping.state().time, stepping.state().x, newton.forces().front()}, total,
+  const Eigen::VectorXd bulk = model->bulkForces(newton.forces());
+  recorder.update({stepping.state().time, stepping.state().x, bulk}, total,
                   {newton.unstableDirections(), model->stabilisedShare(newton.forces())});
 }
 
@@ -48,6 +57,8 @@ std::vector<ToolPose> Simulation<Dim>::toolPoses() const {
   return poses;
 }
 
+template std::vector<Projection<2>> projectionsOf(const Model<2>&);
+template std::vector<Projection<3>> projectionsOf(const Model<3>&);
 template struct Simulation<2>;
 template struct Simulation<3>;
 

@@ -11,6 +11,10 @@
 
 namespace burnish {
 
+/// The projections of a model, one per body.
+template <int Dim>
+std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model);
+
 /// A model with everything that solves and records it: what is replaced when the body is remeshed.
 template <int Dim>
 struct Simulation {
@@ -37,7 +41,7 @@ struct Simulation {
   std::vector<Term*> terms;
   Newton newton;
   Stepping stepping;
-  Projection<Dim> projection;
+  std::vector<Projection<Dim>> projections;  ///< one per body
   Recorder<Dim> recorder;
 };
 

@@ -32,6 +32,9 @@ void StateQuantities::archive(StateArchive& archive) {
     archive.together(name + "touch", touch.area, touch.friction, touch.sticking, touch.slipping,
                      touch.frictionWork);
   }
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    archive.together(fmt::format("body{}", k), bodies[k].strainEnergy, bodies[k].plasticWork,
+                     bodies[k].maxPlasticStrain, bodies[k].minJ);
   archive.together("energies", strainEnergy, contactEnergy, externalWork, plasticWork, stabilisationWork,
                    largestEnergy);
   archive.together("plastic_strain", maxPlasticStrain, projectedPlasticStrain.min,

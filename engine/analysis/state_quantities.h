@@ -28,6 +28,14 @@ struct ToolTouch {
   double frictionWork = 0.0;       ///< since the start
 };
 
+/// Of one body among several.
+struct BodyQuantities {
+  double strainEnergy = 0.0;
+  double plasticWork = 0.0;
+  double maxPlasticStrain = 0.0;  ///< over quadrature points
+  double minJ = 0.0;
+};
+
 /// Quantities of one accepted state, in the units of the scene.
 struct StateQuantities {
   double time = 0.0;
@@ -35,6 +43,7 @@ struct StateQuantities {
   std::vector<Eigen::Vector3d> toolForces;   ///< force of the body on each tool
   std::vector<Eigen::Vector3d> toolMoments;  ///< of that force about the tool's pivot
   std::vector<ToolTouch> toolTouches;        ///< per tool
+  std::vector<BodyQuantities> bodies;        ///< per body; empty if there is one
   double strainEnergy = 0.0;
   double contactEnergy = 0.0;
   double externalWork = 0.0;  ///< trapezoidal sum over the steps: tools, tractions, moved supports

@@ -93,7 +93,7 @@ Supports<Dim>::Supports(const Scene& scene, const FaceFinder<Dim>& faces)
 template <int Dim>
 void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const Scene& scene,
                         const FaceFinder<Dim>& faces) {
-  const auto& patch = faces.body().patches[static_cast<std::size_t>(faces.patch(spec.place.patch))];
+  const auto& patch = faces.body().patches[static_cast<std::size_t>(faces.patch(spec.place))];
   const auto trace = tracePatch(patch, faceFromName<Dim>(spec.place.face));
   owned_.emplace_back();
   faces.requireOuter(spec.place, place);

@@ -91,10 +91,10 @@ template <int Dim>
 std::string TipWatch<Dim>::sentence(std::size_t pair, const FoundTip& tip) const {
   const ContactPair<Dim>& contact = model_.contacts()[pair];
   return fmt::format(
-      "tool '{}' is {:.2g} deep in face '{}' with a tip or edge too sharp for the mesh, it turns by {:.0f} "
+      "tool '{}' is {:.2g} deep in face {} with a tip or edge too sharp for the mesh, it turns by {:.0f} "
       "degrees within half a knot span ({:.2g}); round it by more than a knot span (radius, of facets "
       "smoothing), or refine the mesh there",
-      model_.tools()[contact.tool]->name, tip.depth, faceName(contact.place.face),
+      model_.tools()[contact.tool]->name, tip.depth, model_.faces().textOf(contact.place),
       tip.turn * 180.0 / std::numbers::pi, 0.5 * tip.span);
 }
 

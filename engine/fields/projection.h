@@ -7,7 +7,8 @@
 namespace burnish {
 
 /// L2 projection of quadrature-point fields onto the body's own basis:
-/// find q with ∫ R_A (Σ R_B q_B − q) dV = 0 over the reference body. The mass matrix is factorised once.
+/// find q with ∫ R_A (Σ R_B q_B − q) dV = 0 over the reference body. The mass matrix is factorised once. Nodes
+/// of other bodies get zeros.
 template <int Dim>
 class Projection {
  public:
@@ -22,6 +23,7 @@ class Projection {
  private:
   struct Factor;
   const SpanQuadrature<Dim>& quadrature_;
+  int firstNode_ = 0;  ///< of the body
   std::unique_ptr<Factor> factor_;
 };
 

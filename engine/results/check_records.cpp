@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/core/error.h"
 
@@ -81,8 +82,9 @@ bool isFieldName(const std::string& name) {
 }
 
 /// `columns`: what the field must have one value of (nodes or points), `what` its name.
+/// `bodies`: names of all bodies.
 void checkFields(const std::map<std::string, FieldRecord>& fields, Eigen::Index columns, const char* what,
-                 const std::string& place) {
+                 const std::vector<std::string>& bodies, const std::string& place) {
   for (const auto& [name, field] : fields) {
     require(isFieldName(name), place, "\"{}\" cannot be the name of a field", name);
     require(field.values.allFinite(), place, "field {} has a value that is not finite", name);
@@ -91,6 +93,9 @@ void checkFields(const std::map<std::string, FieldRecord>& fields, Eigen::Index 
     const std::size_t components = std::max<std::size_t>(field.components.size(), 1);
     require(count(field.values.rows()) == components, place, "field {} has {} rows for {} component{}", name,
             field.values.rows(), components, components == 1 ? "" : "s");
+    for (const std::string& body : field.bodies)
+      require(std::find(bodies.begin(), bodies.end(), body) != bodies.end(), place,
+              "field {} is of the body \"{}\", which is none of the model's", name, body);
   }
 }
 
@@ -139,6 +144,13 @@ void checkMesh(const MeshRecord& mesh, int dim, const std::string& place) {
 
 void checkModel(const ModelRecord& model, const std::string& place) {
   checkMesh(model.mesh, model.dim, place);
+  for (const PatchRecord& patch : model.mesh.patches)
+    require(patch.body >= 0 && count(patch.body) < std::max<std::size_t>(model.bodies.size(), 1), place,
+            "a patch of body {}, which is none of the model's", patch.body);
+  for (std::size_t k = 0; k < model.bodies.size(); ++k)
+    require(std::any_of(model.mesh.patches.begin(), model.mesh.patches.end(),
+                        [&](const PatchRecord& patch) { return patch.body == static_cast<int>(k); }),
+            place, "the body \"{}\" has no patch", model.bodies[k]);
   require(model.subdivision >= 1, place, "a subdivision of {} instead of at least 1", model.subdivision);
   for (const ToolRecord& tool : model.tools) {
     require(std::visit([](const auto& shape) { return isSound(shape); }, tool.shape), place,
@@ -169,12 +181,19 @@ void checkFrame(const FrameRecord& frame, const ModelRecord& model, const std::s
               frame.toolAngle.allFinite(),
           place, "{} angles for {} tools, or one that is not finite", frame.toolAngle.size(),
           model.tools.size());
-  checkFields(frame.fields, mesh.numNodes, "nodes", place);
+  checkFields(frame.fields, mesh.numNodes, "nodes", model.bodies, place);
   for (std::size_t i = 0; i < frame.contact.size(); ++i)
     checkContact(frame.contact[i], model, mesh, fmt::format("{}, contact {}", place, i));
   require(arePoints(frame.quadrature.positions, model.dim), place,
           "its quadrature points are not points in {} dimensions", model.dim);
-  checkFields(frame.quadrature.fields, frame.quadrature.positions.cols(), "quadrature points", place);
+  const auto& numPoints = frame.quadrature.numPoints;
+  require(numPoints.empty() || (numPoints.size() == model.bodies.size() &&
+                                std::accumulate(numPoints.begin(), numPoints.end(), Eigen::Index{0}) ==
+                                    frame.quadrature.positions.cols()),
+          place, "{} quadrature points, which are not those of {} bodies", frame.quadrature.positions.cols(),
+          model.bodies.size());
+  checkFields(frame.quadrature.fields, frame.quadrature.positions.cols(), "quadrature points", model.bodies,
+              place);
 }
 
 }  // namespace burnish

@@ -20,6 +20,7 @@ void writeFields(const OutputGroup& group, const std::map<std::string, FieldReco
     const OutputObject dataset = group.dataset(name, field.values);
     dataset.attribute("components", field.components);
     dataset.attribute("unit", field.unit);
+    if (!field.bodies.empty()) dataset.attribute("bodies", field.bodies);
   }
 }
 
@@ -28,7 +29,10 @@ std::map<std::string, FieldRecord> readFields(const InputGroup& group) {
   for (const std::string& name : group.names()) {
     const InputDataset dataset = group.dataset(name);
     fields[name] = {
-        .components = dataset.texts("components"), .unit = dataset.text("unit"), .values = dataset.matrix()};
+        .components = dataset.texts("components"),
+        .unit = dataset.text("unit"),
+        .values = dataset.matrix(),
+        .bodies = dataset.hasAttribute("bodies") ? dataset.texts("bodies") : std::vector<std::string>()};
   }
   return fields;
 }
@@ -89,6 +93,7 @@ std::vector<std::byte> frameImage(const FrameRecord& frame, const std::string& m
       writeContact(contacts.group(std::to_string(i)), frame.contact[i]);
     const OutputGroup quadrature = root.group("quadrature");
     quadrature.dataset("positions", frame.quadrature.positions);
+    if (!frame.quadrature.numPoints.empty()) quadrature.dataset("num_points", frame.quadrature.numPoints);
     writeFields(quadrature.group("fields"), frame.quadrature.fields);
   }
   return image.finish();
@@ -111,6 +116,9 @@ FrameRecord readFrame(const std::filesystem::path& path, const StoredModel& mode
     frame.contact.push_back(readContact(contacts.group(std::to_string(i))));
   const InputGroup quadrature = root.group("quadrature");
   frame.quadrature = {.positions = quadrature.dataset("positions").matrix(),
+                      .numPoints = quadrature.contains("num_points")
+                                       ? quadrature.dataset("num_points").integers()
+                                       : std::vector<int>(),
                       .fields = readFields(quadrature.group("fields"))};
   checkFrame(frame, model.record, path.string());
   return frame;

@@ -49,6 +49,10 @@ void InputObject::fail(const std::string& what) const {
   throw Error(fmt::format("{}: {}; the file is damaged or was not written by burnish", place_, what));
 }
 
+bool InputObject::hasAttribute(const std::string& name) const {
+  return H5Aexists(id(), name.c_str()) > 0;
+}
+
 Handle InputObject::openAttribute(const std::string& name) const {
   Handle attribute(H5Aopen(id(), name.c_str(), H5P_DEFAULT), H5Aclose);
   if (!attribute.valid()) fail(fmt::format("attribute {} is missing", name));

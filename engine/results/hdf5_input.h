@@ -18,6 +18,8 @@ class InputObject {
   std::string text(const std::string& attribute) const;
   std::vector<std::string> texts(const std::string& attribute) const;
 
+  bool hasAttribute(const std::string& attribute) const;
+
   /// File and path of the object, for messages.
   const std::string& place() const { return place_; }
 

@@ -102,6 +102,30 @@ RecordedShape readShape(const InputGroup& group, const std::variant<Kinds...>& /
                           fmt::join(std::array{kShapeName<Kinds>...}, ", ")));
 }
 
+/// Names of the bodies, and the numbers of their patches.
+void writeBodies(const OutputGroup& bodies, const ModelRecord& record) {
+  for (std::size_t k = 0; k < record.bodies.size(); ++k) {
+    std::vector<int> patches;
+    for (std::size_t p = 0; p < record.mesh.patches.size(); ++p)
+      if (record.mesh.patches[p].body == static_cast<int>(k)) patches.push_back(static_cast<int>(p));
+    const OutputGroup body = bodies.group(std::to_string(k));
+    body.attribute("name", record.bodies[k]);
+    body.dataset("patches", patches);
+  }
+}
+
+void readBodies(const InputGroup& bodies, ModelRecord& record) {
+  for (std::size_t k = 0; k < bodies.names().size(); ++k) {
+    const InputGroup body = bodies.group(std::to_string(k));
+    record.bodies.push_back(body.text("name"));
+    for (const int patch : body.dataset("patches").integers()) {
+      if (patch < 0 || patch >= std::ssize(record.mesh.patches))
+        throw Error(fmt::format("{}: patch {} of {}", body.place(), patch, record.mesh.patches.size()));
+      record.mesh.patches[static_cast<std::size_t>(patch)].body = static_cast<int>(k);
+    }
+  }
+}
+
 }  // namespace
 
 std::string modelId(const ModelRecord& model) {
@@ -125,6 +149,7 @@ std::vector<std::byte> modelImage(const StoredModel& model) {
     root.attribute("subdivision", record.subdivision);
     root.dataset("scene", record.sceneYaml);
     writePatches(root, record.mesh.patches);
+    if (!record.bodies.empty()) writeBodies(root.group("bodies"), record);
     const OutputGroup tools = root.group("tools");
     for (std::size_t i = 0; i < record.tools.size(); ++i) {
       const OutputGroup tool = tools.group(std::to_string(i));
@@ -152,6 +177,7 @@ StoredModel readModel(const std::filesystem::path& path) {
   record.subdivision = root.integer("subdivision");
   record.sceneYaml = root.dataset("scene").string();
   record.mesh.patches = readPatches(root, record.dim);
+  if (root.contains("bodies")) readBodies(root.group("bodies"), record);
   const InputGroup tools = root.group("tools");
   for (std::size_t i = 0; i < tools.names().size(); ++i) {
     const InputGroup tool = tools.group(std::to_string(i));

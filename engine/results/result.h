@@ -23,9 +23,10 @@ struct PatchRecord {
   Eigen::MatrixXd points;   ///< dim x functions, first direction fastest
   Eigen::VectorXd weights;  ///< functions
   std::vector<int> nodes;   ///< global node of each function; patches that share a face share nodes
+  int body = 0;             ///< number of the body that it belongs to
 };
 
-/// A mesh of the body: its patches and the nodes that they share.
+/// A mesh of the bodies: their patches and the nodes that these share.
 struct MeshRecord {
   int numNodes = 0;
   std::vector<PatchRecord> patches;
@@ -48,6 +49,8 @@ struct FieldRecord {
   std::vector<std::string> components;  ///< {"xx","yy","xy","zz"}; empty for a scalar
   std::string unit;                     ///< label, may be empty
   Eigen::MatrixXd values;               ///< components x nodes
+  /// Names of the bodies that have the field, if not all have it; zeros stand for the others.
+  std::vector<std::string> bodies{};
 };
 
 /// Contact quantities of one pair along the contact face, at the face's control points and at its quadrature
@@ -70,7 +73,8 @@ struct ContactRecord {
 
 /// Raw values at the quadrature points of the volume.
 struct QuadratureRecord {
-  Eigen::MatrixXd positions;                  ///< dim x points, current configuration
+  Eigen::MatrixXd positions;                  ///< dim x points, current configuration, body after body
+  std::vector<int> numPoints;                 ///< of each body, if there are several
   std::map<std::string, FieldRecord> fields;  ///< `values` components x points
 };
 
@@ -81,7 +85,8 @@ struct ModelRecord {
   std::string sceneYaml;  ///< resolved scene, every default filled in
   int dim = 2;
   std::string lengthUnit, stressUnit;
-  MeshRecord mesh;  ///< of the undeformed body, at the start
+  MeshRecord mesh;                  ///< of the undeformed bodies, at the start
+  std::vector<std::string> bodies;  ///< their names; empty for one without a name
   std::vector<ToolRecord> tools;
   int subdivision = 4;
 };

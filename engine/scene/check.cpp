@@ -7,7 +7,7 @@ namespace burnish {
 void checkScene(const Scene& scene, const YamlNode& root, Diagnostics& errors) {
   const CheckContext context{scene, root, errors};
   checkDefinitions(context);
-  checkBody(context);
+  checkBodies(context);
   checkBoundary(context);
   checkMeasures(context);
   checkRezoning(context);

@@ -2,9 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "engine/core/nearest.h"
@@ -55,12 +55,13 @@ void checkSupportNames(const CheckContext& c) {
   if (c.scene.output.reactions) {
     for (const ToolSpec& tool : c.scene.tools) taken.insert(tool.name);
     for (const SceneMeasureSpec& measure : c.scene.measures) taken.insert(measure.name);
+    for (const BodySpec& body : c.scene.bodies) taken.insert(body.name);
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string path = fmt::format("supports[{}]", i);
     if (!taken.insert(names[i]).second && c.clean(path))
-      c.report(path, fmt::format("found the name {}, which another support, a tool or a measure has; "
-                                 "allowed: a name of its own (name: ...).",
+      c.report(path, fmt::format("found the name {}, which another support, a body, a tool or a measure "
+                                 "has; allowed: a name of its own (name: ...).",
                                  names[i]));
   }
 }
@@ -77,9 +78,11 @@ void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& l
   if (load.bodyForce.empty())
     checkFace(c, path, load.place);
   else if (!load.place.face.empty() || !load.place.part.empty() || !load.place.length.empty())
-    c.report(path, "found a face beside body_force; allowed: at most the patch on which it acts.");
+    c.report(path, "found a face beside body_force; allowed: at most the body and patch on which it acts.");
   else if (!load.place.patch.empty())
-    checkPatch(c, path + ".patch", load.place.patch);
+    checkPatch(c, path, load.place.body, load.place.patch);
+  else
+    checkBodyName(c, path, load.place.body);
   for (std::size_t d = 0; d < load.traction.size(); ++d)
     checkFormula(c, fmt::format("{}.traction[{}]", path, d), load.traction[d]);
   for (std::size_t d = 0; d < load.bodyForce.size(); ++d)
@@ -120,7 +123,7 @@ void checkFriction(const CheckContext& c, const ContactOptions& options, const s
 }
 
 void checkContact(const CheckContext& c, const std::vector<std::string>& toolNames) {
-  std::set<std::array<std::string, 3>> pairs;
+  std::set<std::tuple<std::string, std::size_t, std::string, std::string>> pairs;
   for (std::size_t i = 0; i < c.scene.contact.size(); ++i) {
     const ContactSpec& pair = c.scene.contact[i];
     const std::string path = fmt::format("contact[{}]", i);
@@ -135,7 +138,8 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
                                            didYouMean(pair.tool, toolNames)));
     checkGapLimit(c, pair, path + ".gap_limit");
     checkFriction(c, pair.options, path);
-    if (!pairs.insert({pair.tool, pair.place.patch, pair.place.face}).second)
+    if (!pairs.insert({pair.tool, c.scene.bodyNumber(pair.place.body), pair.place.patch, pair.place.face})
+             .second)
       c.report(path,
                fmt::format("found the pair of tool {} and face {} a second time; allowed: each pair once.",
                            pair.tool, pair.place.face));
@@ -143,14 +147,14 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
 }
 
 void checkSelfContact(const CheckContext& c) {
-  std::set<std::array<std::string, 2>> faces;
+  std::set<std::tuple<std::size_t, std::string, std::string>> faces;
   for (std::size_t i = 0; i < c.scene.selfContact.size(); ++i) {
     const FaceSpec& place = c.scene.selfContact[i].place;
     const std::string path = fmt::format("self_contact[{}]", i);
     if (c.dimensionIsKnown() && c.scene.dim() == 3)
       return c.report(path, "found in a scene of three dimensions; allowed: in two.");
     checkFace(c, path, place);
-    if (c.clean(path) && !faces.insert({place.patch, place.face}).second)
+    if (c.clean(path) && !faces.insert({c.scene.bodyNumber(place.body), place.patch, place.face}).second)
       c.report(path, fmt::format("found face {} a second time; allowed: each face once.", place.face));
   }
 }
@@ -158,7 +162,7 @@ void checkSelfContact(const CheckContext& c) {
 }  // namespace
 
 void checkFace(const CheckContext& c, const std::string& path, const FaceSpec& face, bool pointsToo) {
-  checkPatch(c, path + ".patch", face.patch);
+  checkPatch(c, path, face.body, face.patch);
   const std::string place = path + ".face";
   if (!c.dimensionIsKnown()) return;
   const int dim = c.scene.dim();

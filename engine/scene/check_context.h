@@ -17,15 +17,22 @@ struct CheckContext {
   void report(const std::string& path, const std::string& problem) const {
     errors.add(placeOf(root, path), path, problem);
   }
-  /// Whether the number of dimensions is known.
-  bool dimensionIsKnown() const {
-    return clean("geometry.shape") && clean("geometry.degrees") && clean("geometry.patches[0].shape") &&
-           clean("geometry.patches[0].degrees") && scene.dim() > 0;
+  /// Whether a key of a body, or what stands for it at the top of the scene, is clean.
+  bool cleanOf(std::size_t body, const std::string& key) const {
+    return clean(scene.bodyKey(body, key)) && clean(key);
   }
+  /// False for a list of bodies that is none.
+  bool bodiesAreRead() const { return !scene.bodies.empty() || root.find("bodies") == nullptr; }
+  /// Whether the number of dimensions is known.
+  bool dimensionIsKnown() const { return bodiesAreRead() && dimensionIsKnownOf(0); }
+  bool dimensionIsKnownOf(std::size_t body) const;
 };
 
-/// The patch of a scene by name: it exists, and is named if there are several.
-void checkPatch(const CheckContext& context, const std::string& path, const std::string& patch);
+/// The body by name, and its patch: they exist, and are named if there are several. path: of the mapping that
+/// holds both. Returns whether the body is known.
+bool checkBodyName(const CheckContext& context, const std::string& path, const std::string& body);
+void checkPatch(const CheckContext& context, const std::string& path, const std::string& body,
+                const std::string& patch);
 
 /// A face of a patch that the dimension has, and its part. pointsToo: of which begin and end may be alike.
 void checkFace(const CheckContext& context, const std::string& path, const FaceSpec& face,
@@ -41,14 +48,14 @@ void checkTimeFormula(const CheckContext& context, const std::string& path, cons
 /// Names and formulas of the definitions.
 void checkDefinitions(const CheckContext& context);
 
-/// The patches have one dimension; those of another one are not looked at any further.
+/// All patches of all bodies have one dimension; those of another one are not looked at any further.
 void checkPatchDimensions(const CheckContext& context);
 
-/// Shapes and meshes.
-void checkGeometry(const CheckContext& context);
+/// Shapes and meshes of a body.
+void checkGeometry(const CheckContext& context, std::size_t body);
 
-/// Geometry, basis and material.
-void checkBody(const CheckContext& context);
+/// Names of the bodies; geometry, basis and material of each.
+void checkBodies(const CheckContext& context);
 
 /// Tools; returns the names of those that could be read.
 std::vector<std::string> checkTools(const CheckContext& context);

@@ -53,9 +53,33 @@ void checkTimeFormula(const CheckContext& c, const std::string& path, const Form
                                         quoted(text.text), variable));
 }
 
-void checkPatch(const CheckContext& c, const std::string& path, const std::string& patch) {
-  if (!c.clean(path) || !c.clean("geometry")) return;
-  const auto* several = std::get_if<PatchesSpec>(&c.scene.geometry.shape);
+bool checkBodyName(const CheckContext& c, const std::string& at, const std::string& body) {
+  const std::string path = at + ".body";
+  if (!c.clean(path) || !c.bodiesAreRead()) return false;
+  if (c.scene.bodies.empty()) {
+    if (!body.empty())
+      c.report(path,
+               fmt::format("found {}, but the one body of the scene has no name; allowed: leave the key "
+                           "out.",
+                           body));
+    return body.empty();
+  }
+  if (body.empty() && c.scene.bodies.size() == 1) return true;
+  std::vector<std::string> names;
+  for (const BodySpec& spec : c.scene.bodies) names.push_back(spec.name);
+  if (std::ranges::find(names, body) != names.end()) return true;
+  c.report(path, fmt::format("{}; allowed: {}.{}", body.empty() ? "missing" : "found " + body,
+                             fmt::join(names, " | "), didYouMean(body, names)));
+  return false;
+}
+
+void checkPatch(const CheckContext& c, const std::string& at, const std::string& body,
+                const std::string& patch) {
+  const std::string path = at + ".patch";
+  if (!checkBodyName(c, at, body) || !c.clean(path)) return;
+  const std::size_t number = c.scene.bodyNumber(body);
+  if (!c.clean(c.scene.bodyKey(number, "geometry"))) return;
+  const auto* several = std::get_if<PatchesSpec>(&c.scene.allBodies()[number].geometry.shape);
   if (several == nullptr) {
     if (!patch.empty())
       c.report(path,

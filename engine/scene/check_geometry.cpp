@@ -17,11 +17,16 @@ namespace {
 /// would overflow a little later.
 constexpr double kMostFunctions = 500'000;
 
-/// Checks of one patch, whose keys are at `at`.
+/// Checks of one patch of a body, whose keys are at `at`.
 class PatchCheck {
  public:
-  PatchCheck(const CheckContext& c, std::string at, const MeshSpec& mesh)
-      : c_(c), at_(at), problems_(c.root, c.errors, std::move(at)), mesh_(mesh) {}
+  PatchCheck(const CheckContext& c, std::size_t body, std::string at, const MeshSpec& mesh)
+      : c_(c),
+        number_(body),
+        body_(c.scene.allBodies()[body]),
+        at_(at),
+        problems_(c.root, c.errors, std::move(at)),
+        mesh_(mesh) {}
 
   template <class Shape>
   void operator()(const Shape& shape);
@@ -46,6 +51,8 @@ class PatchCheck {
   void checkMesh(const std::vector<KnotVector>& shape);
 
   const CheckContext& c_;
+  std::size_t number_;
+  const BodySpec& body_;
   std::string at_;
   Problems problems_;
   const MeshSpec& mesh_;
@@ -61,21 +68,21 @@ void PatchCheck::operator()(const Shape& shape) {
 }
 
 void PatchCheck::checkArcDegree(const char* shape) const {
-  if (c_.scene.basis == BasisChoice::Nurbs && c_.scene.degree < 2 && c_.clean("degree"))
+  if (body_.basis == BasisChoice::Nurbs && body_.degree < 2 && c_.cleanOf(number_, "degree"))
     c_.report(
-        "degree",
+        c_.scene.bodyKey(number_, "degree"),
         fmt::format(
             "found {}; allowed for {} in NURBS: at least 2, a circular arc is a rational curve of degree 2.",
-            c_.scene.degree, shape));
+            body_.degree, shape));
 }
 
 void PatchCheck::checkNumberOfFunctions(std::size_t direction) const {
-  const int p = c_.scene.degree;
+  const int p = body_.degree;
   const int n = mesh_.functions[direction];
   if (n < p + 1)
     return reportEntry("functions", direction,
                        fmt::format("found {}; allowed: at least {}, the degree plus one.", n, p + 1));
-  if (c_.scene.basis == BasisChoice::Lagrange && (n - 1) % p != 0) {
+  if (body_.basis == BasisChoice::Lagrange && (n - 1) % p != 0) {
     const int elements = (n - 1) / p;
     reportEntry("functions", direction,
                 fmt::format("found {}; allowed for Lagrange elements of degree {}: a multiple of {} plus "
@@ -97,7 +104,7 @@ void PatchCheck::checkNamed(std::span<const int> degrees) {
     report("refine", "found refine, which divides the knot spans of a control net; allowed: spans.");
   if (!mesh_.functions.empty() && !mesh_.creases.empty() && clean("functions"))
     report("functions", "found functions beside creases, which add functions; allowed: spans.");
-  if (clean("functions") && c_.clean("degree") && c_.clean("basis"))
+  if (clean("functions") && c_.cleanOf(number_, "degree") && c_.cleanOf(number_, "basis"))
     for (std::size_t d = 0; d < mesh_.functions.size(); ++d) checkNumberOfFunctions(d);
   std::vector<KnotVector> shape;
   for (const int degree : degrees) shape.push_back(KnotVector::uniform(degree, 1));
@@ -126,24 +133,27 @@ void PatchCheck::checkMesh(const std::vector<KnotVector>& shape) {
   if (clean("creases")) checkCreases();
   for (const char* name : {"functions", "spans", "refine", "grading", "creases"})
     if (!clean(name)) return;
-  if (!c_.clean(at_) || !c_.clean("degree") || !c_.clean("basis") || !c_.clean("definitions")) return;
+  if (!c_.clean(at_) || !c_.cleanOf(number_, "degree") || !c_.cleanOf(number_, "basis") ||
+      !c_.clean("definitions"))
+    return;
   functions_ = 1.0;
   for (std::size_t d = 0; d < shape.size(); ++d)
-    functions_ *= static_cast<double>(shape[d].numSpans()) * partsOf(c_.scene, mesh_, d);
+    functions_ *= static_cast<double>(shape[d].numSpans()) * partsOf(body_, mesh_, d);
   if (functions_ > kMostFunctions) return;
   functions_ = 1.0;
   for (std::size_t d = 0; d < shape.size(); ++d) {
     try {
-      functions_ *= numFunctions(c_.scene, meshKnots(c_.scene, mesh_, d, shape[d]));
+      functions_ *= numFunctions(body_, meshKnots(body_, c_.scene.definitions, mesh_, d, shape[d]));
     } catch (const Error& problem) {
       reportEntry("grading", d, fmt::format("{}.", problem.what()));
     }
   }
 }
 
-void checkPatchNames(const CheckContext& c, const std::vector<PatchSpec>& patches) {
+/// at: path of the geometry.
+void checkPatchNames(const CheckContext& c, const std::string& at, const std::vector<PatchSpec>& patches) {
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const std::string path = fmt::format("geometry.patches[{}].name", i);
+    const std::string path = fmt::format("{}.patches[{}].name", at, i);
     const auto same = std::find_if(patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(i),
                                    [&](const PatchSpec& other) { return other.name == patches[i].name; });
     if (c.clean(path) && same != patches.begin() + static_cast<std::ptrdiff_t>(i))
@@ -154,26 +164,26 @@ void checkPatchNames(const CheckContext& c, const std::vector<PatchSpec>& patche
 }
 
 /// With several patches, keys of the mesh stand in each of them.
-void checkNoCommonMesh(const CheckContext& c) {
-  const MeshSpec& mesh = c.scene.geometry.mesh;
+void checkNoCommonMesh(const CheckContext& c, const std::string& at, const MeshSpec& mesh) {
   for (const auto& [name, empty] :
        {std::pair{"functions", mesh.functions.empty()}, std::pair{"spans", mesh.spans.empty()},
         std::pair{"refine", mesh.refine.empty()}, std::pair{"grading", mesh.grading.empty()},
         std::pair{"creases", mesh.creases.empty()}}) {
-    const std::string path = fmt::format("geometry.{}", name);
+    const std::string path = fmt::format("{}.{}", at, name);
     if (!empty && c.clean(path))
       c.report(path, fmt::format("found {} beside patches; allowed: in each of the patches.", name));
   }
 }
 
-double checkPatches(const CheckContext& c, const std::vector<PatchSpec>& patches) {
-  checkNoCommonMesh(c);
-  checkPatchNames(c, patches);
+double checkPatches(const CheckContext& c, std::size_t body, const std::string& at,
+                    const std::vector<PatchSpec>& patches) {
+  checkNoCommonMesh(c, at, c.scene.allBodies()[body].geometry.mesh);
+  checkPatchNames(c, at, patches);
   double functions = 0.0;
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const std::string path = fmt::format("geometry.patches[{}]", i);
+    const std::string path = fmt::format("{}.patches[{}]", at, i);
     if (!c.clean(path + ".shape")) continue;
-    PatchCheck check(c, path, patches[i].mesh);
+    PatchCheck check(c, body, path, patches[i].mesh);
     std::visit(check, patches[i].shape);
     functions += check.functions();
   }
@@ -181,38 +191,50 @@ double checkPatches(const CheckContext& c, const std::vector<PatchSpec>& patches
 }
 
 /// The key that says how fine a single shape is.
-std::string sizeKey(const MeshSpec& mesh) {
-  if (!mesh.spans.empty()) return "geometry.spans";
-  return mesh.functions.empty() ? "geometry.refine" : "geometry.functions";
+const char* sizeKey(const MeshSpec& mesh) {
+  if (!mesh.spans.empty()) return "spans";
+  return mesh.functions.empty() ? "refine" : "functions";
 }
 
 }  // namespace
 
+bool CheckContext::dimensionIsKnownOf(std::size_t body) const {
+  for (const char* key : {"shape", "degrees", "patches[0].shape", "patches[0].degrees"})
+    if (!clean(scene.bodyKey(body, fmt::format("geometry.{}", key)))) return false;
+  return dimensionOf(scene.allBodies()[body].geometry.shape) > 0;
+}
+
 void checkPatchDimensions(const CheckContext& c) {
-  const auto* body = std::get_if<PatchesSpec>(&c.scene.geometry.shape);
-  if (body == nullptr) return;
   const int dim = c.scene.dim();
-  for (std::size_t i = 1; i < body->patches.size(); ++i) {
-    const std::string path = fmt::format("geometry.patches[{}]", i);
-    const int found = dimensionOf(body->patches[i].shape);
+  const auto check = [&](const std::string& path, int found, const char* first) {
     if (c.clean(path + ".shape") && c.clean(path + ".degrees") && found > 0 && found != dim)
       c.report(path,
-               fmt::format("found a shape of {} dimensions; allowed: {} dimensions, as the first patch has.",
-                           found, dim));
+               fmt::format("found a shape of {} dimensions; allowed: {} dimensions, as the first {} has.",
+                           found, dim, first));
+  };
+  const auto bodies = c.scene.allBodies();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const std::string at = c.scene.bodyKey(k, "geometry");
+    if (k > 0 && c.dimensionIsKnownOf(k)) check(at, dimensionOf(bodies[k].geometry.shape), "body");
+    if (const auto* several = std::get_if<PatchesSpec>(&bodies[k].geometry.shape))
+      for (std::size_t i = 1; i < several->patches.size(); ++i)
+        check(fmt::format("{}.patches[{}]", at, i), dimensionOf(several->patches[i].shape), "patch");
   }
 }
 
-void checkGeometry(const CheckContext& c) {
-  if (!c.clean("geometry.shape")) return;
+void checkGeometry(const CheckContext& c, std::size_t body) {
+  const std::string at = c.scene.bodyKey(body, "geometry");
+  if (!c.clean(at + ".shape")) return;
+  const GeometrySpec& geometry = c.scene.allBodies()[body].geometry;
   double functions = 0.0;
-  std::string path = "geometry.patches";
-  if (const auto* body = std::get_if<PatchesSpec>(&c.scene.geometry.shape)) {
-    functions = checkPatches(c, body->patches);
+  std::string path = at + ".patches";
+  if (const auto* several = std::get_if<PatchesSpec>(&geometry.shape)) {
+    functions = checkPatches(c, body, at, several->patches);
   } else {
-    PatchCheck check(c, "geometry", c.scene.geometry.mesh);
-    std::visit(check, c.scene.geometry.shape);
+    PatchCheck check(c, body, at, geometry.mesh);
+    std::visit(check, geometry.shape);
     functions = check.functions();
-    path = sizeKey(c.scene.geometry.mesh);
+    path = fmt::format("{}.{}", at, sizeKey(geometry.mesh));
   }
   if (functions > kMostFunctions && c.clean(path))
     c.report(path, fmt::format("found {:.3g} basis functions in all; allowed: at most {:.0f}.", functions,

@@ -8,8 +8,11 @@ namespace burnish {
 namespace {
 
 /// A field of another material.
-void checkMaterialField(const CheckContext& c, const std::string& path, const std::string& field) {
-  if (const std::string why = whyWithout(c.scene.material, field); !why.empty())
+void checkMaterialField(const CheckContext& c, const std::string& path, const std::string& body,
+                        const std::string& field) {
+  const std::size_t number = c.scene.bodyNumber(body);
+  if (!c.bodiesAreRead() || !c.clean(path) || !c.clean(c.scene.bodyKey(number, "material"))) return;
+  if (const std::string why = whyWithout(c.scene.allBodies()[number].material, field); !why.empty())
     c.report(path, fmt::format("found {}, but {}; allowed here: another field.", field, why));
 }
 
@@ -17,9 +20,12 @@ void checkKind(const CheckContext& c, const std::string& path, const PointMeasur
   if (point.parameters.empty() == point.position.empty() && c.clean(path))
     c.report(path, fmt::format("found {}; allowed: exactly one of parameters and position.",
                                point.position.empty() ? "neither parameters nor position" : "both"));
-  if (!point.patch.empty() || point.position.empty()) checkPatch(c, path + ".patch", point.patch);
+  if (!point.patch.empty() || point.position.empty())
+    checkPatch(c, path, point.body, point.patch);
+  else
+    checkBodyName(c, path, point.body);
   for (std::size_t k = 0; k < point.fields.size(); ++k)
-    checkMaterialField(c, fmt::format("{}.fields[{}]", path, k), point.fields[k]);
+    checkMaterialField(c, fmt::format("{}.fields[{}]", path, k), point.body, point.fields[k]);
 }
 
 void checkKind(const CheckContext& c, const std::string& path, const FaceMeasureSpec& face) {
@@ -27,6 +33,7 @@ void checkKind(const CheckContext& c, const std::string& path, const FaceMeasure
 }
 
 void checkKind(const CheckContext& c, const std::string& path, const ErrorMeasureSpec& error) {
+  checkBodyName(c, path, error.body);
   for (std::size_t d = 0; d < error.displacement.size(); ++d)
     checkFormula(c, fmt::format("{}.displacement[{}]", path, d), error.displacement[d]);
 }
@@ -40,8 +47,8 @@ void checkKind(const CheckContext& c, const std::string& path, const ExtentMeasu
 }
 
 void checkKind(const CheckContext& c, const std::string& path, const PercentileMeasureSpec& percentile) {
-  if (c.clean(path + ".field") && c.clean("material"))
-    checkMaterialField(c, path + ".field", percentile.field);
+  checkBodyName(c, path, percentile.body);
+  checkMaterialField(c, path + ".field", percentile.body, percentile.field);
 }
 
 }  // namespace
@@ -49,12 +56,13 @@ void checkKind(const CheckContext& c, const std::string& path, const PercentileM
 void checkMeasures(const CheckContext& c) {
   std::set<std::string> names;
   for (const auto& tool : c.scene.tools) names.insert(tool.name);
+  for (const auto& body : c.scene.bodies) names.insert(body.name);
   for (std::size_t k = 0; k < c.scene.measures.size(); ++k) {
     const auto& measure = c.scene.measures[k];
     const std::string path = fmt::format("measures[{}]", k);
     if (c.clean(path + ".name") && !names.insert(measure.name).second)
       c.report(path + ".name",
-               fmt::format("found {}, the name of another measure or tool; allowed: a name of its own.",
+               fmt::format("found {}, the name of another measure, body or tool; allowed: a name of its own.",
                            measure.name));
     if (c.clean(path + ".kind"))
       std::visit([&](const auto& kind) { checkKind(c, path, kind); }, measure.kind);

@@ -51,10 +51,15 @@ void checkRezoning(const CheckContext& c) {
   if (!c.scene.rezoning || !c.clean("rezoning")) return;
   if (c.dimensionIsKnown() && c.scene.dim() == 3)
     return c.report("rezoning", "found in a scene of three dimensions; allowed: in two.");
-  if (std::holds_alternative<PatchesSpec>(c.scene.geometry.shape))
+  if (c.scene.allBodies().size() > 1)
+    return c.report("rezoning", fmt::format("found in a scene of {} bodies; allowed: in a scene of one body.",
+                                            c.scene.bodies.size()));
+  const GeometrySpec& geometry = c.scene.allBodies().front().geometry;
+  const auto key = [&](const char* name) { return c.scene.bodyKey(0, name); };
+  if (std::holds_alternative<PatchesSpec>(geometry.shape))
     return c.report("rezoning", "found for a body of several patches; allowed: a body of one.");
-  refuse(c, hasCreases(c.scene.geometry), "geometry.creases", "creases, which new meshes would lose,");
-  refuse(c, hasRepeatedKnots(c.scene.geometry), "geometry.knots",
+  refuse(c, hasCreases(geometry), key("geometry.creases"), "creases, which new meshes would lose,");
+  refuse(c, hasRepeatedKnots(geometry), key("geometry.knots"),
          "knots that are repeated inside, whose corners new meshes would lose,");
   refuse(c, !c.scene.loads.empty(), "loads", "loads");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {

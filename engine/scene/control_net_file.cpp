@@ -102,19 +102,29 @@ void complete(YamlNode& shape, const std::string& path, const std::filesystem::p
     insertFile(shape, path, directory, errors);
 }
 
+/// The geometry of a body whose keys begin with `prefix`.
+void completeGeometry(YamlNode& body, const std::string& prefix, const std::filesystem::path& directory,
+                      Diagnostics& errors) {
+  YamlNode* geometry = child(body, "geometry");
+  if (geometry == nullptr) return;
+  complete(*geometry, prefix + "geometry", directory, errors);
+  YamlNode* patches = child(*geometry, "patches");
+  if (patches == nullptr || patches->kind != YamlNode::Kind::Sequence) return;
+  for (std::size_t i = 0; i < patches->children.size(); ++i)
+    complete(patches->children[i], fmt::format("{}geometry.patches[{}]", prefix, i), directory, errors);
+}
+
 }  // namespace
 
 void insertControlNetFiles(YamlNode& root, const std::filesystem::path& directory, Diagnostics& errors) {
   forEachToolShape(root, [&](YamlNode& tool, const std::string& path) {
     complete(tool, path, directory, errors, isNetOfTool);
   });
-  YamlNode* geometry = child(root, "geometry");
-  if (geometry == nullptr) return;
-  complete(*geometry, "geometry", directory, errors);
-  YamlNode* patches = child(*geometry, "patches");
-  if (patches == nullptr || patches->kind != YamlNode::Kind::Sequence) return;
-  for (std::size_t i = 0; i < patches->children.size(); ++i)
-    complete(patches->children[i], fmt::format("geometry.patches[{}]", i), directory, errors);
+  completeGeometry(root, "", directory, errors);
+  YamlNode* bodies = child(root, "bodies");
+  if (bodies == nullptr || bodies->kind != YamlNode::Kind::Sequence) return;
+  for (std::size_t k = 0; k < bodies->children.size(); ++k)
+    completeGeometry(bodies->children[k], fmt::format("bodies[{}].", k), directory, errors);
 }
 
 }  // namespace burnish

@@ -56,21 +56,21 @@ bool areEqual(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-int partsOf(const Scene& scene, const MeshSpec& mesh, std::size_t direction) {
+int partsOf(const BodySpec& body, const MeshSpec& mesh, std::size_t direction) {
   if (!mesh.spans.empty()) return mesh.spans[direction];
   if (!mesh.refine.empty()) return mesh.refine[direction];
   if (mesh.functions.empty()) return 1;
   const int functions = mesh.functions[direction];
-  return scene.basis == BasisChoice::Nurbs ? functions - scene.degree : (functions - 1) / scene.degree;
+  return body.basis == BasisChoice::Nurbs ? functions - body.degree : (functions - 1) / body.degree;
 }
 
-KnotVector meshKnots(const Scene& scene, const MeshSpec& mesh, std::size_t direction,
-                     const KnotVector& shape) {
-  const int parts = partsOf(scene, mesh, direction);
+KnotVector meshKnots(const BodySpec& body, const std::vector<DefinitionSpec>& definitions,
+                     const MeshSpec& mesh, std::size_t direction, const KnotVector& shape) {
+  const int parts = partsOf(body, mesh, direction);
   std::vector<double> fractions = equalFractions(parts);
   if (!mesh.grading.empty()) {
     const FormulaText& text = mesh.grading[direction];
-    const auto graded = gradedFractions(text, scene.definitions, parts);
+    const auto graded = gradedFractions(text, definitions, parts);
     if (shape.numSpans() > 1 && !areEqual(graded, fractions))
       throw Error(
           fmt::format("found {}, but the control net has {} knot spans in this direction, not one to be "
@@ -78,12 +78,12 @@ KnotVector meshKnots(const Scene& scene, const MeshSpec& mesh, std::size_t direc
                       quoted(text.text), shape.numSpans()));
     fractions = graded;
   }
-  KnotVector knots = divided(elevated(shape, std::max(scene.degree - shape.degree(), 0)), fractions);
+  KnotVector knots = divided(elevated(shape, std::max(body.degree - shape.degree(), 0)), fractions);
   return mesh.creases.empty() ? knots : creased(knots, mesh.creases[direction]);
 }
 
-int numFunctions(const Scene& scene, const KnotVector& knots) {
-  return scene.basis == BasisChoice::Nurbs ? knots.numFunctions() : knots.numSpans() * scene.degree + 1;
+int numFunctions(const BodySpec& body, const KnotVector& knots) {
+  return body.basis == BasisChoice::Nurbs ? knots.numFunctions() : knots.numSpans() * body.degree + 1;
 }
 
 }  // namespace burnish

@@ -1,5 +1,9 @@
 #include "engine/scene/scene.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "engine/scene/dimension.h"
 
 namespace burnish {
@@ -9,7 +13,20 @@ int dimensionOf(const PatchesSpec& body) {
 }
 
 int Scene::dim() const {
-  return dimensionOf(geometry.shape);
+  return dimensionOf(allBodies().front().geometry.shape);
+}
+
+std::span<const BodySpec> Scene::allBodies() const {
+  return bodies.empty() ? std::span(&body, 1) : std::span(bodies);
+}
+
+std::size_t Scene::bodyNumber(const std::string& name) const {
+  const auto found = std::ranges::find(bodies, name, &BodySpec::name);
+  return found == bodies.end() ? 0 : static_cast<std::size_t>(found - bodies.begin());
+}
+
+std::string Scene::bodyKey(std::size_t number, const std::string& key) const {
+  return bodies.empty() ? key : fmt::format("bodies[{}].{}", number, key);
 }
 
 }  // namespace burnish

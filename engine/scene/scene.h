@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -58,11 +59,23 @@ struct GeometrySpec {
   MeshSpec mesh;  ///< unused with several patches, which have their own
 };
 
+/// What is a body's own.
+struct BodySpec {
+  std::string name;  ///< empty for the one body of a scene without `bodies`
+  BasisChoice basis = BasisChoice::Nurbs;
+  int degree = 2;  ///< control nets of lower degree are raised to it
+  Formulation formulation = Formulation::Displacement;
+  std::optional<int> quadraturePoints;  ///< per span and direction; degree + 1 when left out
+  GeometrySpec geometry;
+  MaterialParameters material;
+};
+
 /// A face of a patch, or a part of it.
 struct FaceSpec {
-  std::string patch;             ///< name; may be left out for a body of one patch
-  std::string face;              ///< left, right, bottom, top, back, front
-  std::vector<double> part;      ///< begin and end in [0, 1] per direction of the face; all of it when empty
+  std::string body{};            ///< name; may be left out in a scene of one body
+  std::string patch{};           ///< name; may be left out for a body of one patch
+  std::string face{};            ///< left, right, bottom, top, back, front
+  std::vector<double> part{};    ///< begin and end in [0, 1] per direction of the face; all of it when empty
   std::vector<double> length{};  ///< instead of `part`: begin and end along the undeformed face (2D)
 };
 
@@ -84,7 +97,7 @@ struct SupportSpec {
 /// Exactly one of `traction`, `pressure`, `shear`, each on a face, and `bodyForce`; scaled by the schedule (1
 /// when left out).
 struct LoadSpec {
-  FaceSpec place;                       ///< for a body force at most the patch
+  FaceSpec place;                       ///< for a body force at most the body and its patch
   std::vector<FormulaText> traction;    ///< dead: force per reference area
   std::optional<FormulaText> pressure;  ///< follows the face: force per current area against its normal
   std::optional<FormulaText> shear;     ///< follows the face: force per current area along it (2D)
@@ -120,6 +133,7 @@ struct OutputSpec {
 
 /// Displacement and projected fields at a material point: columns NAME.ux, NAME.stress_xx, ...
 struct PointMeasureSpec {
+  std::string body;
   std::string patch;
   std::vector<double> parameters;  ///< in [0, 1] per direction; or
   std::vector<double> position;    ///< reference coordinates
@@ -134,6 +148,7 @@ struct FaceMeasureSpec {
 
 /// Relative errors against an exact displacement: columns NAME.L2, NAME.H1 (of the gradient).
 struct ErrorMeasureSpec {
+  std::string body;
   std::vector<FormulaText> displacement;
 };
 
@@ -152,6 +167,7 @@ struct ExtentMeasureSpec {
 
 /// The value below which a field is in a share of the body's volume: column NAME.value.
 struct PercentileMeasureSpec {
+  std::string body;
   std::string field;
   double share = 0.999;
 };
@@ -187,14 +203,13 @@ struct ScenePlaces;
 struct Scene {
   std::string title;
   UnitsSpec units;
-  BasisChoice basis = BasisChoice::Nurbs;
-  int degree = 2;  ///< control nets of lower degree are raised to it
-  KinematicsChoice kinematics = KinematicsChoice::PlaneStrain;  ///< of a body of two dimensions
-  Formulation formulation = Formulation::Displacement;
-  std::optional<int> quadraturePoints;  ///< of the body, per span and direction; degree + 1 when left out
+  KinematicsChoice kinematics = KinematicsChoice::PlaneStrain;  ///< of bodies of two dimensions
   std::vector<DefinitionSpec> definitions;
-  GeometrySpec geometry;
-  MaterialParameters material;
+
+  /// The body of a scene without `bodies`; else what these take for basis, degree, formulation and quadrature
+  /// points that they do not have.
+  BodySpec body;
+  std::vector<BodySpec> bodies;
   std::vector<SupportSpec> supports;
   std::vector<LoadSpec> loads;
   std::vector<ToolSpec> tools;
@@ -213,8 +228,17 @@ struct Scene {
       resolvedYaml;  ///< the whole scene with every default, as YAML that reads back to the same scene
   std::shared_ptr<const ScenePlaces> places;  ///< of the keys in the source; none for a scene made in code
 
-  /// 2 or 3, from the geometry.
+  /// 2 or 3, from the geometry of the first body.
   int dim() const;
+
+  /// All bodies, those of `bodies` or the one without a name.
+  std::span<const BodySpec> allBodies() const;
+
+  /// Place of a body in the list of all by its name; the first one for an empty or unknown name.
+  std::size_t bodyNumber(const std::string& name) const;
+
+  /// Path of a key of a body: "geometry", or "bodies[1].geometry".
+  std::string bodyKey(std::size_t body, const std::string& key) const;
 };
 
 }  // namespace burnish

@@ -51,11 +51,29 @@ std::vector<int> netDegrees(const GeometrySpec& geometry) {
 
 /// A body of control nets that is given no degree: NURBS as they are, of which none is raised to the lowest
 /// degree, Lagrange elements of the highest.
-void takeDegree(Scene& scene, const YamlNode& root) {
-  const auto degrees = netDegrees(scene.geometry);
-  if (root.find("degree") != nullptr || degrees.empty()) return;
+void takeDegreeOfNets(BodySpec& body) {
+  const auto degrees = netDegrees(body.geometry);
+  if (degrees.empty()) return;
   const auto [lowest, highest] = std::minmax_element(degrees.begin(), degrees.end());
-  scene.degree = scene.basis == BasisChoice::Nurbs ? *lowest : *highest;
+  body.degree = body.basis == BasisChoice::Nurbs ? *lowest : *highest;
+}
+
+/// What follows for a body from what the scene says of all. keys: of the body in the scene's tree.
+void takeDefaults(BodySpec& body, const BodySpec& common, const YamlNode& keys, const YamlNode& root) {
+  if (keys.find("basis") == nullptr) body.basis = common.basis;
+  if (keys.find("formulation") == nullptr) body.formulation = common.formulation;
+  if (!body.quadraturePoints) body.quadraturePoints = common.quadraturePoints;
+  if (keys.find("degree") != nullptr) return;
+  body.degree = common.degree;
+  if (root.find("degree") == nullptr) takeDegreeOfNets(body);
+}
+
+void takeDefaults(Scene& scene, const YamlNode& root) {
+  if (const YamlNode* list = root.find("bodies"); list != nullptr)
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k)
+      takeDefaults(scene.bodies[k], scene.body, list->children[k], root);
+  else if (root.find("degree") == nullptr)
+    takeDegreeOfNets(scene.body);
 }
 
 void checkDimensions(const std::vector<DimensionedList>& lists, int dim, Diagnostics& errors) {
@@ -74,7 +92,7 @@ SceneReading::SceneReading(const std::string& yaml, std::string name,
     : name_(std::move(name)), errors_(name_, overrides), root_(readTree(yaml, name_, overrides, errors_)) {}
 
 void SceneReading::check(Scene& scene) {
-  takeDegree(scene, root_);
+  takeDefaults(scene, root_);
   if (const CheckContext context{scene, root_, errors_}; context.dimensionIsKnown()) {
     checkPatchDimensions(context);
     checkDimensions(dimensioned_, scene.dim(), errors_);

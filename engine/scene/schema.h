@@ -40,31 +40,77 @@ void describe(Visitor& v, UnitsSpec& s) {
   v.field("stress", s.stress, {.longest = kLongestShownText}, "Label of the unit of stress.");
 }
 
+/// A key of a body that may have its value from elsewhere: a list of keys names no default then.
+template <class Visitor, class T>
+void describeInherited(Visitor& v, const char* key, T& value, const Rule& rule, const char* sentence,
+                       bool inherits) {
+  if constexpr (requires { Visitor::declares; }) {
+    std::optional<T> none;
+    if (inherits) return v.field(key, none, rule, sentence);
+  }
+  v.field(key, value, rule, sentence);
+}
+
+/// inherits: from what the scene says of all bodies.
+template <class Visitor>
+void describeBasis(Visitor& v, BodySpec& s, bool inherits = false) {
+  describeInherited(v, "basis", s.basis, {},
+                    "Basis functions of the body: NURBS, or Lagrange elements that are continuous only.",
+                    inherits);
+  describeInherited(
+      v, "degree", s.degree, {.atLeast = 1, .atMost = 10},
+      "Polynomial degree in every direction. Control nets of a lower degree are raised to it; a body of "
+      "nets alone keeps theirs when the key is left out.",
+      inherits);
+}
+
+template <class Visitor>
+void describeIntegration(Visitor& v, BodySpec& s, bool inherits = false) {
+  describeInherited(
+      v, "formulation", s.formulation, {},
+      "displacement alone, or fbar: with a projected change of volume, which does not lock when the "
+      "material is nearly incompressible.",
+      inherits);
+  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
+          "Gauss points of the body per knot span and direction; the degree plus one when left out.");
+}
+
+/// unless: key that may stand in place of these two.
+template <class Visitor>
+void describeMatter(Visitor& v, BodySpec& s, const std::string& unless = {}) {
+  v.field("geometry", s.geometry, {.required = true, .unless = unless},
+          "Shape and mesh of the body; its dimension is the scene's.");
+  v.field("material", s.material, {.required = true, .unless = unless}, "Material of the body.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, BodySpec& s) {
+  v.field("name", s.name, {.required = true, .identifier = true},
+          "Name for supports, loads, contact, measures and results; unlike those of other bodies, tools and "
+          "measures.");
+  describeBasis(v, s, true);
+  describeIntegration(v, s, true);
+  describeMatter(v, s);
+}
+
 /// The keys of a scene up to its output.
 template <class Visitor>
 void describeSimulation(Visitor& v, Scene& s) {
   v.field("title", s.title, {.longest = kLongestShownText},
           "What the scene is about, shown in pictures and summaries.");
   v.field("units", s.units, {}, "Labels of the consistent units that the numbers of the scene are in.");
-  v.field("basis", s.basis, {},
-          "Basis functions of the body: NURBS, or Lagrange elements that are continuous only.");
-  v.field("degree", s.degree, {.atLeast = 1, .atMost = 10},
-          "Polynomial degree in every direction. Control nets of a lower degree are raised to it; a body of "
-          "nets alone keeps theirs when the key is left out.");
+  describeBasis(v, s.body);
   v.field("kinematics", s.kinematics, {},
           "Of a body of two dimensions; axisymmetric: x is the radius, y the axis, forces are those of the "
           "whole ring.");
-  v.field("formulation", s.formulation, {},
-          "displacement alone, or fbar: with a projected change of volume, which does not lock when the "
-          "material is nearly incompressible.");
-  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
-          "Gauss points of the body per knot span and direction; the degree plus one when left out.");
+  describeIntegration(v, s.body);
   v.field("definitions", s.definitions, {},
           "Names for formulas in X, Y, Z and t, to be used in the formulas of the scene; each may use those "
           "before it.");
-  v.field("geometry", s.geometry, {.required = true},
-          "Shape and mesh of the body; its dimension is the scene's.");
-  v.field("material", s.material, {.required = true}, "Material of the body.");
+  if (s.bodies.empty()) describeMatter(v, s.body, "bodies");
+  v.field("bodies", s.bodies, {.minEntries = 1},
+          "Several bodies instead of geometry and material. What one of them does not say of basis, degree, "
+          "formulation and quadrature_points is that of the scene.");
   v.field("supports", s.supports, {}, "Where the body is held or moved, face by face.");
   v.field("loads", s.loads, {}, "Tractions and pressures on faces of the body, and body forces.");
   v.field("tools", s.tools, {}, "Rigid tools with their motion.");

@@ -9,6 +9,7 @@ inline std::vector<std::string> faceNames() {
   return {"left", "right", "bottom", "top", "back", "front"};
 }
 
+inline constexpr const char* kBodySentence = "Name of the body; to be left out if there is only one.";
 inline constexpr const char* kPatchSentence = "Name of the patch; to be left out if there is only one.";
 inline constexpr const char* kFaceSentence =
     "Face of the patch: left and right end the first direction, bottom and top the second, back and front "
@@ -20,6 +21,7 @@ inline constexpr const char* kPartSentence =
 /// A whole face.
 template <class Visitor>
 void describeFace(Visitor& v, FaceSpec& s) {
+  v.field("body", s.body, {.identifier = true}, kBodySentence);
   v.field("patch", s.patch, {.identifier = true}, kPatchSentence);
   v.field("face", s.face, {.required = true, .choices = faceNames()}, kFaceSentence);
 }
@@ -62,6 +64,7 @@ void describe(Visitor& v, SupportSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, LoadSpec& s) {
+  v.field("body", s.place.body, {.identifier = true}, kBodySentence);
   v.field("patch", s.place.patch, {.identifier = true}, kPatchSentence);
   v.field("face", s.place.face, {.choices = faceNames()}, kFaceSentence);
   describePart(v, s.place);
@@ -74,7 +77,7 @@ void describe(Visitor& v, LoadSpec& s) {
       "shear", s.shear, {.unit = "stress"},
       "Force per area of the deformed face along it, in the direction of its parameter (two dimensions).");
   v.field("body_force", s.bodyForce, {.perDimension = true, .unit = "stress per length"},
-          "Force per undeformed volume, on all patches or the named one; needs no face.");
+          "Force per undeformed volume, on all patches of the body or the named one; needs no face.");
   v.field("schedule", s.schedule, {}, "Factor over time; 1 when left out.");
 }
 

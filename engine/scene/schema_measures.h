@@ -25,6 +25,7 @@ inline std::vector<std::string> joined(const std::vector<std::vector<std::string
 
 template <class Visitor>
 void describe(Visitor& v, PointMeasureSpec& s) {
+  v.field("body", s.body, {.identifier = true}, kBodySentence);
   v.field("patch", s.patch, {.identifier = true}, kPatchSentence);
   v.field("parameters", s.parameters, {.atLeast = 0, .atMost = 1, .perDimension = true},
           "Place of the point in the patch, from 0 to 1 in each direction; give either this or position.");
@@ -43,6 +44,7 @@ void describe(Visitor& v, FaceMeasureSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, ErrorMeasureSpec& s) {
+  v.field("body", s.body, {.identifier = true}, kBodySentence);
   v.field("displacement", s.displacement, {.required = true, .perDimension = true, .unit = "length"},
           "The exact displacement, formulas in X, Y, Z and t.");
 }
@@ -63,6 +65,7 @@ void describe(Visitor& v, ExtentMeasureSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, PercentileMeasureSpec& s) {
+  v.field("body", s.body, {.identifier = true}, kBodySentence);
   v.field("field", s.field,
           {.required = true, .choices = joined({materialScalarNames(), {"von_mises", "pressure"}})},
           "Field at the quadrature points.");

@@ -52,6 +52,8 @@ struct Underlying<T> : Underlying<typename ListTraits<T>::Item> {};
 /// Visitor that collects the keys of a struct, every alternative of a variant included.
 class DeclarationCollector {
  public:
+  static constexpr bool declares = true;
+
   explicit DeclarationCollector(Declarations& out) : out_(out) {}
 
   template <class T>

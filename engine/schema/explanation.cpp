@@ -114,9 +114,11 @@ std::string explanation(const Declaration& key) {
   std::string text = fmt::format("  {}\n", key.sentence);
   text += row("allowed", key.allowed);
   if (!key.rule.unit.empty()) text += row("unit", key.rule.unit);
-  text += row("default", key.rule.required  ? "none, the key is required"
-                         : key.defaultValue ? *key.defaultValue
-                                            : "none, the key may be left out");
+  text += row("default", key.rule.required && !key.rule.unless.empty()
+                             ? fmt::format("none, the key is required unless there are {}", key.rule.unless)
+                         : key.rule.required ? "none, the key is required"
+                         : key.defaultValue  ? *key.defaultValue
+                                             : "none, the key may be left out");
   text += alternativesText(key);
   if (!key.below.empty()) text += "  keys\n";
   for (const Declaration& below : key.below)

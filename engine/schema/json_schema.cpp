@@ -5,6 +5,8 @@
 #include <json/writer.h>
 #include <yaml-cpp/yaml.h>
 
+#include <map>
+
 namespace burnish {
 namespace {
 
@@ -119,11 +121,26 @@ Json::Value emptyMapping() {
   return schema;
 }
 
+/// Keys that are required unless another one stands in their place.
+void addReplaced(Json::Value& schema, const Declarations& keys) {
+  std::map<std::string, Json::Value> replaced;
+  for (const Declaration& key : keys)
+    if (key.rule.required && !key.rule.unless.empty()) replaced[key.rule.unless].append(key.key);
+  for (const auto& [instead, required] : replaced) {
+    Json::Value with, without;
+    with["required"].append(instead);
+    without["required"] = required;
+    schema["anyOf"].append(without);
+    schema["anyOf"].append(with);
+  }
+}
+
 void addKeys(Json::Value& schema, const Declarations& keys) {
   for (const Declaration& key : keys) {
     schema["properties"][key.key] = valueSchema(key);
-    if (key.rule.required) schema["required"].append(key.key);
+    if (key.rule.required && key.rule.unless.empty()) schema["required"].append(key.key);
   }
+  addReplaced(schema, keys);
 }
 
 /// The keys of an alternative when it is chosen; the common ones, which are described outside, may stand

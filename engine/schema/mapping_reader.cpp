@@ -17,7 +17,8 @@ bool isNumberBehindAComma(const YamlNode& child) {
 const YamlNode* MappingReader::look(const char* key, const Rule& rule, const std::string& allowed) {
   known_.emplace_back(key);
   const YamlNode* node = node_.find(key);
-  if (node == nullptr && rule.required)
+  const bool isReplaced = !rule.unless.empty() && node_.find(rule.unless) != nullptr;
+  if (node == nullptr && rule.required && !isReplaced)
     errors_.add(node_.place, pathOf(key), fmt::format("missing; required: {}.", allowed));
   return node;
 }

@@ -9,6 +9,7 @@ namespace burnish {
 /// What a value of a scene may be, beside its type. For a list of numbers the range holds for every entry.
 struct Rule {
   bool required = false;
+  std::string unless{};  ///< key of the same mapping that may stand in place of this one, if that is required
   std::optional<double> above{}, atLeast{};  ///< lower bound, exclusive or inclusive
   std::optional<double> below{}, atMost{};   ///< upper bound, exclusive or inclusive
   bool increasing = false;                   ///< a list of numbers, each greater than the one before

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "engine/nurbs/patch.h"
@@ -9,7 +10,8 @@
 namespace burnish {
 
 /// A body as one or more patches with a common numbering of its control points ("nodes"). Displacement
-/// component d of node a is unknown number Dim * a + d.
+/// component d of node a is unknown number Dim * a + d. Where several bodies are computed together the numbers
+/// are counted on from body to body, and `numNodes` counts the nodes of all.
 template <int Dim>
 struct Body {
   std::vector<Patch<Dim>> patches;
@@ -30,8 +32,11 @@ struct Body {
     return axisymmetric ? 2.0 * std::numbers::pi * X(0) : 1.0;
   }
 
-  /// Reference positions of the nodes, Dim x nodes.
+  /// Reference positions of the nodes, Dim x nodes; zero for nodes of other bodies.
   Eigen::MatrixXd nodePositions() const;
+
+  /// Its own nodes: the first one and the one behind the last.
+  std::pair<int, int> nodeRange() const;
 
   /// Largest extent of the bounding box of the control points: the length L of all tolerances.
   double size() const;
@@ -40,5 +45,14 @@ struct Body {
 /// A body of one patch; nodes are numbered like its functions.
 template <int Dim>
 Body<Dim> makeBody(Patch<Dim> patch);
+
+/// Bodies that know their own nodes alone, numbered together: node numbers of each follow those of the one
+/// before.
+template <int Dim>
+void numberTogether(std::vector<Body<Dim>>& bodies);
+
+/// All patches of bodies that are numbered together, body after body.
+template <int Dim>
+Body<Dim> unitedBody(const std::vector<Body<Dim>>& bodies);
 
 }  // namespace burnish

@@ -5,20 +5,27 @@
 namespace burnish {
 
 template <int Dim>
-Stabilisation<Dim>::Stabilisation(const SpanQuadrature<Dim>& quadrature, const Drag& drag)
+Stabilisation<Dim>::Stabilisation(int numNodes, const Drag& drag)
     : drag_(drag),
-      masses_(Eigen::VectorXd::Zero(quadrature.numNodes())),
-      x_(Eigen::VectorXd::Zero(Dim * quadrature.numNodes())),
+      viscosities_(Eigen::VectorXd::Zero(numNodes)),
+      masses_(Eigen::VectorXd::Zero(numNodes)),
+      x_(Eigen::VectorXd::Zero(Dim * numNodes)),
       time_(drag.start),
       step_(drag.end),
       trial_(x_),
-      trialTime_(time_) {
-  for (const auto& span : quadrature.spans()) masses_(span.nodes) += span.R * span.weights;
+      trialTime_(time_) {}
+
+template <int Dim>
+void Stabilisation<Dim>::hold(const SpanQuadrature<Dim>& quadrature, double viscosity) {
+  for (const auto& span : quadrature.spans()) {
+    masses_(span.nodes) += span.R * span.weights;
+    viscosities_(span.nodes).setConstant(viscosity);
+  }
 }
 
 template <int Dim>
-double Stabilisation<Dim>::viscosity(double t) const {
-  return drag_.viscosity * std::clamp(1.0 - t / drag_.end, kRemainder, 1.0);
+double Stabilisation<Dim>::viscosity(Eigen::Index node, double t) const {
+  return viscosities_(node) * std::clamp(1.0 - t / drag_.end, kRemainder, 1.0);
 }
 
 template <int Dim>
@@ -36,7 +43,7 @@ bool Stabilisation<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& 
   force_ = 0.0;
   work_ = 0.0;
   for (Eigen::Index i = 0; i < x_.size(); ++i) {
-    const double stiffness = viscosity(t) * masses_(i / Dim) / step;
+    const double stiffness = viscosity(i / Dim, t) * masses_(i / Dim) / step;
     const double way = trial_(i) - x_(i);
     out.force(i) += stiffness * way;
     force_ += std::abs(stiffness * way);

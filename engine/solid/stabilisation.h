@@ -8,20 +8,23 @@ namespace burnish {
 
 /// A drag that holds a body which only contact holds, until that does. A node a that moves by Δu in a step of
 /// length Δt is held back by η(t) m_a Δu / Δt with m_a = ∫ R_a dV; η falls linearly to a small remainder,
-/// which keeps the tangent regular in directions that no contact resists.
+/// which keeps the tangent regular in directions that no contact resists. Bodies have viscosities of their own.
 template <int Dim>
 class Stabilisation final : public Term {
  public:
   struct Drag {
-    double viscosity = 0.0;  ///< η at the start: stress times time per length²
-    double start = 0.0;      ///< time of the body's first state
-    double end = 0.0;        ///< > 0: time from which on the remainder is left
+    double start = 0.0;  ///< time of the first state
+    double end = 0.0;    ///< > 0: time from which on the remainder is left
   };
 
   /// Share of the viscosity that is left at the end.
   static constexpr double kRemainder = 1e-3;
 
-  Stabilisation(const SpanQuadrature<Dim>& quadrature, const Drag& drag);
+  /// numNodes: of all bodies.
+  Stabilisation(int numNodes, const Drag& drag);
+
+  /// Holds a body. viscosity: η at the start, stress times time per length².
+  void hold(const SpanQuadrature<Dim>& quadrature, double viscosity);
 
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
@@ -34,12 +37,13 @@ class Stabilisation final : public Term {
   double work() const { return work_; }
 
  private:
-  double viscosity(double t) const;
+  double viscosity(Eigen::Index node, double t) const;
 
   Drag drag_;
-  Eigen::VectorXd masses_;  ///< m_a
-  Eigen::VectorXd x_;       ///< displacements in the accepted state
-  double time_, step_;      ///< of the accepted state and the step that led there
+  Eigen::VectorXd viscosities_;  ///< per node, at the start
+  Eigen::VectorXd masses_;       ///< m_a
+  Eigen::VectorXd x_;            ///< displacements in the accepted state
+  double time_, step_;           ///< of the accepted state and the step that led there
   Eigen::VectorXd trial_;
   double trialTime_;
   double force_ = 0.0, work_ = 0.0;

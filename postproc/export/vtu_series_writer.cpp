@@ -15,6 +15,7 @@
 #include "engine/core/error.h"
 #include "engine/results/check_records.h"
 #include "postproc/export/vtk_file.h"
+#include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/recorded_shape.h"
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 
 /// Every file that some choice of parts writes, also when it was not finished.
 const std::regex kOurFiles(
-    R"((body|points|net|self_contact|(tool|contact)_[\w-]+)_\d{6,}\.vt[up](\.partial)?)");
+    R"((body|points|net|self_contact|all|(tool|contact|body|points|net)_[\w-]+)_\d{6,}\.vt[upm](\.partial)?)");
 
 /// What all file systems and URLs accept of a name.
 std::string fileStem(const std::string& name) {
@@ -40,11 +41,11 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// One stem per tool, no two alike even where a file system ignores case.
-std::vector<std::string> fileStems(const std::vector<ToolRecord>& tools) {
+/// One stem per name, no two alike even where a file system ignores case.
+std::vector<std::string> fileStems(const std::vector<std::string>& names) {
   std::vector<std::string> stems;
-  for (const ToolRecord& tool : tools) {
-    const std::string wanted = fileStem(tool.name);
+  for (const std::string& name : names) {
+    const std::string wanted = fileStem(name);
     std::string stem = wanted;
     const auto taken = [&](const std::string& other) { return lower(other) == lower(stem); };
     for (int k = 2; std::any_of(stems.begin(), stems.end(), taken); ++k)
@@ -93,7 +94,7 @@ VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, const VtuOp
     : runDir_(std::move(runDir)),
       model_(std::move(model)),
       cellKind_(options.cells),
-      cells_(makeCells(model_.mesh)),
+      cells_(makeAllCells()),
       parts_(makeParts(model_, options.parts)) {
   std::error_code error;
   fs::create_directories(runDir_ / "frames", error);
@@ -109,23 +110,38 @@ VtuSeriesWriter::BodyCells VtuSeriesWriter::makeCells(const MeshRecord& mesh) co
   return Tessellation(mesh, model_.subdivision);
 }
 
+std::vector<VtuSeriesWriter::BodyCells> VtuSeriesWriter::makeAllCells() const {
+  std::vector<BodyCells> all;
+  if (model_.bodies.size() < 2) return {makeCells(model_.mesh)};
+  for (const std::string& body : model_.bodies)
+    all.push_back(makeCells(chosenBodies(model_, {}, {body}).model.mesh));
+  return all;
+}
+
 std::vector<VtuSeriesWriter::Part> VtuSeriesWriter::makeParts(const ModelRecord& model,
                                                               const std::set<ExportPart>& kinds) {
-  const std::vector<std::string> stems = fileStems(model.tools);
+  std::vector<std::string> names;
+  for (const ToolRecord& tool : model.tools) names.push_back(tool.name);
+  const std::vector<std::string> stems = fileStems(names), bodies = fileStems(model.bodies);
   std::vector<Part> parts;
   const auto addPerTool = [&](ExportPart kind, const char* prefix) {
     for (std::size_t tool = 0; tool < stems.size(); ++tool)
-      parts.push_back({kind, prefix + stems[tool], tool});
+      parts.push_back({kind, prefix + stems[tool], tool, {}});
+  };
+  const auto addPerBody = [&](ExportPart kind, const std::string& name) {
+    if (bodies.size() < 2) return parts.push_back({kind, name, {}, {}});
+    for (std::size_t body = 0; body < bodies.size(); ++body)
+      parts.push_back({kind, fmt::format("{}_{}", name, bodies[body]), {}, body});
   };
   for (const ExportPart kind : kinds) {
-    if (kind == ExportPart::Body) parts.push_back({kind, "body", {}});
+    if (kind == ExportPart::Body) addPerBody(kind, "body");
     if (kind == ExportPart::Tools) addPerTool(kind, "tool_");
     if (kind == ExportPart::Contact) {
       addPerTool(kind, "contact_");
-      parts.push_back({kind, "self_contact", {}});
+      parts.push_back({kind, "self_contact", {}, {}});
     }
-    if (kind == ExportPart::Points) parts.push_back({kind, "points", {}});
-    if (kind == ExportPart::Net) parts.push_back({kind, "net", {}});
+    if (kind == ExportPart::Points) addPerBody(kind, "points");
+    if (kind == ExportPart::Net) addPerBody(kind, "net");
   }
   return parts;
 }
@@ -134,11 +150,12 @@ void VtuSeriesWriter::write(const FrameRecord& frame) {
   checkFrame(frame, model_, fmt::format("frame {} for {}", frame.index, (runDir_ / "frames").string()));
   Instant instant{frame.time, {}};
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const auto& [kind, name, tool] = parts_[i];
+    const auto& [kind, name, tool, body] = parts_[i];
     if (kind == ExportPart::Contact && !hasContact(frame, tool ? model_.tools[*tool].name : "")) continue;
     writePart(parts_[i], frame);
     instant.parts.push_back(i);
   }
+  if (model_.bodies.size() > 1) writeBlocks(frame.index, instant.parts);
   const auto from = instants_.lower_bound(frame.index);
   const std::map<int, Instant> dropped(instants_.upper_bound(frame.index), instants_.end());
   instants_.erase(from, instants_.end());
@@ -147,13 +164,26 @@ void VtuSeriesWriter::write(const FrameRecord& frame) {
   removeFrames(dropped);
 }
 
+void VtuSeriesWriter::writeBodyPart(const Part& part, const ModelRecord& model,
+                                    const FrameRecord& frame) const {
+  const fs::path path = file(part, frame.index);
+  if (part.kind == ExportPart::Points) return writeVtkFile(*quadraturePoints(frame), frame.time, path);
+  if (part.kind == ExportPart::Net) return writeVtkFile(*controlNet(model, frame), frame.time, path);
+  const BodyGrid grid{frame, model.lengthUnit};
+  const BodyCells& cells = cells_[part.body.value_or(0)];
+  writeVtkFile(*(frame.mesh ? std::visit(grid, makeCells(*frame.mesh)) : std::visit(grid, cells)), frame.time,
+               path);
+}
+
 void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) const {
   const fs::path path = file(part, frame.index);
   switch (part.kind) {
-    case ExportPart::Body: {
-      const BodyGrid grid{frame, model_.lengthUnit};
-      return writeVtkFile(*(frame.mesh ? std::visit(grid, makeCells(*frame.mesh)) : std::visit(grid, cells_)),
-                          frame.time, path);
+    case ExportPart::Body:
+    case ExportPart::Points:
+    case ExportPart::Net: {
+      if (!part.body) return writeBodyPart(part, model_, frame);
+      const ModelFrame alone = chosenBodies(model_, frame, {model_.bodies[*part.body]});
+      return writeBodyPart(part, alone.model, alone.frame);
     }
     case ExportPart::Tools: {
       const Eigen::AlignedBox3d box = boxOf(meshOf(model_, frame), frame.displacement);
@@ -164,11 +194,22 @@ void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) cons
       return writeVtkFile(
           *(part.tool ? contactSurface(model_, frame, *part.tool) : selfContactSurface(model_, frame)),
           frame.time, path);
-    case ExportPart::Points:
-      return writeVtkFile(*quadraturePoints(frame), frame.time, path);
-    case ExportPart::Net:
-      return writeVtkFile(*controlNet(model_, frame), frame.time, path);
   }
+}
+
+void VtuSeriesWriter::writeBlocks(int frame, const std::vector<std::size_t>& parts) const {
+  std::string xml =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
+      "  <vtkMultiBlockDataSet>\n";
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    xml += fmt::format("    <DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", k, parts_[parts[k]].name,
+                       file(parts_[parts[k]], frame).filename().string());
+  xml += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
+  writeFileAtomically(blocksFile(frame), std::as_bytes(std::span(xml)));
+}
+
+fs::path VtuSeriesWriter::blocksFile(int frame) const {
+  return runDir_ / "frames" / fmt::format("all_{:06}.vtm", frame);
 }
 
 fs::path VtuSeriesWriter::file(const Part& part, int frame) const {
@@ -191,8 +232,10 @@ void VtuSeriesWriter::removeEarlierSeries() const {
 }
 
 void VtuSeriesWriter::removeFrames(const std::map<int, Instant>& frames) const {
-  for (const auto& [index, instant] : frames)
+  for (const auto& [index, instant] : frames) {
     for (const std::size_t part : instant.parts) removeFile(file(parts_[part], index));
+    removeFile(blocksFile(index));
+  }
 }
 
 void VtuSeriesWriter::writeCollection() const {

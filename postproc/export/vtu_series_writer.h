@@ -21,7 +21,7 @@ enum class CellKind {
 };
 
 enum class ExportPart {
-  Body,     ///< `body_000000.vtu`
+  Body,     ///< `body_000000.vtu`; of several bodies `body_NAME_000000.vtu` for each, and so on below
   Tools,    ///< `tool_NAME_000000.vtp` for every tool
   Contact,  ///< `contact_NAME_000000.vtp` for every tool that something may touch, `self_contact_000000.vtp`
   Points,   ///< `points_000000.vtp`: values at the quadrature points, not projected
@@ -34,8 +34,9 @@ struct VtuOptions {
 };
 
 /// Writes a run as VTK files in `frames/`, all at current positions, with the collection `frames.pvd` of
-/// their times, which can be opened while the run goes on. Every file appears under its name only when it is
-/// complete.
+/// their times, which can be opened while the run goes on. Where there are several bodies, each is a part of
+/// its own with the fields that it has, and `all_000000.vtm` holds the parts of a frame as named blocks. Every
+/// file appears under its name only when it is complete.
 class VtuSeriesWriter {
  public:
   /// Makes the directory and removes a series that was written there before, of whatever parts. Throws
@@ -54,6 +55,7 @@ class VtuSeriesWriter {
     ExportPart kind;
     std::string name;                 ///< in the collection and of the files
     std::optional<std::size_t> tool;  ///< of tools and contact with them
+    std::optional<std::size_t> body;  ///< of one of several bodies
   };
   struct Instant {
     double time;
@@ -63,8 +65,12 @@ class VtuSeriesWriter {
   static std::vector<Part> makeParts(const ModelRecord& model, const std::set<ExportPart>& kinds);
 
   BodyCells makeCells(const MeshRecord& mesh) const;
+  std::vector<BodyCells> makeAllCells() const;
   void writePart(const Part& part, const FrameRecord& frame) const;
+  void writeBodyPart(const Part& part, const ModelRecord& model, const FrameRecord& frame) const;
+  void writeBlocks(int frame, const std::vector<std::size_t>& parts) const;
   std::filesystem::path file(const Part& part, int frame) const;
+  std::filesystem::path blocksFile(int frame) const;
   void removeEarlierSeries() const;
   void removeFrames(const std::map<int, Instant>& frames) const;
   void writeCollection() const;
@@ -72,7 +78,7 @@ class VtuSeriesWriter {
   std::filesystem::path runDir_;
   ModelRecord model_;
   CellKind cellKind_;
-  BodyCells cells_;  ///< of the model's mesh
+  std::vector<BodyCells> cells_;  ///< of the model's mesh, per body
   std::vector<Part> parts_;
   std::map<int, Instant> instants_;  ///< by index of the frame
 };

@@ -1,16 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "engine/results/result.h"
+#include "postproc/mesh/model_frame.h"
 #include "postproc/mesh/picture_planes.h"
 
 namespace burnish {
-
-/// A model with one frame of it.
-struct ModelFrame {
-  ModelRecord model;
-  FrameRecord frame;
-};
 
 /// The whole body of which the model computes the part on one side of these planes: patches, fields, tools
 /// and contact tractions with their images, one plane after the other. Patches share the nodes on a plane; a

@@ -1,14 +1,17 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
+#include "engine/core/nearest.h"
 #include "postproc/scene/document_context.h"
 
 namespace burnish {
 namespace {
 
-/// Fields that this body and material have not.
+/// Fields that these bodies and their materials have not.
 void checkField(const CheckContext& c, const std::string& path, const std::string& field) {
   if (!c.clean(path)) return;
   const bool threeD = field == "displacement.z" || field == "stress.yz" || field == "stress.zx";
@@ -16,9 +19,14 @@ void checkField(const CheckContext& c, const std::string& path, const std::strin
     c.report(path, fmt::format("found {}, a component of three-dimensional scenes; allowed here: the "
                                "components in x and y, and stress.zz.",
                                field));
-  if (const std::string why = whyWithout(c.scene.material, field); !why.empty() && c.clean("material"))
-    c.report(path,
-             fmt::format("found {}, but {}; allowed here: another field, such as von_mises.", field, why));
+  if (!c.bodiesAreRead()) return;
+  std::string why;
+  for (std::size_t k = 0; k < c.scene.allBodies().size(); ++k) {
+    why = whyWithout(c.scene.allBodies()[k].material, field);
+    if (why.empty() || !c.clean(c.scene.bodyKey(k, "material"))) return;
+  }
+  c.report(path,
+           fmt::format("found {}, but {}; allowed here: another field, such as von_mises.", field, why));
 }
 
 /// What options say that cannot be.
@@ -26,6 +34,21 @@ void checkOptions(const CheckContext& c, const std::string& path, const PictureO
   const auto dim = c.dimensionIsKnown() ? std::optional(c.scene.dim()) : std::nullopt;
   for (const InputProblem& problem : conflictsIn(picture, dim))
     if (const std::string key = path + "." + problem.path; c.clean(key)) c.report(key, problem.text);
+}
+
+void checkPictureBodies(const CheckContext& c, const std::string& path, const PictureOptions& picture) {
+  if (!c.bodiesAreRead()) return;
+  std::vector<std::string> names;
+  for (const BodySpec& body : c.scene.bodies) names.push_back(body.name);
+  for (std::size_t k = 0; k < picture.bodies.size(); ++k) {
+    const std::string& name = picture.bodies[k];
+    if (const std::string key = fmt::format("{}.body[{}]", path, k);
+        c.clean(key) && std::find(names.begin(), names.end(), name) == names.end())
+      c.report(key, fmt::format("found {}; allowed: {}.{}", name,
+                                names.empty() ? "leave the key out, the one body of the scene has no name"
+                                              : fmt::format("{}", fmt::join(names, " | ")),
+                                didYouMean(name, names)));
+  }
 }
 
 }  // namespace
@@ -38,6 +61,7 @@ void checkPictures(const DocumentContext& c) {
     checkField(c, path + ".field", picture.field);
     if (c.clean("steps")) checkTimes(c, path + ".times", picture.times);
     checkOptions(c, path, picture);
+    checkPictureBodies(c, path, picture);
     if (!c.clean(path)) continue;
     const std::string name = picture.name.value_or(picture.field);
     if (!names.insert(name).second)

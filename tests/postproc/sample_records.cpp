@@ -121,6 +121,34 @@ Sample cube(int spans) {
   return sample;
 }
 
+Sample twoBodies() {
+  Sample sample = slab();
+  MeshRecord& mesh = sample.model.mesh;
+  PatchRecord stamp =
+      record(refined(rectangle({3.5, 0}, {1, 1}), {KnotVector::uniform(2, 3), KnotVector::uniform(2, 3)}));
+  const int first = mesh.numNodes;
+  for (int& node : stamp.nodes) node += first;
+  stamp.body = 1;
+  mesh.numNodes += static_cast<int>(stamp.nodes.size());
+  mesh.patches.push_back(std::move(stamp));
+  sample.model.bodies = {"block", "stamp"};
+  sample.model.title = "Two bodies";
+
+  const auto extended = [&](const Eigen::MatrixXd& values) {
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(values.rows(), mesh.numNodes);
+    all.leftCols(first) = values;
+    return all;
+  };
+  sample.frame.displacement = extended(sample.frame.displacement);
+  FieldRecord& strain = sample.frame.fields.at("plastic_strain");
+  strain.values = extended(strain.values);
+  strain.bodies = {"block"};
+  Eigen::MatrixXd mises(1, mesh.numNodes);
+  for (const PatchRecord& patch : mesh.patches) mises(0, patch.nodes) = 10.0 * patch.points.row(0);
+  sample.frame.fields["von_mises"] = {{}, "MPa", mises, {}};
+  return sample;
+}
+
 Sample meshedAnew(const Sample& before, const Sample& after) {
   Sample sample{before.model, after.frame};
   sample.frame.mesh = after.model.mesh;

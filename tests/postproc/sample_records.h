@@ -27,6 +27,10 @@ Sample square();
 /// A cube of so many knot spans in every direction under a sphere, at rest; `pressure` = x + y + z.
 Sample cube(int spans = 3);
 
+/// The slab, as the body `block`, and beside it at rest the square [3.5, 4.5] x [0, 1], as the body `stamp`.
+/// `plastic_strain` is the block's alone; `von_mises` = 10 X of the undeformed bodies in both.
+Sample twoBodies();
+
 /// The first sample after its body was meshed anew: the frame of the second one with its mesh.
 Sample meshedAnew(const Sample& before, const Sample& after);
 

@@ -11,6 +11,7 @@
 #include "engine/core/drawable_range.h"
 #include "engine/core/error.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/tensor_points.h"
 #include "postproc/mesh/tessellation.h"
@@ -125,7 +126,8 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
         fmt::format("clip: found {}; expected a percentile above {}, at which the colours end, up to 100",
                     *clip, kLowestPercentile));
   const FieldChoice choice = chooseField(model, frame, field);
-  const MeshRecord& mesh = meshOf(model, frame);
+  const FieldMesh meshes(model, frame, field);
+  const MeshRecord& mesh = meshes.with();
   const std::optional<std::array<double, 2>> whole = extremes(mesh, choice, subdivision);
   if (!whole)
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",

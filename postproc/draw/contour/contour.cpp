@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,12 @@
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/scalar_bar.h"
 #include "postproc/draw/contour/shape_lines.h"
+#include "postproc/draw/contour/shown_model.h"
 #include "postproc/draw/contour/space_actors.h"
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/draw/page/flat_shapes.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/png_file.h"
-#include "postproc/mesh/mirror.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
@@ -99,9 +100,22 @@ class ContourPicture {
     return {options_.title.value_or(model_.title),
             options_.time ? fmt::format("t = {:.6g}", frame_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
-                    parts_.arrows.note, sectionNote(), options_.note,
+                    parts_.arrows.note, sectionNote(), plainNote(), options_.note,
                     clipped ? clipNote(*options_.clip, model_.dim) : ""}),
             options_.doubt, model_.dim == 3};
+  }
+
+  /// Of bodies that do not have the field.
+  std::string plainNote() const {
+    const std::vector<std::string> without = bodiesWithout(model_, frame_, options_.field);
+    return without.empty() ? "" : fmt::format("{} without values", fmt::join(without, ", "));
+  }
+
+  /// Between tools and paper, so that a body without colours is not taken for a tool.
+  Color plainColor() const {
+    Color color = theme_.tool;
+    for (std::size_t k = 0; k < color.size(); ++k) color[k] = std::midpoint(color[k], theme_.paper[k]);
+    return color;
   }
 
   /// Where the section of a slice lies; a cut is seen to be one.
@@ -144,9 +158,7 @@ class ContourPicture {
   }
 
   /// Whether only a part of the body is seen.
-  bool cutsBody() const {
-    return options_.window && !options_.window->contains(boxOf(*parts_.body, parts_.axes));
-  }
+  bool cutsBody() const { return options_.window && !options_.window->contains(bodiesBox(parts_)); }
 
   /// Round a part of the body, whose edges are not those of the body.
   void drawFrame(FlatShapes& shapes, const PixelRect& area) const {
@@ -160,7 +172,7 @@ class ContourPicture {
 
   void drawSpace(vtkRenderer& renderer, int scale, const View& view, const ColorScale& colors) const {
     const double line = scale * std::max(0.8, textSize_ / 16.0);
-    const double depth = parts_.body->GetLength() / (isFlat() ? 100.0 : 1000.0);
+    const double depth = lengthOf(parts_) / (isFlat() ? 100.0 : 1000.0);
     const Eigen::Vector3d eye = view.towardsEye();
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, Layer layer) {
       const Eigen::Vector3d shift = static_cast<double>(layer) * depth * eye;
@@ -169,6 +181,8 @@ class ContourPicture {
     };
     add(contourActor(*parts_.body, colors, !isFlat()), kBody);
     if (parts_.section) add(contourActor(*parts_.section, colors, false), kBody);
+    if (parts_.plain) add(plainActor(*parts_.plain, plainColor(), !isFlat(), 1.0), kBody);
+    if (parts_.plainSection) add(plainActor(*parts_.plainSection, plainColor(), false, 1.0), kBody);
     for (const auto& part : {parts_.body, parts_.section})
       if (part && options_.isolines > 0)
         add(lineActor(*isolines(*part, colors.range()), theme_.outline, 0.7 * line, 1.0), kIsolines);
@@ -181,7 +195,9 @@ class ContourPicture {
       add(lineActor(*parts_.undeformed, theme_.undeformed, 0.8 * line, 1.0),
           isFlat() ? kUndeformed : kBehindBody);
     add(lineActor(*parts_.outline, theme_.outline, line, 1.0), kBodyOutline);
-    if (!isFlat()) add(lineActor(*silhouetteOf(*parts_.body, eye), theme_.outline, line, 1.0), kBodyOutline);
+    for (const auto& part : {parts_.body, parts_.plain})
+      if (part && !isFlat())
+        add(lineActor(*silhouetteOf(*part, eye), theme_.outline, line, 1.0), kBodyOutline);
     for (const ShownTool& tool : parts_.tools) {
       const ToolDrawing drawing = drawTool(tool, view);
       if (drawing.area) add(plainActor(*drawing.area, theme_.tool, false, 1.0), kToolFill);
@@ -190,7 +206,7 @@ class ContourPicture {
       if (drawing.lines) add(lineActor(*drawing.lines, theme_.outline, 1.2 * line, 1.0), kToolLines);
     }
     if (parts_.arrows.areas) drawArrows(renderer, line, eye);
-    aim(renderer, view, size_, 10.0 * parts_.body->GetLength());
+    aim(renderer, view, size_, 10.0 * lengthOf(parts_));
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
@@ -207,7 +223,7 @@ class ContourPicture {
     const auto edges = lineActor(*parts_.arrows.edges, kBlack, 0.5 * line, 1.0);
     double nearness = isFlat() ? static_cast<double>(kArrows) / 100.0 : 2.0;
     for (const auto& actor : {areas, edges}) {
-      const Eigen::Vector3d shift = nearness * parts_.body->GetLength() * eye;
+      const Eigen::Vector3d shift = nearness * lengthOf(parts_) * eye;
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
       nearness += 0.005;
@@ -248,9 +264,9 @@ class ContourPicture {
 
 ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   check(options, model.dim);
-  if (options.mirror.empty()) return ContourPicture(model, frame, options).draw();
-  const ModelFrame whole = mirrored(model, frame, options.mirror);
-  return ContourPicture(whole.model, whole.frame, options).draw();
+  return withShownModel(model, frame, options, [&](const ModelRecord& shown, const FrameRecord& its) {
+    return ContourPicture(shown, its, options).draw();
+  });
 }
 
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
@@ -262,9 +278,9 @@ View drawContour(const ModelRecord& model, const FrameRecord& frame, const Conto
 
 Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,
                               const ContourOptions& options) {
-  if (options.mirror.empty()) return contentOf(contourParts(model, frame, options), model.dim);
-  const ModelFrame whole = mirrored(model, frame, options.mirror);
-  return contentOf(contourParts(whole.model, whole.frame, options), model.dim);
+  return withShownModel(model, frame, options, [&](const ModelRecord& shown, const FrameRecord& its) {
+    return contentOf(contourParts(shown, its, options), shown.dim);
+  });
 }
 
 }  // namespace burnish

@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <utility>
 #include <variant>
 
 #include "engine/core/error.h"
@@ -16,6 +17,7 @@
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/mesh/body_surface.h"
+#include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/plane_section.h"
@@ -46,9 +48,10 @@ void setValues(vtkPointData& points, const Mesh& mesh, const ModelRecord& model,
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
 }
 
-vtkSmartPointer<vtkPolyData> makeBody(const ModelRecord& model, const FrameRecord& frame,
-                                      const ContourOptions& options) {
-  const BodySurface surface(meshOf(model, frame), subdivisionOf(model, options));
+/// mesh: of the bodies that have the field.
+vtkSmartPointer<vtkPolyData> makeBody(const MeshRecord& mesh, const ModelRecord& model,
+                                      const FrameRecord& frame, const ContourOptions& options) {
+  const BodySurface surface(mesh, subdivisionOf(model, options));
   const auto body = surface.displaced(options.warp * frame.displacement);
   setValues(*body->GetPointData(), surface, model, frame, options);
   return body;
@@ -57,9 +60,10 @@ vtkSmartPointer<vtkPolyData> makeBody(const ModelRecord& model, const FrameRecor
 /// Cuts the parts of a picture of a body in space.
 class BodyCut {
  public:
-  BodyCut(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
-          ContourParts& parts)
-      : model_(model),
+  BodyCut(const FieldMesh& meshes, const ModelRecord& model, const FrameRecord& frame,
+          const ContourOptions& options, ContourParts& parts)
+      : meshes_(meshes),
+        model_(model),
         frame_(frame),
         mesh_(meshOf(model, frame)),
         options_(options),
@@ -69,16 +73,26 @@ class BodyCut {
 
   void apply() {
     parts_.plane = plane_;
-    const auto section = sectionWithValues(), border = sectionOf(*parts_.body, plane_);
+    const auto section = sectionWithValues();
+    auto border = sectionOf(*parts_.body, plane_);
+    if (parts_.plain) {
+      parts_.plainSection = sectionOf(*gridOf(*meshes_.without()), plane_);
+      border = together(*border, *sectionOf(*parts_.plain, plane_));
+    }
+    if (section->GetNumberOfCells() == 0 &&
+        (!parts_.plainSection || parts_.plainSection->GetNumberOfCells() == 0))
+      missed();
     if (options_.knots) parts_.knots = sectionKnots();
     if (options_.slice) {
       parts_.body = section;
+      parts_.plain = std::exchange(parts_.plainSection, nullptr);
       parts_.outline = border;
       if (parts_.undeformed)
         parts_.undeformed = sectionOf(*BodySurface(model_.mesh, subdivision_).displaced({}), plane_);
       return;
     }
     parts_.body = behind(*parts_.body, plane_);
+    if (parts_.plain) parts_.plain = behind(*parts_.plain, plane_);
     parts_.section = section;
     parts_.outline = together(*behind(*parts_.outline, plane_), *border);
     if (parts_.undeformed) parts_.undeformed = behind(*parts_.undeformed, plane_);
@@ -105,16 +119,23 @@ class BodyCut {
     return plane;
   }
 
-  /// Of the tessellated volume.
-  vtkSmartPointer<vtkPolyData> sectionWithValues() const {
-    const Tessellation cells(mesh_, subdivision_);
+  /// The tessellated volume, without values.
+  vtkSmartPointer<vtkUnstructuredGrid> gridOf(const Tessellation& cells) const {
     FrameRecord shape;
     shape.displacement = parts_.displacement;
     const auto grid = makeGrid(cells, shape, true);
     grid->GetPointData()->Initialize();
+    return grid;
+  }
+  vtkSmartPointer<vtkUnstructuredGrid> gridOf(const MeshRecord& mesh) const {
+    return gridOf(Tessellation(mesh, subdivision_));
+  }
+
+  vtkSmartPointer<vtkPolyData> sectionWithValues() const {
+    const Tessellation cells(meshes_.with(), subdivision_);
+    const auto grid = gridOf(cells);
     setValues(*grid->GetPointData(), cells, model_, frame_, options_);
     const auto section = sectionOf(*grid, plane_);
-    if (section->GetNumberOfCells() == 0) missed();
     section->GetPointData()->SetNormals(
         makeArray("normals", plane_.normal.replicate(1, section->GetNumberOfPoints()), {}));
     return section;
@@ -134,6 +155,7 @@ class BodyCut {
     return sectionOf(*faces.displaced(parts_.displacement), plane_);
   }
 
+  const FieldMesh& meshes_;
   const ModelRecord& model_;
   const FrameRecord& frame_;
   const MeshRecord& mesh_;  ///< of the frame
@@ -205,12 +227,17 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.axes = alongNormal ? viewFrom(options.slice->normal) : viewAxes(options.view, model.dim);
   parts.displacement = options.warp * frame.displacement;
   if (options.tools) parts.tools = shownTools(model, frame, options.warp);
-  parts.body = makeBody(model, frame, options);
+  const FieldMesh meshes(model, frame, options.field);
+  parts.body = makeBody(meshes.with(), model, frame, options);
   parts.box = boxOf(*parts.body);
+  if (meshes.without() != nullptr) {
+    parts.plain = BodySurface(*meshes.without(), subdivision).displaced(parts.displacement);
+    parts.box.extend(boxOf(*parts.plain));
+  }
   parts.outline = bodyOutline(mesh, parts.displacement, subdivision);
   if (options.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, subdivision);
   if (options.cut || options.slice)
-    BodyCut(model, frame, options, parts).apply();
+    BodyCut(meshes, model, frame, options, parts).apply();
   else if (options.knots)
     parts.knots = knotLines(mesh, parts.displacement, subdivision);
   if (options.controlNet) {
@@ -238,8 +265,20 @@ Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes) {
   return {projected.rowwise().minCoeff(), projected.rowwise().maxCoeff()};
 }
 
-Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
+double lengthOf(const ContourParts& parts) {
+  if (!parts.plain || parts.plain->GetNumberOfPoints() == 0) return parts.body->GetLength();
+  if (parts.body->GetNumberOfPoints() == 0) return parts.plain->GetLength();
+  return boxOf(*parts.body).merged(boxOf(*parts.plain)).diagonal().norm();
+}
+
+Eigen::AlignedBox2d bodiesBox(const ContourParts& parts) {
   Eigen::AlignedBox2d box = boxOf(*parts.body, parts.axes);
+  if (parts.plain) box.extend(boxOf(*parts.plain, parts.axes));
+  return box;
+}
+
+Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
+  Eigen::AlignedBox2d box = bodiesBox(parts);
   if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes));
   if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes)), kDotRoom);
   if (parts.arrows.edges) box.extend(boxOf(*parts.arrows.edges, parts.axes));

@@ -26,8 +26,9 @@ struct ContourParts {
   Eigen::AlignedBox3d box;       ///< of the body before it is cut
   Eigen::MatrixXd displacement;  ///< of the body, dim x nodes of the frame's mesh
   std::vector<ShownTool> tools;
-  vtkSmartPointer<vtkPolyData> body;     ///< its point scalars are the values that are drawn
-  vtkSmartPointer<vtkPolyData> section;  ///< the same, of a cut; null without one
+  vtkSmartPointer<vtkPolyData> body;                 ///< its point scalars are the values that are drawn
+  vtkSmartPointer<vtkPolyData> section;              ///< the same, of a cut; null without one
+  vtkSmartPointer<vtkPolyData> plain, plainSection;  ///< of bodies that do not have the field; null without
   vtkSmartPointer<vtkPolyData> outline;
   vtkSmartPointer<vtkPolyData> knots, undeformed, net;  ///< null where they are not shown
   std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye
@@ -43,6 +44,10 @@ int subdivisionOf(const ModelRecord& model, const ContourOptions& options);
 /// The smallest box round a part in space, and in the picture's plane.
 Eigen::AlignedBox3d boxOf(vtkPolyData& part);
 Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes);
+
+/// Diagonal of the bodies, and their projected box.
+double lengthOf(const ContourParts& parts);
+Eigen::AlignedBox2d bodiesBox(const ContourParts& parts);
 
 /// The projected box that is to be seen, of a body in so many dimensions.
 Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim);

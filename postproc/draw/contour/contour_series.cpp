@@ -10,24 +10,14 @@
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_parts.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/shown_model.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/png_file.h"
-#include "postproc/mesh/mirror.h"
 
 namespace burnish {
 namespace {
 
 using Range = std::array<double, 2>;
-
-/// Calls `act` with the model and the frame that are drawn: components of a field may have another sign in a
-/// mirror.
-template <class Act>
-auto withImages(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
-                const Act& act) {
-  if (options.mirror.empty()) return act(model, frame);
-  const ModelFrame whole = mirrored(model, frame, options.mirror);
-  return act(whole.model, whole.frame);
-}
 
 Range rangeOf(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   return fieldRange(model, frame, options.field, subdivisionOf(model, options), options.clip);
@@ -42,13 +32,16 @@ Range joined(const std::optional<Range>& a, const Range& b) {
 ContourOptions contourOptions(const PictureOptions& picture, const ResultReader& result,
                               const FrameRecord& frame) {
   ContourOptions options(picture);
-  if (options.field.empty()) options.field = fieldToShow(frame);
+  if (options.field.empty())
+    options.field =
+        withShownModel(result.model(), frame, options,
+                       [](const ModelRecord&, const FrameRecord& shown) { return fieldToShow(shown); });
   if (options.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
   return options;
 }
 
 Range shownRange(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
-  return withImages(model, frame, options, [&](const ModelRecord& wholeModel, const FrameRecord& whole) {
+  return withShownModel(model, frame, options, [&](const ModelRecord& wholeModel, const FrameRecord& whole) {
     return rangeOf(wholeModel, whole, options);
   });
 }
@@ -64,12 +57,12 @@ ContourOptions withCommonView(ContourOptions options, const ResultReader& result
   Eigen::AlignedBox2d window;
   for (const int k : frames) {
     throwIfInterrupted();
-    withImages(result.model(), result.frame(k), options,
-               [&](const ModelRecord& model, const FrameRecord& frame) {
-                 if (inRange.contains(k)) range = joined(range, rangeOf(model, frame, options));
-                 if (inWindow.contains(k))
-                   window.extend(contentOf(contourParts(model, frame, options), model.dim));
-               });
+    withShownModel(result.model(), result.frame(k), options,
+                   [&](const ModelRecord& model, const FrameRecord& frame) {
+                     if (inRange.contains(k)) range = joined(range, rangeOf(model, frame, options));
+                     if (inWindow.contains(k))
+                       window.extend(contentOf(contourParts(model, frame, options), model.dim));
+                   });
   }
   if (range) {
     options.range = widened(*range);

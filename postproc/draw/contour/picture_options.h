@@ -87,6 +87,7 @@ struct PictureOptions : PageLook, PictureDefaults {
   std::optional<Eigen::AlignedBox2d> window;  ///< of the view's plane, that must be seen; see `contentOf`
   std::optional<CutPlane> cut;                ///< in space: what is on the eye's side of it is left out
   std::optional<CutPlane> slice;              ///< in space: only the section, seen against its normal
+  std::vector<std::string> bodies;            ///< the ones that are drawn, by name; all when empty
   std::vector<MirrorPlane> mirror;            ///< planes of symmetry, beyond which the images are drawn too
   std::array<int, 2> size{1600, 900};         ///< pixels
   double scale = 1.0;                         ///< factor on the size with all texts and lines
@@ -141,6 +142,7 @@ void describeRange(Visitor& v, PictureOptions& s) {
 /// What is drawn of the body and the tools.
 template <class Visitor>
 void describeParts(Visitor& v, PictureOptions& s) {
+  v.field("body", s.bodies, {}, "Names of the bodies that are drawn; all when left out.");
   v.field("clip", s.clip, {.above = kLowestPercentile, .atMost = 100},
           "Percentile of the values at which the colours end; single peaks then do not hide the rest.");
   v.field("vectors", s.arrows, {},

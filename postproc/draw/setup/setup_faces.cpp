@@ -25,6 +25,12 @@ std::vector<double> parametersOf(const UnivariateBasis& basis, const std::vector
   return parameters;
 }
 
+Vector2d middle(const Patch<2>& patch) {
+  Patch<2>::Parameter xi;
+  for (int d = 0; d < 2; ++d) xi(d) = patch.basis().direction(d).parameterAt(0.5);
+  return patch.position(xi);
+}
+
 }  // namespace
 
 Vector2d FaceLine::meanNormal() const {
@@ -33,13 +39,18 @@ Vector2d FaceLine::meanNormal() const {
 
 SetupFaces::SetupFaces(const ModelRecord& model, const Scene& scene, int subdivision)
     : subdivision_(subdivision) {
-  for (const PatchRecord& patch : model.mesh.patches) patches_.push_back(patchGeometry<2>(patch));
-  if (const auto* several = std::get_if<PatchesSpec>(&scene.geometry.shape))
-    for (const PatchSpec& patch : several->patches) names_.push_back(patch.name);
+  for (const BodySpec& body : scene.allBodies()) {
+    Named& named = bodies_.emplace_back();
+    named.name = body.name;
+    if (const auto* several = std::get_if<PatchesSpec>(&body.geometry.shape))
+      for (const PatchSpec& patch : several->patches) named.patchNames.push_back(patch.name);
+  }
+  for (const PatchRecord& patch : model.mesh.patches)
+    bodies_[static_cast<std::size_t>(patch.body)].patches.push_back(patchGeometry<2>(patch));
 }
 
 FaceLine SetupFaces::line(const FaceSpec& place) const {
-  const Patch<2>& patch = patchNamed(place.patch);
+  const Patch<2>& patch = patchNamed(place);
   const FaceId id = faceFromName<2>(place.face);
   const int fixed = id / 2, along = 1 - fixed;
   Patch<2>::Parameter xi;
@@ -59,20 +70,42 @@ FaceLine SetupFaces::line(const FaceSpec& place) const {
   return line;
 }
 
-Vector2d SetupFaces::middleOf(const std::string& patch) const {
-  const Patch<2>& found = patch.empty() ? patches_[patches_.size() / 2] : patchNamed(patch);
-  Patch<2>::Parameter xi;
-  for (int d = 0; d < 2; ++d) xi(d) = found.basis().direction(d).parameterAt(0.5);
-  return found.position(xi);
+Vector2d SetupFaces::middleOf(const FaceSpec& place) const {
+  const auto& patches = bodyNamed(place.body).patches;
+  return middle(place.patch.empty() ? patches[patches.size() / 2] : patchNamed(place));
 }
 
 std::string SetupFaces::nameOf(const FaceSpec& place) const {
-  return names_.size() < 2 ? place.face : fmt::format("{} of {}", place.face, place.patch);
+  std::string name = place.face;
+  if (bodyNamed(place.body).patchNames.size() > 1) name += fmt::format(" of {}", place.patch);
+  if (bodies_.size() > 1) name += fmt::format(" of {}", place.body);
+  return name;
 }
 
-const Patch<2>& SetupFaces::patchNamed(const std::string& name) const {
-  const auto found = std::find(names_.begin(), names_.end(), name);
-  return patches_[found == names_.end() ? 0 : static_cast<std::size_t>(found - names_.begin())];
+std::vector<SetupFaces::Label> SetupFaces::labels(bool ofPatches) const {
+  std::vector<Label> labels;
+  for (const Named& body : bodies_) {
+    if (ofPatches && !body.patchNames.empty()) {
+      for (std::size_t p = 0; p < body.patchNames.size(); ++p)
+        labels.push_back({body.patchNames[p], middle(body.patches[p])});
+    } else if (bodies_.size() > 1) {
+      labels.push_back({body.name, middle(body.patches[body.patches.size() / 2])});
+    }
+  }
+  return labels;
+}
+
+const SetupFaces::Named& SetupFaces::bodyNamed(const std::string& name) const {
+  const auto found = std::ranges::find(bodies_, name, &Named::name);
+  return found == bodies_.end() ? bodies_.front() : *found;
+}
+
+const Patch<2>& SetupFaces::patchNamed(const FaceSpec& place) const {
+  const Named& body = bodyNamed(place.body);
+  const auto found = std::ranges::find(body.patchNames, place.patch);
+  return body
+      .patches[found == body.patchNames.end() ? 0
+                                              : static_cast<std::size_t>(found - body.patchNames.begin())];
 }
 
 }  // namespace burnish

@@ -26,20 +26,31 @@ class SetupFaces {
 
   FaceLine line(const FaceSpec& place) const;
 
-  /// The middle of a patch; without a name that of a patch in the middle of the list.
-  Eigen::Vector2d middleOf(const std::string& patch) const;
+  /// The middle of the patch of a place; without its name that of a patch in the middle of its body's list.
+  Eigen::Vector2d middleOf(const FaceSpec& place) const;
 
-  /// "top", or "top of PATCH" in a body of several patches.
+  /// "top", "top of PATCH" in a body of several patches, "top of BODY" where there are several bodies.
   std::string nameOf(const FaceSpec& place) const;
 
-  /// Names of the patches; empty for a body of a single shape.
-  const std::vector<std::string>& patchNames() const { return names_; }
+  /// Names of bodies, where there are several, and if wanted of the patches of a body that has several.
+  struct Label {
+    std::string text;
+    Eigen::Vector2d at;
+  };
+  std::vector<Label> labels(bool ofPatches) const;
 
  private:
-  const Patch<2>& patchNamed(const std::string& name) const;
+  /// A body: its patches, and their names if it has several.
+  struct Named {
+    std::string name;
+    std::vector<Patch<2>> patches;
+    std::vector<std::string> patchNames;
+  };
 
-  std::vector<Patch<2>> patches_;
-  std::vector<std::string> names_;
+  const Named& bodyNamed(const std::string& name) const;
+  const Patch<2>& patchNamed(const FaceSpec& place) const;
+
+  std::vector<Named> bodies_;
   int subdivision_;
 };
 

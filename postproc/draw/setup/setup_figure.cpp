@@ -136,7 +136,7 @@ class SetupPicture {
   }
 
   void drawBodyForce(SetupSymbols& symbols, const LoadSpec& load) const {
-    const Vector2d middle = layout_.faces().middleOf(load.place.patch);
+    const Vector2d middle = layout_.faces().middleOf(load.place);
     const Vector2d force = bodyForceAt(load, middle, scene(), layout_.endTime());
     if (force.norm() == 0.0) return;
     const bool hasUnits = !model_.stressUnit.empty() && !model_.lengthUnit.empty();
@@ -220,10 +220,11 @@ class SetupPicture {
       const double lift = 1.8 * textSize() * static_cast<double>(lines.size() - 1 - k);
       symbols.addText(lines[k], layout_.amountsAt(lines[k]) + Vector2d(0.0, lift));
     }
-    if (std::count_if(movers.begin(), movers.end(), [](const Mover& m) { return !m.differs; }) < 2)
-      return;  // only then the amounts name the patches
-    for (const std::string& patch : layout_.faces().patchNames())
-      symbols.addFaintText(patch, view().pixel(layout_.faces().middleOf(patch)));
+    // Only the amounts of several name patches.
+    const bool named =
+        std::count_if(movers.begin(), movers.end(), [](const Mover& m) { return !m.differs; }) > 1;
+    for (const SetupFaces::Label& label : layout_.faces().labels(named))
+      symbols.addFaintText(label.text, view().pixel(label.at));
   }
 
   void drawArrows(SetupSymbols& symbols, const Mover& mover) const {

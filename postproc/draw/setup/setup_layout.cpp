@@ -114,9 +114,9 @@ void SetupLayout::findTools() {
 
 void SetupLayout::findRooms() {
   // What stands at the same part of a face stands in a row.
-  std::map<std::tuple<std::string, std::string, std::vector<double>>, double> depths;
+  std::map<std::tuple<std::string, std::string, std::string, std::vector<double>>, double> depths;
   const auto add = [&](const FaceSpec& place, double depth) {
-    double& sum = depths[{place.patch, place.face, place.part}];
+    double& sum = depths[{place.body, place.patch, place.face, place.part}];
     sum += depth;
     const FaceLine face = faces_.line(place);
     for (std::size_t k = 0; k < face.points.size(); ++k)

@@ -196,8 +196,9 @@ std::string errorOf(const Strings& overrides, const std::string& more = "") {
 }
 
 TEST(Reactions, HaveColumnsOfTheirOwn) {
-  EXPECT_THAT(errorOf({"supports[0].name=disc"}),
-              HasSubstr("supports[0]: found the name disc, which another support, a tool or a measure has"));
+  EXPECT_THAT(
+      errorOf({"supports[0].name=disc"}),
+      HasSubstr("supports[0]: found the name disc, which another support, a body, a tool or a measure has"));
   EXPECT_EQ(errorOf({"supports[0].name=disc", "output.reactions=false"}), "no error");
   EXPECT_THAT(errorOf({"supports[0].name=support2", "output.reactions=false"}),
               HasSubstr("supports[1]: found the name support2"));

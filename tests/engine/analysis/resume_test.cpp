@@ -13,6 +13,7 @@
 #include "engine/results/summary_file.h"
 #include "tests/engine/analysis/run_scene.h"
 #include "tests/engine/scene/scene_samples.h"
+#include "tests/engine/scene/two_bodies_sample.h"
 
 /// Runs that are halted and resumed against runs that are not.
 namespace burnish {
@@ -167,6 +168,16 @@ TEST(ResumeOfOtherRuns, ToolsWithFreeWaysLoadsAndProjectedDilatation) {
   runTo(whole.path(), kCarried, {});
   for (const int steps : {1, 3, 6}) {
     ASSERT_TRUE(runTo(part.path(), kCarried, haltAfter(steps)).halted);
+    ASSERT_TRUE(resume(part.path()).completed);
+    EXPECT_EQ(differences(filesOf(whole.path()), filesOf(part.path())), "") << steps;
+  }
+}
+
+TEST(ResumeOfOtherRuns, SeveralBodies) {
+  const ScratchDirectory whole("resume_bodies_whole"), part("resume_bodies_part");
+  runTo(whole.path(), samples::twoBodies, {});
+  for (const int steps : {1, 3}) {
+    ASSERT_TRUE(runTo(part.path(), samples::twoBodies, haltAfter(steps)).halted);
     ASSERT_TRUE(resume(part.path()).completed);
     EXPECT_EQ(differences(filesOf(whole.path()), filesOf(part.path())), "") << steps;
   }

@@ -10,6 +10,7 @@
 
 #include "engine/analysis/build_model.h"
 #include "engine/analysis/residual_scales.h"
+#include "engine/analysis/simulation.h"
 #include "engine/fields/ellipse_measure.h"
 #include "engine/fields/percentile_measure.h"
 #include "engine/fields/point_measure.h"
@@ -92,8 +93,8 @@ class MeasuredScene {
   Scene scene_;
   std::unique_ptr<Model<2>> built_ = buildModel<2>(scene_);
   Model<2>& model_ = *built_;
-  Projection<2> projection_{model_.quadrature()};
-  Measures<2> measures_{scene_, model_, projection_};
+  std::vector<Projection<2>> projections_ = projectionsOf(model_);
+  Measures<2> measures_{scene_, model_, projections_};
 };
 
 Eigen::Matrix2d someGradient() {

@@ -395,7 +395,7 @@ TEST(ToolsTest, AFreeTurnNeverGoesRoundAndRound) {
     Scene scene = block(
         "  - {name: tool, shape: box, center: [1, 1.4], size: [0.8, 0.8], radius: 0.1, carry: {y: "
         "'-0.5*t', moment: 0}}");
-    scene.geometry.mesh.spans = {spans, 4};
+    scene.body.geometry.mesh.spans = {spans, 4};
     const auto outcome = test::run(scene, "free_turn");
     for (const double angle : outcome.history.column("tool.angle")) EXPECT_LT(std::abs(angle), 5.0);
     if (outcome.summary.completed) {

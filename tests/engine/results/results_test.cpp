@@ -85,6 +85,7 @@ ModelRecord sampleModel(int n = 4, const std::string& title = "sample") {
                     .lengthUnit = "mm",
                     .stressUnit = "MPa",
                     .mesh = {.numNodes = n * n + 9, .patches = {}},
+                    .bodies = {},
                     .tools = {},
                     .subdivision = 3};
   for (const auto& [direction, first, count] :
@@ -203,9 +204,9 @@ bool same(const RecordedShape& a, const RecordedShape& b) {
 }
 
 bool same(const ModelRecord& a, const ModelRecord& b) {
-  return a.program == b.program && a.title == b.title && a.sceneYaml == b.sceneYaml && a.dim == b.dim &&
-         a.lengthUnit == b.lengthUnit && a.stressUnit == b.stressUnit && same(a.mesh, b.mesh) &&
-         a.subdivision == b.subdivision &&
+  return a.bodies == b.bodies && a.program == b.program && a.title == b.title && a.sceneYaml == b.sceneYaml &&
+         a.dim == b.dim && a.lengthUnit == b.lengthUnit && a.stressUnit == b.stressUnit &&
+         same(a.mesh, b.mesh) && a.subdivision == b.subdivision &&
          std::equal(a.tools.begin(), a.tools.end(), b.tools.begin(), b.tools.end(),
                     [](const ToolRecord& x, const ToolRecord& y) {
                       return x.name == y.name && same(x.shape, y.shape) && x.pivot == y.pivot &&
@@ -247,6 +248,29 @@ TEST_F(Results, ReadBackExactly) {
     EXPECT_TRUE(same(reader.frame(2), last));
     EXPECT_TRUE(std::signbit(reader.frame(2).fields.at("stress").values(1, 0)));
   }
+}
+
+/// The patches of the sample as two bodies.
+ModelRecord sampleOfBodies() {
+  ModelRecord model = sampleModel();
+  model.bodies = {"block", "punch"};
+  model.mesh.patches[1].body = 1;
+  return model;
+}
+
+TEST_F(Results, SeveralBodiesReadBackExactly) {
+  const ModelRecord model = sampleOfBodies();
+  FrameRecord frame = sampleFrame(model, 0);
+  frame.fields["plastic_strain"].bodies = {"punch"};
+  frame.quadrature.numPoints = {5, 7};
+  ResultWriter(dir, model).append(frame);
+  const ResultReader reader(dir);
+  EXPECT_EQ(reader.model().bodies, model.bodies);
+  EXPECT_EQ(reader.model().mesh.patches[0].body, 0);
+  EXPECT_EQ(reader.model().mesh.patches[1].body, 1);
+  EXPECT_EQ(reader.frame(0).fields.at("plastic_strain").bodies, std::vector<std::string>{"punch"});
+  EXPECT_TRUE(reader.frame(0).fields.at("stress").bodies.empty());
+  EXPECT_EQ(reader.frame(0).quadrature.numPoints, (std::vector<int>{5, 7}));
 }
 
 TEST_F(Results, FramesOfABodyMeshedAnewReadBackExactly) {
@@ -681,6 +705,8 @@ TEST_F(Results, ContradictoryModelsAreRefused) {
           "patch 0, direction 1: knot vector: knot 7");
   refused([](auto& m) { m.mesh.patches[0].directions[1].degree = 1000; }, "degree 1000");
   refused([](auto& m) { m.mesh.patches.clear(); }, "without patches");
+  refused([](auto& m) { m.mesh.patches[1].body = 1; }, "a patch of body 1, which is none of the model's");
+  refused([](auto& m) { m.bodies = {"block", "punch"}; }, "the body \"punch\" has no patch");
   refused(
       [](auto& m) {
         m.tools[0].shape = Sphere{{0.0, 0.0, 0.0}, -1.0};
@@ -709,6 +735,10 @@ TEST_F(Results, ContradictoryFramesAreRefused) {
           "3 nodes, but 3 pressures, 3 average gaps and 2 states");
   refused([](auto& f) { f.contact[0].tool = "hammer"; }, "the tool \"hammer\" is none of the model's");
   refused([](auto& f) { f.contact[0].patch = 2; }, "patch 2 of 2");
+  refused([](auto& f) { f.fields["stress"].bodies = {"anvil"}; },
+          "field stress is of the body \"anvil\", which is none of the model's");
+  refused([](auto& f) { f.quadrature.numPoints = {12}; },
+          "12 quadrature points, which are not those of 0 bodies");
   refused([](auto& f) { f.contact[0].quadratureGap.conservativeResize(4); },
           "5 quadrature points, but 5 pressures, 4 gaps");
   refused([](auto& f) { f.quadrature.positions.conservativeResize(2, 3); },

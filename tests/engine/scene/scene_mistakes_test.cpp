@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tests/engine/scene/scene_mistakes.h"
+#include "tests/engine/scene/two_bodies_sample.h"
 
 namespace burnish {
 namespace {
@@ -27,6 +28,13 @@ const std::string pairOfPatches = R"(patches:
 )";
 const std::string pair = "geometry:\n  shape: patches\n  " + pairOfPatches +
                          "material: {law: neo-hookean, E: 1, nu: 0.3}\nsteps: [{until: 1, count: 1}]\n";
+
+/// In place of "supports:".
+std::string thirdBody(const std::string& name) {
+  return "  - {name: " + name +
+         ", geometry: {shape: rectangle, size: [1, 1], spans: [1, 1]}, material: {law: neo-hookean, E: 1, nu: "
+         "0.3}}\nsupports:";
+}
 
 class SceneMistake : public testing::TestWithParam<Mistake> {};
 
@@ -315,6 +323,46 @@ INSTANTIATE_TEST_SUITE_P(
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
+    Bodies, SceneMistake,
+    testing::Values(
+        Mistake{"unknown", &twoBodies, "body: soft, face: bottom", "body: sotf, face: bottom", "sotf",
+                "supports[0].body", "found sotf; allowed: soft | firm. Did you mean \"soft\"?"},
+        Mistake{"missing", &twoBodies, "body: soft, face: bottom", "face: bottom", "{face: bottom",
+                "supports[0].body", "missing; allowed: soft | firm."},
+        Mistake{"missingInContact", &twoBodies, "tool: plate, body: soft,", "tool: plate,",
+                "{tool: plate, face", "contact[0].body", "missing; allowed: soft | firm."},
+        Mistake{"missingInMeasure", &twoBodies, "kind: percentile, body: soft", "kind: percentile",
+                "{name: tall", "measures[2].body", "missing; allowed: soft | firm."},
+        Mistake{"ofASceneOfOne", &block, "{face: bottom, fix", "{body: block, face: bottom, fix", "block",
+                "supports[0].body",
+                "found block, but the one body of the scene has no name; allowed: leave the key out."},
+        Mistake{"nameTwice", &twoBodies, "supports:", thirdBody("soft"), "soft, geometry", "bodies[2].name",
+                "found soft, the name of another body or a tool; allowed: a name of its own."},
+        Mistake{"nameOfATool", &twoBodies, "supports:", thirdBody("plate"), "plate, geometry",
+                "bodies[2].name",
+                "found plate, the name of another body or a tool; allowed: a name of its own."},
+        Mistake{"nameOfAMeasure", &twoBodies, "name: corner", "name: firm", "firm, kind", "measures[0].name",
+                "found firm, the name of another measure, body or tool; allowed: a name of its own."},
+        Mistake{"geometryBeside", &twoBodies, "formulation: fbar\n",
+                "geometry: {shape: rectangle, size: [1, 1], spans: [2, 2]}\n",
+                "{shape: rectangle, size: [1, 1], spans: [2", "geometry",
+                "found geometry beside bodies; allowed: in each of the bodies."},
+        Mistake{"noGeometry", &twoBodies, "    geometry: {shape: rectangle, size: [1, 1], spans: [4, 3]}\n",
+                "", "name: soft", "bodies[0].geometry", "missing; required: a mapping."},
+        Mistake{"fieldOfTheOther", &twoBodies, "fields: [displacement, von_mises]",
+                "fields: [plastic_strain]", "plastic_strain", "measures[0].fields[0]",
+                "found plastic_strain, but "},
+        Mistake{"otherDimension", &twoBodies,
+                "shape: rectangle, origin: [1.5, 0], size: [0.5, 1], spans: [2, 3]",
+                "shape: box, size: [1, 1, 1], spans: [2, 2, 2]", "{shape: box", "bodies[1].geometry",
+                "found a shape of 3 dimensions; allowed: 2 dimensions, as the first body has."},
+        Mistake{"fewPoints", &twoBodies, "quadrature_points: 5", "quadrature_points: 3", "3\n    geometry",
+                "bodies[1].quadrature_points", "found 3; allowed: at least 4, the degree plus one."},
+        Mistake{"rezoned", &twoBodies, "steps:", "rezoning: {}\nsteps:", "{}", "rezoning",
+                "found in a scene of 2 bodies; allowed: in a scene of one body."}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
     Boundary, SceneMistake,
     testing::Values(
         Mistake{"face", &block, "face: bottom", "face: botom", "botom", "supports[0].face",
@@ -329,7 +377,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"supportNameTwice", &block, "{face: bottom, fix: [x, y]}",
                 "{face: bottom, fix: [x, y], name: floor}\n  - {face: top, fix: [x], name: floor}",
                 "{face: top", "supports[1]",
-                "found the name floor, which another support, a tool or a measure has"},
+                "found the name floor, which another support, a body, a tool or a measure has"},
         Mistake{"noSupport", &block, "{face: bottom, fix: [x, y]}", "{face: bottom}", "{", "supports[0]",
                 "found none of fix, move, prescribe and symmetry; allowed: exactly one of"},
         Mistake{"severalSupports", &block, "{face: bottom, fix: [x, y]}",

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/engine/scene/scene_samples.h"
+#include "tests/engine/scene/two_bodies_sample.h"
 
 namespace burnish {
 namespace {
@@ -98,7 +99,7 @@ TEST(Scene, refusesTextsThatCannotBeShown) {
 TEST(Scene, takesConstantsInNumbersAndFormulas) {
   const Scene scene =
       parseScene(replaced(replaced(samples::block, "E: 1.0", "E: 2*pi"), "[1, 0]", "[pi*t, e]"), "s");
-  EXPECT_EQ(std::get<NeoHookean::Parameters>(scene.material).E, 2.0 * std::numbers::pi);
+  EXPECT_EQ(std::get<NeoHookean::Parameters>(scene.body.material).E, 2.0 * std::numbers::pi);
   EXPECT_EQ(Formula(scene.loads[0].traction[0])(Eigen::Vector3d::Zero(), 2.0), 2.0 * std::numbers::pi);
   EXPECT_EQ(Formula(scene.loads[0].traction[1]).constant(), std::numbers::e);
   const Scene own =
@@ -153,10 +154,10 @@ TEST(Scene, fillsInDefaults) {
       "test.yaml");
   EXPECT_EQ(scene.source, "test.yaml");
   EXPECT_EQ(scene.dim(), 2);
-  EXPECT_EQ(scene.basis, BasisChoice::Nurbs);
-  EXPECT_EQ(scene.degree, 2);
-  EXPECT_EQ(std::get<RectangleBody>(scene.geometry.shape).origin.given(), (std::vector<double>{0, 0}));
-  const auto& material = std::get<NeoHookean::Parameters>(scene.material);
+  EXPECT_EQ(scene.body.basis, BasisChoice::Nurbs);
+  EXPECT_EQ(scene.body.degree, 2);
+  EXPECT_EQ(std::get<RectangleBody>(scene.body.geometry.shape).origin.given(), (std::vector<double>{0, 0}));
+  const auto& material = std::get<NeoHookean::Parameters>(scene.body.material);
   EXPECT_EQ(material.E, 1e-3);
   EXPECT_EQ(material.nu, 0.25);
   EXPECT_EQ(material.volumetric, NeoHookean::Volumetric::Log);
@@ -176,8 +177,8 @@ TEST(Scene, leavesKeysOfTheDocumentAroundItToOthers) {
 
 TEST(Scene, readsEveryValueOfAScene) {
   const Scene scene = parseScene(block, "test.yaml");
-  EXPECT_EQ(std::get<RectangleBody>(scene.geometry.shape).size.given(), (std::vector<double>{3, 1}));
-  EXPECT_EQ(scene.geometry.mesh.functions, (std::vector<int>{49, 25}));
+  EXPECT_EQ(std::get<RectangleBody>(scene.body.geometry.shape).size.given(), (std::vector<double>{3, 1}));
+  EXPECT_EQ(scene.body.geometry.mesh.functions, (std::vector<int>{49, 25}));
   EXPECT_EQ(scene.supports.at(0).place.face, "bottom");
   EXPECT_EQ(scene.supports.at(0).fix, (std::vector<std::string>{"x", "y"}));
   EXPECT_EQ(scene.loads.at(0).traction, (std::vector<FormulaText>{{"1"}, {"0"}}));
@@ -193,12 +194,12 @@ TEST(Scene, readsEveryValueOfAScene) {
 
 TEST(Scene, controlNetKeepsItsDegrees) {
   const Scene scene = parseScene(net, "test.yaml");
-  const auto& given = std::get<ControlNetBody>(scene.geometry.shape);
+  const auto& given = std::get<ControlNetBody>(scene.body.geometry.shape);
   EXPECT_EQ(given.degrees, (std::vector<int>{1, 2}));
   EXPECT_EQ(given.points.at(3), (std::vector<double>{2, 2}));
   EXPECT_EQ(given.weights.at(2), 0.7071067811865476);
-  EXPECT_EQ(scene.degree, 1) << "none is raised";
-  EXPECT_EQ(parseScene(net, "test.yaml", {"basis=lagrange"}).degree, 2) << "the highest of the net";
+  EXPECT_EQ(scene.body.degree, 1) << "none is raised";
+  EXPECT_EQ(parseScene(net, "test.yaml", {"basis=lagrange"}).body.degree, 2) << "the highest of the net";
   EXPECT_EQ(scene.dim(), 2);
 }
 
@@ -244,11 +245,11 @@ TEST_F(ControlNetFile, isReadAndItsContentsStandInTheResolvedScene) {
   ASSERT_EQ(errorWith(ring_), "no error");
   const Scene scene = readScene(directory_ / "scene.yaml");
   EXPECT_EQ(scene.dim(), 2);
-  EXPECT_EQ(std::get<ControlNetBody>(scene.geometry.shape).points.at(3), (std::vector<double>{2, 2}));
+  EXPECT_EQ(std::get<ControlNetBody>(scene.body.geometry.shape).points.at(3), (std::vector<double>{2, 2}));
   EXPECT_EQ(scene.resolvedYaml.find("ring.yaml"), std::string::npos);
   const Scene again = parseScene(scene.resolvedYaml, "elsewhere/again.yaml");
   EXPECT_EQ(again.resolvedYaml, scene.resolvedYaml);
-  EXPECT_EQ(again.geometry.mesh.refine, (std::vector<int>{1, 4}));
+  EXPECT_EQ(again.body.geometry.mesh.refine, (std::vector<int>{1, 4}));
 }
 
 TEST_F(ControlNetFile, isNamedWithLineAndColumnWhenItIsWrong) {
@@ -317,12 +318,12 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
     const Scene again = parseScene(scene.resolvedYaml, "again.yaml");
     EXPECT_EQ(again.resolvedYaml, scene.resolvedYaml);
     EXPECT_EQ(again.title, scene.title);
-    EXPECT_EQ(again.degree, scene.degree);
-    EXPECT_EQ(again.material.index(), scene.material.index());
+    EXPECT_EQ(again.body.degree, scene.body.degree);
+    EXPECT_EQ(again.body.material.index(), scene.body.material.index());
     EXPECT_EQ(again.tools.size(), scene.tools.size());
     if (scene.tools.empty()) continue;
-    EXPECT_EQ(std::get<NeoHookean::Parameters>(again.material).E,
-              std::get<NeoHookean::Parameters>(scene.material).E);
+    EXPECT_EQ(std::get<NeoHookean::Parameters>(again.body.material).E,
+              std::get<NeoHookean::Parameters>(scene.body.material).E);
     EXPECT_EQ(again.supports[0].move.has_value(), scene.supports[0].move.has_value());
     EXPECT_EQ(again.contact[0].options.parameter, scene.contact[0].options.parameter);
   }
@@ -334,13 +335,13 @@ TEST(SceneOverride, setsMakesAndReplacesValues) {
       block, "test.yaml",
       {"degree=3", "basis=lagrange", "steps[1].count=7", "tools[0].motion.x[2]=1.5", "solver.max_cuts=3",
        "material={law: neo-hookean, E: 5, nu: 0}", "degree=4", "contact[0].parameter=2.5", "title=a = b"});
-  EXPECT_EQ(scene.degree, 4);
-  EXPECT_EQ(scene.basis, BasisChoice::Lagrange);
+  EXPECT_EQ(scene.body.degree, 4);
+  EXPECT_EQ(scene.body.basis, BasisChoice::Lagrange);
   EXPECT_EQ(scene.steps[0].count, 20);
   EXPECT_EQ(scene.steps[1].count, 7);
   EXPECT_EQ(*scene.tools[0].motion->x, (std::vector<double>{0, 0, 1.5}));
   EXPECT_EQ(scene.solver.stepping.maxCuts, 3);
-  EXPECT_EQ(std::get<NeoHookean::Parameters>(scene.material).E, 5.0);
+  EXPECT_EQ(std::get<NeoHookean::Parameters>(scene.body.material).E, 5.0);
   EXPECT_EQ(scene.contact[0].options.parameter, 2.5);
   EXPECT_EQ(scene.title, "a = b");
 }
@@ -383,8 +384,8 @@ TEST(PaperScenes, suitEveryBasisAndDegree) {
       for (const int degree : {1, 2, 3, 4}) {
         const Scene scene =
             readScene(scenes / file, {std::string("basis=") + basis, "degree=" + std::to_string(degree)});
-        EXPECT_EQ(scene.degree, degree);
-        EXPECT_EQ(scene.geometry.mesh.functions, (std::vector<int>{49, 25}));
+        EXPECT_EQ(scene.body.degree, degree);
+        EXPECT_EQ(scene.body.geometry.mesh.functions, (std::vector<int>{49, 25}));
       }
     }
   }
@@ -392,10 +393,10 @@ TEST(PaperScenes, suitEveryBasisAndDegree) {
 
 TEST(PaperScenes, holdTheConstantsOfTheStudy) {
   const Scene elastic = readScene(scenes / "paper/elastic.yaml");
-  EXPECT_EQ(std::get<NeoHookean::Parameters>(elastic.material).E, 1.0);
-  EXPECT_EQ(std::get<NeoHookean::Parameters>(elastic.material).nu, 0.3);
+  EXPECT_EQ(std::get<NeoHookean::Parameters>(elastic.body.material).E, 1.0);
+  EXPECT_EQ(std::get<NeoHookean::Parameters>(elastic.body.material).nu, 0.3);
   const Scene plastic = readScene(scenes / "paper/plastic.yaml");
-  const auto& j2 = std::get<J2Plasticity::Parameters>(plastic.material);
+  const auto& j2 = std::get<J2Plasticity::Parameters>(plastic.body.material);
   EXPECT_EQ(j2.E, 70000.0);
   const auto& voce = std::get<VoceHardening>(j2.hardening);
   EXPECT_EQ(voce.sigma0, 79.66);
@@ -419,6 +420,47 @@ TEST(ExampleScenes, areRead) {
     ++count;
   }
   EXPECT_GE(count, 3);
+}
+
+TEST(SceneBodies, TakeWhatTheyDoNotSayFromTheScene) {
+  const Scene scene = parseScene(samples::twoBodies, "test.yaml", {"quadrature_points=6"});
+  ASSERT_EQ(scene.allBodies().size(), 2u);
+  const BodySpec &soft = scene.bodies[0], &firm = scene.bodies[1];
+  EXPECT_EQ(soft.formulation, Formulation::ProjectedDilatation);
+  EXPECT_EQ(firm.formulation, Formulation::Displacement);
+  EXPECT_EQ(soft.basis, BasisChoice::Nurbs);
+  EXPECT_EQ(firm.basis, BasisChoice::Lagrange);
+  EXPECT_EQ(soft.quadraturePoints, 6);
+  EXPECT_EQ(firm.quadraturePoints, 5);
+  EXPECT_EQ(scene.dim(), 2);
+  EXPECT_EQ(scene.bodyNumber("firm"), 1u);
+  EXPECT_EQ(scene.bodyKey(1, "geometry"), "bodies[1].geometry");
+}
+
+TEST(SceneBodies, NetsKeepTheirDegreeIfNobodyGivesOne) {
+  const std::string bodies = R"(bodies:
+  - name: net
+    geometry: {shape: control-net, degrees: [1, 1], knots: [[0, 0, 1, 1], [0, 0, 1, 1]],
+               points: [[0, 0], [1, 0], [0, 1], [1, 1]]}
+    material: {law: neo-hookean, E: 1, nu: 0.3}
+  - name: block
+    geometry: {shape: rectangle, size: [1, 1], spans: [1, 1]}
+    material: {law: neo-hookean, E: 1, nu: 0.3}
+steps: [{until: 1, count: 1}]
+)";
+  const Scene scene = parseScene(bodies, "test.yaml");
+  EXPECT_EQ(scene.bodies[0].degree, 1);
+  EXPECT_EQ(scene.bodies[1].degree, 2);
+  EXPECT_EQ(parseScene("degree: 3\n" + bodies, "test.yaml").bodies[0].degree, 3);
+}
+
+TEST(SceneBodies, AreWrittenAsTheyAreRead) {
+  const Scene scene = parseScene(samples::twoBodies, "test.yaml");
+  const Scene again = parseScene(scene.resolvedYaml, "again.yaml");
+  EXPECT_EQ(again.resolvedYaml, scene.resolvedYaml);
+  EXPECT_EQ(again.bodies.size(), 2u);
+  EXPECT_EQ(again.contact[1].place.body, "firm");
+  EXPECT_EQ(scene.resolvedYaml.find("\ngeometry:"), std::string::npos);
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkXMLMultiBlockDataReader.h>
 
 #include <filesystem>
 #include <fstream>
@@ -14,6 +18,7 @@
 #include "postproc/export/vtu_series_writer.h"
 #include "tests/engine/analysis/model_samples.h"
 #include "tests/postproc/export/vtu_files.h"
+#include "tests/postproc/sample_records.h"
 
 namespace burnish {
 namespace {
@@ -242,6 +247,39 @@ TEST_F(VtuSeries, RefusesAFrameOfAnotherModel) {
   frame.toolDisplacement.conservativeResize(2, 1);
   EXPECT_THROW(writer.write(frame), Error);
   EXPECT_THAT(filesIn(directory_ / "frames"), testing::IsEmpty());
+}
+
+TEST_F(VtuSeries, SeveralBodiesArePartsOfTheirOwn) {
+  const samples::Sample sample = samples::twoBodies();
+  VtuSeriesWriter writer(directory_, sample.model,
+                         {.parts = {ExportPart::Body, ExportPart::Tools, ExportPart::Net}});
+  writer.write(sample.frame);
+  EXPECT_EQ(
+      filesIn(directory_ / "frames"),
+      (std::set<std::string>{"body_block_000000.vtu", "body_stamp_000000.vtu", "tool_cylinder_000000.vtp",
+                             "net_block_000000.vtp", "net_stamp_000000.vtp", "all_000000.vtm"}));
+  std::vector<std::string> names;
+  for (const Entry& entry : readCollection()) names.push_back(entry.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"body_block", "body_stamp", "tool_cylinder", "net_block",
+                                             "net_stamp"}));
+
+  const auto block = readGrid("body_block_000000.vtu"), stamp = readGrid("body_stamp_000000.vtu");
+  EXPECT_TRUE(block->GetPointData()->HasArray("plastic_strain"));
+  EXPECT_FALSE(stamp->GetPointData()->HasArray("plastic_strain"));
+  EXPECT_TRUE(stamp->GetPointData()->HasArray("von_mises [MPa]"));
+  double bounds[6];
+  stamp->GetBounds(bounds);
+  EXPECT_DOUBLE_EQ(bounds[0], 3.5);
+  EXPECT_DOUBLE_EQ(bounds[1], 4.5);
+
+  vtkNew<vtkXMLMultiBlockDataReader> reader;
+  reader->SetFileName((directory_ / "frames" / "all_000000.vtm").c_str());
+  reader->Update();
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
+  ASSERT_EQ(blocks->GetNumberOfBlocks(), 5u);
+  EXPECT_STREQ(blocks->GetMetaData(1u)->Get(vtkCompositeDataSet::NAME()), "body_stamp");
+  EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(1))->GetNumberOfCells(),
+            stamp->GetNumberOfCells());
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(SceneDocument, ReadsWhatTheEngineLeavesAlone) {
           "checks: [{name: force, quantity: cylinder.fy, expect: value, value: 1, relative: 0.1}]\n"
           "charts: [{x: time, y: cylinder.fy, y_title: force}]\n",
       "test.yaml");
-  EXPECT_EQ(document.scene.degree, 2);
+  EXPECT_EQ(document.scene.body.degree, 2);
   ASSERT_EQ(document.pictures.size(), 2u);
   EXPECT_EQ(document.pictures[0].size, (std::array<int, 2>{1600, 900}));
   EXPECT_EQ(document.pictures[1].range, (std::array<double, 2>{0.0, 2.0}));
@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
             "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
-            "quadrature_points, definitions, geometry, material, supports, loads, tools, contact, "
+            "quadrature_points, definitions, geometry, material, bodies, supports, loads, tools, contact, "
             "self_contact, steps, solver, stabilise, rezoning, output, pictures, measures, variants, checks, "
             "charts. Did you mean \"degree\"?"},
         Mistake{"pairLength", &block, "{field: von_mises,", "{field: von_mises, size: [800],", "[800]",

@@ -17,10 +17,10 @@ TEST(SceneListing, namesEveryKeyWithTypeDefaultAndSentence) {
   const std::string listing = describeScene();
   for (const char* line : {
            "- `degree`: a whole number from 1 to 10, default 2. ",
-           "- `geometry`: a mapping, required. ",
+           "- `geometry`: a mapping, required unless there are bodies. ",
            "- `shape: annulus`: Part of a ring",
-           "      - `nu`: a number above -1 and below 0.5, required. Poisson's ratio.\n",
-           "            - `sigma_inf`: a number above 0 (stress), required. ",
+           "  - `nu`: a number above -1 and below 0.5, required. Poisson's ratio.\n",
+           "  - `sigma_inf`: a number above 0 (stress), required. ",
            "  - `tolerance`: a number from 1e-14 to 0.001, default 1e-09. ",
        })
     EXPECT_NE(listing.find(line), std::string::npos) << line;
@@ -35,7 +35,7 @@ TEST(SceneListing, ListsWhatSeveralKeysShareOnceWithLinks) {
   };
   for (const char* shape : {"rectangle", "annulus", "control-net", "patches", "torus", "edge", "union"})
     EXPECT_EQ(count(std::string("- `shape: ") + shape + "`: "), 1) << shape;
-  EXPECT_EQ(count("](#geometry-shape)"), 2);
+  EXPECT_EQ(count("](#geometry-shape)"), 3);
   EXPECT_EQ(count("\n### geometry shape\n"), 1);
   EXPECT_EQ(count("](#tools-shape)"), 2);
   EXPECT_EQ(count("\n### tools shape\n"), 1);
