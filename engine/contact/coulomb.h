@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Dense>
+#include <algorithm>
+#include <limits>
+
+namespace burnish {
+
+/// Tangential traction of friction at a point, or of an average, and its derivatives. It points along the
+/// slip of the slave and acts on the partner; D components across the normal.
+template <int D>
+struct FrictionTraction {
+  Eigen::Vector<double, D> traction = Eigen::Vector<double, D>::Zero();           ///< τᵉ
+  Eigen::Matrix<double, D, D> byTrial = Eigen::Matrix<double, D, D>::Identity();  ///< M = ∂τᵉ/∂τ̂
+  Eigen::Vector<double, D> byPressure = Eigen::Vector<double, D>::Zero();  ///< c = ∂τᵉ/∂λ̂, λ̂ <= 0
+  bool slips = false;
+};
+
+/// The return map of Coulomb friction: the trial traction τ̂ where |τ̂| <= b (stick), b τ̂/|τ̂| elsewhere (slip),
+/// with b = μ ⟨-λ̂⟩, no more than a limit. μ infinite: no slip where there is contact.
+template <int D>
+FrictionTraction<D> coulombTraction(const Eigen::Vector<double, D>& trial, double lambdaHat, double mu,
+                                    double limit = std::numeric_limits<double>::infinity()) {
+  FrictionTraction<D> law;
+  law.traction = trial;
+  const double coulomb = lambdaHat < 0.0 ? -mu * lambdaHat : 0.0;
+  const double bound = std::min(coulomb, limit), size = trial.norm();
+  if (size <= bound) return law;
+  const Eigen::Vector<double, D> direction = trial / size;
+  law.slips = true;
+  law.traction = bound * direction;
+  law.byTrial = bound / size * (law.byTrial - direction * direction.transpose());
+  if (lambdaHat < 0.0 && coulomb <= limit) law.byPressure = -mu * direction;
+  return law;
+}
+
+}  // namespace burnish

@@ -1,0 +1,99 @@
+#pragma once
+#include <Eigen/Dense>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/contact/coulomb.h"
+#include "engine/contact/friction_work.h"
+#include "engine/contact/partner.h"
+#include "engine/contact/tool_contact.h"
+
+namespace burnish {
+
+/// Makes the partner of a face from its quadrature, which outlives it.
+template <int Dim>
+using PartnerMaker = std::function<std::unique_ptr<Partner<Dim>>(const FaceQuadrature<Dim>&)>;
+
+/// Mortar contact of one face ("slave") with a partner, with Coulomb friction: augmented Lagrangian with
+/// multipliers λ_A and, with friction, τ_A of the slave's control points. Integrals over the reference face,
+/// over points that have a partner (∫'), N = ∂g and T, S of `ContactPoint`:
+///
+///     A_A = ∫' R_A dΓ,   g_A = 1/A_A ∫' R_A g dΓ,   s_A = 1/A_A ∫' R_A s dΓ,
+///     D_A = ∫' R_A N dΓ,   T_A = ∫' R_A T dΓ,   S_A = ∫' R_A S dΓ,
+///     λ̂_A = λ_A + ε g_A, active where λ̂_A <= 0,   τ̂_A = τ_A + ε_T s_A,   τᵉ_A of `coulombTraction`,
+///     R_u += Σ λ̂_A D_A + T_A τᵉ_A,   R_λA = A_A g_A or -A_A/ε λ_A,   R_τA = A_A/ε_T (τᵉ_A - τ_A).
+///
+/// With M = ∂τᵉ/∂τ̂, c = ∂τᵉ/∂λ̂ of active functions, λ̂ = Σ R_A λ̂_A and t = Σ R_A τᵉ_A at a point
+///
+///     K_uu += Σ ε/A_A D_A D_Aᵀ + ε_T/A_A T_A M S_Aᵀ + ε/A_A T_A c D_Aᵀ + ∫' λ̂ ∂²g + ∂(t·δs_T) dΓ,
+///     K_uλ = D_A + T_A c,   K_uτ = T_A M,   K_λu = D_Aᵀ,   K_τu = M S_Aᵀ + ε/ε_T c D_Aᵀ,
+///     K_τλ = A_A/ε_T c,   K_ττ = A_A/ε_T (M - I),
+///
+/// symmetric without friction. A function with less than a twentieth of its weight over points with a partner
+/// is not active, and its multipliers vanish.
+template <int Dim>
+class MortarContactTerm final : public Term {
+ public:
+  /// options: with a parameter; no gap limit. firstMultiplier: number of the first of the pair's multipliers
+  /// among the unknowns. Throws `Error` as `requireAveragedGaps`.
+  MortarContactTerm(const Body<Dim>& body, int patch, FaceId face, const PartnerMaker<Dim>& makePartner,
+                    const ContactOptions& options, int firstMultiplier);
+
+  /// Those λ_A come first; then, with friction, the components of τ_A one after the other.
+  int numMultipliers() const { return (hasFriction_ ? Dim : 1) * face_.numFunctions(); }
+  int firstMultiplier() const { return firstMultiplier_; }
+
+  /// What residuals of multipliers are compared with, one per multiplier: ∫ R_A dΓ.
+  Eigen::VectorXd weights() const;
+
+  CouplingGroups couplings() const override;
+  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+  bool hasSymmetricTangent() const override { return !hasFriction_; }
+  void accept() override;
+  void archive(StateArchive& archive) override;
+
+  /// Smallest gap of the quadrature points between the undeformed faces; infinite if they do not see each
+  /// other. To be asked before the first evaluation. numNodes: of all bodies.
+  double smallestReferenceGap(int numNodes);
+
+  const ContactState& state() const { return state_; }
+  const FaceQuadrature<Dim>& face() const { return face_; }
+  const Partner<Dim>& partner() const { return *partner_; }
+  const ContactOptions& options() const { return options_; }
+
+  /// See `ToolContact::setParameter`.
+  void setParameter(double parameter) { options_.parameter = parameter; }
+  double parameter() const { return *options_.parameter; }
+
+ private:
+  using Tangential = Eigen::Vector<double, Dim - 1>;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Dim - 1>;
+
+  struct Average;
+  struct Sums;
+
+  double frictionParameter() const { return options_.frictionParameter.value_or(parameter()); }
+  SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
+  Sums integrate(const Eigen::MatrixXd& positions) const;
+  FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, const Eigen::VectorXd& x) const;
+  void addFunctions(const Eigen::VectorXd& x, Assembly& out, const Sums& sums);
+  void addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums);
+
+  FaceQuadrature<Dim> face_;
+  std::unique_ptr<Partner<Dim>> partner_;
+  ContactOptions options_;
+  bool hasFriction_;
+  int firstMultiplier_;
+  bool axisymmetric_;
+  Eigen::VectorXd A_;                               ///< ∫ R_A dΓ
+  std::vector<std::vector<int>> slaveUnknowns_;     ///< per span: displacement components, by functions
+  std::vector<std::vector<int>> spanUnknowns_;      ///< per span: with the partner's, ascending
+  std::vector<std::vector<int>> functionUnknowns_;  ///< per function: of all its spans, ascending
+  FrictionWork friction_;
+  std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
+  ContactState state_;
+};
+
+}  // namespace burnish
