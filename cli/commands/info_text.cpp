@@ -79,9 +79,11 @@ std::string framesText(const ResultReader& result) {
   for (const auto& [name, field] : last.fields) text += line("field", fieldText(name, field));
   for (const ContactRecord& contact : last.contact) {
     const auto& patch = meshOf(result.model(), last).patches[static_cast<std::size_t>(contact.patch)];
-    text += line("contact",
-                 fmt::format("{} on {}{}, {} control points", contact.tool.empty() ? "self" : contact.tool,
-                             contact.face, ofBody(result.model(), patch), contact.nodes.size()));
+    text += line("contact", fmt::format("{} on {}{}, {} control points",
+                                        !contact.pair.empty()  ? contact.pair
+                                        : contact.tool.empty() ? "self"
+                                                               : contact.tool,
+                                        contact.face, ofBody(result.model(), patch), contact.nodes.size()));
   }
   return text;
 }

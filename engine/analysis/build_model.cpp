@@ -11,6 +11,7 @@
 #include "engine/analysis/geometry_check.h"
 #include "engine/analysis/place_tools.h"
 #include "engine/analysis/tools.h"
+#include "engine/contact/face_partner.h"
 #include "engine/core/input_error.h"
 #include "engine/scene/scene_places.h"
 #include "engine/solid/dead_load.h"
@@ -38,6 +39,7 @@ class ModelBuilder {
   void addLoad(std::size_t number);
   void addTool(std::size_t number);
   void addContact(std::size_t number);
+  void addPair(std::size_t number);
 
   /// mayPenetrate: a little, at the start.
   void addSelfContact(std::size_t number, bool mayPenetrate);
@@ -68,9 +70,12 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
   problems.throwIfAny();
   for (std::size_t k = 0; k < scene.contact.size(); ++k)
     problems.gather([&] {
+      if (scene.contact[k].against) return;
       requireReachable(model, scene.contact[k], fmt::format("contact[{}]", k));
       builder.addContact(k);
     });
+  for (std::size_t k = 0; k < scene.contact.size(); ++k)
+    if (scene.contact[k].against) problems.gather([&] { builder.addPair(k); });
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k)
     problems.gather([&] { builder.addSelfContact(k, false); });
   if (!scene.stabilise) problems.gather([&] { requireSupported(model); });
@@ -91,7 +96,8 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const
   builder.addBody(0, reference);
   for (std::size_t k = 0; k < scene.loads.size(); ++k) builder.addLoad(k);
   for (std::size_t k = 0; k < scene.tools.size(); ++k) builder.addTool(k);
-  for (std::size_t k = 0; k < scene.contact.size(); ++k) builder.addContact(k);
+  for (std::size_t k = 0; k < scene.contact.size(); ++k)
+    if (!scene.contact[k].against) builder.addContact(k);
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k) builder.addSelfContact(k, true);
   builder.closeNumbering();
   model.start_.time = rezoned.time;
@@ -190,6 +196,37 @@ void ModelBuilder<Dim>::addContact(std::size_t number) {
                                    model_->numUnknowns_, model_->supports_.prescribed());
   model_->numUnknowns_ += term->numMultipliers();
   model_->contacts_.push_back({tool, place, std::move(term)});
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addPair(std::size_t number) {
+  const auto& spec = scene_.contact[number];
+  const std::string key = fmt::format("contact[{}]", number);
+  model_->faces_.requireOuter(spec.place, key);
+  model_->faces_.requireOuter(*spec.against, key + ".against");
+  const FacePlace place = model_->faces_.face(spec.place), against = model_->faces_.face(*spec.against);
+  const ModelBody<Dim>&body = model_->bodyOf(place), &other = model_->bodyOf(against);
+  ContactOptions options = spec.options;
+  const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
+  options.parameter = options.parameterFor(youngsModulus(body.bulk->material()), body.body.size(),
+                                           meanControlPointDistance(patch, place.face));
+  const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), other.body.size()))};
+  const auto makePartner = [&](const FaceQuadrature<Dim>& slave) {
+    return std::make_unique<FacePartner<Dim>>(
+        slave, outwardSign(patch, place.face),
+        MasterSurface<Dim>(model_->body_, {{against.patch, against.face}}), rules);
+  };
+  try {
+    auto term = std::make_unique<MortarContactTerm<Dim>>(model_->body_, place.patch, place.face, makePartner,
+                                                         options, model_->numUnknowns_);
+    requireApart(*model_, *term, spec, key);
+    model_->numUnknowns_ += term->numMultipliers();
+    model_->pairs_.push_back({pairName(spec), place, against, std::move(term)});
+  } catch (const InputError&) {
+    throw;
+  } catch (const Error& error) {
+    throw InputError(key, error.what());
+  }
 }
 
 template <int Dim>

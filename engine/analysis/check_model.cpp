@@ -122,6 +122,17 @@ void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model) {
 }
 
 template <int Dim>
+void requireApart(const Model<Dim>& model, MortarContactTerm<Dim>& term, const ContactSpec& spec,
+                  const std::string& place) {
+  const double gap = term.smallestReferenceGap(model.body().numNodes);
+  if (gap < -kTouching * model.body().size())
+    throw InputError(place,
+                     fmt::format("face '{}' overlaps face '{}' by {:.3g} at the start; move the bodies "
+                                 "apart by at least that much (touching is fine)",
+                                 spec.place.face, spec.against->face, -gap));
+}
+
+template <int Dim>
 void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place) {
   const Tool& tool = *model.tools()[model.toolNumber(spec.tool)];
   const FaceFinder<Dim>& faces = model.faces();
@@ -169,6 +180,8 @@ void requireSupported(const Model<Dim>& model) {
 
 template void requireFiniteFormulas(const Scene&, const Model<2>&);
 template void requireFiniteFormulas(const Scene&, const Model<3>&);
+template void requireApart(const Model<2>&, MortarContactTerm<2>&, const ContactSpec&, const std::string&);
+template void requireApart(const Model<3>&, MortarContactTerm<3>&, const ContactSpec&, const std::string&);
 template void requireReachable(const Model<2>&, const ContactSpec&, const std::string&);
 template void requireReachable(const Model<3>&, const ContactSpec&, const std::string&);
 template void requireSupported(const Model<2>&);

@@ -16,6 +16,11 @@ void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model);
 
 /// Throws `InputError` at `place` unless the tool of a pair can come into contact with its face: it begins in
 /// front of the outer face, which is free to move. model: with its tools and supports.
+/// Throws `InputError` at `place` if the faces of a pair overlap at the start.
+template <int Dim>
+void requireApart(const Model<Dim>& model, MortarContactTerm<Dim>& term, const ContactSpec& spec,
+                  const std::string& place);
+
 template <int Dim>
 void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place);
 

@@ -84,6 +84,8 @@ void DoubtWatch<Dim>::watchContacts(const RunHistory<Dim>& history) {
     lost = lost || hasLostResolution(pair);
     if (pair.term->state().pressure.maxCoeff() > 0.0) touched_[pair.tool] = true;
   }
+  for (const auto& pair : model_.pairs())
+    refinement = std::max(refinement, penetrationPerSpan(*pair.term) / spanShare);
   for (const auto& contact : model_.selfContacts())
     refinement = std::max(refinement, penetrationPerSpan(*contact.term) / spanShare);
   note(Condition::Penetration, refinement > 1.0, time, refinement);

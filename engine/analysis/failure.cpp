@@ -51,6 +51,13 @@ ContactFindings contactFindings(const Model<Dim>& model) {
         "{} control points of face {} touch tool '{}', {} changed in the last iteration", contact.numActive(),
         model.faces().textOf(pair.place), model.tools()[pair.tool]->name, contact.changes));
   }
+  for (const auto& pair : model.pairs()) {
+    const ContactState& contact = pair.term->state();
+    found.changes += contact.changes;
+    found.findings.push_back(fmt::format(
+        "{} control points of face {} touch face {}, {} changed in the last iteration", contact.numActive(),
+        model.faces().textOf(pair.place), model.faces().textOf(pair.against), contact.changes));
+  }
   for (const auto& contact : model.selfContacts()) {
     const SelfContactState& state = contact.term->state();
     found.changes += state.changes;

@@ -95,6 +95,19 @@ ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pai
   return record;
 }
 
+template <int Dim>
+ContactRecord contactRecord(const FacePair<Dim>& pair, const Eigen::VectorXd& x, double size) {
+  ContactRecord record = faceRecord(pair.term->face(), pair.term->state(), x);
+  record.pair = pair.name;
+  record.face = faceName(pair.place.face);
+  record.patch = pair.place.patch;
+  record.quadratureNormal = pair.term->state().normal.template topRows<Dim>();
+  // Without a partner a gap is infinite.
+  record.averageGap = record.averageGap.cwiseMin(size);
+  record.quadratureGap = record.quadratureGap.cwiseMin(size);
+  return record;
+}
+
 ContactRecord contactRecord(const SelfContact& contact, const Eigen::VectorXd& x) {
   ContactRecord record = faceRecord(contact.term->face(), contact.term->state(), x);
   record.face = faceName(contact.place.face);
@@ -168,6 +181,7 @@ FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model,
     frame.toolAngle(k) = pose.angle;
   }
   for (const auto& pair : model.contacts()) frame.contact.push_back(contactRecord(model, pair, x));
+  for (const auto& pair : model.pairs()) frame.contact.push_back(contactRecord(pair, x, model.body().size()));
   for (const auto& contact : model.selfContacts()) frame.contact.push_back(contactRecord(contact, x));
 
   Eigen::MatrixXd current = frame.displacement;

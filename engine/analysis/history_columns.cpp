@@ -91,6 +91,37 @@ constexpr ToolRow kToolFriction[] = {
     {".friction_work", Where::Everywhere,
      [](State s, std::size_t k) { return s.toolTouches[k].frictionWork; }},
 };
+
+struct PairRow {
+  const char* suffix;
+  bool inSpace, ofFriction;
+  double (*value)(const PairTouch& pair);
+};
+
+constexpr PairRow kPair[] = {
+    {".fx", false, false, [](const PairTouch& p) { return p.force(0); }},
+    {".fy", false, false, [](const PairTouch& p) { return p.force(1); }},
+    {".fz", true, false, [](const PairTouch& p) { return p.force(2); }},
+    {".pressed", false, false, [](const PairTouch& p) { return p.pressed; }},
+    {".active", false, false, [](const PairTouch& p) { return static_cast<double>(p.active); }},
+    {".penetration", false, false, [](const PairTouch& p) { return p.penetration; }},
+    {".friction", false, true, [](const PairTouch& p) { return p.friction; }},
+    {".sticking", false, true, [](const PairTouch& p) { return static_cast<double>(p.sticking); }},
+    {".slipping", false, true, [](const PairTouch& p) { return static_cast<double>(p.slipping); }},
+    {".friction_work", false, true, [](const PairTouch& p) { return p.frictionWork; }},
+};
+
+/// Columns of a pair of faces.
+void addPair(std::vector<HistoryColumn>& columns, const std::string& name, std::size_t pair, bool inSpace,
+             bool rubs) {
+  for (const PairRow& row : kPair) {
+    if ((row.inSpace && !inSpace) || (row.ofFriction && !rubs)) continue;
+    columns.push_back({name + row.suffix, [pair, value = row.value](const HistoryRow& r) {
+                         return value(r.state.pairs[pair]);
+                       }});
+  }
+}
+
 struct BodyRow {
   const char* suffix;
   double BodyQuantities::*value;
@@ -165,6 +196,11 @@ std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& 
     if (!hasPair(model, k, rubs)) continue;
     addRows(kToolFriction);
     anyRubs = true;
+  }
+  for (std::size_t k = 0; k < model.pairs().size(); ++k) {
+    const FacePair<Dim>& pair = model.pairs()[k];
+    addPair(columns, pair.name, k, Dim == 3, pair.term->options().hasFriction());
+    anyRubs = anyRubs || pair.term->options().hasFriction();
   }
   add(columns, kBody);
   if (anyRubs) add(columns, kFriction);

@@ -63,6 +63,7 @@ std::vector<Term*> Model<Dim>::terms() const {
   std::vector<Term*> terms;
   for (const auto& body : bodies_) terms.push_back(body.bulk.get());
   for (const auto& pair : contacts_) terms.push_back(pair.term.get());
+  for (const auto& pair : pairs_) terms.push_back(pair.term.get());
   for (const auto& contact : selfContacts_) terms.push_back(contact.term.get());
   for (const auto& load : loads_) terms.push_back(load.get());
   for (const auto& load : toolLoads_) terms.push_back(load.term.get());

@@ -6,6 +6,7 @@
 
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/supports.h"
+#include "engine/contact/mortar_contact_term.h"
 #include "engine/contact/self_contact_term.h"
 #include "engine/contact/tool_contact.h"
 #include "engine/scene/scene.h"
@@ -42,6 +43,15 @@ struct ContactPair {
   std::unique_ptr<ToolContact<Dim>> term;
 };
 
+/// Two faces of the scene that may touch.
+template <int Dim>
+struct FacePair {
+  std::string name;
+  FacePlace place;  ///< of the face with the multipliers
+  FacePlace against;
+  std::unique_ptr<MortarContactTerm<Dim>> term;
+};
+
 /// A tool of the scene with free degrees of freedom: the forces that it carries in them.
 struct CarriedLoad {
   std::size_t tool = 0;
@@ -76,6 +86,7 @@ class Model {
 
   const std::vector<std::unique_ptr<Tool>>& tools() const { return tools_; }
   const std::vector<ContactPair<Dim>>& contacts() const { return contacts_; }
+  const std::vector<FacePair<Dim>>& pairs() const { return pairs_; }
   const std::vector<SelfContact>& selfContacts() const { return selfContacts_; }
   const std::vector<std::unique_ptr<LoadTerm>>& loads() const { return loads_; }
   const std::vector<CarriedLoad>& toolLoads() const { return toolLoads_; }
@@ -88,7 +99,7 @@ class Model {
   /// Null unless the scene asks for it.
   const Stabilisation<Dim>* stabilisation() const { return stabilisation_.get(); }
 
-  /// Bodies, contacts, contacts of faces with themselves, loads, loads of tools, stabilisation, in this order.
+  /// Bodies, contacts with tools, of pairs of faces, of faces with themselves, loads, loads of tools, stabilisation, in this order.
   std::vector<Term*> terms() const;
 
   int numDisplacements() const { return Dim * body_.numNodes; }
@@ -133,6 +144,7 @@ class Model {
   Supports<Dim> supports_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::vector<ContactPair<Dim>> contacts_;
+  std::vector<FacePair<Dim>> pairs_;
   std::vector<SelfContact> selfContacts_;  ///< none in 3D
   std::vector<std::unique_ptr<LoadTerm>> loads_;
   std::vector<CarriedLoad> toolLoads_;

@@ -22,6 +22,10 @@ ResidualScales residualScales(const Model<Dim>& model) {
         sizeAt(pair.place) * pair.term->weights().head(pair.term->numMultipliers());
     next += pair.term->numMultipliers();
   }
+  for (const auto& pair : model.pairs()) {
+    scales.constraints.segment(next, pair.term->numMultipliers()) = sizeAt(pair.place) * pair.term->weights();
+    next += pair.term->numMultipliers();
+  }
   for (const auto& contact : model.selfContacts()) {
     scales.constraints.segment(next, contact.term->numMultipliers()) =
         sizeAt(contact.place) * contact.term->weights();

@@ -38,6 +38,7 @@ RunHistory<Dim>::RunHistory(const Scene& scene, const Model<Dim>& model,
   current_.toolForces.resize(model.tools().size(), Eigen::Vector3d::Zero());
   current_.toolMoments = current_.toolForces;
   current_.toolTouches.resize(model.tools().size());
+  current_.pairs.resize(model.pairs().size());
   current_.reactions = reactions_.values();
   current_.measured.resize(measures_.columns().size());
 }
@@ -100,6 +101,27 @@ void RunHistory<Dim>::addTools(const MeasuredState& state, StateQuantities& next
 }
 
 template <int Dim>
+void RunHistory<Dim>::addPairs(StateQuantities& next) const {
+  for (const FacePair<Dim>& pair : model_.pairs()) {
+    const ContactState& contact = pair.term->state();
+    next.contactEnergy += contact.energy;
+    next.activeControlPoints += contact.numActive();
+    next.maxPenetration = std::max(next.maxPenetration, contact.largestPenetration());
+    PairTouch touch;
+    touch.force = contact.reaction;
+    for (const auto& span : pair.term->face().spans())
+      touch.pressed += span.weights.dot(contact.pressure.segment(span.firstPoint, span.weights.size()));
+    touch.friction = contact.frictionForce;
+    touch.active = contact.numActive();
+    touch.sticking = contact.sticking;
+    touch.slipping = contact.slipping;
+    touch.penetration = contact.largestPenetration();
+    touch.frictionWork = contact.frictionWork;
+    next.pairs.push_back(touch);
+  }
+}
+
+template <int Dim>
 void RunHistory<Dim>::addSelfContacts(StateQuantities& next) const {
   for (const auto& contact : model_.selfContacts()) {
     const SelfContactState& state = contact.term->state();
@@ -157,6 +179,7 @@ void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& 
   next.externalWork = current_.externalWork + workIncrement(x, force, loads);
   if (++states_ == 2 && loads_.size() > 0) suddenWork_ = 0.5 * loads_.dot((x - x_).head(loads_.size()));
   addTools(state, next);
+  addPairs(next);
   addSelfContacts(next);
   if (x_.size() > 0) next.externalWork += toolWork(next);
   next.bodies.resize(current_.bodies.size());

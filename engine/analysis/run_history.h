@@ -70,6 +70,7 @@ class RunHistory {
                        const Eigen::VectorXd& loads) const;
   double toolWork(const StateQuantities& next) const;
   void addTools(const MeasuredState& state, StateQuantities& next) const;
+  void addPairs(StateQuantities& next) const;
   void addSelfContacts(StateQuantities& next) const;
   void addBodies(StateQuantities& next);
   Eigen::VectorXd loadForces() const;

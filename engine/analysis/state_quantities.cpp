@@ -17,6 +17,7 @@ void RezoningSums::add(const RezoningRecord& rezoning) {
 double StateQuantities::frictionWork() const {
   double work = 0.0;
   for (const ToolTouch& touch : toolTouches) work += touch.frictionWork;
+  for (const PairTouch& pair : pairs) work += pair.frictionWork;
   return work;
 }
 
@@ -31,6 +32,12 @@ void StateQuantities::archive(StateArchive& archive) {
     ToolTouch& touch = toolTouches[k];
     archive.together(name + "touch", touch.area, touch.friction, touch.sticking, touch.slipping,
                      touch.frictionWork);
+  }
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    PairTouch& pair = pairs[k];
+    archive.field(fmt::format("pair{}_force", k), pair.force);
+    archive.together(fmt::format("pair{}", k), pair.pressed, pair.friction, pair.active, pair.sticking,
+                     pair.slipping, pair.penetration, pair.frictionWork);
   }
   for (std::size_t k = 0; k < bodies.size(); ++k)
     archive.together(fmt::format("body{}", k), bodies[k].strainEnergy, bodies[k].plasticWork,

@@ -28,6 +28,16 @@ struct ToolTouch {
   double frictionWork = 0.0;       ///< since the start
 };
 
+/// What a pair of faces is like.
+struct PairTouch {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the face with the multipliers on the other one
+  double pressed = 0.0;                             ///< ∫ p dΓ
+  double friction = 0.0;                            ///< ∫ |t| dΓ of frictional tractions
+  int active = 0, sticking = 0, slipping = 0;       ///< control points
+  double penetration = 0.0;                         ///< at quadrature points
+  double frictionWork = 0.0;                        ///< since the start
+};
+
 /// Of one body among several.
 struct BodyQuantities {
   double strainEnergy = 0.0;
@@ -43,6 +53,7 @@ struct StateQuantities {
   std::vector<Eigen::Vector3d> toolForces;   ///< force of the body on each tool
   std::vector<Eigen::Vector3d> toolMoments;  ///< of that force about the tool's pivot
   std::vector<ToolTouch> toolTouches;        ///< per tool
+  std::vector<PairTouch> pairs;              ///< per pair of faces
   std::vector<BodyQuantities> bodies;        ///< per body; empty if there is one
   double strainEnergy = 0.0;
   double contactEnergy = 0.0;

@@ -9,6 +9,7 @@ namespace {
 template <int Dim>
 double contactParameter(const Model<Dim>& model) {
   if (!model.contacts().empty()) return model.contacts().front().term->parameter();
+  if (!model.pairs().empty()) return model.pairs().front().term->parameter();
   if (!model.selfContacts().empty()) return model.selfContacts().front().term->parameter();
   return 0.0;
 }
@@ -32,10 +33,11 @@ void addResiduals(RunSummary& summary, const NewtonReport& report) {
 template <int Dim>
 void addCosts(RunSummary& summary, Simulation<Dim>& simulation) {
   const Model<Dim>& model = *simulation.model;
-  const std::size_t contacts = model.contacts().size() + model.selfContacts().size();
+  const std::size_t contacts = model.contacts().size() + model.pairs().size() + model.selfContacts().size();
   const auto& timings = simulation.newton.timings();
   for (std::size_t k = 0; k < timings.terms.size(); ++k) {
-    const bool isContact = k >= 1 && k <= contacts;
+    const std::size_t first = model.bodies().size();
+    const bool isContact = k >= first && k < first + contacts;
     (isContact ? summary.timings.contact : summary.timings.assembly) += timings.terms[k];
   }
   summary.timings.factorisation += timings.factorisation;

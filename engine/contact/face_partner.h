@@ -87,6 +87,10 @@ class FacePartner final : public Partner<Dim> {
   const std::vector<Segment>& segments(std::size_t span) const { return segments_[span]; }
 
   Eigen::Vector3d pivot() const override { return Eigen::Vector3d::Zero(); }
+
+  /// None: motions of the master are unknowns.
+  double prescribedWork(const Eigen::Vector3d&, const Eigen::Vector3d&) const override { return 0.0; }
+
   void accept() override;
   void archive(StateArchive& archive) override;
 

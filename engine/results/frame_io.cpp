@@ -39,6 +39,7 @@ std::map<std::string, FieldRecord> readFields(const InputGroup& group) {
 
 void writeContact(const OutputGroup& group, const ContactRecord& contact) {
   group.attribute("tool", contact.tool);
+  if (!contact.pair.empty()) group.attribute("pair", contact.pair);
   group.attribute("face", contact.face);
   group.attribute("patch", contact.patch);
   group.dataset("nodes", contact.nodes);
@@ -53,6 +54,7 @@ void writeContact(const OutputGroup& group, const ContactRecord& contact) {
 
 ContactRecord readContact(const InputGroup& group) {
   return {.tool = group.text("tool"),
+          .pair = group.hasAttribute("pair") ? group.text("pair") : "",
           .face = group.text("face"),
           .patch = group.integer("patch"),
           .nodes = group.dataset("nodes").integers(),

@@ -95,6 +95,12 @@ void checkLoad(const CheckContext& c, const std::string& path, const LoadSpec& l
   if (load.schedule && c.clean(path + ".schedule")) checkSchedule(c, path + ".schedule", *load.schedule);
 }
 
+using PlaceOfFace = std::tuple<std::size_t, std::string, std::string>;
+
+PlaceOfFace placeOfFace(const Scene& scene, const FaceSpec& face) {
+  return {scene.bodyNumber(face.body), face.patch, face.face};
+}
+
 void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::string& path) {
   if (!pair.options.gapLimit || !c.clean(path)) return;
   if (!averagesGaps(pair.options.method))
@@ -110,10 +116,11 @@ void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::st
     c.report(path, "found for a tool that carries a load; allowed: for tools whose motion is given.");
 }
 
-void checkFriction(const CheckContext& c, const ContactOptions& options, const std::string& path) {
+void checkFriction(const CheckContext& c, const ContactOptions& options, const std::string& path,
+                   bool isPair = false) {
   if (options.rough && options.friction && c.clean(path + ".friction"))
     c.report(path + ".friction", "found beside rough: true; allowed: one of the two.");
-  if (options.hasFriction() && options.method != Enforcement::IntegralAugmentedLagrangian &&
+  if (!isPair && options.hasFriction() && options.method != Enforcement::IntegralAugmentedLagrangian &&
       c.clean(path + ".method"))
     c.report(path + ".method",
              "found a method without friction beside friction or rough; allowed: "
@@ -122,13 +129,57 @@ void checkFriction(const CheckContext& c, const ContactOptions& options, const s
     c.report(path + ".shear_limit", "found without friction; allowed: beside friction.");
 }
 
+/// What there is to say of a pair of faces alone. faces: of all pairs before, slave and master.
+void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string& path,
+               std::vector<std::pair<PlaceOfFace, PlaceOfFace>>& faces) {
+  checkFace(c, path + ".against", *pair.against);
+  if (!pair.tool.empty() && c.clean(path + ".tool"))
+    c.report(path + ".tool", "found beside against; allowed: one of the two.");
+  if (pair.options.method != Enforcement::AugmentedLagrangian && c.clean(path + ".method"))
+    c.report(path + ".method",
+             "found a method for contact with tools; allowed between bodies: augmented-lagrangian.");
+  if (pair.options.gapLimit && c.clean(path + ".gap_limit"))
+    c.report(path + ".gap_limit", "found beside against; allowed: beside tool.");
+  checkFriction(c, pair.options, path, true);
+  if (!c.clean(path)) return;
+  const PlaceOfFace slave = placeOfFace(c.scene, pair.place), master = placeOfFace(c.scene, *pair.against);
+  if (slave == master)
+    return c.report(path + ".against", fmt::format("found face {} itself; allowed: another face, or the key "
+                                                   "self_contact.",
+                                                   pair.place.face));
+  for (const auto& [otherSlave, otherMaster] : faces) {
+    if (otherSlave == slave && otherMaster == master)
+      return c.report(path, fmt::format("found the pair of faces {} and {} a second time; allowed: each pair "
+                                        "once.",
+                                        pair.place.face, pair.against->face));
+    if (otherSlave == master && otherMaster == slave)
+      return c.report(path,
+                      fmt::format("found the faces {} and {} of another pair with their parts changed, so "
+                                  "that both would carry multipliers; allowed: one pair, with the finer "
+                                  "face named first.",
+                                  pair.place.face, pair.against->face));
+  }
+  faces.emplace_back(slave, master);
+}
+
 void checkContact(const CheckContext& c, const std::vector<std::string>& toolNames) {
   std::set<std::tuple<std::string, std::size_t, std::string, std::string>> pairs;
+  std::vector<std::pair<PlaceOfFace, PlaceOfFace>> faces;
   for (std::size_t i = 0; i < c.scene.contact.size(); ++i) {
     const ContactSpec& pair = c.scene.contact[i];
     const std::string path = fmt::format("contact[{}]", i);
     checkFace(c, path, pair.place);
+    if (pair.against) {
+      checkPair(c, pair, path, faces);
+      continue;
+    }
     if (!c.clean(path)) continue;
+    if (pair.tool.empty()) {
+      c.report(path, "found neither tool nor against; required: what the face may touch, one of the two.");
+      continue;
+    }
+    if (pair.reach && c.clean(path + ".reach"))
+      c.report(path + ".reach", "found beside tool; allowed: beside against.");
     const bool known = std::find(toolNames.begin(), toolNames.end(), pair.tool) != toolNames.end();
     const bool allNamesAreRead = c.clean("tools") || toolNames.size() == c.scene.tools.size();
     if (!known && allNamesAreRead)

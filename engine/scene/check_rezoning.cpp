@@ -20,6 +20,8 @@ void checkContact(const CheckContext& c) {
              "are needed.");
   for (std::size_t k = 0; k < contact.size(); ++k) {
     refuse(c, k > 0, fmt::format("contact[{}]", k), "a second contact pair");
+    refuse(c, contact[k].against.has_value(), fmt::format("contact[{}].against", k),
+           "contact between bodies");
     if (contact[k].options.method != Enforcement::AugmentedLagrangian &&
         c.clean(fmt::format("contact[{}].method", k)))
       c.report(fmt::format("contact[{}].method", k),

@@ -12,6 +12,12 @@ int dimensionOf(const PatchesSpec& body) {
   return body.patches.empty() ? 0 : dimensionOf(body.patches.front().shape);
 }
 
+std::string pairName(const ContactSpec& pair) {
+  if (!pair.name.empty()) return pair.name;
+  const bool named = !pair.place.body.empty() && pair.place.body != pair.against->body;
+  return named ? pair.place.body + "-" + pair.against->body : pair.place.face + "-" + pair.against->face;
+}
+
 int Scene::dim() const {
   return dimensionOf(allBodies().front().geometry.shape);
 }

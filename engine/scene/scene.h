@@ -105,11 +105,18 @@ struct LoadSpec {
   std::optional<Schedule> schedule;
 };
 
+/// Contact of a face with either a tool or another face.
 struct ContactSpec {
+  std::string name;  ///< of a pair of faces; see `pairName`
   std::string tool;
-  FaceSpec place;  ///< a whole face
+  FaceSpec place;                   ///< a whole face: that with the quadrature and the multipliers
+  std::optional<FaceSpec> against;  ///< a whole face, of another body or of the same
+  std::optional<double> reach;      ///< of a pair of faces: distance within which they see each other
   ContactOptions options;
 };
+
+/// Name of a pair of faces in results: its own, or those of its two bodies (faces, if these have none).
+std::string pairName(const ContactSpec& pair);
 
 /// Contact of a face with itself, without friction.
 struct SelfContactSpec {

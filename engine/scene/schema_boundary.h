@@ -82,9 +82,23 @@ void describe(Visitor& v, LoadSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, FaceSpec& s) {
+  describeFace(v, s);
+}
+
+template <class Visitor>
 void describe(Visitor& v, ContactSpec& s) {
-  v.field("tool", s.tool, {.required = true}, "Name of a tool.");
+  v.field("tool", s.tool, {}, "Name of a tool; or against.");
   describeFace(v, s.place);
+  v.field("against", s.against, {},
+          "The face of a body that this one may touch, instead of a tool. The one that is named first "
+          "carries quadrature and multipliers: it should be the finer one, and not hang over the other.");
+  v.field(
+      "name", s.name, {.identifier = true},
+      "Name of a pair of faces in results; the names of its two bodies, as in punch-block, when left out.");
+  v.field("reach", s.reach, {.above = 0, .unit = "length"},
+          "Faces that are farther apart do not see each other; a twentieth of the smaller body's largest "
+          "extent when left out. A face should not come nearer than that in one step.");
   describe(v, s.options);
 }
 
