@@ -213,7 +213,7 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
   const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), other.body.size()))};
   const auto makePartner = [&](const FaceQuadrature<Dim>& slave) {
     return std::make_unique<FacePartner<Dim>>(
-        slave, outwardSign(patch, place.face),
+        slave, tracePatch(patch, place.face), outwardSign(patch, place.face),
         MasterSurface<Dim>(model_->body_, {{against.patch, against.face}}), rules);
   };
   try {

@@ -58,8 +58,8 @@ inline double defaultReach(double size, double otherSize) {
 template <int Dim>
 class FacePartner final : public Partner<Dim> {
  public:
-  /// slave: must outlive the object; slaveTrace, outward: its `tracePatch` and `outwardSign`. Both faces in their reference places, where
-  /// partners are chosen.
+  /// slave: must outlive the object; slaveTrace, outward: its `tracePatch` and `outwardSign`. Both faces in
+  /// their reference places, where partners are chosen.
   FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, Dim> slaveTrace, double outward,
               MasterSurface<Dim> surface, const PartnerRules& rules);
 

@@ -57,8 +57,8 @@ struct FieldRecord {
 /// points. In self-contact of two parts that touch the one with the smaller parameter carries them, and gaps
 /// are not larger than the reach, within which partners are looked for.
 struct ContactRecord {
-  std::string tool;  ///< empty in contact with a face of a body
-  std::string pair;  ///< name of the pair in contact with another face, else empty
+  std::string tool;    ///< empty in contact with a face of a body
+  std::string pair{};  ///< name of the pair in contact with another face, else empty
   std::string face;
   int patch = 0;
   std::vector<int> nodes;              ///< global nodes of the face's control points

@@ -26,9 +26,9 @@ struct Blocks {
         term(
             upper, 0, kBottom,
             [&](const FaceQuadrature<Dim>& slave) {
-              return std::make_unique<FacePartner<Dim>>(slave, outwardSign(above, kBottom),
-                                                        MasterSurface<Dim>(lower, {{0, kTop}}),
-                                                        PartnerRules{.reach = 0.5});
+              return std::make_unique<FacePartner<Dim>>(
+                  slave, tracePatch(above, kBottom), outwardSign(above, kBottom),
+                  MasterSurface<Dim>(lower, {{0, kTop}}), PartnerRules{.reach = 0.5});
             },
             options, numDisplacements) {}
 
