@@ -61,7 +61,7 @@ std::string balance(const RunAccount& account, const HistoryTable& history) {
   if (done == 0.0 && imbalance == 0.0) return "nothing stored, no work done";
   return fmt::format("{} differs by {:.2g} % from energies{} plastic work{}; doubtful above {:.0f} %",
                      account.rezonings.empty() ? "external work" : "work, that of closing gaps included,",
-                     rubs ? "," : " and", rubs ? " and work of friction" : "", 100.0 * imbalance,
+                     100.0 * imbalance, rubs ? "," : " and", rubs ? " and work of friction" : "",
                      100.0 * limitOf(Condition::Balance));
 }
 
