@@ -23,6 +23,14 @@ double penetrationPerSpan(const Contact& term) {
   return largest;
 }
 
+/// Whether a face rubs on a tool. Friction holds what would leave its equilibrium without it, and the symmetric
+/// part of its tangent says nothing about that.
+template <int Dim>
+bool rubs(const Model<Dim>& model) {
+  return std::any_of(model.contacts().begin(), model.contacts().end(),
+                     [](const ContactPair<Dim>& pair) { return pair.term->options().hasFriction(); });
+}
+
 /// Saves or restores doubts under numbered names.
 template <class Doubts>
 void archiveAll(StateArchive& archive, const std::string& name, Doubts& doubts) {
@@ -54,7 +62,8 @@ void DoubtWatch<Dim>::update(const RunHistory<Dim>& history, int unstableDirecti
   note(Condition::CrossesItself, s.crossesItself, s.time);
   note(Condition::NewBoundary,
        s.rezonings.boundaryError > limitOf(Condition::NewBoundary) * model_.body().size(), s.time);
-  note(Condition::Unstable, unstableDirections > limitOf(Condition::Unstable), s.time, unstableDirections);
+  note(Condition::Unstable, !rubs(model_) && unstableDirections > limitOf(Condition::Unstable), s.time,
+       unstableDirections);
   note(Condition::Stabilisation, s.stabilisedShare > limitOf(Condition::Stabilisation), s.time,
        s.stabilisedShare);
   watchContacts(history);

@@ -91,7 +91,11 @@ ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pai
   record.tool = model.tools()[pair.tool]->name;
   record.face = faceName(pair.place.face);
   record.patch = pair.place.patch;
-  record.quadratureNormal = pair.term->state().normal.template topRows<Dim>();
+  const ContactState& state = pair.term->state();
+  record.quadratureNormal = state.normal.template topRows<Dim>();
+  record.quadratureFriction = -state.traction.template topRows<Dim>();
+  record.quadratureSlip = state.slip.template topRows<Dim>();
+  record.quadratureSliding = state.sliding;
   return record;
 }
 

@@ -130,6 +130,13 @@ void checkContact(const ContactRecord& contact, const ModelRecord& model, const 
               contact.quadratureNormal.cols() == points && arePoints(contact.quadratureNormal, model.dim),
           place, "{} quadrature points, but {} pressures, {} gaps and {} normals", points,
           contact.quadraturePressure.size(), contact.quadratureGap.size(), contact.quadratureNormal.cols());
+  if (contact.quadratureSliding.empty()) return;
+  require(std::ssize(contact.quadratureSliding) == points && contact.quadratureFriction.cols() == points &&
+              arePoints(contact.quadratureFriction, model.dim) && contact.quadratureSlip.cols() == points &&
+              arePoints(contact.quadratureSlip, model.dim) && nodesInRange(contact.quadratureSliding, 3),
+          place, "{} quadrature points, but {} frictional tractions, {} slips and {} states of sliding",
+          points, contact.quadratureFriction.cols(), contact.quadratureSlip.cols(),
+          contact.quadratureSliding.size());
 }
 
 }  // namespace

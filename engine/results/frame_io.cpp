@@ -50,21 +50,30 @@ void writeContact(const OutputGroup& group, const ContactRecord& contact) {
   group.dataset("quadrature_pressure", contact.quadraturePressure);
   group.dataset("quadrature_gap", contact.quadratureGap);
   group.dataset("quadrature_normal", contact.quadratureNormal);
+  if (contact.quadratureSliding.empty()) return;
+  group.dataset("quadrature_friction", contact.quadratureFriction);
+  group.dataset("quadrature_slip", contact.quadratureSlip);
+  group.dataset("quadrature_sliding", contact.quadratureSliding);
 }
 
 ContactRecord readContact(const InputGroup& group) {
-  return {.tool = group.text("tool"),
-          .pair = group.hasAttribute("pair") ? group.text("pair") : "",
-          .face = group.text("face"),
-          .patch = group.integer("patch"),
-          .nodes = group.dataset("nodes").integers(),
-          .pressure = group.dataset("pressure").vector(),
-          .averageGap = group.dataset("average_gap").vector(),
-          .active = group.dataset("active").integers(),
-          .quadraturePoints = group.dataset("quadrature_points").matrix(),
-          .quadraturePressure = group.dataset("quadrature_pressure").vector(),
-          .quadratureGap = group.dataset("quadrature_gap").vector(),
-          .quadratureNormal = group.dataset("quadrature_normal").matrix()};
+  ContactRecord contact{.tool = group.text("tool"),
+                        .pair = group.hasAttribute("pair") ? group.text("pair") : "",
+                        .face = group.text("face"),
+                        .patch = group.integer("patch"),
+                        .nodes = group.dataset("nodes").integers(),
+                        .pressure = group.dataset("pressure").vector(),
+                        .averageGap = group.dataset("average_gap").vector(),
+                        .active = group.dataset("active").integers(),
+                        .quadraturePoints = group.dataset("quadrature_points").matrix(),
+                        .quadraturePressure = group.dataset("quadrature_pressure").vector(),
+                        .quadratureGap = group.dataset("quadrature_gap").vector(),
+                        .quadratureNormal = group.dataset("quadrature_normal").matrix()};
+  if (!group.contains("quadrature_sliding")) return contact;
+  contact.quadratureFriction = group.dataset("quadrature_friction").matrix();
+  contact.quadratureSlip = group.dataset("quadrature_slip").matrix();
+  contact.quadratureSliding = group.dataset("quadrature_sliding").integers();
+  return contact;
 }
 
 InputGroup rootOfFrame(const hdf5::InputFile& file, const StoredModel& model) {

@@ -70,6 +70,11 @@ struct ContactRecord {
   Eigen::VectorXd quadratureGap;       ///< point-wise gap at these points
   Eigen::MatrixXd quadratureNormal;    ///< dim x points: of the tool or the other part, away from it; zero
                                        ///< without a partner
+
+  // With friction, else empty.
+  Eigen::MatrixXd quadratureFriction{};  ///< dim x points: tangential traction on the body, nominal
+  Eigen::MatrixXd quadratureSlip{};      ///< dim x points: way of the body on the tool in the last step
+  std::vector<int> quadratureSliding{};  ///< 0 open, 1 stick, 2 slip
 };
 
 /// Raw values at the quadrature points of the volume.

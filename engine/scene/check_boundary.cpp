@@ -118,13 +118,13 @@ void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::st
 
 void checkFriction(const CheckContext& c, const ContactOptions& options, const std::string& path,
                    bool isPair = false) {
-  if (options.rough && options.friction && c.clean(path + ".friction"))
-    c.report(path + ".friction", "found beside rough: true; allowed: one of the two.");
-  if (!isPair && options.hasFriction() && options.method != Enforcement::IntegralAugmentedLagrangian &&
-      c.clean(path + ".method"))
-    c.report(path + ".method",
-             "found a method without friction beside friction or rough; allowed: "
-             "integral-augmented-lagrangian.");
+  const std::string friction = path + (options.rough ? ".rough" : ".friction");
+  if (options.rough && options.friction && c.clean(friction))
+    c.report(friction, "found beside friction; allowed: one of the two.");
+  else if (!isPair && options.hasFriction() && options.method != Enforcement::IntegralAugmentedLagrangian &&
+           c.clean(friction))
+    c.report(friction,
+             "found with a method that knows no friction; allowed: with integral-augmented-lagrangian.");
   if (options.shearLimit && !options.friction && c.clean(path + ".shear_limit"))
     c.report(path + ".shear_limit", "found without friction; allowed: beside friction.");
 }

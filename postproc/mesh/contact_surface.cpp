@@ -69,12 +69,16 @@ void addCells(const FacePoints& face, const std::vector<vtkIdType>& ids, PolyBui
       builder.addPolygon({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
 }
 
-/// Rows: pressure, gap, three components of the traction, what the tool does to the body; a column per point.
+/// Rows: pressure, gap, three components of the traction, what the tool does to the body, three of the slip; a
+/// column per point.
 Eigen::MatrixXd valuesOf(const ContactRecord& contact) {
-  Eigen::MatrixXd values(5, contact.quadraturePoints.cols());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(8, contact.quadraturePoints.cols());
   if (values.cols() == 0) return values;
-  values << contact.quadraturePressure.transpose(), contact.quadratureGap.transpose(),
+  values.topRows(5) << contact.quadraturePressure.transpose(), contact.quadratureGap.transpose(),
       inSpace(contact.quadratureNormal * contact.quadraturePressure.asDiagonal());
+  if (contact.quadratureSliding.empty()) return values;
+  values.middleRows<3>(2) += inSpace(contact.quadratureFriction);
+  values.bottomRows<3>() = inSpace(contact.quadratureSlip);
   return values;
 }
 
@@ -83,7 +87,9 @@ vtkSmartPointer<vtkPolyData> surfaceTouching(const std::string& tool, const Mode
                                              const FrameRecord& frame) {
   const MeshRecord& mesh = meshOf(model, frame);
   PolyBuilder builder;
-  Eigen::MatrixXd values(5, 0);
+  Eigen::MatrixXd values(8, 0);
+  std::vector<int> sliding;
+  bool rubs = false;
   for (const ContactRecord& contact : frame.contact) {
     if (contact.tool != tool) continue;
     const FacePoints face = model.dim == 2 ? facePoints<2>(mesh, contact) : facePoints<3>(mesh, contact);
@@ -91,6 +97,9 @@ vtkSmartPointer<vtkPolyData> surfaceTouching(const std::string& tool, const Mode
     const auto added = valuesOf(contact);
     values.conservativeResize(Eigen::NoChange, values.cols() + added.cols());
     values.rightCols(added.cols()) = added;
+    rubs = rubs || !contact.quadratureSliding.empty();
+    sliding.insert(sliding.end(), contact.quadratureSliding.begin(), contact.quadratureSliding.end());
+    sliding.resize(static_cast<std::size_t>(values.cols()), 0);
   }
   std::vector<int> status;
   for (const double pressure : values.row(0)) status.push_back(pressure != 0.0 ? 1 : 0);
@@ -98,9 +107,12 @@ vtkSmartPointer<vtkPolyData> surfaceTouching(const std::string& tool, const Mode
   const auto surface = builder.finish();
   vtkPointData& data = *surface->GetPointData();
   data.AddArray(makeArray(labelled("contact_pressure", model.stressUnit), values.row(0), {}));
-  data.AddArray(makeArray(labelled("traction", model.stressUnit), values.bottomRows(3), kAxes));
+  data.AddArray(makeArray(labelled("traction", model.stressUnit), values.middleRows(2, 3), kAxes));
   data.AddArray(makeArray(labelled("gap", model.lengthUnit), values.row(1), {}));
   data.AddArray(makeIntegers("status", status));
+  if (!rubs) return surface;
+  data.AddArray(makeArray(labelled("slip", model.lengthUnit), values.bottomRows(3), kAxes));
+  data.AddArray(makeIntegers("sliding", sliding));
   return surface;
 }
 

@@ -74,6 +74,26 @@ TEST(Inertia, CountsOnWhatActiveMultipliersLeaveFree) {
   EXPECT_GT(fewer, 5);  // the border decides
 }
 
+/// Multipliers that yield: their stiffness is B (-C)⁻¹ Bᵀ. By Sylvester's law A has one negative eigenvalue for
+/// each of them, beside those of K with that stiffness.
+TEST(Inertia, CountsWithMultipliersThatAreCoupledWithOneAnother) {
+  int fewer = 0;
+  Inertia inertia(12);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(12, 0.5, 3.0);
+    values.head(3) *= -1.0;
+    const Eigen::MatrixXd K = withEigenvalues(values, seed), B = randomMatrix(12, 4, seed + 100),
+                          C = randomMatrix(4, 4, seed + 200);
+    Eigen::MatrixXd A(16, 16);
+    A << K, B, B.transpose(), -C * C.transpose();
+    const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues();
+    const int expected = static_cast<int>((eigenvalues.array() < 0.0).count()) - 4;
+    EXPECT_EQ(inertia.unstableDirections(sparse(A)), expected) << seed;
+    fewer += expected < 3 ? 1 : 0;
+  }
+  EXPECT_GT(fewer, 5);
+}
+
 TEST(Inertia, TakesTheSymmetricPart) {
   const Eigen::MatrixXd skew = randomMatrix(8, 8, 3);
   Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(8, 1.0, 2.0);

@@ -211,6 +211,19 @@ TEST(DirectSolver, BorderOfMultipliersGivesTheSolutionOfTheWholeMatrix) {
   EXPECT_EQ(solver.numIndefinite(), 0);
 }
 
+/// The second one is coupled with the third alone: it takes part in the Schur complement, not in K⁻¹B.
+TEST(DirectSolver, MultipliersMayBeCoupledWithOneAnother) {
+  const int n = 200;
+  auto A = borderedMatrix(n);
+  A.coeffRef(n + 1, n + 2) = A.coeffRef(n + 2, n + 1) = 0.05;
+  A.makeCompressed();
+  const Eigen::VectorXd exact = Eigen::VectorXd::LinSpaced(n + 3, -1.0, 2.0);
+  DirectSolver solver(n);
+  ASSERT_TRUE(solver.factorise(A));
+  EXPECT_LT((solver.solve(A * exact) - exact).norm(), 1e-12 * exact.norm());
+  EXPECT_EQ(solver.numIndefinite(), 0);
+}
+
 TEST(DirectSolver, MultiplierThatDoesNothingIsSingular) {
   auto A = borderedMatrix(50);
   A.coeffRef(51, 51) = 0.0;
