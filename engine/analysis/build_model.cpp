@@ -210,7 +210,8 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
   const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
   options.parameter = options.parameterFor(youngsModulus(body.bulk->material()), body.body.size(),
                                            meanControlPointDistance(patch, place.face));
-  const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), other.body.size()))};
+  const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), other.body.size())),
+                           .couplesAll = true};
   const auto makePartner = [&](const FaceQuadrature<Dim>& slave) {
     return std::make_unique<FacePartner<Dim>>(
         slave, tracePatch(patch, place.face), outwardSign(patch, place.face),

@@ -85,17 +85,22 @@ ContactRecord faceRecord(const FaceQuadrature<Dim>& face, const FaceContactState
   return record;
 }
 
+/// Normals at the quadrature points, and friction.
+template <int Dim>
+void addDirections(ContactRecord& record, const ContactState& state) {
+  record.quadratureNormal = state.normal.template topRows<Dim>();
+  record.quadratureFriction = -state.traction.template topRows<Dim>();
+  record.quadratureSlip = state.slip.template topRows<Dim>();
+  record.quadratureSliding = state.sliding;
+}
+
 template <int Dim>
 ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pair, const Eigen::VectorXd& x) {
   ContactRecord record = faceRecord(pair.term->face(), pair.term->state(), x);
   record.tool = model.tools()[pair.tool]->name;
   record.face = faceName(pair.place.face);
   record.patch = pair.place.patch;
-  const ContactState& state = pair.term->state();
-  record.quadratureNormal = state.normal.template topRows<Dim>();
-  record.quadratureFriction = -state.traction.template topRows<Dim>();
-  record.quadratureSlip = state.slip.template topRows<Dim>();
-  record.quadratureSliding = state.sliding;
+  addDirections<Dim>(record, pair.term->state());
   return record;
 }
 
@@ -105,7 +110,7 @@ ContactRecord contactRecord(const FacePair<Dim>& pair, const Eigen::VectorXd& x,
   record.pair = pair.name;
   record.face = faceName(pair.place.face);
   record.patch = pair.place.patch;
-  record.quadratureNormal = pair.term->state().normal.template topRows<Dim>();
+  addDirections<Dim>(record, pair.term->state());
   // Without a partner a gap is infinite.
   record.averageGap = record.averageGap.cwiseMin(size);
   record.quadratureGap = record.quadratureGap.cwiseMin(size);

@@ -296,6 +296,13 @@ void FacePartner<Dim>::cutSegments(const MasterSearch<Dim>& search) {
 
 template <int Dim>
 void FacePartner<Dim>::addCouplings(const MasterSearch<Dim>& search) {
+  if (rules_.couplesAll) {
+    std::vector<Span> all;
+    for (int face = 0; face < surface_.numFaces(); ++face)
+      for (int span = 0; span < surface_.basis(face).numSpans(); ++span) all.push_back({face, span});
+    couplings_.assign(slave_.spans().size(), all);
+    return;
+  }
   for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
     const auto& span = slave_.spans()[e];
     const Eigen::MatrixXd points = slavePoints_(Eigen::all, span.functions);

@@ -37,6 +37,10 @@ struct PartnerRules {
   /// In the plane: whether spans of the slave are cut into `FacePartner::segments`.
   bool segments = false;
 
+  /// Whether every span of the slave is coupled with the whole surface, so that the pattern of the tangent
+  /// stays the same wherever the slave goes; else with what is within reach.
+  bool couplesAll = false;
+
   /// If the slave is one of the surface's own faces, its number: of two points that face each other the one
   /// with the smaller face and parameters is the slave.
   std::optional<int> ownFace = std::nullopt;

@@ -97,11 +97,15 @@ TEST_P(IntegralContact, ForcesAreTheDerivativeOfTheEnergy) {
 }
 
 TEST_P(IntegralContact, ReactionAndMomentAreTheForcesOnTheFreeTool) {
-  if (GetParam().axisymmetric) GTEST_SKIP() << "of whole rings only the axial force is left";
   Pressed pressed(GetParam(), true);
   const Eigen::VectorXd force = test::forceOf(pressed.term, 0.0, pressed.x);
   const ContactState& state = pressed.term.state();
   const int unknown = 2 * pressed.body.numNodes;
+  if (GetParam().axisymmetric) {  // of whole rings only the axial force is left
+    EXPECT_NEAR(force(unknown + 1) + state.reaction.y(), 0.0, 1e-15);
+    EXPECT_EQ(state.moment.norm(), 0.0);
+    return;
+  }
   EXPECT_NEAR((force.segment<3>(unknown) + state.reaction).norm(), 0.0, 1e-15);
   EXPECT_NEAR(force(unknown + 3), -state.moment.z() / pressed.tool.turnLength, 1e-15);
   EXPECT_GT(std::abs(state.moment.z()), 1e-4);

@@ -1,0 +1,123 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "engine/analysis/run.h"
+#include "engine/results/history.h"
+#include "engine/scene/reader.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FacePairs : public testing::Test {
+ protected:
+  FacePairs() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    dir_ = fs::temp_directory_path() / ("face_pairs_" + std::string(test->name()));
+    fs::remove_all(dir_);
+  }
+  ~FacePairs() override { fs::remove_all(dir_); }
+
+  HistoryTable run(const std::string& yaml) {
+    RunObserver quiet;
+    const RunSummary summary = runScene(parseScene(yaml, "pair.yaml"), dir_, {}, quiet);
+    EXPECT_TRUE(summary.completed);
+    return readHistory(dir_ / "history.csv");
+  }
+
+  static double last(const HistoryTable& history, const std::string& column) {
+    return findColumn(history, column)->back();
+  }
+
+ private:
+  fs::path dir_;
+};
+
+/// Two blocks, one over the other, with unlike materials, between rollers.
+std::string patchTest(const std::string& degree, const std::string& spans) {
+  return R"(
+bodies:
+  - {name: lower, degree: )" +
+         degree + R"(, geometry: {shape: rectangle, size: [2, 1], spans: [5, 3]},
+     material: {law: neo-hookean, E: 1, nu: 0.3}}
+  - {name: upper, degree: )" +
+         degree + R"(, geometry: {shape: rectangle, origin: [0, 1], size: [2, 1], spans: [)" + spans +
+         R"(, 2]},
+     material: {law: neo-hookean, E: 4, nu: 0.2}}
+supports:
+  - {body: lower, face: bottom, fix: [y]}
+  - {body: lower, face: left, fix: [x]}
+  - {body: lower, face: right, fix: [x]}
+  - {body: upper, face: left, fix: [x]}
+  - {body: upper, face: right, fix: [x]}
+loads:
+  - {body: upper, face: top, traction: [0, -0.2], schedule: {times: [0, 1], values: [0, 1]}}
+stabilise: {until: 1}
+contact:
+  - {body: upper, face: bottom, against: {body: lower, face: top}}
+measures:
+  - {name: end, kind: extent, body: upper, face: top}
+steps: [{until: 1, count: 4}]
+)";
+}
+
+TEST_F(FacePairs, BlocksOfUnlikeMeshesAreCompressedAsTheirMaterialsWant) {
+  // Homogeneous stretch λ in each body: μ (λ - 1/λ) + Λ ln λ / λ = -0.2.
+  constexpr double lower = 0.8698978702, upper = 0.9564917253;
+  double before = 1.0;
+  for (const char* degree : {"2", "3"}) {
+    const HistoryTable history = run(patchTest(degree, "7"));
+    EXPECT_NEAR(last(history, "upper-lower.fy"), -0.4, 1e-3);
+    EXPECT_NEAR(last(history, "upper-lower.pressed"), 0.4, 1e-3);
+    const double error = std::abs(last(history, "end.ymax") - (lower + upper));
+    EXPECT_LT(error, 1e-4) << "without segments the test is passed nearly";
+    EXPECT_LT(error, before);
+    before = error;
+  }
+}
+
+/// A block dragged over a wider one, both elastic; the upper one by its top.
+std::string draggedBlock(double mu, int steps) {
+  return R"(
+bodies:
+  - {name: slab, geometry: {shape: rectangle, origin: [-2, -1], size: [5, 1], spans: [20, 4]},
+     material: {law: neo-hookean, E: 1000, nu: 0.3}}
+  - {name: block, geometry: {shape: rectangle, size: [1, 1], spans: [4, 4]}, material: {law: neo-hookean, E: 10, nu: 0.3}}
+supports:
+  - {body: slab, face: bottom, fix: [x, y]}
+  - {body: block, face: top, move: {times: [0, 1, 2], x: [0, 0, 0.5], y: [0, -0.05, -0.05]}}
+contact:
+  - {body: block, face: bottom, against: {body: slab, face: top}, friction: )" +
+         std::to_string(mu) + R"(}
+steps: [{until: 1, count: 10}, {until: 2, count: )" +
+         std::to_string(steps) + R"(}]
+)";
+}
+
+TEST_F(FacePairs, ForcesOfASlidingBlockAreInTheRatioOfFriction) {
+  for (const double mu : {0.1, 0.5}) {
+    const HistoryTable history = run(draggedBlock(mu, 20));
+    EXPECT_EQ(last(history, "block-slab.sticking"), 0.0);
+    // The slab's surface is nearly flat: its Young's modulus is a hundred times the block's.
+    EXPECT_NEAR(-last(history, "block-slab.fx") / last(history, "block-slab.fy"), mu, 2e-3 * mu);
+    EXPECT_NEAR(last(history, "block-slab.friction"), mu * last(history, "block-slab.pressed"), 1e-12);
+  }
+}
+
+TEST_F(FacePairs, WorkOfFrictionClosesTheBalanceOfEnergy) {
+  // With friction of 0.1 the block slides over more than a span of the slab.
+  for (const double mu : {0.1, 0.5}) {
+    const HistoryTable history = run(draggedBlock(mu, 20));
+    const double found = last(history, "strain_energy") + last(history, "friction_work"),
+                 error = std::abs(found / last(history, "external_work") - 1.0);
+    EXPECT_LT(error, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace burnish
