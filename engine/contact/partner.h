@@ -53,6 +53,10 @@ class Partner {
   /// Point about which the moment of the forces on the partner is taken, in the last updated state.
   virtual Eigen::Vector3d pivot() const = 0;
 
+  /// Work that a force on the partner, with its moment about the pivot, does on the prescribed motion of the
+  /// partner since the accepted state.
+  virtual double prescribedWork(const Eigen::Vector3d& force, const Eigen::Vector3d& moment) const = 0;
+
   /// Makes the last updated state the accepted one: slip is measured from it, and partners are chosen anew.
   virtual void accept() = 0;
   virtual void archive(StateArchive& archive) = 0;
