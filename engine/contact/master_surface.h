@@ -80,7 +80,8 @@ class MasterSurface {
 
   /// The foot that one comes to from a place when one walks downhill over the squared distance to a position:
   /// by Newton's method for (x - y)·y_α = 0, over knots and glued rims, along lines and into corners. Nothing
-  /// where that does not converge, beyond the continued surface, and where a face is collapsed to a point.
+  /// where that does not converge (also near places where a face is collapsed to a point) and beyond the
+  /// continued surface.
   std::optional<Foot<Dim>> project(const Eigen::Vector<double, Dim>& position,
                                    const SurfacePlace<Dim>& start) const;
 
