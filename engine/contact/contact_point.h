@@ -18,7 +18,7 @@ struct ContactPoint {
 
   // With friction; frames e_α of unit vectors across n, one in the plane, two in space.
   Eigen::Matrix<double, Dim, Dim - 1> frame;
-  Eigen::Vector<double, Dim - 1> slip;  ///< e_α · s since the last accepted state
+  Eigen::Vector<double, Dim - 1> slip;                         ///< e_α · s since the last accepted state
   Eigen::Matrix<double, Eigen::Dynamic, Dim - 1> virtualSlip;  ///< T: e_α · δs_T, unknowns
   Eigen::Matrix<double, Eigen::Dynamic, Dim - 1> dSlip;        ///< S: ∂(e_α · s), unknowns
 };

@@ -22,6 +22,11 @@ constexpr double kLargestShareOfRadius = 0.95;
 /// A partner is left for a foot that is nearer by more than this part of the slave's span.
 constexpr double kNearer = 1e-3;
 
+/// Where a fold closes: parts of the slave's span and of the way along the face.
+constexpr double kFold = 1.0;
+constexpr double kShareOfLength = 0.05;
+constexpr double kShareOfSpan = 0.25;
+
 /// Rounding errors of gaps in parts of the coordinates, and of overhangs: touching parts are outside of one
 /// another, an end is not beyond itself.
 constexpr double kRounding = 1e-12;
@@ -54,6 +59,9 @@ template <int Dim>
 struct FacePartner<Dim>::Slave {
   Eigen::Vector<double, Dim - 1> xi;
   Vector x, normal;
+  Vector X;  ///< in the reference state
+  double spanSize = 0.0;
+  bool isBeside = false;  ///< a partner's neighbour, or on a new mesh
 };
 
 template <int Dim>
@@ -63,6 +71,7 @@ FacePartner<Dim>::FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, D
       outward_(outward),
       slaveTrace_(std::move(slaveTrace)),
       surface_(std::move(surface)),
+      reference_(surface_),
       acceptedSurface_(surface_),
       rules_(rules),
       slavePoints_(slave.points()),
@@ -71,7 +80,7 @@ FacePartner<Dim>::FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, D
       places_(feet_.size()) {
   for (const auto& span : slave_.spans())
     positions_.middleCols(span.firstPoint, span.R.cols()) = slavePoints_(Eigen::all, span.functions) * span.R;
-  accept();
+  chooseAnew(rules_.isNewMesh);
 }
 
 template <int Dim>
@@ -165,7 +174,7 @@ std::optional<ContactPoint<Dim>> FacePartner<Dim>::at(const SlavePoint<Dim>& poi
   if (detail == PointDetail::Gap) return contact;
   contact.unknowns.assign(point.unknowns.begin(), point.unknowns.end());
   for (const int node : foot->point.nodes)
-    for (int d = 0; d < Dim; ++d) contact.unknowns.push_back(surface_.unknown(node) + d);
+    for (int d = 0; d < Dim; ++d) contact.unknowns.push_back(Dim * node + d);
   const PairRows<Dim> rows(point.R, *foot);
   contact.dGap = rows.dGap();
   if (detail == PointDetail::SecondDerivatives) contact.d2Gap = rows.d2Gap();
@@ -179,7 +188,7 @@ void FacePartner<Dim>::addSlip(const SlavePoint<Dim>& point, ContactPoint<Dim>& 
   std::vector<int> nodes = foot.point.nodes;
   const auto places = placesAmong(nodes, before.nodes);
   for (std::size_t k = foot.point.nodes.size(); k < nodes.size(); ++k)
-    for (int d = 0; d < Dim; ++d) contact.unknowns.push_back(surface_.unknown(nodes[k]) + d);
+    for (int d = 0; d < Dim; ++d) contact.unknowns.push_back(Dim * nodes[k] + d);
   const auto size = std::ssize(contact.unknowns);
   contact.dGap.conservativeResizeLike(Eigen::VectorXd::Zero(size));
   if (contact.d2Gap.size() > 0) contact.d2Gap.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
@@ -211,12 +220,40 @@ std::vector<int> FacePartner<Dim>::couplings(std::size_t span) const {
   std::vector<int> unknowns;
   for (const Span& master : couplings_[span])
     for (const int a : surface_.basis(master.face).spanFunctions(master.span)) {
-      const int first = surface_.unknown(surface_.nodes(master.face)[static_cast<std::size_t>(a)]);
+      const int first = Dim * surface_.nodes(master.face)[static_cast<std::size_t>(a)];
       for (int d = 0; d < Dim; ++d) unknowns.push_back(first + d);
     }
   std::sort(unknowns.begin(), unknowns.end());
   unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
   return unknowns;
+}
+
+/// Length in the reference state of the way along straight parameters from a slave to a foot on its own face;
+/// through the body to other faces.
+template <int Dim>
+double FacePartner<Dim>::wayTo(const Place& place, const Slave& slave) const {
+  constexpr int kChords = 16;
+  if (place.face != *rules_.ownFace) return (reference_.at(place).x - slave.X).norm();
+  double length = 0.0;
+  Vector last = slave.X;
+  for (int k = 1; k <= kChords; ++k) {
+    const double share = static_cast<double>(k) / kChords;
+    const Vector next =
+        reference_.at(reference_.placeOf(place.face, (1.0 - share) * slave.xi + share * place.xi)).x;
+    length += (next - last).norm();
+    last = next;
+  }
+  return length;
+}
+
+/// How deep inside a slave may find a partner.
+template <int Dim>
+double FacePartner<Dim>::deepestNew(const Slave& slave, const Foot<Dim>& foot) const {
+  const double deepest = std::min(rules_.newPenetration, rules_.reach);
+  if (!rules_.ownFace) return deepest;
+  const double length = wayTo(foot.point.place, slave);
+  if (!slave.isBeside && length >= kFold * slave.spanSize) return deepest;
+  return std::max(deepest, std::min(kShareOfLength * length, kShareOfSpan * slave.spanSize));
 }
 
 template <int Dim>
@@ -230,7 +267,7 @@ bool FacePartner<Dim>::suits(const Slave& slave, const Foot<Dim>& foot, bool isN
     if (!isLater) return false;
   }
   if (!(foot.normal.dot(slave.normal) < kOpposed)) return false;
-  const double deepest = isNew ? std::min(rules_.newPenetration, rules_.reach) : rules_.reach;
+  const double deepest = isNew ? deepestNew(slave, foot) : rules_.reach;
   const double rounding = kRounding * (slave.x.norm() + foot.point.x.norm());
   if (!(foot.gap < rules_.reach) || !(foot.gap > -deepest - rounding)) return false;
   if (surface_.overhang(place) > (isNew ? rules_.newOverhang : rules_.overhang) + kRoundedOverhang)
@@ -239,15 +276,24 @@ bool FacePartner<Dim>::suits(const Slave& slave, const Foot<Dim>& foot, bool isN
 }
 
 template <int Dim>
-void FacePartner<Dim>::choosePartners() {
+void FacePartner<Dim>::choosePartners(bool isNewMesh) {
   const MasterSearch<Dim> search(surface_);
+  std::vector<bool> had;
+  for (const auto& foot : feet_) had.push_back(foot.has_value());
+  const auto isBeside = [&](std::size_t number) {
+    return isNewMesh || (number > 0 && had[number - 1]) || (number + 1 < had.size() && had[number + 1]);
+  };
   for (const auto& span : slave_.spans())
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto number = static_cast<std::size_t>(span.firstPoint + q);
       const Eigen::Matrix<double, Dim, Dim - 1> tangents =
           slavePoints_(Eigen::all, span.functions) * span.dR.middleCols((Dim - 1) * q, Dim - 1);
-      const Slave slave{span.xi.col(q), positions_.col(span.firstPoint + q),
-                        outward_ * areaVector<Dim>(tangents).normalized()};
+      const Slave slave{span.xi.col(q),
+                        positions_.col(span.firstPoint + q),
+                        outward_ * areaVector<Dim>(tangents).normalized(),
+                        slave_.points()(Eigen::all, span.functions) * span.R.col(q),
+                        span.size,
+                        isBeside(number)};
       auto& foot = feet_[number];
       if (foot && !suits(slave, *foot, false)) foot.reset();
       if (!foot || rules_.takesNearer) {
@@ -277,8 +323,12 @@ void FacePartner<Dim>::cutSegments(const MasterSearch<Dim>& search) {
       const auto footAt = [&](double xi) -> std::optional<Foot<2>> {
         const Eigen::Vector<double, 1> parameter(xi);
         const auto shape = slaveTrace_.shape(span, parameter);
-        const Slave slave{parameter, points * shape.R,
-                          outward_ * areaVector<2>(Eigen::Vector2d(points * shape.dR)).normalized()};
+        const Slave slave{parameter,
+                          points * shape.R,
+                          outward_ * areaVector<2>(Eigen::Vector2d(points * shape.dR)).normalized(),
+                          slave_.points()(Eigen::all, functions) * shape.R,
+                          slave_.spans()[e].size,
+                          false};
         const auto isPartner = [&](const Foot<2>& foot) {
           return suits(slave, foot, false) &&
                  surface_.overhang(foot.point.place) <= rules_.newOverhang + kRoundedOverhang;
@@ -337,7 +387,12 @@ void FacePartner<Dim>::chooseFrame() {
 
 template <int Dim>
 void FacePartner<Dim>::accept() {
-  choosePartners();
+  chooseAnew(false);
+}
+
+template <int Dim>
+void FacePartner<Dim>::chooseAnew(bool isNewMesh) {
+  choosePartners(isNewMesh);
   chooseFrame();
   acceptedSurface_ = surface_;
 }

@@ -42,8 +42,13 @@ struct PartnerRules {
   bool couplesAll = false;
 
   /// If the slave is one of the surface's own faces, its number: of two points that face each other the one
-  /// with the smaller face and parameters is the slave.
+  /// with the smaller face and parameters is the slave. Where a fold closes, within a span of the slave along
+  /// the face, beside points that have partners, and if `isNewMesh` at first, new partners may be inside of
+  /// one another by a twentieth of the way along the face and a quarter of the span.
   std::optional<int> ownFace = std::nullopt;
+
+  /// The reference state goes on from one of another mesh.
+  bool isNewMesh = false;
 };
 
 /// Default of `PartnerRules::reach` for two bodies of these sizes.
@@ -62,7 +67,7 @@ inline double defaultReach(double size, double otherSize) {
 template <int Dim>
 class FacePartner final : public Partner<Dim> {
  public:
-  /// slave: must outlive the object; slaveTrace, outward: its `tracePatch` and `outwardSign`. Both faces in
+  /// slave: must outlive the object; slaveTrace, outward: its `tracePatch` and `outwardSign`. Both faces are in
   /// their reference places, where partners are chosen.
   FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, Dim> slaveTrace, double outward,
               MasterSurface<Dim> surface, const PartnerRules& rules);
@@ -92,7 +97,7 @@ class FacePartner final : public Partner<Dim> {
 
   Eigen::Vector3d pivot() const override { return Eigen::Vector3d::Zero(); }
 
-  /// None: motions of the master are unknowns.
+  /// None: what is prescribed on the master's body are its supports.
   double prescribedWork(const Eigen::Vector3d&, const Eigen::Vector3d&) const override { return 0.0; }
 
   void accept() override;
@@ -117,7 +122,10 @@ class FacePartner final : public Partner<Dim> {
   Place acceptedPlaceOf(const SlavePoint<Dim>& point, const Foot<Dim>& foot) const;
   void checkCouplings(std::size_t span, const Foot<Dim>& foot) const;
   bool suits(const Slave& slave, const Foot<Dim>& foot, bool isNew) const;
-  void choosePartners();
+  double wayTo(const Place& place, const Slave& slave) const;
+  double deepestNew(const Slave& slave, const Foot<Dim>& foot) const;
+  void choosePartners(bool isNewMesh);
+  void chooseAnew(bool isNewMesh);
   void cutSegments(const MasterSearch<Dim>& search);
   void addCouplings(const MasterSearch<Dim>& search);
   void chooseFrame();
@@ -126,7 +134,7 @@ class FacePartner final : public Partner<Dim> {
   const FaceQuadrature<Dim>& slave_;
   double outward_;
   Patch<Dim - 1, Dim> slaveTrace_;
-  MasterSurface<Dim> surface_, acceptedSurface_;
+  MasterSurface<Dim> surface_, reference_, acceptedSurface_;
   PartnerRules rules_;
   Eigen::MatrixXd slavePoints_, positions_;     ///< control points, quadrature points: last updated state
   std::vector<std::optional<Foot<Dim>>> feet_;  ///< in the last updated state

@@ -67,8 +67,7 @@ double Foot<Dim>::shareOfRadius() const {
 }
 
 template <int Dim>
-MasterSurface<Dim>::MasterSurface(const Body<Dim>& body, std::vector<FacePlace> faces, int firstUnknown)
-    : firstUnknown_(firstUnknown) {
+MasterSurface<Dim>::MasterSurface(const Body<Dim>& body, const std::vector<FacePlace>& faces) {
   for (std::size_t k = 0; k < faces.size(); ++k) {
     if (std::find(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(k), faces[k]) !=
         faces.begin() + static_cast<std::ptrdiff_t>(k))
@@ -119,7 +118,7 @@ void MasterSurface<Dim>::moveTo(const Eigen::VectorXd& x) {
   for (Face& face : faces_) {
     face.points = face.trace.points();
     for (std::size_t a = 0; a < face.nodes.size(); ++a)
-      face.points.col(static_cast<Eigen::Index>(a)) += x.template segment<Dim>(unknown(face.nodes[a]));
+      face.points.col(static_cast<Eigen::Index>(a)) += x.template segment<Dim>(Dim * face.nodes[a]);
   }
 }
 
@@ -166,11 +165,12 @@ bool MasterSurface<Dim>::isFree(const SurfacePlace<Dim>& place, int direction, i
 }
 
 template <int Dim>
-double MasterSurface<Dim>::limit(const SurfacePlace<Dim>& place, int direction, int side) const {
+double MasterSurface<Dim>::limit(const SurfacePlace<Dim>& place, int direction, int side,
+                                 bool beyondRims) const {
   const UnivariateBasis& univariate = basis(place.face).direction(direction);
   const int index = basis(place.face).spanIndex(place.span)[static_cast<std::size_t>(direction)];
   const double begin = univariate.spanBegin(index), end = univariate.spanEnd(index);
-  const double beyond = isFree(place, direction, side) ? end - begin : 0.0;
+  const double beyond = beyondRims && isFree(place, direction, side) ? end - begin : 0.0;
   return side == 0 ? begin - beyond : end + beyond;
 }
 
@@ -313,6 +313,8 @@ std::optional<Foot<Dim>> MasterSurface<Dim>::project(const Eigen::Vector<double,
   using Parameters = Eigen::Vector<double, P>;
   SurfacePoint<Dim> point = at(start);
   double lastLength = std::numeric_limits<double>::infinity();
+  // Long steps on the way stop at free rims: only a foot that has come to rest there goes on.
+  bool beyondRims = overhang(start) > 0.0;
   for (int step = 0; step < kMaxSteps; ++step) {
     const SurfacePlace<Dim>& place = point.place;
     const Eigen::Vector<double, Dim> way = position - point.x;
@@ -335,8 +337,8 @@ std::optional<Foot<Dim>> MasterSurface<Dim>::project(const Eigen::Vector<double,
       const int way1 = downhill(point, d);
       if (way1 == 0) continue;
       const int side = way1 < 0 ? 0 : 1;
-      if (place.xi(d) != limit(place, d, side)) continue;
-      if (isFree(place, d, side)) return std::nullopt;
+      if (place.xi(d) != limit(place, d, side, beyondRims)) continue;
+      if (beyondRims && isFree(place, d, side)) return std::nullopt;
       held[static_cast<std::size_t>(d)] = true;
       const auto edge = across(place, d, side);
       if (!edge) continue;
@@ -375,7 +377,7 @@ std::optional<Foot<Dim>> MasterSurface<Dim>::project(const Eigen::Vector<double,
       stopped = -1;
       for (int d = 0; d < P; ++d) {
         if (delta(d) == 0.0) continue;
-        const double room = std::abs(limit(place, d, delta(d) < 0.0 ? 0 : 1) - place.xi(d));
+        const double room = std::abs(limit(place, d, delta(d) < 0.0 ? 0 : 1, beyondRims) - place.xi(d));
         if (std::abs(delta(d)) <= share * room) continue;
         if (room == 0.0) {
           again = fixed[static_cast<std::size_t>(d)] = true;
@@ -401,14 +403,23 @@ std::optional<Foot<Dim>> MasterSurface<Dim>::project(const Eigen::Vector<double,
         point = std::move(*beyond);
         continue;
       }
+      bool isAtFreeRim = false;
+      for (int d = 0; d < P && !beyondRims; ++d)
+        isAtFreeRim = isAtFreeRim ||
+                      (held[static_cast<std::size_t>(d)] && isFree(place, d, downhill(point, d) < 0 ? 0 : 1));
+      if (isAtFreeRim) {
+        beyondRims = true;
+        continue;
+      }
     }
 
     const auto moved = [&](double part) {
       SurfacePlace<Dim> next = place;
       next.xi += part * delta;
-      for (int d = 0; d < P; ++d) next.xi(d) = std::clamp(next.xi(d), limit(place, d, 0), limit(place, d, 1));
+      for (int d = 0; d < P; ++d)
+        next.xi(d) = std::clamp(next.xi(d), limit(place, d, 0, beyondRims), limit(place, d, 1, beyondRims));
       if (stopped >= 0 && part == share)
-        next.xi(stopped) = limit(place, stopped, delta(stopped) < 0.0 ? 0 : 1);
+        next.xi(stopped) = limit(place, stopped, delta(stopped) < 0.0 ? 0 : 1, beyondRims);
       return at(next);
     };
     SurfacePoint<Dim> next = moved(share);

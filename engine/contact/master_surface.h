@@ -60,11 +60,10 @@ struct Foot {
 template <int Dim>
 class MasterSurface {
  public:
-  /// firstUnknown: number of the body's first displacement component among the unknowns. Throws `Error` if a
-  /// face is named twice or more than two faces meet in a rim. In its reference place at first.
-  MasterSurface(const Body<Dim>& body, std::vector<FacePlace> faces, int firstUnknown = 0);
+  /// In its reference place. Throws `Error` if a face is named twice or more than two faces meet in a rim.
+  MasterSurface(const Body<Dim>& body, const std::vector<FacePlace>& faces);
 
-  /// Moves it to where the unknowns put it.
+  /// Moves it to where the displacements of all nodes put it, which come first among the unknowns.
   void moveTo(const Eigen::VectorXd& x);
 
   /// Its current place.
@@ -76,15 +75,13 @@ class MasterSurface {
   /// Body's node behind each function of a face.
   const std::vector<int>& nodes(int face) const { return at(face).nodes; }
 
-  /// Number of the first displacement component of a node among the unknowns.
-  int unknown(int node) const { return firstUnknown_ + Dim * node; }
-
   SurfacePlace<Dim> placeOf(int face, const Eigen::Vector<double, Dim - 1>& xi) const;
   SurfacePoint<Dim> at(const SurfacePlace<Dim>& place) const;
 
   /// The foot that one comes to from a place when one walks downhill over the squared distance to a position:
   /// by Newton's method for (x - y)·y_α = 0, over knots and glued rims, along lines and into corners. Nothing
-  /// where that does not converge, beyond the continued surface, and where a face is collapsed to a point.
+  /// where that does not converge (also near places where a face is collapsed to a point) and beyond the
+  /// continued surface.
   std::optional<Foot<Dim>> project(const Eigen::Vector<double, Dim>& position,
                                    const SurfacePlace<Dim>& start) const;
 
@@ -128,15 +125,14 @@ class MasterSurface {
   bool isAtRim(const SurfacePlace<Dim>& place, int direction, int side) const;
   bool isFree(const SurfacePlace<Dim>& place, int direction, int side) const;
 
-  /// How far a foot may go in a span: to its ends, and on beyond those at free rims.
-  double limit(const SurfacePlace<Dim>& place, int direction, int side) const;
+  /// How far a foot may go in a span: to its ends, or on beyond those at free rims.
+  double limit(const SurfacePlace<Dim>& place, int direction, int side, bool beyondRims) const;
   std::optional<Edge> across(const SurfacePlace<Dim>& place, int direction, int side) const;
   std::vector<Edge> edgesAround(const SurfacePlace<Dim>& place) const;
   std::optional<Foot<Dim>> footAt(const SurfacePoint<Dim>& point, const Eigen::Vector<double, Dim>& position,
                                   const std::array<bool, Dim - 1>& held) const;
 
   std::vector<Face> faces_;
-  int firstUnknown_;
 };
 
 }  // namespace burnish

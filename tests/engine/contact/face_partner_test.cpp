@@ -351,5 +351,41 @@ TEST(FacePartner, IsWhatSelfContactIsOnOneFace) {
   }
 }
 
+TEST(FacePartner, PartsOfANewMeshMayBeginALittleInside) {
+  constexpr FaceId kInner = 0;
+  // A thin hole, through which a bump of its upper face reaches into the lower one.
+  Body<2> body = jaws(BasisFamily::BSpline);
+  const Patch<2>& patch = body.patches.front();
+  Eigen::MatrixXd points = patch.points();
+  for (const int a : faceFunctions(patch.basis(), kInner)) {
+    points(1, a) *= 0.02;
+    if (points(1, a) > 0.0 && std::abs(points(0, a) - 3.0) < 0.4) points(1, a) -= 0.012;
+  }
+  body = makeBody(Patch<2>(patch.basis(), points, patch.weights()));
+  const double outward = outwardSign(body.patches.front(), kInner);
+  std::vector<int> found;
+  for (const bool isNewMesh : {false, true}) {
+    SelfContactTerm term(body, 0, kInner, {0.6, 10.0, {}, {}}, 2 * body.numNodes, isNewMesh);
+    FacePartner<2> partner(term.face(), tracePatch(body.patches.front(), kInner), outward,
+                           MasterSurface<2>(body, {{0, kInner}}),
+                           {.reach = 0.6,
+                            .newPenetration = 0.0,
+                            .newOverhang = 0.25,
+                            .takesNearer = false,
+                            .ownFace = 0,
+                            .isNewMesh = isNewMesh});
+    test::forceOf(term, 0.0, Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers()));
+    int partners = 0;
+    for (int k = 0; k < term.face().numPoints(); ++k) {
+      const auto& foot = partner.foot(k);
+      if (foot && partner.surface().overhang(foot->point.place) > 0.0) continue;
+      EXPECT_EQ(foot.has_value(), std::isfinite(term.state().gap(k))) << k;
+      partners += foot.has_value();
+    }
+    found.push_back(partners);
+  }
+  EXPECT_GT(found.back(), found.front() + 5);
+}
+
 }  // namespace
 }  // namespace burnish

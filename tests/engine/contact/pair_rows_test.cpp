@@ -40,10 +40,17 @@ struct Scene {
     Vector x, traction;
   };
 
-  Scene(Body<Dim> made, std::vector<FacePlace> faces)
-      : body(std::move(made)), surface(body, std::move(faces), kSlaves * Dim), R(0.5, -0.2, 0.7) {}
+  Scene(Body<Dim> made, const std::vector<FacePlace>& faces)
+      : body(numberedBehind(std::move(made))), surface(body, faces), R(0.5, -0.2, 0.7) {}
 
-  Eigen::Index size() const { return Dim * (kSlaves + body.numNodes); }
+  /// The first numbers of nodes are the slave's.
+  static Body<Dim> numberedBehind(Body<Dim> body) {
+    for (int& node : body.nodes.front()) node += kSlaves;
+    body.numNodes += kSlaves;
+    return body;
+  }
+
+  Eigen::Index size() const { return Dim * body.numNodes; }
   Eigen::Vector<double, Dim - 1> components() const { return Eigen::Vector2d(0.8, -0.5).head<Dim - 1>(); }
 
   Answer at(const Eigen::VectorXd& u, bool withTangents = true) {
@@ -70,7 +77,7 @@ struct Scene {
 
     for (int k = 0; k < Dim * kSlaves; ++k) answer.unknowns.push_back(k);
     for (const int node : nodes)
-      for (int d = 0; d < Dim; ++d) answer.unknowns.push_back(surface.unknown(node) + d);
+      for (int d = 0; d < Dim; ++d) answer.unknowns.push_back(Dim * node + d);
     const auto scattered = [&](const Eigen::MatrixXd& local) {
       Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size(), local.cols());
       for (std::size_t k = 0; k < answer.unknowns.size(); ++k)
@@ -101,8 +108,8 @@ struct Scene {
     for (int a = 0; a < kSlaves; ++a) sum += force.segment<Dim>(Dim * a);
     Eigen::Vector3d moment = at3(answer.x).cross(at3(sum));
     double size = answer.x.norm() * sum.norm();
-    for (int node = 0; node < body.numNodes; ++node) {
-      const Vector f = force.segment<Dim>(surface.unknown(node));
+    for (int node = kSlaves; node < body.numNodes; ++node) {
+      const Vector f = force.segment<Dim>(Dim * node);
       sum += f;
       moment += at3(X.col(node)).cross(at3(f));
       size += X.col(node).norm() * f.norm();
@@ -276,8 +283,8 @@ void expectNoSlip(Scene<Dim>& scene, const Eigen::Matrix<double, Dim, Dim>& turn
   const Eigen::MatrixXd X = scene.body.nodePositions();
   const Eigen::Vector<double, Dim> way = Eigen::Vector<double, Dim>::Constant(0.3);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(scene.size());
-  for (int node = 0; node < scene.body.numNodes; ++node)
-    u.segment<Dim>(scene.surface.unknown(node)) = turn * X.col(node) + way - X.col(node);
+  for (int node = Scene<Dim>::kSlaves; node < scene.body.numNodes; ++node)
+    u.segment<Dim>(Dim * node) = turn * X.col(node) + way - X.col(node);
   // Functions of the slave sum up to one.
   for (int a = 0; a < 3; ++a) u.segment<Dim>(Dim * a) = turn * scene.place + way - scene.place;
   const auto answer = scene.at(u);
