@@ -113,9 +113,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "found lagrang; allowed: nurbs | lagrange. Did you mean \"lagrange\"?"},
         Mistake{"law", &block, "law: neo-hookean", "law: neohookean", "neohookean", "material.law",
                 "found neohookean; allowed: neo-hookean | j2. Did you mean \"neo-hookean\"?"},
-        Mistake{"method", &block, "method: augmented-lagrangian", "method: magic", "magic",
-                "contact[0].method",
-                "found magic; allowed: augmented-lagrangian | penalty | pointwise-penalty."},
+        Mistake{
+            "method", &block, "method: augmented-lagrangian", "method: magic", "magic", "contact[0].method",
+            "found magic; allowed: augmented-lagrangian | integral-augmented-lagrangian | penalty | pointwise-penalty."},
         Mistake{"listForNumber", &block, "E: 1.0", "E: [1.0]", "[1.0]", "material.E",
                 "found a list of 1 entry; allowed: a number above 0."},
         Mistake{"numberForList", &block, "size: [3.0, 1.0]", "size: 3.0", "3.0", "geometry.size",
