@@ -194,6 +194,10 @@ void ModelBuilder<Dim>::addContact(std::size_t number) {
       meanControlPointDistance(body.body.patches[static_cast<std::size_t>(patch)], place.face));
   auto term = makeToolContact<Dim>(body.body, patch, place.face, *model_->tools_[tool], options,
                                    model_->numUnknowns_, model_->supports_.prescribed());
+  if (scene_.rezoning && term->numMultipliers() != term->face().numFunctions())
+    throw InputError(fmt::format("contact[{}]", number),
+                     "a support holds an end of the face across it, which new meshes cannot take over with "
+                     "this method; use augmented-lagrangian");
   model_->numUnknowns_ += term->numMultipliers();
   model_->contacts_.push_back({tool, place, std::move(term)});
 }

@@ -24,13 +24,22 @@ void forEachContact(const Model<2>& model, const F& f) {
   for (const auto& contact : model.selfContacts()) f(*contact.term);
 }
 
+/// How much stiffer contact becomes: with the integral method the parameter weighs gaps against tractions, and
+/// stays as it is.
+template <class Contact>
+double stiffnessOf(const Contact& term) {
+  if constexpr (requires { term.options().method; })
+    return averagesGaps(term.options().method) ? kSettlingStiffness : 1.0;
+  return kSettlingStiffness;
+}
+
 /// Makes contact stiffer for as long as it lives.
 class StifferContact {
  public:
   explicit StifferContact(const Model<2>& model) : model_(model) {
     forEachContact(model, [this](auto& term) {
       parameters_.push_back(term.parameter());
-      term.setParameter(kSettlingStiffness * parameters_.back());
+      term.setParameter(stiffnessOf(term) * parameters_.back());
     });
   }
   ~StifferContact() {

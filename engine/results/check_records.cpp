@@ -87,12 +87,12 @@ void checkFields(const std::map<std::string, FieldRecord>& fields, Eigen::Index 
                  const std::vector<std::string>& bodies, const std::string& place) {
   for (const auto& [name, field] : fields) {
     require(isFieldName(name), place, "\"{}\" cannot be the name of a field", name);
-    require(field.values.allFinite(), place, "field {} has a value that is not finite", name);
     require(field.values.cols() == columns, place, "field {} has {} values for {} {}", name,
             field.values.cols(), columns, what);
     const std::size_t components = std::max<std::size_t>(field.components.size(), 1);
     require(count(field.values.rows()) == components, place, "field {} has {} rows for {} component{}", name,
             field.values.rows(), components, components == 1 ? "" : "s");
+    require(field.values.allFinite(), place, "field {} has a value that is not finite", name);
     for (const std::string& body : field.bodies)
       require(std::find(bodies.begin(), bodies.end(), body) != bodies.end(), place,
               "field {} is of the body \"{}\", which is none of the model's", name, body);

@@ -22,13 +22,14 @@ void checkContact(const CheckContext& c) {
     refuse(c, k > 0, fmt::format("contact[{}]", k), "a second contact pair");
     refuse(c, contact[k].against.has_value(), fmt::format("contact[{}].against", k),
            "contact between bodies");
-    if (contact[k].options.method != Enforcement::AugmentedLagrangian &&
+    const ContactOptions& options = contact[k].options;
+    if ((options.method == Enforcement::MortarPenalty || options.method == Enforcement::PointwisePenalty) &&
         c.clean(fmt::format("contact[{}].method", k)))
       c.report(fmt::format("contact[{}].method", k),
-               fmt::format("found {} in a scene with rezoning; allowed there: augmented-lagrangian.",
-                           contact[k].options.method == Enforcement::IntegralAugmentedLagrangian
-                               ? "integral-augmented-lagrangian"
-                               : "a penalty method"));
+               "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian | "
+               "integral-augmented-lagrangian.");
+    refuse(c, options.hasFriction(), fmt::format("contact[{}].{}", k, options.rough ? "rough" : "friction"),
+           "friction, whose work new meshes would lose,");
   }
 }
 
