@@ -66,16 +66,6 @@ struct IntegralContactTerm<Dim>::SpanValues {
   Eigen::MatrixXd tau;            ///< τ, (Dim-1) x n; with friction alone
 };
 
-/// Tangential traction and its derivatives.
-template <int Dim>
-struct IntegralContactTerm<Dim>::FrictionLaw {
-  Tangential traction = Tangential::Zero();  ///< τᵉ
-  Eigen::Matrix<double, Dim - 1, Dim - 1> byTrial =
-      Eigen::Matrix<double, Dim - 1, Dim - 1>::Identity();  ///< M = ∂τᵉ/∂τ̂
-  Tangential byPressure = Tangential::Zero();               ///< c = ∂τᵉ/∂p
-  bool slips = false;
-};
-
 /// Residual and tangent of a span: displacements, the partner's unknowns, λ of the span's functions, with
 /// friction τ of these.
 template <int Dim>
@@ -84,15 +74,6 @@ struct IntegralContactTerm<Dim>::Contributions {
   Eigen::MatrixXd K;  ///< empty if no tangent is wanted
   Eigen::Index firstLambda = 0, firstTau = 0;
 };
-
-template <int Dim>
-void IntegralContactTerm<Dim>::FrictionHistory::archive(StateArchive& archive) {
-  archive.field("accepted_x", x);
-  archive.field("friction_force", force);
-  archive.field("friction_reaction", reaction);
-  archive.field("friction_moment", moment);
-  archive.field("friction_work", work);
-}
 
 template <int Dim>
 IntegralContactTerm<Dim>::IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
@@ -194,7 +175,7 @@ typename IntegralContactTerm<Dim>::SpanValues IntegralContactTerm<Dim>::valuesOf
                                         : Eigen::VectorXd::Zero(std::ssize(functions));
   if (!hasFriction_) return values;
   values.accepted = face_.points()(Eigen::all, functions);
-  values.accepted += accepted_.x(unknowns_[e]).reshaped(Dim, std::ssize(functions));
+  values.accepted += work_.acceptedUnknowns()(unknowns_[e]).reshaped(Dim, std::ssize(functions));
   values.tau.resize(Dim - 1, std::ssize(functions));
   const auto components = x.segment(firstMultiplier_ + multipliers_.size(), (Dim - 1) * tangential_.size())
                               .reshaped(Dim - 1, tangential_.size());
@@ -239,28 +220,18 @@ double IntegralContactTerm<Dim>::stretchOfArea(const SpanValues& values, const S
 }
 
 template <int Dim>
-typename IntegralContactTerm<Dim>::FrictionLaw IntegralContactTerm<Dim>::frictionAt(
+FrictionTraction<Dim - 1> IntegralContactTerm<Dim>::frictionAt(
     const SpanValues& values, const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact, double p,
     const Eigen::Ref<const Eigen::MatrixXd>& dR) const {
-  FrictionLaw law;
-  law.traction = values.tau * point.R + frictionParameter() * contact.slip;
-  if (options_.rough) return law;
-  double bound = -*options_.friction * p, slope = -*options_.friction;
-  if (options_.shearLimit) {
-    const double limit = *options_.shearLimit * stretchOfArea(values, point, dR);
-    if (limit < bound) {
-      bound = limit;
-      slope = 0.0;
-    }
+  const Tangential trial = values.tau * point.R + frictionParameter() * contact.slip;
+  if (options_.rough) {
+    FrictionTraction<Dim - 1> sticks;
+    sticks.traction = trial;
+    return sticks;
   }
-  const double size = law.traction.norm();
-  if (size <= bound) return law;
-  const Tangential direction = law.traction / size;
-  law.slips = true;
-  law.traction = bound * direction;
-  law.byTrial = bound / size * (law.byTrial - direction * direction.transpose());
-  law.byPressure = slope * direction;
-  return law;
+  return coulombTraction<Dim - 1>(
+      trial, p, *options_.friction,
+      options_.shearLimit ? *options_.shearLimit * stretchOfArea(values, point, dR) : kInfinity);
 }
 
 template <int Dim>
@@ -271,7 +242,7 @@ void IntegralContactTerm<Dim>::reportFriction(const SpanValues& values, const Sp
   if (!(p < 0.0)) return;
   auto contact = *partner_->at(point, PointDetail::Derivatives);
   partner_->addSlip(point, contact);
-  const FrictionLaw law = frictionAt(values, point, contact, p, span.dR.middleCols((Dim - 1) * q, Dim - 1));
+  const auto law = frictionAt(values, point, contact, p, span.dR.middleCols((Dim - 1) * q, Dim - 1));
   state_.traction.col(number).template head<Dim>() = contact.frame * law.traction;
   state_.slip.col(number).template head<Dim>() = contact.frame * contact.slip;
   state_.sliding[static_cast<std::size_t>(number)] = law.slips ? 2 : 1;
@@ -454,7 +425,7 @@ void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span&
                                            double p, const SlavePoint<Dim>& point, ContactPoint<Dim>& contact,
                                            const std::vector<Eigen::Index>& places, Contributions& sums) {
   partner_->addSlip(point, contact);
-  const FrictionLaw law = frictionAt(values, point, contact, p, rule.dR.middleCols((Dim - 1) * q, Dim - 1));
+  const auto law = frictionAt(values, point, contact, p, rule.dR.middleCols((Dim - 1) * q, Dim - 1));
   const auto& R = point.R;
   const Eigen::Index n = R.size();
   const double w = rule.weights(q), r = parameter(), rT = frictionParameter();
@@ -462,9 +433,9 @@ void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span&
   const Eigen::VectorXd force = w * contact.virtualSlip * law.traction;
   sums.force(places) += force;
   for (std::size_t i = 0; i < places.size(); ++i)
-    trial_.force(contact.unknowns[i]) += force(static_cast<Eigen::Index>(i));
+    work_.force()(contact.unknowns[i]) += force(static_cast<Eigen::Index>(i));
   const Eigen::Vector<double, Dim> onPartner = w * contact.frame * law.traction;
-  addForce(onPartner, point, trial_.reaction, trial_.moment);
+  addForce(onPartner, point, work_.reaction(), work_.moment());
   state_.frictionForce += onPartner.norm();
   const auto rowsOf = [&](Eigen::Index alpha) { return Eigen::seqN(sums.firstTau + alpha, n, Dim - 1); };
   for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha)
@@ -494,7 +465,7 @@ bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Asse
   if (!partner_->update(t, x, face_.positions(x))) return false;
   const std::vector<bool> before = std::move(state_.active);
   state_ = {};
-  if (hasFriction_) beginFriction(x);
+  if (hasFriction_) work_.start(x);
   state_.averageGap = Eigen::VectorXd::Constant(face_.numFunctions(), kInfinity);
   state_.lambdaHat = Eigen::VectorXd::Zero(face_.numFunctions());
   state_.active.assign(anchors_.size(), false);
@@ -545,37 +516,25 @@ bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Asse
   return true;
 }
 
-template <int Dim>
-void IntegralContactTerm<Dim>::beginFriction(const Eigen::VectorXd& x) {
-  if (accepted_.x.size() == 0) {
-    accepted_.x = x;
-    accepted_.force = Eigen::VectorXd::Zero(x.size());
-  }
-  trial_ = {x, Eigen::VectorXd::Zero(x.size()), {}, {}, 0.0};
-  trial_.reaction = trial_.moment = Eigen::Vector3d::Zero();
-}
-
 /// The tool bears the traction, and with it friction does work on the tool's own motion.
 template <int Dim>
 void IntegralContactTerm<Dim>::endFriction() {
-  trial_.work = accepted_.work + 0.5 * (accepted_.force + trial_.force).dot(trial_.x - accepted_.x) -
-                partner_->prescribedWork(0.5 * (accepted_.reaction + trial_.reaction),
-                                         0.5 * (accepted_.moment + trial_.moment));
-  state_.frictionWork = trial_.work;
-  state_.reaction += trial_.reaction;
-  state_.moment += trial_.moment;
+  work_.end([&](const auto& force, const auto& moment) { return partner_->prescribedWork(force, moment); });
+  state_.frictionWork = work_.work();
+  state_.reaction += work_.reaction();
+  state_.moment += work_.moment();
 }
 
 template <int Dim>
 void IntegralContactTerm<Dim>::accept() {
   partner_->accept();
-  if (hasFriction_) accepted_ = trial_;
+  if (hasFriction_) work_.accept();
 }
 
 template <int Dim>
 void IntegralContactTerm<Dim>::archive(StateArchive& archive) {
   partner_->archive(archive);
-  if (hasFriction_) archive.part("friction", accepted_);
+  if (hasFriction_) archive.part("friction", work_);
 }
 
 template <int Dim>

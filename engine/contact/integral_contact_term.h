@@ -3,6 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "engine/contact/coulomb.h"
+#include "engine/contact/friction_work.h"
 #include "engine/contact/multiplier_basis.h"
 #include "engine/contact/partner.h"
 #include "engine/contact/tool_contact.h"
@@ -77,7 +79,6 @@ class IntegralContactTerm final : public ToolContact<Dim> {
 
   struct SpanValues;
   struct Contributions;
-  struct FrictionLaw;
   enum class SpanState { Open, Closed, Cut };
 
   void addSpanTables(const Body<Dim>& body);
@@ -90,9 +91,9 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   double augmented(const SpanValues& values, const SlavePoint<Dim>& point) const;
 
   /// Friction at a point with slip, p < 0 the contact pressure; dR: derivatives of the functions.
-  FrictionLaw frictionAt(const SpanValues& values, const SlavePoint<Dim>& point,
-                         const ContactPoint<Dim>& contact, double p,
-                         const Eigen::Ref<const Eigen::MatrixXd>& dR) const;
+  FrictionTraction<Dim - 1> frictionAt(const SpanValues& values, const SlavePoint<Dim>& point,
+                                       const ContactPoint<Dim>& contact, double p,
+                                       const Eigen::Ref<const Eigen::MatrixXd>& dR) const;
 
   /// Current, as of the accepted state, over reference area.
   double stretchOfArea(const SpanValues& values, const SlavePoint<Dim>& point,
@@ -111,7 +112,6 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   void addPoint(const SpanValues& values, const Span& rule, Eigen::Index q, bool mustTouch,
                 Contributions& sums);
   double frictionParameter() const { return options_.frictionParameter.value_or(parameter()); }
-  void beginFriction(const Eigen::VectorXd& x);
   void endFriction();
   void addOpenTangential(const SpanValues& values, const Eigen::Ref<const Eigen::VectorXd>& R, double w,
                          Contributions& sums) const;
@@ -147,17 +147,7 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   std::vector<std::vector<int>> unknowns_;         ///< per span: displacement components
   std::vector<std::vector<int>> partnerUnknowns_;  ///< per span, ascending
   std::vector<Anchor> anchors_;                    ///< per function
-
-  /// What friction remembers of a state.
-  struct FrictionHistory {
-    Eigen::VectorXd x;      ///< all unknowns; empty before the first state
-    Eigen::VectorXd force;  ///< of friction, by these
-    Eigen::Vector3d reaction = Eigen::Vector3d::Zero(), moment = reaction;  ///< of friction on the partner
-    double work = 0.0;                                                      ///< since the start
-
-    void archive(StateArchive& archive);
-  };
-  FrictionHistory accepted_, trial_;
+  FrictionWork work_;
 };
 
 }  // namespace burnish
