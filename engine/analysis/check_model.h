@@ -2,6 +2,7 @@
 #include <string>
 
 #include "engine/analysis/model.h"
+#include "engine/contact/mortar_contact_term.h"
 #include "engine/scene/scene.h"
 
 namespace burnish {

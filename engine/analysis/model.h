@@ -6,7 +6,7 @@
 
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/supports.h"
-#include "engine/contact/mortar_contact_term.h"
+#include "engine/contact/face_contact.h"
 #include "engine/contact/self_contact_term.h"
 #include "engine/contact/tool_contact.h"
 #include "engine/scene/scene.h"
@@ -49,7 +49,7 @@ struct FacePair {
   std::string name;
   FacePlace place;  ///< of the face with the multipliers
   FacePlace against;
-  std::unique_ptr<MortarContactTerm<Dim>> term;
+  std::unique_ptr<FaceContact<Dim>> term;
 };
 
 /// A tool of the scene with free degrees of freedom: the forces that it carries in them.

@@ -17,20 +17,14 @@ ResidualScales residualScales(const Model<Dim>& model) {
   scales.constraints.resize(model.numUnknowns() - model.numForces());
   const auto sizeAt = [&](const FacePlace& place) { return model.bodyOf(place).body.size(); };
   Eigen::Index next = 0;
-  for (const auto& pair : model.contacts()) {
-    scales.constraints.segment(next, pair.term->numMultipliers()) =
-        sizeAt(pair.place) * pair.term->weights().head(pair.term->numMultipliers());
-    next += pair.term->numMultipliers();
-  }
-  for (const auto& pair : model.pairs()) {
-    scales.constraints.segment(next, pair.term->numMultipliers()) = sizeAt(pair.place) * pair.term->weights();
-    next += pair.term->numMultipliers();
-  }
-  for (const auto& contact : model.selfContacts()) {
-    scales.constraints.segment(next, contact.term->numMultipliers()) =
-        sizeAt(contact.place) * contact.term->weights();
-    next += contact.term->numMultipliers();
-  }
+  const auto add = [&](const auto& contact) {
+    const int count = contact.term->numMultipliers();
+    scales.constraints.segment(next, count) = sizeAt(contact.place) * contact.term->weights().head(count);
+    next += count;
+  };
+  for (const auto& pair : model.contacts()) add(pair);
+  for (const auto& pair : model.pairs()) add(pair);
+  for (const auto& contact : model.selfContacts()) add(contact);
   return scales;
 }
 

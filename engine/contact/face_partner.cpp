@@ -11,21 +11,8 @@
 namespace burnish {
 namespace {
 
-/// Cosine between the outward normals of partners: at least 120 degrees apart.
-constexpr double kOpposed = -0.5;
-
-/// Feet are used up to this share of the distance to the centre of curvature, where they end to be the
-/// closest ones: of partners at accepted states, and during a step.
-constexpr double kShareOfRadius = 0.75;
-constexpr double kLargestShareOfRadius = 0.95;
-
 /// A partner is left for a foot that is nearer by more than this part of the slave's span.
 constexpr double kNearer = 1e-3;
-
-/// Where a fold closes: parts of the slave's span and of the way along the face.
-constexpr double kFold = 1.0;
-constexpr double kShareOfLength = 0.05;
-constexpr double kShareOfSpan = 0.25;
 
 /// Rounding errors of gaps in parts of the coordinates, and of overhangs: touching parts are outside of one
 /// another, an end is not beyond itself.

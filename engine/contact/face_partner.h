@@ -10,6 +10,7 @@
 #include "engine/contact/master_search.h"
 #include "engine/contact/master_surface.h"
 #include "engine/contact/partner.h"
+#include "engine/contact/partner_limits.h"
 #include "engine/contact/segments.h"
 #include "engine/solid/face_quadrature.h"
 
@@ -26,7 +27,7 @@ struct PartnerRules {
 
   /// How far beyond a free rim of the surface a foot may be, in parts of the last span there: of a partner,
   /// and of a new one.
-  double overhang = 0.25, newOverhang = 0.0;
+  double overhang = kOverhang, newOverhang = 0.0;
 
   /// Whether a partner is left for a foot that is nearer by more than a thousandth of the slave's span.
   bool takesNearer = true;

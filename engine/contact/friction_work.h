@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 
-#include "engine/core/state_archive.h"
+#include "engine/contact/partner.h"
 
 namespace burnish {
 
@@ -21,12 +21,12 @@ class FrictionWork {
   Eigen::Vector3d& reaction() { return trial_.reaction; }
   Eigen::Vector3d& moment() { return trial_.moment; }
 
-  /// Ends the evaluation. prescribedWork: of a force and its moment on the partner's prescribed motion.
-  template <class F>
-  void end(const F& prescribedWork) {
+  /// Ends the evaluation.
+  template <int Dim>
+  void end(const Partner<Dim>& partner) {
     trial_.work = accepted_.work + 0.5 * (accepted_.force + trial_.force).dot(trial_.x - accepted_.x) -
-                  prescribedWork(Eigen::Vector3d(0.5 * (accepted_.reaction + trial_.reaction)),
-                                 Eigen::Vector3d(0.5 * (accepted_.moment + trial_.moment)));
+                  partner.prescribedWork(0.5 * (accepted_.reaction + trial_.reaction),
+                                         0.5 * (accepted_.moment + trial_.moment));
   }
 
   /// Since the start, at the last evaluated state.

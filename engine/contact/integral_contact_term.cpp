@@ -206,20 +206,6 @@ double IntegralContactTerm<Dim>::augmented(const SpanValues& values, const Slave
 }
 
 template <int Dim>
-double IntegralContactTerm<Dim>::stretchOfArea(const SpanValues& values, const SlavePoint<Dim>& point,
-                                               const Eigen::Ref<const Eigen::MatrixXd>& dR) const {
-  const Eigen::MatrixXd reference = face_.points()(Eigen::all, face_.spans()[values.number].functions);
-  const auto areaOf = [&](const Eigen::MatrixXd& points) {
-    const Eigen::Matrix<double, Dim, Dim - 1> tangents = points * dR;
-    return areaVector<Dim>(tangents).norm();
-  };
-  const double stretch = areaOf(values.accepted) / areaOf(reference);
-  if (!axisymmetric_) return stretch;
-  const double radius = reference.row(0) * point.R;
-  return radius > 0.0 ? stretch * point.xAccepted(0) / radius : stretch * stretch;
-}
-
-template <int Dim>
 FrictionTraction<Dim - 1> IntegralContactTerm<Dim>::frictionAt(
     const SpanValues& values, const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact, double p,
     const Eigen::Ref<const Eigen::MatrixXd>& dR) const {
@@ -231,7 +217,9 @@ FrictionTraction<Dim - 1> IntegralContactTerm<Dim>::frictionAt(
   }
   return coulombTraction<Dim - 1>(
       trial, p, *options_.friction,
-      options_.shearLimit ? *options_.shearLimit * stretchOfArea(values, point, dR) : kInfinity);
+      options_.shearLimit ? *options_.shearLimit * areaStretch(face_.spans()[values.number].functions,
+                                                               values.accepted, point.R, dR)
+                          : kInfinity);
 }
 
 template <int Dim>
@@ -509,17 +497,14 @@ bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Asse
     addToSystem(e, sums, out);
   }
   if (hasFriction_) endFriction();
-  if (axisymmetric_) {
-    state_.reaction(0) = 0.0;  // radial forces around the ring balance one another, and so do all moments
-    state_.moment.setZero();
-  }
+  if (axisymmetric_) state_.keepAxialReaction();
   return true;
 }
 
 /// The tool bears the traction, and with it friction does work on the tool's own motion.
 template <int Dim>
 void IntegralContactTerm<Dim>::endFriction() {
-  work_.end([&](const auto& force, const auto& moment) { return partner_->prescribedWork(force, moment); });
+  work_.end(*partner_);
   state_.frictionWork = work_.work();
   state_.reaction += work_.reaction();
   state_.moment += work_.moment();

@@ -95,10 +95,6 @@ class IntegralContactTerm final : public ToolContact<Dim> {
                                        const ContactPoint<Dim>& contact, double p,
                                        const Eigen::Ref<const Eigen::MatrixXd>& dR) const;
 
-  /// Current, as of the accepted state, over reference area.
-  double stretchOfArea(const SpanValues& values, const SlavePoint<Dim>& point,
-                       const Eigen::Ref<const Eigen::MatrixXd>& dR) const;
-
   void reportFriction(const SpanValues& values, const Span& span, Eigen::Index q,
                       const SlavePoint<Dim>& point, double p);
   void reportPoints(const SpanValues& values);
@@ -111,7 +107,6 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   void addOpenSpan(const SpanValues& values, Contributions& sums);
   void addPoint(const SpanValues& values, const Span& rule, Eigen::Index q, bool mustTouch,
                 Contributions& sums);
-  double frictionParameter() const { return options_.frictionParameter.value_or(parameter()); }
   void endFriction();
   void addOpenTangential(const SpanValues& values, const Eigen::Ref<const Eigen::VectorXd>& R, double w,
                          Contributions& sums) const;
@@ -135,6 +130,8 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   using ToolContact<Dim>::state_;
   using ToolContact<Dim>::isAlone;
   using ToolContact<Dim>::parameter;
+  using ToolContact<Dim>::frictionParameter;
+  using ToolContact<Dim>::areaStretch;
 
   const Body<Dim>& body_;
   const Tool& tool_;

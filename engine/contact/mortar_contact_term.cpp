@@ -38,6 +38,7 @@ struct MortarContactTerm<Dim>::Average {
   double A = 0.0, G = 0.0;  ///< ∫' R_A dΓ, ∫' R_A g dΓ
   Eigen::VectorXd D;
   Tangential slip = Tangential::Zero();  ///< ∫' R_A s dΓ
+  double area = 0.0;                     ///< ∫' R_A j dΓ, j the stretch of area; for a shear limit alone
   Rows T, S;
 };
 
@@ -51,14 +52,11 @@ template <int Dim>
 MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, FaceId face,
                                           const PartnerMaker<Dim>& makePartner, const ContactOptions& options,
                                           int firstMultiplier)
-    : face_(body, patch, face, contactPoints(body, patch, options.quadraturePoints)),
+    : FaceContact<Dim>(body, patch, face, options, firstMultiplier),
       partner_(makePartner(face_)),
-      options_(options),
       hasFriction_(options.hasFriction()),
-      firstMultiplier_(firstMultiplier),
-      axisymmetric_(body.axisymmetric),
-      A_(Eigen::VectorXd::Zero(face_.numFunctions())),
       functionUnknowns_(static_cast<std::size_t>(face_.numFunctions())) {
+  A_ = Eigen::VectorXd::Zero(numMultipliers());
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     A_(span.functions) += span.R * span.weights;
@@ -75,7 +73,9 @@ MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, Face
     }
   }
   for (auto& unknowns : functionUnknowns_) sortOnce(unknowns);
-  requireAveragedGaps(A_, axisymmetric_);
+  requireAveragedGaps(A_.head(face_.numFunctions()), axisymmetric_);
+  for (Eigen::Index A = 0; hasFriction_ && A < face_.numFunctions(); ++A)
+    A_.template segment<Dim - 1>(face_.numFunctions() + (Dim - 1) * A).setConstant(A_(A));
 }
 
 template <int Dim>
@@ -87,26 +87,11 @@ double MortarContactTerm<Dim>::smallestReferenceGap(int numNodes) {
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const SlavePoint<Dim> slave{e,
-                                  span.firstPoint + static_cast<int>(q),
-                                  span.xi.col(q),
-                                  slaveUnknowns_[e],
-                                  span.R.col(q),
-                                  positions.col(span.firstPoint + q),
-                                  positions.col(span.firstPoint + q)};
+      const auto slave = pointAt(e, q, positions);
       if (const auto point = partner_->at(slave, PointDetail::Gap)) smallest = std::min(smallest, point->gap);
     }
   }
   return smallest;
-}
-
-template <int Dim>
-Eigen::VectorXd MortarContactTerm<Dim>::weights() const {
-  Eigen::VectorXd weights(numMultipliers());
-  weights.head(A_.size()) = A_;
-  for (Eigen::Index A = 0; hasFriction_ && A < A_.size(); ++A)
-    weights.segment<Dim - 1>(A_.size() + (Dim - 1) * A).setConstant(A_(A));
-  return weights;
 }
 
 template <int Dim>
@@ -123,15 +108,18 @@ CouplingGroups MortarContactTerm<Dim>::couplings() const {
 }
 
 template <int Dim>
+Eigen::MatrixXd MortarContactTerm<Dim>::acceptedPoints(std::size_t e) const {
+  const auto& functions = face_.spans()[e].functions;
+  return face_.points()(Eigen::all, functions) +
+         friction_.acceptedUnknowns()(slaveUnknowns_[e]).reshaped(Dim, std::ssize(functions));
+}
+
+template <int Dim>
 SlavePoint<Dim> MortarContactTerm<Dim>::pointAt(std::size_t e, Eigen::Index q,
                                                 const Eigen::MatrixXd& positions) const {
   const auto& span = face_.spans()[e];
-  Eigen::Vector<double, Dim> accepted = Eigen::Vector<double, Dim>::Zero();
-  if (hasFriction_) {
-    accepted = face_.points()(Eigen::all, span.functions) * span.R.col(q);
-    const auto& x = friction_.acceptedUnknowns();
-    accepted += x(slaveUnknowns_[e]).reshaped(Dim, span.R.rows()) * span.R.col(q);
-  }
+  Eigen::Vector<double, Dim> accepted = positions.col(span.firstPoint + q);
+  if (friction_.acceptedUnknowns().size() > 0) accepted = acceptedPoints(e) * span.R.col(q);
   return {e,
           span.firstPoint + static_cast<int>(q),
           span.xi.col(q),
@@ -159,12 +147,17 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
           partner_->at(slave, PointDetail::Derivatives);
       if (!point) continue;
       if (hasFriction_) partner_->addSlip(slave, *point);
+      const double stretch = options_.shearLimit
+                                 ? areaStretch(span.functions, acceptedPoints(e), span.R.col(q),
+                                               span.dR.middleCols((Dim - 1) * q, Dim - 1))
+                                 : 0.0;
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const auto A = static_cast<std::size_t>(span.functions[a]);
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
         auto& average = sums.averages[A];
         average.A += wR;
         average.G += wR * point->gap;
+        average.area += wR * stretch;
         // The rows of unknowns that stand on both sides are added one after the other.
         const auto places = placesIn(functionUnknowns_[A], point->unknowns);
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -192,8 +185,9 @@ FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Averag
   }
   const Tangential tau = x.template segment<Dim - 1>(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A);
   const Tangential trial = tau + frictionParameter() / average.A * average.slip;
-  return coulombTraction<Dim - 1>(trial, state_.lambdaHat(A), options_.rough ? kInfinity : *options_.friction,
-                                  options_.shearLimit.value_or(kInfinity));
+  return coulombTraction<Dim - 1>(
+      trial, state_.lambdaHat(A), options_.rough ? kInfinity : *options_.friction,
+      options_.shearLimit ? *options_.shearLimit * average.area / average.A : kInfinity);
 }
 
 template <int Dim>
@@ -208,14 +202,10 @@ bool MortarContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assemb
   state_.countChanges(before);
   addPoints(out, positions, sums);
   if (hasFriction_) {
-    friction_.end(
-        [&](const auto& force, const auto& moment) { return partner_->prescribedWork(force, moment); });
+    friction_.end(*partner_);
     state_.frictionWork = friction_.work();
   }
-  if (axisymmetric_) {
-    state_.reaction(0) = 0.0;  // radial forces around the ring balance one another, and so do all moments
-    state_.moment.setZero();
-  }
+  if (axisymmetric_) state_.keepAxialReaction();
   return true;
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/contact/coulomb.h"
+#include "engine/contact/face_contact.h"
 #include "engine/contact/friction_work.h"
 #include "engine/contact/partner.h"
-#include "engine/contact/tool_contact.h"
 
 namespace burnish {
 
@@ -22,7 +22,8 @@ using PartnerMaker = std::function<std::unique_ptr<Partner<Dim>>(const FaceQuadr
 ///
 ///     A_A = ∫' R_A dΓ,   g_A = 1/A_A ∫' R_A g dΓ,   s_A = 1/A_A ∫' R_A s dΓ,
 ///     D_A = ∫' R_A N dΓ,   T_A = ∫' R_A T dΓ,   S_A = ∫' R_A S dΓ,
-///     λ̂_A = λ_A + ε g_A, active where λ̂_A <= 0,   τ̂_A = τ_A + ε_T s_A,   τᵉ_A of `coulombTraction`,
+///     λ̂_A = λ_A + ε g_A, active where λ̂_A <= 0,   τ̂_A = τ_A + ε_T s_A,   τᵉ_A of `coulombTraction` (with the
+///     shear limit times the mean stretch of area in the accepted state, as tractions are nominal),
 ///     R_u += Σ λ̂_A D_A + T_A τᵉ_A,   R_λA = A_A g_A or -A_A/ε λ_A,   R_τA = A_A/ε_T (τᵉ_A - τ_A).
 ///
 /// With M = ∂τᵉ/∂τ̂, c = ∂τᵉ/∂λ̂ of active functions, λ̂ = Σ R_A λ̂_A and t = Σ R_A τᵉ_A at a point
@@ -34,7 +35,7 @@ using PartnerMaker = std::function<std::unique_ptr<Partner<Dim>>(const FaceQuadr
 /// symmetric without friction. A function with less than a twentieth of its weight over points with a partner
 /// is not active, and its multipliers vanish.
 template <int Dim>
-class MortarContactTerm final : public Term {
+class MortarContactTerm final : public FaceContact<Dim> {
  public:
   /// options: with a parameter; no gap limit. firstMultiplier: number of the first of the pair's multipliers
   /// among the unknowns. Throws `Error` as `requireAveragedGaps`.
@@ -42,11 +43,7 @@ class MortarContactTerm final : public Term {
                     const ContactOptions& options, int firstMultiplier);
 
   /// Those λ_A come first; then, with friction, the components of τ_A one after the other.
-  int numMultipliers() const { return (hasFriction_ ? Dim : 1) * face_.numFunctions(); }
-  int firstMultiplier() const { return firstMultiplier_; }
-
-  /// What residuals of multipliers are compared with, one per multiplier: ∫ R_A dΓ.
-  Eigen::VectorXd weights() const;
+  int numMultipliers() const override { return (hasFriction_ ? Dim : 1) * face_.numFunctions(); }
 
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
@@ -58,15 +55,6 @@ class MortarContactTerm final : public Term {
   /// other. To be asked before the first evaluation. numNodes: of all bodies.
   double smallestReferenceGap(int numNodes);
 
-  const ContactState& state() const { return state_; }
-  const FaceQuadrature<Dim>& face() const { return face_; }
-  const Partner<Dim>& partner() const { return *partner_; }
-  const ContactOptions& options() const { return options_; }
-
-  /// See `ToolContact::setParameter`.
-  void setParameter(double parameter) { options_.parameter = parameter; }
-  double parameter() const { return *options_.parameter; }
-
  private:
   using Tangential = Eigen::Vector<double, Dim - 1>;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Dim - 1>;
@@ -74,26 +62,31 @@ class MortarContactTerm final : public Term {
   struct Average;
   struct Sums;
 
-  double frictionParameter() const { return options_.frictionParameter.value_or(parameter()); }
+  /// Control points of a span's functions in the accepted state; with friction alone.
+  Eigen::MatrixXd acceptedPoints(std::size_t e) const;
   SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
   Sums integrate(const Eigen::MatrixXd& positions) const;
   FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, const Eigen::VectorXd& x) const;
   void addFunctions(const Eigen::VectorXd& x, Assembly& out, const Sums& sums);
   void addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums);
 
-  FaceQuadrature<Dim> face_;
+  using FaceContact<Dim>::face_;
+  using FaceContact<Dim>::options_;
+  using FaceContact<Dim>::firstMultiplier_;
+  using FaceContact<Dim>::axisymmetric_;
+  using FaceContact<Dim>::A_;
+  using FaceContact<Dim>::state_;
+  using FaceContact<Dim>::parameter;
+  using FaceContact<Dim>::frictionParameter;
+  using FaceContact<Dim>::areaStretch;
+
   std::unique_ptr<Partner<Dim>> partner_;
-  ContactOptions options_;
   bool hasFriction_;
-  int firstMultiplier_;
-  bool axisymmetric_;
-  Eigen::VectorXd A_;                               ///< ∫ R_A dΓ
   std::vector<std::vector<int>> slaveUnknowns_;     ///< per span: displacement components, by functions
   std::vector<std::vector<int>> spanUnknowns_;      ///< per span: with the partner's, ascending
   std::vector<std::vector<int>> functionUnknowns_;  ///< per function: of all its spans, ascending
   FrictionWork friction_;
   std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
-  ContactState state_;
 };
 
 }  // namespace burnish

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/contact/partner_limits.h"
+
 namespace burnish {
 namespace {
 
@@ -13,30 +15,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Stands for the parameter of a partner that is not there; a number that can be saved.
 constexpr double kNone = -std::numeric_limits<double>::max();
 
-/// A slave that hangs over the end of the face by less than this part of its last span still has a partner.
-constexpr double kOverhang = 0.25;
-
-/// Cosine between the outward normals of partners: at least 120 degrees apart.
-constexpr double kOpposed = -0.5;
-
-/// New partners are found before they touch, as the two sides of a thin part of the body, which face away
-/// from each other, penetrate one another. But where a fold closes, within a span of the slave, beside a
-/// slave that has a partner, and on new meshes they may do so by a part of the length of the face between
-/// them, and of the slave's span.
-constexpr double kFold = 1.0;
-constexpr double kShareOfLength = 0.05;
-constexpr double kShareOfSpan = 0.25;
-
 /// Rounding errors of gaps, in parts of the body's size: touching parts are outside of one another.
 constexpr double kRounding = 1e-12;
 
 /// Part of its integral R_A has to keep over points with partners to take part.
 constexpr double kSmallestPart = 0.1;
-
-/// A closest point is used up to this share of the distance to the centre of curvature, where it ends to be
-/// one: for new partners, and during a step.
-constexpr double kShareOfRadius = 0.75;
-constexpr double kLargestShareOfRadius = 0.95;
 
 /// Gap over the distance to the centre of curvature, positive on its side.
 double shareOfRadius(const SurfaceCurve::Point& point, double gap) {

@@ -9,16 +9,8 @@
 namespace burnish {
 
 template <int Dim>
-ToolContact<Dim>::ToolContact(const Body<Dim>& body, int patch, FaceId face, const Options& options,
-                              int firstMultiplier)
-    : face_(body, patch, face, contactPoints(body, patch, options.quadraturePoints)),
-      options_(options),
-      firstMultiplier_(firstMultiplier),
-      axisymmetric_(body.axisymmetric) {}
-
-template <int Dim>
 void ToolContact<Dim>::keepInTouch(std::vector<const ToolContact*> others) {
-  assert(options_.gapLimit.value_or(kAnyGap) == kAnyGap);
+  assert(this->options_.gapLimit.value_or(kAnyGap) == kAnyGap);
   keepsInTouch_ = true;
   others_ = std::move(others);
 }

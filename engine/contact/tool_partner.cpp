@@ -119,46 +119,20 @@ typename ToolPartner<Dim>::Rows ToolPartner<Dim>::normalMotion(const SlavePoint<
 }
 
 template <int Dim>
-typename ToolPartner<Dim>::Frame ToolPartner<Dim>::frameAt(const Vector& n) const {
-  if constexpr (Dim == 2) {
-    return Vector(n(1), -n(0));
-  } else {
-    return E_ - (n0_ + n) * (n.transpose() * E_) / (1.0 + n0_.dot(n));
-  }
-}
-
-template <int Dim>
-std::array<typename ToolPartner<Dim>::Rows, Dim - 1> ToolPartner<Dim>::frameMotion(const Vector& n,
-                                                                                   const Rows& dn) const {
-  std::array<Rows, Dim - 1> motion;
-  if constexpr (Dim == 2) {
-    motion[0].resize(2, dn.cols());
-    motion[0] << dn.row(1), -dn.row(0);
-  } else {
-    const double c = 1.0 + n0_.dot(n);
-    const Vector sum = n0_ + n;
-    const Eigen::RowVectorXd along = n0_.transpose() * dn;
-    for (std::size_t alpha = 0; alpha < motion.size(); ++alpha) {
-      const Vector E = E_.col(static_cast<Eigen::Index>(alpha));
-      motion[alpha] = -(sum * (E.transpose() * dn) + n.dot(E) * dn) / c + n.dot(E) / (c * c) * sum * along;
-    }
-  }
-  return motion;
-}
-
-template <int Dim>
 void ToolPartner<Dim>::addSlip(const SlavePoint<Dim>& point, ContactPoint<Dim>& contact) const {
   Eigen::Vector3d x = Eigen::Vector3d::Zero();
   x.head<Dim>() = point.x;
   const Eigen::Vector3d y = movedFoot(point);
   const Vector v = (x - y).template head<Dim>();
-  const auto turned = frameMotion(contact.normal, normalMotion(point));
-  contact.frame = frameAt(contact.normal);
+  const auto frame = carriedFrame<Dim>(E_, n0_, contact.normal);
+  const Rows turn = normalMotion(point);
+  contact.frame = frame.vectors;
   contact.slip = contact.frame.transpose() * v;
   contact.virtualSlip = relativeMotion(point, x).transpose() * contact.frame;
   contact.dSlip = relativeMotion(point, y).transpose() * contact.frame;
-  for (std::size_t alpha = 0; alpha < turned.size(); ++alpha)
-    contact.dSlip.col(static_cast<Eigen::Index>(alpha)) += turned[alpha].transpose() * v;
+  for (std::size_t alpha = 0; alpha < frame.byNormal.size(); ++alpha)
+    contact.dSlip.col(static_cast<Eigen::Index>(alpha)) +=
+        turn.transpose() * (frame.byNormal[alpha].transpose() * v);
 }
 
 /// The variation δx - w(x) meets the turning frame; under a turn of the tool, w = δθ × (x - c), also x and c
@@ -170,11 +144,11 @@ Eigen::MatrixXd ToolPartner<Dim>::frictionTangent(const SlavePoint<Dim>& point,
   Eigen::Vector3d x = Eigen::Vector3d::Zero(), t = x;
   x.head<Dim>() = point.x;
   t.head<Dim>() = contact.frame * traction;
-  const auto turned = frameMotion(contact.normal, normalMotion(point));
-  Rows turn = traction(0) * turned[0];
-  for (std::size_t alpha = 1; alpha < turned.size(); ++alpha)
-    turn += traction(static_cast<Eigen::Index>(alpha)) * turned[alpha];
-  Eigen::MatrixXd K = relativeMotion(point, x).transpose() * turn;
+  const auto frame = carriedFrame<Dim>(E_, n0_, contact.normal);
+  Eigen::Matrix<double, Dim, Dim> byNormal = traction(0) * frame.byNormal[0];
+  for (std::size_t alpha = 1; alpha < frame.byNormal.size(); ++alpha)
+    byNormal += traction(static_cast<Eigen::Index>(alpha)) * frame.byNormal[alpha];
+  Eigen::MatrixXd K = relativeMotion(point, x).transpose() * (byNormal * normalMotion(point));
   if (!tool_.isFree(kTurn)) return K;
   const Eigen::Vector3d moment = t.cross(tool_.axis / tool_.turnLength);  // t · (a × Δ) = (t × a) · Δ
   const Eigen::Index n = point.R.size(), row = K.rows() - 1;              // the turn comes last
@@ -208,8 +182,7 @@ void ToolPartner<Dim>::chooseAccepted() {
   acceptedPose_ = pose_;
   if constexpr (Dim == 3) {
     n0_ = meanNormal();
-    E_.col(0) = n0_.unitOrthogonal();
-    E_.col(1) = n0_.cross(E_.col(0));
+    E_ = anyFrame<Dim>(n0_);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <array>
 #include <vector>
 
+#include "engine/contact/carried_frame.h"
 #include "engine/contact/partner.h"
 #include "engine/contact/tool_passage.h"
 
@@ -50,11 +50,6 @@ class ToolPartner final : public Partner<Dim> {
 
   /// δn.
   Rows normalMotion(const SlavePoint<Dim>& point) const;
-
-  Frame frameAt(const Vector& n) const;
-
-  /// δe_α.
-  std::array<Rows, Dim - 1> frameMotion(const Vector& n, const Rows& dn) const;
 
   /// A mean of the tool's normals, in which points near to it count most.
   Vector meanNormal() const;

@@ -109,6 +109,20 @@ TEST_F(FacePairs, ForcesOfASlidingBlockAreInTheRatioOfFriction) {
   }
 }
 
+TEST_F(FacePairs, AShearLimitIsAStressOnTheDeformedFace) {
+  std::string scene = draggedBlock(0.5, 20);
+  scene.replace(scene.find("friction: 0.5"), 8, "shear_limit: 0.06, friction");
+  scene +=
+      "measures:\n"
+      "  - {name: left, kind: point, body: block, parameters: [0, 0]}\n"
+      "  - {name: right, kind: point, body: block, parameters: [1, 0]}\n";
+  const HistoryTable history = run(scene);
+  const double width = 1.0 + last(history, "right.ux") - last(history, "left.ux");
+  EXPECT_GT(width, 1.015);
+  EXPECT_EQ(last(history, "block-slab.sticking"), 0.0);
+  EXPECT_NEAR(last(history, "block-slab.friction"), 0.06 * width, 1e-3 * 0.06);
+}
+
 TEST_F(FacePairs, WorkOfFrictionClosesTheBalanceOfEnergy) {
   // With friction of 0.1 the block slides over more than a span of the slab.
   for (const double mu : {0.1, 0.5}) {

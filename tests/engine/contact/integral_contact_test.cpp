@@ -5,6 +5,7 @@
 #include "engine/contact/integral_contact_term.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
+#include "tests/engine/contact/pressed_block.h"
 #include "tests/engine/solid/term_check.h"
 
 namespace burnish {
@@ -18,28 +19,9 @@ ContactOptions integral() {
   return {Enforcement::IntegralAugmentedLagrangian, kParameter, 8};
 }
 
-/// A 1 x 0.5 block of 6 x 2 spans whose top face is pressed by a tool.
-Body<2> block(int degree, BasisFamily family, bool axisymmetric = false) {
-  const Patch<2> shape = rectangle({0.0, 0.0}, {1.0, 0.5});
-  Body<2> body =
-      family == BasisFamily::BSpline
-          ? makeBody(refined(shape, {KnotVector::uniform(degree, 6), KnotVector::uniform(degree, 2)}))
-          : makeBody(lagrangeInterpolant(shape, degree,
-                                         {KnotVector::uniform(1, 6).breakpoints(), {0.0, 0.5, 1.0}}));
-  body.axisymmetric = axisymmetric;
-  return body;
-}
-
-Tool disc() {
-  return {"disc", Cylinder{{0.4, 0.5 + 0.24, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}};
-}
-
-Tool freeTool(Tool tool, int firstUnknown) {
-  tool.pivot = {0.3, 0.8, 0.1};
-  for (std::size_t dof = 0; dof < kToolDofs; ++dof) tool.unknowns[dof] = firstUnknown + static_cast<int>(dof);
-  tool.turnLength = 1.7;
-  return tool;
-}
+using test::block;
+using test::disc;
+using test::freeTool;
 
 std::vector<bool> noneHeld(int unknowns) {
   return std::vector<bool>(static_cast<std::size_t>(unknowns), false);

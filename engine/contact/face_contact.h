@@ -1,0 +1,88 @@
+#pragma once
+#include <Eigen/Dense>
+
+#include "engine/contact/averaged_gaps.h"
+#include "engine/contact/contact_options.h"
+#include "engine/solid/face_quadrature.h"
+#include "engine/solver/term.h"
+
+namespace burnish {
+
+/// Contact quantities at the last evaluated state; the partner is a tool or faces of a body. Methods that
+/// close averaged gaps have g_A and λ̂_A per function, the integral one gap and contact pressure -p where the
+/// function's anchor is.
+struct ContactState : FaceContactState {
+  Eigen::MatrixXd normal;  ///< of the partner, away from it, 3 x quadrature points; zero without
+  Eigen::Vector3d reaction =
+      Eigen::Vector3d::Zero();  ///< force of the face on the partner; whole rings in axisymmetry
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< of that force about the partner's pivot
+  double energy = 0.0;
+  double area = 0.0;  ///< reference area under pressure; the integral method alone knows it
+
+  /// Force with which a tool that is free to move would have to be held back to stay in touch; > 0 where
+  /// its load pulls it off the body.
+  double pull = 0.0;
+
+  // With friction.
+  Eigen::Matrix3Xd traction;  ///< of friction on the partner, nominal, quadrature points; else empty
+  Eigen::Matrix3Xd slip;      ///< way of the face on the partner in this step; of points that are not open
+  std::vector<int> sliding;   ///< quadrature points: 0 open, 1 stick, 2 slip; empty without friction
+  int sticking = 0, slipping = 0;  ///< functions
+  double frictionForce = 0.0;      ///< ∫ |t| dΓ
+  double frictionWork = 0.0;       ///< taken by friction since the start
+
+  /// Leaves of the reaction what whole rings do not balance by themselves: its axial part.
+  void keepAxialReaction() {
+    reaction(0) = 0.0;
+    moment.setZero();
+  }
+};
+
+/// Contact of one face of a body, which has the quadrature and the multipliers, whatever its partner and the
+/// method.
+template <int Dim>
+class FaceContact : public Term {
+ public:
+  /// Multipliers that the term adds to the unknowns, and the first of them.
+  virtual int numMultipliers() const = 0;
+  int firstMultiplier() const { return firstMultiplier_; }
+
+  /// What residuals of multipliers are compared with, one per multiplier: integrals of their functions over
+  /// the reference face. With penalties, which have no multipliers, one per function.
+  const Eigen::VectorXd& weights() const { return A_; }
+
+  /// Replaces ε. With an augmented Lagrangian the way into equilibrium depends on it, the equilibrium does
+  /// not.
+  void setParameter(double parameter) { options_.parameter = parameter; }
+  double parameter() const { return *options_.parameter; }
+
+  const ContactState& state() const { return state_; }
+  const FaceQuadrature<Dim>& face() const { return face_; }
+  const ContactOptions& options() const { return options_; }
+
+ protected:
+  /// options: with a parameter.
+  FaceContact(const Body<Dim>& body, int patch, FaceId face, const ContactOptions& options,
+              int firstMultiplier)
+      : face_(body, patch, face, contactPoints(body, patch, options.quadraturePoints)),
+        options_(options),
+        firstMultiplier_(firstMultiplier),
+        axisymmetric_(body.axisymmetric) {}
+
+  double frictionParameter() const { return options_.frictionParameter.value_or(parameter()); }
+
+  /// Area of the face at a point over that of its reference place. points: control points of the point's
+  /// functions, n each; R, dR: values and derivatives of these, of shape n and n x (Dim-1).
+  double areaStretch(const std::vector<int>& functions, const Eigen::Ref<const Eigen::MatrixXd>& points,
+                     const Eigen::Ref<const Eigen::VectorXd>& R,
+                     const Eigen::Ref<const Eigen::MatrixXd>& dR) const;
+
+  FaceQuadrature<Dim> face_;
+  ContactOptions options_;
+  int firstMultiplier_;
+  bool axisymmetric_;
+  Eigen::VectorXd A_;
+  ContactState state_;
+};
+
+}  // namespace burnish
