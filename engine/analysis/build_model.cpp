@@ -12,6 +12,7 @@
 #include "engine/analysis/place_tools.h"
 #include "engine/analysis/tools.h"
 #include "engine/contact/face_partner.h"
+#include "engine/contact/mortar_contact_term.h"
 #include "engine/core/input_error.h"
 #include "engine/scene/scene_places.h"
 #include "engine/solid/dead_load.h"
@@ -193,11 +194,13 @@ void ModelBuilder<Dim>::addContact(std::size_t number) {
       youngsModulus(body.bulk->material()), body.body.size(),
       meanControlPointDistance(body.body.patches[static_cast<std::size_t>(patch)], place.face));
   auto term = makeToolContact<Dim>(body.body, patch, place.face, *model_->tools_[tool], options,
-                                   model_->numUnknowns_, model_->supports_.prescribed());
-  if (scene_.rezoning && term->numMultipliers() != term->face().numFunctions())
+                                   model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
+  const int perFunction = options.hasFriction() ? Dim : 1;
+  if (scene_.rezoning && term->numMultipliers() != perFunction * term->face().numFunctions())
     throw InputError(fmt::format("contact[{}]", number),
-                     "a support holds an end of the face across it, which new meshes cannot take over with "
-                     "this method; use augmented-lagrangian");
+                     fmt::format("a support holds an end of the face {}, which new meshes cannot take over "
+                                 "with this method; use augmented-lagrangian",
+                                 options.hasFriction() ? "across or along it" : "across it"));
   model_->numUnknowns_ += term->numMultipliers();
   model_->contacts_.push_back({tool, place, std::move(term)});
 }
@@ -216,15 +219,24 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
                                            meanControlPointDistance(patch, place.face));
   const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), other.body.size())),
                            .couplesAll = true};
+  FacePartner<Dim>* master = nullptr;
   const auto makePartner = [&](const FaceQuadrature<Dim>& slave) {
-    return std::make_unique<FacePartner<Dim>>(
+    auto partner = std::make_unique<FacePartner<Dim>>(
         slave, tracePatch(patch, place.face), outwardSign(patch, place.face),
         MasterSurface<Dim>(model_->body_, {{against.patch, against.face}}), rules);
+    master = partner.get();
+    return partner;
   };
   try {
     auto term = std::make_unique<MortarContactTerm<Dim>>(model_->body_, place.patch, place.face, makePartner,
-                                                         options, model_->numUnknowns_);
-    requireApart(*model_, *term, spec, key);
+                                                         options, model_->numUnknowns_, scene_.definitions);
+    const double overlap = -term->smallestReferenceGap(model_->body_.numNodes);
+    requireApart(*model_, overlap, spec, key);
+    if (spec.interference == Interference::Resolve && overlap > 0.0) {
+      const double fitted = scene_.steps.front().until;
+      master->resolveInterference(overlap, model_->startTime(), fitted);
+      term->beginFrictionAt(fitted);
+    }
     model_->numUnknowns_ += term->numMultipliers();
     model_->pairs_.push_back({pairName(spec), place, against, std::move(term)});
   } catch (const InputError&) {

@@ -27,17 +27,29 @@ Eigen::Matrix2Xd anchorPositions(const Patch<2>& patch) {
   return positions;
 }
 
-/// λ_A of all contacts on the new mesh, in x.
-void setMultipliers(const Model<2>& before, const Patch<2>& deformed, const Model<2>& next,
-                    Eigen::VectorXd& x) {
-  const auto set = [&](const auto& oldTerm, const auto& newTerm, FaceId face) {
-    x.segment(newTerm.firstMultiplier(), newTerm.numMultipliers()) = carriedMultipliers(
-        before.body(), face, deformed, next.body().patches.front(), oldTerm.state().lambdaHat);
+/// Multipliers of all contacts on the new mesh, in x; with friction the ways slipped and its work, too.
+void carryContacts(const Model<2>& before, const Eigen::VectorXd& xBefore, const Patch<2>& deformed,
+                   const Model<2>& next, Eigen::VectorXd& x) {
+  const auto carryOf = [&](FaceId face) {
+    return FaceCarryOver(before.body(), face, deformed, next.body().patches.front());
   };
-  for (std::size_t k = 0; k < next.contacts().size(); ++k)
-    set(*before.contacts()[k].term, *next.contacts()[k].term, next.contacts()[k].place.face);
-  for (std::size_t k = 0; k < next.selfContacts().size(); ++k)
-    set(*before.selfContacts()[k].term, *next.selfContacts()[k].term, next.selfContacts()[k].place.face);
+  for (std::size_t k = 0; k < next.contacts().size(); ++k) {
+    const auto& oldTerm = *before.contacts()[k].term;
+    auto& newTerm = *next.contacts()[k].term;
+    const FaceCarryOver carry = carryOf(next.contacts()[k].place.face);
+    const int numOld = oldTerm.face().numFunctions(), num = newTerm.face().numFunctions();
+    x.segment(newTerm.firstMultiplier(), num) = carry.multipliers(oldTerm.state().lambdaHat);
+    if (!newTerm.options().hasFriction()) continue;
+    x.segment(newTerm.firstMultiplier() + num, num) =
+        carry.tractions(xBefore.segment(oldTerm.firstMultiplier() + numOld, numOld));
+    newTerm.continueFriction(oldTerm.state().frictionWork, carry.values(oldTerm.slipped()));
+  }
+  for (std::size_t k = 0; k < next.selfContacts().size(); ++k) {
+    const auto& newTerm = *next.selfContacts()[k].term;
+    x.segment(newTerm.firstMultiplier(), newTerm.numMultipliers()) =
+        carryOf(next.selfContacts()[k].place.face)
+            .multipliers(before.selfContacts()[k].term->state().lambdaHat);
+  }
 }
 
 }  // namespace
@@ -63,7 +75,7 @@ SteppingState CarryOver::startOf(const Model<2>& next) const {
   const SteppingState& before = before_.stepping.state();
   SteppingState start = before;
   start.x = Eigen::VectorXd::Zero(next.numUnknowns());
-  setMultipliers(model, deformed_, next, start.x);
+  carryContacts(model, before.x, deformed_, next, start.x);
   start.level = std::max(before.level, kFirstLevel);
   start.easySteps = 0;
   start.lastIncrement.resize(0);
@@ -83,25 +95,36 @@ Eigen::MatrixXd CarryOver::atQuadraturePoints(const Eigen::MatrixXd& coefficient
   return values;
 }
 
-Eigen::VectorXd carriedMultipliers(const Body<2>& body, FaceId face, const Patch<2>& deformed,
-                                   const Patch<2>& next, const Eigen::VectorXd& lambdaHat) {
+FaceCarryOver::FaceCarryOver(const Body<2>& body, FaceId face, const Patch<2>& deformed,
+                             const Patch<2>& next) {
   const auto before = tracePatch(body.patches.front(), face), now = tracePatch(deformed, face);
   const auto newTrace = tracePatch(next, face);
   const ArcLengthCurve oldCurve(now), newCurve(newTrace);
-  Eigen::VectorXd result(newTrace.basis().numFunctions());
-  for (int a = 0; a < result.size(); ++a) {
+  for (int a = 0; a < newTrace.basis().numFunctions(); ++a) {
     const double share = newCurve.lengthTo(newTrace.basis().direction(0).anchor(a)) / newCurve.length();
     const Eigen::Vector<double, 1> xi(oldCurve.parameterAt(share * oldCurve.length()));
     const int span = before.findSpan(xi);
-    const auto shape = before.shape(span, xi);
     const double along = now.jacobian(xi).norm() / before.jacobian(xi).norm();
     const double ring = body.circumference(before.position(xi));
     const bool onAxis = ring < kOnAxis * body.size();  // where both stretches are the same
     const double around = onAxis ? along : body.circumference(now.position(xi)) / ring;
-    const double stretch = body.axisymmetric ? along * around : along;
-    const double lambda = shape.R.dot(lambdaHat(before.basis().spanFunctions(span))) / stretch;
-    result(a) = std::min(0.0, lambda);
+    places_.push_back({before.basis().spanFunctions(span), before.shape(span, xi).R,
+                       body.axisymmetric ? along * around : along});
   }
+}
+
+Eigen::VectorXd FaceCarryOver::values(const Eigen::VectorXd& coefficients) const {
+  Eigen::VectorXd result(std::ssize(places_));
+  for (Eigen::Index a = 0; a < result.size(); ++a) {
+    const Place& place = places_[static_cast<std::size_t>(a)];
+    result(a) = place.R.dot(coefficients(place.functions));
+  }
+  return result;
+}
+
+Eigen::VectorXd FaceCarryOver::tractions(const Eigen::VectorXd& coefficients) const {
+  Eigen::VectorXd result = values(coefficients);
+  for (Eigen::Index a = 0; a < result.size(); ++a) result(a) /= places_[static_cast<std::size_t>(a)].stretch;
   return result;
 }
 

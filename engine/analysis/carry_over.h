@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <vector>
 
 #include "engine/analysis/build_model.h"
 #include "engine/analysis/simulation.h"
@@ -35,9 +36,31 @@ class CarryOver {
   RezonedBody body_;
 };
 
-/// Multipliers λ̂ of a face of a body of one patch per new reference area: what pressed on an old reference
-/// area presses on the stretched one now. deformed: the old patch in its place; next: the new one.
-Eigen::VectorXd carriedMultipliers(const Body<2>& body, FaceId face, const Patch<2>& deformed,
-                                   const Patch<2>& next, const Eigen::VectorXd& lambdaHat);
+/// Carries what functions of a face of a body of one patch have to the functions of a new mesh, in whose
+/// anchors it is read. deformed: the old patch in its place; next: the new one.
+class FaceCarryOver {
+ public:
+  FaceCarryOver(const Body<2>& body, FaceId face, const Patch<2>& deformed, const Patch<2>& next);
+
+  /// Values of a field with these coefficients.
+  Eigen::VectorXd values(const Eigen::VectorXd& coefficients) const;
+
+  /// Tractions per new reference area: what acts on an old reference area acts on the stretched one now.
+  Eigen::VectorXd tractions(const Eigen::VectorXd& coefficients) const;
+
+  /// The same of multipliers λ̂, which only press.
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& lambdaHat) const {
+    return tractions(lambdaHat).cwiseMin(0.0);
+  }
+
+ private:
+  /// A place on the old face.
+  struct Place {
+    std::vector<int> functions;
+    Eigen::VectorXd R;
+    double stretch;  ///< of area
+  };
+  std::vector<Place> places_;
+};
 
 }  // namespace burnish

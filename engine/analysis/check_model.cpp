@@ -91,6 +91,16 @@ FreeMotions freeMotions(const Model<Dim>& model, const ModelBody<Dim>& body) {
   return free;
 }
 
+/// Whether a body has a face in contact.
+template <int Dim>
+bool touches(const Model<Dim>& model, const ModelBody<Dim>& body) {
+  const auto isOf = [&](const FacePlace& place) { return &model.bodyOf(place) == &body; };
+  return std::any_of(model.pairs().begin(), model.pairs().end(),
+                     [&](const FacePair<Dim>& pair) { return isOf(pair.place) || isOf(pair.against); }) ||
+         std::any_of(model.contacts().begin(), model.contacts().end(),
+                     [&](const ContactPair<Dim>& pair) { return isOf(pair.place); });
+}
+
 }  // namespace
 
 std::string loadKey(const Scene& scene, std::size_t number) {
@@ -122,14 +132,14 @@ void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model) {
 }
 
 template <int Dim>
-void requireApart(const Model<Dim>& model, MortarContactTerm<Dim>& term, const ContactSpec& spec,
+void requireApart(const Model<Dim>& model, double overlap, const ContactSpec& spec,
                   const std::string& place) {
-  const double gap = term.smallestReferenceGap(model.body().numNodes);
-  if (gap < -kTouching * model.body().size())
-    throw InputError(place,
-                     fmt::format("face '{}' overlaps face '{}' by {:.3g} at the start; move the bodies "
-                                 "apart by at least that much (touching is fine)",
-                                 spec.place.face, spec.against->face, -gap));
+  if (overlap <= kTouching * model.body().size() || spec.interference == Interference::Resolve) return;
+  throw InputError(
+      place,
+      fmt::format("face '{}' overlaps face '{}' by {:.3g} at the start; move the bodies apart by at least "
+                  "that much (touching is fine), or fit them into one another with interference: resolve",
+                  spec.place.face, spec.against->face, overlap));
 }
 
 template <int Dim>
@@ -170,18 +180,19 @@ void requireSupported(const Model<Dim>& model) {
         throw InputError("supports", fmt::format("they leave the body free to move as a rigid whole in {} "
                                                  "way{}; hold more components or faces",
                                                  free.count, free.count == 1 ? "" : "s"));
-      throw InputError("supports",
-                       fmt::format("body '{}': nothing holds it in {}; hold more of its components "
-                                   "or faces",
-                                   body.name, fmt::join(free.names, ", ")));
+      throw InputError(
+          "supports",
+          fmt::format("body '{}': nothing holds it in {}; hold more of its components or faces{}", body.name,
+                      fmt::join(free.names, ", "),
+                      touches(model, body) ? ", or let stabilise hold it until contact does" : ""));
     });
   problems.throwIfAny();
 }
 
 template void requireFiniteFormulas(const Scene&, const Model<2>&);
 template void requireFiniteFormulas(const Scene&, const Model<3>&);
-template void requireApart(const Model<2>&, MortarContactTerm<2>&, const ContactSpec&, const std::string&);
-template void requireApart(const Model<3>&, MortarContactTerm<3>&, const ContactSpec&, const std::string&);
+template void requireApart(const Model<2>&, double, const ContactSpec&, const std::string&);
+template void requireApart(const Model<3>&, double, const ContactSpec&, const std::string&);
 template void requireReachable(const Model<2>&, const ContactSpec&, const std::string&);
 template void requireReachable(const Model<3>&, const ContactSpec&, const std::string&);
 template void requireSupported(const Model<2>&);

@@ -2,7 +2,6 @@
 #include <string>
 
 #include "engine/analysis/model.h"
-#include "engine/contact/mortar_contact_term.h"
 #include "engine/scene/scene.h"
 
 namespace burnish {
@@ -15,13 +14,13 @@ std::string loadKey(const Scene& scene, std::size_t number);
 template <int Dim>
 void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model);
 
+/// Throws `InputError` at `place` if the faces of a pair overlap at the start by more than rounding, unless
+/// their interference is to be resolved.
+template <int Dim>
+void requireApart(const Model<Dim>& model, double overlap, const ContactSpec& spec, const std::string& place);
+
 /// Throws `InputError` at `place` unless the tool of a pair can come into contact with its face: it begins in
 /// front of the outer face, which is free to move. model: with its tools and supports.
-/// Throws `InputError` at `place` if the faces of a pair overlap at the start.
-template <int Dim>
-void requireApart(const Model<Dim>& model, MortarContactTerm<Dim>& term, const ContactSpec& spec,
-                  const std::string& place);
-
 template <int Dim>
 void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place);
 

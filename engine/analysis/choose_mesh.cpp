@@ -103,8 +103,8 @@ Patch<2> inContact(const MeshChoice& choice, const Simulation<2>& simulation, co
     auto contact = pair.term->options();
     contact.parameter = kSettlingStiffness * pair.term->parameter();
     resting.push_back({model.tools()[pair.tool].get(), poses[pair.tool], contact,
-                       carriedMultipliers(model.body(), choice.face, deformed, meshing.patch,
-                                          pair.term->state().lambdaHat)});
+                       FaceCarryOver(model.body(), choice.face, deformed, meshing.patch)
+                           .multipliers(pair.term->state().lambdaHat)});
   }
   ContactFitOptions options{.face = choice.face,
                             .axisymmetric = model.body().axisymmetric,

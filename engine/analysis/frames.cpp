@@ -92,6 +92,7 @@ void addDirections(ContactRecord& record, const ContactState& state) {
   record.quadratureFriction = -state.traction.template topRows<Dim>();
   record.quadratureSlip = state.slip.template topRows<Dim>();
   record.quadratureSliding = state.sliding;
+  record.quadratureSlipped = state.slipped;
 }
 
 template <int Dim>

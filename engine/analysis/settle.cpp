@@ -13,7 +13,7 @@ std::vector<Eigen::VectorXd> multipliersOf(const Simulation<2>& simulation) {
   const Eigen::VectorXd& x = simulation.stepping.state().x;
   std::vector<Eigen::VectorXd> multipliers;
   for (const auto& pair : simulation.model->contacts())
-    multipliers.push_back(x.segment(pair.term->firstMultiplier(), pair.term->numMultipliers()));
+    multipliers.push_back(x.segment(pair.term->firstMultiplier(), pair.term->face().numFunctions()));
   return multipliers;
 }
 
@@ -90,8 +90,10 @@ Settlement settle(Simulation<2>& simulation, int parts) {
     if (report.outcome != NewtonOutcome::Converged) break;
     std::vector<Eigen::VectorXd> now = multipliersOf(simulation);
     for (std::size_t k = 0; k < gaps.size(); ++k)
-      result.gapWork +=
-          contacts[k].term->weights().dot((0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
+      result.gapWork += contacts[k]
+                            .term->weights()
+                            .head(gaps[k].size())
+                            .dot((0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
     before = std::move(now);
   }
   report.iterations = iterations;

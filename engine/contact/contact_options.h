@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/core/enum_names.h"
+#include "engine/core/formula.h"
 
 namespace burnish {
 
@@ -44,12 +45,15 @@ struct ContactOptions {
   /// not `keepInTouch`: what is open everywhere is never active.
   std::optional<double> gapLimit{};
 
-  std::optional<double> friction{};           ///< Coulomb's μ; none without
+  std::optional<FormulaText> friction{};      ///< Coulomb's μ, see `FrictionLaw`; none without
   std::optional<double> shearLimit{};         ///< largest true shear stress of friction
   bool rough = false;                         ///< no slip where the face is pressed
   std::optional<double> frictionParameter{};  ///< ε_T, stress per length; ε when left out
 
-  bool hasFriction() const { return friction.value_or(0.0) > 0.0 || rough; }
+  /// A coefficient of zero is none.
+  bool hasFriction() const {
+    return rough || (friction && friction->text.find_first_not_of("+-0.") != std::string::npos);
+  }
 
   /// ε of a body with Young's modulus E and the largest extent L, d the mean distance of control points on
   /// the face. The answer of the augmented Lagrangian does not depend on it, that of the integral one little;
@@ -86,9 +90,11 @@ void describe(Visitor& v, ContactOptions& s) {
           "Gaps count in averages in full up to this share of the knot span's length, then ever less; what "
           "is open by three times that counts as twice that and bears no pressure. For a face that turns "
           "away from the tool sharply, as at the lip of a chip: 0.02. All gaps count in full when left out.");
-  v.field("friction", s.friction, {.atLeast = 0},
-          "Coefficient of Coulomb friction, tangential over normal traction in slip; with method "
-          "integral-augmented-lagrangian. No friction when left out.");
+  v.field(
+      "friction", s.friction, {},
+      "Coefficient of Coulomb friction, tangential over normal traction in slip: a number, or a formula in "
+      "the true pressure p, the way slip that the place has slipped before this step, the time t and the "
+      "reference place X, Y, Z. No friction when left out.");
   v.field("shear_limit", s.shearLimit, {.above = 0, .unit = "stress"},
           "Largest shear stress of friction, on the deformed face; unlimited when left out.");
   v.field("rough", s.rough, {},

@@ -1,7 +1,8 @@
 #pragma once
 #include <Eigen/Dense>
 #include <algorithm>
-#include <limits>
+
+#include "engine/contact/friction_law.h"
 
 namespace burnish {
 
@@ -18,19 +19,20 @@ struct FrictionTraction {
 /// The return map of Coulomb friction: the trial traction τ̂ where |τ̂| <= b (stick), b τ̂/|τ̂| elsewhere (slip),
 /// with b = μ ⟨-λ̂⟩, no more than a limit. μ infinite: no slip where there is contact.
 template <int D>
-FrictionTraction<D> coulombTraction(const Eigen::Vector<double, D>& trial, double lambdaHat, double mu,
-                                    double limit = std::numeric_limits<double>::infinity()) {
-  FrictionTraction<D> law;
-  law.traction = trial;
-  const double coulomb = lambdaHat < 0.0 ? -mu * lambdaHat : 0.0;
-  const double bound = std::min(coulomb, limit), size = trial.norm();
-  if (size <= bound) return law;
+FrictionTraction<D> coulombTraction(const Eigen::Vector<double, D>& trial, double lambdaHat,
+                                    const FrictionBound& law) {
+  FrictionTraction<D> result;
+  result.traction = trial;
+  const double coulomb = lambdaHat < 0.0 ? -law.mu * lambdaHat : 0.0;
+  const double bound = std::min(coulomb, law.limit), size = trial.norm();
+  if (size <= bound) return result;
   const Eigen::Vector<double, D> direction = trial / size;
-  law.slips = true;
-  law.traction = bound * direction;
-  law.byTrial = bound / size * (law.byTrial - direction * direction.transpose());
-  if (lambdaHat < 0.0 && coulomb <= limit) law.byPressure = -mu * direction;
-  return law;
+  result.slips = true;
+  result.traction = bound * direction;
+  result.byTrial = bound / size * (result.byTrial - direction * direction.transpose());
+  if (lambdaHat < 0.0 && coulomb <= law.limit)
+    result.byPressure = -(law.mu - law.muByPressure * lambdaHat) * direction;
+  return result;
 }
 
 }  // namespace burnish

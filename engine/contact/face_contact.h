@@ -3,6 +3,8 @@
 
 #include "engine/contact/averaged_gaps.h"
 #include "engine/contact/contact_options.h"
+#include "engine/contact/friction_law.h"
+#include "engine/contact/friction_work.h"
 #include "engine/solid/face_quadrature.h"
 #include "engine/solver/term.h"
 
@@ -26,6 +28,7 @@ struct ContactState : FaceContactState {
   // With friction.
   Eigen::Matrix3Xd traction;  ///< of friction on the partner, nominal, quadrature points; else empty
   Eigen::Matrix3Xd slip;      ///< way of the face on the partner in this step; of points that are not open
+  Eigen::VectorXd slipped;    ///< way slipped under pressure since the start, quadrature points
   std::vector<int> sliding;   ///< quadrature points: 0 open, 1 stick, 2 slip; empty without friction
   int sticking = 0, slipping = 0;  ///< functions
   double frictionForce = 0.0;      ///< ∫ |t| dΓ
@@ -56,18 +59,31 @@ class FaceContact : public Term {
   void setParameter(double parameter) { options_.parameter = parameter; }
   double parameter() const { return *options_.parameter; }
 
+  /// There is no friction until the time.
+  void beginFrictionAt(double time) { frictionLaw_.beginAt(time); }
+
+  /// Goes on with friction from another mesh. work: that it has taken; slipped: coefficients of the way that
+  /// the face has slipped under pressure, functions.
+  void continueFriction(double work, Eigen::VectorXd slipped);
+
+  /// Coefficients of the way that the face has slipped under pressure until the accepted state, functions.
+  const Eigen::VectorXd& slipped() const { return slipped_; }
+
   const ContactState& state() const { return state_; }
   const FaceQuadrature<Dim>& face() const { return face_; }
   const ContactOptions& options() const { return options_; }
 
  protected:
-  /// options: with a parameter.
+  /// options: with a parameter. definitions: of names in the formula for friction. Throws `Error` as
+  /// `FrictionLaw`.
   FaceContact(const Body<Dim>& body, int patch, FaceId face, const ContactOptions& options,
-              int firstMultiplier)
+              int firstMultiplier, const std::vector<DefinitionSpec>& definitions = {})
       : face_(body, patch, face, contactPoints(body, patch, options.quadraturePoints)),
         options_(options),
         firstMultiplier_(firstMultiplier),
-        axisymmetric_(body.axisymmetric) {}
+        axisymmetric_(body.axisymmetric),
+        frictionLaw_(options, definitions),
+        slipped_(Eigen::VectorXd::Zero(face_.numFunctions())) {}
 
   double frictionParameter() const { return options_.frictionParameter.value_or(parameter()); }
 
@@ -77,10 +93,23 @@ class FaceContact : public Term {
                      const Eigen::Ref<const Eigen::VectorXd>& R,
                      const Eigen::Ref<const Eigen::MatrixXd>& dR) const;
 
+  /// The reference place of a point of a span with the values R of its functions.
+  Eigen::Vector3d referencePlace(const std::vector<int>& functions,
+                                 const Eigen::Ref<const Eigen::VectorXd>& R) const;
+
+  /// Fills in `ContactState::slipped` from the way until the accepted state and the slip of the step.
+  void reportSlipped();
+
+  /// Adds averages of the slip of the last evaluated state, which is accepted, to `slipped_`.
+  void acceptSlipped();
+
   FaceQuadrature<Dim> face_;
   ContactOptions options_;
   int firstMultiplier_;
   bool axisymmetric_;
+  FrictionLaw frictionLaw_;
+  FrictionWork work_;
+  Eigen::VectorXd slipped_;
   Eigen::VectorXd A_;
   ContactState state_;
 };

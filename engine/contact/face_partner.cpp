@@ -71,7 +71,8 @@ FacePartner<Dim>::FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, D
 }
 
 template <int Dim>
-bool FacePartner<Dim>::update(double, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) {
+bool FacePartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) {
+  addedGap_ = ramp_.at(t);
   surface_.moveTo(x);
   positions_ = positions;
   slavePoints_ = slave_.points();
@@ -156,7 +157,7 @@ std::optional<ContactPoint<Dim>> FacePartner<Dim>::at(const SlavePoint<Dim>& poi
   const auto foot = footOf(point);
   if (!foot) return std::nullopt;
   ContactPoint<Dim> contact;
-  contact.gap = foot->gap;
+  contact.gap = foot->gap + addedGap_;
   contact.normal = foot->normal;
   if (detail == PointDetail::Gap) return contact;
   contact.unknowns.assign(point.unknowns.begin(), point.unknowns.end());

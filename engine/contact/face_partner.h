@@ -93,6 +93,10 @@ class FacePartner final : public Partner<Dim> {
   /// Adds what is within reach in the last updated state to the couplings.
   void widenCouplings();
 
+  /// Faces that overlap by an amount at first are let in step by step: until a time gaps are larger, by the
+  /// amount at the time `from`, then ever less.
+  void resolveInterference(double amount, double from, double until) { ramp_ = {amount, from, until}; }
+
   /// Segments of a span, begin to end, frozen since the accepted state; empty unless the rules want them.
   const std::vector<Segment>& segments(std::size_t span) const { return segments_[span]; }
 
@@ -117,6 +121,13 @@ class FacePartner final : public Partner<Dim> {
 
   struct Slave;
 
+  /// What is added to gaps while an interference is resolved.
+  struct GapRamp {
+    double amount = 0.0, from = 0.0, until = 0.0;
+
+    double at(double t) const { return t < until ? amount * (until - t) / (until - from) : 0.0; }
+  };
+
   int nearestNumber(std::size_t span, const Eigen::Vector<double, Dim - 1>& xi) const;
   std::optional<Place> startOf(const SlavePoint<Dim>& point, bool inAcceptedState) const;
   std::optional<Foot<Dim>> footOf(const SlavePoint<Dim>& point) const;
@@ -137,6 +148,8 @@ class FacePartner final : public Partner<Dim> {
   Patch<Dim - 1, Dim> slaveTrace_;
   MasterSurface<Dim> surface_, reference_, acceptedSurface_;
   PartnerRules rules_;
+  GapRamp ramp_;
+  double addedGap_ = 0.0;                       ///< in the last updated state
   Eigen::MatrixXd slavePoints_, positions_;     ///< control points, quadrature points: last updated state
   std::vector<std::optional<Foot<Dim>>> feet_;  ///< in the last updated state
   std::vector<std::optional<Place>> places_;    ///< of feet in the accepted state

@@ -13,6 +13,9 @@ namespace burnish {
 /// f the forces of friction on all unknowns, less what they do on the prescribed motion of a tool.
 class FrictionWork {
  public:
+  /// The work of friction on another mesh comes before that of this one.
+  void continueFrom(double work) { accepted_.work = work; }
+
   /// Begins an evaluation with the unknowns x.
   void start(const Eigen::VectorXd& x);
 

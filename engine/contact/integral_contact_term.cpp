@@ -78,8 +78,9 @@ struct IntegralContactTerm<Dim>::Contributions {
 template <int Dim>
 IntegralContactTerm<Dim>::IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
                                               const ContactOptions& options, int firstMultiplier,
-                                              const std::vector<bool>& held)
-    : ToolContact<Dim>(body, patch, face, options, firstMultiplier),
+                                              const std::vector<bool>& held,
+                                              const std::vector<DefinitionSpec>& definitions)
+    : ToolContact<Dim>(body, patch, face, options, firstMultiplier, definitions),
       body_(body),
       tool_(tool),
       partner_(std::make_unique<ToolPartner<Dim>>(tool)),
@@ -210,16 +211,11 @@ FrictionTraction<Dim - 1> IntegralContactTerm<Dim>::frictionAt(
     const SpanValues& values, const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact, double p,
     const Eigen::Ref<const Eigen::MatrixXd>& dR) const {
   const Tangential trial = values.tau * point.R + frictionParameter() * contact.slip;
-  if (options_.rough) {
-    FrictionTraction<Dim - 1> sticks;
-    sticks.traction = trial;
-    return sticks;
-  }
-  return coulombTraction<Dim - 1>(
-      trial, p, *options_.friction,
-      options_.shearLimit ? *options_.shearLimit * areaStretch(face_.spans()[values.number].functions,
-                                                               values.accepted, point.R, dR)
-                          : kInfinity);
+  const auto& functions = face_.spans()[values.number].functions;
+  const FrictionPlace place{
+      referencePlace(functions, point.R), time_, slipped_(functions).dot(point.R),
+      frictionLaw_.needsStretch() ? areaStretch(functions, values.accepted, point.R, dR) : 1.0};
+  return coulombTraction<Dim - 1>(trial, p, frictionLaw_.at(place, -p));
 }
 
 template <int Dim>
@@ -451,6 +447,7 @@ void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span&
 template <int Dim>
 bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   if (!partner_->update(t, x, face_.positions(x))) return false;
+  time_ = t;
   const std::vector<bool> before = std::move(state_.active);
   state_ = {};
   if (hasFriction_) work_.start(x);
@@ -506,6 +503,7 @@ template <int Dim>
 void IntegralContactTerm<Dim>::endFriction() {
   work_.end(*partner_);
   state_.frictionWork = work_.work();
+  this->reportSlipped();
   state_.reaction += work_.reaction();
   state_.moment += work_.moment();
 }
@@ -513,13 +511,17 @@ void IntegralContactTerm<Dim>::endFriction() {
 template <int Dim>
 void IntegralContactTerm<Dim>::accept() {
   partner_->accept();
-  if (hasFriction_) work_.accept();
+  if (!hasFriction_) return;
+  work_.accept();
+  this->acceptSlipped();
 }
 
 template <int Dim>
 void IntegralContactTerm<Dim>::archive(StateArchive& archive) {
   partner_->archive(archive);
-  if (hasFriction_) archive.part("friction", work_);
+  if (!hasFriction_) return;
+  archive.part("friction", work_);
+  archive.fixedField("slipped", slipped_);
 }
 
 template <int Dim>

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/contact/coulomb.h"
-#include "engine/contact/friction_work.h"
 #include "engine/contact/multiplier_basis.h"
 #include "engine/contact/partner.h"
 #include "engine/contact/tool_contact.h"
@@ -42,7 +41,8 @@ class IntegralContactTerm final : public ToolContact<Dim> {
  public:
   /// As `makeToolContact` says.
   IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
-                      const ContactOptions& options, int firstMultiplier, const std::vector<bool>& held);
+                      const ContactOptions& options, int firstMultiplier, const std::vector<bool>& held,
+                      const std::vector<DefinitionSpec>& definitions = {});
 
   /// Those λ_A come first; then, with friction, the components of τ_A one after the other.
   int numMultipliers() const override {
@@ -131,6 +131,10 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   using ToolContact<Dim>::isAlone;
   using ToolContact<Dim>::parameter;
   using ToolContact<Dim>::frictionParameter;
+  using ToolContact<Dim>::frictionLaw_;
+  using ToolContact<Dim>::slipped_;
+  using ToolContact<Dim>::work_;
+  using ToolContact<Dim>::referencePlace;
   using ToolContact<Dim>::areaStretch;
 
   const Body<Dim>& body_;
@@ -144,7 +148,7 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   std::vector<std::vector<int>> unknowns_;         ///< per span: displacement components
   std::vector<std::vector<int>> partnerUnknowns_;  ///< per span, ascending
   std::vector<Anchor> anchors_;                    ///< per function
-  FrictionWork work_;
+  double time_ = 0.0;                              ///< of the evaluation
 };
 
 }  // namespace burnish

@@ -38,7 +38,8 @@ struct MortarContactTerm<Dim>::Average {
   double A = 0.0, G = 0.0;  ///< ∫' R_A dΓ, ∫' R_A g dΓ
   Eigen::VectorXd D;
   Tangential slip = Tangential::Zero();  ///< ∫' R_A s dΓ
-  double area = 0.0;                     ///< ∫' R_A j dΓ, j the stretch of area; for a shear limit alone
+  double area = 0.0;                     ///< ∫' R_A j dΓ, j the stretch of area; where the law needs it
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< ∫' R_A X dΓ; with friction
   Rows T, S;
 };
 
@@ -51,8 +52,8 @@ struct MortarContactTerm<Dim>::Sums {
 template <int Dim>
 MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, FaceId face,
                                           const PartnerMaker<Dim>& makePartner, const ContactOptions& options,
-                                          int firstMultiplier)
-    : FaceContact<Dim>(body, patch, face, options, firstMultiplier),
+                                          int firstMultiplier, const std::vector<DefinitionSpec>& definitions)
+    : FaceContact<Dim>(body, patch, face, options, firstMultiplier, definitions),
       partner_(makePartner(face_)),
       hasFriction_(options.hasFriction()),
       functionUnknowns_(static_cast<std::size_t>(face_.numFunctions())) {
@@ -111,7 +112,7 @@ template <int Dim>
 Eigen::MatrixXd MortarContactTerm<Dim>::acceptedPoints(std::size_t e) const {
   const auto& functions = face_.spans()[e].functions;
   return face_.points()(Eigen::all, functions) +
-         friction_.acceptedUnknowns()(slaveUnknowns_[e]).reshaped(Dim, std::ssize(functions));
+         work_.acceptedUnknowns()(slaveUnknowns_[e]).reshaped(Dim, std::ssize(functions));
 }
 
 template <int Dim>
@@ -119,7 +120,7 @@ SlavePoint<Dim> MortarContactTerm<Dim>::pointAt(std::size_t e, Eigen::Index q,
                                                 const Eigen::MatrixXd& positions) const {
   const auto& span = face_.spans()[e];
   Eigen::Vector<double, Dim> accepted = positions.col(span.firstPoint + q);
-  if (friction_.acceptedUnknowns().size() > 0) accepted = acceptedPoints(e) * span.R.col(q);
+  if (work_.acceptedUnknowns().size() > 0) accepted = acceptedPoints(e) * span.R.col(q);
   return {e,
           span.firstPoint + static_cast<int>(q),
           span.xi.col(q),
@@ -147,10 +148,11 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
           partner_->at(slave, PointDetail::Derivatives);
       if (!point) continue;
       if (hasFriction_) partner_->addSlip(slave, *point);
-      const double stretch = options_.shearLimit
+      const double stretch = frictionLaw_.needsStretch()
                                  ? areaStretch(span.functions, acceptedPoints(e), span.R.col(q),
                                                span.dR.middleCols((Dim - 1) * q, Dim - 1))
                                  : 0.0;
+      const Eigen::Vector3d place = this->referencePlace(span.functions, span.R.col(q));
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const auto A = static_cast<std::size_t>(span.functions[a]);
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
@@ -167,7 +169,9 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
           average.T.row(places[i]) += wR * point->virtualSlip.row(row);
           average.S.row(places[i]) += wR * point->dSlip.row(row);
         }
-        if (hasFriction_) average.slip += wR * point->slip;
+        if (!hasFriction_) continue;
+        average.slip += wR * point->slip;
+        average.place += wR * place;
       }
     }
   }
@@ -175,7 +179,7 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
 }
 
 template <int Dim>
-FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Average& average,
+FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Average& average, double t,
                                                              const Eigen::VectorXd& x) const {
   const auto a = static_cast<std::size_t>(A);
   if (!state_.active[a]) {
@@ -185,32 +189,33 @@ FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Averag
   }
   const Tangential tau = x.template segment<Dim - 1>(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A);
   const Tangential trial = tau + frictionParameter() / average.A * average.slip;
-  return coulombTraction<Dim - 1>(
-      trial, state_.lambdaHat(A), options_.rough ? kInfinity : *options_.friction,
-      options_.shearLimit ? *options_.shearLimit * average.area / average.A : kInfinity);
+  const FrictionPlace place{average.place / average.A, t, slipped_(A), average.area / average.A};
+  return coulombTraction<Dim - 1>(trial, state_.lambdaHat(A), frictionLaw_.at(place, -state_.lambdaHat(A)));
 }
 
 template <int Dim>
 bool MortarContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   const Eigen::MatrixXd positions = face_.positions(x);
   if (!partner_->update(t, x, positions)) return false;
-  if (hasFriction_) friction_.start(x);
+  if (hasFriction_) work_.start(x);
   const Sums sums = integrate(positions);
   const std::vector<bool> before = std::move(state_.active);
   state_ = {};
-  addFunctions(x, out, sums);
+  addFunctions(t, x, out, sums);
   state_.countChanges(before);
   addPoints(out, positions, sums);
   if (hasFriction_) {
-    friction_.end(*partner_);
-    state_.frictionWork = friction_.work();
+    work_.end(*partner_);
+    state_.frictionWork = work_.work();
+    this->reportSlipped();
   }
   if (axisymmetric_) state_.keepAxialReaction();
   return true;
 }
 
 template <int Dim>
-void MortarContactTerm<Dim>::addFunctions(const Eigen::VectorXd& x, Assembly& out, const Sums& sums) {
+void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, Assembly& out,
+                                          const Sums& sums) {
   const int numFunctions = face_.numFunctions();
   const double eps = parameter(), epsT = frictionParameter();
   state_.averageGap = Eigen::VectorXd::Constant(numFunctions, kInfinity);
@@ -245,11 +250,11 @@ void MortarContactTerm<Dim>::addFunctions(const Eigen::VectorXd& x, Assembly& ou
     }
     if (hasFriction_) {
       const int first = firstMultiplier_ + numFunctions + (Dim - 1) * A;
-      const auto& law = tractions_[a] = frictionOf(A, average, x);
+      const auto& law = tractions_[a] = frictionOf(A, average, t, x);
       if (active) ++(law.slips ? state_.slipping : state_.sticking);
       const Eigen::VectorXd force = average.T * law.traction;
       out.force(unknowns) += force;
-      friction_.force()(unknowns) += force;
+      work_.force()(unknowns) += force;
       out.force.template segment<Dim - 1>(first) +=
           weight / epsT * (law.traction - x.template segment<Dim - 1>(first));
       if (out.system != nullptr) {
@@ -316,8 +321,8 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
       arm.head<Dim>() += positions.col(number);
       state_.reaction += normalForce + tangentialForce;
       state_.moment += arm.cross(normalForce + tangentialForce);
-      friction_.reaction() += tangentialForce;
-      friction_.moment() += arm.cross(tangentialForce);
+      work_.reaction() += tangentialForce;
+      work_.moment() += arm.cross(tangentialForce);
       if (out.system == nullptr || (lambdaHat == 0.0 && traction.isZero(0.0))) continue;
       if (K.size() == 0) K = Eigen::MatrixXd::Zero(std::ssize(unknowns), std::ssize(unknowns));
       const auto slave = pointAt(e, q, positions);
@@ -338,13 +343,17 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
 template <int Dim>
 void MortarContactTerm<Dim>::accept() {
   partner_->accept();
-  if (hasFriction_) friction_.accept();
+  if (!hasFriction_) return;
+  work_.accept();
+  this->acceptSlipped();
 }
 
 template <int Dim>
 void MortarContactTerm<Dim>::archive(StateArchive& archive) {
   partner_->archive(archive);
-  if (hasFriction_) archive.part("friction", friction_);
+  if (!hasFriction_) return;
+  archive.part("friction", work_);
+  archive.fixedField("slipped", slipped_);
 }
 
 template class MortarContactTerm<2>;

@@ -7,7 +7,6 @@
 
 #include "engine/contact/coulomb.h"
 #include "engine/contact/face_contact.h"
-#include "engine/contact/friction_work.h"
 #include "engine/contact/partner.h"
 
 namespace burnish {
@@ -23,7 +22,7 @@ using PartnerMaker = std::function<std::unique_ptr<Partner<Dim>>(const FaceQuadr
 ///     A_A = ∫' R_A dΓ,   g_A = 1/A_A ∫' R_A g dΓ,   s_A = 1/A_A ∫' R_A s dΓ,
 ///     D_A = ∫' R_A N dΓ,   T_A = ∫' R_A T dΓ,   S_A = ∫' R_A S dΓ,
 ///     λ̂_A = λ_A + ε g_A, active where λ̂_A <= 0,   τ̂_A = τ_A + ε_T s_A,   τᵉ_A of `coulombTraction` (with the
-///     shear limit times the mean stretch of area in the accepted state, as tractions are nominal),
+///     law at the function's mean place, with the mean stretch of area in the accepted state),
 ///     R_u += Σ λ̂_A D_A + T_A τᵉ_A,   R_λA = A_A g_A or -A_A/ε λ_A,   R_τA = A_A/ε_T (τᵉ_A - τ_A).
 ///
 /// With M = ∂τᵉ/∂τ̂, c = ∂τᵉ/∂λ̂ of active functions, λ̂ = Σ R_A λ̂_A and t = Σ R_A τᵉ_A at a point
@@ -38,9 +37,11 @@ template <int Dim>
 class MortarContactTerm final : public FaceContact<Dim> {
  public:
   /// options: with a parameter; no gap limit. firstMultiplier: number of the first of the pair's multipliers
-  /// among the unknowns. Throws `Error` as `requireAveragedGaps`.
+  /// among the unknowns. definitions: of names in the formula for friction. Throws `Error` as
+  /// `requireAveragedGaps` and `FrictionLaw`.
   MortarContactTerm(const Body<Dim>& body, int patch, FaceId face, const PartnerMaker<Dim>& makePartner,
-                    const ContactOptions& options, int firstMultiplier);
+                    const ContactOptions& options, int firstMultiplier,
+                    const std::vector<DefinitionSpec>& definitions = {});
 
   /// Those λ_A come first; then, with friction, the components of τ_A one after the other.
   int numMultipliers() const override { return (hasFriction_ ? Dim : 1) * face_.numFunctions(); }
@@ -66,8 +67,9 @@ class MortarContactTerm final : public FaceContact<Dim> {
   Eigen::MatrixXd acceptedPoints(std::size_t e) const;
   SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
   Sums integrate(const Eigen::MatrixXd& positions) const;
-  FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, const Eigen::VectorXd& x) const;
-  void addFunctions(const Eigen::VectorXd& x, Assembly& out, const Sums& sums);
+  FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, double t,
+                                       const Eigen::VectorXd& x) const;
+  void addFunctions(double t, const Eigen::VectorXd& x, Assembly& out, const Sums& sums);
   void addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums);
 
   using FaceContact<Dim>::face_;
@@ -78,6 +80,9 @@ class MortarContactTerm final : public FaceContact<Dim> {
   using FaceContact<Dim>::state_;
   using FaceContact<Dim>::parameter;
   using FaceContact<Dim>::frictionParameter;
+  using FaceContact<Dim>::frictionLaw_;
+  using FaceContact<Dim>::slipped_;
+  using FaceContact<Dim>::work_;
   using FaceContact<Dim>::areaStretch;
 
   std::unique_ptr<Partner<Dim>> partner_;
@@ -85,7 +90,6 @@ class MortarContactTerm final : public FaceContact<Dim> {
   std::vector<std::vector<int>> slaveUnknowns_;     ///< per span: displacement components, by functions
   std::vector<std::vector<int>> spanUnknowns_;      ///< per span: with the partner's, ascending
   std::vector<std::vector<int>> functionUnknowns_;  ///< per function: of all its spans, ascending
-  FrictionWork friction_;
   std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
 };
 

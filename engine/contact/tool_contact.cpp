@@ -25,10 +25,11 @@ bool ToolContact<Dim>::isAlone() const {
 template <int Dim>
 std::unique_ptr<ToolContact<Dim>> makeToolContact(const Body<Dim>& body, int patch, FaceId face,
                                                   const Tool& tool, const ContactOptions& options,
-                                                  int firstMultiplier, const std::vector<bool>& held) {
+                                                  int firstMultiplier, const std::vector<bool>& held,
+                                                  const std::vector<DefinitionSpec>& definitions) {
   if (options.method == Enforcement::IntegralAugmentedLagrangian)
-    return std::make_unique<IntegralContactTerm<Dim>>(body, patch, face, tool, options, firstMultiplier,
-                                                      held);
+    return std::make_unique<IntegralContactTerm<Dim>>(body, patch, face, tool, options, firstMultiplier, held,
+                                                      definitions);
   return std::make_unique<ContactTerm<Dim>>(body, patch, face, tool, options, firstMultiplier);
 }
 
@@ -51,11 +52,11 @@ double meanControlPointDistance(const Patch<Dim>& patch, FaceId face) {
 template class ToolContact<2>;
 template class ToolContact<3>;
 template std::unique_ptr<ToolContact<2>> makeToolContact(const Body<2>&, int, FaceId, const Tool&,
-                                                         const ContactOptions&, int,
-                                                         const std::vector<bool>&);
+                                                         const ContactOptions&, int, const std::vector<bool>&,
+                                                         const std::vector<DefinitionSpec>&);
 template std::unique_ptr<ToolContact<3>> makeToolContact(const Body<3>&, int, FaceId, const Tool&,
-                                                         const ContactOptions&, int,
-                                                         const std::vector<bool>&);
+                                                         const ContactOptions&, int, const std::vector<bool>&,
+                                                         const std::vector<DefinitionSpec>&);
 template double meanControlPointDistance(const Patch<2>&, FaceId);
 template double meanControlPointDistance(const Patch<3>&, FaceId);
 

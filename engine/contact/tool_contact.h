@@ -46,11 +46,13 @@ class ToolContact : public FaceContact<Dim> {
 
 /// The pair of a face and a tool as the options want it. options: with a parameter. firstMultiplier: number
 /// of the first of the pair's multipliers among the unknowns. held: displacement components that supports
-/// prescribe. Body and tool must outlive the term. Throws `Error` as the term of the method.
+/// prescribe. definitions: of names in the formula for friction. Body and tool must outlive the term. Throws
+/// `Error` as the term of the method.
 template <int Dim>
 std::unique_ptr<ToolContact<Dim>> makeToolContact(const Body<Dim>& body, int patch, FaceId face,
                                                   const Tool& tool, const ContactOptions& options,
-                                                  int firstMultiplier, const std::vector<bool>& held);
+                                                  int firstMultiplier, const std::vector<bool>& held,
+                                                  const std::vector<DefinitionSpec>& definitions);
 
 /// Mean distance of neighbouring control points of a face, over both directions in space.
 template <int Dim>

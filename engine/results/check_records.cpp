@@ -137,6 +137,9 @@ void checkContact(const ContactRecord& contact, const ModelRecord& model, const 
           place, "{} quadrature points, but {} frictional tractions, {} slips and {} states of sliding",
           points, contact.quadratureFriction.cols(), contact.quadratureSlip.cols(),
           contact.quadratureSliding.size());
+  const Eigen::VectorXd& slipped = contact.quadratureSlipped;
+  require(slipped.size() == 0 || (slipped.size() == points && slipped.allFinite()), place,
+          "{} quadrature points, but {} ways slipped, or one that is not finite", points, slipped.size());
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ void writeContact(const OutputGroup& group, const ContactRecord& contact) {
   group.dataset("quadrature_friction", contact.quadratureFriction);
   group.dataset("quadrature_slip", contact.quadratureSlip);
   group.dataset("quadrature_sliding", contact.quadratureSliding);
+  group.dataset("quadrature_slipped", contact.quadratureSlipped);
 }
 
 ContactRecord readContact(const InputGroup& group) {
@@ -73,6 +74,8 @@ ContactRecord readContact(const InputGroup& group) {
   contact.quadratureFriction = group.dataset("quadrature_friction").matrix();
   contact.quadratureSlip = group.dataset("quadrature_slip").matrix();
   contact.quadratureSliding = group.dataset("quadrature_sliding").integers();
+  if (group.contains("quadrature_slipped"))
+    contact.quadratureSlipped = group.dataset("quadrature_slipped").vector();
   return contact;
 }
 

@@ -75,6 +75,7 @@ struct ContactRecord {
   Eigen::MatrixXd quadratureFriction{};  ///< dim x points: tangential traction on the body, nominal
   Eigen::MatrixXd quadratureSlip{};      ///< dim x points: way of the body on the tool in the last step
   std::vector<int> quadratureSliding{};  ///< 0 open, 1 stick, 2 slip
+  Eigen::VectorXd quadratureSlipped{};   ///< way slipped under pressure since the start; older results: empty
 };
 
 /// Raw values at the quadrature points of the volume.

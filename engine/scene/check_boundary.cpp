@@ -119,6 +119,7 @@ void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::st
 void checkFriction(const CheckContext& c, const ContactOptions& options, const std::string& path,
                    bool isPair = false) {
   const std::string friction = path + (options.rough ? ".rough" : ".friction");
+  if (!options.rough) checkFrictionFormula(c, path + ".friction", options);
   if (options.rough && options.friction && c.clean(friction))
     c.report(friction, "found beside friction; allowed: one of the two.");
   else if (!isPair && options.hasFriction() && options.method != Enforcement::IntegralAugmentedLagrangian &&
@@ -180,6 +181,8 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
     }
     if (pair.reach && c.clean(path + ".reach"))
       c.report(path + ".reach", "found beside tool; allowed: beside against.");
+    if (pair.interference != Interference::Error && c.clean(path + ".interference"))
+      c.report(path + ".interference", "found beside tool; allowed: beside against.");
     const bool known = std::find(toolNames.begin(), toolNames.end(), pair.tool) != toolNames.end();
     const bool allNamesAreRead = c.clean("tools") || toolNames.size() == c.scene.tools.size();
     if (!known && allNamesAreRead)

@@ -42,6 +42,10 @@ void checkFace(const CheckContext& context, const std::string& path, const FaceS
 void checkFormula(const CheckContext& context, const std::string& path, const FormulaText& formula,
                   bool constant = false);
 
+/// The coefficient of friction: at least 0, or a formula in the variables of `FrictionLaw` and the definitions.
+void checkFrictionFormula(const CheckContext& context, const std::string& path,
+                          const ContactOptions& options);
+
 /// A formula in t and the definitions.
 void checkTimeFormula(const CheckContext& context, const std::string& path, const FormulaText& formula);
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <unordered_set>
 
+#include "engine/contact/friction_law.h"
 #include "engine/core/definitions.h"
 #include "engine/core/error.h"
 #include "engine/core/formula_words.h"
@@ -38,6 +39,19 @@ void checkFormula(const CheckContext& c, const std::string& path, const FormulaT
     if (c.dimensionIsKnown() && c.scene.dim() == 2 && formula.dependsOn("Z"))
       c.report(path, fmt::format("found {}, which depends on Z; allowed in two dimensions: X, Y and t.",
                                  quoted(text.text)));
+  } catch (const Error& problem) {
+    c.report(path, fmt::format("{}.", problem.what()));
+  }
+}
+
+void checkFrictionFormula(const CheckContext& c, const std::string& path, const ContactOptions& options) {
+  if (!options.friction || !c.clean(path) || !c.clean("definitions")) return;
+  try {
+    static_cast<void>(FrictionLaw(options, c.scene.definitions));
+  } catch (const FormulaError& problem) {
+    c.report(path,
+             fmt::format("found {}; allowed: a number at least 0, or a formula in {} and the definitions.",
+                         quoted(options.friction->text), fmt::join(FrictionLaw::variables(), ", ")));
   } catch (const Error& problem) {
     c.report(path, fmt::format("{}.", problem.what()));
   }

@@ -28,8 +28,6 @@ void checkContact(const CheckContext& c) {
       c.report(fmt::format("contact[{}].method", k),
                "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian | "
                "integral-augmented-lagrangian.");
-    refuse(c, options.hasFriction(), fmt::format("contact[{}].{}", k, options.rough ? "rough" : "friction"),
-           "friction, whose work new meshes would lose,");
   }
 }
 

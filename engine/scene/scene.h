@@ -4,10 +4,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "engine/contact/contact_options.h"
+#include "engine/core/enum_names.h"
 #include "engine/core/formula.h"
 #include "engine/core/schedule.h"
 #include "engine/material/material.h"
@@ -105,6 +107,15 @@ struct LoadSpec {
   std::optional<Schedule> schedule;
 };
 
+/// What is done about faces that overlap at the start.
+enum class Interference { Error, Resolve };
+
+template <>
+struct EnumNames<Interference> {
+  static constexpr std::array values{std::pair{"error", Interference::Error},
+                                     std::pair{"resolve", Interference::Resolve}};
+};
+
 /// Contact of a face with either a tool or another face.
 struct ContactSpec {
   std::string name;  ///< of a pair of faces; see `pairName`
@@ -112,6 +123,7 @@ struct ContactSpec {
   FaceSpec place;                   ///< a whole face: that with the quadrature and the multipliers
   std::optional<FaceSpec> against;  ///< a whole face, of another body or of the same
   std::optional<double> reach;      ///< of a pair of faces: distance within which they see each other
+  Interference interference = Interference::Error;  ///< of a pair of faces
   ContactOptions options;
 };
 

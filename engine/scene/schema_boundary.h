@@ -99,6 +99,9 @@ void describe(Visitor& v, ContactSpec& s) {
   v.field("reach", s.reach, {.above = 0, .unit = "length"},
           "Faces that are farther apart do not see each other; a twentieth of the smaller body's largest "
           "extent when left out. A face should not come nearer than that in one step.");
+  v.field("interference", s.interference, {},
+          "What is done about faces of a pair that overlap at the start: it is an error, or the bodies are "
+          "fitted into one another during the first phase, without friction (shrink fit).");
   describe(v, s.options);
 }
 

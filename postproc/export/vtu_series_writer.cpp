@@ -16,7 +16,6 @@
 #include "engine/results/check_records.h"
 #include "postproc/export/vtk_file.h"
 #include "postproc/mesh/chosen_bodies.h"
-#include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/recorded_shape.h"
 
@@ -68,12 +67,6 @@ Eigen::AlignedBox3d boxOf(const MeshRecord& mesh, const Eigen::MatrixXd& displac
   return box;
 }
 
-/// tool: name, empty for self-contact.
-bool hasContact(const FrameRecord& frame, const std::string& tool) {
-  return std::any_of(frame.contact.begin(), frame.contact.end(),
-                     [&](const ContactRecord& contact) { return contact.tool == tool; });
-}
-
 struct BodyGrid {
   const FrameRecord& frame;
   const std::string& lengthUnit;
@@ -95,6 +88,7 @@ VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, const VtuOp
       model_(std::move(model)),
       cellKind_(options.cells),
       cells_(makeAllCells()),
+      wantsContact_(options.parts.contains(ExportPart::Contact)),
       parts_(makeParts(model_, options.parts)) {
   std::error_code error;
   fs::create_directories(runDir_ / "frames", error);
@@ -124,21 +118,20 @@ std::vector<VtuSeriesWriter::Part> VtuSeriesWriter::makeParts(const ModelRecord&
   for (const ToolRecord& tool : model.tools) names.push_back(tool.name);
   const std::vector<std::string> stems = fileStems(names), bodies = fileStems(model.bodies);
   std::vector<Part> parts;
-  const auto addPerTool = [&](ExportPart kind, const char* prefix) {
-    for (std::size_t tool = 0; tool < stems.size(); ++tool)
-      parts.push_back({kind, prefix + stems[tool], tool, {}});
-  };
   const auto addPerBody = [&](ExportPart kind, const std::string& name) {
-    if (bodies.size() < 2) return parts.push_back({kind, name, {}, {}});
+    if (bodies.size() < 2) return parts.push_back({kind, name, {}, {}, {}});
     for (std::size_t body = 0; body < bodies.size(); ++body)
-      parts.push_back({kind, fmt::format("{}_{}", name, bodies[body]), {}, body});
+      parts.push_back({kind, fmt::format("{}_{}", name, bodies[body]), {}, body, {}});
   };
   for (const ExportPart kind : kinds) {
     if (kind == ExportPart::Body) addPerBody(kind, "body");
-    if (kind == ExportPart::Tools) addPerTool(kind, "tool_");
+    if (kind == ExportPart::Tools)
+      for (std::size_t tool = 0; tool < stems.size(); ++tool)
+        parts.push_back({kind, "tool_" + stems[tool], tool, {}, {}});
     if (kind == ExportPart::Contact) {
-      addPerTool(kind, "contact_");
-      parts.push_back({kind, "self_contact", {}, {}});
+      for (std::size_t tool = 0; tool < stems.size(); ++tool)
+        parts.push_back({kind, "contact_" + stems[tool], {}, {}, ContactName{names[tool], {}}});
+      parts.push_back({kind, "self_contact", {}, {}, ContactName{}});
     }
     if (kind == ExportPart::Points) addPerBody(kind, "points");
     if (kind == ExportPart::Net) addPerBody(kind, "net");
@@ -146,12 +139,32 @@ std::vector<VtuSeriesWriter::Part> VtuSeriesWriter::makeParts(const ModelRecord&
   return parts;
 }
 
+void VtuSeriesWriter::addPairs(const std::vector<ContactName>& contacts) {
+  if (!wantsContact_) return;
+  std::vector<std::string> names;
+  for (const ToolRecord& tool : model_.tools) names.push_back(tool.name);
+  for (const ContactName& contact : contacts)
+    if (!contact.pair.empty()) names.push_back(contact.pair);
+  const std::vector<std::string> stems = fileStems(names);
+  std::size_t number = model_.tools.size();
+  for (const ContactName& contact : contacts) {
+    if (contact.pair.empty()) continue;
+    const std::string& stem = stems[number++];
+    const bool isNew =
+        std::none_of(parts_.begin(), parts_.end(), [&](const Part& part) { return part.contact == contact; });
+    if (isNew) parts_.push_back({ExportPart::Contact, "contact_" + stem, {}, {}, contact});
+  }
+}
+
 void VtuSeriesWriter::write(const FrameRecord& frame) {
   checkFrame(frame, model_, fmt::format("frame {} for {}", frame.index, (runDir_ / "frames").string()));
   Instant instant{frame.time, {}};
+  const std::vector<ContactName> contacts = contactsOf(frame);
+  addPairs(contacts);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const auto& [kind, name, tool, body] = parts_[i];
-    if (kind == ExportPart::Contact && !hasContact(frame, tool ? model_.tools[*tool].name : "")) continue;
+    if (parts_[i].contact &&
+        std::find(contacts.begin(), contacts.end(), *parts_[i].contact) == contacts.end())
+      continue;
     writePart(parts_[i], frame);
     instant.parts.push_back(i);
   }
@@ -191,9 +204,7 @@ void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) cons
                           frame.time, path);
     }
     case ExportPart::Contact:
-      return writeVtkFile(
-          *(part.tool ? contactSurface(model_, frame, *part.tool) : selfContactSurface(model_, frame)),
-          frame.time, path);
+      return writeVtkFile(*contactSurface(model_, frame, part.contact.value()), frame.time, path);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/results/result.h"
 #include "postproc/mesh/curved_cells.h"
+#include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/tessellation.h"
 
 namespace burnish {
@@ -23,7 +24,7 @@ enum class CellKind {
 enum class ExportPart {
   Body,     ///< `body_000000.vtu`; of several bodies `body_NAME_000000.vtu` for each, and so on below
   Tools,    ///< `tool_NAME_000000.vtp` for every tool
-  Contact,  ///< `contact_NAME_000000.vtp` for every tool that something may touch, `self_contact_000000.vtp`
+  Contact,  ///< `contact_NAME_000000.vtp` for every tool and pair of faces, `self_contact_000000.vtp`
   Points,   ///< `points_000000.vtp`: values at the quadrature points, not projected
   Net       ///< `net_000000.vtp`: the control net
 };
@@ -53,9 +54,10 @@ class VtuSeriesWriter {
   /// One data set of the collection in every frame.
   struct Part {
     ExportPart kind;
-    std::string name;                 ///< in the collection and of the files
-    std::optional<std::size_t> tool;  ///< of tools and contact with them
-    std::optional<std::size_t> body;  ///< of one of several bodies
+    std::string name;                    ///< in the collection and of the files
+    std::optional<std::size_t> tool;     ///< of tools
+    std::optional<std::size_t> body;     ///< of one of several bodies
+    std::optional<ContactName> contact;  ///< of faces in contact
   };
   struct Instant {
     double time;
@@ -64,6 +66,8 @@ class VtuSeriesWriter {
 
   static std::vector<Part> makeParts(const ModelRecord& model, const std::set<ExportPart>& kinds);
 
+  /// Pairs of faces are known from frames alone.
+  void addPairs(const std::vector<ContactName>& contacts);
   BodyCells makeCells(const MeshRecord& mesh) const;
   std::vector<BodyCells> makeAllCells() const;
   void writePart(const Part& part, const FrameRecord& frame) const;
@@ -79,6 +83,7 @@ class VtuSeriesWriter {
   ModelRecord model_;
   CellKind cellKind_;
   std::vector<BodyCells> cells_;  ///< of the model's mesh, per body
+  bool wantsContact_;
   std::vector<Part> parts_;
   std::map<int, Instant> instants_;  ///< by index of the frame
 };

@@ -4,6 +4,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -69,29 +70,40 @@ void addCells(const FacePoints& face, const std::vector<vtkIdType>& ids, PolyBui
       builder.addPolygon({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
 }
 
-/// Rows: pressure, gap, three components of the traction, what the tool does to the body, three of the slip; a
-/// column per point.
+/// Rows: pressure, gap, three components of the traction, three of the slip, the way slipped; a column per
+/// point.
 Eigen::MatrixXd valuesOf(const ContactRecord& contact) {
-  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(8, contact.quadraturePoints.cols());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(9, contact.quadraturePoints.cols());
   if (values.cols() == 0) return values;
   values.topRows(5) << contact.quadraturePressure.transpose(), contact.quadratureGap.transpose(),
       inSpace(contact.quadratureNormal * contact.quadraturePressure.asDiagonal());
   if (contact.quadratureSliding.empty()) return values;
   values.middleRows<3>(2) += inSpace(contact.quadratureFriction);
-  values.bottomRows<3>() = inSpace(contact.quadratureSlip);
+  values.middleRows<3>(5) = inSpace(contact.quadratureSlip);
+  if (contact.quadratureSlipped.size() > 0) values.row(8) = contact.quadratureSlipped.transpose();
   return values;
 }
 
-/// tool: name, empty for self-contact.
-vtkSmartPointer<vtkPolyData> surfaceTouching(const std::string& tool, const ModelRecord& model,
-                                             const FrameRecord& frame) {
+}  // namespace
+
+std::vector<ContactName> contactsOf(const FrameRecord& frame) {
+  std::vector<ContactName> names;
+  for (const ContactRecord& contact : frame.contact)
+    if (const ContactName name{contact.tool, contact.pair};
+        std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  return names;
+}
+
+vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
+                                            const ContactName& wanted) {
   const MeshRecord& mesh = meshOf(model, frame);
   PolyBuilder builder;
-  Eigen::MatrixXd values(8, 0);
+  Eigen::MatrixXd values(9, 0);
   std::vector<int> sliding;
   bool rubs = false;
   for (const ContactRecord& contact : frame.contact) {
-    if (contact.tool != tool) continue;
+    if (ContactName{contact.tool, contact.pair} != wanted) continue;
     const FacePoints face = model.dim == 2 ? facePoints<2>(mesh, contact) : facePoints<3>(mesh, contact);
     addCells(face, builder.addPoints(contact.quadraturePoints), builder);
     const auto added = valuesOf(contact);
@@ -111,20 +123,10 @@ vtkSmartPointer<vtkPolyData> surfaceTouching(const std::string& tool, const Mode
   data.AddArray(makeArray(labelled("gap", model.lengthUnit), values.row(1), {}));
   data.AddArray(makeIntegers("status", status));
   if (!rubs) return surface;
-  data.AddArray(makeArray(labelled("slip", model.lengthUnit), values.bottomRows(3), kAxes));
+  data.AddArray(makeArray(labelled("slip", model.lengthUnit), values.middleRows(5, 3), kAxes));
+  data.AddArray(makeArray(labelled("slipped", model.lengthUnit), values.row(8), {}));
   data.AddArray(makeIntegers("sliding", sliding));
   return surface;
-}
-
-}  // namespace
-
-vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
-                                            std::size_t tool) {
-  return surfaceTouching(model.tools.at(tool).name, model, frame);
-}
-
-vtkSmartPointer<vtkPolyData> selfContactSurface(const ModelRecord& model, const FrameRecord& frame) {
-  return surfaceTouching({}, model, frame);
 }
 
 }  // namespace burnish

@@ -1,7 +1,8 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
-#include <cstddef>
+#include <string>
+#include <vector>
 
 #include "engine/results/result.h"
 
@@ -11,16 +12,22 @@ class vtkPolyData;
 /// Units stand behind the names of arrays, see `labelled`. All throw `Error` if frame and model disagree.
 namespace burnish {
 
-/// The faces that `tool` may touch, through their quadrature points: one polyline per face in 2D,
-/// quadrilaterals in 3D. Point data: `contact_pressure` (nominal, per undeformed area), `traction` (its
-/// vector: what the tool does to the body), `gap`, `status` (1 where the tool presses, else 0). Without
-/// points if the frame has no contact with the tool.
-vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
-                                            std::size_t tool);
+/// What is in contact: faces with a tool, a pair of faces, both by name; neither where faces touch themselves.
+struct ContactName {
+  std::string tool, pair;
 
-/// The same of the faces that may touch themselves: what the other part does to the one with the smaller
-/// parameter.
-vtkSmartPointer<vtkPolyData> selfContactSurface(const ModelRecord& model, const FrameRecord& frame);
+  bool operator==(const ContactName&) const = default;
+};
+
+/// What is in contact in a frame, each once.
+std::vector<ContactName> contactsOf(const FrameRecord& frame);
+
+/// The faces in contact that have the quadrature points, through these: one polyline per face in 2D,
+/// quadrilaterals in 3D. Point data: `contact_pressure` (nominal, per undeformed area), `traction` (its
+/// vector, with that of friction: what the face feels), `gap`, `status` (1 where it is pressed, else 0); with
+/// friction `slip` in the last step, `slipped` (way since the start), `sliding` (0 open, 1 stick, 2 slip).
+vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
+                                            const ContactName& contact);
 
 /// The quadrature points of the body as vertices with the values there, not projected: stresses, `J`, …
 vtkSmartPointer<vtkPolyData> quadraturePoints(const FrameRecord& frame);

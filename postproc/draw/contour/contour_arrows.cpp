@@ -46,11 +46,9 @@ VectorPoints displacements(vtkPolyData& body, const Eigen::Vector3d& towardsEye)
 }
 
 VectorPoints tractions(const ModelRecord& model, const FrameRecord& frame) {
-  std::vector<vtkSmartPointer<vtkPolyData>> surfaces{selfContactSurface(model, frame)};
-  for (std::size_t tool = 0; tool < model.tools.size(); ++tool)
-    surfaces.push_back(contactSurface(model, frame, tool));
   VectorPoints result;
-  for (const auto& surface : surfaces) {
+  for (const ContactName& contact : contactsOf(frame)) {
+    const auto surface = contactSurface(model, frame, contact);
     vtkDataArray& traction =
         *surface->GetPointData()->GetArray(labelled("traction", model.stressUnit).c_str());
     for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)

@@ -123,6 +123,56 @@ TEST_F(FacePairs, AShearLimitIsAStressOnTheDeformedFace) {
   EXPECT_NEAR(last(history, "block-slab.friction"), 0.06 * width, 1e-3 * 0.06);
 }
 
+TEST_F(FacePairs, FrictionMayBeAFormulaInTimeAndPressure) {
+  std::string scene = draggedBlock(0.5, 20);
+  const auto with = [&](const std::string& law) {
+    std::string changed = scene;
+    return changed.replace(changed.find("friction: 0.500000"), 18, "friction: \"" + law + "\"");
+  };
+  const HistoryTable growing = run(with("0.1 + 0.1*t"));
+  EXPECT_EQ(last(growing, "block-slab.sticking"), 0.0);
+  EXPECT_NEAR(last(growing, "block-slab.friction"), 0.3 * last(growing, "block-slab.pressed"), 1e-12);
+
+  // A true stress of 0.06, whatever the pressure.
+  scene +=
+      "measures:\n"
+      "  - {name: left, kind: point, body: block, parameters: [0, 0]}\n"
+      "  - {name: right, kind: point, body: block, parameters: [1, 0]}\n";
+  const HistoryTable constant = run(with("0.06/p"));
+  const double width = 1.0 + last(constant, "right.ux") - last(constant, "left.ux");
+  EXPECT_EQ(last(constant, "block-slab.sticking"), 0.0);
+  EXPECT_NEAR(last(constant, "block-slab.friction"), 0.06 * width, 1e-3 * 0.06);
+}
+
+/// Rings of a tube in a tube between rollers, the inner one made too large by 0.002.
+const std::string kShrinkFit = R"(
+kinematics: axisymmetric
+bodies:
+  - {name: inner, geometry: {shape: rectangle, origin: [1, 0], size: [1.002, 1], spans: [8, 3]},
+     material: {law: neo-hookean, E: 1000, nu: 0.3}}
+  - {name: outer, geometry: {shape: rectangle, origin: [2, 0], size: [1, 1], spans: [8, 2]},
+     material: {law: neo-hookean, E: 2000, nu: 0.25}}
+supports:
+  - {body: inner, face: bottom, fix: [y]}
+  - {body: inner, face: top, fix: [y]}
+  - {body: outer, face: bottom, fix: [y]}
+  - {body: outer, face: top, fix: [y]}
+contact: [{body: inner, face: right, against: {body: outer, face: left}, interference: resolve}]
+measures:
+  - {name: bore, kind: point, body: inner, parameters: [0, 0.5], fields: [stress]}
+  - {name: middle, kind: point, body: outer, parameters: [0, 0.5], fields: [stress]}
+steps: [{until: 1, count: 2}]
+)";
+
+TEST_F(FacePairs, AnInterferenceIsResolvedAsLameSays) {
+  const HistoryTable history = run(kShrinkFit);
+  // Pressure and hoop stresses of linear theory, p = δ / (u₂ - u₁ per unit pressure).
+  constexpr double area = 2.0 * 3.14159265358979 * 2.002;
+  EXPECT_NEAR(last(history, "inner-outer.pressed") / area, 0.399734, 0.003 * 0.399734);
+  EXPECT_NEAR(last(history, "bore.stress_zz"), -1.06596, 0.003 * 1.06596);
+  EXPECT_NEAR(last(history, "middle.stress_zz"), 1.03931, 0.003 * 1.03931);
+}
+
 TEST_F(FacePairs, WorkOfFrictionClosesTheBalanceOfEnergy) {
   // With friction of 0.1 the block slides over more than a span of the slab.
   for (const double mu : {0.1, 0.5}) {

@@ -43,6 +43,11 @@ double last(const HistoryTable& history, const std::string& column) {
   return history.column(column).back();
 }
 
+/// The same where the tool rubs.
+const std::string kRubbed =
+    samples::replaced(kRezoned, "face: top}]\nsteps",
+                      "face: top, method: integral-augmented-lagrangian, friction: 0.2}]\nsteps");
+
 /// Both formulations, as a line of a scene.
 class RezoningRuns : public testing::TestWithParam<std::string> {};
 
@@ -50,14 +55,26 @@ INSTANTIATE_TEST_SUITE_P(Formulations, RezoningRuns,
                          testing::Values("formulation: displacement\n", "formulation: fbar\n"),
                          [](const auto& test) { return test.index == 0 ? "Displacement" : "Projected"; });
 
-TEST_P(RezoningRuns, ResumeWithTheSameBitsFromAnyMesh) {
+/// Whole scenes.
+class RezonedScenes : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RezonedScenes,
+                         testing::Values("formulation: displacement\n" + kRezoned,
+                                         "formulation: fbar\n" + kRezoned, kRubbed),
+                         [](const auto& test) {
+                           return test.index == 0   ? "Displacement"
+                                  : test.index == 1 ? "Projected"
+                                                    : "Friction";
+                         });
+
+TEST_P(RezonedScenes, ResumeWithTheSameBitsFromAnyMesh) {
   const ScratchDirectory whole("rezoned_whole"), part("rezoned_part");
-  const RunSummary summary = runTo(whole.path(), GetParam() + kRezoned);
+  const RunSummary summary = runTo(whole.path(), GetParam());
   ASSERT_TRUE(summary.completed) << summary.stoppedBecause;
   ASSERT_GE(summary.rezonings.size(), 3u);
   EXPECT_EQ(summary.failedRezonings, 0) << summary.rezoningFailure;
 
-  RunSummary resumed = runTo(part.path(), GetParam() + kRezoned, haltAfter(1, 1));
+  RunSummary resumed = runTo(part.path(), GetParam(), haltAfter(1, 1));
   RunObserver silent;
   for (int halts = 0; resumed.halted; ++halts) {
     ASSERT_LT(halts, 100);
@@ -161,6 +178,26 @@ TEST_P(RezoningRuns, ElasticBodiesAnswerAsOnOneMesh) {
   const HistoryTable many = readHistory(rezoned.path() / "history.csv");
   EXPECT_NEAR(last(many, "disc.fy"), last(one, "disc.fy"), 0.005 * last(one, "disc.fy"));
   EXPECT_NEAR(last(many, "strain_energy"), last(one, "strain_energy"), 0.003 * last(one, "strain_energy"));
+}
+
+TEST(RezoningRun, FrictionOnAnElasticBodyActsAsOnOneMesh) {
+  const std::size_t law = kRubbed.find("  law: j2");
+  const std::string elastic = samples::replaced(kRubbed, kRubbed.substr(law, kRubbed.find("supports") - law),
+                                                "  {law: neo-hookean, E: 1000, nu: 0.3}\n");
+  const ScratchDirectory fixed("friction_fixed"), rezoned("friction_rezoned");
+  ASSERT_TRUE(runTo(fixed.path(), samples::replaced(elastic, "rezoning: {travel: 0.1, spans: [32, 8]}\n", ""))
+                  .completed);
+  const RunSummary summary = runTo(rezoned.path(), elastic);
+  ASSERT_GE(summary.rezonings.size(), 3u);
+  EXPECT_EQ(summary.failedRezonings, 0) << summary.rezoningFailure;
+  const HistoryTable one = readHistory(fixed.path() / "history.csv");
+  const HistoryTable many = readHistory(rezoned.path() / "history.csv");
+  for (const char* column : {"disc.fx", "disc.fy", "disc.friction_work"})
+    EXPECT_NEAR(last(many, column) / last(one, column), 1.0, 0.01) << column;
+  EXPECT_NEAR((last(many, "strain_energy") + last(many, "friction_work")) / last(many, "external_work"), 1.0,
+              0.005);
+  const auto& work = many.column("disc.friction_work");
+  EXPECT_TRUE(std::is_sorted(work.begin(), work.end()));
 }
 
 /// The disc, or a ball, is pressed in alone.

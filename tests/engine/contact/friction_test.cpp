@@ -1,4 +1,5 @@
 // Coulomb friction of a face on a rigid tool.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,13 +19,15 @@ struct Case {
   bool axisymmetric = false;
   bool isFree = false;
   std::optional<double> shearLimit{};
+  std::string law{};  ///< instead of mu
 
   bool sticks() const { return mu == 0.0 || mu > 1.0; }
 
   ContactOptions options() const {
     ContactOptions options{Enforcement::IntegralAugmentedLagrangian, 10.0, 8};
     options.rough = mu == 0.0;
-    if (mu > 0.0) options.friction = mu;
+    if (mu > 0.0) options.friction = FormulaText{fmt::format("{}", mu)};
+    if (!law.empty()) options.friction = FormulaText{law};
     options.shearLimit = shearLimit;
     options.frictionParameter = 7.0;
     return options;
@@ -107,7 +110,9 @@ INSTANTIATE_TEST_SUITE_P(All, Friction,
                                          Case{.mu = 0.1, .family = BasisFamily::Lagrange},
                                          Case{.mu = 0.1, .axisymmetric = true}, Case{.axisymmetric = true},
                                          Case{.mu = 0.1, .isFree = true}, Case{.isFree = true},
-                                         Case{.mu = 0.1, .shearLimit = 0.05}));
+                                         Case{.mu = 0.1, .shearLimit = 0.05},
+                                         Case{.mu = 0.1, .law = "0.01 + 0.05*exp(-p) + 0.02*X*t"},
+                                         Case{.mu = 0.1, .axisymmetric = true, .law = "0.02*p^(-1/3)"}));
 
 class FrictionInSpace : public testing::TestWithParam<Case> {};
 
@@ -119,7 +124,42 @@ TEST_P(FrictionInSpace, TangentAgreesWithCentralDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(All, FrictionInSpace,
                          testing::Values(Case{}, Case{.mu = 0.1}, Case{.mu = 0.1, .isFree = true},
-                                         Case{.isFree = true}));
+                                         Case{.isFree = true}, Case{.mu = 0.1, .law = "0.1*p/(1 + p)"}));
+
+TEST(FrictionLaw, IsAskedWithTruePressureSlipTimeAndPlace) {
+  ContactOptions options;
+  options.friction = FormulaText{"a*p + 100*slip + 1000*t + X"};
+  const FrictionLaw law(options, {{"a", {"2"}}});
+  EXPECT_TRUE(law.needsStretch());
+  const FrictionBound bound = law.at({{0.5, 0.0, 0.0}, 0.25, 0.125, 4.0}, 6.0);
+  EXPECT_DOUBLE_EQ(bound.mu, 2.0 * 1.5 + 12.5 + 250.0 + 0.5);
+  EXPECT_NEAR(bound.muByPressure, 2.0 / 4.0, 1e-9);
+  EXPECT_EQ(bound.limit, std::numeric_limits<double>::infinity());
+  options.shearLimit = 3.0;
+  options.friction = FormulaText{"0.3"};
+  const FrictionBound limited =
+      FrictionLaw(options, {}).at({.X = Eigen::Vector3d::Zero(), .stretch = 2.0}, 1.0);
+  EXPECT_EQ(limited.mu, 0.3);
+  EXPECT_EQ(limited.limit, 6.0);
+  options.friction = FormulaText{"0.1 - t"};
+  EXPECT_THROW(static_cast<void>(FrictionLaw(options, {}).at({.X = Eigen::Vector3d::Zero(), .t = 1.0}, 1.0)),
+               FormulaError);
+  options.friction = FormulaText{"0.1*v"};
+  EXPECT_THROW(FrictionLaw(options, {}), Error);
+}
+
+TEST(FrictionLaw, SlipIsAddedUpUnderPressure) {
+  Rubbed rubbed = rubbedBlock({.mu = 0.1});
+  static_cast<void>(test::forceOf(rubbed.term, 1.0, rubbed.x));
+  const Eigen::VectorXd first = rubbed.term.state().slipped;
+  EXPECT_GT(first.maxCoeff(), 0.0);
+  for (Eigen::Index q = 0; q < first.size(); ++q)
+    EXPECT_NEAR(first(q),
+                rubbed.term.state().pressure(q) > 0.0 ? rubbed.term.state().slip.col(q).norm() : 0.0, 1e-16);
+  rubbed.term.accept();
+  static_cast<void>(test::forceOf(rubbed.term, 1.0, rubbed.x));
+  EXPECT_NEAR(rubbed.term.state().slipped.maxCoeff(), first.maxCoeff(), 0.5 * first.maxCoeff());
+}
 
 /// Reaction and moment, those of friction included, are what a free tool's equations say.
 TEST(FrictionOnAFreeTool, ReactionAndMomentAreTheForcesOnIt) {

@@ -1,5 +1,6 @@
 #include "engine/contact/mortar_contact_term.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -77,7 +78,7 @@ ContactOptions withFriction(double mu) {
   ContactOptions options;
   options.parameter = 2.0;
   options.quadraturePoints = 3;
-  if (mu > 0.0) options.friction = mu;
+  if (mu > 0.0) options.friction = FormulaText{fmt::format("{}", mu)};
   options.frictionParameter = 1.3;
   return options;
 }

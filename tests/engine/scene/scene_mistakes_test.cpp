@@ -440,8 +440,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"frictionOfAMethodWithout", &block, "method: augmented-lagrangian}", "friction: 0.2}", "0.2",
                 "contact[0].friction",
                 "found with a method that knows no friction; allowed: with integral-augmented-lagrangian."},
-        Mistake{"frictionBelowZero", &block, "method: augmented-lagrangian}", "friction: -0.2}", "-0.2",
-                "contact[0].friction", "found -0.2; allowed: a number at least 0."},
+        Mistake{
+            "frictionBelowZero", &block, "method: augmented-lagrangian}", "friction: -0.2}", "-0.2",
+            "contact[0].friction",
+            "found \"-0.2\"; allowed: a number at least 0, or a formula in p, slip, t, X, Y, Z and the definitions."},
         Mistake{"frictionAndRough", &block, "method: augmented-lagrangian}",
                 "method: integral-augmented-lagrangian, friction: 0.2, rough: true}", "true}",
                 "contact[0].rough", "found beside friction; allowed: one of the two."},
