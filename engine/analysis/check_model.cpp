@@ -122,9 +122,9 @@ void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model) {
 }
 
 template <int Dim>
-void requireApart(const Model<Dim>& model, MortarContactTerm<Dim>& term, const ContactSpec& spec,
+void requireApart(const Model<Dim>& model, const FacePartner<Dim>& partner, const ContactSpec& spec,
                   const std::string& place) {
-  const double gap = term.smallestReferenceGap(model.body().numNodes);
+  const double gap = partner.smallestGap();
   if (gap < -kTouching * model.body().size())
     throw InputError(place,
                      fmt::format("face '{}' overlaps face '{}' by {:.3g} at the start; move the bodies "
@@ -180,8 +180,8 @@ void requireSupported(const Model<Dim>& model) {
 
 template void requireFiniteFormulas(const Scene&, const Model<2>&);
 template void requireFiniteFormulas(const Scene&, const Model<3>&);
-template void requireApart(const Model<2>&, MortarContactTerm<2>&, const ContactSpec&, const std::string&);
-template void requireApart(const Model<3>&, MortarContactTerm<3>&, const ContactSpec&, const std::string&);
+template void requireApart(const Model<2>&, const FacePartner<2>&, const ContactSpec&, const std::string&);
+template void requireApart(const Model<3>&, const FacePartner<3>&, const ContactSpec&, const std::string&);
 template void requireReachable(const Model<2>&, const ContactSpec&, const std::string&);
 template void requireReachable(const Model<3>&, const ContactSpec&, const std::string&);
 template void requireSupported(const Model<2>&);

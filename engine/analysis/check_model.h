@@ -2,7 +2,7 @@
 #include <string>
 
 #include "engine/analysis/model.h"
-#include "engine/contact/mortar_contact_term.h"
+#include "engine/contact/face_partner.h"
 #include "engine/scene/scene.h"
 
 namespace burnish {
@@ -19,7 +19,7 @@ void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model);
 /// front of the outer face, which is free to move. model: with its tools and supports.
 /// Throws `InputError` at `place` if the faces of a pair overlap at the start.
 template <int Dim>
-void requireApart(const Model<Dim>& model, MortarContactTerm<Dim>& term, const ContactSpec& spec,
+void requireApart(const Model<Dim>& model, const FacePartner<Dim>& partner, const ContactSpec& spec,
                   const std::string& place);
 
 template <int Dim>

@@ -135,9 +135,12 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
   checkFace(c, path + ".against", *pair.against);
   if (!pair.tool.empty() && c.clean(path + ".tool"))
     c.report(path + ".tool", "found beside against; allowed: one of the two.");
-  if (pair.options.method != Enforcement::AugmentedLagrangian && c.clean(path + ".method"))
+  const bool isPenalty = pair.options.method == Enforcement::MortarPenalty ||
+                         pair.options.method == Enforcement::PointwisePenalty;
+  if (isPenalty && c.clean(path + ".method"))
     c.report(path + ".method",
-             "found a method for contact with tools; allowed between bodies: augmented-lagrangian.");
+             "found a penalty method, which is for contact with tools; allowed between bodies: "
+             "augmented-lagrangian, integral-augmented-lagrangian.");
   if (pair.options.gapLimit && c.clean(path + ".gap_limit"))
     c.report(path + ".gap_limit", "found beside against; allowed: beside tool.");
   checkFriction(c, pair.options, path, true);
