@@ -12,7 +12,7 @@
 #include "engine/analysis/place_tools.h"
 #include "engine/analysis/tools.h"
 #include "engine/contact/face_partner.h"
-#include "engine/contact/mortar_contact_term.h"
+#include "engine/contact/partner_contact.h"
 #include "engine/core/input_error.h"
 #include "engine/scene/scene_places.h"
 #include "engine/solid/dead_load.h"
@@ -215,28 +215,33 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
   const ModelBody<Dim>&body = model_->bodyOf(place), &other = model_->bodyOf(against);
   ContactOptions options = spec.options;
   const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
-  options.parameter = options.parameterFor(youngsModulus(body.bulk->material()), body.body.size(),
-                                           meanControlPointDistance(patch, place.face));
+  // At points gaps are weighed against tractions, which are those of the softer body.
+  double modulus = youngsModulus(body.bulk->material());
+  if (!averagesGaps(options.method)) modulus = std::min(modulus, youngsModulus(other.bulk->material()));
+  options.parameter =
+      options.parameterFor(modulus, body.body.size(), meanControlPointDistance(patch, place.face));
   const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), other.body.size())),
                            .couplesAll = true};
-  FacePartner<Dim>* master = nullptr;
-  const auto makePartner = [&](const FaceQuadrature<Dim>& slave) {
+  const double fitted = scene_.steps.front().until;
+  bool isFitted = false;
+  const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
     auto partner = std::make_unique<FacePartner<Dim>>(
         slave, tracePatch(patch, place.face), outwardSign(patch, place.face),
         MasterSurface<Dim>(model_->body_, {{against.patch, against.face}}), rules);
-    master = partner.get();
+    const double overlap = -partner->smallestGap();
+    isFitted = spec.interference == Interference::Resolve && overlap > 0.0;
+    if (isFitted) {
+      partner->resolveInterference(overlap, model_->startTime(), fitted);
+    } else {
+      requireApart(*model_, overlap, spec, key);
+    }
     return partner;
   };
   try {
-    auto term = std::make_unique<MortarContactTerm<Dim>>(model_->body_, place.patch, place.face, makePartner,
-                                                         options, model_->numUnknowns_, scene_.definitions);
-    const double overlap = -term->smallestReferenceGap(model_->body_.numNodes);
-    requireApart(*model_, overlap, spec, key);
-    if (spec.interference == Interference::Resolve && overlap > 0.0) {
-      const double fitted = scene_.steps.front().until;
-      master->resolveInterference(overlap, model_->startTime(), fitted);
-      term->beginFrictionAt(fitted);
-    }
+    auto term =
+        makePartnerContact<Dim>(model_->body_, place.patch, place.face, makePartner, options,
+                                model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
+    if (isFitted) term->beginFrictionAt(fitted);
     model_->numUnknowns_ += term->numMultipliers();
     model_->pairs_.push_back({pairName(spec), place, against, std::move(term)});
   } catch (const InputError&) {

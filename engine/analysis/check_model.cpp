@@ -134,7 +134,7 @@ void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model) {
 template <int Dim>
 void requireApart(const Model<Dim>& model, double overlap, const ContactSpec& spec,
                   const std::string& place) {
-  if (overlap <= kTouching * model.body().size() || spec.interference == Interference::Resolve) return;
+  if (overlap <= kTouching * model.body().size()) return;
   throw InputError(
       place,
       fmt::format("face '{}' overlaps face '{}' by {:.3g} at the start; move the bodies apart by at least "

@@ -40,7 +40,7 @@ template <int Dim>
 struct ContactPair {
   std::size_t tool = 0;
   FacePlace place;
-  std::unique_ptr<ToolContact<Dim>> term;
+  std::unique_ptr<FaceContact<Dim>> term;
 };
 
 /// Two faces of the scene that may touch.

@@ -17,7 +17,7 @@ namespace burnish {
 namespace {
 
 template <int Dim>
-using Pairs = std::vector<ToolContact<Dim>*>;
+using Pairs = std::vector<FaceContact<Dim>*>;
 
 template <int Dim>
 Pairs<Dim> pairsOf(const Model<Dim>& model, std::size_t tool) {
@@ -32,9 +32,9 @@ constexpr double kNearlyTouching = 1e-6;
 
 /// Smallest gap of undeformed faces, as the method of each pair takes it.
 template <int Dim>
-double smallestGap(const Pairs<Dim>& pairs, const ToolPose& pose) {
+double smallestGap(const Pairs<Dim>& pairs, const Tool& tool, const ToolPose& pose) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto* pair : pairs) smallest = std::min(smallest, pair->smallestReferenceGap(pose));
+  for (const auto* pair : pairs) smallest = std::min(smallest, pair->smallestReferenceGap(gapTo(tool, pose)));
   return smallest;
 }
 
@@ -49,7 +49,7 @@ Eigen::Vector3d liftToSeparate(const Pairs<Dim>& pairs, const Tool& tool, double
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   ToolPose pose = tool.pose(0.0);
   for (const auto* pair : pairs) {
-    const Eigen::VectorXd gaps = pair->referenceGaps(pose);
+    const Eigen::VectorXd gaps = pair->referenceGaps(gapTo(tool, pose));
     Eigen::Index A = 0;
     if (gaps.minCoeff(&A) >= worst) continue;
     worst = gaps(A);
@@ -64,7 +64,7 @@ Eigen::Vector3d liftToSeparate(const Pairs<Dim>& pairs, const Tool& tool, double
   double height = -kMargin * worst;
   while (height < bodySize) {
     pose.displacement = start + height * direction;
-    if (smallestGap(pairs, pose) > 0.0) return height * direction;
+    if (smallestGap(pairs, tool, pose) > 0.0) return height * direction;
     height *= kMargin;
   }
   throw InputError(place, fmt::format("tool '{}' cannot be lifted off the face that it touches, averaged "
@@ -83,7 +83,7 @@ double liftTools(const Scene& scene, Model<Dim>& model) {
     Tool& tool = *model.tools()[k];
     if (!tool.freeUnknowns().empty()) continue;  // finds its own height
     Pairs<Dim> pairs = pairsOf(model, k);
-    std::erase_if(pairs, [](const ToolContact<Dim>* pair) { return !averagesGaps(pair->options().method); });
+    std::erase_if(pairs, [](const FaceContact<Dim>* pair) { return !averagesGaps(pair->options().method); });
     if (pairs.empty()) continue;
     tool.lift = liftToSeparate<Dim>(pairs, tool, model.body().size(), fmt::format("tools[{}]", k));
     if (tool.lift.isZero(0.0)) continue;
@@ -160,7 +160,7 @@ Eigen::Vector3d shiftToTouch(const Pairs<Dim>& pairs, const Tool& tool, const Ei
   double way = 0.0;
   for (int k = 0; k < kMostSteps; ++k) {
     pose.displacement = start + way * direction;
-    const double gap = smallestGap(pairs, pose);
+    const double gap = smallestGap(pairs, tool, pose);
     if (std::abs(gap) < kTouching * bodySize) return way * direction;
     if (gap > 1e3 * bodySize) break;
     way += gap;  // gaps fall by no more than the way, so that this does not go too far
@@ -173,7 +173,7 @@ Eigen::Vector3d shiftToTouch(const Pairs<Dim>& pairs, const Tool& tool, const Ei
 /// Throws `InputError` at `place` if no gap between the undeformed faces and a tool at t = 0 vanishes.
 template <int Dim>
 void requireTouch(const Pairs<Dim>& pairs, const Tool& tool, double bodySize, const std::string& place) {
-  if (smallestGap(pairs, tool.pose(0.0)) > kNearlyTouching * bodySize)
+  if (smallestGap(pairs, tool, tool.pose(0.0)) > kNearlyTouching * bodySize)
     throw InputError(place, fmt::format("tool '{}' is free to turn, but does not touch its face at the "
                                         "start; place it on the face, or let it carry a force too",
                                         tool.name));

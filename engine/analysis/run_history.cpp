@@ -109,8 +109,7 @@ void RunHistory<Dim>::addPairs(StateQuantities& next) const {
     next.maxPenetration = std::max(next.maxPenetration, contact.largestPenetration());
     PairTouch touch;
     touch.force = contact.reaction;
-    for (const auto& span : pair.term->face().spans())
-      touch.pressed += span.weights.dot(contact.pressure.segment(span.firstPoint, span.weights.size()));
+    touch.pressed = contact.pressed;
     touch.friction = contact.frictionForce;
     touch.active = contact.numActive();
     touch.sticking = contact.sticking;

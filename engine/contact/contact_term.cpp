@@ -23,7 +23,7 @@ struct ContactTerm<Dim>::Mortar {
 template <int Dim>
 ContactTerm<Dim>::ContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
                               const Options& options, int firstMultiplier)
-    : ToolContact<Dim>(body, patch, face, options, firstMultiplier), tool_(tool), passage_(tool) {
+    : FaceContact<Dim>(body, patch, face, options, firstMultiplier), tool_(tool), passage_(tool) {
   A_ = Eigen::VectorXd::Zero(face_.numFunctions());
   for (std::size_t dof = 0; dof < kToolDofs; ++dof)
     if (tool.isFree(dof)) dofs_.push_back(dof);
@@ -127,19 +127,9 @@ typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrate(const ToolPose& po
 }
 
 template <int Dim>
-typename ContactTerm<Dim>::Mortar ContactTerm<Dim>::integrateReference(const ToolPose& pose) const {
-  const int lastNode = *std::max_element(face_.nodes().begin(), face_.nodes().end());
-  return integrate(pose, Eigen::VectorXd::Zero(Dim * (lastNode + 1)));
-}
-
-template <int Dim>
-Eigen::VectorXd ContactTerm<Dim>::referenceGaps(const ToolPose& pose) const {
-  return integrateReference(pose).G.cwiseQuotient(A_);
-}
-
-template <int Dim>
 typename ContactTerm<Dim>::LinearGaps ContactTerm<Dim>::linearReferenceGaps(const ToolPose& pose) const {
-  const Mortar mortar = integrateReference(pose);
+  const int lastNode = *std::max_element(face_.nodes().begin(), face_.nodes().end());
+  const Mortar mortar = integrate(pose, Eigen::VectorXd::Zero(Dim * (lastNode + 1)));
   LinearGaps gaps{mortar.G.cwiseQuotient(A_),
                   Eigen::MatrixXd::Zero(face_.numFunctions(), Dim * face_.numFunctions()),
                   mortar.S.cwiseQuotient(A_)};
@@ -153,12 +143,13 @@ typename ContactTerm<Dim>::LinearGaps ContactTerm<Dim>::linearReferenceGaps(cons
 }
 
 template <int Dim>
-double ContactTerm<Dim>::smallestReferenceGap(const ToolPose& pose) const {
-  if (options_.method != Enforcement::PointwisePenalty) return referenceGaps(pose).minCoeff();
-  const Mortar mortar = integrateReference(pose);
-  return std::min_element(mortar.points.begin(), mortar.points.end(),
-                          [](const ToolGap& a, const ToolGap& b) { return a.point.gap < b.point.gap; })
-      ->point.gap;
+double ContactTerm<Dim>::smallestReferenceGap(const GapAt& gapAt) const {
+  if (options_.method != Enforcement::PointwisePenalty) return FaceContact<Dim>::smallestReferenceGap(gapAt);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& span : face_.spans())
+    smallest = std::min(smallest,
+                        this->smallestGapAmong(face_.points()(Eigen::all, span.functions) * span.R, gapAt));
+  return smallest;
 }
 
 template <int Dim>

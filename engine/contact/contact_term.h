@@ -10,7 +10,7 @@ namespace burnish {
 
 /// Frictionless contact of one face of the body with a rigid tool: mortar methods and point-wise penalty.
 template <int Dim>
-class ContactTerm final : public ToolContact<Dim> {
+class ContactTerm final : public FaceContact<Dim> {
  public:
   using Options = ContactOptions;
 
@@ -28,10 +28,7 @@ class ContactTerm final : public ToolContact<Dim> {
   void accept() override;
   void archive(StateArchive& archive) override { passage_.archive(archive); }
 
-  /// Averaged ones g_A.
-  Eigen::VectorXd referenceGaps(const ToolPose& pose) const override;
-
-  /// The same with their derivatives by the control points of the face, functions x Dim·functions, as far as
+  /// `referenceGaps` to the tool with their derivatives by the control points of the face, functions x Dim·functions, as far as
   /// these move its points: what the face's area changes by is left out.
   struct LinearGaps {
     Eigen::VectorXd values;
@@ -40,13 +37,12 @@ class ContactTerm final : public ToolContact<Dim> {
   };
   LinearGaps linearReferenceGaps(const ToolPose& pose) const;
 
-  double smallestReferenceGap(const ToolPose& pose) const override;
+  double smallestReferenceGap(const GapAt& gapAt) const override;
 
  private:
   struct Mortar;
 
   Mortar integrate(const ToolPose& pose, const Eigen::VectorXd& x) const;
-  Mortar integrateReference(const ToolPose& pose) const;
   void chooseActive(const Eigen::VectorXd& x, const Mortar& mortar);
   void evaluateMortar(const Eigen::VectorXd& x, Assembly& out, const Mortar& mortar);
   void evaluatePointwise(Assembly& out, const Mortar& mortar);
@@ -60,16 +56,16 @@ class ContactTerm final : public ToolContact<Dim> {
   /// Displacement components of functions, then the tool's free degrees of freedom.
   std::vector<int> unknownsOf(const std::vector<int>& functions) const;
 
-  using ToolContact<Dim>::face_;
-  using ToolContact<Dim>::options_;
-  using ToolContact<Dim>::firstMultiplier_;
-  using ToolContact<Dim>::axisymmetric_;
-  using ToolContact<Dim>::A_;
-  using ToolContact<Dim>::gapOrigin_;
-  using ToolContact<Dim>::keepsInTouch_;
-  using ToolContact<Dim>::state_;
-  using ToolContact<Dim>::isAlone;
-  using ToolContact<Dim>::parameter;
+  using FaceContact<Dim>::face_;
+  using FaceContact<Dim>::options_;
+  using FaceContact<Dim>::firstMultiplier_;
+  using FaceContact<Dim>::axisymmetric_;
+  using FaceContact<Dim>::A_;
+  using FaceContact<Dim>::gapOrigin_;
+  using FaceContact<Dim>::keepsInTouch_;
+  using FaceContact<Dim>::state_;
+  using FaceContact<Dim>::isAlone;
+  using FaceContact<Dim>::parameter;
 
   const Tool& tool_;
   std::vector<std::size_t> dofs_;           ///< free ones of the tool

@@ -1,8 +1,52 @@
 #include "engine/contact/face_contact.h"
 
+#include <algorithm>
+#include <cassert>
+#include <limits>
 #include <utility>
 
 namespace burnish {
+
+template <int Dim>
+void FaceContact<Dim>::keepInTouch(std::vector<const FaceContact*> others) {
+  assert(options_.gapLimit.value_or(kAnyGap) == kAnyGap);
+  keepsInTouch_ = true;
+  others_ = std::move(others);
+}
+
+template <int Dim>
+bool FaceContact<Dim>::isAlone() const {
+  return std::none_of(others_.begin(), others_.end(), [](const FaceContact* other) {
+    return other->state().pressure.size() > 0 && other->state().pressure.maxCoeff() > 0.0;
+  });
+}
+
+template <int Dim>
+Eigen::VectorXd FaceContact<Dim>::referenceGaps(const GapAt& gapAt) const {
+  Eigen::VectorXd G = Eigen::VectorXd::Zero(face_.numFunctions());
+  for (const auto& span : face_.spans()) {
+    const Eigen::MatrixXd places = face_.points()(Eigen::all, span.functions) * span.R;
+    for (Eigen::Index q = 0; q < places.cols(); ++q) {
+      Eigen::Vector3d x = Eigen::Vector3d::Zero();
+      x.head<Dim>() = places.col(q);
+      const double gap = limitedGap(gapAt(x), options_.gapLimit.value_or(kAnyGap) * span.size).value;
+      for (std::size_t a = 0; a < span.functions.size(); ++a)
+        G(span.functions[a]) += span.weights(q) * span.R(static_cast<Eigen::Index>(a), q) * gap;
+    }
+  }
+  return G.cwiseQuotient(A_.head(G.size()));
+}
+
+template <int Dim>
+double FaceContact<Dim>::smallestGapAmong(const Eigen::MatrixXd& places, const GapAt& gapAt) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < places.cols(); ++k) {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    x.head<Dim>() = places.col(k);
+    smallest = std::min(smallest, gapAt(x));
+  }
+  return smallest;
+}
 
 template <int Dim>
 double FaceContact<Dim>::areaStretch(const std::vector<int>& functions,

@@ -1,5 +1,8 @@
 #pragma once
 #include <Eigen/Dense>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include "engine/contact/averaged_gaps.h"
 #include "engine/contact/contact_options.h"
@@ -19,7 +22,8 @@ struct ContactState : FaceContactState {
       Eigen::Vector3d::Zero();  ///< force of the face on the partner; whole rings in axisymmetry
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< of that force about the partner's pivot
   double energy = 0.0;
-  double area = 0.0;  ///< reference area under pressure; the integral method alone knows it
+  double pressed = 0.0;  ///< ∫ p dΓ, of contact over a `Partner` alone
+  double area = 0.0;     ///< reference area under pressure; the integral method alone knows it
 
   /// Force with which a tool that is free to move would have to be held back to stay in touch; > 0 where
   /// its load pulls it off the body.
@@ -40,6 +44,9 @@ struct ContactState : FaceContactState {
     moment.setZero();
   }
 };
+
+/// Gap of a place in the reference state.
+using GapAt = std::function<double(const Eigen::Vector3d&)>;
 
 /// Contact of one face of a body, which has the quadrature and the multipliers, whatever its partner and the
 /// method.
@@ -68,6 +75,24 @@ class FaceContact : public Term {
 
   /// Coefficients of the way that the face has slipped under pressure until the accepted state, functions.
   const Eigen::VectorXd& slipped() const { return slipped_; }
+
+  /// Makes this pair the one that keeps a partner with free degrees of freedom in touch with the body,
+  /// without which its place is not determined: while nothing is active, here or in the partner's other pairs
+  /// (which are evaluated before), the nearest function (or point) counts as active. Every point needs a
+  /// partner.
+  void keepInTouch(std::vector<const FaceContact*> others);
+
+  /// Gaps are measured from these values instead of zero: those with which a state that does not fit begins
+  /// can be taken away little by little. One per function, of averaged gaps or of a field of gaps; empty:
+  /// from zero.
+  void measureGapsFrom(Eigen::VectorXd origin) { gapOrigin_ = std::move(origin); }
+
+  /// Gaps of the undeformed face as the method takes them, one per function: averaged ones, limited as the
+  /// options say, or those at the functions' anchors.
+  virtual Eigen::VectorXd referenceGaps(const GapAt& gapAt) const;
+
+  /// Smallest gap of the undeformed face, of those that the method closes: averaged ones, or those of points.
+  virtual double smallestReferenceGap(const GapAt& gapAt) const { return referenceGaps(gapAt).minCoeff(); }
 
   const ContactState& state() const { return state_; }
   const FaceQuadrature<Dim>& face() const { return face_; }
@@ -103,6 +128,12 @@ class FaceContact : public Term {
   /// Adds averages of the slip of the last evaluated state, which is accepted, to `slipped_`.
   void acceptSlipped();
 
+  /// Smallest gap of some places, Dim x places.
+  static double smallestGapAmong(const Eigen::MatrixXd& places, const GapAt& gapAt);
+
+  /// Whether the partner touches the body nowhere else.
+  bool isAlone() const;
+
   FaceQuadrature<Dim> face_;
   ContactOptions options_;
   int firstMultiplier_;
@@ -112,6 +143,9 @@ class FaceContact : public Term {
   Eigen::VectorXd slipped_;
   Eigen::VectorXd A_;
   ContactState state_;
+  Eigen::VectorXd gapOrigin_;
+  bool keepsInTouch_ = false;
+  std::vector<const FaceContact*> others_;
 };
 
 }  // namespace burnish

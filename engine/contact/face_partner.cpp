@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "engine/contact/pair_rows.h"
@@ -201,6 +202,14 @@ Eigen::MatrixXd FacePartner<Dim>::frictionTangent(const SlavePoint<Dim>& point,
   Eigen::Matrix<double, Dim, Dim> byNormal = Eigen::Matrix<double, Dim, Dim>::Zero();
   for (int k = 0; k < Dim - 1; ++k) byNormal += traction(k) * frame.byNormal[static_cast<std::size_t>(k)];
   return rows.frictionTangent(frame.vectors * traction, byNormal);
+}
+
+template <int Dim>
+double FacePartner<Dim>::smallestGap() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& foot : feet_)
+    if (foot) smallest = std::min(smallest, foot->gap);
+  return smallest;
 }
 
 template <int Dim>

@@ -108,6 +108,10 @@ class FacePartner final : public Partner<Dim> {
   void accept() override;
   void archive(StateArchive& archive) override;
 
+  /// Smallest gap of the quadrature points that have a partner in the last updated state, at first the
+  /// reference state; infinite without any.
+  double smallestGap() const;
+
   const MasterSurface<Dim>& surface() const { return surface_; }
 
   /// Foot of a quadrature point in the last updated state, if it has one.

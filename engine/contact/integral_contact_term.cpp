@@ -7,8 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "engine/contact/tool_partner.h"
-
 namespace burnish {
 namespace {
 
@@ -76,14 +74,14 @@ struct IntegralContactTerm<Dim>::Contributions {
 };
 
 template <int Dim>
-IntegralContactTerm<Dim>::IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
+IntegralContactTerm<Dim>::IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face,
+                                              const PartnerMaker<Dim>& makePartner,
                                               const ContactOptions& options, int firstMultiplier,
                                               const std::vector<bool>& held,
                                               const std::vector<DefinitionSpec>& definitions)
-    : ToolContact<Dim>(body, patch, face, options, firstMultiplier, definitions),
+    : FaceContact<Dim>(body, patch, face, options, firstMultiplier, definitions),
       body_(body),
-      tool_(tool),
-      partner_(std::make_unique<ToolPartner<Dim>>(tool)),
+      partner_(makePartner(face_)),
       hasFriction_(options.hasFriction()) {
   const HeldControlPoints points = heldControlPoints(body, patch, face, held);
   multipliers_ = MultiplierBasis(face_.trace().basis(), points.across);
@@ -351,13 +349,15 @@ void IntegralContactTerm<Dim>::addPoint(const SpanValues& values, const Span& ru
   auto contact =
       partner_->at(point, wantsTangent ? PointDetail::SecondDerivatives : PointDetail::Derivatives);
   const double p = contact ? augmented(values, point, contact->gap) : kInfinity;
-  if (hasFriction_ && !(p < 0.0)) addOpenTangential(values, R, w, sums);
-  if (!(p < 0.0) && !mustTouch) {
+  const bool isPressed = p < 0.0, rubs = hasFriction_ && isPressed;
+  if (hasFriction_ && !isPressed) addOpenTangential(values, R, w, sums);
+  if (!isPressed && !mustTouch) {
     sums.force(multipliers) -= w / r * lambda * R;
     state_.energy -= 0.5 * w / r * lambda * lambda;
     if (wantsTangent) sums.K(multipliers, multipliers) -= w / r * R * R.transpose();
     return;
   }
+  if (rubs) partner_->addSlip(point, *contact);  // may add unknowns
   const auto& partners = partnerUnknowns_[values.number];
   const auto own = static_cast<Eigen::Index>(values.unknowns.size());
   std::vector<Eigen::Index> places(contact->unknowns.size());
@@ -370,6 +370,7 @@ void IntegralContactTerm<Dim>::addPoint(const SpanValues& values, const Span& ru
   sums.force(multipliers) += w / r * (p - lambda) * R;
   state_.energy += 0.5 * w / r * (p * p - lambda * lambda);
   state_.area += w;
+  state_.pressed -= w * p;
   if (mustTouch && p > 0.0) state_.pull += w * p;
   addForce(w * p * contact->normal, point, state_.reaction, state_.moment);
   if (wantsTangent) {
@@ -378,7 +379,7 @@ void IntegralContactTerm<Dim>::addPoint(const SpanValues& values, const Span& ru
     sums.K(places, multipliers) += border;
     sums.K(multipliers, places) += border.transpose();
   }
-  if (hasFriction_ && p < 0.0) addFriction(values, rule, q, p, point, *contact, places, sums);
+  if (rubs) addFriction(values, rule, q, p, point, *contact, places, sums);
 }
 
 template <int Dim>
@@ -406,9 +407,9 @@ void IntegralContactTerm<Dim>::addOpenTangential(const SpanValues& values,
 
 template <int Dim>
 void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span& rule, Eigen::Index q,
-                                           double p, const SlavePoint<Dim>& point, ContactPoint<Dim>& contact,
+                                           double p, const SlavePoint<Dim>& point,
+                                           const ContactPoint<Dim>& contact,
                                            const std::vector<Eigen::Index>& places, Contributions& sums) {
-  partner_->addSlip(point, contact);
   const auto law = frictionAt(values, point, contact, p, rule.dR.middleCols((Dim - 1) * q, Dim - 1));
   const auto& R = point.R;
   const Eigen::Index n = R.size();
@@ -543,28 +544,24 @@ void IntegralContactTerm<Dim>::addToSystem(std::size_t e, const Contributions& s
 }
 
 template <int Dim>
-Eigen::VectorXd IntegralContactTerm<Dim>::referenceGaps(const ToolPose& pose) const {
+Eigen::VectorXd IntegralContactTerm<Dim>::referenceGaps(const GapAt& gapAt) const {
   Eigen::VectorXd gaps(std::ssize(anchors_));
   for (std::size_t A = 0; A < anchors_.size(); ++A) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.head<Dim>() =
         face_.points()(Eigen::all, face_.spans()[anchors_[A].span].functions) * anchors_[A].shape.R;
-    gaps(static_cast<Eigen::Index>(A)) = tool_.query(pose, x).gap;
+    gaps(static_cast<Eigen::Index>(A)) = gapAt(x);
   }
   return gaps;
 }
 
 template <int Dim>
-double IntegralContactTerm<Dim>::smallestReferenceGap(const ToolPose& pose) const {
+double IntegralContactTerm<Dim>::smallestReferenceGap(const GapAt& gapAt) const {
   double smallest = kInfinity;
-  for (std::size_t e = 0; e < samples_.size(); ++e) {
-    const Eigen::MatrixXd places = face_.points()(Eigen::all, face_.spans()[e].functions) * samples_[e].R;
-    for (Eigen::Index k = 0; k < places.cols(); ++k) {
-      Eigen::Vector3d x = Eigen::Vector3d::Zero();
-      x.head<Dim>() = places.col(k);
-      smallest = std::min(smallest, tool_.query(pose, x).gap);
-    }
-  }
+  for (std::size_t e = 0; e < samples_.size(); ++e)
+    smallest = std::min(smallest,
+                        this->smallestGapAmong(
+                            face_.points()(Eigen::all, face_.spans()[e].functions) * samples_[e].R, gapAt));
   return smallest;
 }
 

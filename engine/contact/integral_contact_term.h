@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "engine/contact/coulomb.h"
+#include "engine/contact/face_contact.h"
 #include "engine/contact/multiplier_basis.h"
 #include "engine/contact/partner.h"
-#include "engine/contact/tool_contact.h"
 
 namespace burnish {
 
-/// Contact of one face of the body with a rigid tool, complementarity at the quadrature points
+/// Contact of one face ("slave") with a partner, complementarity at the quadrature points
 /// ("integral" augmented Lagrangian; Poulios and Renard, Comput. Struct. 153 (2015)). The multiplier
 /// λ = Σ M_A λ_A is a field of the face's own trace, N = ∂g the derivative of the gap by the unknowns,
 ///
@@ -18,11 +18,11 @@ namespace burnish {
 ///     R_u += ∫ p N dΓ,   R_λA = -1/r ∫ (λ - p) M_A dΓ,
 ///     K_uu += ∫ χ r N Nᵀ + p ∂²g dΓ,   K_uλ = ∫ χ N M_A dΓ,   K_λλ = -1/r ∫ (1 - χ) M_A M_B dΓ,
 ///
-/// over the reference face. p is the contact pressure; λ agrees with it where the face is pressed and
+/// over the reference face, with p = 0 at points without a partner. p is the contact pressure; λ agrees with it where the face is pressed and
 /// ripples around zero elsewhere. r should be Young's modulus over the distance of control points: in a
 /// span where the contact ends it weighs gaps against tractions.
 ///
-/// In the plane a span is split where λ + r g changes its sign: p has a kink there. The split moves with the
+/// In the plane a span is split where λ + r g changes its sign, and where partnership ends: p has a kink there. The split moves with the
 /// unknowns, but the integrands agree on both sides of it, so that the tangent takes no part in that. In
 /// space such a span has twice the points in each direction; so have, with friction, all spans that are pressed:
 /// tractions have kinks between stick and slip, too, and points that moved with a split would be no rule for
@@ -37,10 +37,12 @@ namespace burnish {
 /// with the derivatives M = ∂τᵉ/∂τ̂ and c = ∂τᵉ/∂(λ + r g) in the tangent, which is not symmetric. τᵉ points
 /// along the slip of the face and is the traction on the partner.
 template <int Dim>
-class IntegralContactTerm final : public ToolContact<Dim> {
+class IntegralContactTerm final : public FaceContact<Dim> {
  public:
-  /// As `makeToolContact` says.
-  IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face, const Tool& tool,
+  /// options: with a parameter. firstMultiplier: number of the first of the pair's multipliers among the
+  /// unknowns. held: displacement components that supports prescribe. definitions: of names in the formula for
+  /// friction. The body must outlive the term. Throws `Error` as `FrictionLaw`.
+  IntegralContactTerm(const Body<Dim>& body, int patch, FaceId face, const PartnerMaker<Dim>& makePartner,
                       const ContactOptions& options, int firstMultiplier, const std::vector<bool>& held,
                       const std::vector<DefinitionSpec>& definitions = {});
 
@@ -55,8 +57,8 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   void accept() override;
   void archive(StateArchive& archive) override;
 
-  Eigen::VectorXd referenceGaps(const ToolPose& pose) const override;
-  double smallestReferenceGap(const ToolPose& pose) const override;
+  Eigen::VectorXd referenceGaps(const GapAt& gapAt) const override;
+  double smallestReferenceGap(const GapAt& gapAt) const override;
 
  private:
   using Span = typename FaceQuadrature<Dim>::Span;
@@ -111,7 +113,7 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   void addOpenTangential(const SpanValues& values, const Eigen::Ref<const Eigen::VectorXd>& R, double w,
                          Contributions& sums) const;
   void addFriction(const SpanValues& values, const Span& rule, Eigen::Index q, double p,
-                   const SlavePoint<Dim>& point, ContactPoint<Dim>& contact,
+                   const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact,
                    const std::vector<Eigen::Index>& places, Contributions& sums);
   void addForce(const Eigen::Vector<double, Dim>& force, const SlavePoint<Dim>& point, Eigen::Vector3d& sum,
                 Eigen::Vector3d& moment) const;
@@ -120,25 +122,24 @@ class IntegralContactTerm final : public ToolContact<Dim> {
   std::vector<int> multiplierUnknowns(std::size_t e) const;
   void addToSystem(std::size_t e, const Contributions& sums, Assembly& out) const;
 
-  using ToolContact<Dim>::face_;
-  using ToolContact<Dim>::options_;
-  using ToolContact<Dim>::firstMultiplier_;
-  using ToolContact<Dim>::axisymmetric_;
-  using ToolContact<Dim>::A_;
-  using ToolContact<Dim>::gapOrigin_;
-  using ToolContact<Dim>::keepsInTouch_;
-  using ToolContact<Dim>::state_;
-  using ToolContact<Dim>::isAlone;
-  using ToolContact<Dim>::parameter;
-  using ToolContact<Dim>::frictionParameter;
-  using ToolContact<Dim>::frictionLaw_;
-  using ToolContact<Dim>::slipped_;
-  using ToolContact<Dim>::work_;
-  using ToolContact<Dim>::referencePlace;
-  using ToolContact<Dim>::areaStretch;
+  using FaceContact<Dim>::face_;
+  using FaceContact<Dim>::options_;
+  using FaceContact<Dim>::firstMultiplier_;
+  using FaceContact<Dim>::axisymmetric_;
+  using FaceContact<Dim>::A_;
+  using FaceContact<Dim>::gapOrigin_;
+  using FaceContact<Dim>::keepsInTouch_;
+  using FaceContact<Dim>::state_;
+  using FaceContact<Dim>::isAlone;
+  using FaceContact<Dim>::parameter;
+  using FaceContact<Dim>::frictionParameter;
+  using FaceContact<Dim>::frictionLaw_;
+  using FaceContact<Dim>::slipped_;
+  using FaceContact<Dim>::work_;
+  using FaceContact<Dim>::referencePlace;
+  using FaceContact<Dim>::areaStretch;
 
   const Body<Dim>& body_;
-  const Tool& tool_;
   std::unique_ptr<Partner<Dim>> partner_;
   bool hasFriction_;
   MultiplierBasis multipliers_, tangential_;

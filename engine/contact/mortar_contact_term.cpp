@@ -80,22 +80,6 @@ MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, Face
 }
 
 template <int Dim>
-double MortarContactTerm<Dim>::smallestReferenceGap(int numNodes) {
-  const Eigen::VectorXd x = Eigen::VectorXd::Zero(Dim * numNodes);
-  const Eigen::MatrixXd positions = face_.positions(x);
-  double smallest = kInfinity;
-  if (!partner_->update(0.0, x, positions)) return smallest;
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    const auto& span = face_.spans()[e];
-    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const auto slave = pointAt(e, q, positions);
-      if (const auto point = partner_->at(slave, PointDetail::Gap)) smallest = std::min(smallest, point->gap);
-    }
-  }
-  return smallest;
-}
-
-template <int Dim>
 CouplingGroups MortarContactTerm<Dim>::couplings() const {
   // Spans first, then one group per function with its multipliers.
   CouplingGroups groups = spanUnknowns_;
@@ -336,6 +320,7 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
       add(curved->unknowns, w * lambdaHat * curved->d2Gap);
       if (hasFriction_) add(point->unknowns, w * partner_->frictionTangent(slave, *point, traction));
     }
+    state_.pressed += span.weights.dot(state_.pressure.segment(span.firstPoint, span.weights.size()));
     if (out.system != nullptr && K.size() > 0) out.system->add(out.term, e, K);
   }
 }

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Dense>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,10 +9,6 @@
 #include "engine/contact/partner.h"
 
 namespace burnish {
-
-/// Makes the partner of a face from its quadrature, which outlives it.
-template <int Dim>
-using PartnerMaker = std::function<std::unique_ptr<Partner<Dim>>(const FaceQuadrature<Dim>&)>;
 
 /// Mortar contact of one face ("slave") with a partner, with Coulomb friction: augmented Lagrangian with
 /// multipliers λ_A and, with friction, τ_A of the slave's control points. Integrals over the reference face,
@@ -51,10 +46,6 @@ class MortarContactTerm final : public FaceContact<Dim> {
   bool hasSymmetricTangent() const override { return !hasFriction_; }
   void accept() override;
   void archive(StateArchive& archive) override;
-
-  /// Smallest gap of the quadrature points between the undeformed faces; infinite if they do not see each
-  /// other. To be asked before the first evaluation. numNodes: of all bodies.
-  double smallestReferenceGap(int numNodes);
 
  private:
   using Tangential = Eigen::Vector<double, Dim - 1>;

@@ -1,11 +1,14 @@
 #pragma once
 #include <Eigen/Dense>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/contact/contact_point.h"
 #include "engine/core/state_archive.h"
+#include "engine/solid/face_quadrature.h"
 
 namespace burnish {
 
@@ -61,5 +64,9 @@ class Partner {
   virtual void accept() = 0;
   virtual void archive(StateArchive& archive) = 0;
 };
+
+/// Makes the partner of a face from its quadrature, which outlives it.
+template <int Dim>
+using PartnerMaker = std::function<std::unique_ptr<Partner<Dim>>(const FaceQuadrature<Dim>&)>;
 
 }  // namespace burnish

@@ -1,35 +1,23 @@
 #include "engine/contact/tool_contact.h"
 
-#include <algorithm>
-#include <cassert>
-
 #include "engine/contact/contact_term.h"
-#include "engine/contact/integral_contact_term.h"
+#include "engine/contact/partner_contact.h"
+#include "engine/contact/tool_partner.h"
 
 namespace burnish {
 
-template <int Dim>
-void ToolContact<Dim>::keepInTouch(std::vector<const ToolContact*> others) {
-  assert(this->options_.gapLimit.value_or(kAnyGap) == kAnyGap);
-  keepsInTouch_ = true;
-  others_ = std::move(others);
+GapAt gapTo(const Tool& tool, const ToolPose& pose) {
+  return [&tool, pose](const Eigen::Vector3d& x) { return tool.query(pose, x).gap; };
 }
 
 template <int Dim>
-bool ToolContact<Dim>::isAlone() const {
-  return std::none_of(others_.begin(), others_.end(), [](const ToolContact* other) {
-    return other->state().pressure.size() > 0 && other->state().pressure.maxCoeff() > 0.0;
-  });
-}
-
-template <int Dim>
-std::unique_ptr<ToolContact<Dim>> makeToolContact(const Body<Dim>& body, int patch, FaceId face,
+std::unique_ptr<FaceContact<Dim>> makeToolContact(const Body<Dim>& body, int patch, FaceId face,
                                                   const Tool& tool, const ContactOptions& options,
                                                   int firstMultiplier, const std::vector<bool>& held,
                                                   const std::vector<DefinitionSpec>& definitions) {
-  if (options.method == Enforcement::IntegralAugmentedLagrangian)
-    return std::make_unique<IntegralContactTerm<Dim>>(body, patch, face, tool, options, firstMultiplier, held,
-                                                      definitions);
+  if (options.method == Enforcement::IntegralAugmentedLagrangian || options.hasFriction())
+    return makePartnerContact<Dim>(body, patch, face, onTool<Dim>(tool), options, firstMultiplier, held,
+                                   definitions);
   return std::make_unique<ContactTerm<Dim>>(body, patch, face, tool, options, firstMultiplier);
 }
 
@@ -49,12 +37,10 @@ double meanControlPointDistance(const Patch<Dim>& patch, FaceId face) {
   return sum / count;
 }
 
-template class ToolContact<2>;
-template class ToolContact<3>;
-template std::unique_ptr<ToolContact<2>> makeToolContact(const Body<2>&, int, FaceId, const Tool&,
+template std::unique_ptr<FaceContact<2>> makeToolContact(const Body<2>&, int, FaceId, const Tool&,
                                                          const ContactOptions&, int, const std::vector<bool>&,
                                                          const std::vector<DefinitionSpec>&);
-template std::unique_ptr<ToolContact<3>> makeToolContact(const Body<3>&, int, FaceId, const Tool&,
+template std::unique_ptr<FaceContact<3>> makeToolContact(const Body<3>&, int, FaceId, const Tool&,
                                                          const ContactOptions&, int, const std::vector<bool>&,
                                                          const std::vector<DefinitionSpec>&);
 template double meanControlPointDistance(const Patch<2>&, FaceId);

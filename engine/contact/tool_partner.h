@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "engine/contact/carried_frame.h"
@@ -68,5 +69,11 @@ class ToolPartner final : public Partner<Dim> {
   Vector n0_ = Vector::Zero();
   Frame E_ = Frame::Zero();
 };
+
+/// Makes a tool the partner of a face. The tool must outlive the partner.
+template <int Dim>
+PartnerMaker<Dim> onTool(const Tool& tool) {
+  return [&tool](const FaceQuadrature<Dim>&) { return std::make_unique<ToolPartner<Dim>>(tool); };
+}
 
 }  // namespace burnish

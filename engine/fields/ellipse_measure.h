@@ -28,7 +28,7 @@ class EllipseMeasure final : public Measure {
   enum class Middle { Free, Begin, End };
 
   /// middle: where m is, if symmetry says so. The term must outlive the object.
-  EllipseMeasure(const ToolContact<2>& contact, Middle middle) : contact_(contact), middle_(middle) {}
+  EllipseMeasure(const FaceContact<2>& contact, Middle middle) : contact_(contact), middle_(middle) {}
 
   /// Those of the half ellipse; the middle is measured from the begin of the face.
   std::vector<std::string> columns() const override { return {"peak", "half_width", "middle", "deviation"}; }
@@ -38,7 +38,7 @@ class EllipseMeasure final : public Measure {
   /// Arc length of the deformed face from its begin to its quadrature points, and its whole length.
   std::pair<Eigen::VectorXd, double> arcLengths(const Eigen::VectorXd& x) const;
 
-  const ToolContact<2>& contact_;
+  const FaceContact<2>& contact_;
   Middle middle_;
 };
 

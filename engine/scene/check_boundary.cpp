@@ -116,16 +116,26 @@ void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::st
     c.report(path, "found for a tool that carries a load; allowed: for tools whose motion is given.");
 }
 
+/// tool: unless the pair is one of faces.
 void checkFriction(const CheckContext& c, const ContactOptions& options, const std::string& path,
-                   bool isPair = false) {
+                   const ToolSpec* tool = nullptr) {
   const std::string friction = path + (options.rough ? ".rough" : ".friction");
   if (!options.rough) checkFrictionFormula(c, path + ".friction", options);
-  if (options.rough && options.friction && c.clean(friction))
-    c.report(friction, "found beside friction; allowed: one of the two.");
-  else if (!isPair && options.hasFriction() && options.method != Enforcement::IntegralAugmentedLagrangian &&
-           c.clean(friction))
-    c.report(friction,
-             "found with a method that knows no friction; allowed: with integral-augmented-lagrangian.");
+  const auto report = [&](const char* found, const char* allowed) {
+    if (c.clean(friction)) c.report(friction, fmt::format("found {}; allowed: {}.", found, allowed));
+  };
+  if (options.rough && options.friction) {
+    report("beside friction", "one of the two");
+  } else if (options.hasFriction()) {
+    if (options.method == Enforcement::MortarPenalty || options.method == Enforcement::PointwisePenalty)
+      report("with a penalty method, which knows no friction",
+             "with augmented-lagrangian and integral-augmented-lagrangian");
+    else if (options.method == Enforcement::AugmentedLagrangian && tool != nullptr && tool->carry)
+      report("with augmented-lagrangian for a tool that carries a load",
+             "with integral-augmented-lagrangian");
+    else if (options.gapLimit)
+      report("beside gap_limit", "one of the two");
+  }
   if (options.shearLimit && !options.friction && c.clean(path + ".shear_limit"))
     c.report(path + ".shear_limit", "found without friction; allowed: beside friction.");
 }
@@ -136,12 +146,15 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
   checkFace(c, path + ".against", *pair.against);
   if (!pair.tool.empty() && c.clean(path + ".tool"))
     c.report(path + ".tool", "found beside against; allowed: one of the two.");
-  if (pair.options.method != Enforcement::AugmentedLagrangian && c.clean(path + ".method"))
+  const bool isPenalty = pair.options.method == Enforcement::MortarPenalty ||
+                         pair.options.method == Enforcement::PointwisePenalty;
+  if (isPenalty && c.clean(path + ".method"))
     c.report(path + ".method",
-             "found a method for contact with tools; allowed between bodies: augmented-lagrangian.");
+             "found a penalty method, which is for contact with tools; allowed between bodies: "
+             "augmented-lagrangian, integral-augmented-lagrangian.");
   if (pair.options.gapLimit && c.clean(path + ".gap_limit"))
     c.report(path + ".gap_limit", "found beside against; allowed: beside tool.");
-  checkFriction(c, pair.options, path, true);
+  checkFriction(c, pair.options, path);
   if (!c.clean(path)) return;
   const PlaceOfFace slave = placeOfFace(c.scene, pair.place), master = placeOfFace(c.scene, *pair.against);
   if (slave == master)
@@ -191,7 +204,9 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
                                                              : fmt::format("{}", fmt::join(toolNames, " | ")),
                                            didYouMean(pair.tool, toolNames)));
     checkGapLimit(c, pair, path + ".gap_limit");
-    checkFriction(c, pair.options, path);
+    const auto tool = std::find_if(c.scene.tools.begin(), c.scene.tools.end(),
+                                   [&](const ToolSpec& t) { return t.name == pair.tool; });
+    checkFriction(c, pair.options, path, tool != c.scene.tools.end() ? &*tool : nullptr);
     if (!pairs.insert({pair.tool, c.scene.bodyNumber(pair.place.body), pair.place.patch, pair.place.face})
              .second)
       c.report(path,

@@ -23,6 +23,9 @@ void checkContact(const CheckContext& c) {
     refuse(c, contact[k].against.has_value(), fmt::format("contact[{}].against", k),
            "contact between bodies");
     const ContactOptions& options = contact[k].options;
+    refuse(c, options.hasFriction() && averagesGaps(options.method),
+           fmt::format("contact[{}].{}", k, options.rough ? "rough" : "friction"),
+           "friction with augmented-lagrangian (integral-augmented-lagrangian carries it over)");
     if ((options.method == Enforcement::MortarPenalty || options.method == Enforcement::PointwisePenalty) &&
         c.clean(fmt::format("contact[{}].method", k)))
       c.report(fmt::format("contact[{}].method", k),

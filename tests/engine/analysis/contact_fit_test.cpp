@@ -36,7 +36,7 @@ Eigen::VectorXd gapsOf(const Patch<2>& mesh, const Tool& tool, bool axisymmetric
   Body<2> body = makeBody(mesh);
   body.axisymmetric = axisymmetric;
   return ContactTerm<2>(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter}, 0)
-      .referenceGaps({});
+      .referenceGaps(gapTo(tool, {}));
 }
 
 double volumeOf(const Patch<2>& mesh, bool axisymmetric) {
@@ -53,7 +53,7 @@ TEST(LinearGaps, AgreeWithCentralDifferences) {
   const Tool tool = disc();
   ContactTerm<2> term(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter}, 2 * body.numNodes);
   const auto linear = term.linearReferenceGaps({});
-  EXPECT_EQ(linear.values, term.referenceGaps({}));
+  EXPECT_EQ(linear.values, term.referenceGaps(gapTo(tool, {})));
   const Eigen::VectorXd direction = test::randomState(2 * term.face().numFunctions(), 1.0, 3);
   constexpr double step = 1e-6;
   std::array<Eigen::VectorXd, 2> gaps;

@@ -34,7 +34,7 @@ steps: [{{until: 1, count: 4}}]
 }
 
 double smallestGapAt(const Model<2>& model, const ToolPose& pose) {
-  return model.contacts().front().term->smallestReferenceGap(pose);
+  return model.contacts().front().term->smallestReferenceGap(gapTo(*model.tools().front(), pose));
 }
 
 TEST(PlaceTools, ALagrangeToolThatMerelyTouchesIsLiftedAndComesDownBeforeTheStart) {

@@ -25,7 +25,7 @@ steps: [{until: 1, count: 4}]
 TEST(ResidualScales, ForcesAreThoseOfDisplacementsAndOfToolsConstraintsThoseOfContact) {
   const auto model = buildModel<2>(discOnBlock());
   const ResidualScales scales = residualScales(*model);
-  const ToolContact<2>& contact = *model->contacts().front().term;
+  const FaceContact<2>& contact = *model->contacts().front().term;
   EXPECT_EQ(scales.numForces, model->numDisplacements() + 1);
   ASSERT_EQ(scales.constraints.size(), contact.numMultipliers());
   EXPECT_DOUBLE_EQ(scales.constraints.sum(), 2.0 * 2.0) << "size of the body times length of the face";

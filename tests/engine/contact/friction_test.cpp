@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/contact/integral_contact_term.h"
+#include "engine/contact/tool_partner.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "tests/engine/solid/term_check.h"
@@ -62,7 +63,7 @@ struct Rubbed {
       : body(std::move(itsBody)),
         first(Dim * body.numNodes + (c.isFree ? static_cast<int>(kToolDofs) : 0)),
         tool(movedTool<Dim>(itsTool, c.isFree, Dim * body.numNodes)),
-        term(body, 0, face, tool, c.options(), first,
+        term(body, 0, face, onTool<Dim>(tool), c.options(), first,
              std::vector<bool>(static_cast<std::size_t>(Dim * body.numNodes), false)) {
     const Eigen::VectorXd before = test::randomState(first + term.numMultipliers(), 2e-3, 7);
     static_cast<void>(test::forceOf(term, 0.0, before));

@@ -3,6 +3,8 @@
 #include <array>
 
 #include "engine/contact/integral_contact_term.h"
+#include "engine/contact/tool_contact.h"
+#include "engine/contact/tool_partner.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "tests/engine/contact/pressed_block.h"
@@ -46,7 +48,8 @@ struct Pressed {
       : body(block(c.degree, c.family, c.axisymmetric)),
         first(2 * body.numNodes + (isFree ? static_cast<int>(kToolDofs) : 0)),
         tool(isFree ? freeTool(disc(), 2 * body.numNodes) : disc()),
-        term(body, 0, faceFromName<2>("top"), tool, integral(), first, noneHeld(2 * body.numNodes)),
+        term(body, 0, faceFromName<2>("top"), onTool<2>(tool), integral(), first,
+             noneHeld(2 * body.numNodes)),
         x(test::randomState(first + term.numMultipliers(), 2e-3, 7)) {
     x.tail(term.numMultipliers()) = test::randomState(term.numMultipliers(), 0.2, 3);
   }
@@ -106,8 +109,8 @@ TEST(IntegralContactInThreeDimensions, TangentAgreesWithCentralDifferences) {
   const std::array<Tool, 2> tools{Tool{"ball", Sphere{{0.45, 0.55, 0.5 + 0.7}, 0.8}},
                                   Tool{"roller", Cylinder{{0.5, 0.5, 0.5 + 0.24}, {1.0, 0.2, 0.0}, 0.3}}};
   for (const Tool& tool : tools) {
-    IntegralContactTerm<3> term(body, 0, faceFromName<3>("front"), tool, integral(), 3 * body.numNodes,
-                                noneHeld(3 * body.numNodes));
+    IntegralContactTerm<3> term(body, 0, faceFromName<3>("front"), onTool<3>(tool), integral(),
+                                3 * body.numNodes, noneHeld(3 * body.numNodes));
     Eigen::VectorXd x = test::randomState(3 * body.numNodes + term.numMultipliers(), 2e-3, 9);
     x.tail(term.numMultipliers()) = test::randomState(term.numMultipliers(), 0.1, 3);
     EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6) << tool.name;
@@ -120,14 +123,16 @@ TEST(IntegralContact, ConstraintsOfAPressedFaceAreIntegralsOfTheGap) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   const Tool plate{"plate", Plane{{0.0, 0.49, 0.0}, {0.01, -1.0, 0.0}}};
   const int first = 2 * body.numNodes;
-  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), plate, integral(), first, noneHeld(first));
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), onTool<2>(plate), integral(), first,
+                              noneHeld(first));
   Eigen::VectorXd x = Eigen::VectorXd::Zero(first + term.numMultipliers());
   const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
   // The gap is linear along the face, so that B-spline quasi-interpolation at the anchors has no error.
-  const Eigen::VectorXd gaps = term.referenceGaps(plate.pose(0.0));
+  const Eigen::VectorXd gaps = term.referenceGaps(gapTo(plate, plate.pose(0.0)));
   EXPECT_NEAR(force.tail(gaps.size()).sum(), term.weights().dot(gaps), 1e-15);
   EXPECT_NEAR(term.state().area, 1.0, 1e-14);
-  EXPECT_NEAR(term.state().largestPenetration(), -term.smallestReferenceGap(plate.pose(0.0)), 2e-3);
+  EXPECT_NEAR(term.state().largestPenetration(), -term.smallestReferenceGap(gapTo(plate, plate.pose(0.0))),
+              2e-3);
 }
 
 /// Control points that a support holds across the face share the multiplier of their neighbour.
@@ -139,7 +144,7 @@ TEST(IntegralContact, HeldEndsHaveNoMultiplierOfTheirOwn) {
   const auto functions = faceFunctions(body.patches[0].basis(), faceFromName<2>("top"));
   held[static_cast<std::size_t>(2 * functions.front() + 1)] = true;  // across the face
   held[static_cast<std::size_t>(2 * functions.back())] = true;       // along it
-  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, integral(), first, held);
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), onTool<2>(tool), integral(), first, held);
   EXPECT_EQ(term.numMultipliers(), term.face().numFunctions() - 1);
   EXPECT_NEAR(term.weights().sum(), 1.0, 1e-14);
   Eigen::VectorXd x = test::randomState(first + term.numMultipliers(), 2e-3, 7);
@@ -151,7 +156,7 @@ TEST(IntegralContact, AFreeToolStaysInTouchWithTheNearestPoint) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   const Tool tool = freeTool({"plate", Plane{{0.0, 0.6, 0.0}, {0.1, -1.0, 0.0}}}, 2 * body.numNodes);
   const int first = 2 * body.numNodes + static_cast<int>(kToolDofs);
-  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, integral(), first,
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), onTool<2>(tool), integral(), first,
                               noneHeld(2 * body.numNodes));
   const Eigen::VectorXd x = Eigen::VectorXd::Zero(first + term.numMultipliers());
   EXPECT_TRUE(test::forceOf(term, 0.0, x).isZero(0.0));
@@ -166,7 +171,8 @@ TEST(IntegralContact, AStateThatLetsTheToolThroughIsNotAdmissible) {
   const Body<2> body = block(2, BasisFamily::BSpline);
   const Tool tool{"disc", Cylinder{{0.4, 0.5 + 0.1, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}};
   const int first = 2 * body.numNodes;
-  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, integral(), first, noneHeld(first));
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), onTool<2>(tool), integral(), first,
+                              noneHeld(first));
   bool admissible = true;
   static_cast<void>(
       test::forceOf(term, 0.0, Eigen::VectorXd::Zero(first + term.numMultipliers()), &admissible));

@@ -437,9 +437,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "method: integral-augmented-lagrangian, gap_limit: 0.02}", "0.02", "contact[0].gap_limit",
                 "found with method integral-augmented-lagrangian, which averages no gaps; allowed: with "
                 "augmented-lagrangian and penalty."},
-        Mistake{"frictionOfAMethodWithout", &block, "method: augmented-lagrangian}", "friction: 0.2}", "0.2",
-                "contact[0].friction",
-                "found with a method that knows no friction; allowed: with integral-augmented-lagrangian."},
+        Mistake{"frictionOfAMethodWithout", &block, "method: augmented-lagrangian}",
+                "method: penalty, friction: 0.2}", "0.2}", "contact[0].friction",
+                "found with a penalty method, which knows no friction; allowed: with augmented-lagrangian and "
+                "integral-augmented-lagrangian."},
+        Mistake{"frictionBesideALimitOfGaps", &block, "method: augmented-lagrangian}",
+                "gap_limit: 0.02, friction: 0.2}", "0.2}", "contact[0].friction",
+                "found beside gap_limit; allowed: one of the two."},
         Mistake{
             "frictionBelowZero", &block, "method: augmented-lagrangian}", "friction: -0.2}", "-0.2",
             "contact[0].friction",
