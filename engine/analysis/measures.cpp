@@ -86,6 +86,9 @@ std::unique_ptr<Measure> Measures<Dim>::make(const EllipseMeasureSpec& spec) {
     for (const auto& pair : model_.contacts())
       if (model_.tools()[pair.tool]->name == spec.tool && pair.place == place)
         return std::make_unique<EllipseMeasure>(*pair.term, middle);
+    for (const auto& pair : model_.pairs())
+      if (pair.name == spec.tool && pair.place == place)
+        return std::make_unique<EllipseMeasure>(*pair.term, middle);
     throw Error(fmt::format("tool '{}' and face '{}' are no pair of contact", spec.tool, spec.place.face));
   } else {
     throw Error("an ellipse is fitted to the contact of two-dimensional bodies only");

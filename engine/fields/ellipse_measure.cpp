@@ -59,12 +59,27 @@ HalfEllipse fittedHalfEllipse(const Eigen::VectorXd& s, const Eigen::VectorXd& p
   return {peak, halfWidth, middle, deviation / peak};
 }
 
+std::vector<std::string> EllipseMeasure::columns() const {
+  std::vector<std::string> columns{"peak", "half_width", "middle", "deviation"};
+  if (contact_.options().friction.value_or(0.0) > 0.0)
+    columns.insert(columns.end(), {"stick_peak", "stick_half_width", "stick_middle", "stick_deviation"});
+  return columns;
+}
+
 std::vector<double> EllipseMeasure::values(const MeasuredState& state) const {
   const auto [s, length] = arcLengths(state.x);
   std::optional<double> middle;
   if (middle_ != Middle::Free) middle = middle_ == Middle::Begin ? 0.0 : length;
-  const HalfEllipse ellipse = fittedHalfEllipse(s, contact_.state().pressure, middle);
-  return {ellipse.peak, ellipse.halfWidth, ellipse.middle, ellipse.deviation};
+  std::vector<double> values;
+  const auto add = [&, &places = s](const Eigen::VectorXd& profile) {
+    const HalfEllipse fit = fittedHalfEllipse(places, profile, middle);
+    values.insert(values.end(), {fit.peak, fit.halfWidth, fit.middle, fit.deviation});
+  };
+  const ContactState& contact = contact_.state();
+  add(contact.pressure);
+  if (const double friction = contact_.options().friction.value_or(0.0); friction > 0.0)
+    add(friction * contact.pressure - contact.traction.colwise().norm().transpose());
+  return values;
 }
 
 }  // namespace burnish

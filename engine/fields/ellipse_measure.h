@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/contact/tool_contact.h"
+#include "engine/contact/face_contact.h"
 #include "engine/fields/measure.h"
 
 namespace burnish {
@@ -22,7 +22,9 @@ struct HalfEllipse {
 HalfEllipse fittedHalfEllipse(const Eigen::VectorXd& s, const Eigen::VectorXd& pressure,
                               std::optional<double> middle);
 
-/// The half ellipse that fits a contact pressure best, s the arc length of the deformed face.
+/// The half ellipse that fits a contact pressure best, s the arc length of the deformed face. With friction also
+/// the one that fits best what the tangential traction t lacks of its limit, μ p - |t|: where a Hertzian contact
+/// sticks partly (Cattaneo 1938, Mindlin 1949) that is μ p_0/a (c² - s²)^½, and the face sticks within c.
 class EllipseMeasure final : public Measure {
  public:
   enum class Middle { Free, Begin, End };
@@ -31,7 +33,7 @@ class EllipseMeasure final : public Measure {
   EllipseMeasure(const FaceContact<2>& contact, Middle middle) : contact_(contact), middle_(middle) {}
 
   /// Those of the half ellipse; the middle is measured from the begin of the face.
-  std::vector<std::string> columns() const override { return {"peak", "half_width", "middle", "deviation"}; }
+  std::vector<std::string> columns() const override;
   std::vector<double> values(const MeasuredState& state) const override;
 
  private:

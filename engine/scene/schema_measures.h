@@ -51,7 +51,8 @@ void describe(Visitor& v, ErrorMeasureSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, EllipseMeasureSpec& s) {
-  v.field("tool", s.tool, {.required = true}, "Name of a tool that may touch the face.");
+  v.field("tool", s.tool, {.required = true},
+          "Name of a tool that may touch the face, or of a pair of faces whose first one it is.");
   describeFace(v, s.place);
   v.field("middle", s.middle, {},
           "Where the middle is: found by the fit, or at the begin or end of the face because that is a plane "
@@ -87,7 +88,8 @@ void describe(Visitor& v, SceneMeasureSpec& s) {
         {"ellipse",
          "The half ellipse that fits the contact pressure best, as p^2 over the square of the distance from "
          "its middle: NAME.peak, NAME.half_width, NAME.middle, and NAME.deviation, the largest one over the "
-         "peak."},
+         "peak. With friction NAME.stick_peak, ... of what the tangential traction lacks of its limit, which is "
+         "a half ellipse too where a contact of Hertz's kind sticks partly."},
         {"extent",
          "How far a face reaches now, over its quadrature points: NAME.xmin, NAME.xmax, NAME.ymin, ..."},
         {"percentile",

@@ -115,10 +115,14 @@ void checkFamilies(const DocumentContext& c, const std::string& path, const Chec
   }
 }
 
-/// Names of tools, measures and listed supports, which the names of columns with a dot begin with.
+/// Names of tools, bodies, pairs of faces, measures and listed supports, which the names of columns with a dot begin
+/// with.
 std::vector<std::string> ownersOfColumns(const Scene& scene) {
   std::vector<std::string> names;
   for (const ToolSpec& tool : scene.tools) names.push_back(tool.name);
+  for (const BodySpec& body : scene.bodies) names.push_back(body.name);
+  for (const ContactSpec& pair : scene.contact)
+    if (pair.against) names.push_back(pairName(pair));
   for (const SceneMeasureSpec& measure : scene.measures) names.push_back(measure.name);
   if (scene.output.reactions)
     for (std::string& support : supportNames(scene)) names.push_back(std::move(support));
@@ -143,7 +147,9 @@ void checkColumn(const CheckContext& c, const std::string& path, const std::stri
 /// Columns without a dot are known to the model alone, and so is what stands behind the dot: see
 /// `unknownColumns`.
 void checkQuantity(const CheckContext& c, const std::string& path, const std::string& quantity) {
-  if (!c.clean(path) || !c.clean("tools") || !c.clean("measures")) return;
+  for (const char* owners : {"tools", "bodies", "contact", "measures"})
+    if (!c.clean(owners)) return;
+  if (!c.clean(path)) return;
   const std::vector<std::string> owners = ownersOfColumns(c.scene);
   const std::string owner = quantity.substr(0, quantity.find('.'));
   if (std::find(owners.begin(), owners.end(), owner) != owners.end()) return;  // the name may have a dash

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,10 +36,13 @@ struct CheckSpec {
   std::string source;  ///< where the value comes from
 };
 
-/// A chart of `burnish verify`: a curve for every family and mesh.
+/// A chart of `burnish verify`: a curve for every family and mesh, along a face for every family on its finest mesh.
 struct CurveChartSpec {
-  std::string x, y;            ///< formulas in the columns of the history
-  std::string xTitle, yTitle;  ///< the formulas when left out
+  std::string contact;  ///< tool or pair whose face the curves run along at the end; empty: the history
+  std::string x, y;     ///< formulas in the columns of the history or of the points of the face
+  std::string exact;    ///< y of theory along the face; not drawn when empty
+  std::string xTitle, yTitle;                           ///< the formulas when left out
+  std::optional<std::array<double, 2>> xRange, yRange;  ///< all of the curves when left out
 };
 
 }  // namespace burnish

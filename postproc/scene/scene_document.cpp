@@ -24,6 +24,7 @@ Wanted wantedBy(const SceneDocument& document) {
   for (std::size_t k = 0; k < document.checks.size(); ++k)
     wanted.quantities.push_back({fmt::format("checks[{}].quantity", k), document.checks[k].quantity.formula});
   for (std::size_t k = 0; k < document.charts.size(); ++k) {
+    if (!document.charts[k].contact.empty()) continue;
     wanted.quantities.push_back({fmt::format("charts[{}].x", k), document.charts[k].x});
     wanted.quantities.push_back({fmt::format("charts[{}].y", k), document.charts[k].y});
   }

@@ -51,11 +51,23 @@ void describe(Visitor& v, CheckSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, CurveChartSpec& s) {
-  v.field("x", s.x, {.required = true}, "A column of the history or a formula in columns.");
+  v.field(
+      "contact", s.contact, {},
+      "Name of a tool or of a pair of faces: the curves then run along the face that touches, at the end of "
+      "the run. Left out: over the history.");
+  v.field(
+      "x", s.x, {.required = true},
+      "A column of the history or a formula in columns. With contact in those of the face's quadrature "
+      "points: x, y, pressure, gap, and with friction friction_x and friction_y, the tangential traction on "
+      "the body; definitions may be used.");
   v.field("y", s.y, {.required = true}, "The same along the y axis.");
+  v.field("exact", s.exact, {}, "With contact: y of theory, drawn at the points of the last run.");
   v.field("x_title", s.xTitle, {.longest = kLongestShownText},
           "Title of the x axis; the formula when left out.");
   v.field("y_title", s.yTitle, {.longest = kLongestShownText}, "Title of the y axis.");
+  v.field("x_range", s.xRange, {.increasing = true},
+          "Smallest and largest x; all of the curves when left out.");
+  v.field("y_range", s.yRange, {.increasing = true}, "Smallest and largest y.");
 }
 
 }  // namespace burnish

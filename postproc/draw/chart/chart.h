@@ -19,6 +19,9 @@ struct CurveStyle {
   int marker = -1;
 };
 
+/// Black among the colours of curves, for lines of reference.
+inline constexpr int kBlackCurve = 2;
+
 struct ChartCurve {
   std::string label;                ///< of the legend; empty: not in the legend
   std::vector<double> x, y;         ///< of the same length; a point that is not finite interrupts the curve

@@ -59,13 +59,18 @@ Series countedRows(const CheckedQuantity& quantity, const Series& all) {
 
 }  // namespace
 
+HistoryTable withDefinitions(HistoryTable table, const std::string& formula,
+                             const std::vector<DefinitionSpec>& definitions) {
+  for (const DefinitionSpec& definition : definitions)
+    if (mentions(formula, definition.name)) addColumn(table, definition, definitions);
+  return table;
+}
+
 double valueOf(const CheckedQuantity& quantity, const HistoryTable& history,
                const std::vector<DefinitionSpec>& definitions) {
   if (history.numRows() == 0) throw Error(fmt::format("{} has no rows", history.path.string()));
-  HistoryTable extended = history;
-  for (const DefinitionSpec& definition : definitions)
-    if (mentions(quantity.formula, definition.name)) addColumn(extended, definition, definitions);
-  const std::vector<double> values = evaluate(extended, quantity.formula);
+  const std::vector<double> values =
+      evaluate(withDefinitions(history, quantity.formula, definitions), quantity.formula);
   const Series rows = countedRows(quantity, {history.column("time"), values});
   for (std::size_t k = 0; k < rows.y.size(); ++k)
     if (!std::isfinite(rows.y[k]))

@@ -81,6 +81,11 @@ struct CheckedQuantity {
   friend bool operator==(const CheckedQuantity&, const CheckedQuantity&) = default;
 };
 
+/// A table with the definitions that a formula mentions as further columns; `time` is one of its columns. Throws
+/// `Error` for definitions that depend on coordinates or have the name of a column.
+HistoryTable withDefinitions(HistoryTable table, const std::string& formula,
+                             const std::vector<DefinitionSpec>& definitions);
+
 /// The value of a checked quantity. Throws `Error` for columns that do not exist, values that are not finite,
 /// and a time that has no row, with the nearest one.
 double valueOf(const CheckedQuantity& quantity, const HistoryTable& history,

@@ -15,9 +15,6 @@
 namespace burnish {
 namespace {
 
-/// In the palette of charts; it is left to the lines of reference.
-constexpr int kBlack = 2;
-
 /// A family's errors and the order that they should have.
 struct ErrorCurve {
   std::string label;
@@ -86,14 +83,14 @@ ChartCurve referenceLine(const std::vector<ErrorCurve>& curves, double order) {
     high = curve.errors[curve.errors.size() - std::min(kMeshes, curve.errors.size())].size;
   }
   const auto at = [&](double size) { return kBelow * factor * std::pow(size, order); };
-  return {.label = "", .x = {low, high}, .y = {at(low), at(high)}, .style = CurveStyle{kBlack, 1, -1}};
+  return {.label = "", .x = {low, high}, .y = {at(low), at(high)}, .style = CurveStyle{kBlackCurve, 1, -1}};
 }
 
 /// Differs for the first dozens of curves, and from the lines of reference.
 CurveStyle styleOf(std::size_t number) {
   constexpr int kColors = 6, kDashDotted = 3;
   const int n = static_cast<int>(number), round = n / kColors, color = n % kColors;
-  return {color < kBlack ? color : color + 1, round == 0 ? 0 : kDashDotted, n + round};
+  return {color < kBlackCurve ? color : color + 1, round == 0 ? 0 : kDashDotted, n + round};
 }
 
 /// All lines of reference are one entry of the legend: the curve above each tells which is which.

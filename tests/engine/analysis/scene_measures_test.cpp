@@ -226,6 +226,32 @@ measures:
   EXPECT_NEAR(values.at("free.peak"), values.at("end.peak"), 1e-3 * values.at("free.peak"));
 }
 
+TEST(EllipseMeasure, FitsThePressureOfAPairAndWithFrictionItsReserve) {
+  const std::string pair = R"(degree: 2
+bodies:
+  - name: block
+    geometry: {shape: rectangle, size: [2, 1], spans: [20, 3]}
+    material: {law: neo-hookean, E: 1, nu: 0.25}
+  - name: disc
+    geometry: {shape: annulus, center: [1, 1.5], inner_radius: 0.2, outer_radius: 0.5, start_angle: -160, opening_angle: 140, spans: [2, 40]}
+    material: {law: neo-hookean, E: 1, nu: 0.25}
+supports:
+  - {body: block, face: bottom, fix: [x, y]}
+  - {body: disc, face: left, move: {times: [0, 1], x: [0, 0], y: [0, -0.02]}}
+contact: [{name: touch, body: disc, face: right, against: {body: block, face: top}, friction: 0.3}]
+steps: [{until: 1, count: 1}]
+measures: [{name: fit, kind: ellipse, tool: touch, body: disc, face: right}]
+)";
+  MeasuredScene scene(pair);
+  auto values = scene.inEquilibrium();
+  EXPECT_GT(values.at("fit.half_width"), 0.05);
+  EXPECT_GT(values.at("fit.stick_half_width"), 0.05);
+  EXPECT_LE(values.at("fit.stick_peak"), 0.31 * values.at("fit.peak"));
+  EXPECT_THAT(MeasuredScene(samples::replaced(pair, ", friction: 0.3", "")).columns(),
+              ElementsAre("fit.peak", "fit.half_width", "fit.middle", "fit.deviation"));
+  EXPECT_THROW(MeasuredScene(samples::replaced(pair, "tool: touch", "tool: other")), Error);
+}
+
 TEST(ExtentMeasure, IsTheBoxOfTheDeformedFace) {
   MeasuredScene scene(kBlock + "measures: [{name: right, kind: extent, face: right}]\n");
   const auto values = scene.atGradient((Eigen::Matrix2d() << 0.5, 0.2, 0.0, -0.1).finished());

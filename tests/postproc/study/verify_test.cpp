@@ -134,6 +134,20 @@ TEST_F(Verify, MistakesInChecksAreFoundBeforeAnythingRuns) {
               HasSubstr("variants.meshes[1].size: found 1 after 1"));
 }
 
+TEST_F(Verify, ChecksReadTheColumnsOfPairsAndBodies) {
+  const std::string bodies = R"(degree: 1
+bodies:
+  - {name: low, geometry: {shape: rectangle, size: [2, 1], spans: [2, 1]}, material: {law: neo-hookean, E: 1, nu: 0.3}}
+  - {name: high, geometry: {shape: rectangle, origin: [0, 1], size: [2, 1], spans: [2, 1]}, material: {law: neo-hookean, E: 1, nu: 0.3}}
+supports: [{body: low, face: bottom, fix: [x, y]}, {body: high, face: top, fix: [x, y]}]
+contact: [{name: joint, body: high, face: bottom, against: {body: low, face: top}}]
+steps: [{until: 1, count: 1}]
+)";
+  EXPECT_EQ(errorOf(bodies + checks("quantity: joint.fy/low.strain_energy, expect: range, at_least: 0")), "");
+  EXPECT_THAT(errorOf(bodies + checks("quantity: joins.fy/2, expect: range, at_least: 0")),
+              HasSubstr("Did you mean \"joint\"?"));
+}
+
 TEST_F(Verify, AQuantityIsARowOrAnExtremeOfAFormula) {
   const VerificationCase verified = caseOf(kBlock + checks("quantity: time, expect: range, at_least: 0"));
   const HistoryTable table = history({3.0, 7.0, 5.0});
