@@ -66,6 +66,8 @@ class FaceContact : public Term {
   void setParameter(double parameter) { options_.parameter = parameter; }
   double parameter() const { return *options_.parameter; }
 
+  const FrictionLaw& frictionLaw() const { return frictionLaw_; }
+
   /// There is no friction until the time.
   void beginFrictionAt(double time) { frictionLaw_.beginAt(time); }
 

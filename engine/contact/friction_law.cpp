@@ -26,13 +26,13 @@ FrictionLaw::FrictionLaw(const ContactOptions& options, const std::vector<Defini
     dependsOnPressure_ = formula.dependsOn("p");
     formula_ = std::move(formula);
     if (isNumber) {
-      mu_ = coefficient({.X = Eigen::Vector3d::Zero()}, 1.0);
+      mu_ = valueAt({.X = Eigen::Vector3d::Zero()}, 1.0);
       formula_.reset();
     }
   }
 }
 
-double FrictionLaw::coefficient(const FrictionPlace& place, double truePressure) const {
+double FrictionLaw::valueAt(const FrictionPlace& place, double truePressure) const {
   const double mu =
       formula_->at(std::array{truePressure, place.slip, place.t, place.X(0), place.X(1), place.X(2)});
   if (mu < 0.0)
@@ -50,10 +50,10 @@ FrictionBound FrictionLaw::at(const FrictionPlace& place, double pressure) const
   FrictionBound bound{.mu = mu_};
   if (formula_ && pressure > 0.0) {
     const double p = pressure / place.stretch;
-    bound.mu = coefficient(place, p);
+    bound.mu = valueAt(place, p);
     if (dependsOnPressure_)
-      bound.muByPressure = (coefficient(place, (1.0 + kStep) * p) - coefficient(place, (1.0 - kStep) * p)) /
-                           (2.0 * kStep * pressure);
+      bound.muByPressure =
+          (valueAt(place, (1.0 + kStep) * p) - valueAt(place, (1.0 - kStep) * p)) / (2.0 * kStep * pressure);
   }
   if (shearLimit_) bound.limit = *shearLimit_ * place.stretch;
   return bound;

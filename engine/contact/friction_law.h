@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -40,11 +41,16 @@ class FrictionLaw {
   /// Until this time there is no friction.
   void beginAt(double time) { begin_ = time; }
 
+  /// The coefficient, if it is one number.
+  std::optional<double> coefficient() const {
+    return formula_ || !std::isfinite(mu_) ? std::nullopt : std::optional(mu_);
+  }
+
   /// Whether `FrictionPlace::stretch` is asked for.
   bool needsStretch() const { return formula_.has_value() || shearLimit_.has_value(); }
 
  private:
-  double coefficient(const FrictionPlace& place, double truePressure) const;
+  double valueAt(const FrictionPlace& place, double truePressure) const;
 
   double mu_ = 0.0;                 ///< without a formula; infinite where there is no slip
   std::optional<Formula> formula_;  ///< of a coefficient that is no number

@@ -61,7 +61,7 @@ HalfEllipse fittedHalfEllipse(const Eigen::VectorXd& s, const Eigen::VectorXd& p
 
 std::vector<std::string> EllipseMeasure::columns() const {
   std::vector<std::string> columns{"peak", "half_width", "middle", "deviation"};
-  if (contact_.options().friction.value_or(0.0) > 0.0)
+  if (contact_.frictionLaw().coefficient().value_or(0.0) > 0.0)
     columns.insert(columns.end(), {"stick_peak", "stick_half_width", "stick_middle", "stick_deviation"});
   return columns;
 }
@@ -77,7 +77,7 @@ std::vector<double> EllipseMeasure::values(const MeasuredState& state) const {
   };
   const ContactState& contact = contact_.state();
   add(contact.pressure);
-  if (const double friction = contact_.options().friction.value_or(0.0); friction > 0.0)
+  if (const double friction = contact_.frictionLaw().coefficient().value_or(0.0); friction > 0.0)
     add(friction * contact.pressure - contact.traction.colwise().norm().transpose());
   return values;
 }
