@@ -42,8 +42,7 @@ class ModelBuilder {
   void addContact(std::size_t number);
   void addPair(std::size_t number);
 
-  /// mayPenetrate: a little, at the start.
-  void addSelfContact(std::size_t number, bool mayPenetrate);
+  void addSelfContact(std::size_t number, bool isNewMesh);
   void addStabilisation();
 
   /// All unknowns are numbered.
@@ -252,24 +251,37 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
 }
 
 template <int Dim>
-void ModelBuilder<Dim>::addSelfContact(std::size_t number, bool mayPenetrate) {
-  if constexpr (Dim == 2) {
-    const auto& spec = scene_.selfContact[number];
-    model_->faces_.requireOuter(spec.place, fmt::format("self_contact[{}]", number));
-    SelfContactOptions options = spec.options;
-    const FacePlace place = model_->faces_.face(spec.place);
-    const ModelBody<Dim>& body = model_->bodyOf(place);
-    options.parameter = options.parameterFor(youngsModulus(body.bulk->material()), body.body.size());
-    options.reach = options.reachFor(body.body.size());
-    std::unique_ptr<SelfContactTerm> term;
+void ModelBuilder<Dim>::addSelfContact(std::size_t number, bool isNewMesh) {
+  const auto& spec = scene_.selfContact[number];
+  const std::string key = fmt::format("self_contact[{}]", number);
+  std::vector<FacePlace> surface;
+  for (const FaceSpec& face : spec.places()) {
+    model_->faces_.requireOuter(face, key);
+    surface.push_back(model_->faces_.face(face));
+  }
+  const ModelBody<Dim>& body = model_->bodyOf(surface.front());
+  const double reach = spec.reach.value_or(defaultReach(body.body.size(), body.body.size()));
+  for (std::size_t k = 0; k < surface.size(); ++k) {
+    const FacePlace place = surface[k];
+    const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
+    ContactOptions options = spec.options;
+    options.parameter = options.parameterFor(youngsModulus(body.bulk->material()), body.body.size(),
+                                             meanControlPointDistance(patch, place.face));
+    const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
+      return std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
+                                                outwardSign(patch, place.face),
+                                                MasterSurface<Dim>(model_->body_, surface),
+                                                selfContactRules(reach, static_cast<int>(k), isNewMesh));
+    };
     try {
-      term = std::make_unique<SelfContactTerm>(body.body, place.patch - body.firstPatch, place.face, options,
-                                               model_->numUnknowns_, mayPenetrate);
+      auto term =
+          makePartnerContact<Dim>(model_->body_, place.patch, place.face, makePartner, options,
+                                  model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
+      model_->numUnknowns_ += term->numMultipliers();
+      model_->selfContacts_.push_back({place, reach, std::move(term)});
     } catch (const Error& error) {
-      throw InputError(fmt::format("self_contact[{}]", number), error.what());
+      throw InputError(key, error.what());
     }
-    model_->numUnknowns_ += term->numMultipliers();
-    model_->selfContacts_.push_back({place, std::move(term)});
   }
 }
 

@@ -30,26 +30,20 @@ Eigen::Matrix2Xd anchorPositions(const Patch<2>& patch) {
 /// Multipliers of all contacts on the new mesh, in x; with friction the ways slipped and its work, too.
 void carryContacts(const Model<2>& before, const Eigen::VectorXd& xBefore, const Patch<2>& deformed,
                    const Model<2>& next, Eigen::VectorXd& x) {
-  const auto carryOf = [&](FaceId face) {
-    return FaceCarryOver(before.body(), face, deformed, next.body().patches.front());
-  };
-  for (std::size_t k = 0; k < next.contacts().size(); ++k) {
-    const auto& oldTerm = *before.contacts()[k].term;
-    auto& newTerm = *next.contacts()[k].term;
-    const FaceCarryOver carry = carryOf(next.contacts()[k].place.face);
+  const auto carryContact = [&](const FaceContact<2>& oldTerm, FaceContact<2>& newTerm, FaceId face) {
+    const FaceCarryOver carry(before.body(), face, deformed, next.body().patches.front());
     const int numOld = oldTerm.face().numFunctions(), num = newTerm.face().numFunctions();
     x.segment(newTerm.firstMultiplier(), num) = carry.multipliers(oldTerm.state().lambdaHat);
-    if (!newTerm.options().hasFriction()) continue;
+    if (!newTerm.options().hasFriction()) return;
     x.segment(newTerm.firstMultiplier() + num, num) =
         carry.tractions(xBefore.segment(oldTerm.firstMultiplier() + numOld, numOld));
     newTerm.continueFriction(oldTerm.state().frictionWork, carry.values(oldTerm.slipped()));
-  }
-  for (std::size_t k = 0; k < next.selfContacts().size(); ++k) {
-    const auto& newTerm = *next.selfContacts()[k].term;
-    x.segment(newTerm.firstMultiplier(), newTerm.numMultipliers()) =
-        carryOf(next.selfContacts()[k].place.face)
-            .multipliers(before.selfContacts()[k].term->state().lambdaHat);
-  }
+  };
+  for (std::size_t k = 0; k < next.contacts().size(); ++k)
+    carryContact(*before.contacts()[k].term, *next.contacts()[k].term, next.contacts()[k].place.face);
+  for (std::size_t k = 0; k < next.selfContacts().size(); ++k)
+    carryContact(*before.selfContacts()[k].term, *next.selfContacts()[k].term,
+                 next.selfContacts()[k].place.face);
 }
 
 }  // namespace

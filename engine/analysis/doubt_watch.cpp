@@ -23,12 +23,15 @@ double penetrationPerSpan(const Contact& term) {
   return largest;
 }
 
-/// Whether a face rubs on a tool. Friction holds what would leave its equilibrium without it, and the symmetric
+/// Whether a face rubs on something. Friction holds what would leave its equilibrium without it, and the symmetric
 /// part of its tangent says nothing about that.
 template <int Dim>
 bool rubs(const Model<Dim>& model) {
-  return std::any_of(model.contacts().begin(), model.contacts().end(),
-                     [](const ContactPair<Dim>& pair) { return pair.term->options().hasFriction(); });
+  const auto any = [](const auto& contacts) {
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [](const auto& contact) { return contact.term->options().hasFriction(); });
+  };
+  return any(model.contacts()) || any(model.pairs()) || any(model.selfContacts());
 }
 
 /// Saves or restores doubts under numbered names.

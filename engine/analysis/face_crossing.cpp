@@ -1,6 +1,7 @@
 #include "engine/analysis/face_crossing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "engine/analysis/boundary_crossing.h"
@@ -19,11 +20,28 @@ bool crossesItself(const Eigen::MatrixXd& line, double rounding) {
   return findCrossing(pieces, rounding).has_value();
 }
 
+/// Positions of the quadrature points. Those that touch their partners, or are nearer to them or inside of
+/// them by less than a share of their span, are moved out to that distance.
+template <int Dim>
+Eigen::MatrixXd positionsApart(const FaceContact<Dim>& term, const Eigen::VectorXd& x, double share) {
+  Eigen::MatrixXd positions = term.face().positions(x);
+  const ContactState& state = term.state();
+  for (const auto& span : term.face().spans()) {
+    const double apart = share * span.size;
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const Eigen::Index number = span.firstPoint + q;
+      if (const double gap = state.gap(number); std::abs(gap) < apart)
+        positions.col(number) += (apart - gap) * state.normal.col(number).template head<Dim>();
+    }
+  }
+  return positions;
+}
+
 template <int Dim>
 bool mayTouchItself(const Model<Dim>& model, const ContactPair<Dim>& pair) {
   const auto& contacts = model.selfContacts();
   return std::any_of(contacts.begin(), contacts.end(),
-                     [&](const SelfContact& contact) { return contact.place == pair.place; });
+                     [&](const SelfContact<Dim>& contact) { return contact.place == pair.place; });
 }
 
 }  // namespace
@@ -36,8 +54,8 @@ bool anyFaceCrossesItself(const Model<Dim>& model, const Eigen::VectorXd& x) {
     if (!mayTouchItself(model, pair) && crossesItself(pair.term->face().positions(x), rounding)) return true;
   // Parts of a face may be inside of one another by what is not doubtful yet.
   const double apart = limitOf(Condition::Penetration);
-  for (const SelfContact& contact : model.selfContacts())
-    if (crossesItself(contact.term->positionsApart(apart), rounding)) return true;
+  for (const SelfContact<Dim>& contact : model.selfContacts())
+    if (crossesItself(positionsApart(*contact.term, x, apart), rounding)) return true;
   return false;
 }
 

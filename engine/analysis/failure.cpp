@@ -59,7 +59,7 @@ ContactFindings contactFindings(const Model<Dim>& model) {
         model.faces().textOf(pair.place), model.faces().textOf(pair.against), contact.changes));
   }
   for (const auto& contact : model.selfContacts()) {
-    const SelfContactState& state = contact.term->state();
+    const ContactState& state = contact.term->state();
     found.changes += state.changes;
     if (state.numActive() > 0 || state.changes > 0)
       found.findings.push_back(

@@ -118,14 +118,14 @@ ContactRecord contactRecord(const FacePair<Dim>& pair, const Eigen::VectorXd& x,
   return record;
 }
 
-ContactRecord contactRecord(const SelfContact& contact, const Eigen::VectorXd& x) {
+template <int Dim>
+ContactRecord contactRecord(const SelfContact<Dim>& contact, const Eigen::VectorXd& x) {
   ContactRecord record = faceRecord(contact.term->face(), contact.term->state(), x);
   record.face = faceName(contact.place.face);
   record.patch = contact.place.patch;
-  record.quadratureNormal = contact.term->state().normal;
-  const double reach = contact.term->reach();
-  record.averageGap = record.averageGap.cwiseMin(reach);
-  record.quadratureGap = record.quadratureGap.cwiseMin(reach);
+  addDirections<Dim>(record, contact.term->state());
+  record.averageGap = record.averageGap.cwiseMin(contact.reach);
+  record.quadratureGap = record.quadratureGap.cwiseMin(contact.reach);
   return record;
 }
 

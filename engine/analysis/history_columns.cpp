@@ -38,6 +38,16 @@ constexpr Row kSelfContact[] = {
     {"self_contact_force", [](const HistoryRow& r) { return r.state.selfForce; }},
 };
 
+/// Of faces that rub on themselves.
+constexpr Row kSelfFriction[] = {
+    {"self_contact.friction", [](const HistoryRow& r) { return r.state.selfTouch.friction; }},
+    {"self_contact.sticking",
+     [](const HistoryRow& r) { return static_cast<double>(r.state.selfTouch.sticking); }},
+    {"self_contact.slipping",
+     [](const HistoryRow& r) { return static_cast<double>(r.state.selfTouch.slipping); }},
+    {"self_contact.friction_work", [](const HistoryRow& r) { return r.state.selfTouch.frictionWork; }},
+};
+
 constexpr Row kFriction[] = {
     {"friction_work", [](const HistoryRow& r) { return r.state.frictionWork(); }},
 };
@@ -202,11 +212,14 @@ std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& 
     addPair(columns, pair.name, k, Dim == 3, pair.term->options().hasFriction());
     anyRubs = anyRubs || pair.term->options().hasFriction();
   }
+  const bool selfRubs = std::any_of(model.selfContacts().begin(), model.selfContacts().end(),
+                                    [](const auto& contact) { return rubs(contact.term->options()); });
   add(columns, kBody);
-  if (anyRubs) add(columns, kFriction);
+  if (anyRubs || selfRubs) add(columns, kFriction);
   if (model.bodies().size() > 1)
     for (std::size_t k = 0; k < model.bodies().size(); ++k) addBody(columns, model.bodies()[k].name, k);
   if (!model.selfContacts().empty()) add(columns, kSelfContact);
+  if (selfRubs) add(columns, kSelfFriction);
   if (scene.rezoning) add(columns, kRezoning);
   if (scene.output.reactions) addList(columns, reactions, &StateQuantities::reactions);
   addList(columns, measures, &StateQuantities::measured);

@@ -7,7 +7,6 @@
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/supports.h"
 #include "engine/contact/face_contact.h"
-#include "engine/contact/self_contact_term.h"
 #include "engine/contact/tool_contact.h"
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
@@ -58,10 +57,12 @@ struct CarriedLoad {
   std::unique_ptr<ToolLoad> term;
 };
 
-/// A face that may touch itself.
+/// A face that may touch itself and, if it is one of several, the others.
+template <int Dim>
 struct SelfContact {
   FacePlace place;
-  std::unique_ptr<SelfContactTerm> term;
+  double reach = 0.0;  ///< distance within which parts are partners
+  std::unique_ptr<FaceContact<Dim>> term;
 };
 
 template <int Dim>
@@ -87,7 +88,7 @@ class Model {
   const std::vector<std::unique_ptr<Tool>>& tools() const { return tools_; }
   const std::vector<ContactPair<Dim>>& contacts() const { return contacts_; }
   const std::vector<FacePair<Dim>>& pairs() const { return pairs_; }
-  const std::vector<SelfContact>& selfContacts() const { return selfContacts_; }
+  const std::vector<SelfContact<Dim>>& selfContacts() const { return selfContacts_; }
   const std::vector<std::unique_ptr<LoadTerm>>& loads() const { return loads_; }
   const std::vector<CarriedLoad>& toolLoads() const { return toolLoads_; }
   const FaceFinder<Dim>& faces() const { return faces_; }
@@ -145,7 +146,7 @@ class Model {
   std::vector<std::unique_ptr<Tool>> tools_;
   std::vector<ContactPair<Dim>> contacts_;
   std::vector<FacePair<Dim>> pairs_;
-  std::vector<SelfContact> selfContacts_;  ///< none in 3D
+  std::vector<SelfContact<Dim>> selfContacts_;
   std::vector<std::unique_ptr<LoadTerm>> loads_;
   std::vector<CarriedLoad> toolLoads_;
   std::unique_ptr<Stabilisation<Dim>> stabilisation_;

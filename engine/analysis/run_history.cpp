@@ -123,10 +123,14 @@ void RunHistory<Dim>::addPairs(StateQuantities& next) const {
 template <int Dim>
 void RunHistory<Dim>::addSelfContacts(StateQuantities& next) const {
   for (const auto& contact : model_.selfContacts()) {
-    const SelfContactState& state = contact.term->state();
+    const ContactState& state = contact.term->state();
     next.selfActiveControlPoints += state.numActive();
     next.maxSelfPenetration = std::max(next.maxSelfPenetration, state.largestPenetration());
-    next.selfForce += state.force.norm();
+    next.selfForce += state.reaction.norm();
+    next.selfTouch.friction += state.frictionForce;
+    next.selfTouch.sticking += state.sticking;
+    next.selfTouch.slipping += state.slipping;
+    next.selfTouch.frictionWork += state.frictionWork;
   }
 }
 

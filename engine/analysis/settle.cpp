@@ -26,11 +26,8 @@ void forEachContact(const Model<2>& model, const F& f) {
 
 /// How much stiffer contact becomes: with the integral method the parameter weighs gaps against tractions, and
 /// stays as it is.
-template <class Contact>
-double stiffnessOf(const Contact& term) {
-  if constexpr (requires { term.options().method; })
-    return averagesGaps(term.options().method) ? kSettlingStiffness : 1.0;
-  return kSettlingStiffness;
+double stiffnessOf(const FaceContact<2>& term) {
+  return averagesGaps(term.options().method) ? kSettlingStiffness : 1.0;
 }
 
 /// Makes contact stiffer for as long as it lives.

@@ -15,7 +15,7 @@ void RezoningSums::add(const RezoningRecord& rezoning) {
 }
 
 double StateQuantities::frictionWork() const {
-  double work = 0.0;
+  double work = selfTouch.frictionWork;
   for (const ToolTouch& touch : toolTouches) work += touch.frictionWork;
   for (const PairTouch& pair : pairs) work += pair.frictionWork;
   return work;
@@ -48,6 +48,8 @@ void StateQuantities::archive(StateArchive& archive) {
                    projectedPlasticStrain.max);
   archive.together("contact", activeControlPoints, maxPenetration, selfActiveControlPoints,
                    maxSelfPenetration, selfForce, crossesItself);
+  archive.together("self_friction", selfTouch.friction, selfTouch.sticking, selfTouch.slipping,
+                   selfTouch.frictionWork);
   archive.together("bounds", minJ, stabilisedShare);
   archive.together("rezonings", rezonings.count, rezonings.energyLost, rezonings.gapWork,
                    rezonings.volumeDrift, rezonings.boundaryError);

@@ -20,7 +20,7 @@ struct RezoningSums {
   void add(const RezoningRecord& rezoning);
 };
 
-/// What contact with a tool is like, over all of its pairs.
+/// What contact with a tool is like, over all of its pairs, or of faces with themselves.
 struct ToolTouch {
   double area = 0.0;               ///< reference area under pressure, of pairs that know it
   double friction = 0.0;           ///< ∫ |t| dΓ of frictional tractions
@@ -66,6 +66,7 @@ struct StateQuantities {
   int selfActiveControlPoints = 0;  ///< of faces that touch themselves
   double maxSelfPenetration = 0.0;
   double selfForce = 0.0;  ///< between the parts of a face, summed over the faces
+  ToolTouch selfTouch;     ///< between them; no area
   double minJ = 1.0;
   double stabilisationWork = 0.0;  ///< taken from the body by a drag that holds it
   double stabilisedShare = 0.0;    ///< of the largest force, see `Model::stabilisedShare`

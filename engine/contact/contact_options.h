@@ -33,7 +33,7 @@ constexpr bool averagesGaps(Enforcement method) {
   return method == Enforcement::AugmentedLagrangian || method == Enforcement::MortarPenalty;
 }
 
-/// How contact of a face with a tool is enforced.
+/// How contact of a face is enforced.
 struct ContactOptions {
   Enforcement method = Enforcement::AugmentedLagrangian;
   std::optional<double> parameter{};      ///< ε, stress per length; see `parameterFor`
@@ -74,6 +74,21 @@ struct ContactOptions {
 };
 
 template <class Visitor>
+void describeFriction(Visitor& v, ContactOptions& s) {
+  v.field(
+      "friction", s.friction, {},
+      "Coefficient of Coulomb friction, tangential over normal traction in slip: a number, or a formula in "
+      "the true pressure p, the way slip that the place has slipped before this step, the time t and the "
+      "reference place X, Y, Z. No friction when left out.");
+  v.field("shear_limit", s.shearLimit, {.above = 0, .unit = "stress"},
+          "Largest shear stress of friction, on the deformed face; unlimited when left out.");
+  v.field("rough", s.rough, {},
+          "The face does not slip on the tool where it is pressed; instead of friction.");
+  v.field("friction_parameter", s.frictionParameter, {.above = 0, .unit = "stress per length"},
+          "Augmentation parameter of friction; parameter when left out.");
+}
+
+template <class Visitor>
 void describe(Visitor& v, ContactOptions& s) {
   v.field(
       "method", s.method, {},
@@ -90,43 +105,7 @@ void describe(Visitor& v, ContactOptions& s) {
           "Gaps count in averages in full up to this share of the knot span's length, then ever less; what "
           "is open by three times that counts as twice that and bears no pressure. For a face that turns "
           "away from the tool sharply, as at the lip of a chip: 0.02. All gaps count in full when left out.");
-  v.field(
-      "friction", s.friction, {},
-      "Coefficient of Coulomb friction, tangential over normal traction in slip: a number, or a formula in "
-      "the true pressure p, the way slip that the place has slipped before this step, the time t and the "
-      "reference place X, Y, Z. No friction when left out.");
-  v.field("shear_limit", s.shearLimit, {.above = 0, .unit = "stress"},
-          "Largest shear stress of friction, on the deformed face; unlimited when left out.");
-  v.field("rough", s.rough, {},
-          "The face does not slip on the tool where it is pressed; instead of friction.");
-  v.field("friction_parameter", s.frictionParameter, {.above = 0, .unit = "stress per length"},
-          "Augmentation parameter of friction; parameter when left out.");
-}
-
-/// How contact of a face with itself is enforced: mortar augmented Lagrangian.
-struct SelfContactOptions {
-  std::optional<double> reach{};          ///< distance within which parts of the face are partners
-  std::optional<double> parameter{};      ///< ε, stress per length
-  std::optional<int> quadraturePoints{};  ///< per span; 2p when left out
-  std::optional<double> gapLimit{};       ///< as in `ContactOptions`
-
-  double parameterFor(double E, double L) const { return parameter.value_or(E / L); }
-  double reachFor(double L) const { return reach.value_or(0.05 * L); }
-};
-
-template <class Visitor>
-void describe(Visitor& v, SelfContactOptions& s) {
-  v.field("reach", s.reach, {.above = 0, .unit = "length"},
-          "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of "
-          "the body's largest extent when left out.");
-  v.field("parameter", s.parameter, {.above = 0, .unit = "stress per length"},
-          "Augmentation parameter; E/L when left out, L the body's largest extent.");
-  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
-          "Quadrature points per knot span; twice the degree when left out.");
-  v.field(
-      "gap_limit", s.gapLimit, {.above = 0, .atMost = 1},
-      "As under contact: only up to this share of the knot span's length do gaps count in full in averages. "
-      "For a part that meets another one with an edge: 0.02. All gaps count in full when left out.");
+  describeFriction(v, s);
 }
 
 }  // namespace burnish

@@ -225,6 +225,62 @@ std::vector<int> FacePartner<Dim>::couplings(std::size_t span) const {
   return unknowns;
 }
 
+/// Numbers of the quadrature points next to one of a span, in all directions of the face.
+template <int Dim>
+std::vector<int> FacePartner<Dim>::neighbours(std::size_t span, Eigen::Index point) const {
+  const auto& basis = slaveTrace_.basis();
+  const Eigen::Index numPoints = slave_.spans()[span].R.cols();
+  Eigen::Index count = 1;  // per direction
+  while ((Dim == 2 ? count : count * count) < numPoints) ++count;
+  std::vector<int> numbers;
+  Eigen::Index stride = 1;
+  for (int d = 0; d < Dim - 1; ++d, stride *= count)
+    for (const int step : {-1, 1}) {
+      auto index = basis.spanIndex(slave_.spans()[span].number);
+      int& across = index[static_cast<std::size_t>(d)];
+      const Eigen::Index place = point / stride % count;
+      Eigen::Index next = place + step;
+      if (next < 0 || next == count) {
+        across += step;
+        next -= step * count;
+      }
+      if (across < 0 || across == basis.direction(d).numSpans()) continue;
+      numbers.push_back(slave_.spans()[static_cast<std::size_t>(basis.spanNumber(index))].firstPoint +
+                        static_cast<int>(point + (next - place) * stride));
+    }
+  return numbers;
+}
+
+/// Whether a place comes after a slave that may be on the same face.
+template <int Dim>
+bool FacePartner<Dim>::isLater(const Place& place, const Slave& slave) const {
+  if (place.face != *rules_.ownFace) return place.face > *rules_.ownFace;
+  double farthest = 0.0;
+  for (int d = 0; d < Dim - 1; ++d) {
+    const UnivariateBasis& basis = slaveTrace_.basis().direction(d);
+    const double share =
+        (place.xi(d) - slave.xi(d)) / (basis.spanEnd(basis.numSpans() - 1) - basis.spanBegin(0));
+    if (std::abs(share) > std::abs(farthest)) farthest = share;
+  }
+  return farthest > 0.0;
+}
+
+/// Whether a span of the slave's own surface is worth a search: a part of it comes after the slave and looks
+/// back at it.
+template <int Dim>
+bool FacePartner<Dim>::mayHoldPartner(const Span& span,
+                                      const Eigen::Matrix<double, Dim, Eigen::Dynamic>& normals,
+                                      const Slave& slave) const {
+  const double spread = (normals.colwise() - normals.col(0)).colwise().norm().maxCoeff();
+  if ((normals.transpose() * slave.normal).minCoeff() - spread >= kOpposed) return false;
+  if (span.face != *rules_.ownFace) return span.face > *rules_.ownFace;
+  const auto& basis = slaveTrace_.basis();
+  const auto index = basis.spanIndex(span.span);
+  for (int d = 0; d < Dim - 1; ++d)
+    if (basis.direction(d).spanEnd(index[static_cast<std::size_t>(d)]) > slave.xi(d)) return true;
+  return false;
+}
+
 /// Length in the reference state of the way along straight parameters from a slave to a foot on its own face;
 /// through the body to other faces.
 template <int Dim>
@@ -256,13 +312,7 @@ double FacePartner<Dim>::deepestNew(const Slave& slave, const Foot<Dim>& foot) c
 template <int Dim>
 bool FacePartner<Dim>::suits(const Slave& slave, const Foot<Dim>& foot, bool isNew) const {
   const Place& place = foot.point.place;
-  if (rules_.ownFace) {
-    const int own = *rules_.ownFace;
-    const bool isLater = place.face != own ? place.face > own
-                                           : std::lexicographical_compare(slave.xi.begin(), slave.xi.end(),
-                                                                          place.xi.begin(), place.xi.end());
-    if (!isLater) return false;
-  }
+  if (rules_.ownFace && !isLater(place, slave)) return false;
   if (!(foot.normal.dot(slave.normal) < kOpposed)) return false;
   const double deepest = isNew ? deepestNew(slave, foot) : rules_.reach;
   const double rounding = kRounding * (slave.x.norm() + foot.point.x.norm());
@@ -277,10 +327,14 @@ void FacePartner<Dim>::choosePartners(bool isNewMesh) {
   const MasterSearch<Dim> search(surface_);
   std::vector<bool> had;
   for (const auto& foot : feet_) had.push_back(foot.has_value());
-  const auto isBeside = [&](std::size_t number) {
-    return isNewMesh || (number > 0 && had[number - 1]) || (number + 1 < had.size() && had[number + 1]);
+  const auto isBeside = [&](std::size_t e, Eigen::Index q) {
+    if (isNewMesh || !rules_.ownFace) return isNewMesh;
+    const auto numbers = neighbours(e, q);
+    return std::any_of(numbers.begin(), numbers.end(),
+                       [&](int number) { return had[static_cast<std::size_t>(number)]; });
   };
-  for (const auto& span : slave_.spans())
+  for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
+    const auto& span = slave_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto number = static_cast<std::size_t>(span.firstPoint + q);
       const Eigen::Matrix<double, Dim, Dim - 1> tangents =
@@ -290,18 +344,25 @@ void FacePartner<Dim>::choosePartners(bool isNewMesh) {
                         outward_ * areaVector<Dim>(tangents).normalized(),
                         slave_.points()(Eigen::all, span.functions) * span.R.col(q),
                         span.size,
-                        isBeside(number)};
+                        isBeside(e, q)};
       auto& foot = feet_[number];
       if (foot && !suits(slave, *foot, false)) foot.reset();
       if (!foot || rules_.takesNearer) {
         const double reach = foot ? std::min(rules_.reach, std::abs(foot->gap)) : rules_.reach;
-        auto found = search.nearest(surface_, slave.x, reach,
-                                    [&](const Foot<Dim>& other) { return suits(slave, other, true); });
+        typename MasterSearch<Dim>::MayHold mayHold;
+        if (rules_.ownFace)
+          mayHold = [&](const Span& other, const auto& normals) {
+            return mayHoldPartner(other, normals, slave);
+          };
+        auto found = search.nearest(
+            surface_, slave.x, reach, [&](const Foot<Dim>& other) { return suits(slave, other, true); },
+            mayHold);
         if (found && (!foot || std::abs(found->gap) < std::abs(foot->gap) - kNearer * span.size))
           foot = std::move(found);
       }
       places_[number] = foot ? std::optional(foot->point.place) : std::nullopt;
     }
+  }
   cutSegments(search);
   couplings_.assign(slave_.spans().size(), {});
   addCouplings(search);

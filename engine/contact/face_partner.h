@@ -43,7 +43,8 @@ struct PartnerRules {
   bool couplesAll = false;
 
   /// If the slave is one of the surface's own faces, its number: of two points that face each other the one
-  /// with the smaller face and parameters is the slave. Where a fold closes, within a span of the slave along
+  /// on the face with the smaller number is the slave; on one face the one with the smaller parameter, of
+  /// those in which they differ most over the face. Where a fold closes, within a span of the slave along
   /// the face, beside points that have partners, and if `isNewMesh` at first, new partners may be inside of
   /// one another by a twentieth of the way along the face and a quarter of the span.
   std::optional<int> ownFace = std::nullopt;
@@ -51,6 +52,17 @@ struct PartnerRules {
   /// The reference state goes on from one of another mesh.
   bool isNewMesh = false;
 };
+
+/// Rules of a face with the number ownFace that may touch the surface which it is part of.
+inline PartnerRules selfContactRules(double reach, int ownFace, bool isNewMesh = false) {
+  return {.reach = reach,
+          .newPenetration = 0.0,
+          .newOverhang = kOverhang,
+          .takesNearer = false,
+          .couplesAll = true,
+          .ownFace = ownFace,
+          .isNewMesh = isNewMesh};
+}
 
 /// Default of `PartnerRules::reach` for two bodies of these sizes.
 inline double defaultReach(double size, double otherSize) {
@@ -138,6 +150,10 @@ class FacePartner final : public Partner<Dim> {
   Place acceptedPlaceOf(const SlavePoint<Dim>& point, const Foot<Dim>& foot) const;
   void checkCouplings(std::size_t span, const Foot<Dim>& foot) const;
   bool suits(const Slave& slave, const Foot<Dim>& foot, bool isNew) const;
+  std::vector<int> neighbours(std::size_t span, Eigen::Index point) const;
+  bool isLater(const Place& place, const Slave& slave) const;
+  bool mayHoldPartner(const Span& span, const Eigen::Matrix<double, Dim, Eigen::Dynamic>& normals,
+                      const Slave& slave) const;
   double wayTo(const Place& place, const Slave& slave) const;
   double deepestNew(const Slave& slave, const Foot<Dim>& foot) const;
   void choosePartners(bool isNewMesh);

@@ -31,13 +31,31 @@ SurfacePlace<Dim> samplePlace(const MasterSurface<Dim>& surface, int face, int s
   return place;
 }
 
+/// The surface's normals at the corners of a span, on all spans that meet there.
+template <int Dim>
+std::vector<Eigen::Vector<double, Dim>> cornerNormals(const MasterSurface<Dim>& surface, int face, int span) {
+  const auto& basis = surface.basis(face);
+  const auto index = basis.spanIndex(span);
+  std::vector<Eigen::Vector<double, Dim>> normals;
+  for (unsigned corner = 0; corner < 1u << (Dim - 1); ++corner) {
+    SurfacePlace<Dim> place{face, span, {}};
+    for (int d = 0; d < Dim - 1; ++d) {
+      const int e = index[static_cast<std::size_t>(d)];
+      const UnivariateBasis& direction = basis.direction(d);
+      place.xi(d) = (corner >> d & 1u) == 0 ? direction.spanBegin(e) : direction.spanEnd(e);
+    }
+    for (const auto& side : surface.around(place)) normals.push_back(surface.at(side).normal);
+  }
+  return normals;
+}
+
 }  // namespace
 
 template <int Dim>
 MasterSearch<Dim>::MasterSearch(const MasterSurface<Dim>& surface) {
   for (int face = 0; face < surface.numFaces(); ++face)
     for (int span = 0; span < surface.basis(face).numSpans(); ++span) {
-      Candidate candidate{{face, span}, {}, {}, {}};
+      Candidate candidate{{face, span}, {}, {}, {}, {}};
       const int number = static_cast<int>(candidates_.size());
       if (const auto hull = surface.hull(face, span); hull.cols() > 0) {
         candidate.low = hull.rowwise().minCoeff();
@@ -50,8 +68,15 @@ MasterSearch<Dim>::MasterSearch(const MasterSurface<Dim>& surface) {
       }
       const int count = surface.basis(face).functionsPerSpan();
       candidate.samples.resize(Dim, count);
-      for (int k = 0; k < count; ++k)
-        candidate.samples.col(k) = surface.at(samplePlace(surface, candidate.span.face, span, k)).x;
+      const auto corners = cornerNormals(surface, face, span);
+      candidate.normals.resize(Dim, count + std::ssize(corners));
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        candidate.normals.col(count + static_cast<Eigen::Index>(k)) = corners[k];
+      for (int k = 0; k < count; ++k) {
+        const SurfacePoint<Dim> sample = surface.at(samplePlace(surface, face, span, k));
+        candidate.samples.col(k) = sample.x;
+        candidate.normals.col(k) = sample.normal;
+      }
       candidates_.push_back(std::move(candidate));
     }
   const auto count = static_cast<Eigen::Index>(inTree_.size());
@@ -77,12 +102,14 @@ std::vector<typename MasterSearch<Dim>::Span> MasterSearch<Dim>::meeting(const P
 }
 
 template <int Dim>
-std::optional<Foot<Dim>> MasterSearch<Dim>::nearest(
-    const MasterSurface<Dim>& surface, const Point& position, double reach,
-    const std::function<bool(const Foot<Dim>&)>& suits) const {
+std::optional<Foot<Dim>> MasterSearch<Dim>::nearest(const MasterSurface<Dim>& surface, const Point& position,
+                                                    double reach,
+                                                    const std::function<bool(const Foot<Dim>&)>& suits,
+                                                    const MayHold& mayHold) const {
   std::vector<std::pair<double, const Candidate*>> near;
   const auto add = [&](int number) {
     const Candidate& candidate = candidates_[static_cast<std::size_t>(number)];
+    if (mayHold && !mayHold(candidate.span, candidate.normals)) return;
     near.emplace_back((candidate.low - position).cwiseMax(position - candidate.high).cwiseMax(0.0).norm(),
                       &candidate);
   };

@@ -27,17 +27,23 @@ class MasterSearch {
   /// Spans whose boxes meet a box, ascending; among them all that have a point in it.
   std::vector<Span> meeting(const Point& low, const Point& high) const;
 
+  /// Whether a span, with the surface's normals at a few places in it and at all sides of its corners, may have
+  /// a foot that suits.
+  using MayHold = std::function<bool(const Span&, const Eigen::Matrix<double, Dim, Eigen::Dynamic>& normals)>;
+
   /// The nearest of the feet that are at most `reach` away from a position and suit. One foot per span is
   /// tried, from the nearest box on until the next box is farther away than the best foot. surface: in the
-  /// place in which it was before.
+  /// place in which it was before. mayHold: to leave out spans that are not worth trying.
   std::optional<Foot<Dim>> nearest(const MasterSurface<Dim>& surface, const Point& position, double reach,
-                                   const std::function<bool(const Foot<Dim>&)>& suits) const;
+                                   const std::function<bool(const Foot<Dim>&)>& suits,
+                                   const MayHold& mayHold = {}) const;
 
  private:
   struct Candidate {
     Span span;
     Point low, high;  ///< of its Bézier points, infinite where it has none
     Eigen::Matrix<double, Dim, Eigen::Dynamic> samples;  ///< degree + 1 points per direction
+    Eigen::Matrix<double, Dim, Eigen::Dynamic> normals;  ///< there, then around its corners
   };
 
   std::vector<Candidate> candidates_;  ///< ascending

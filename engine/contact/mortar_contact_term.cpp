@@ -32,20 +32,23 @@ void sortOnce(std::vector<int>& unknowns) {
 
 }  // namespace
 
-/// Averages of a function, over the unknowns of `functionUnknowns_`.
+/// Averages of a function.
 template <int Dim>
 struct MortarContactTerm<Dim>::Average {
-  double A = 0.0, G = 0.0;  ///< ∫' R_A dΓ, ∫' R_A g dΓ
-  Eigen::VectorXd D;
-  Tangential slip = Tangential::Zero();  ///< ∫' R_A s dΓ
+  std::vector<int> unknowns;             ///< what its points depend on, ascending
+  double A = 0.0, G = 0.0, B = 0.0;      ///< ∫' R_A dΓ, ∫' R_A φ dΓ, ∫' R_A φ' dΓ
+  Eigen::VectorXd D;                     ///< ∂G, unknowns
+  Tangential slip = Tangential::Zero();  ///< ∫' R_A φ' s dΓ = B s_A
   double area = 0.0;                     ///< ∫' R_A j dΓ, j the stretch of area; where the law needs it
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< ∫' R_A X dΓ; with friction
-  Rows T, S;
+  Rows T, S;                                        ///< S = B ∂s_A
 };
 
 template <int Dim>
 struct MortarContactTerm<Dim>::Sums {
   std::vector<std::optional<ContactPoint<Dim>>> points;  ///< quadrature points
+  std::vector<LimitedGap> limited;                       ///< quadrature points: φ, φ', φ''
+  std::vector<std::vector<int>> unknowns;                ///< spans: what their points depend on, ascending
   std::vector<Average> averages;                         ///< functions
 };
 
@@ -114,24 +117,55 @@ SlavePoint<Dim> MortarContactTerm<Dim>::pointAt(std::size_t e, Eigen::Index q,
           accepted};
 }
 
+/// Gaps and slips of all points, and the unknowns of each function's points.
 template <int Dim>
-typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
+typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::measure(
     const Eigen::MatrixXd& positions) const {
   Sums sums;
   sums.points.resize(static_cast<std::size_t>(face_.numPoints()));
-  for (const auto& unknowns : functionUnknowns_) {
-    auto& average = sums.averages.emplace_back();
-    average.D = Eigen::VectorXd::Zero(std::ssize(unknowns));
-    if (hasFriction_) average.T = average.S = Rows::Zero(std::ssize(unknowns), Dim - 1);
+  sums.limited.resize(sums.points.size());
+  sums.averages.resize(static_cast<std::size_t>(face_.numFunctions()));
+  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
+    const auto& span = face_.spans()[e];
+    auto& unknowns = sums.unknowns.emplace_back();
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const auto slave = pointAt(e, q, positions);
+      const auto number = static_cast<std::size_t>(slave.number);
+      auto& point = sums.points[number] = partner_->at(slave, PointDetail::Derivatives);
+      if (!point) continue;
+      if (hasFriction_) partner_->addSlip(slave, *point);
+      sums.limited[number] = limitedGap(point->gap, options_.gapLimit.value_or(kAnyGap) * span.size);
+      unknowns.insert(unknowns.end(), point->unknowns.begin(), point->unknowns.end());
+    }
+    sortOnce(unknowns);
+    for (const int a : span.functions) {
+      auto& all = sums.averages[static_cast<std::size_t>(a)].unknowns;
+      all.insert(all.end(), unknowns.begin(), unknowns.end());
+    }
+  }
+  return sums;
+}
+
+template <int Dim>
+typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
+    const Eigen::MatrixXd& positions) const {
+  Sums sums = measure(positions);
+  std::vector<Eigen::VectorXd> curved;  // ∫' R_A φ'' N dΓ per function
+  for (Average& average : sums.averages) {
+    sortOnce(average.unknowns);
+    const auto size = std::ssize(average.unknowns);
+    average.D = Eigen::VectorXd::Zero(size);
+    if (!hasFriction_) continue;
+    average.T = average.S = Rows::Zero(size, Dim - 1);
+    curved.emplace_back(Eigen::VectorXd::Zero(size));
   }
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const auto slave = pointAt(e, q, positions);
-      auto& point = sums.points[static_cast<std::size_t>(slave.number)] =
-          partner_->at(slave, PointDetail::Derivatives);
+      const auto number = static_cast<std::size_t>(span.firstPoint + q);
+      const auto& point = sums.points[number];
       if (!point) continue;
-      if (hasFriction_) partner_->addSlip(slave, *point);
+      const LimitedGap& limited = sums.limited[number];
       const double stretch = frictionLaw_.needsStretch()
                                  ? areaStretch(span.functions, acceptedPoints(e), span.R.col(q),
                                                span.dR.middleCols((Dim - 1) * q, Dim - 1))
@@ -140,24 +174,34 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const auto A = static_cast<std::size_t>(span.functions[a]);
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
+        const double slope = wR * limited.slope;
         auto& average = sums.averages[A];
         average.A += wR;
-        average.G += wR * point->gap;
+        average.G += wR * limited.value;
+        average.B += slope;
         average.area += wR * stretch;
         // The rows of unknowns that stand on both sides are added one after the other.
-        const auto places = placesIn(functionUnknowns_[A], point->unknowns);
+        const auto places = placesIn(average.unknowns, point->unknowns);
         for (std::size_t i = 0; i < places.size(); ++i) {
           const auto row = static_cast<Eigen::Index>(i);
-          average.D(places[i]) += wR * point->dGap(row);
+          average.D(places[i]) += slope * point->dGap(row);
           if (!hasFriction_) continue;
-          average.T.row(places[i]) += wR * point->virtualSlip.row(row);
-          average.S.row(places[i]) += wR * point->dSlip.row(row);
+          average.T.row(places[i]) += slope * point->virtualSlip.row(row);
+          average.S.row(places[i]) += slope * point->dSlip.row(row);
+          if (limited.curvature == 0.0) continue;
+          const double turned = wR * limited.curvature * point->dGap(row);
+          average.S.row(places[i]) += turned * point->slip.transpose();
+          curved[A](places[i]) += turned;
         }
         if (!hasFriction_) continue;
-        average.slip += wR * point->slip;
+        average.slip += slope * point->slip;
         average.place += wR * place;
       }
     }
+  }
+  for (std::size_t A = 0; A < curved.size(); ++A) {
+    Average& average = sums.averages[A];
+    if (options_.gapLimit && average.B > 0.0) average.S -= curved[A] / average.B * average.slip.transpose();
   }
   return sums;
 }
@@ -172,7 +216,7 @@ FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Averag
     return none;
   }
   const Tangential tau = x.template segment<Dim - 1>(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A);
-  const Tangential trial = tau + frictionParameter() / average.A * average.slip;
+  const Tangential trial = tau + frictionParameter() / average.B * average.slip;
   const FrictionPlace place{average.place / average.A, t, slipped_(A), average.area / average.A};
   return coulombTraction<Dim - 1>(trial, state_.lambdaHat(A), frictionLaw_.at(place, -state_.lambdaHat(A)));
 }
@@ -209,16 +253,17 @@ void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, As
   for (int A = 0; A < numFunctions; ++A) {
     const auto a = static_cast<std::size_t>(A);
     const Average& average = sums.averages[a];
-    const auto& unknowns = functionUnknowns_[a];
-    const Eigen::Index n = average.D.size(), size = n + (hasFriction_ ? Dim : 1);
     const double lambda = x(firstMultiplier_ + A);
     if (average.A > kSmallestPart * A_(A)) {
       state_.averageGap(A) = average.G / average.A;
       state_.lambdaHat(A) = lambda + eps * state_.averageGap(A);
-      state_.active[a] = state_.lambdaHat(A) <= 0.0;
+      state_.active[a] = state_.lambdaHat(A) <= 0.0 && average.B > kOpenSlope * average.A;
     }
     const bool active = state_.active[a];
     if (!active) state_.lambdaHat(A) = 0.0;
+    std::vector<int> unknowns;
+    if (active) unknowns = average.unknowns;
+    const Eigen::Index n = std::ssize(unknowns), size = n + (hasFriction_ ? Dim : 1);
     // Of functions that are not active, what vanishes over the face is weighed as all of it.
     const double weight = active ? average.A : A_(A);
     Eigen::MatrixXd K;
@@ -235,32 +280,39 @@ void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, As
     if (hasFriction_) {
       const int first = firstMultiplier_ + numFunctions + (Dim - 1) * A;
       const auto& law = tractions_[a] = frictionOf(A, average, t, x);
-      if (active) ++(law.slips ? state_.slipping : state_.sticking);
-      const Eigen::VectorXd force = average.T * law.traction;
-      out.force(unknowns) += force;
-      work_.force()(unknowns) += force;
+      if (active) {
+        ++(law.slips ? state_.slipping : state_.sticking);
+        const Eigen::VectorXd force = average.T * law.traction;
+        out.force(unknowns) += force;
+        work_.force()(unknowns) += force;
+      }
       out.force.template segment<Dim - 1>(first) +=
           weight / epsT * (law.traction - x.template segment<Dim - 1>(first));
       if (out.system != nullptr) {
-        const Rows TM = average.T * law.byTrial, SM = average.S * law.byTrial.transpose();
-        const Eigen::VectorXd Tc = average.T * law.byPressure;
         const auto tau = Eigen::seqN(n + 1, Dim - 1), own = Eigen::seqN(0, n);
         K(tau, tau) += weight / epsT * (law.byTrial - Eigen::Matrix<double, Dim - 1, Dim - 1>::Identity());
         if (active) {
+          const Rows TM = average.T * law.byTrial, SM = average.S * law.byTrial.transpose();
+          const Eigen::VectorXd Tc = average.T * law.byPressure;
           K(own, own) +=
-              epsT / weight * TM * average.S.transpose() + eps / weight * Tc * average.D.transpose();
+              epsT / average.B * TM * average.S.transpose() + eps / weight * Tc * average.D.transpose();
           K(own, tau) += TM;
           K.col(n).head(n) += Tc;
-          K(tau, own) += SM.transpose() + eps / epsT * law.byPressure * average.D.transpose();
+          K(tau, own) +=
+              weight / average.B * SM.transpose() + eps / epsT * law.byPressure * average.D.transpose();
           K(tau, n) += weight / epsT * law.byPressure;
         }
       }
     }
-    if (out.system != nullptr) out.system->add(out.term, face_.spans().size() + a, K);
+    if (out.system == nullptr) continue;
+    unknowns.push_back(firstMultiplier_ + A);
+    for (int alpha = 0; hasFriction_ && alpha < Dim - 1; ++alpha)
+      unknowns.push_back(firstMultiplier_ + numFunctions + (Dim - 1) * A + alpha);
+    out.system->add(unknowns, K);
   }
 }
 
-/// ∫' λ̂ ∂²g + ∂(t·δs_T) dΓ, and what there is to say of the points.
+/// ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + ∂(φ' t·δs_T) dΓ, and what there is to say of the points.
 template <int Dim>
 void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums) {
   state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
@@ -273,13 +325,15 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
   const Eigen::Vector3d pivot = partner_->pivot();
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
-    const auto& unknowns = spanUnknowns_[e];
+    const auto& unknowns = sums.unknowns[e];
     Eigen::MatrixXd K;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const Eigen::Index number = span.firstPoint + q;
       const auto& point = sums.points[static_cast<std::size_t>(number)];
       if (!point) continue;
-      const double w = span.weights(q), lambdaHat = span.R.col(q).dot(state_.lambdaHat(span.functions));
+      const LimitedGap& limited = sums.limited[static_cast<std::size_t>(number)];
+      const double w = span.weights(q), average = span.R.col(q).dot(state_.lambdaHat(span.functions));
+      const double lambdaHat = limited.slope * average;
       state_.gap(number) = point->gap;
       state_.pressure(number) = -lambdaHat;
       state_.normal.col(number).template head<Dim>() = point->normal;
@@ -290,6 +344,7 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
         for (std::size_t a = 0; a < span.functions.size(); ++a)
           traction += span.R(static_cast<Eigen::Index>(a), q) *
                       tractions_[static_cast<std::size_t>(span.functions[a])].traction;
+        traction *= limited.slope;
         tangentialForce.template head<Dim>() = w * point->frame * traction;
         state_.traction.col(number).template head<Dim>() = point->frame * traction;
         state_.slip.col(number).template head<Dim>() = point->frame * point->slip;
@@ -319,9 +374,13 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
       const auto curved = partner_->at(slave, PointDetail::SecondDerivatives);
       add(curved->unknowns, w * lambdaHat * curved->d2Gap);
       if (hasFriction_) add(point->unknowns, w * partner_->frictionTangent(slave, *point, traction));
+      if (limited.curvature == 0.0) continue;
+      Eigen::VectorXd force = average * point->dGap;
+      if (hasFriction_) force += point->virtualSlip * traction / limited.slope;
+      add(point->unknowns, w * limited.curvature * force * point->dGap.transpose());
     }
     state_.pressed += span.weights.dot(state_.pressure.segment(span.firstPoint, span.weights.size()));
-    if (out.system != nullptr && K.size() > 0) out.system->add(out.term, e, K);
+    if (out.system != nullptr && K.size() > 0) out.system->add(unknowns, K);
   }
 }
 

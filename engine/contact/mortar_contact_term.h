@@ -15,7 +15,7 @@ namespace burnish {
 /// over points that have a partner (∫'), N = ∂g and T, S of `ContactPoint`:
 ///
 ///     A_A = ∫' R_A dΓ,   g_A = 1/A_A ∫' R_A g dΓ,   s_A = 1/A_A ∫' R_A s dΓ,
-///     D_A = ∫' R_A N dΓ,   T_A = ∫' R_A T dΓ,   S_A = ∫' R_A S dΓ,
+///     D_A = A_A ∂g_A = ∫' R_A N dΓ,   T_A = ∫' R_A T dΓ,   S_A = A_A ∂s_A = ∫' R_A S dΓ,
 ///     λ̂_A = λ_A + ε g_A, active where λ̂_A <= 0,   τ̂_A = τ_A + ε_T s_A,   τᵉ_A of `coulombTraction` (with the
 ///     law at the function's mean place, with the mean stretch of area in the accepted state),
 ///     R_u += Σ λ̂_A D_A + T_A τᵉ_A,   R_λA = A_A g_A or -A_A/ε λ_A,   R_τA = A_A/ε_T (τᵉ_A - τ_A).
@@ -26,14 +26,21 @@ namespace burnish {
 ///     K_uλ = D_A + T_A c,   K_uτ = T_A M,   K_λu = D_Aᵀ,   K_τu = M S_Aᵀ + ε/ε_T c D_Aᵀ,
 ///     K_τλ = A_A/ε_T c,   K_ττ = A_A/ε_T (M - I),
 ///
-/// symmetric without friction. A function with less than a twentieth of its weight over points with a partner
-/// is not active, and its multipliers vanish.
+/// symmetric without friction. With a gap limit averages take φ(g) of `limitedGap`. Tractions at a point are φ'
+/// times λ̂ and t, and slips count as much, so that places which are open neither rub nor slip: with
+/// B_A = ∫' R_A φ' dΓ in the place of A_A under slips
+///
+///     g_A = 1/A_A ∫' R_A φ dΓ,   D_A = ∫' R_A φ' N dΓ,   T_A = ∫' R_A φ' T dΓ,
+///     s_A = 1/B_A ∫' R_A φ' s dΓ,   S_A = B_A ∂s_A = ∫' R_A (φ' S + φ'' (s - s_A) N) dΓ,
+///
+/// and in the tangent ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + φ' ∂(t·δs_T) + φ'' (t·T) Nᵀ dΓ. A function with less than a twentieth of its weight over points with a partner
+/// is not active, and its multipliers vanish; neither is one over open places alone (`kOpenSlope`).
 template <int Dim>
 class MortarContactTerm final : public FaceContact<Dim> {
  public:
-  /// options: with a parameter; no gap limit. firstMultiplier: number of the first of the pair's multipliers
-  /// among the unknowns. definitions: of names in the formula for friction. Throws `Error` as
-  /// `requireAveragedGaps` and `FrictionLaw`.
+  /// options: with a parameter. firstMultiplier: number of the first of the pair's multipliers among the
+  /// unknowns. definitions: of names in the formula for friction. Throws `Error` as `requireAveragedGaps` and
+  /// `FrictionLaw`.
   MortarContactTerm(const Body<Dim>& body, int patch, FaceId face, const PartnerMaker<Dim>& makePartner,
                     const ContactOptions& options, int firstMultiplier,
                     const std::vector<DefinitionSpec>& definitions = {});
@@ -57,6 +64,7 @@ class MortarContactTerm final : public FaceContact<Dim> {
   /// Control points of a span's functions in the accepted state; with friction alone.
   Eigen::MatrixXd acceptedPoints(std::size_t e) const;
   SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
+  Sums measure(const Eigen::MatrixXd& positions) const;
   Sums integrate(const Eigen::MatrixXd& positions) const;
   FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, double t,
                                        const Eigen::VectorXd& x) const;

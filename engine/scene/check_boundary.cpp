@@ -133,8 +133,6 @@ void checkFriction(const CheckContext& c, const ContactOptions& options, const s
     else if (options.method == Enforcement::AugmentedLagrangian && tool != nullptr && tool->carry)
       report("with augmented-lagrangian for a tool that carries a load",
              "with integral-augmented-lagrangian");
-    else if (options.gapLimit)
-      report("beside gap_limit", "one of the two");
   }
   if (options.shearLimit && !options.friction && c.clean(path + ".shear_limit"))
     c.report(path + ".shear_limit", "found without friction; allowed: beside friction.");
@@ -152,8 +150,7 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
     c.report(path + ".method",
              "found a penalty method, which is for contact with tools; allowed between bodies: "
              "augmented-lagrangian, integral-augmented-lagrangian.");
-  if (pair.options.gapLimit && c.clean(path + ".gap_limit"))
-    c.report(path + ".gap_limit", "found beside against; allowed: beside tool.");
+  checkGapLimit(c, pair, path + ".gap_limit");
   checkFriction(c, pair.options, path);
   if (!c.clean(path)) return;
   const PlaceOfFace slave = placeOfFace(c.scene, pair.place), master = placeOfFace(c.scene, *pair.against);
@@ -215,16 +212,35 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
   }
 }
 
+/// The list of several faces of one self-contact.
+void checkFaces(const CheckContext& c, const std::string& path, const SelfContactSpec& spec) {
+  checkPatch(c, path, spec.place.body, spec.place.patch);
+  if (!spec.place.face.empty() && c.clean(path + ".face"))
+    c.report(path + ".face", "found beside faces; allowed: one of the two.");
+  for (std::size_t k = 0; k < spec.faces.size(); ++k) {
+    const std::string& face = spec.faces[k];
+    if (c.dimensionIsKnown() && c.scene.dim() == 2 && (face == "back" || face == "front"))
+      c.report(fmt::format("{}.faces[{}]", path, k),
+               fmt::format(
+                   "found {}, a face of three-dimensional bodies; allowed here: left | right | bottom | top.",
+                   face));
+  }
+}
+
 void checkSelfContact(const CheckContext& c) {
-  std::set<std::tuple<std::size_t, std::string, std::string>> faces;
+  std::set<PlaceOfFace> faces;
   for (std::size_t i = 0; i < c.scene.selfContact.size(); ++i) {
-    const FaceSpec& place = c.scene.selfContact[i].place;
+    const SelfContactSpec& spec = c.scene.selfContact[i];
     const std::string path = fmt::format("self_contact[{}]", i);
-    if (c.dimensionIsKnown() && c.scene.dim() == 3)
-      return c.report(path, "found in a scene of three dimensions; allowed: in two.");
-    checkFace(c, path, place);
-    if (c.clean(path) && !faces.insert({c.scene.bodyNumber(place.body), place.patch, place.face}).second)
-      c.report(path, fmt::format("found face {} a second time; allowed: each face once.", place.face));
+    checkFriction(c, spec.options, path);
+    if (spec.faces.empty())
+      checkFace(c, path, spec.place);
+    else
+      checkFaces(c, path, spec);
+    if (!c.clean(path)) continue;
+    for (const FaceSpec& place : spec.places())
+      if (!faces.insert(placeOfFace(c.scene, place)).second)
+        c.report(path, fmt::format("found face {} a second time; allowed: each face once.", place.face));
   }
 }
 

@@ -12,6 +12,13 @@ int dimensionOf(const PatchesSpec& body) {
   return body.patches.empty() ? 0 : dimensionOf(body.patches.front().shape);
 }
 
+std::vector<FaceSpec> SelfContactSpec::places() const {
+  if (faces.empty()) return {place};
+  std::vector<FaceSpec> all(faces.size(), place);
+  for (std::size_t k = 0; k < faces.size(); ++k) all[k].face = faces[k];
+  return all;
+}
+
 std::string pairName(const ContactSpec& pair) {
   if (!pair.name.empty()) return pair.name;
   const bool named = !pair.place.body.empty() && pair.place.body != pair.against->body;

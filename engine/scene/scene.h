@@ -130,10 +130,16 @@ struct ContactSpec {
 /// Name of a pair of faces in results: its own, or those of its two bodies (faces, if these have none).
 std::string pairName(const ContactSpec& pair);
 
-/// Contact of a face with itself, without friction.
+/// Contact of one face with itself, or of several faces of a body, which are one surface, with themselves and
+/// one another.
 struct SelfContactSpec {
-  FaceSpec place;  ///< a whole face
-  SelfContactOptions options;
+  FaceSpec place;                  ///< a whole face, or
+  std::vector<std::string> faces;  ///< whole faces of that body and patch
+  std::optional<double> reach;     ///< distance within which parts are partners
+  ContactOptions options;          ///< method is the default
+
+  /// The face, or all of the faces.
+  std::vector<FaceSpec> places() const;
 };
 
 /// A phase of the run: `count` equal nominal steps from the end of the previous phase (or 0) to `until`.

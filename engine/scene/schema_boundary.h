@@ -107,8 +107,24 @@ void describe(Visitor& v, ContactSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, SelfContactSpec& s) {
-  describeFace(v, s.place);
-  describe(v, s.options);
+  v.field("body", s.place.body, {.identifier = true}, kBodySentence);
+  v.field("patch", s.place.patch, {.identifier = true}, kPatchSentence);
+  v.field("face", s.place.face, {.choices = faceNames()}, kFaceSentence);
+  v.field(
+      "faces", s.faces, {.minEntries = 1, .choices = faceNames()},
+      "Several faces of the patch instead of face: they are one surface, whose parts may touch one another.");
+  v.field("reach", s.reach, {.above = 0, .unit = "length"},
+          "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of "
+          "the body's largest extent when left out.");
+  v.field("parameter", s.options.parameter, {.above = 0, .unit = "stress per length"},
+          "Augmentation parameter; E/L when left out, L the body's largest extent.");
+  v.field("quadrature_points", s.options.quadraturePoints, {.atLeast = 1, .atMost = 32},
+          "Quadrature points per knot span and direction; twice the degree when left out.");
+  v.field(
+      "gap_limit", s.options.gapLimit, {.above = 0, .atMost = 1},
+      "As under contact: only up to this share of the knot span's length do gaps count in full in averages. "
+      "For a part that meets another one with an edge: 0.02. All gaps count in full when left out.");
+  describeFriction(v, s.options);
 }
 
 }  // namespace burnish

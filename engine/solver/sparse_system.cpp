@@ -139,6 +139,18 @@ void SparseSystem::add(std::size_t term, std::size_t number, const Eigen::Ref<co
   }
 }
 
+void SparseSystem::add(const std::vector<int>& unknowns, const Eigen::Ref<const Eigen::MatrixXd>& K) {
+  for (std::size_t c = 0; c < unknowns.size(); ++c) {
+    const int* begin = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[unknowns[c]];
+    const int* end = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[unknowns[c] + 1];
+    const double* value = K.col(static_cast<Eigen::Index>(c)).data();
+    for (const int row : unknowns) {
+      if (begin == end || *begin != row) begin = std::lower_bound(begin, end, row);
+      tangent_.valuePtr()[begin++ - tangent_.innerIndexPtr()] += *value++;
+    }
+  }
+}
+
 void SparseSystem::moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values) {
   const int end = tangent_.outerIndexPtr()[unknown + 1];
   for (int k = tangent_.outerIndexPtr()[unknown]; k < end; ++k) {

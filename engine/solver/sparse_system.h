@@ -28,6 +28,9 @@ class SparseSystem {
   /// same time for groups that have no unknown in common.
   void add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
+  /// Adds the dense tangent of some unknowns, ascending and each there once, that a group has together.
+  void add(const std::vector<int>& unknowns, const Eigen::Ref<const Eigen::MatrixXd>& K);
+
   /// Adds a column over the first unknowns, as many as there are values, zero outside of the pattern, and
   /// leaves zeros behind. Safe to call at the same time for different columns.
   void moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values);

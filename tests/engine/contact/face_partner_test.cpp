@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/contact/self_contact_term.h"
 #include "engine/core/error.h"
 #include "tests/engine/contact/surface_samples.h"
 #include "tests/engine/solid/term_check.h"
@@ -314,45 +313,56 @@ Body<2> jaws(BasisFamily family) {
   return makeBody(Patch<2>(polar.basis(), std::move(points), polar.weights()));
 }
 
-TEST(FacePartner, IsWhatSelfContactIsOnOneFace) {
-  constexpr FaceId kInner = 0;
-  for (const BasisFamily family : {BasisFamily::BSpline, BasisFamily::Lagrange}) {
-    const Body<2> body = jaws(family);
-    SelfContactTerm term(body, 0, kInner, {0.6, 10.0, {}, {}}, 2 * body.numNodes);
-    const FaceQuadrature<2>& face = term.face();
-    const double outward = outwardSign(body.patches.front(), kInner);
-    FacePartner<2> partner(
-        face, tracePatch(body.patches.front(), kInner), outward, MasterSurface<2>(body, {{0, kInner}}),
-        {.reach = 0.6, .newPenetration = 0.0, .newOverhang = 0.25, .takesNearer = false, .ownFace = 0});
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers());
+constexpr FaceId kInner = 0;
+
+/// The inner face of the jaws and its partners on itself.
+struct Jaws {
+  FaceQuadrature<2> face;
+  FacePartner<2> partner;
+
+  explicit Jaws(const Body<2>& body, bool isNewMesh = false)
+      : face(body, 0, kInner, 4),
+        partner(face, tracePatch(body.patches.front(), kInner), outwardSign(body.patches.front(), kInner),
+                MasterSurface<2>(body, {{0, kInner}}), selfContactRules(0.6, 0, isNewMesh)) {}
+
+  int numPartners() const {
     int partners = 0;
-    for (int step = 0; step < 6; ++step) {
-      // The jaws close.
-      const Eigen::MatrixXd X = body.nodePositions();
-      for (int node = 0; node < body.numNodes; ++node)
-        x(2 * node + 1) = -0.12 * step * X(1, node) * std::exp(X(0, node) - 4.0);
-      x.head(2 * body.numNodes) += test::randomState(2 * body.numNodes, 1e-3, static_cast<unsigned>(step));
-      test::forceOf(term, 0.0, x);
-      ASSERT_TRUE(partner.update(0.0, x, face.positions(x)));
-      for (int k = 0; k < face.numPoints(); ++k) {
-        const auto& foot = partner.foot(k);
-        // Beyond its ends that curve goes on as its polynomials do, not straight.
-        if (foot && partner.surface().overhang(foot->point.place) > 0.0) continue;
-        ASSERT_EQ(foot.has_value(), std::isfinite(term.state().gap(k))) << "step " << step << " point " << k;
+    for (int k = 0; k < face.numPoints(); ++k) partners += partner.foot(k).has_value();
+    return partners;
+  }
+};
+
+TEST(FacePartner, OfOneFaceWithItselfIsALaterPointThatLooksBack) {
+  const Body<2> body = jaws(BasisFamily::BSpline);
+  Jaws made(body);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes);
+  int partners = 0;
+  for (int step = 0; step < 6; ++step) {
+    // The jaws close.
+    const Eigen::MatrixXd X = body.nodePositions();
+    for (int node = 0; node < body.numNodes; ++node)
+      x(2 * node + 1) = -0.12 * step * X(1, node) * std::exp(X(0, node) - 4.0);
+    const Eigen::MatrixXd positions = made.face.positions(x);
+    ASSERT_TRUE(made.partner.update(0.0, x, positions));
+    made.partner.accept();
+    for (const auto& span : made.face.spans())
+      for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+        const auto number = span.firstPoint + q;
+        const auto& foot = made.partner.foot(static_cast<int>(number));
         if (!foot) continue;
         ++partners;
-        EXPECT_NEAR(foot->gap, term.state().gap(k), 1e-14);
-        EXPECT_LT((foot->normal - term.state().normal.col(k)).norm(), 1e-11);
+        EXPECT_GT(foot->point.place.xi(0), span.xi(0, q));
+        const Eigen::Vector2d way = positions.col(number) - foot->point.x;
+        EXPECT_LT(std::abs(way.dot(foot->point.tangents)), 1e-13);
+        EXPECT_NEAR(foot->gap, way.norm(), 1e-14);
+        EXPECT_LT(foot->normal.dot(Eigen::Vector2d::UnitY()) * (positions(1, number) > 0.0 ? -1.0 : 1.0),
+                  -0.5);
       }
-      term.accept();
-      partner.accept();
-    }
-    EXPECT_GT(partners, 60);
   }
+  EXPECT_GT(partners, 60);
 }
 
 TEST(FacePartner, PartsOfANewMeshMayBeginALittleInside) {
-  constexpr FaceId kInner = 0;
   // A thin hole, through which a bump of its upper face reaches into the lower one.
   Body<2> body = jaws(BasisFamily::BSpline);
   const Patch<2>& patch = body.patches.front();
@@ -362,29 +372,7 @@ TEST(FacePartner, PartsOfANewMeshMayBeginALittleInside) {
     if (points(1, a) > 0.0 && std::abs(points(0, a) - 3.0) < 0.4) points(1, a) -= 0.012;
   }
   body = makeBody(Patch<2>(patch.basis(), points, patch.weights()));
-  const double outward = outwardSign(body.patches.front(), kInner);
-  std::vector<int> found;
-  for (const bool isNewMesh : {false, true}) {
-    SelfContactTerm term(body, 0, kInner, {0.6, 10.0, {}, {}}, 2 * body.numNodes, isNewMesh);
-    FacePartner<2> partner(term.face(), tracePatch(body.patches.front(), kInner), outward,
-                           MasterSurface<2>(body, {{0, kInner}}),
-                           {.reach = 0.6,
-                            .newPenetration = 0.0,
-                            .newOverhang = 0.25,
-                            .takesNearer = false,
-                            .ownFace = 0,
-                            .isNewMesh = isNewMesh});
-    test::forceOf(term, 0.0, Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers()));
-    int partners = 0;
-    for (int k = 0; k < term.face().numPoints(); ++k) {
-      const auto& foot = partner.foot(k);
-      if (foot && partner.surface().overhang(foot->point.place) > 0.0) continue;
-      EXPECT_EQ(foot.has_value(), std::isfinite(term.state().gap(k))) << k;
-      partners += foot.has_value();
-    }
-    found.push_back(partners);
-  }
-  EXPECT_GT(found.back(), found.front() + 5);
+  EXPECT_GT(Jaws(body, true).numPartners(), Jaws(body).numPartners() + 5);
 }
 
 }  // namespace

@@ -1,9 +1,15 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
 
-#include "engine/contact/self_contact_term.h"
+#include "engine/contact/face_partner.h"
+#include "engine/contact/mortar_contact_term.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "tests/engine/solid/term_check.h"
@@ -32,18 +38,37 @@ Body<2> jaws(int degree, BasisFamily family, const Eigen::Vector2d& at = {3.0, 0
 
 constexpr FaceId kInner = 0;
 
+/// Contact of a face of the body's only patch with itself; multipliers follow the displacements.
+MortarContactTerm<2> selfContact(const Body<2>& body, FaceId face, ContactOptions options = {}) {
+  const Patch<2>& patch = body.patches.front();
+  options.parameter = 10.0;
+  const auto makePartner = [&](const FaceQuadrature<2>& slave) {
+    return std::make_unique<FacePartner<2>>(slave, tracePatch(patch, face), outwardSign(patch, face),
+                                            MasterSurface<2>(body, {{0, face}}), selfContactRules(0.6, 0));
+  };
+  return {body, 0, face, makePartner, options, 2 * body.numNodes};
+}
+
 struct Case {
   BasisFamily family;
   int degree;
   bool axisymmetric = false;
   Eigen::Vector2d at = {3.0, 0.0};
-  double gapLimit = std::numeric_limits<double>::infinity();
+  std::optional<double> gapLimit = std::nullopt;
+  double friction = 0.0;
+
+  ContactOptions options() const {
+    ContactOptions options;
+    options.gapLimit = gapLimit;
+    if (friction > 0.0) options.friction = FormulaText{fmt::format("{}", friction)};
+    return options;
+  }
 };
 
 /// The jaws in a random state near the reference, with multipliers that press wherever there are partners.
 struct Pressed {
   Body<2> body;
-  SelfContactTerm term;
+  MortarContactTerm<2> term;
   Eigen::VectorXd x;
 
   explicit Pressed(const Case& c)
@@ -52,22 +77,46 @@ struct Pressed {
           made.axisymmetric = c.axisymmetric;
           return made;
         }()),
-        term(body, 0, kInner, {0.6, 10.0, {}, c.gapLimit}, 2 * body.numNodes),
+        term(selfContact(body, kInner, c.options())),
         x(test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11)) {
-    x.tail(term.numMultipliers()).array() -= 8.0;
+    const int functions = term.face().numFunctions();
+    x.segment(2 * body.numNodes, functions).array() -= 8.0;
+    if (c.friction == 0.0) return;
+    // A step in which the parts slide along each other, before which friction held some of them.
+    static_cast<void>(test::forceOf(term, 0.0, x));
+    term.accept();
+    x.tail(functions) = test::randomState(functions, 4.0, 12);
+    x.head(2 * body.numNodes) += test::randomState(2 * body.numNodes, 2e-2, 13);
   }
 };
 
 /// Most gaps count in part.
 const Case kLimited{BasisFamily::BSpline, 2, false, {3.0, 0.0}, 0.7};
 
-class SelfContact : public testing::TestWithParam<Case> {};
+const std::vector<Case> kFrictionless{{BasisFamily::BSpline, 2},
+                                      {BasisFamily::BSpline, 3},
+                                      {BasisFamily::BSpline, 4},
+                                      {BasisFamily::Lagrange, 1},
+                                      {BasisFamily::Lagrange, 2},
+                                      {BasisFamily::BSpline, 2, true},
+                                      {BasisFamily::Lagrange, 2, true},
+                                      kLimited,
+                                      {BasisFamily::Lagrange, 2, true, {3.0, 0.0}, 0.7}};
 
-TEST_P(SelfContact, TangentAgreesWithCentralDifferencesAndIsSymmetric) {
+class SelfContact : public testing::TestWithParam<Case> {};
+class FrictionlessSelfContact : public testing::TestWithParam<Case> {};
+
+TEST_P(SelfContact, TangentAgreesWithCentralDifferencesAndIsSymmetricWithoutFriction) {
   Pressed pressed(GetParam());
   EXPECT_LT(test::tangentError(pressed.term, 0.0, pressed.x, 1e-6), 1e-6);
-  EXPECT_LT(test::asymmetry(test::tangentOf(pressed.term, 0.0, pressed.x)), 1e-12);
-  EXPECT_GT(pressed.term.state().numActive(), 3);
+  const ContactState& state = pressed.term.state();
+  EXPECT_GT(state.numActive(), 3);
+  if (GetParam().friction == 0.0) {
+    EXPECT_LT(test::asymmetry(test::tangentOf(pressed.term, 0.0, pressed.x)), 1e-12);
+    return;
+  }
+  EXPECT_GT(state.sticking, 0);
+  EXPECT_GT(state.slipping, 0);
 }
 
 TEST_P(SelfContact, ForcesAreInBalance) {
@@ -81,14 +130,14 @@ TEST_P(SelfContact, ForcesAreInBalance) {
   EXPECT_LT(forces.rowwise().sum().norm(), 1e-12 * scale);
   EXPECT_LT(std::abs(places.row(0).dot(forces.row(1)) - places.row(1).dot(forces.row(0))),
             1e-12 * scale * places.norm());
-  EXPECT_GT(pressed.term.state().force.norm(), 1.0);
+  EXPECT_GT(pressed.term.state().reaction.norm(), 1.0);
 }
 
-TEST_P(SelfContact, ForcesAreTheDerivativeOfTheAveragedGaps) {
+TEST_P(FrictionlessSelfContact, ForcesAreTheDerivativeOfTheAveragedGaps) {
   Pressed pressed(GetParam());
   const auto energy = [&](const Eigen::VectorXd& x) {
     static_cast<void>(test::forceOf(pressed.term, 0.0, x));
-    const SelfContactState& state = pressed.term.state();
+    const ContactState& state = pressed.term.state();
     double work = 0.0;
     const Eigen::VectorXd force = test::forceOf(pressed.term, 0.0, x);
     for (int A = 0; A < pressed.term.numMultipliers(); ++A) {
@@ -108,15 +157,14 @@ TEST_P(SelfContact, ForcesAreTheDerivativeOfTheAveragedGaps) {
   EXPECT_NEAR(force, difference, 1e-7 * std::abs(force));
 }
 
-INSTANTIATE_TEST_SUITE_P(Bases, SelfContact,
-                         testing::Values(Case{BasisFamily::BSpline, 2}, Case{BasisFamily::BSpline, 3},
-                                         Case{BasisFamily::BSpline, 4}, Case{BasisFamily::Lagrange, 1},
-                                         Case{BasisFamily::Lagrange, 2}, Case{BasisFamily::BSpline, 2, true},
-                                         Case{BasisFamily::Lagrange, 2, true}, kLimited,
-                                         Case{BasisFamily::Lagrange, 2, true, {3.0, 0.0}, 0.7}));
+INSTANTIATE_TEST_SUITE_P(Bases, FrictionlessSelfContact, testing::ValuesIn(kFrictionless));
+INSTANTIATE_TEST_SUITE_P(Bases, SelfContact, testing::ValuesIn(kFrictionless));
+INSTANTIATE_TEST_SUITE_P(Friction, SelfContact,
+                         testing::Values(Case{BasisFamily::BSpline, 2, false, {3.0, 0.0}, {}, 0.3},
+                                         Case{BasisFamily::BSpline, 3, true, {3.0, 0.0}, 0.7, 0.3}));
 
 // Slaves above a ridge of linear elements are closest to its edge.
-class SelfContactAboveAKink : public testing::TestWithParam<double> {};
+class SelfContactAboveAKink : public testing::TestWithParam<std::optional<double>> {};
 
 TEST_P(SelfContactAboveAKink, TangentAgreesWithCentralDifferences) {
   const Body<2> smooth = jaws(1, BasisFamily::Lagrange);
@@ -125,19 +173,22 @@ TEST_P(SelfContactAboveAKink, TangentAgreesWithCentralDifferences) {
   Eigen::MatrixXd points = patch.points();
   points(1, ridge) += 0.12;
   const Body<2> body = makeBody(Patch<2>(patch.basis(), points, patch.weights()));
-  SelfContactTerm term(body, 0, kInner, {0.6, 10.0, {}, GetParam()}, 2 * body.numNodes);
+  ContactOptions options;
+  options.gapLimit = GetParam();
+  auto term = selfContact(body, kInner, options);
   Eigen::VectorXd x = test::randomState(2 * body.numNodes + term.numMultipliers(), 2e-3, 11);
   x.tail(term.numMultipliers()).array() -= 8.0;
   EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
   static_cast<void>(test::forceOf(term, 0.0, x));
   const Eigen::Vector2d edge = points.col(ridge) + x.segment<2>(2 * ridge);
   Eigen::Index q = 0;
-  EXPECT_LT((term.state().partner.colwise() - edge).colwise().norm().minCoeff(&q), 1e-14);
+  const Eigen::Matrix2Xd feet = term.face().positions(x) - term.state().normal.topRows<2>() *
+                                                               term.state().gap.cwiseMin(1e3).asDiagonal();
+  EXPECT_LT((feet.colwise() - edge).colwise().norm().minCoeff(&q), 1e-14);
   EXPECT_GT(term.state().pressure(q), 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(GapLimits, SelfContactAboveAKink,
-                         testing::Values(std::numeric_limits<double>::infinity(), 0.4));
+INSTANTIATE_TEST_SUITE_P(GapLimits, SelfContactAboveAKink, testing::Values(std::nullopt, 0.4));
 
 TEST(SelfContactPartners, DoNotDependOnTheOrigin) {
   Pressed here({BasisFamily::BSpline, 2}), there({BasisFamily::BSpline, 2, false, {3000.0, 1000.0}});
@@ -161,7 +212,7 @@ TEST(SelfContactPartners, OpenPlacesBearNoPressure) {
     limited.gapLimit = share;
     Pressed pressed(limited);
     static_cast<void>(test::forceOf(pressed.term, 0.0, pressed.x));
-    const SelfContactState& state = pressed.term.state();
+    const ContactState& state = pressed.term.state();
     for (const auto& span : pressed.term.face().spans())
       for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
         const double gap = state.gap(span.firstPoint + q), limit = share * span.size;
@@ -186,28 +237,9 @@ TEST(SelfContactPartners, WhatIsOpenIsNotActive) {
   EXPECT_EQ(pressed.term.state().numActive(), 0);
 }
 
-// In front of a corner of elements that are continuous only, the corner is the closest point.
-TEST(SurfaceCurve, ProjectsOnKinks) {
-  const Patch<1, 2> roof(TensorBasis<1>({UnivariateBasis::lagrange(1, {0.0, 1.0, 2.0})}),
-                         (Eigen::MatrixXd(2, 3) << 0.0, 1.0, 2.0, 0.0, 0.5, 0.0).finished(),
-                         Eigen::VectorXd::Ones(3));
-  const SurfaceCurve curve(roof, -1.0);
-  for (const double start : {0.1, 0.9, 1.0, 1.5, 1.9}) {
-    const auto kink = curve.project({1.05, 0.8}, start);
-    ASSERT_TRUE(kink.has_value()) << start;
-    EXPECT_TRUE(kink->isKink);
-    EXPECT_LT((kink->x - Eigen::Vector2d(1.0, 0.5)).norm(), 1e-15);
-    EXPECT_LT((kink->normal - Eigen::Vector2d(0.05, 0.3).normalized()).norm(), 1e-14);
-  }
-  const auto foot = curve.project({0.4, 0.4}, 0.9);
-  ASSERT_TRUE(foot.has_value());
-  EXPECT_FALSE(foot->isKink);
-  EXPECT_NEAR((Eigen::Vector2d(0.4, 0.4) - foot->x).dot(Eigen::Vector2d(1.0, 0.5)), 0.0, 1e-14);
-}
-
 TEST(SelfContactPartners, OuterFaceHasNone) {
   const Body<2> body = jaws(2, BasisFamily::BSpline);
-  SelfContactTerm term(body, 0, 1, {0.6, 10.0}, 2 * body.numNodes);
+  auto term = selfContact(body, 1);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers());
   static_cast<void>(test::forceOf(term, 0.0, x));
   EXPECT_TRUE((term.state().gap.array() > 1e300).all());
@@ -215,11 +247,11 @@ TEST(SelfContactPartners, OuterFaceHasNone) {
 
 TEST(SelfContactPartners, GapIsTheWidthOfTheHole) {
   const Body<2> body = jaws(3, BasisFamily::BSpline, {0.0, 0.0});
-  SelfContactTerm term(body, 0, kInner, {0.6, 10.0}, 2 * body.numNodes);
+  auto term = selfContact(body, kInner);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * body.numNodes + term.numMultipliers());
   static_cast<void>(test::forceOf(term, 0.0, x));
   const auto trace = tracePatch(body.patches.front(), kInner);
-  const Eigen::Matrix2Xd places = term.positionsApart(0.0);
+  const Eigen::Matrix2Xd places = term.face().positions(x);
   Eigen::Index top = 0;
   const double height = places.row(1).maxCoeff(&top);
   double nearest = 1.0;
@@ -236,7 +268,7 @@ TEST(SelfContactPartners, SidesOfAThinTipAreNone) {
   points.row(1) *= 0.1;
   const Body<2> needle =
       makeBody(Patch<2>(body.patches.front().basis(), points, body.patches.front().weights()));
-  SelfContactTerm term(needle, 0, 1, {0.6, 10.0}, 2 * needle.numNodes);
+  auto term = selfContact(needle, 1);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * needle.numNodes + term.numMultipliers());
   static_cast<void>(test::forceOf(term, 0.0, x));
   EXPECT_TRUE((term.state().gap.array() > 1e300).all());

@@ -437,13 +437,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "method: integral-augmented-lagrangian, gap_limit: 0.02}", "0.02", "contact[0].gap_limit",
                 "found with method integral-augmented-lagrangian, which averages no gaps; allowed: with "
                 "augmented-lagrangian and penalty."},
-        Mistake{"frictionOfAMethodWithout", &block, "method: augmented-lagrangian}",
-                "method: penalty, friction: 0.2}", "0.2}", "contact[0].friction",
-                "found with a penalty method, which knows no friction; allowed: with augmented-lagrangian and "
-                "integral-augmented-lagrangian."},
-        Mistake{"frictionBesideALimitOfGaps", &block, "method: augmented-lagrangian}",
-                "gap_limit: 0.02, friction: 0.2}", "0.2}", "contact[0].friction",
-                "found beside gap_limit; allowed: one of the two."},
+        Mistake{
+            "frictionOfAMethodWithout", &block, "method: augmented-lagrangian}",
+            "method: penalty, friction: 0.2}", "0.2}", "contact[0].friction",
+            "found with a penalty method, which knows no friction; allowed: with augmented-lagrangian and "
+            "integral-augmented-lagrangian."},
         Mistake{
             "frictionBelowZero", &block, "method: augmented-lagrangian}", "friction: -0.2}", "-0.2",
             "contact[0].friction",
@@ -465,8 +463,18 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"selfGapLimitOfMoreThanASpan", &block,
                 "steps:", "self_contact: [{face: top, gap_limit: 2}]\nsteps:", "2}",
                 "self_contact[0].gap_limit", "found 2; allowed: a number above 0 and at most 1."},
-        Mistake{"selfContact3d", &solid, "steps:", "self_contact: [{face: top}]\nsteps:", "{face: top",
-                "self_contact[0]", "found in a scene of three dimensions; allowed: in two."}),
+        Mistake{"selfContactOfAFaceAndOthers", &block,
+                "steps:", "self_contact: [{face: top, faces: [left, right]}]\nsteps:", "top, faces",
+                "self_contact[0].face", "found beside faces; allowed: one of the two."},
+        Mistake{"selfContactOfAFaceOfSolids", &block,
+                "steps:", "self_contact: [{faces: [top, back]}]\nsteps:", "back]", "self_contact[0].faces[1]",
+                "found back, a face of three-dimensional bodies; allowed here: left | right | bottom | top."},
+        Mistake{"selfContactOfFacesAgain", &block,
+                "steps:", "self_contact: [{face: top}, {faces: [left, top]}]\nsteps:", "{faces",
+                "self_contact[1]", "found face top a second time; allowed: each face once."},
+        Mistake{"selfContactOfNoFace", &block, "steps:", "self_contact: [{reach: 1}]\nsteps:", "{reach",
+                "self_contact[0].face",
+                "missing; allowed: left | right | bottom | top, in three dimensions also back | front."}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
