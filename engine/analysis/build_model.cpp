@@ -220,6 +220,7 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
   options.parameter =
       options.parameterFor(modulus, body.body.size(), meanControlPointDistance(patch, place.face));
   const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), other.body.size())),
+                           .largestSlip = options.hasFriction() ? kLargestSlip : kAnySlip,
                            .couplesAll = true};
   const double fitted = scene_.steps.front().until;
   bool isFitted = false;

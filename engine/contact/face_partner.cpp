@@ -89,14 +89,62 @@ bool FacePartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::M
       const Place& start = *places_[number];
       auto foot = surface_.project(positions_.col(span.firstPoint + q), start);
       if (!foot || foot->shareOfRadius() > kLargestShareOfRadius) return false;
-      if (std::isfinite(rules_.largestSlip) &&
-          (foot->point.x - surface_.at(start).x).norm() > rules_.largestSlip)
-        return false;
+      if (hasSlippedTooFar(start, *foot)) return false;
       checkCouplings(e, *foot);
       feet_[number] = std::move(foot);
     }
   }
-  return true;
+  return !anyHasCrossed();
+}
+
+template <int Dim>
+bool FacePartner<Dim>::hasSlippedTooFar(const Place& start, const Foot<Dim>& foot) const {
+  if (!std::isfinite(rules_.largestSlip)) return false;
+  const SurfacePoint<Dim> before = surface_.at(start);
+  const auto index = surface_.basis(start.face).spanIndex(start.span);
+  double length = 0.0;
+  for (int d = 0; d < Dim - 1; ++d) {
+    const UnivariateBasis& direction = surface_.basis(start.face).direction(d);
+    const int span = index[static_cast<std::size_t>(d)];
+    length = std::max(length,
+                      before.tangents.col(d).norm() * (direction.spanEnd(span) - direction.spanBegin(span)));
+  }
+  return (foot.point.x - before.x).norm() > rules_.largestSlip * length;
+}
+
+/// Points without a partner that have gone no farther than the reach, both surfaces' ways taken together, are
+/// where partners are found, or outside; of others the nearest feet tell, then and now.
+template <int Dim>
+bool FacePartner<Dim>::anyHasCrossed() const {
+  const double masters = surface_.largestWayFrom(acceptedSurface_);
+  const double slaves = (slavePoints_ - acceptedSlavePoints_).colwise().norm().maxCoeff();
+  const double deepest = std::min(rules_.newPenetration, rules_.reach);
+  if (!(masters + slaves > deepest)) return false;
+  std::optional<MasterSearch<Dim>> before, now;
+  for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
+    const auto& span = slave_.spans()[e];
+    const Eigen::MatrixXd accepted = acceptedSlavePoints_(Eigen::all, span.functions) * span.R;
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const Vector x = positions_.col(span.firstPoint + q);
+      const double way = masters + (x - accepted.col(q)).norm();
+      if (places_[static_cast<std::size_t>(span.firstPoint + q)] || !(way > deepest)) continue;
+      if (!before) {
+        before.emplace(acceptedSurface_);
+        now.emplace(surface_);
+      }
+      const auto gapOf = [&](const MasterSearch<Dim>& search, const MasterSurface<Dim>& surface,
+                             const Slave& slave) {
+        const auto foot = search.nearest(surface, slave.x, way, [&](const Foot<Dim>& other) {
+          return faces(slave, other) && surface.overhang(other.point.place) <= kRoundedOverhang;
+        });
+        return foot ? foot->gap : 0.0;
+      };
+      if (gapOf(*now, surface_, slaveAt(e, q, slavePoints_, x)) < -deepest &&
+          gapOf(*before, acceptedSurface_, slaveAt(e, q, acceptedSlavePoints_, accepted.col(q))) > 0.0)
+        return true;
+    }
+  }
+  return false;
 }
 
 template <int Dim>
@@ -309,17 +357,40 @@ double FacePartner<Dim>::deepestNew(const Slave& slave, const Foot<Dim>& foot) c
   return std::max(deepest, std::min(kShareOfLength * length, kShareOfSpan * slave.spanSize));
 }
 
+/// Whether slave and master look at each other, the slave being the earlier one on a surface of its own.
+template <int Dim>
+bool FacePartner<Dim>::faces(const Slave& slave, const Foot<Dim>& foot) const {
+  const Place& place = foot.point.place;
+  if (rules_.ownFace && !isLater(place, slave)) return false;
+  return foot.normal.dot(slave.normal) < kOpposed;
+}
+
 template <int Dim>
 bool FacePartner<Dim>::suits(const Slave& slave, const Foot<Dim>& foot, bool isNew) const {
   const Place& place = foot.point.place;
-  if (rules_.ownFace && !isLater(place, slave)) return false;
-  if (!(foot.normal.dot(slave.normal) < kOpposed)) return false;
+  if (!faces(slave, foot)) return false;
   const double deepest = isNew ? deepestNew(slave, foot) : rules_.reach;
   const double rounding = kRounding * (slave.x.norm() + foot.point.x.norm());
   if (!(foot.gap < rules_.reach) || !(foot.gap > -deepest - rounding)) return false;
   if (surface_.overhang(place) > (isNew ? rules_.newOverhang : rules_.overhang) + kRoundedOverhang)
     return false;
   return foot.shareOfRadius() <= kShareOfRadius;
+}
+
+/// A quadrature point. controlPoints: of the slave, x: its own place.
+template <int Dim>
+typename FacePartner<Dim>::Slave FacePartner<Dim>::slaveAt(std::size_t e, Eigen::Index q,
+                                                           const Eigen::MatrixXd& controlPoints,
+                                                           const Vector& x) const {
+  const auto& span = slave_.spans()[e];
+  const Eigen::Matrix<double, Dim, Dim - 1> tangents =
+      controlPoints(Eigen::all, span.functions) * span.dR.middleCols((Dim - 1) * q, Dim - 1);
+  return {span.xi.col(q),
+          x,
+          outward_ * areaVector<Dim>(tangents).normalized(),
+          slave_.points()(Eigen::all, span.functions) * span.R.col(q),
+          span.size,
+          false};
 }
 
 template <int Dim>
@@ -337,14 +408,8 @@ void FacePartner<Dim>::choosePartners(bool isNewMesh) {
     const auto& span = slave_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto number = static_cast<std::size_t>(span.firstPoint + q);
-      const Eigen::Matrix<double, Dim, Dim - 1> tangents =
-          slavePoints_(Eigen::all, span.functions) * span.dR.middleCols((Dim - 1) * q, Dim - 1);
-      const Slave slave{span.xi.col(q),
-                        positions_.col(span.firstPoint + q),
-                        outward_ * areaVector<Dim>(tangents).normalized(),
-                        slave_.points()(Eigen::all, span.functions) * span.R.col(q),
-                        span.size,
-                        isBeside(e, q)};
+      Slave slave = slaveAt(e, q, slavePoints_, positions_.col(span.firstPoint + q));
+      slave.isBeside = isBeside(e, q);
       auto& foot = feet_[number];
       if (foot && !suits(slave, *foot, false)) foot.reset();
       if (!foot || rules_.takesNearer) {
@@ -453,6 +518,7 @@ void FacePartner<Dim>::chooseAnew(bool isNewMesh) {
   choosePartners(isNewMesh);
   chooseFrame();
   acceptedSurface_ = surface_;
+  acceptedSlavePoints_ = slavePoints_;
 }
 
 /// Throws `Error` if the surface has no such span.
@@ -498,6 +564,9 @@ void FacePartner<Dim>::archive(StateArchive& archive) {
   frame << originNormal_, origin_.reshaped();
   archive.fixedField("frame", frame);
   archive.part("accepted", acceptedSurface_);
+  Eigen::VectorXd slavePoints = acceptedSlavePoints_.reshaped();
+  archive.fixedField("accepted_slave", slavePoints);
+  acceptedSlavePoints_ = slavePoints.reshaped(Dim, acceptedSlavePoints_.cols());
   if (!archive.restores()) return;
 
   for (std::size_t k = 0; k < places_.size(); ++k) {

@@ -16,6 +16,11 @@
 
 namespace burnish {
 
+/// Spans of the master that a slave may slip over within one step with friction: a foot that goes farther has
+/// jumped. And a limit that no slip reaches.
+inline constexpr double kLargestSlip = 3.0;
+inline constexpr double kAnySlip = std::numeric_limits<double>::infinity();
+
 /// Which feet are partners. It is decided at accepted states and kept during a step, in which the feet move.
 struct PartnerRules {
   /// Largest distance of partners, either side of the surface.
@@ -32,8 +37,9 @@ struct PartnerRules {
   /// Whether a partner is left for a foot that is nearer by more than a thousandth of the slave's span.
   bool takesNearer = true;
 
-  /// A state is not admissible if a foot has moved farther since the accepted one.
-  double largestSlip = std::numeric_limits<double>::infinity();
+  /// A state is not admissible if a foot has moved farther since the accepted one, in lengths of the span that
+  /// it was on.
+  double largestSlip = kAnySlip;
 
   /// In the plane: whether spans of the slave are cut into `FacePartner::segments`.
   bool segments = false;
@@ -85,6 +91,8 @@ class FacePartner final : public Partner<Dim> {
   FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, Dim> slaveTrace, double outward,
               MasterSurface<Dim> surface, const PartnerRules& rules);
 
+  /// Not admissible is a state in which a foot is lost or has gone too far, or in which a point without a
+  /// partner has come from before the surface to deeper behind it than where new partners are found.
   [[nodiscard]] bool update(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) override;
 
   /// Between quadrature points there is a partner where the segment has one; without segments, where the
@@ -144,6 +152,10 @@ class FacePartner final : public Partner<Dim> {
     double at(double t) const { return t < until ? amount * (until - t) / (until - from) : 0.0; }
   };
 
+  bool hasSlippedTooFar(const Place& start, const Foot<Dim>& foot) const;
+  bool anyHasCrossed() const;
+  Slave slaveAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& controlPoints, const Vector& x) const;
+  bool faces(const Slave& slave, const Foot<Dim>& foot) const;
   int nearestNumber(std::size_t span, const Eigen::Vector<double, Dim - 1>& xi) const;
   std::optional<Place> startOf(const SlavePoint<Dim>& point, bool inAcceptedState) const;
   std::optional<Foot<Dim>> footOf(const SlavePoint<Dim>& point) const;
@@ -171,6 +183,7 @@ class FacePartner final : public Partner<Dim> {
   GapRamp ramp_;
   double addedGap_ = 0.0;                       ///< in the last updated state
   Eigen::MatrixXd slavePoints_, positions_;     ///< control points, quadrature points: last updated state
+  Eigen::MatrixXd acceptedSlavePoints_;         ///< control points in the accepted state
   std::vector<std::optional<Foot<Dim>>> feet_;  ///< in the last updated state
   std::vector<std::optional<Place>> places_;    ///< of feet in the accepted state
   std::vector<std::vector<Span>> couplings_;    ///< per span of the slave, ascending

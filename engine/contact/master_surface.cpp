@@ -137,6 +137,15 @@ SurfacePlace<Dim> MasterSurface<Dim>::placeOf(int face, const Eigen::Vector<doub
 }
 
 template <int Dim>
+double MasterSurface<Dim>::largestWayFrom(const MasterSurface& other) const {
+  double largest = 0.0;
+  for (std::size_t face = 0; face < faces_.size(); ++face)
+    largest =
+        std::max(largest, (faces_[face].points - other.faces_[face].points).colwise().norm().maxCoeff());
+  return largest;
+}
+
+template <int Dim>
 SurfacePoint<Dim> MasterSurface<Dim>::at(const SurfacePlace<Dim>& place) const {
   const Face& face = at(place.face);
   const std::vector<int> functions = face.trace.basis().spanFunctions(place.span);

@@ -66,6 +66,10 @@ class MasterSurface {
   /// Moves it to where the displacements of all nodes put it, which come first among the unknowns.
   void moveTo(const Eigen::VectorXd& x);
 
+  /// Longest way of a control point from another place of the same surface; no point of it has gone farther
+  /// where weights are positive.
+  double largestWayFrom(const MasterSurface& other) const;
+
   /// Its current place.
   void archive(StateArchive& archive);
 

@@ -96,9 +96,10 @@ void describe(Visitor& v, ContactSpec& s) {
   v.field(
       "name", s.name, {.identifier = true},
       "Name of a pair of faces in results; the names of its two bodies, as in punch-block, when left out.");
-  v.field("reach", s.reach, {.above = 0, .unit = "length"},
-          "Faces that are farther apart do not see each other; a twentieth of the smaller body's largest "
-          "extent when left out. A face should not come nearer than that in one step.");
+  v.field(
+      "reach", s.reach, {.above = 0, .unit = "length"},
+      "Faces that are farther apart do not see each other; a twentieth of the smaller body's largest "
+      "extent when left out. Steps in which a face would go through another one unseen are made smaller.");
   v.field("interference", s.interference, {},
           "What is done about faces of a pair that overlap at the start: it is an error, or the bodies are "
           "fitted into one another during the first phase, without friction (shrink fit).");

@@ -190,5 +190,25 @@ TEST_F(FacePairs, WorkOfFrictionClosesTheBalanceOfEnergy) {
   }
 }
 
+/// A block that is thrown at another one in one step of ten times the reach, from farther than that.
+TEST_F(FacePairs, AFaceThatComesFastIsCaught) {
+  for (const std::string& method : methods) {
+    const HistoryTable history = run(R"(
+bodies:
+  - {name: lower, geometry: {shape: rectangle, size: [2, 1], spans: [6, 3]}, material: {law: neo-hookean, E: 100, nu: 0.3}}
+  - {name: upper, geometry: {shape: rectangle, origin: [0.5, 1.45], size: [1, 1], spans: [3, 3]},
+     material: {law: neo-hookean, E: 100, nu: 0.3}}
+supports:
+  - {body: lower, face: bottom, fix: [x, y]}
+  - {body: upper, face: top, move: {times: [0, 1], x: [0, 0], y: [0, -0.5]}}
+contact: [{body: upper, face: bottom, against: {body: lower, face: top}, reach: 0.05, method: )" +
+                                     method + R"(}]
+steps: [{until: 1, count: 1}]
+)");
+    EXPECT_LT(last(history, "upper-lower.fy"), -1.0);
+    EXPECT_LT(last(history, "upper-lower.penetration"), 0.01);
+  }
+}
+
 }  // namespace
 }  // namespace burnish

@@ -236,11 +236,40 @@ TEST(FacePartner, TellsWhenAFootLeavesTheCouplings) {
 }
 
 TEST(FacePartner, RefusesStatesThatSlipTooFar) {
-  Pair<2> pair(moved<2>(block(4), {0.0, 1.01}), block(10), {.reach = 0.05, .largestSlip = 0.1});
+  Pair<2> pair(moved<2>(block(4), {0.0, 1.01}), block(10), {.reach = 0.05, .largestSlip = 1.0});
   pair.moveUpper({-0.05, 0.0});
   EXPECT_TRUE(pair.update());
   pair.moveUpper({-0.1, 0.0});
   EXPECT_FALSE(pair.update());
+}
+
+TEST(FacePartner, RefusesStatesInWhichAFaceHasGoneThroughUnseen) {
+  for (const double way : {0.26, 0.3, 1.4}) {
+    Pair<2> pair(moved<2>(block(4), {0.0, 1.2}), block(10), {.reach = 0.05});
+    EXPECT_EQ(pair.numPartners(), 0);
+    pair.moveUpper({0.0, -0.19});
+    EXPECT_TRUE(pair.update()) << "farther than the reach, but not through";
+    pair.moveUpper({0.0, 0.19});
+    pair.moveUpper({0.02, -way});
+    EXPECT_FALSE(pair.update());
+  }
+  // The master may come, too, and a face that goes along the other one does not cross it.
+  Pair<2> pair(moved<2>(block(4), {0.0, 1.2}), block(10), {.reach = 0.05});
+  pair.moveUpper({0.0, -0.1});
+  for (int node = 0; node < pair.lower.numNodes; ++node) pair.x(2 * (pair.upper.numNodes + node) + 1) = 0.16;
+  EXPECT_FALSE(pair.update());
+  pair.x.setZero();
+  pair.moveUpper({0.7, -0.12});
+  EXPECT_TRUE(pair.update());
+  pair.partner->accept();
+  pair.moveUpper({0.0, -0.04});
+  EXPECT_TRUE(pair.update());
+  pair.partner->accept();
+  pair.moveUpper({-0.7, 0.0});
+  EXPECT_TRUE(pair.update()) << "points without a partner have come over the surface, none is behind it";
+  Pair<2> beside(moved<2>(block(4), {1.1, 0.7}), block(10), {.reach = 0.05});
+  beside.moveUpper({-0.5, 0.0});
+  EXPECT_TRUE(beside.update()) << "from the side, not from before the surface";
 }
 
 TEST(FacePartner, ArchivesFeetInTheMiddleOfASlide) {
