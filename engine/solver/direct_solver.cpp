@@ -2,6 +2,12 @@
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/UmfPackSupport>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <unsupported/Eigen/IterativeSolvers>
+#include <utility>
 #include <vector>
 
 #include "engine/core/blas.h"
@@ -169,8 +175,101 @@ class DirectSolver::Definite {
   Eigen::LLT<Eigen::MatrixXd> schur_;  ///< of -S = Bᵀ K⁻¹ B - C
 };
 
+namespace {
+
+/// What GMRES of Eigen takes as a preconditioner: any solution for a right-hand side.
+class SolvedBy {
+ public:
+  using Scalar = double;
+  using StorageIndex = int;
+  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
+
+  void use(std::function<Eigen::VectorXd(const Eigen::VectorXd&)> solve) { solve_ = std::move(solve); }
+
+  template <class M>
+  SolvedBy& analyzePattern(const M&) {
+    return *this;
+  }
+  template <class M>
+  SolvedBy& factorize(const M&) {
+    return *this;
+  }
+  template <class M>
+  SolvedBy& compute(const M&) {
+    return *this;
+  }
+  template <class Vector>
+  Eigen::VectorXd solve(const Vector& b) const {
+    return solve_(b);
+  }
+  Eigen::ComputationInfo info() { return Eigen::Success; }
+
+ private:
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> solve_;
+};
+
+}  // namespace
+
+/// A symmetric matrix near to a general one, for GMRES. Of K it has the symmetric part; of two entries of the
+/// border that face each other the smaller one, none if their signs differ: in slip the tangential multiplier
+/// depends on the pressure, which does not depend on it, and the mean of both would couple them as if it did.
+class DirectSolver::Companion {
+ public:
+  explicit Companion(Eigen::Index leading) : leading_(leading), symmetric_(leading) {}
+
+  bool factorise(const Matrix& A) {
+    if (opposite_.empty()) findOpposite(A);
+    A_ = near_ = A;
+    const double* values = A.valuePtr();
+    for (int column = 0; column < A.cols(); ++column)
+      for (int k = A.outerIndexPtr()[column]; k < A.outerIndexPtr()[column + 1]; ++k) {
+        const double here = values[k], there = values[opposite_[static_cast<std::size_t>(k)]];
+        const bool isInBorder = column >= leading_ || A.innerIndexPtr()[k] >= leading_;
+        near_.valuePtr()[k] = !isInBorder                        ? 0.5 * (here + there)
+                              : here * there <= 0.0              ? 0.0
+                              : std::abs(here) < std::abs(there) ? here
+                                                                 : there;
+      }
+    return symmetric_.factorise(near_);
+  }
+
+  /// None if GMRES does not get near enough.
+  std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b) const {
+    constexpr int kMostIterations = 60;
+    constexpr double kTolerance = 1e-12;
+    Eigen::GMRES<Matrix, SolvedBy> gmres;
+    gmres.preconditioner().use([this](const Eigen::VectorXd& v) { return symmetric_.solve(v); });
+    gmres.set_restart(kMostIterations);
+    gmres.setMaxIterations(kMostIterations);
+    gmres.setTolerance(kTolerance);
+    gmres.compute(A_);
+    Eigen::VectorXd x = gmres.solve(b);
+    if (gmres.info() != Eigen::Success || !x.allFinite()) return std::nullopt;
+    return x;
+  }
+
+  const Matrix& matrix() const { return A_; }
+  Eigen::Index factorNonZeros() { return symmetric_.factorNonZeros(); }
+
+ private:
+  /// Where the entry (j, i) stands for each entry (i, j); rows ascend in every column.
+  void findOpposite(const Matrix& A) {
+    std::vector<int> next(A.outerIndexPtr(), A.outerIndexPtr() + A.cols());
+    opposite_.resize(static_cast<std::size_t>(A.nonZeros()));
+    for (int column = 0; column < A.cols(); ++column)
+      for (int k = A.outerIndexPtr()[column]; k < A.outerIndexPtr()[column + 1]; ++k)
+        opposite_[static_cast<std::size_t>(k)] = next[static_cast<std::size_t>(A.innerIndexPtr()[k])]++;
+  }
+
+  Eigen::Index leading_;
+  Definite symmetric_;
+  std::vector<int> opposite_;  ///< per entry
+  Matrix A_, near_;
+};
+
 DirectSolver::DirectSolver(Eigen::Index leading, TangentKind kind)
     : definite_(kind == TangentKind::Symmetric ? std::make_unique<Definite>(leading) : nullptr),
+      companion_(kind == TangentKind::General ? std::make_unique<Companion>(leading) : nullptr),
       general_(std::make_unique<General>()) {
   pinLibrariesToOneThread();
 }
@@ -180,18 +279,32 @@ DirectSolver::~DirectSolver() = default;
 bool DirectSolver::factorise(const Matrix& A) {
   if (!A.coeffs().allFinite()) return false;
   isDefinite_ = definite_ && definite_->factorise(A);
-  if (!isDefinite_) ++numGeneral_;
-  hasFactors_ = isDefinite_ || general_->factorise(A);
+  hasCompanion_ = companion_ && companion_->factorise(A);
+  hasFactors_ = isDefinite_ || hasCompanion_ || factoriseWhole(A);
   return hasFactors_;
 }
 
+bool DirectSolver::factoriseWhole(const Matrix& A) {
+  ++numGeneral_;
+  return general_->factorise(A);
+}
+
 Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd& b) {
-  return isDefinite_ ? definite_->solve(b) : general_->solve(b);
+  if (isDefinite_) return definite_->solve(b);
+  if (hasCompanion_) {
+    if (auto x = companion_->solve(b)) return *std::move(x);
+    hasCompanion_ = false;
+    if (!factoriseWhole(companion_->matrix()))
+      return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  return general_->solve(b);
 }
 
 Eigen::Index DirectSolver::factorNonZeros() {
   if (!hasFactors_) return 0;
-  return isDefinite_ ? definite_->factorNonZeros() : general_->factorNonZeros();
+  return isDefinite_     ? definite_->factorNonZeros()
+         : hasCompanion_ ? companion_->factorNonZeros()
+                         : general_->factorNonZeros();
 }
 
 }  // namespace burnish

@@ -6,8 +6,10 @@
 namespace burnish {
 
 /// Sparse factorisations. K is factorised by CHOLMOD and the border by a dense Cholesky factorisation of its
-/// Schur complement; UMFPACK takes the whole matrix where one of them is not definite, where the border is so
-/// wide that this is cheaper, and where the matrix is not symmetric.
+/// Schur complement; UMFPACK takes the whole matrix where one of them is not definite, and where the border is
+/// so wide that this is cheaper. General matrices, tangents with friction, are solved by GMRES with a symmetric
+/// matrix near to them, which is factorised in the same way, as preconditioner; UMFPACK takes those for which
+/// that does not lead to a solution.
 class DirectSolver final : public LinearSolver {
  public:
   /// `leading`: number of rows of K.
@@ -26,12 +28,17 @@ class DirectSolver final : public LinearSolver {
 
  private:
   class Definite;
+  class Companion;
   class General;
 
-  std::unique_ptr<Definite> definite_;  ///< null for a general matrix
+  bool factoriseWhole(const Eigen::SparseMatrix<double>& A);
+
+  std::unique_ptr<Definite> definite_;    ///< null for general matrices
+  std::unique_ptr<Companion> companion_;  ///< null for symmetric ones
   std::unique_ptr<General> general_;
   bool hasFactors_ = false;
-  bool isDefinite_ = false;  ///< the last matrix
+  bool isDefinite_ = false;    ///< the last matrix
+  bool hasCompanion_ = false;  ///< the last matrix
   long numGeneral_ = 0;
 };
 

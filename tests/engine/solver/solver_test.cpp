@@ -224,6 +224,34 @@ TEST(DirectSolver, MultipliersMayBeCoupledWithOneAnother) {
   EXPECT_EQ(solver.numIndefinite(), 0);
 }
 
+/// Like a tangent with friction: K is not quite symmetric, and the last unknown depends on the one before it,
+/// which does not depend on it.
+TEST(DirectSolver, GeneralMatricesAreSolvedWithASymmetricOneNearToThem) {
+  const int n = 200;
+  auto A = borderedMatrix(n);
+  for (int i = 0; i + 7 < n; i += 3) A.coeffRef(i, i + 7) += 0.3;
+  A.coeffRef(n, n + 2) = 0.0;
+  A.coeffRef(n + 2, n) = 5.0;
+  A.makeCompressed();
+  const Eigen::VectorXd exact = Eigen::VectorXd::LinSpaced(n + 3, -1.0, 2.0);
+  DirectSolver solver(n, TangentKind::General);
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    ASSERT_TRUE(solver.factorise(A));
+    EXPECT_LT((solver.solve(A * exact) - exact).norm(), 1e-10 * exact.norm());
+    EXPECT_FALSE(solver.isDefinite());
+  }
+  EXPECT_EQ(solver.numIndefinite(), 0);
+
+  // Far from symmetric: UMFPACK solves.
+  for (int i = 0; i + 7 < n; ++i) {
+    A.coeffRef(i, i + 7) += 40.0;
+    A.coeffRef(i + 7, i) -= 40.0;
+  }
+  ASSERT_TRUE(solver.factorise(A));
+  EXPECT_LT((solver.solve(A * exact) - exact).norm(), 1e-10 * exact.norm());
+  EXPECT_EQ(solver.numIndefinite(), 1);
+}
+
 TEST(DirectSolver, MultiplierThatDoesNothingIsSingular) {
   auto A = borderedMatrix(50);
   A.coeffRef(51, 51) = 0.0;
