@@ -113,9 +113,11 @@ bool FacePartner<Dim>::hasSlippedTooFar(const Place& start, const Foot<Dim>& foo
 }
 
 /// Points without a partner that have gone no farther than the reach, both surfaces' ways taken together, are
-/// where partners are found, or outside; of others the nearest feet tell, then and now.
+/// where partners are found, or outside; of others the nearest feet tell, then and now. Not asked of a surface of
+/// its own, whose folds begin inside of one another.
 template <int Dim>
 bool FacePartner<Dim>::anyHasCrossed() const {
+  if (rules_.ownFace) return false;
   const double masters = surface_.largestWayFrom(acceptedSurface_);
   const double slaves = (slavePoints_ - acceptedSlavePoints_).colwise().norm().maxCoeff();
   const double deepest = std::min(rules_.newPenetration, rules_.reach);

@@ -92,7 +92,8 @@ class FacePartner final : public Partner<Dim> {
               MasterSurface<Dim> surface, const PartnerRules& rules);
 
   /// Not admissible is a state in which a foot is lost or has gone too far, or in which a point without a
-  /// partner has come from before the surface to deeper behind it than where new partners are found.
+  /// partner has come from before the surface, if that is not its own, to deeper behind it than where new partners
+  /// are found.
   [[nodiscard]] bool update(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) override;
 
   /// Between quadrature points there is a partner where the segment has one; without segments, where the
