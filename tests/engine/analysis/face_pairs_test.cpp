@@ -218,7 +218,7 @@ TEST_F(FacePairs, SeveralFacesWithACommonEdgeAreOneSurface) {
 bodies:
   - {name: block, degree: 2, geometry: {shape: rectangle, size: [1, 1], spans: [4, 4]}, material: {law: neo-hookean, E: 10, nu: 0.3}}
   - {name: slab, degree: 1, geometry: )" +
-           geometry + R"(, material: {law: neo-hookean, E: 40, nu: 0.3}}
+           geometry + R"(, material: {law: neo-hookean, E: 4000, nu: 0.3}}
 supports:
   - {body: block, face: top, move: {times: [0, 1, 2], x: [0, 0, 0.5], y: [0, -0.03, -0.03]}}
 )" + support +
