@@ -70,12 +70,12 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
   problems.throwIfAny();
   for (std::size_t k = 0; k < scene.contact.size(); ++k)
     problems.gather([&] {
-      if (scene.contact[k].against) return;
+      if (!scene.contact[k].against.empty()) return;
       requireReachable(model, scene.contact[k], fmt::format("contact[{}]", k));
       builder.addContact(k);
     });
   for (std::size_t k = 0; k < scene.contact.size(); ++k)
-    if (scene.contact[k].against) problems.gather([&] { builder.addPair(k); });
+    if (!scene.contact[k].against.empty()) problems.gather([&] { builder.addPair(k); });
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k)
     problems.gather([&] { builder.addSelfContact(k, false); });
   if (!scene.stabilise) problems.gather([&] { requireSupported(model); });
@@ -97,7 +97,7 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const
   for (std::size_t k = 0; k < scene.loads.size(); ++k) builder.addLoad(k);
   for (std::size_t k = 0; k < scene.tools.size(); ++k) builder.addTool(k);
   for (std::size_t k = 0; k < scene.contact.size(); ++k)
-    if (!scene.contact[k].against) builder.addContact(k);
+    if (scene.contact[k].against.empty()) builder.addContact(k);
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k) builder.addSelfContact(k, true);
   builder.closeNumbering();
   model.start_.time = rezoned.time;
@@ -209,25 +209,33 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
   const auto& spec = scene_.contact[number];
   const std::string key = fmt::format("contact[{}]", number);
   model_->faces_.requireOuter(spec.place, key);
-  model_->faces_.requireOuter(*spec.against, key + ".against");
-  const FacePlace place = model_->faces_.face(spec.place), against = model_->faces_.face(*spec.against);
-  const ModelBody<Dim>&body = model_->bodyOf(place), &other = model_->bodyOf(against);
+  const FacePlace place = model_->faces_.face(spec.place);
+  const ModelBody<Dim>& body = model_->bodyOf(place);
+  std::vector<FacePlace> against;
+  double softest = youngsModulus(body.bulk->material()), smallest = body.body.size();
+  for (std::size_t k = 0; k < spec.against.size(); ++k) {
+    const FaceSpec& face = spec.against[k];
+    model_->faces_.requireOuter(face, againstKey(spec, key, k));
+    against.push_back(model_->faces_.face(face));
+    const ModelBody<Dim>& other = model_->bodyOf(against.back());
+    softest = std::min(softest, youngsModulus(other.bulk->material()));
+    smallest = std::min(smallest, other.body.size());
+  }
   ContactOptions options = spec.options;
   const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
   // At points gaps are weighed against tractions, which are those of the softer body.
-  double modulus = youngsModulus(body.bulk->material());
-  if (!averagesGaps(options.method)) modulus = std::min(modulus, youngsModulus(other.bulk->material()));
+  const double modulus = averagesGaps(options.method) ? youngsModulus(body.bulk->material()) : softest;
   options.parameter =
       options.parameterFor(modulus, body.body.size(), meanControlPointDistance(patch, place.face));
-  const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), other.body.size())),
+  const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), smallest)),
                            .largestSlip = options.hasFriction() ? kLargestSlip : kAnySlip,
                            .couplesAll = true};
   const double fitted = scene_.steps.front().until;
   bool isFitted = false;
   const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
-    auto partner = std::make_unique<FacePartner<Dim>>(
-        slave, tracePatch(patch, place.face), outwardSign(patch, place.face),
-        MasterSurface<Dim>(model_->body_, {{against.patch, against.face}}), rules);
+    auto partner = std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
+                                                      outwardSign(patch, place.face),
+                                                      MasterSurface<Dim>(model_->body_, against), rules);
     const double overlap = -partner->smallestGap();
     isFitted = spec.interference == Interference::Resolve && overlap > 0.0;
     if (isFitted) {

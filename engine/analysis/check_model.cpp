@@ -96,7 +96,9 @@ template <int Dim>
 bool touches(const Model<Dim>& model, const ModelBody<Dim>& body) {
   const auto isOf = [&](const FacePlace& place) { return &model.bodyOf(place) == &body; };
   return std::any_of(model.pairs().begin(), model.pairs().end(),
-                     [&](const FacePair<Dim>& pair) { return isOf(pair.place) || isOf(pair.against); }) ||
+                     [&](const FacePair<Dim>& pair) {
+                       return isOf(pair.place) || std::any_of(pair.against.begin(), pair.against.end(), isOf);
+                     }) ||
          std::any_of(model.contacts().begin(), model.contacts().end(),
                      [&](const ContactPair<Dim>& pair) { return isOf(pair.place); });
 }
@@ -139,7 +141,7 @@ void requireApart(const Model<Dim>& model, double overlap, const ContactSpec& sp
       place,
       fmt::format("face '{}' overlaps face '{}' by {:.3g} at the start; move the bodies apart by at least "
                   "that much (touching is fine), or fit them into one another with interference: resolve",
-                  spec.place.face, spec.against->face, overlap));
+                  spec.place.face, spec.against.front().face, overlap));
 }
 
 template <int Dim>

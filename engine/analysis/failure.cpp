@@ -53,10 +53,12 @@ ContactFindings contactFindings(const Model<Dim>& model) {
   }
   for (const auto& pair : model.pairs()) {
     const ContactState& contact = pair.term->state();
+    std::vector<std::string> against;
+    for (const FacePlace& place : pair.against) against.push_back(model.faces().textOf(place));
     found.changes += contact.changes;
     found.findings.push_back(fmt::format(
         "{} control points of face {} touch face {}, {} changed in the last iteration", contact.numActive(),
-        model.faces().textOf(pair.place), model.faces().textOf(pair.against), contact.changes));
+        model.faces().textOf(pair.place), fmt::join(against, ", "), contact.changes));
   }
   for (const auto& contact : model.selfContacts()) {
     const ContactState& state = contact.term->state();

@@ -47,7 +47,7 @@ template <int Dim>
 struct FacePair {
   std::string name;
   FacePlace place;  ///< of the face with the multipliers
-  FacePlace against;
+  std::vector<FacePlace> against;
   std::unique_ptr<FaceContact<Dim>> term;
 };
 

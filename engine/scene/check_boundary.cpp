@@ -141,7 +141,8 @@ void checkFriction(const CheckContext& c, const ContactOptions& options, const s
 /// What there is to say of a pair of faces alone. faces: of all pairs before, slave and master.
 void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string& path,
                std::vector<std::pair<PlaceOfFace, PlaceOfFace>>& faces) {
-  checkFace(c, path + ".against", *pair.against);
+  for (std::size_t k = 0; k < pair.against.size(); ++k)
+    checkFace(c, againstKey(pair, path, k), pair.against[k]);
   if (!pair.tool.empty() && c.clean(path + ".tool"))
     c.report(path + ".tool", "found beside against; allowed: one of the two.");
   const bool isPenalty = pair.options.method == Enforcement::MortarPenalty ||
@@ -153,24 +154,33 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
   checkGapLimit(c, pair, path + ".gap_limit");
   checkFriction(c, pair.options, path);
   if (!c.clean(path)) return;
-  const PlaceOfFace slave = placeOfFace(c.scene, pair.place), master = placeOfFace(c.scene, *pair.against);
-  if (slave == master)
-    return c.report(path + ".against", fmt::format("found face {} itself; allowed: another face, or the key "
-                                                   "self_contact.",
-                                                   pair.place.face));
-  for (const auto& [otherSlave, otherMaster] : faces) {
-    if (otherSlave == slave && otherMaster == master)
-      return c.report(path, fmt::format("found the pair of faces {} and {} a second time; allowed: each pair "
-                                        "once.",
-                                        pair.place.face, pair.against->face));
-    if (otherSlave == master && otherMaster == slave)
-      return c.report(path,
-                      fmt::format("found the faces {} and {} of another pair with their parts changed, so "
-                                  "that both would carry multipliers; allowed: one pair, with the finer "
-                                  "face named first.",
-                                  pair.place.face, pair.against->face));
+  const PlaceOfFace slave = placeOfFace(c.scene, pair.place);
+  const std::size_t numBefore = faces.size();
+  for (std::size_t k = 0; k < pair.against.size(); ++k) {
+    const FaceSpec& against = pair.against[k];
+    const PlaceOfFace master = placeOfFace(c.scene, against);
+    if (slave == master)
+      return c.report(againstKey(pair, path, k),
+                      fmt::format("found face {} itself; allowed: another face, or the key self_contact.",
+                                  pair.place.face));
+    for (std::size_t other = 0; other < faces.size(); ++other) {
+      const auto& [otherSlave, otherMaster] = faces[other];
+      if (otherSlave == slave && otherMaster == master)
+        return c.report(
+            other < numBefore ? path : againstKey(pair, path, k),
+            other < numBefore
+                ? fmt::format("found the pair of faces {} and {} a second time; allowed: each pair once.",
+                              pair.place.face, against.face)
+                : fmt::format("found face {} a second time; allowed: each face once.", against.face));
+      if (otherSlave == master && otherMaster == slave)
+        return c.report(path,
+                        fmt::format("found the faces {} and {} of another pair with their parts changed, so "
+                                    "that both would carry multipliers; allowed: one pair, with the finer "
+                                    "face named first.",
+                                    pair.place.face, against.face));
+    }
+    faces.emplace_back(slave, master);
   }
-  faces.emplace_back(slave, master);
 }
 
 void checkContact(const CheckContext& c, const std::vector<std::string>& toolNames) {
@@ -180,7 +190,7 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
     const ContactSpec& pair = c.scene.contact[i];
     const std::string path = fmt::format("contact[{}]", i);
     checkFace(c, path, pair.place);
-    if (pair.against) {
+    if (!pair.against.empty()) {
       checkPair(c, pair, path, faces);
       continue;
     }

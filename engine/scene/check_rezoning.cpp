@@ -20,8 +20,7 @@ void checkContact(const CheckContext& c) {
              "are needed.");
   for (std::size_t k = 0; k < contact.size(); ++k) {
     refuse(c, k > 0, fmt::format("contact[{}]", k), "a second contact pair");
-    refuse(c, contact[k].against.has_value(), fmt::format("contact[{}].against", k),
-           "contact between bodies");
+    refuse(c, !contact[k].against.empty(), fmt::format("contact[{}].against", k), "contact between bodies");
     const ContactOptions& options = contact[k].options;
     refuse(c, options.hasFriction() && averagesGaps(options.method),
            fmt::format("contact[{}].{}", k, options.rough ? "rough" : "friction"),

@@ -21,8 +21,13 @@ std::vector<FaceSpec> SelfContactSpec::places() const {
 
 std::string pairName(const ContactSpec& pair) {
   if (!pair.name.empty()) return pair.name;
-  const bool named = !pair.place.body.empty() && pair.place.body != pair.against->body;
-  return named ? pair.place.body + "-" + pair.against->body : pair.place.face + "-" + pair.against->face;
+  const bool named = !pair.place.body.empty() && pair.place.body != pair.against.front().body;
+  const FaceSpec& against = pair.against.front();
+  return named ? pair.place.body + "-" + against.body : pair.place.face + "-" + against.face;
+}
+
+std::string againstKey(const ContactSpec& pair, const std::string& path, std::size_t number) {
+  return pair.against.size() == 1 ? path + ".against" : fmt::format("{}.against[{}]", path, number);
 }
 
 int Scene::dim() const {

@@ -16,6 +16,7 @@
 #include "engine/rezoning/rezoning_options.h"
 #include "engine/scene/tool_spec.h"
 #include "engine/schema/alternatives.h"
+#include "engine/schema/one_or_more.h"
 #include "engine/solid/bodies/bodies.h"
 #include "engine/solid/formulation.h"
 #include "engine/solid/stabilisation_options.h"
@@ -120,15 +121,18 @@ struct EnumNames<Interference> {
 struct ContactSpec {
   std::string name;  ///< of a pair of faces; see `pairName`
   std::string tool;
-  FaceSpec place;                   ///< a whole face: that with the quadrature and the multipliers
-  std::optional<FaceSpec> against;  ///< a whole face, of another body or of the same
-  std::optional<double> reach;      ///< of a pair of faces: distance within which they see each other
+  FaceSpec place;               ///< a whole face: that with the quadrature and the multipliers
+  OneOrMore<FaceSpec> against;  ///< instead of `tool`: whole faces, of other bodies or of the same
+  std::optional<double> reach;  ///< of a pair of faces: distance within which they see each other
   Interference interference = Interference::Error;  ///< of a pair of faces
   ContactOptions options;
 };
 
 /// Name of a pair of faces in results: its own, or those of its two bodies (faces, if these have none).
 std::string pairName(const ContactSpec& pair);
+
+/// Path of one of the faces that a pair's face may touch; path: of the pair.
+std::string againstKey(const ContactSpec& pair, const std::string& path, std::size_t number);
 
 /// Contact of one face with itself, or of several faces of a body, which are one surface, with themselves and
 /// one another.

@@ -91,8 +91,9 @@ void describe(Visitor& v, ContactSpec& s) {
   v.field("tool", s.tool, {}, "Name of a tool; or against.");
   describeFace(v, s.place);
   v.field("against", s.against, {},
-          "The face of a body that this one may touch, instead of a tool. The one that is named first "
-          "carries quadrature and multipliers: it should be the finer one, and not hang over the other.");
+          "The face of a body that this one may touch, instead of a tool, or a list of faces, which are one "
+          "surface: it goes on where they have an edge in common. The face that is named first carries "
+          "quadrature and multipliers: it should be the finer one, and not hang over the other.");
   v.field(
       "name", s.name, {.identifier = true},
       "Name of a pair of faces in results; the names of its two bodies, as in punch-block, when left out.");

@@ -17,6 +17,7 @@ struct ValueType {
   Kind kind = Kind::Mapping;
   int lists = 0;
   std::size_t length = 0;  ///< of the outer list; any when 0
+  bool singleToo = false;  ///< an entry of the outer list may stand for it
 };
 
 struct Declaration;

@@ -17,6 +17,7 @@ ValueType typeOf() {
     ValueType type = typeOf<typename ListTraits<T>::Item>();
     ++type.lists;
     type.length = ListTraits<T>::length;
+    type.singleToo = IsOneOrMore<T>::value;
     return type;
   } else if constexpr (std::is_same_v<T, Coordinates>) {
     return typeOf<std::vector<double>>();

@@ -96,6 +96,7 @@ Json::Value valueSchema(const Declaration& key) {
   constexpr std::size_t kFewestDimensions = 2, kMostDimensions = 3;
   Json::Value schema = entrySchema(key);
   for (int inner = 1; inner < key.type.lists; ++inner) schema = listSchema(std::move(schema), 0, 0);
+  const Json::Value single = schema;
   if (key.type.lists > 0) {
     const std::size_t length = key.type.length;
     const bool fixed = length > 0, dimensional = key.rule.perDimension;
@@ -106,6 +107,12 @@ Json::Value valueSchema(const Declaration& key) {
                         fixed         ? length
                         : dimensional ? kMostDimensions
                                       : key.rule.maxEntries);
+  }
+  if (key.type.singleToo) {
+    Json::Value either;
+    either["anyOf"].append(single);
+    either["anyOf"].append(std::move(schema));
+    schema = std::move(either);
   }
   const std::string unit = key.rule.unit.empty() ? "" : fmt::format(" Unit: {}.", key.rule.unit);
   schema["description"] = fmt::format("{} Allowed: {}.{}", key.sentence, key.allowed, unit);

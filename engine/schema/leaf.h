@@ -13,6 +13,7 @@
 #include "engine/core/formula.h"
 #include "engine/core/shown_text.h"
 #include "engine/schema/coordinates.h"
+#include "engine/schema/one_or_more.h"
 #include "engine/schema/rule.h"
 
 /// The types that a single key of a scene may have: numbers, truth values, texts, formulas, named choices,
@@ -26,6 +27,8 @@ struct ListTraits<std::vector<T>> : std::true_type {
   using Item = T;
   static constexpr std::size_t length = 0;
 };
+template <class T>
+struct ListTraits<OneOrMore<T>> : ListTraits<std::vector<T>> {};
 template <class T, std::size_t N>
 struct ListTraits<std::array<T, N>> : std::true_type {
   using Item = T;
@@ -47,6 +50,11 @@ concept Spelled = requires(const std::string& text, const T& value) {
 
 template <class T>
 concept List = ListTraits<T>::value && !Spelled<T>;
+
+template <class T>
+struct IsOneOrMore : std::false_type {};
+template <class T>
+struct IsOneOrMore<OneOrMore<T>> : std::true_type {};
 
 template <class T>
 struct OptionalTraits : std::false_type {};
@@ -108,6 +116,9 @@ std::string allowedText(const Rule& rule, bool plural = false) {
     return plural ? "texts" : "a text";
   } else if constexpr (List<T>) {
     using Item = typename ListTraits<T>::Item;
+    if constexpr (IsOneOrMore<T>::value)
+      return fmt::format("{}, or {}", allowedText<Item>(rule, plural),
+                         allowedText<std::vector<Item>>(rule, plural));
     const std::size_t length = ListTraits<T>::length;
     const std::string count = length > 0 ? fmt::format("{} ", length) : rule.entries();
     return fmt::format("{} of {}{}{}{}", plural ? "lists" : "a list", count,

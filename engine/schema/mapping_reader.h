@@ -76,6 +76,16 @@ class MappingReader {
   }
 
   template <class T>
+  void read(const YamlNode& node, const std::string& path, OneOrMore<T>& value, const Rule& rule) {
+    const bool isList = node.kind == YamlNode::Kind::Sequence && !node.children.empty();
+    if (!isList && node.kind != YamlNode::Kind::Mapping)
+      return LeafReader(errors_).reject(node, path, allowedText<OneOrMore<T>>(rule));
+    if (!isList) return read(node, path, value.emplace_back(), {});
+    for (std::size_t i = 0; i < node.children.size(); ++i)
+      read(node.children[i], fmt::format("{}[{}]", path, i), value.emplace_back(), {});
+  }
+
+  template <class T>
   requires(!Leaf<T>) void read(const YamlNode& node, const std::string& path, T& value, const Rule& rule) {
     if (node.kind != YamlNode::Kind::Mapping)
       return LeafReader(errors_).reject(node, path, allowedText<T>(rule));

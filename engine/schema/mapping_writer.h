@@ -42,6 +42,8 @@ class MappingWriter {
     if constexpr (Leaf<T>) {
       writeLeaf(out_, value, rule);
     } else if constexpr (List<T>) {
+      if constexpr (IsOneOrMore<T>::value)
+        if (value.size() == 1) return write(value.front(), {});
       out_ << YAML::BeginSeq;
       for (auto& item : value) write(item, {});
       out_ << YAML::EndSeq;

@@ -122,7 +122,7 @@ std::vector<std::string> ownersOfColumns(const Scene& scene) {
   for (const ToolSpec& tool : scene.tools) names.push_back(tool.name);
   for (const BodySpec& body : scene.bodies) names.push_back(body.name);
   for (const ContactSpec& pair : scene.contact)
-    if (pair.against) names.push_back(pairName(pair));
+    if (!pair.against.empty()) names.push_back(pairName(pair));
   for (const SceneMeasureSpec& measure : scene.measures) names.push_back(measure.name);
   if (scene.output.reactions)
     for (std::string& support : supportNames(scene)) names.push_back(std::move(support));

@@ -210,5 +210,65 @@ steps: [{until: 1, count: 1}]
   }
 }
 
+/// A block that slides over the joint of two patches, of degree 1: what they make is one patch of that degree.
+TEST_F(FacePairs, SeveralFacesWithACommonEdgeAreOneSurface) {
+  const auto scene = [](const std::string& geometry, const std::string& support, const std::string& against,
+                        const std::string& method) {
+    return R"(
+bodies:
+  - {name: block, degree: 2, geometry: {shape: rectangle, size: [1, 1], spans: [4, 4]}, material: {law: neo-hookean, E: 10, nu: 0.3}}
+  - {name: slab, degree: 1, geometry: )" +
+           geometry + R"(, material: {law: neo-hookean, E: 4000, nu: 0.3}}
+supports:
+  - {body: block, face: top, move: {times: [0, 1, 2], x: [0, 0, 0.5], y: [0, -0.03, -0.03]}}
+)" + support +
+           R"(
+contact:
+  - {body: block, face: bottom, against: )" +
+           against + ", friction: 0.1, reach: 0.1, method: " + method + R"(}
+steps: [{until: 1, count: 3}, {until: 2, count: 10}]
+)";
+  };
+  for (const std::string& method : methods) {
+    const HistoryTable one =
+        run(scene("{shape: rectangle, origin: [-1, -1], size: [3.2, 1], spans: [16, 3]}",
+                  "  - {body: slab, face: bottom, fix: [x, y]}", "{body: slab, face: top}", method));
+    const HistoryTable two =
+        run(scene("{shape: patches, patches: ["
+                  "{name: a, shape: rectangle, origin: [-1, -1], size: [2.4, 1], spans: [12, 3]}, "
+                  "{name: b, shape: rectangle, origin: [1.4, -1], size: [0.8, 1], spans: [4, 3]}]}",
+                  "  - {body: slab, patch: a, face: bottom, fix: [x, y]}\n"
+                  "  - {body: slab, patch: b, face: bottom, fix: [x, y]}",
+                  "[{body: slab, patch: a, face: top}, {body: slab, patch: b, face: top}]", method));
+    for (const char* column : {"block-slab.fx", "block-slab.fy", "block-slab.friction_work", "strain_energy"})
+      EXPECT_NEAR(last(two, column), last(one, column), 1e-8 * std::abs(last(one, column))) << column;
+  }
+}
+
+/// The corner of a block that stands on it is pressed into a slab: both sides of it touch alike.
+TEST_F(FacePairs, FeetGoOverAConvexCornerOfTwoFaces) {
+  for (const std::string& method : methods) {
+    const HistoryTable history = run(R"(
+bodies:
+  - {name: slab, geometry: {shape: rectangle, origin: [-1, -1], size: [2, 1], spans: [21, 8]}, material: {law: neo-hookean, E: 1, nu: 0.3}}
+  - name: punch
+    geometry: {shape: control-net, degrees: [1, 1], knots: [[0, 0, 1, 1], [0, 0, 1, 1]],
+      points: [[0, 0.01], [0.8, 0.41], [-0.8, 0.41], [0, 0.81]], refine: [4, 4]}
+    material: {law: neo-hookean, E: 100, nu: 0.3}
+supports:
+  - {body: slab, face: bottom, fix: [x, y]}
+  - {body: punch, face: top, move: {times: [0, 1], x: [0, 0], y: [0, -0.08]}}
+  - {body: punch, face: right, move: {times: [0, 1], x: [0, 0], y: [0, -0.08]}}
+contact:
+  - {body: slab, face: top, against: [{body: punch, face: bottom}, {body: punch, face: left}], reach: 0.3, method: )" +
+                                     method + R"(}
+steps: [{until: 1, count: 8}]
+)");
+    EXPECT_GT(last(history, "slab-punch.fy"), 0.01);
+    EXPECT_NEAR(last(history, "slab-punch.fx"), 0.0, 1e-8);
+    EXPECT_LT(last(history, "slab-punch.penetration"), 0.01);
+  }
+}
+
 }  // namespace
 }  // namespace burnish

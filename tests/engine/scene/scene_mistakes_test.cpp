@@ -362,6 +362,37 @@ INSTANTIATE_TEST_SUITE_P(
                 "found in a scene of 2 bodies; allowed: in a scene of one body."}),
     nameOf);
 
+const std::string kPlateOnFirm = "tool: plate, body: firm, face: top";
+std::string firmAgainst(const std::string& faces) {
+  return "body: firm, face: left, against: " + faces;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Pairs, SceneMistake,
+    testing::Values(
+        Mistake{"faceOfAList", &twoBodies, kPlateOnFirm,
+                firmAgainst("[{body: soft, face: right}, {body: soft, face: rihgt}]"), "rihgt",
+                "contact[1].against[1].face",
+                "found rihgt; allowed: left | right | bottom | top | back | front. Did you mean \"right\"?"},
+        Mistake{"twiceInAList", &twoBodies, kPlateOnFirm,
+                firmAgainst("[{body: soft, face: right}, {body: soft, face: right}]"),
+                "{body: soft, face: right}]", "contact[1].against[1]",
+                "found face right a second time; allowed: each face once."},
+        Mistake{"itselfInAList", &twoBodies, kPlateOnFirm,
+                firmAgainst("[{body: soft, face: right}, {body: firm, face: left}]"),
+                "{body: firm, face: left}]", "contact[1].against[1]",
+                "found face left itself; allowed: another face, or the key self_contact."},
+        Mistake{"emptyList", &twoBodies, kPlateOnFirm, firmAgainst("[]"), "[]", "contact[1].against",
+                "found a list of 0 entries; allowed: a mapping, or a list of mappings."},
+        Mistake{
+            "bothSlave", &twoBodies, kPlateOnFirm,
+            firmAgainst("{body: soft, face: right}") +
+                "}\n  - {body: soft, face: right, against: [{body: soft, face: left}, {body: firm, face: left}]",
+            "{body: soft, face: right, against", "contact[2]",
+            "found the faces right and left of another pair with their parts changed, so that both would "
+            "carry multipliers; allowed: one pair, with the finer face named first."}),
+    nameOf);
+
 INSTANTIATE_TEST_SUITE_P(
     Boundary, SceneMistake,
     testing::Values(
