@@ -238,7 +238,7 @@ std::string refusal(const std::string& found, const std::string& instead) {
 TEST(Bodies, ABodyThatNothingHoldsIsNamed) {
   EXPECT_EQ(refusal("  - {body: firm, face: bottom, fix: [x, y]}\n", ""),
             "both.yaml:17:3: supports: body 'firm': nothing holds it in x, y, a turn; hold more of its "
-            "components or faces");
+            "components or faces, or let stabilise hold it until contact does");
   EXPECT_THAT(refusal("{body: firm, face: bottom, fix: [x, y]}", "{body: firm, face: bottom, fix: [y]}"),
               HasSubstr("body 'firm': nothing holds it in x; hold more"));
   EXPECT_THAT(refusal("{body: firm, face: bottom, fix: [x, y]}",
