@@ -230,16 +230,15 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
   const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), smallest)),
                            .largestSlip = options.hasFriction() ? kLargestSlip : kAnySlip,
                            .couplesAll = true};
-  const double fitted = scene_.steps.front().until;
-  bool isFitted = false;
+  GapRamp fit;
   const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
     auto partner = std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
                                                       outwardSign(patch, place.face),
                                                       MasterSurface<Dim>(model_->body_, against), rules);
     const double overlap = -partner->smallestGap();
-    isFitted = spec.interference == Interference::Resolve && overlap > 0.0;
-    if (isFitted) {
-      partner->resolveInterference(overlap, model_->startTime(), fitted);
+    if (spec.interference == Interference::Resolve && overlap > 0.0) {
+      fit = {overlap, model_->startTime(), scene_.steps.front().until};
+      partner->resolveInterference(fit);
     } else {
       requireApart(*model_, overlap, spec, key);
     }
@@ -249,9 +248,9 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
     auto term =
         makePartnerContact<Dim>(model_->body_, place.patch, place.face, makePartner, options,
                                 model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
-    if (isFitted) term->beginFrictionAt(fitted);
+    if (fit.amount > 0.0) term->beginFrictionAt(fit.until);
     model_->numUnknowns_ += term->numMultipliers();
-    model_->pairs_.push_back({pairName(spec), place, against, std::move(term)});
+    model_->pairs_.push_back({pairName(spec), place, against, std::move(term), fit});
   } catch (const InputError&) {
     throw;
   } catch (const Error& error) {

@@ -7,6 +7,7 @@
 #include "engine/analysis/geometry.h"
 #include "engine/analysis/supports.h"
 #include "engine/contact/face_contact.h"
+#include "engine/contact/gap_ramp.h"
 #include "engine/contact/tool_contact.h"
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
@@ -49,6 +50,7 @@ struct FacePair {
   FacePlace place;  ///< of the face with the multipliers
   std::vector<FacePlace> against;
   std::unique_ptr<FaceContact<Dim>> term;
+  GapRamp fit;  ///< how an interference is resolved
 };
 
 /// A tool of the scene with free degrees of freedom: the forces that it carries in them.

@@ -171,6 +171,19 @@ double RunHistory<Dim>::toolWork(const StateQuantities& next) const {
   return work;
 }
 
+/// Work of fitting faces into one another since the last state: that of the pressure on the way by which the
+/// gap that is added to theirs has become smaller.
+template <int Dim>
+double RunHistory<Dim>::fittingWork(const StateQuantities& next) const {
+  double work = 0.0;
+  for (std::size_t k = 0; k < next.pairs.size(); ++k) {
+    const GapRamp& fit = model_.pairs()[k].fit;
+    work += 0.5 * (current_.pairs[k].pressed + next.pairs[k].pressed) *
+            (fit.at(current_.time) - fit.at(next.time));
+  }
+  return work;
+}
+
 template <int Dim>
 void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force,
                              double stabilisedShare) {
@@ -184,7 +197,7 @@ void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& 
   addTools(state, next);
   addPairs(next);
   addSelfContacts(next);
-  if (x_.size() > 0) next.externalWork += toolWork(next);
+  if (x_.size() > 0) next.externalWork += toolWork(next) + fittingWork(next);
   next.bodies.resize(current_.bodies.size());
   addBodies(next);
   next.stabilisedShare = stabilisedShare;

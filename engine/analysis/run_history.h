@@ -69,6 +69,7 @@ class RunHistory {
   double workIncrement(const Eigen::VectorXd& x, const Eigen::VectorXd& force,
                        const Eigen::VectorXd& loads) const;
   double toolWork(const StateQuantities& next) const;
+  double fittingWork(const StateQuantities& next) const;
   void addTools(const MeasuredState& state, StateQuantities& next) const;
   void addPairs(StateQuantities& next) const;
   void addSelfContacts(StateQuantities& next) const;

@@ -57,7 +57,7 @@ struct StateQuantities {
   std::vector<BodyQuantities> bodies;        ///< per body; empty if there is one
   double strainEnergy = 0.0;
   double contactEnergy = 0.0;
-  double externalWork = 0.0;  ///< trapezoidal sum over the steps: tools, tractions, moved supports
+  double externalWork = 0.0;  ///< trapezoidal sum over the steps: tools, tractions, moved supports, fits
   double plasticWork = 0.0;
   double maxPlasticStrain = 0.0;  ///< over quadrature points
   Extremes projectedPlasticStrain;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/contact/carried_frame.h"
+#include "engine/contact/gap_ramp.h"
 #include "engine/contact/master_search.h"
 #include "engine/contact/master_surface.h"
 #include "engine/contact/partner.h"
@@ -114,9 +115,8 @@ class FacePartner final : public Partner<Dim> {
   /// Adds what is within reach in the last updated state to the couplings.
   void widenCouplings();
 
-  /// Faces that overlap by an amount at first are let in step by step: until a time gaps are larger, by the
-  /// amount at the time `from`, then ever less.
-  void resolveInterference(double amount, double from, double until) { ramp_ = {amount, from, until}; }
+  /// Faces that overlap at first are let into one another step by step.
+  void resolveInterference(const GapRamp& ramp) { ramp_ = ramp; }
 
   /// Segments of a span, begin to end, frozen since the accepted state; empty unless the rules want them.
   const std::vector<Segment>& segments(std::size_t span) const { return segments_[span]; }
@@ -145,13 +145,6 @@ class FacePartner final : public Partner<Dim> {
   using Frame = Eigen::Matrix<double, Dim, Dim - 1>;
 
   struct Slave;
-
-  /// What is added to gaps while an interference is resolved.
-  struct GapRamp {
-    double amount = 0.0, from = 0.0, until = 0.0;
-
-    double at(double t) const { return t < until ? amount * (until - t) / (until - from) : 0.0; }
-  };
 
   bool hasSlippedTooFar(const Place& start, const Foot<Dim>& foot) const;
   bool anyHasCrossed() const;
