@@ -11,11 +11,10 @@ namespace {
 
 /// Whether a face of the body carries multipliers.
 bool hasMortarContact(const Scene& scene, std::size_t body) {
-  const auto isHere = [&](const auto& pair) { return scene.bodyNumber(pair.place.body) == body; };
-  return std::ranges::any_of(scene.selfContact, isHere) ||
-         std::ranges::any_of(scene.contact, [&](const ContactSpec& pair) {
-           return isHere(pair) && averagesGaps(pair.options.method);
-         });
+  const auto isMortar = [&](const auto& contact) {
+    return scene.bodyNumber(contact.place.body) == body && averagesGaps(contact.options.method);
+  };
+  return std::ranges::any_of(scene.selfContact, isMortar) || std::ranges::any_of(scene.contact, isMortar);
 }
 
 void checkMortarDegree(const CheckContext& c, std::size_t number) {

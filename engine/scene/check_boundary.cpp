@@ -101,18 +101,16 @@ PlaceOfFace placeOfFace(const Scene& scene, const FaceSpec& face) {
   return {scene.bodyNumber(face.body), face.patch, face.face};
 }
 
-void checkGapLimit(const CheckContext& c, const ContactSpec& pair, const std::string& path) {
-  if (!pair.options.gapLimit || !c.clean(path)) return;
-  if (!averagesGaps(pair.options.method))
-    return c.report(path, fmt::format("found with method {}, which averages no gaps; allowed: with "
-                                      "augmented-lagrangian and penalty.",
-                                      pair.options.method == Enforcement::PointwisePenalty
-                                          ? "pointwise-penalty"
-                                          : "integral-augmented-lagrangian"));
-  const auto& tools = c.scene.tools;
-  const auto tool =
-      std::find_if(tools.begin(), tools.end(), [&](const ToolSpec& t) { return t.name == pair.tool; });
-  if (tool != tools.end() && tool->carry)
+void checkGapLimit(const CheckContext& c, const ContactOptions& options, const std::string& path,
+                   const ToolSpec* tool = nullptr) {
+  if (!options.gapLimit || !c.clean(path)) return;
+  if (!averagesGaps(options.method))
+    return c.report(
+        path, fmt::format("found with method {}, which averages no gaps; allowed: with "
+                          "augmented-lagrangian and penalty.",
+                          options.method == Enforcement::PointwisePenalty ? "pointwise-penalty"
+                                                                          : "integral-augmented-lagrangian"));
+  if (tool != nullptr && tool->carry)
     c.report(path, "found for a tool that carries a load; allowed: for tools whose motion is given.");
 }
 
@@ -138,6 +136,18 @@ void checkFriction(const CheckContext& c, const ContactOptions& options, const s
     c.report(path + ".shear_limit", "found without friction; allowed: beside friction.");
 }
 
+/// How faces of bodies touch one another.
+void checkFaceOptions(const CheckContext& c, const ContactOptions& options, const std::string& path) {
+  const bool isPenalty =
+      options.method == Enforcement::MortarPenalty || options.method == Enforcement::PointwisePenalty;
+  if (isPenalty && c.clean(path + ".method"))
+    c.report(path + ".method",
+             "found a penalty method, which is for contact with tools; allowed between bodies: "
+             "augmented-lagrangian, integral-augmented-lagrangian.");
+  checkGapLimit(c, options, path + ".gap_limit");
+  checkFriction(c, options, path);
+}
+
 /// What there is to say of a pair of faces alone. faces: of all pairs before, slave and master.
 void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string& path,
                std::vector<std::pair<PlaceOfFace, PlaceOfFace>>& faces) {
@@ -145,14 +155,7 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
     checkFace(c, againstKey(pair, path, k), pair.against[k]);
   if (!pair.tool.empty() && c.clean(path + ".tool"))
     c.report(path + ".tool", "found beside against; allowed: one of the two.");
-  const bool isPenalty = pair.options.method == Enforcement::MortarPenalty ||
-                         pair.options.method == Enforcement::PointwisePenalty;
-  if (isPenalty && c.clean(path + ".method"))
-    c.report(path + ".method",
-             "found a penalty method, which is for contact with tools; allowed between bodies: "
-             "augmented-lagrangian, integral-augmented-lagrangian.");
-  checkGapLimit(c, pair, path + ".gap_limit");
-  checkFriction(c, pair.options, path);
+  checkFaceOptions(c, pair.options, path);
   if (!c.clean(path)) return;
   const PlaceOfFace slave = placeOfFace(c.scene, pair.place);
   const std::size_t numBefore = faces.size();
@@ -210,10 +213,11 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
                                            toolNames.empty() ? "a tool listed under tools, which is empty"
                                                              : fmt::format("{}", fmt::join(toolNames, " | ")),
                                            didYouMean(pair.tool, toolNames)));
-    checkGapLimit(c, pair, path + ".gap_limit");
-    const auto tool = std::find_if(c.scene.tools.begin(), c.scene.tools.end(),
-                                   [&](const ToolSpec& t) { return t.name == pair.tool; });
-    checkFriction(c, pair.options, path, tool != c.scene.tools.end() ? &*tool : nullptr);
+    const auto named = std::find_if(c.scene.tools.begin(), c.scene.tools.end(),
+                                    [&](const ToolSpec& t) { return t.name == pair.tool; });
+    const ToolSpec* tool = named != c.scene.tools.end() ? &*named : nullptr;
+    checkGapLimit(c, pair.options, path + ".gap_limit", tool);
+    checkFriction(c, pair.options, path, tool);
     if (!pairs.insert({pair.tool, c.scene.bodyNumber(pair.place.body), pair.place.patch, pair.place.face})
              .second)
       c.report(path,
@@ -242,7 +246,7 @@ void checkSelfContact(const CheckContext& c) {
   for (std::size_t i = 0; i < c.scene.selfContact.size(); ++i) {
     const SelfContactSpec& spec = c.scene.selfContact[i];
     const std::string path = fmt::format("self_contact[{}]", i);
-    checkFriction(c, spec.options, path);
+    checkFaceOptions(c, spec.options, path);
     if (spec.faces.empty())
       checkFace(c, path, spec.place);
     else

@@ -118,8 +118,14 @@ void describe(Visitor& v, SelfContactSpec& s) {
   v.field("reach", s.reach, {.above = 0, .unit = "length"},
           "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of "
           "the body's largest extent when left out.");
-  v.field("parameter", s.options.parameter, {.above = 0, .unit = "stress per length"},
-          "Augmentation parameter; E/L when left out, L the body's largest extent.");
+  v.field(
+      "method", s.options.method, {},
+      "Mortar augmented Lagrangian, or the integral one with contact or none at every quadrature point; no "
+      "penalty method.");
+  v.field(
+      "parameter", s.options.parameter, {.above = 0, .unit = "stress per length"},
+      "Augmentation parameter; when left out E/L (mortar) or E/d (integral), L the body's largest extent, d "
+      "the mean distance of control points on the face.");
   v.field("quadrature_points", s.options.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Quadrature points per knot span and direction; twice the degree when left out.");
   v.field(

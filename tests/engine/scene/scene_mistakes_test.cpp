@@ -503,6 +503,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"selfContactOfFacesAgain", &block,
                 "steps:", "self_contact: [{face: top}, {faces: [left, top]}]\nsteps:", "{faces",
                 "self_contact[1]", "found face top a second time; allowed: each face once."},
+        Mistake{"selfContactByPenalty", &block, "steps:",
+                "self_contact: [{face: top, method: penalty}]\nsteps:", "penalty}", "self_contact[0].method",
+                "found a penalty method, which is for contact with tools; allowed between bodies: "
+                "augmented-lagrangian, integral-augmented-lagrangian."},
         Mistake{"selfContactOfNoFace", &block, "steps:", "self_contact: [{reach: 1}]\nsteps:", "{reach",
                 "self_contact[0].face",
                 "missing; allowed: left | right | bottom | top, in three dimensions also back | front."}),
