@@ -23,15 +23,15 @@ struct Blocks {
       : upper(bodyOf(above, 0, axisymmetric)),
         lower(bodyOf(below, upper.numNodes, axisymmetric)),
         numDisplacements(Dim * (upper.numNodes + lower.numNodes)),
-        term(makePartnerContact<Dim>(
-            upper, 0, kBottom,
-            [&](const FaceQuadrature<Dim>& slave) {
-              return std::make_unique<FacePartner<Dim>>(slave, tracePatch(above, kBottom),
-                                                        outwardSign(above, kBottom),
-                                                        MasterSurface<Dim>(lower, {{0, kTop}}), rules);
-            },
-            options, numDisplacements,
-            std::vector<bool>(static_cast<std::size_t>(numDisplacements), false), {})) {}
+        term(makePartnerContact<Dim>(upper, 0, kBottom,
+                                     [&](const FaceQuadrature<Dim>& slave) {
+                                       return std::make_unique<FacePartner<Dim>>(
+                                           slave, tracePatch(above, kBottom), outwardSign(above, kBottom),
+                                           MasterSurface<Dim>(lower, {{0, kTop}}), rules);
+                                     },
+                                     options, numDisplacements,
+                                     std::vector<bool>(static_cast<std::size_t>(numDisplacements), false),
+                                     {})) {}
 
   int numUnknowns() const { return numDisplacements + term->numMultipliers(); }
 
