@@ -59,7 +59,10 @@ Chart chartOf(const CurveChartSpec& spec, const VerificationCase& verified, cons
       const auto values = [&](const std::string& formula) {
         return evaluate(withDefinitions(rows, formula, variant.definitions), formula);
       };
-      curve.label = spec.contact.empty() ? labelOf(verified.families[f], variant) : verified.families[f].name;
+      const std::string& family = verified.families[f].name;
+      curve.label = spec.contact.empty() ? labelOf(verified.families[f], variant)
+                    : family.empty()     ? "computed"
+                                         : family;
       curve.x = values(spec.x);
       curve.y = values(spec.y);
       if (!spec.exact.empty())
