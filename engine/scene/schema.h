@@ -114,11 +114,12 @@ void describeSimulation(Visitor& v, Scene& s) {
   v.field("supports", s.supports, {}, "Where the body is held or moved, face by face.");
   v.field("loads", s.loads, {}, "Tractions and pressures on faces of the body, and body forces.");
   v.field("tools", s.tools, {}, "Rigid tools with their motion.");
-  v.field("contact", s.contact, {}, "Which tool may touch which face, without friction.");
+  v.field("contact", s.contact, {},
+          "Which face may touch which tool, or which other faces, with or without friction.");
   v.field(
       "self_contact", s.selfContact, {},
       "Faces of a body that may touch themselves or, several together, one another: folds, and chips that "
-      "come down on the body they were cut from. Mortar augmented Lagrangian.");
+      "come down on the body they were cut from.");
   v.field("steps", s.steps, {.required = true, .minEntries = 1}, "Phases of the run, from time 0 on.");
   v.field("solver", s.solver, {}, "Newton's method and the control of the step size.");
   v.field("stabilise", s.stabilise, {},
