@@ -42,6 +42,11 @@ class ModelBuilder {
   void addContact(std::size_t number);
   void addPair(std::size_t number);
 
+  /// The faces of a surface as the partner of the face at a place. slave: its quadrature.
+  std::unique_ptr<FacePartner<Dim>> facesAsPartner(const FaceQuadrature<Dim>& slave, const FacePlace& place,
+                                                   const std::vector<FacePlace>& surface,
+                                                   const PartnerRules& rules) const;
+
   void addSelfContact(std::size_t number, bool isNewMesh);
   void addStabilisation();
 
@@ -205,6 +210,17 @@ void ModelBuilder<Dim>::addContact(std::size_t number) {
 }
 
 template <int Dim>
+std::unique_ptr<FacePartner<Dim>> ModelBuilder<Dim>::facesAsPartner(const FaceQuadrature<Dim>& slave,
+                                                                    const FacePlace& place,
+                                                                    const std::vector<FacePlace>& surface,
+                                                                    const PartnerRules& rules) const {
+  const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
+  return std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
+                                            outwardSign(patch, place.face),
+                                            MasterSurface<Dim>(model_->body_, surface), rules);
+}
+
+template <int Dim>
 void ModelBuilder<Dim>::addPair(std::size_t number) {
   const auto& spec = scene_.contact[number];
   const std::string key = fmt::format("contact[{}]", number);
@@ -232,9 +248,7 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
                            .couplesAll = true};
   GapRamp fit;
   const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
-    auto partner = std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
-                                                      outwardSign(patch, place.face),
-                                                      MasterSurface<Dim>(model_->body_, against), rules);
+    auto partner = facesAsPartner(slave, place, against, rules);
     const double overlap = -partner->smallestGap();
     if (spec.interference == Interference::Resolve && overlap > 0.0) {
       fit = {overlap, model_->startTime(), scene_.steps.front().until};
@@ -276,10 +290,7 @@ void ModelBuilder<Dim>::addSelfContact(std::size_t number, bool isNewMesh) {
     options.parameter = options.parameterFor(youngsModulus(body.bulk->material()), body.body.size(),
                                              meanControlPointDistance(patch, place.face));
     const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
-      return std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
-                                                outwardSign(patch, place.face),
-                                                MasterSurface<Dim>(model_->body_, surface),
-                                                selfContactRules(reach, static_cast<int>(k), isNewMesh));
+      return facesAsPartner(slave, place, surface, selfContactRules(reach, static_cast<int>(k), isNewMesh));
     };
     try {
       auto term =

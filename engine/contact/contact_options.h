@@ -33,6 +33,10 @@ constexpr bool averagesGaps(Enforcement method) {
   return method == Enforcement::AugmentedLagrangian || method == Enforcement::MortarPenalty;
 }
 
+constexpr bool isPenalty(Enforcement method) {
+  return method == Enforcement::MortarPenalty || method == Enforcement::PointwisePenalty;
+}
+
 /// How contact of a face is enforced.
 struct ContactOptions {
   Enforcement method = Enforcement::AugmentedLagrangian;

@@ -28,8 +28,8 @@ class ContactTerm final : public FaceContact<Dim> {
   void accept() override;
   void archive(StateArchive& archive) override { passage_.archive(archive); }
 
-  /// `referenceGaps` to the tool with their derivatives by the control points of the face, functions x Dim·functions, as far as
-  /// these move its points: what the face's area changes by is left out.
+  /// `referenceGaps` to the tool with their derivatives by the control points of the face, functions x
+  /// Dim·functions, as far as these move its points: what the face's area changes by is left out.
   struct LinearGaps {
     Eigen::VectorXd values;
     Eigen::MatrixXd gradient;

@@ -84,8 +84,7 @@ void FaceContact<Dim>::reportSlipped() {
   for (const auto& span : face_.spans())
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const Eigen::Index number = span.firstPoint + q;
-      const double inStep = state_.pressure(number) > 0.0 ? state_.slip.col(number).norm() : 0.0;
-      state_.slipped(number) = slipped_(span.functions).dot(span.R.col(q)) + inStep;
+      state_.slipped(number) = slipped_(span.functions).dot(span.R.col(q)) + slipUnderPressure(number);
     }
 }
 
@@ -94,10 +93,9 @@ void FaceContact<Dim>::acceptSlipped() {
   Eigen::VectorXd inStep = Eigen::VectorXd::Zero(slipped_.size()), weights = inStep;
   for (const auto& span : face_.spans())
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const Eigen::Index number = span.firstPoint + q;
       const Eigen::VectorXd wR = span.weights(q) * span.R.col(q);
       weights(span.functions) += wR;
-      if (state_.pressure(number) > 0.0) inStep(span.functions) += state_.slip.col(number).norm() * wR;
+      inStep(span.functions) += slipUnderPressure(span.firstPoint + q) * wR;
     }
   slipped_ += inStep.cwiseQuotient(weights);
 }

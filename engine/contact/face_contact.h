@@ -124,6 +124,11 @@ class FaceContact : public Term {
   Eigen::Vector3d referencePlace(const std::vector<int>& functions,
                                  const Eigen::Ref<const Eigen::VectorXd>& R) const;
 
+  /// Length of the slip of the step under pressure at a quadrature point in the last evaluated state.
+  double slipUnderPressure(Eigen::Index point) const {
+    return state_.pressure(point) > 0.0 ? state_.slip.col(point).norm() : 0.0;
+  }
+
   /// Fills in `ContactState::slipped` from the way until the accepted state and the slip of the step.
   void reportSlipped();
 

@@ -12,6 +12,22 @@
 namespace burnish {
 namespace {
 
+/// Cosine between the outward normals of partners: at least 120 degrees apart.
+constexpr double kOpposed = -0.5;
+
+/// A closest point is used up to this share of the distance to the centre of curvature, where it ends to be
+/// one: for new partners, and during a step.
+constexpr double kShareOfRadius = 0.75;
+constexpr double kLargestShareOfRadius = 0.95;
+
+/// New partners are found before they touch, as the two sides of a thin part of the body, which face away
+/// from each other, penetrate one another. But where a fold closes, within a span of the slave, beside a
+/// slave that has a partner, and on new meshes they may do so by a part of the length of the face between
+/// them, and of the slave's span.
+constexpr double kFold = 1.0;
+constexpr double kShareOfLength = 0.05;
+constexpr double kShareOfSpan = 0.25;
+
 /// A partner is left for a foot that is nearer by more than this part of the slave's span.
 constexpr double kNearer = 1e-3;
 
@@ -397,7 +413,7 @@ typename FacePartner<Dim>::Slave FacePartner<Dim>::slaveAt(std::size_t e, Eigen:
 
 template <int Dim>
 void FacePartner<Dim>::choosePartners(bool isNewMesh) {
-  const MasterSearch<Dim> search(surface_);
+  const MasterSearch<Dim> search(surface_, rules_.ownFace.has_value());
   std::vector<bool> had;
   for (const auto& foot : feet_) had.push_back(foot.has_value());
   const auto isBeside = [&](std::size_t e, Eigen::Index q) {

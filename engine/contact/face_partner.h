@@ -11,11 +11,13 @@
 #include "engine/contact/master_search.h"
 #include "engine/contact/master_surface.h"
 #include "engine/contact/partner.h"
-#include "engine/contact/partner_limits.h"
 #include "engine/contact/segments.h"
 #include "engine/solid/face_quadrature.h"
 
 namespace burnish {
+
+/// A slave that hangs over a free end by less than this part of the last span there still has a partner.
+inline constexpr double kOverhang = 0.25;
 
 /// Spans of the master that a slave may slip over within one step with friction: a foot that goes farther has
 /// jumped. And a limit that no slip reaches.

@@ -35,7 +35,8 @@ class FrictionLaw {
   /// Throws `Error` if the formula cannot be understood.
   FrictionLaw(const ContactOptions& options, const std::vector<DefinitionSpec>& definitions);
 
-  /// pressure: nominal, >= 0; without it a formula is not asked. Throws `FormulaError` if the coefficient is not finite, or negative.
+  /// pressure: nominal, >= 0; without it a formula is not asked. Throws `FormulaError` if the coefficient is
+  /// not finite, or negative.
   FrictionBound at(const FrictionPlace& place, double pressure) const;
 
   /// Until this time there is no friction.

@@ -18,13 +18,13 @@ namespace burnish {
 ///     R_u += ∫ p N dΓ,   R_λA = -1/r ∫ (λ - p) M_A dΓ,
 ///     K_uu += ∫ χ r N Nᵀ + p ∂²g dΓ,   K_uλ = ∫ χ N M_A dΓ,   K_λλ = -1/r ∫ (1 - χ) M_A M_B dΓ,
 ///
-/// over the reference face, with p = 0 at points without a partner. p is the contact pressure; λ agrees with it where the face is pressed and
-/// ripples around zero elsewhere. r should be Young's modulus over the distance of control points: in a
-/// span where the contact ends it weighs gaps against tractions.
+/// over the reference face, with p = 0 at points without a partner. p is the contact pressure; λ agrees with
+/// it where the face is pressed and ripples around zero elsewhere. r should be Young's modulus over the
+/// distance of control points: in a span where the contact ends it weighs gaps against tractions.
 ///
-/// In the plane a span is split where λ + r g changes its sign, and where partnership ends: p has a kink there. The split moves with the
-/// unknowns, but the integrands agree on both sides of it, so that the tangent takes no part in that. In
-/// space such a span has twice the points in each direction; so have, with friction, all spans that are pressed:
+/// In the plane a span is split where λ + r g changes its sign, and where partnership ends: p has a kink
+/// there. The split moves with the unknowns, but the integrands agree on both sides of it, so that the tangent
+/// takes no part in that. In space such a span has twice the points in each direction; so have, with friction, all spans that are pressed:
 /// tractions have kinks between stick and slip, too, and points that moved with a split would be no rule for
 /// these.
 ///

@@ -31,12 +31,12 @@ SurfacePlace<Dim> samplePlace(const MasterSurface<Dim>& surface, int face, int s
   return place;
 }
 
-/// The surface's normals at the corners of a span, on all spans that meet there.
+/// Adds the surface's normals at the corners of a span, on all spans that meet there.
 template <int Dim>
-std::vector<Eigen::Vector<double, Dim>> cornerNormals(const MasterSurface<Dim>& surface, int face, int span) {
+void addCornerNormals(const MasterSurface<Dim>& surface, int face, int span,
+                      std::vector<Eigen::Vector<double, Dim>>& normals) {
   const auto& basis = surface.basis(face);
   const auto index = basis.spanIndex(span);
-  std::vector<Eigen::Vector<double, Dim>> normals;
   for (unsigned corner = 0; corner < 1u << (Dim - 1); ++corner) {
     SurfacePlace<Dim> place{face, span, {}};
     for (int d = 0; d < Dim - 1; ++d) {
@@ -46,13 +46,12 @@ std::vector<Eigen::Vector<double, Dim>> cornerNormals(const MasterSurface<Dim>& 
     }
     for (const auto& side : surface.around(place)) normals.push_back(surface.at(side).normal);
   }
-  return normals;
 }
 
 }  // namespace
 
 template <int Dim>
-MasterSearch<Dim>::MasterSearch(const MasterSurface<Dim>& surface) {
+MasterSearch<Dim>::MasterSearch(const MasterSurface<Dim>& surface, bool withNormals) {
   for (int face = 0; face < surface.numFaces(); ++face)
     for (int span = 0; span < surface.basis(face).numSpans(); ++span) {
       Candidate candidate{{face, span}, {}, {}, {}, {}};
@@ -68,14 +67,17 @@ MasterSearch<Dim>::MasterSearch(const MasterSurface<Dim>& surface) {
       }
       const int count = surface.basis(face).functionsPerSpan();
       candidate.samples.resize(Dim, count);
-      const auto corners = cornerNormals(surface, face, span);
-      candidate.normals.resize(Dim, count + std::ssize(corners));
-      for (std::size_t k = 0; k < corners.size(); ++k)
-        candidate.normals.col(count + static_cast<Eigen::Index>(k)) = corners[k];
+      std::vector<Point> normals;
       for (int k = 0; k < count; ++k) {
         const SurfacePoint<Dim> sample = surface.at(samplePlace(surface, face, span, k));
         candidate.samples.col(k) = sample.x;
-        candidate.normals.col(k) = sample.normal;
+        normals.push_back(sample.normal);
+      }
+      if (withNormals) {
+        addCornerNormals(surface, face, span, normals);
+        candidate.normals.resize(Dim, std::ssize(normals));
+        for (std::size_t k = 0; k < normals.size(); ++k)
+          candidate.normals.col(static_cast<Eigen::Index>(k)) = normals[k];
       }
       candidates_.push_back(std::move(candidate));
     }

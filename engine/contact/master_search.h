@@ -22,7 +22,9 @@ class MasterSearch {
   };
 
   MasterSearch() = default;
-  explicit MasterSearch(const MasterSurface<Dim>& surface);
+
+  /// withNormals: for `MayHold`.
+  explicit MasterSearch(const MasterSurface<Dim>& surface, bool withNormals = false);
 
   /// Spans whose boxes meet a box, ascending; among them all that have a point in it.
   std::vector<Span> meeting(const Point& low, const Point& high) const;
@@ -43,7 +45,8 @@ class MasterSearch {
     Span span;
     Point low, high;  ///< of its Bézier points, infinite where it has none
     Eigen::Matrix<double, Dim, Eigen::Dynamic> samples;  ///< degree + 1 points per direction
-    Eigen::Matrix<double, Dim, Eigen::Dynamic> normals;  ///< there, then around its corners
+    Eigen::Matrix<double, Dim, Eigen::Dynamic>
+        normals;  ///< there, then around its corners; empty unless wanted
   };
 
   std::vector<Candidate> candidates_;  ///< ascending

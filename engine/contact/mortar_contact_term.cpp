@@ -58,8 +58,7 @@ MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, Face
                                           int firstMultiplier, const std::vector<DefinitionSpec>& definitions)
     : FaceContact<Dim>(body, patch, face, options, firstMultiplier, definitions),
       partner_(makePartner(face_)),
-      hasFriction_(options.hasFriction()),
-      functionUnknowns_(static_cast<std::size_t>(face_.numFunctions())) {
+      hasFriction_(options.hasFriction()) {
   A_ = Eigen::VectorXd::Zero(numMultipliers());
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
@@ -67,16 +66,7 @@ MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, Face
     auto& own = slaveUnknowns_.emplace_back();
     for (const int a : span.functions)
       for (int d = 0; d < Dim; ++d) own.push_back(Dim * face_.nodes()[static_cast<std::size_t>(a)] + d);
-    auto& all = spanUnknowns_.emplace_back(own);
-    const auto others = partner_->couplings(e);
-    all.insert(all.end(), others.begin(), others.end());
-    sortOnce(all);
-    for (const int a : span.functions) {
-      auto& unknowns = functionUnknowns_[static_cast<std::size_t>(a)];
-      unknowns.insert(unknowns.end(), all.begin(), all.end());
-    }
   }
-  for (auto& unknowns : functionUnknowns_) sortOnce(unknowns);
   requireAveragedGaps(A_.head(face_.numFunctions()), axisymmetric_);
   for (Eigen::Index A = 0; hasFriction_ && A < face_.numFunctions(); ++A)
     A_.template segment<Dim - 1>(face_.numFunctions() + (Dim - 1) * A).setConstant(A_(A));
@@ -85,14 +75,34 @@ MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, Face
 template <int Dim>
 CouplingGroups MortarContactTerm<Dim>::couplings() const {
   // Spans first, then one group per function with its multipliers.
-  CouplingGroups groups = spanUnknowns_;
+  CouplingGroups groups;
+  CouplingGroups ofFunctions(static_cast<std::size_t>(face_.numFunctions()));
+  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
+    auto& group = groups.emplace_back(slaveUnknowns_[e]);
+    const auto others = partner_->couplings(e);
+    group.insert(group.end(), others.begin(), others.end());
+    sortOnce(group);
+    for (const int a : face_.spans()[e].functions) {
+      auto& unknowns = ofFunctions[static_cast<std::size_t>(a)];
+      unknowns.insert(unknowns.end(), group.begin(), group.end());
+    }
+  }
   for (int A = 0; A < face_.numFunctions(); ++A) {
-    auto& group = groups.emplace_back(functionUnknowns_[static_cast<std::size_t>(A)]);
-    group.push_back(firstMultiplier_ + A);
-    for (int alpha = 0; hasFriction_ && alpha < Dim - 1; ++alpha)
-      group.push_back(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A + alpha);
+    auto& group = ofFunctions[static_cast<std::size_t>(A)];
+    sortOnce(group);
+    const auto own = multiplierUnknowns(A);
+    group.insert(group.end(), own.begin(), own.end());
+    groups.push_back(std::move(group));
   }
   return groups;
+}
+
+template <int Dim>
+std::vector<int> MortarContactTerm<Dim>::multiplierUnknowns(int A) const {
+  std::vector<int> unknowns{firstMultiplier_ + A};
+  for (int alpha = 0; hasFriction_ && alpha < Dim - 1; ++alpha)
+    unknowns.push_back(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A + alpha);
+  return unknowns;
 }
 
 template <int Dim>
@@ -170,7 +180,8 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
                                  ? areaStretch(span.functions, acceptedPoints(e), span.R.col(q),
                                                span.dR.middleCols((Dim - 1) * q, Dim - 1))
                                  : 0.0;
-      const Eigen::Vector3d place = this->referencePlace(span.functions, span.R.col(q));
+      Eigen::Vector3d place = Eigen::Vector3d::Zero();
+      if (hasFriction_) place = this->referencePlace(span.functions, span.R.col(q));
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
         const auto A = static_cast<std::size_t>(span.functions[a]);
         const double wR = span.weights(q) * span.R(static_cast<Eigen::Index>(a), q);
@@ -305,9 +316,8 @@ void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, As
       }
     }
     if (out.system == nullptr) continue;
-    unknowns.push_back(firstMultiplier_ + A);
-    for (int alpha = 0; hasFriction_ && alpha < Dim - 1; ++alpha)
-      unknowns.push_back(firstMultiplier_ + numFunctions + (Dim - 1) * A + alpha);
+    const auto own = multiplierUnknowns(A);
+    unknowns.insert(unknowns.end(), own.begin(), own.end());
     out.system->add(unknowns, K);
   }
 }

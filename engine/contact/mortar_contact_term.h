@@ -33,8 +33,9 @@ namespace burnish {
 ///     g_A = 1/A_A ∫' R_A φ dΓ,   D_A = ∫' R_A φ' N dΓ,   T_A = ∫' R_A φ' T dΓ,
 ///     s_A = 1/B_A ∫' R_A φ' s dΓ,   S_A = B_A ∂s_A = ∫' R_A (φ' S + φ'' (s - s_A) N) dΓ,
 ///
-/// and in the tangent ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + φ' ∂(t·δs_T) + φ'' (t·T) Nᵀ dΓ. A function with less than a twentieth of its weight over points with a partner
-/// is not active, and its multipliers vanish; neither is one over open places alone (`kOpenSlope`).
+/// and in the tangent ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + φ' ∂(t·δs_T) + φ'' (t·T) Nᵀ dΓ. A function with less than
+/// a twentieth of its weight over points with a partner is not active, and its multipliers vanish; neither is
+/// one over open places alone (`kOpenSlope`).
 template <int Dim>
 class MortarContactTerm final : public FaceContact<Dim> {
  public:
@@ -61,6 +62,9 @@ class MortarContactTerm final : public FaceContact<Dim> {
   struct Average;
   struct Sums;
 
+  /// Numbers of λ_A and, with friction, the components of τ_A.
+  std::vector<int> multiplierUnknowns(int A) const;
+
   /// Control points of a span's functions in the accepted state; with friction alone.
   Eigen::MatrixXd acceptedPoints(std::size_t e) const;
   SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
@@ -86,9 +90,7 @@ class MortarContactTerm final : public FaceContact<Dim> {
 
   std::unique_ptr<Partner<Dim>> partner_;
   bool hasFriction_;
-  std::vector<std::vector<int>> slaveUnknowns_;     ///< per span: displacement components, by functions
-  std::vector<std::vector<int>> spanUnknowns_;      ///< per span: with the partner's, ascending
-  std::vector<std::vector<int>> functionUnknowns_;  ///< per function: of all its spans, ascending
+  std::vector<std::vector<int>> slaveUnknowns_;       ///< per span: displacement components, by functions
   std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
 };
 

@@ -22,9 +22,10 @@ struct HalfEllipse {
 HalfEllipse fittedHalfEllipse(const Eigen::VectorXd& s, const Eigen::VectorXd& pressure,
                               std::optional<double> middle);
 
-/// The half ellipse that fits a contact pressure best, s the arc length of the deformed face. With a
-/// number for friction also the one that fits best what the tangential traction t lacks of its limit, μ p - |t|: where a Hertzian contact
-/// sticks partly (Cattaneo 1938, Mindlin 1949) that is μ p_0/a (c² - s²)^½, and the face sticks within c.
+/// The half ellipse that fits a contact pressure best, s the arc length of the deformed face. With a number
+/// for friction also the one that fits best what the tangential traction t lacks of its limit, μ p - |t|:
+/// where a Hertzian contact sticks partly (Cattaneo 1938, Mindlin 1949) that is μ p_0/a (c² - s²)^½, and the
+/// face sticks within c.
 class EllipseMeasure final : public Measure {
  public:
   enum class Middle { Free, Begin, End };

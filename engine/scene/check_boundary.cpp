@@ -125,7 +125,7 @@ void checkFriction(const CheckContext& c, const ContactOptions& options, const s
   if (options.rough && options.friction) {
     report("beside friction", "one of the two");
   } else if (options.hasFriction()) {
-    if (options.method == Enforcement::MortarPenalty || options.method == Enforcement::PointwisePenalty)
+    if (isPenalty(options.method))
       report("with a penalty method, which knows no friction",
              "with augmented-lagrangian and integral-augmented-lagrangian");
     else if (options.method == Enforcement::AugmentedLagrangian && tool != nullptr && tool->carry)
@@ -138,9 +138,7 @@ void checkFriction(const CheckContext& c, const ContactOptions& options, const s
 
 /// How faces of bodies touch one another.
 void checkFaceOptions(const CheckContext& c, const ContactOptions& options, const std::string& path) {
-  const bool isPenalty =
-      options.method == Enforcement::MortarPenalty || options.method == Enforcement::PointwisePenalty;
-  if (isPenalty && c.clean(path + ".method"))
+  if (isPenalty(options.method) && c.clean(path + ".method"))
     c.report(path + ".method",
              "found a penalty method, which is for contact with tools; allowed between bodies: "
              "augmented-lagrangian, integral-augmented-lagrangian.");

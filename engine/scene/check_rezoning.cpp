@@ -25,8 +25,7 @@ void checkContact(const CheckContext& c) {
     refuse(c, options.hasFriction() && averagesGaps(options.method),
            fmt::format("contact[{}].{}", k, options.rough ? "rough" : "friction"),
            "friction with augmented-lagrangian (integral-augmented-lagrangian carries it over)");
-    if ((options.method == Enforcement::MortarPenalty || options.method == Enforcement::PointwisePenalty) &&
-        c.clean(fmt::format("contact[{}].method", k)))
+    if (isPenalty(options.method) && c.clean(fmt::format("contact[{}].method", k)))
       c.report(fmt::format("contact[{}].method", k),
                "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian | "
                "integral-augmented-lagrangian.");

@@ -218,8 +218,11 @@ class DirectSolver::Companion {
   explicit Companion(Eigen::Index leading) : leading_(leading), symmetric_(leading) {}
 
   bool factorise(const Matrix& A) {
-    if (opposite_.empty()) findOpposite(A);
-    A_ = near_ = A;
+    if (opposite_.empty()) {
+      findOpposite(A);
+      near_ = A;
+    }
+    A_ = A;
     const double* values = A.valuePtr();
     for (int column = 0; column < A.cols(); ++column)
       for (int k = A.outerIndexPtr()[column]; k < A.outerIndexPtr()[column + 1]; ++k) {
