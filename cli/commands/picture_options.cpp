@@ -65,7 +65,8 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
   command
       .add_option(
           "--field", arguments.field,
-          "displacement, plastic_strain, von_mises, stress.xx, ..., pressure [plastic_strain or von_mises]")
+          "displacement, plastic_strain, von_mises, stress.xx, ..., pressure, contact_pressure, ... "
+          "[plastic_strain or von_mises]")
       ->type_name("NAME");
   command
       .add_option("--component", arguments.component,

@@ -10,6 +10,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "postproc/mesh/contact_field.h"
 
 namespace burnish {
 namespace {
@@ -86,7 +87,12 @@ ModelFrame chosenBodies(const ModelRecord& model, const FrameRecord& frame,
 }
 
 FieldMesh::FieldMesh(const ModelRecord& model, const FrameRecord& frame, const std::string& field)
-    : whole_(meshOf(model, frame)), parted_(false) {
+    : whole_(meshOf(model, frame)), parted_(isContactField(field)) {
+  if (parted_) {
+    with_.numNodes = whole_.numNodes;
+    without_ = whole_;
+    return;
+  }
   const std::vector<std::string> lacking = bodiesWithout(model, frame, field);
   if (lacking.empty()) return;
   parted_ = true;

@@ -11,7 +11,7 @@ namespace burnish {
 ModelFrame chosenBodies(const ModelRecord& model, const FrameRecord& frame,
                         const std::vector<std::string>& names);
 
-/// The mesh of a frame parted by whether its bodies have a field.
+/// The mesh of a frame parted by whether its bodies have a field. No body has a contact field.
 class FieldMesh {
  public:
   /// Model and frame must outlive the object.

@@ -70,15 +70,17 @@ void addCells(const FacePoints& face, const std::vector<vtkIdType>& ids, PolyBui
       builder.addPolygon({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
 }
 
-/// Rows: pressure, gap, three components of the traction, three of the slip, the way slipped; a column per
-/// point.
+/// Rows: pressure, gap, three components of the traction, three of the slip, the way slipped, three of the
+/// traction of friction; a column per point.
+constexpr Eigen::Index kRows = 12;
 Eigen::MatrixXd valuesOf(const ContactRecord& contact) {
-  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(9, contact.quadraturePoints.cols());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(kRows, contact.quadraturePoints.cols());
   if (values.cols() == 0) return values;
   values.topRows(5) << contact.quadraturePressure.transpose(), contact.quadratureGap.transpose(),
       inSpace(contact.quadratureNormal * contact.quadraturePressure.asDiagonal());
   if (contact.quadratureSliding.empty()) return values;
-  values.middleRows<3>(2) += inSpace(contact.quadratureFriction);
+  values.bottomRows<3>() = inSpace(contact.quadratureFriction);
+  values.middleRows<3>(2) += values.bottomRows<3>();
   values.middleRows<3>(5) = inSpace(contact.quadratureSlip);
   if (contact.quadratureSlipped.size() > 0) values.row(8) = contact.quadratureSlipped.transpose();
   return values;
@@ -99,7 +101,7 @@ vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const Fram
                                             const ContactName& wanted) {
   const MeshRecord& mesh = meshOf(model, frame);
   PolyBuilder builder;
-  Eigen::MatrixXd values(9, 0);
+  Eigen::MatrixXd values(kRows, 0);
   std::vector<int> sliding;
   bool rubs = false;
   for (const ContactRecord& contact : frame.contact) {
@@ -123,6 +125,7 @@ vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const Fram
   data.AddArray(makeArray(labelled("gap", model.lengthUnit), values.row(1), {}));
   data.AddArray(makeIntegers("status", status));
   if (!rubs) return surface;
+  data.AddArray(makeArray(labelled("friction", model.stressUnit), values.bottomRows(3), kAxes));
   data.AddArray(makeArray(labelled("slip", model.lengthUnit), values.middleRows(5, 3), kAxes));
   data.AddArray(makeArray(labelled("slipped", model.lengthUnit), values.row(8), {}));
   data.AddArray(makeIntegers("sliding", sliding));

@@ -25,7 +25,7 @@ std::vector<ContactName> contactsOf(const FrameRecord& frame);
 /// The faces in contact that have the quadrature points, through these: one polyline per face in 2D,
 /// quadrilaterals in 3D. Point data: `contact_pressure` (nominal, per undeformed area), `traction` (its
 /// vector, with that of friction: what the face feels), `gap`, `status` (1 where it is pressed, else 0); with
-/// friction `slip` in the last step, `slipped` (way since the start), `sliding` (0 open, 1 stick, 2 slip).
+/// friction `friction` (its vector, a part of the traction), `slip` in the last step, `slipped` (way since the start), `sliding` (0 open, 1 stick, 2 slip).
 vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
                                             const ContactName& contact);
 

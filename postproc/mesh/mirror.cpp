@@ -190,7 +190,9 @@ class Mirror {
       ContactRecord copy = contact[k];
       for (int& node : copy.nodes) node = nodes_.image[static_cast<std::size_t>(node)];
       copy.quadraturePoints = image(copy.quadraturePoints, plane_);
-      copy.quadratureNormal = imageOfVectors(copy.quadratureNormal, plane_);
+      for (Eigen::MatrixXd* vectors :
+           {&copy.quadratureNormal, &copy.quadratureFriction, &copy.quadratureSlip})
+        if (vectors->size() > 0) *vectors = imageOfVectors(*vectors, plane_);
       contact.push_back(std::move(copy));
     }
   }

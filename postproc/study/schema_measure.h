@@ -45,7 +45,7 @@ void describe(Visitor& v, SummaryMeasure& s) {
 
 template <class Visitor>
 void describe(Visitor& v, LineMeasure& s) {
-  v.field("field", s.field, {.required = true, .choices = drawableFields()}, "Field that is sampled.");
+  v.field("field", s.field, {.required = true, .choices = bodyFields()}, "Field that is sampled.");
   v.field("time", s.time, {.required = true, .atLeast = 0, .unit = "time"}, "Time of the frame.");
   v.field("height", s.height, {.atLeast = 0, .atMost = 1},
           "Where the line is: the second parameter of the first patch, as a part of its range.");

@@ -86,6 +86,33 @@ Sample slab(const std::array<int, 2>& spans) {
   return sample;
 }
 
+Sample rubbedSlab() {
+  constexpr int kSpans = 12, kPoints = 4 * kSpans;
+  Sample sample = slab({kSpans, 6});
+  sample.model.stressUnit = "MPa";
+  ContactRecord contact;
+  contact.tool = "disc";
+  contact.face = "top";
+  const Eigen::RowVectorXd s = Eigen::RowVectorXd::LinSpaced(kPoints, 0.5, kPoints - 0.5) / kPoints;
+  const Eigen::RowVectorXd distance = (s.array() - 0.5).abs();
+  const Eigen::RowVectorXd none = Eigen::RowVectorXd::Zero(kPoints);
+  contact.quadraturePoints = Eigen::MatrixXd::Ones(2, kPoints);
+  contact.quadraturePoints.row(0) = 3.0 * s;
+  contact.quadraturePoints.row(1).array() -= 0.6 * s.array() * (1.0 - s.array());
+  contact.quadraturePressure = (10.0 - 40.0 * distance.array()).cwiseMax(0.0).transpose();
+  contact.quadratureGap = none.transpose();
+  contact.quadratureNormal = Eigen::Vector2d(0, 1).replicate(1, kPoints);
+  contact.quadratureFriction.resize(2, kPoints);
+  contact.quadratureFriction << 0.3 * contact.quadraturePressure.transpose(), none;
+  for (const double d : distance) contact.quadratureSliding.push_back(d < 0.1 ? 1 : d < 0.25 ? 2 : 0);
+  contact.quadratureSlip = Eigen::MatrixXd::Zero(2, kPoints);
+  for (int k = 0; k < kPoints; ++k)
+    if (contact.quadratureSliding[static_cast<std::size_t>(k)] == 2) contact.quadratureSlip(0, k) = 0.02;
+  contact.quadratureSlipped = s.transpose();
+  sample.frame.contact = {contact};
+  return sample;
+}
+
 Sample ring(const std::array<int, 2>& spans) {
   const KnotVector r = KnotVector::uniform(2, spans[0]), angle = KnotVector::uniform(2, spans[1]);
   Sample sample = sampleOf(refined(annulus({0, 0}, 1.0, 2.0, 0.0, std::numbers::pi / 2), {r, angle}), "Ring");

@@ -16,6 +16,11 @@ struct Sample {
 /// displacement (0, -0.6 s (1-s) t).
 Sample slab(const std::array<int, 2>& spans = {12, 6});
 
+/// The slab, whose upper face the disc rubs: contact pressure max(0, 10 - 40 |s - 1/2|) MPa, traction of
+/// friction (0.3, 0) times that, sticking within |s - 1/2| < 0.1 and slipping elsewhere under pressure, slip
+/// (0.02, 0) where it slips, way slipped s mm. Four points per knot span, equally spaced.
+Sample rubbedSlab();
+
 /// A quarter of a ring, radii 1 and 2, NURBS with so many knot spans across and around: `von_mises` = 100 (r
 /// - 1) in MPa; at rest, no tool.
 Sample ring(const std::array<int, 2>& spans = {4, 6});

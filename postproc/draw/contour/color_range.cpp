@@ -1,6 +1,9 @@
 #include "postproc/draw/contour/color_range.h"
 
 #include <fmt/format.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +15,7 @@
 #include "engine/core/error.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/mesh/chosen_bodies.h"
+#include "postproc/mesh/contact_field.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/tensor_points.h"
 #include "postproc/mesh/tessellation.h"
@@ -101,6 +105,19 @@ std::optional<std::array<double, 2>> extremes(const MeshRecord& mesh, const Fiel
   return range;
 }
 
+/// Smallest and largest value of a contact field; nothing if one is not finite. States have the same colours
+/// everywhere.
+std::optional<std::array<double, 2>> contactExtremes(const ModelRecord& model, const FrameRecord& frame,
+                                                     const std::string& field) {
+  if (const auto states = statesOfContactField(field); !states.empty())
+    return std::array{-0.5, static_cast<double>(states.size()) - 0.5};
+  const auto faces = contactFieldFaces(model, frame, field);
+  std::array<double, 2> range{};
+  faces->GetPointData()->GetScalars()->GetRange(range.data());
+  if (!std::isfinite(range[0]) || !std::isfinite(range[1])) return std::nullopt;
+  return range;
+}
+
 /// 1st, 2nd, 99th, 2.5th.
 std::string ordinal(double number) {
   const std::string digits = fmt::format("{:.6g}", number);
@@ -128,7 +145,8 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
   const FieldChoice choice = chooseField(model, frame, field);
   const FieldMesh meshes(model, frame, field);
   const MeshRecord& mesh = meshes.with();
-  const std::optional<std::array<double, 2>> whole = extremes(mesh, choice, subdivision);
+  const std::optional<std::array<double, 2>> whole =
+      isContactField(field) ? contactExtremes(model, frame, field) : extremes(mesh, choice, subdivision);
   if (!whole)
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
                             field, frame.index));

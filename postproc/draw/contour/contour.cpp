@@ -7,6 +7,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -32,10 +33,14 @@
 #include "postproc/draw/page/flat_shapes.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/png_file.h"
+#include "postproc/mesh/contact_field.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
 namespace {
+
+/// Width of contact faces in the plane, over that of outlines.
+constexpr double kFaceWidth = 6.0;
 
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
@@ -50,6 +55,7 @@ enum Layer {
   kUndeformed,
   kBodyOutline,
   kToolLines,
+  kContactFaces,
   kArrows
 };
 
@@ -85,8 +91,10 @@ class ContourPicture {
     const auto [whole, unclipped] =
         fieldRanges(model_, frame_, options_.field, subdivisionOf(model_, options_), options_.clip);
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
-    const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), options_.bands);
-    const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1]}, textSize_, theme_);
+    const int bands = field_.states.empty() ? options_.bands : static_cast<int>(field_.states.size());
+    const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), bands);
+    const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1], field_.states}, textSize_,
+                        theme_);
     const ContourLayout layout =
         layOutContour(size_, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim),
                       parts_.axes, caption(options_.clip && shown != whole), bar, theme_);
@@ -179,7 +187,10 @@ class ContourPicture {
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
     };
-    add(contourActor(*parts_.body, colors, !isFlat()), kBody);
+    const auto colored = contourActor(*parts_.body, colors, !isFlat());
+    const bool ofContact = isContactField(options_.field);
+    if (ofContact) colored->GetProperty()->SetLineWidth(static_cast<float>(kFaceWidth * line));
+    add(colored, !ofContact ? kBody : isFlat() ? kContactFaces : kIsolines);
     if (parts_.section) add(contourActor(*parts_.section, colors, false), kBody);
     if (parts_.plain) add(plainActor(*parts_.plain, plainColor(), !isFlat(), 1.0), kBody);
     if (parts_.plainSection) add(plainActor(*parts_.plainSection, plainColor(), false, 1.0), kBody);
@@ -196,7 +207,7 @@ class ContourPicture {
           isFlat() ? kUndeformed : kBehindBody);
     add(lineActor(*parts_.outline, theme_.outline, line, 1.0), kBodyOutline);
     for (const auto& part : {parts_.body, parts_.plain})
-      if (part && !isFlat())
+      if (part && !isFlat() && !(ofContact && part == parts_.body))
         add(lineActor(*silhouetteOf(*part, eye), theme_.outline, line, 1.0), kBodyOutline);
     for (const ShownTool& tool : parts_.tools) {
       const ToolDrawing drawing = drawTool(tool, view);

@@ -18,6 +18,7 @@
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/chosen_bodies.h"
+#include "postproc/mesh/contact_field.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/plane_section.h"
@@ -48,9 +49,10 @@ void setValues(vtkPointData& points, const Mesh& mesh, const ModelRecord& model,
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
 }
 
-/// mesh: of the bodies that have the field.
+/// What has colours. mesh: of the bodies that have the field.
 vtkSmartPointer<vtkPolyData> makeBody(const MeshRecord& mesh, const ModelRecord& model,
                                       const FrameRecord& frame, const ContourOptions& options) {
+  if (isContactField(options.field)) return contactFieldFaces(model, frame, options.field);
   const BodySurface surface(mesh, subdivisionOf(model, options));
   const auto body = surface.displaced(options.warp * frame.displacement);
   setValues(*body->GetPointData(), surface, model, frame, options);
@@ -227,6 +229,7 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.axes = alongNormal ? viewFrom(options.slice->normal) : viewAxes(options.view, model.dim);
   parts.displacement = options.warp * frame.displacement;
   if (options.tools) parts.tools = shownTools(model, frame, options.warp);
+  chooseField(model, frame, options.field);  // of a frame that has it
   const FieldMesh meshes(model, frame, options.field);
   parts.body = makeBody(meshes.with(), model, frame, options);
   parts.box = boxOf(*parts.body);

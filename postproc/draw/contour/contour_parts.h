@@ -26,7 +26,8 @@ struct ContourParts {
   Eigen::AlignedBox3d box;       ///< of the body before it is cut
   Eigen::MatrixXd displacement;  ///< of the body, dim x nodes of the frame's mesh
   std::vector<ShownTool> tools;
-  vtkSmartPointer<vtkPolyData> body;                 ///< its point scalars are the values that are drawn
+  vtkSmartPointer<vtkPolyData> body;                 ///< its point scalars are the values that are drawn; the
+                                                     ///< contact faces where these are a contact field
   vtkSmartPointer<vtkPolyData> section;              ///< the same, of a cut; null without one
   vtkSmartPointer<vtkPolyData> plain, plainSection;  ///< of bodies that do not have the field; null without
   vtkSmartPointer<vtkPolyData> outline;

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "engine/material/material.h"
+#include "postproc/mesh/contact_field.h"
 
 namespace burnish {
 namespace {
@@ -35,6 +36,11 @@ std::map<std::string, Wording> allWordings() {
                                        {"von_mises", {"von Mises stress", symbolOf("σ_v"), true}},
                                        {"stress", {"Cauchy stress", {{"σ"}}, false}},
                                        {"pressure", {"Pressure", {{"p"}}, false}}};
+  table["contact_pressure"] = {"Contact pressure", {{"p"}}, true};
+  table["friction_traction"] = {"Traction of friction", symbolOf("t_T"), true};
+  table["slip"] = {"Slip in the last step", {{"s"}}, true};
+  table["slipped"] = {"Way slipped", {{"s"}}, true};
+  table["sliding"] = {"Contact", {}, true};
   for (const FieldKind& field : materialFields())
     table[field.name] = {field.words, symbolOf(field.symbol), field.isNonNegative};
   return table;
@@ -94,6 +100,7 @@ std::vector<std::string> fieldNames(const FrameRecord& frame) {
     const auto more = namesOf(name, field);
     names.insert(names.end(), more.begin(), more.end());
   }
+  for (std::string& name : contactFieldsOf(frame)) names.push_back(std::move(name));
   return names;
 }
 
@@ -108,6 +115,9 @@ Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
 }
 
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
+  const std::vector<std::string> ofContact = contactFieldsOf(frame);
+  if (std::find(ofContact.begin(), ofContact.end(), name) != ofContact.end())
+    return {titleOf(name, "", false), unitOfContactField(model, name), {}, true, statesOfContactField(name)};
   const auto fields = allFields(frame, model.lengthUnit);
   for (const auto& [fieldName, field] : fields) {
     const auto names = namesOf(fieldName, field);

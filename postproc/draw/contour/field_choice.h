@@ -9,7 +9,7 @@
 namespace burnish {
 
 /// Names of everything that can be drawn of a frame: `displacement`, `displacement.x`, …, then the frame's
-/// fields; a vector alone stands for its magnitude, a tensor only has components.
+/// fields; a vector alone stands for its magnitude, a tensor only has components; then its contact fields.
 std::vector<std::string> fieldNames(const FrameRecord& frame);
 
 /// What one most probably wants to see: plastic strain where there is any law for it, else the von Mises
@@ -20,8 +20,10 @@ std::string fieldToShow(const FrameRecord& frame);
 struct FieldChoice {
   RichText title;                ///< readable name with symbol, without unit
   std::string unit;              ///< may be empty
-  Eigen::MatrixXd coefficients;  ///< one row, or the components of a vector whose magnitude is meant
+  Eigen::MatrixXd coefficients;  ///< one row, or the components of a vector whose magnitude is meant; of a
+                                 ///< contact field, see `contactFieldFaces`, none
   bool isNonNegative = false;    ///< in truth; a projection may fall below 0
+  std::vector<std::string> states{};  ///< what the values 0, 1, … mean; empty for quantities
 
   /// The scalars that are drawn of values (components x points): a scalar itself, not below 0 if it cannot
   /// be, or the magnitude of a vector.

@@ -86,6 +86,22 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
         {"warp", "contact tractions belong to the true displacements; draw them without a warp."});
 }
 
+/// Faces in contact are recorded where they are, as surfaces, with their own values alone.
+void checkContactField(const PictureOptions& options, std::vector<InputProblem>& problems) {
+  if (!isContactField(options.field)) return;
+  const auto refuse = [&](bool isGiven, const char* key) {
+    if (isGiven)
+      problems.push_back(
+          {key, fmt::format("{} belongs to the faces in contact; draw it without.", options.field)});
+  };
+  refuse(options.warp != 1.0, "warp");
+  refuse(options.clip.has_value(), "clip");
+  refuse(options.cut.has_value(), "cut");
+  refuse(options.slice.has_value(), "slice");
+  refuse(options.range.has_value() && !statesOfContactField(options.field).empty(), "range");
+  refuse(options.arrows == ArrowField::Displacement, "vectors");
+}
+
 }  // namespace
 
 std::optional<ViewName> Spelling<ViewName>::read(const std::string& text) {
@@ -156,6 +172,7 @@ std::vector<InputProblem> conflictsIn(const PictureOptions& options, std::option
   checkColors(options, problems);
   checkPlanes(options, dim, problems);
   checkView(options, dim, problems);
+  checkContactField(options, problems);
   return problems;
 }
 

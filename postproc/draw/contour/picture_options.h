@@ -12,6 +12,7 @@
 #include "postproc/draw/page/picture_look.h"
 #include "postproc/draw/page/picture_size.h"
 #include "postproc/draw/page/view.h"
+#include "postproc/mesh/contact_field.h"
 #include "postproc/mesh/picture_planes.h"
 
 /// What a contour picture shows and how it looks, declared once. A scene's `pictures`, a study's sheets and
@@ -115,13 +116,20 @@ std::array<int, 2> drawnSize(const PictureOptions& options);
 /// known: paths are keys. What the rules of single values say is left out.
 std::vector<InputProblem> conflictsIn(const PictureOptions& options, std::optional<int> dim);
 
-/// Fields and components that contour pictures show.
-inline std::vector<std::string> drawableFields() {
+/// Fields of bodies, and their components.
+inline std::vector<std::string> bodyFields() {
   std::vector<std::string> names{"displacement", "displacement.x", "displacement.y", "displacement.z"};
   for (std::string& name : materialComponentNames()) names.push_back(std::move(name));
   for (const char* name : {"von_mises", "stress.xx", "stress.yy", "stress.zz", "stress.xy", "stress.yz",
                            "stress.zx", "pressure"})
     names.emplace_back(name);
+  return names;
+}
+
+/// What contour pictures show.
+inline std::vector<std::string> drawableFields() {
+  std::vector<std::string> names = bodyFields();
+  for (std::string& name : contactFieldNames()) names.push_back(std::move(name));
   return names;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace burnish {
@@ -48,11 +49,13 @@ PixelRect rounded(const PixelRect& r) {
 ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme& theme)
     : scale_(std::move(scale)),
       title_(std::move(texts.title)),
+      states_(std::move(texts.states)),
       size_(textSize),
       ink_(theme.ink),
       titleStyle_{textSize, theme.ink, theme.font},
       labelStyle_{kLabelSize * textSize, theme.ink, theme.font},
       endStyle_{kEndSize * textSize, theme.softInk, theme.font} {
+  if (!states_.empty()) return;
   const int exponent = makeTicks(scale_.range(), kMostTicks).exponent;
   const RichText unit = unitText(exponent, texts.unit);
   title_.insert(title_.end(), unit.begin(), unit.end());
@@ -182,19 +185,26 @@ void ScalarBar::drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const Pi
   overlay.addSegments(lines, lineWidth(), ink_);
 }
 
+Ticks ScalarBar::ticks(int most) const {
+  if (states_.empty()) return makeTicks(scale_.range(), most);
+  std::vector<double> values(states_.size());
+  std::iota(values.begin(), values.end(), 0.0);
+  return {values, states_};
+}
+
 Ticks ScalarBar::ticksUp(double barLength) const {
   const int most = static_cast<int>(barLength / (2.4 * size_));
-  return makeTicks(scale_.range(), std::clamp(most, 2, kMostTicks));
+  return ticks(std::clamp(most, 2, kMostTicks));
 }
 
 Ticks ScalarBar::ticksAcross(double barLength) const {
   for (int most = kMostTicks; most > 2; --most) {
-    Ticks ticks = makeTicks(scale_.range(), most);
+    Ticks marks = ticks(most);
     const double spacing =
-        ticks.values.size() < 2 ? barLength : (along(ticks.values[1]) - along(ticks.values[0])) * barLength;
-    if (longestLabel(ticks) + 1.2 * size_ <= spacing) return ticks;
+        marks.values.size() < 2 ? barLength : (along(marks.values[1]) - along(marks.values[0])) * barLength;
+    if (longestLabel(marks) + 1.2 * size_ <= spacing) return marks;
   }
-  return makeTicks(scale_.range(), 2);
+  return ticks(2);
 }
 
 double ScalarBar::barLengthUp(double length) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "postproc/draw/page/color_scale.h"
 #include "postproc/draw/page/flat_shapes.h"
@@ -19,6 +20,9 @@ class ScalarBar {
     RichText title;
     std::string unit;          ///< may be empty
     double smallest, largest;  ///< values of the field
+
+    /// Of the values 0, 1, …, which stand beside the scale instead of round ones and the ends.
+    std::vector<std::string> states{};
   };
 
   /// textSize: of the title, in pixels.
@@ -38,6 +42,7 @@ class ScalarBar {
   void drawArrow(FlatShapes& shapes, const PixelRect& bar, Direction direction, bool high) const;
   void drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const PixelRect& bar, Direction direction,
                          const Ticks& ticks) const;
+  Ticks ticks(int most) const;
   Ticks ticksUp(double barLength) const;
   Ticks ticksAcross(double barLength) const;
   double barLengthUp(double length) const;
@@ -52,6 +57,7 @@ class ScalarBar {
 
   ColorScale scale_;
   RichText title_;
+  std::vector<std::string> states_;
 
   /// What stands at an end.
   struct End {

@@ -1,0 +1,34 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+#include "engine/results/result.h"
+
+class vtkPolyData;
+
+namespace burnish {
+
+/// Quantities of contact that are drawn on the faces that have its quadrature points: contact_pressure
+/// (nominal), with friction friction_traction (its amount, nominal), slip (its amount in the last step),
+/// slipped (way under pressure since the start) and sliding (0 open, 1 stick, 2 slip).
+std::vector<std::string> contactFieldNames();
+bool isContactField(const std::string& name);
+
+/// Those that a frame has.
+std::vector<std::string> contactFieldsOf(const FrameRecord& frame);
+
+/// What the values 0, 1, … of one of them mean; empty if they are amounts.
+std::vector<std::string> statesOfContactField(const std::string& name);
+
+/// Unit of one of them; may be empty.
+std::string unitOfContactField(const ModelRecord& model, const std::string& name);
+
+/// The faces that have a contact field, as `contactSurface` has them; the point scalars are the values. Where
+/// these are states, every point has the part of its cells that is nearest, with points of its own. name: one
+/// of `contactFieldsOf`. Throws `Error` if frame and model disagree.
+vtkSmartPointer<vtkPolyData> contactFieldFaces(const ModelRecord& model, const FrameRecord& frame,
+                                               const std::string& name);
+
+}  // namespace burnish
