@@ -102,7 +102,7 @@ void describe(Visitor& v, ContactOptions& s) {
       "parameter", s.parameter, {.above = 0, .unit = "stress per length"},
       "Penalty or augmentation parameter; when left out E/L (augmented Lagrangian), E/d (integral one) or "
       "100 E/L (penalties), L the body's largest extent, d the mean distance of control points on the "
-      "face.");
+      "face. On unequal knot spans the integral one is that of the mean and goes with the reciprocal length.");
   v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Quadrature points per knot span and direction; twice the degree when left out.");
   v.field("gap_limit", s.gapLimit, {.above = 0, .atMost = 1},

@@ -50,6 +50,13 @@ double zeroBetween(double a, double fa, double b, double fb, const F& f) {
   return 0.5 * (a + b);
 }
 
+template <int Dim>
+std::vector<double> spanSizes(const FaceQuadrature<Dim>& face) {
+  std::vector<double> sizes;
+  for (const auto& span : face.spans()) sizes.push_back(span.size);
+  return sizes;
+}
+
 }  // namespace
 
 /// What a span interpolates, by its functions.
@@ -82,7 +89,8 @@ IntegralContactTerm<Dim>::IntegralContactTerm(const Body<Dim>& body, int patch, 
     : FaceContact<Dim>(body, patch, face, options, firstMultiplier, definitions),
       body_(body),
       partner_(makePartner(face_)),
-      hasFriction_(options.hasFriction()) {
+      hasFriction_(options.hasFriction()),
+      relativeLength_(face_.trace().basis(), spanSizes(face_)) {
   const HeldControlPoints points = heldControlPoints(body, patch, face, held);
   multipliers_ = MultiplierBasis(face_.trace().basis(), points.across);
   tangential_ = MultiplierBasis(face_.trace().basis(), points.along);
@@ -101,7 +109,10 @@ void IntegralContactTerm<Dim>::addSpanTables(const Body<Dim>& body) {
   const auto& trace = face_.trace();
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const Span& span = face_.spans()[e];
-    mass_.emplace_back(span.R * span.weights.asDiagonal() * span.R.transpose());
+    Eigen::VectorXd weights = span.weights;
+    for (Eigen::Index q = 0; q < weights.size(); ++q)
+      weights(q) *= relativeLength_.at(span.number, span.xi.col(q));
+    mass_.emplace_back(span.R * weights.asDiagonal() * span.R.transpose());
     std::vector<int> unknowns;
     for (const int a : span.functions)
       for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * face_.nodes()[static_cast<std::size_t>(a)] + d);
@@ -195,7 +206,7 @@ SlavePoint<Dim> IntegralContactTerm<Dim>::pointOf(const SpanValues& values, cons
 template <int Dim>
 double IntegralContactTerm<Dim>::augmented(const SpanValues& values, const SlavePoint<Dim>& point,
                                            double gap) const {
-  return values.lambda.dot(point.R) + parameter() * (gap - values.origin.dot(point.R));
+  return values.lambda.dot(point.R) + parameter() / lengthAt(point) * (gap - values.origin.dot(point.R));
 }
 
 template <int Dim>
@@ -208,7 +219,7 @@ template <int Dim>
 FrictionTraction<Dim - 1> IntegralContactTerm<Dim>::frictionAt(
     const SpanValues& values, const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact, double p,
     const Eigen::Ref<const Eigen::MatrixXd>& dR) const {
-  const Tangential trial = values.tau * point.R + frictionParameter() * contact.slip;
+  const Tangential trial = values.tau * point.R + frictionParameter() / lengthAt(point) * contact.slip;
   const auto& functions = face_.spans()[values.number].functions;
   const FrictionPlace place{
       referencePlace(functions, point.R), time_, slipped_(functions).dot(point.R),
@@ -271,7 +282,7 @@ typename IntegralContactTerm<Dim>::SpanState IntegralContactTerm<Dim>::stateOf(
   const Span& span = face_.spans()[values.number];
   const auto points = Eigen::seqN(span.firstPoint, span.R.cols());
   const Eigen::VectorXd extent = values.points.rowwise().maxCoeff() - values.points.rowwise().minCoeff();
-  if (parameter() *
+  if (parameter() / relativeLength_.largestOn(span.number) *
           (state_.gap(points).minCoeff() - kFarSpans * extent.norm() - values.origin.cwiseAbs().sum()) >
       kFarMultipliers * values.lambda.cwiseAbs().maxCoeff())
     return SpanState::Open;
@@ -343,14 +354,14 @@ void IntegralContactTerm<Dim>::addPoint(const SpanValues& values, const Span& ru
   const bool wantsTangent = sums.K.size() > 0;
   const auto R = rule.R.col(q);
   const Eigen::Index n = R.size();
-  const double r = parameter(), w = rule.weights(q), lambda = values.lambda.dot(R);
-  const auto multipliers = Eigen::seqN(sums.firstLambda, n);
   const auto point = pointOf(values, rule.xi.col(q), R);
+  const double r = parameter() / lengthAt(point), w = rule.weights(q), lambda = values.lambda.dot(R);
+  const auto multipliers = Eigen::seqN(sums.firstLambda, n);
   auto contact =
       partner_->at(point, wantsTangent ? PointDetail::SecondDerivatives : PointDetail::Derivatives);
   const double p = contact ? augmented(values, point, contact->gap) : kInfinity;
   const bool isPressed = p < 0.0, rubs = hasFriction_ && isPressed;
-  if (hasFriction_ && !isPressed) addOpenTangential(values, R, w, sums);
+  if (hasFriction_ && !isPressed) addOpenTangential(values, point, w, sums);
   if (!isPressed && !mustTouch) {
     sums.force(multipliers) -= w / r * lambda * R;
     state_.energy -= 0.5 * w / r * lambda * lambda;
@@ -393,10 +404,10 @@ void IntegralContactTerm<Dim>::addForce(const Eigen::Vector<double, Dim>& force,
 }
 
 template <int Dim>
-void IntegralContactTerm<Dim>::addOpenTangential(const SpanValues& values,
-                                                 const Eigen::Ref<const Eigen::VectorXd>& R, double w,
-                                                 Contributions& sums) const {
-  const double weight = w / frictionParameter();
+void IntegralContactTerm<Dim>::addOpenTangential(const SpanValues& values, const SlavePoint<Dim>& point,
+                                                 double w, Contributions& sums) const {
+  const auto& R = point.R;
+  const double weight = w * lengthAt(point) / frictionParameter();
   const Tangential tau = values.tau * R;
   for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha) {
     const auto rows = Eigen::seqN(sums.firstTau + alpha, R.size(), Dim - 1);
@@ -413,7 +424,8 @@ void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span&
   const auto law = frictionAt(values, point, contact, p, rule.dR.middleCols((Dim - 1) * q, Dim - 1));
   const auto& R = point.R;
   const Eigen::Index n = R.size();
-  const double w = rule.weights(q), r = parameter(), rT = frictionParameter();
+  const double w = rule.weights(q), length = lengthAt(point), r = parameter() / length,
+               rT = frictionParameter() / length;
   const Tangential tau = values.tau * R;
   const Eigen::VectorXd force = w * contact.virtualSlip * law.traction;
   sums.force(places) += force;

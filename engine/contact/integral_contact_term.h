@@ -7,6 +7,7 @@
 #include "engine/contact/face_contact.h"
 #include "engine/contact/multiplier_basis.h"
 #include "engine/contact/partner.h"
+#include "engine/contact/relative_length.h"
 
 namespace burnish {
 
@@ -20,7 +21,8 @@ namespace burnish {
 ///
 /// over the reference face, with p = 0 at points without a partner. p is the contact pressure; λ agrees with
 /// it where the face is pressed and ripples around zero elsewhere. r should be Young's modulus over the
-/// distance of control points: in a span where the contact ends it weighs gaps against tractions.
+/// distance of control points: in a span where the contact ends it weighs gaps against tractions. So r and r_T
+/// are the parameters where spans have their mean length, and go with the reciprocal `RelativeLength`.
 ///
 /// In the plane a span is split where λ + r g changes its sign, and where partnership ends: p has a kink
 /// there. The split moves with the unknowns, but the integrands agree on both sides of it, so that the tangent
@@ -88,6 +90,10 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   static SlavePoint<Dim> pointOf(const SpanValues& values, const Parameter& xi,
                                  const Eigen::Ref<const Eigen::VectorXd>& R, int number = -1);
 
+  double lengthAt(const SlavePoint<Dim>& point) const {
+    return relativeLength_.at(face_.spans()[point.span].number, point.xi);
+  }
+
   /// λ + r g at a point; infinite without a partner.
   double augmented(const SpanValues& values, const SlavePoint<Dim>& point, double gap) const;
   double augmented(const SpanValues& values, const SlavePoint<Dim>& point) const;
@@ -110,7 +116,7 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   void addPoint(const SpanValues& values, const Span& rule, Eigen::Index q, bool mustTouch,
                 Contributions& sums);
   void endFriction();
-  void addOpenTangential(const SpanValues& values, const Eigen::Ref<const Eigen::VectorXd>& R, double w,
+  void addOpenTangential(const SpanValues& values, const SlavePoint<Dim>& point, double w,
                          Contributions& sums) const;
   void addFriction(const SpanValues& values, const Span& rule, Eigen::Index q, double p,
                    const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact,
@@ -143,9 +149,10 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   std::unique_ptr<Partner<Dim>> partner_;
   bool hasFriction_;
   MultiplierBasis multipliers_, tangential_;
-  std::vector<Samples> samples_;                   ///< per span
-  std::vector<Span> fine_;                         ///< per span, in space and with friction
-  std::vector<Eigen::MatrixXd> mass_;              ///< per span: ∫ R_a R_b dΓ
+  std::vector<Samples> samples_;  ///< per span
+  std::vector<Span> fine_;        ///< per span, in space and with friction
+  RelativeLength<Dim - 1> relativeLength_;
+  std::vector<Eigen::MatrixXd> mass_;              ///< per span: ∫ R_a R_b ℓ dΓ, ℓ the relative length
   std::vector<std::vector<int>> unknowns_;         ///< per span: displacement components
   std::vector<std::vector<int>> partnerUnknowns_;  ///< per span, ascending
   std::vector<Anchor> anchors_;                    ///< per function
