@@ -41,6 +41,15 @@ void archiveStates(StateArchive& archive, PointStates& states) {
   for (Eigen::Index k = 0; k < b_e.cols(); ++k) states.b_e.emplace_back(b_e.col(k).reshaped(3, 3));
 }
 
+void archiveFits(StateArchive& archive, std::vector<GapRamp>& fits) {
+  Eigen::MatrixXd numbers(3, std::ssize(fits));
+  for (std::size_t k = 0; k < fits.size(); ++k)
+    numbers.col(static_cast<Eigen::Index>(k)) << fits[k].amount, fits[k].from, fits[k].until;
+  archiveMatrix(archive, "fits", 3, numbers);
+  fits.clear();
+  for (const auto& fit : numbers.colwise()) fits.push_back({fit(0), fit(1), fit(2)});
+}
+
 }  // namespace
 
 void archiveMatrix(StateArchive& archive, const std::string& name, Eigen::Index rows,
@@ -72,6 +81,8 @@ void archiveBody(StateArchive& archive, const MaterialParameters& material,
   archive.field("time", body->time);
   archive.field("plastic_work", body->plasticWork);
   archiveStates(archive, body->states);
+  archiveMatrix(archive, "others", 2, body->others);
+  archiveFits(archive, body->fits);
   if (!archive.restores()) return;
   const Eigen::Index n = points.cols();
   body->named = {makeBody(Patch<2>(TensorBasis<2>({*directions[0], *directions[1]}), std::move(points),

@@ -27,7 +27,7 @@ class ModelBuilder {
   /// The body of the scene, at rest and free of stress, with all that is checked once.
   static std::unique_ptr<Model<Dim>> build(const Scene& scene);
 
-  /// A body with a history.
+  /// One of the bodies with a history.
   static std::unique_ptr<Model<Dim>> rebuild(const Scene& scene, const RezonedBody& rezoned);
 
  private:
@@ -35,6 +35,16 @@ class ModelBuilder {
       : scene_(scene), model_(new Model<Dim>(scene, bodies)) {}
 
   static std::vector<NamedBody<Dim>> bodiesOf(const Scene& scene);
+
+  /// Whether new meshes are made of the body that a face is of.
+  bool isMeshedAnew(const FacePlace& place) const {
+    return scene_.rezoning && &model_->bodyOf(place) == &model_->bodies_[scene_.rezonedBody()];
+  }
+
+  /// Throws `InputError` at a contact of a face that is meshed anew if supports leave fewer multipliers than
+  /// functions.
+  void requireMultipliers(const FaceContact<Dim>& term, const FacePlace& place, const std::string& key) const;
+
   const SpanQuadrature<Dim>& addQuadrature(std::size_t body);
   void addBody(std::size_t number, const std::optional<ReferenceState>& reference);
   void addLoad(std::size_t number);
@@ -47,7 +57,7 @@ class ModelBuilder {
                                                    const std::vector<FacePlace>& surface,
                                                    const PartnerRules& rules) const;
 
-  void addSelfContact(std::size_t number, bool isNewMesh);
+  void addSelfContact(std::size_t number);
   void addStabilisation();
 
   /// All unknowns are numbered.
@@ -55,6 +65,7 @@ class ModelBuilder {
 
   const Scene& scene_;
   std::unique_ptr<Model<Dim>> model_;
+  const RezonedBody* rezoned_ = nullptr;  ///< null for the scene's own bodies
 };
 
 template <int Dim>
@@ -82,7 +93,7 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
   for (std::size_t k = 0; k < scene.contact.size(); ++k)
     if (!scene.contact[k].against.empty()) problems.gather([&] { builder.addPair(k); });
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k)
-    problems.gather([&] { builder.addSelfContact(k, false); });
+    problems.gather([&] { builder.addSelfContact(k); });
   if (!scene.stabilise) problems.gather([&] { requireSupported(model); });
   problems.throwIfAny();
   builder.closeNumbering();
@@ -94,21 +105,43 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
 
 template <int Dim>
 std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const RezonedBody& rezoned) {
-  ModelBuilder builder(scene, {rezoned.named});
+  const std::size_t number = scene.rezonedBody();
+  std::vector<NamedBody<Dim>> bodies;
+  for (std::size_t k = 0; k < scene.allBodies().size(); ++k)
+    bodies.push_back(k == number ? rezoned.named : makeBody<Dim>(scene, k));
+  ModelBuilder builder(scene, bodies);
+  builder.rezoned_ = &rezoned;
   Model<Dim>& model = *builder.model_;
-  ReferenceState reference = referenceState(builder.addQuadrature(0), rezoned.states);
-  reference.plasticWork = rezoned.plasticWork;
-  builder.addBody(0, reference);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const SpanQuadrature<Dim>& quadrature = builder.addQuadrature(k);
+    std::optional<ReferenceState> reference;
+    if (k == number) {
+      reference = referenceState(quadrature, rezoned.states);
+      reference->plasticWork = rezoned.plasticWork;
+    }
+    builder.addBody(k, reference);
+  }
+  const auto [firstNode, endNode] = model.bodies_[number].body.nodeRange();
+  model.start_.time = rezoned.time;
+  model.start_.x = Eigen::VectorXd::Zero(model.numDisplacements());
+  model.start_.x.head(Dim * firstNode) = rezoned.others.leftCols(firstNode).reshaped();
+  const Eigen::Index behind = rezoned.others.cols() - firstNode;
+  model.start_.x.tail(Dim * behind) = rezoned.others.rightCols(behind).reshaped();
   for (std::size_t k = 0; k < scene.loads.size(); ++k) builder.addLoad(k);
   for (std::size_t k = 0; k < scene.tools.size(); ++k) builder.addTool(k);
   for (std::size_t k = 0; k < scene.contact.size(); ++k)
     if (scene.contact[k].against.empty()) builder.addContact(k);
-  for (std::size_t k = 0; k < scene.selfContact.size(); ++k) builder.addSelfContact(k, true);
+  for (std::size_t k = 0; k < scene.contact.size(); ++k)
+    if (!scene.contact[k].against.empty()) builder.addPair(k);
+  for (std::size_t k = 0; k < scene.selfContact.size(); ++k) builder.addSelfContact(k);
   builder.closeNumbering();
-  model.start_.time = rezoned.time;
-  model.start_.x = Eigen::VectorXd::Zero(model.numUnknowns());
-  model.supports_.setValues(rezoned.time, model.origin_);
+  model.start_.x.conservativeResizeLike(Eigen::VectorXd::Zero(model.numUnknowns()));
+  Eigen::VectorXd values = model.origin_;
+  model.supports_.setValues(rezoned.time, values);
+  const Eigen::Index first = Dim * firstNode, count = Dim * (endNode - firstNode);
+  model.origin_.segment(first, count) = values.segment(first, count);
   builder.addStabilisation();
+  if (model.stabilisation_) model.stabilisation_->beginAt(model.start_.x);
   return std::move(builder.model_);
 }
 
@@ -199,14 +232,18 @@ void ModelBuilder<Dim>::addContact(std::size_t number) {
       meanControlPointDistance(body.body.patches[static_cast<std::size_t>(patch)], place.face));
   auto term = makeToolContact<Dim>(body.body, patch, place.face, *model_->tools_[tool], options,
                                    model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
-  const int perFunction = options.hasFriction() ? Dim : 1;
-  if (scene_.rezoning && term->numMultipliers() != perFunction * term->face().numFunctions())
-    throw InputError(fmt::format("contact[{}]", number),
-                     fmt::format("a support holds an end of the face {}, which new meshes cannot take over "
-                                 "with this method; use augmented-lagrangian",
-                                 options.hasFriction() ? "across or along it" : "across it"));
+  requireMultipliers(*term, place, fmt::format("contact[{}]", number));
   model_->numUnknowns_ += term->numMultipliers();
   model_->contacts_.push_back({tool, place, std::move(term)});
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::requireMultipliers(const FaceContact<Dim>& term, const FacePlace& place,
+                                           const std::string& key) const {
+  if (!isMeshedAnew(place) || term.hasAllMultipliers()) return;
+  throw InputError(key, fmt::format("a support holds an end of the face {}, which new meshes cannot take over "
+                                    "with this method; use augmented-lagrangian",
+                                    term.options().hasFriction() ? "across or along it" : "across it"));
 }
 
 template <int Dim>
@@ -215,9 +252,11 @@ std::unique_ptr<FacePartner<Dim>> ModelBuilder<Dim>::facesAsPartner(const FaceQu
                                                                     const std::vector<FacePlace>& surface,
                                                                     const PartnerRules& rules) const {
   const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
-  return std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
-                                            outwardSign(patch, place.face),
-                                            MasterSurface<Dim>(model_->body_, surface), rules);
+  auto partner = std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
+                                                    outwardSign(patch, place.face),
+                                                    MasterSurface<Dim>(model_->body_, surface), rules);
+  if (rezoned_ != nullptr) partner->beginAt(rezoned_->time, model_->start_.x);
+  return partner;
 }
 
 template <int Dim>
@@ -249,6 +288,11 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
   GapRamp fit;
   const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
     auto partner = facesAsPartner(slave, place, against, rules);
+    if (rezoned_ != nullptr) {
+      fit = rezoned_->fits[model_->pairs_.size()];
+      partner->resolveInterference(fit);
+      return partner;
+    }
     const double overlap = -partner->smallestGap();
     if (spec.interference == Interference::Resolve && overlap > 0.0) {
       fit = {overlap, model_->startTime(), scene_.steps.front().until};
@@ -262,6 +306,7 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
     auto term =
         makePartnerContact<Dim>(model_->body_, place.patch, place.face, makePartner, options,
                                 model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
+    requireMultipliers(*term, place, key);
     if (fit.amount > 0.0) term->beginFrictionAt(fit.until);
     model_->numUnknowns_ += term->numMultipliers();
     model_->pairs_.push_back({pairName(spec), place, against, std::move(term), fit});
@@ -273,7 +318,7 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
 }
 
 template <int Dim>
-void ModelBuilder<Dim>::addSelfContact(std::size_t number, bool isNewMesh) {
+void ModelBuilder<Dim>::addSelfContact(std::size_t number) {
   const auto& spec = scene_.selfContact[number];
   const std::string key = fmt::format("self_contact[{}]", number);
   std::vector<FacePlace> surface;
@@ -290,7 +335,8 @@ void ModelBuilder<Dim>::addSelfContact(std::size_t number, bool isNewMesh) {
     options.parameter = options.parameterFor(youngsModulus(body.bulk->material()), body.body.size(),
                                              meanControlPointDistance(patch, place.face));
     const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
-      return facesAsPartner(slave, place, surface, selfContactRules(reach, static_cast<int>(k), isNewMesh));
+      return facesAsPartner(slave, place, surface,
+                            selfContactRules(reach, static_cast<int>(k), rezoned_ != nullptr));
     };
     try {
       auto term =

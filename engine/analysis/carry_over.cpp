@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/analysis/deformed_patch.h"
+#include "engine/core/state_archive.h"
 #include "engine/rezoning/curve.h"
 #include "engine/rezoning/inverse_map.h"
 #include "engine/solid/span_quadrature.h"
@@ -27,11 +28,55 @@ Eigen::Matrix2Xd anchorPositions(const Patch<2>& patch) {
   return positions;
 }
 
+/// Gives a term what another one has been through.
+void copyHistory(Term& from, Term& to) {
+  StateArchive saved;
+  from.archive(saved);
+  StateArchive restored(saved.values());
+  to.archive(restored);
+}
+
+/// Displacements of the nodes outside of a range, 2 x nodes.
+Eigen::MatrixXd displacementsOfOthers(const Eigen::VectorXd& x, int numNodes, std::pair<int, int> range) {
+  const auto nodes = x.head(2 * Eigen::Index{numNodes}).reshaped(2, numNodes);
+  Eigen::MatrixXd others(2, numNodes - (range.second - range.first));
+  others << nodes.leftCols(range.first), nodes.rightCols(numNodes - range.second);
+  return others;
+}
+
+}  // namespace
+
+CarryOver::CarryOver(const Simulation<2>& before, std::size_t body, const Patch<2>& deformed,
+                     const Remeshing& mesh, int quadraturePoints)
+    : before_(before), number_(body), deformed_(deformed) {
+  const Model<2>& model = *before.model;
+  const ModelBody<2>& old = model.bodies()[number_];
+  const SteppingState& state = before.stepping.state();
+  body_ = {{makeBody(mesh.patch), {{}}},
+           {},
+           old.bulk->plasticWork(),
+           state.time,
+           displacementsOfOthers(state.x, model.body().numNodes, old.body.nodeRange()),
+           {}};
+  body_.named.body.axisymmetric = old.body.axisymmetric;
+  for (const FacePair<2>& pair : model.pairs()) body_.fits.push_back(pair.fit);
+  const SpanQuadrature<2> quadrature(body_.named.body, quadraturePoints);
+  const InverseMap map(deformed);
+  const double farthest = kFarthestShare * mesh.smallestSpan;
+  points_ = parametersIn(map, pointPositions(quadrature, mesh.patch), farthest);
+  anchors_ = parametersIn(map, anchorPositions(mesh.patch), farthest);
+  body_.states =
+      interpolated(*old.quadrature, deformed.basis(), old.bulk->carried(state.x), points_);
+}
+
 /// Multipliers of all contacts on the new mesh, in x; with friction the ways slipped and its work, too.
-void carryContacts(const Model<2>& before, const Eigen::VectorXd& xBefore, const Patch<2>& deformed,
-                   const Model<2>& next, Eigen::VectorXd& x) {
-  const auto carryContact = [&](const FaceContact<2>& oldTerm, FaceContact<2>& newTerm, FaceId face) {
-    const FaceCarryOver carry(before.body(), face, deformed, next.body().patches.front());
+void CarryOver::carryContacts(const Model<2>& next, Eigen::VectorXd& x) const {
+  const Model<2>& before = *before_.model;
+  const Eigen::VectorXd& xBefore = before_.stepping.state().x;
+  const ModelBody<2>& oldBody = before.bodies()[number_];
+  const Patch<2>& newPatch = next.bodies()[number_].body.patches.front();
+  const auto carryToNewFace = [&](const FaceContact<2>& oldTerm, FaceContact<2>& newTerm, FaceId face) {
+    const FaceCarryOver carry(oldBody.body, face, deformed_, newPatch);
     const int numOld = oldTerm.face().numFunctions(), num = newTerm.face().numFunctions();
     x.segment(newTerm.firstMultiplier(), num) = carry.multipliers(oldTerm.state().lambdaHat);
     if (!newTerm.options().hasFriction()) return;
@@ -39,46 +84,48 @@ void carryContacts(const Model<2>& before, const Eigen::VectorXd& xBefore, const
         carry.tractions(xBefore.segment(oldTerm.firstMultiplier() + numOld, numOld));
     newTerm.continueFriction(oldTerm.state().frictionWork, carry.values(oldTerm.slipped()));
   };
-  for (std::size_t k = 0; k < next.contacts().size(); ++k)
-    carryContact(*before.contacts()[k].term, *next.contacts()[k].term, next.contacts()[k].place.face);
-  for (std::size_t k = 0; k < next.selfContacts().size(); ++k)
-    carryContact(*before.selfContacts()[k].term, *next.selfContacts()[k].term,
-                 next.selfContacts()[k].place.face);
-}
-
-}  // namespace
-
-CarryOver::CarryOver(const Simulation<2>& before, const Patch<2>& deformed, const Remeshing& mesh,
-                     int quadraturePoints)
-    : before_(before), deformed_(deformed) {
-  const Model<2>& model = *before.model;
-  const SteppingState& state = before.stepping.state();
-  body_ = {{makeBody(mesh.patch), {{}}}, {}, model.bodies().front().bulk->plasticWork(), state.time};
-  body_.named.body.axisymmetric = model.body().axisymmetric;
-  const SpanQuadrature<2> quadrature(body_.named.body, quadraturePoints);
-  const InverseMap map(deformed);
-  const double farthest = kFarthestShare * mesh.smallestSpan;
-  points_ = parametersIn(map, pointPositions(quadrature, mesh.patch), farthest);
-  anchors_ = parametersIn(map, anchorPositions(mesh.patch), farthest);
-  body_.states = interpolated(*model.bodies().front().quadrature, deformed.basis(),
-                              model.bodies().front().bulk->carried(state.x), points_);
+  const auto keep = [&](const FaceContact<2>& oldTerm, FaceContact<2>& newTerm) {
+    x.segment(newTerm.firstMultiplier(), newTerm.numMultipliers()) =
+        xBefore.segment(oldTerm.firstMultiplier(), oldTerm.numMultipliers());
+    if (newTerm.options().hasFriction())
+      newTerm.continueFriction(oldTerm.state().frictionWork, oldTerm.slipped());
+  };
+  const auto carryAll = [&](const auto& oldContacts, const auto& newContacts) {
+    for (std::size_t k = 0; k < newContacts.size(); ++k)
+      if (&before.bodyOf(oldContacts[k].place) == &oldBody)
+        carryToNewFace(*oldContacts[k].term, *newContacts[k].term, newContacts[k].place.face);
+      else
+        keep(*oldContacts[k].term, *newContacts[k].term);
+  };
+  carryAll(before.contacts(), next.contacts());
+  carryAll(before.pairs(), next.pairs());
+  carryAll(before.selfContacts(), next.selfContacts());
 }
 
 SteppingState CarryOver::startOf(const Model<2>& next) const {
   const Model<2>& model = *before_.model;
   const SteppingState& before = before_.stepping.state();
   SteppingState start = before;
-  start.x = Eigen::VectorXd::Zero(next.numUnknowns());
-  carryContacts(model, before.x, deformed_, next, start.x);
+  start.x = next.startState().x;
+  for (std::size_t k = 0; k < next.bodies().size(); ++k)
+    if (k != number_) copyHistory(*model.bodies()[k].bulk, *next.bodies()[k].bulk);
+  carryContacts(next, start.x);
   start.level = std::max(before.level, kFirstLevel);
   start.easySteps = 0;
   start.lastIncrement.resize(0);
   if (before.lastIncrement.size() == 0) return start;
   start.lastIncrement = Eigen::VectorXd::Zero(next.numUnknowns());
+  const int numNodes = model.body().numNodes;
+  const auto range = model.bodies()[number_].body.nodeRange();
+  const auto [first, end] = next.bodies()[number_].body.nodeRange();
   const Eigen::MatrixXd increments =
-      before.lastIncrement.head(model.numDisplacements()).reshaped(2, model.body().numNodes);
+      before.lastIncrement.head(model.numDisplacements()).reshaped(2, numNodes);
+  auto nodes = start.lastIncrement.head(next.numDisplacements()).reshaped(2, next.body().numNodes);
+  nodes.leftCols(first) = increments.leftCols(first);
+  nodes.rightCols(next.body().numNodes - end) = increments.rightCols(numNodes - range.second);
+  const Eigen::MatrixXd own = increments.middleCols(range.first, range.second - range.first);
   for (Eigen::Index a = 0; a < anchors_.cols(); ++a)
-    start.lastIncrement.segment<2>(2 * a) = valueAt(deformed_, increments, anchors_.col(a));
+    nodes.col(first + a) = valueAt(deformed_, own, anchors_.col(a));
   return start;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <cstddef>
 #include <vector>
 
 #include "engine/analysis/build_model.h"
@@ -8,20 +9,21 @@
 
 namespace burnish {
 
-/// Carries what a simulation has reached to a new mesh of its body, which has one patch.
+/// Carries what a simulation has reached to a new mesh of one of its bodies, which has one patch. The other
+/// bodies keep all that they have, the multipliers and the friction of their faces among it.
 class CarryOver {
  public:
-  /// before: in the state to go on from; must outlive the object. deformed: its patch in its current place.
-  /// quadraturePoints: per span and direction, 0 for as many as the degree asks for. Throws `Error` where a
-  /// point of the new mesh is too far from the body.
-  CarryOver(const Simulation<2>& before, const Patch<2>& deformed, const Remeshing& mesh,
+  /// before: in the state to go on from; must outlive the object. body: number of the one on a new mesh.
+  /// deformed: its patch in its current place. quadraturePoints: per span and direction, 0 for as many as the
+  /// degree asks for. Throws `Error` where a point of the new mesh is too far from the body.
+  CarryOver(const Simulation<2>& before, std::size_t body, const Patch<2>& deformed, const Remeshing& mesh,
             int quadraturePoints);
 
   /// The body on the new mesh with the history of its matter.
   const RezonedBody& body() const { return body_; }
 
-  /// Where a simulation on the new mesh begins: at the same time with the multipliers of now, no
-  /// displacements, and smaller steps. next: the model of this body.
+  /// Where a simulation on the new mesh begins: at the same time with the multipliers of now, no displacements
+  /// of the body, and smaller steps. next: the model of this body, whose terms are given their histories.
   SteppingState startOf(const Model<2>& next) const;
 
   /// Values at the quadrature points of the new mesh, points x components, of a field on the old one with
@@ -29,7 +31,10 @@ class CarryOver {
   Eigen::MatrixXd atQuadraturePoints(const Eigen::MatrixXd& coefficients) const;
 
  private:
+  void carryContacts(const Model<2>& next, Eigen::VectorXd& x) const;
+
   const Simulation<2>& before_;
+  std::size_t number_;
   Patch<2> deformed_;
   Eigen::Matrix2Xd points_;   ///< old parameters of the new quadrature points
   Eigen::Matrix2Xd anchors_;  ///< old parameters of the new functions' anchors

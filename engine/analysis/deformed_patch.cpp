@@ -1,10 +1,16 @@
 #include "engine/analysis/deformed_patch.h"
 
+#include <cstddef>
+#include <utility>
+
 namespace burnish {
 
-Patch<2> deformedPatch(const Patch<2>& patch, const Eigen::VectorXd& x) {
-  const Eigen::Index n = patch.points().cols();
-  return {patch.basis(), patch.points() + x.head(2 * n).reshaped(2, n), patch.weights()};
+Patch<2> deformedPatch(const Body<2>& body, const Eigen::VectorXd& x) {
+  const Patch<2>& patch = body.patches.front();
+  Eigen::MatrixXd points = patch.points();
+  for (Eigen::Index a = 0; a < points.cols(); ++a)
+    points.col(a) += x.segment<2>(2 * Eigen::Index{body.nodes.front()[static_cast<std::size_t>(a)]});
+  return {patch.basis(), std::move(points), patch.weights()};
 }
 
 Eigen::VectorXd valueAt(const Patch<2>& patch, const Eigen::MatrixXd& coefficients,

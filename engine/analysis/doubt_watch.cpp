@@ -46,6 +46,7 @@ template <int Dim>
 DoubtWatch<Dim>::DoubtWatch(const Scene& scene, const Model<Dim>& model)
     : model_(model),
       scene_{.rezones = scene.rezoning.has_value(), .touchesItself = !scene.selfContact.empty()},
+      rezoned_(scene.rezoning ? &model.bodies()[scene.rezonedBody()] : nullptr),
       toolWatch_(model),
       tipWatch_(model),
       toolDoubts_(toolWatch_.sentences().size()),
@@ -63,8 +64,9 @@ void DoubtWatch<Dim>::update(const RunHistory<Dim>& history, int unstableDirecti
   const StateQuantities& s = history.current();
   note(Condition::SmallJ, s.minJ < limitOf(Condition::SmallJ), s.time, 1.0 / s.minJ);
   note(Condition::CrossesItself, s.crossesItself, s.time);
-  note(Condition::NewBoundary,
-       s.rezonings.boundaryError > limitOf(Condition::NewBoundary) * model_.body().size(), s.time);
+  if (rezoned_ != nullptr)
+    note(Condition::NewBoundary,
+         s.rezonings.boundaryError > limitOf(Condition::NewBoundary) * rezoned_->body.size(), s.time);
   note(Condition::Unstable, !rubs(model_) && unstableDirections > limitOf(Condition::Unstable), s.time,
        unstableDirections);
   note(Condition::Stabilisation, s.stabilisedShare > limitOf(Condition::Stabilisation), s.time,
@@ -74,11 +76,17 @@ void DoubtWatch<Dim>::update(const RunHistory<Dim>& history, int unstableDirecti
   watchTools(s, history.x());
 }
 
+/// Whether no new mesh was found for the body that a face is of.
+template <int Dim>
+bool DoubtWatch<Dim>::needsNewMesh(const FacePlace& place) const {
+  return needsNewMesh_ && &model_.bodyOf(place) == rezoned_;
+}
+
 template <int Dim>
 bool DoubtWatch<Dim>::hasLostResolution(const ContactPair<Dim>& pair) const {
   const int active = pair.term->state().numActive();
   return active > 0 && active < limitOf(Condition::LostContact) &&
-         (needsNewMesh_ || penetrationPerSpan(*pair.term) > limitOf(Condition::Penetration));
+         (needsNewMesh(pair.place) || penetrationPerSpan(*pair.term) > limitOf(Condition::Penetration));
 }
 
 template <int Dim>

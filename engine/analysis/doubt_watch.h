@@ -45,9 +45,11 @@ class DoubtWatch {
   void watchWork(const RunHistory<Dim>& history);
   void watchTools(const StateQuantities& current, const Eigen::VectorXd& x);
   bool hasLostResolution(const ContactPair<Dim>& pair) const;
+  bool needsNewMesh(const FacePlace& place) const;
 
   const Model<Dim>& model_;
   SceneTraits scene_;
+  const ModelBody<Dim>* rezoned_;  ///< the body that is meshed anew; null for none
   ToolWatch<Dim> toolWatch_;
   TipWatch<Dim> tipWatch_;
   std::array<Doubt, kConditions> doubts_{};
@@ -55,7 +57,7 @@ class DoubtWatch {
   std::vector<Doubt> tipDoubts_;   ///< one for each contact pair
   std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool
-  bool needsNewMesh_ = false;      ///< of this mesh, since a rezoning that failed; the next one's begins anew
+  bool needsNewMesh_ = false;      ///< the body on this mesh, since a rezoning that failed; the next one's begins anew
 };
 
 }  // namespace burnish

@@ -47,19 +47,22 @@ bool mayTouchItself(const Model<Dim>& model, const ContactPair<Dim>& pair) {
 }  // namespace
 
 template <int Dim>
-bool anyFaceCrossesItself(const Model<Dim>& model, const Eigen::VectorXd& x) {
+bool anyFaceCrossesItself(const Model<Dim>& model, const ModelBody<Dim>& body, const Eigen::VectorXd& x) {
   if constexpr (Dim == 3) return false;
+  const auto isOfBody = [&](const auto& contact) { return &model.bodyOf(contact.place) == &body; };
   const double rounding = kCrossing * model.body().size();
   for (const ContactPair<Dim>& pair : model.contacts())
-    if (!mayTouchItself(model, pair) && crossesItself(pair.term->face().positions(x), rounding)) return true;
+    if (isOfBody(pair) && !mayTouchItself(model, pair) &&
+        crossesItself(pair.term->face().positions(x), rounding))
+      return true;
   // Parts of a face may be inside of one another by what is not doubtful yet.
   const double apart = limitOf(Condition::Penetration);
   for (const SelfContact<Dim>& contact : model.selfContacts())
-    if (crossesItself(positionsApart(*contact.term, x, apart), rounding)) return true;
+    if (isOfBody(contact) && crossesItself(positionsApart(*contact.term, x, apart), rounding)) return true;
   return false;
 }
 
-template bool anyFaceCrossesItself(const Model<2>&, const Eigen::VectorXd&);
-template bool anyFaceCrossesItself(const Model<3>&, const Eigen::VectorXd&);
+template bool anyFaceCrossesItself(const Model<2>&, const ModelBody<2>&, const Eigen::VectorXd&);
+template bool anyFaceCrossesItself(const Model<3>&, const ModelBody<3>&, const Eigen::VectorXd&);
 
 }  // namespace burnish

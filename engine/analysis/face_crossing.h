@@ -5,9 +5,9 @@
 
 namespace burnish {
 
-/// Whether a contact face crosses itself in the state x that the terms have been evaluated at (2D). Parts
-/// that touch by self-contact do not.
+/// Whether a contact face of a body crosses itself in the state x that the terms have been evaluated at (2D).
+/// Parts that touch by self-contact do not.
 template <int Dim>
-bool anyFaceCrossesItself(const Model<Dim>& model, const Eigen::VectorXd& x);
+bool anyFaceCrossesItself(const Model<Dim>& model, const ModelBody<Dim>& body, const Eigen::VectorXd& x);
 
 }  // namespace burnish

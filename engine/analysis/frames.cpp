@@ -132,7 +132,8 @@ ContactRecord contactRecord(const SelfContact<Dim>& contact, const Eigen::Vector
 }  // namespace
 
 template <int Dim>
-MeshRecord meshRecord(const Body<Dim>& body) {
+MeshRecord meshRecord(const Model<Dim>& model) {
+  const Body<Dim>& body = model.body();
   MeshRecord record{body.numNodes, {}};
   for (std::size_t p = 0; p < body.patches.size(); ++p) {
     const auto& patch = body.patches[p];
@@ -146,6 +147,9 @@ MeshRecord meshRecord(const Body<Dim>& body) {
     stored.nodes = body.nodes[p];
     record.patches.push_back(std::move(stored));
   }
+  for (std::size_t k = 1; k < model.bodies().size(); ++k)
+    for (std::size_t p = 0; p < model.bodies()[k].body.patches.size(); ++p)
+      record.patches[static_cast<std::size_t>(model.bodies()[k].firstPatch) + p].body = static_cast<int>(k);
   return record;
 }
 
@@ -159,12 +163,8 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
   record.lengthUnit = scene.units.length;
   record.stressUnit = scene.units.stress;
   record.subdivision = scene.output.subdivision;
-  record.mesh = meshRecord(model.body());
+  record.mesh = meshRecord(model);
   for (const BodySpec& body : scene.bodies) record.bodies.push_back(body.name);
-  for (std::size_t k = 1; k < model.bodies().size(); ++k)
-    for (std::size_t p = 0; p < model.bodies()[k].body.patches.size(); ++p)
-      record.mesh.patches[static_cast<std::size_t>(model.bodies()[k].firstPatch) + p].body =
-          static_cast<int>(k);
   for (const auto& tool : model.tools())
     record.tools.push_back({tool->name, tool->shape.recorded(Dim, kDrawnSizes * model.body().size()),
                             tool->pivot, tool->axis, tool->shape.halfThickness()});
@@ -206,8 +206,8 @@ FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model,
   return frame;
 }
 
-template MeshRecord meshRecord(const Body<2>&);
-template MeshRecord meshRecord(const Body<3>&);
+template MeshRecord meshRecord(const Model<2>&);
+template MeshRecord meshRecord(const Model<3>&);
 template ModelRecord makeModelRecord(const Scene&, const Model<2>&);
 template ModelRecord makeModelRecord(const Scene&, const Model<3>&);
 template FrameRecord makeFrame(const Scene&, const Model<2>&, const std::vector<Projection<2>>&, int, int,

@@ -5,9 +5,9 @@
 
 namespace burnish {
 
-/// The mesh of a body, or of all bodies.
+/// The meshes of all bodies.
 template <int Dim>
-MeshRecord meshRecord(const Body<Dim>& body);
+MeshRecord meshRecord(const Model<Dim>& model);
 
 /// The immutable part of a result.
 template <int Dim>

@@ -85,6 +85,12 @@ const ModelBody<Dim>& Model<Dim>::bodyOf(int patch) const {
 }
 
 template <int Dim>
+bool Model<Dim>::touches(const FacePair<Dim>& pair, const ModelBody<Dim>& body) const {
+  const auto isOfBody = [&](const FacePlace& place) { return &bodyOf(place) == &body; };
+  return isOfBody(pair.place) || std::any_of(pair.against.begin(), pair.against.end(), isOfBody);
+}
+
+template <int Dim>
 double Model<Dim>::forceFloorOf(const ModelBody<Dim>& body) const {
   return kForceFloor * youngsModulus(body.bulk->material()) *
          std::pow(body.body.size(), body_.axisymmetric ? 2 : Dim - 1);

@@ -87,6 +87,9 @@ class Model {
   const ModelBody<Dim>& bodyOf(int patch) const;
   const ModelBody<Dim>& bodyOf(const FacePlace& place) const { return bodyOf(place.patch); }
 
+  /// Whether one of the faces of a pair is the body's.
+  bool touches(const FacePair<Dim>& pair, const ModelBody<Dim>& body) const;
+
   const std::vector<std::unique_ptr<Tool>>& tools() const { return tools_; }
   const std::vector<ContactPair<Dim>>& contacts() const { return contacts_; }
   const std::vector<FacePair<Dim>>& pairs() const { return pairs_; }

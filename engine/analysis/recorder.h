@@ -43,7 +43,6 @@ class Recorder {
     return history_.row(step, newtonIterations);
   }
   const StateQuantities& current() const { return history_.current(); }
-  bool crossesItself() const { return history_.current().crossesItself; }
   double smallestJ() const { return history_.smallestJ(); }
   double largestPenetration() const { return history_.largestPenetration(); }
   double largestStabilisedShare() const { return history_.largestStabilisedShare(); }

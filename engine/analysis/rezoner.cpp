@@ -18,17 +18,23 @@ namespace {
 /// equilibrium.
 constexpr std::array kParts{1, 4, 16};
 
+/// Reference positions of the body's own nodes, 2 x nodes.
+Eigen::MatrixXd ownPositions(const Body<2>& body) {
+  const auto [first, end] = body.nodeRange();
+  return body.nodePositions().middleCols(first, end - first);
+}
+
 }  // namespace
 
 Rezoner::Rezoner(const Scene& scene, const Simulation<2>& initial)
     : scene_(scene),
       choice_(meshChoice(scene, initial)),
-      trigger_(choice_.options, choice_.travel, initial),
-      volume_(initial.model->bodies().front().bulk->weights().sum()),
-      origin_(initial.model->body().nodePositions()) {}
+      trigger_(choice_.options, choice_.body, choice_.travel, initial),
+      volume_(bodyOf(initial).bulk->weights().sum()),
+      origin_(ownPositions(bodyOf(initial).body)) {}
 
 std::unique_ptr<Simulation<2>> Rezoner::rezone(Simulation<2>& simulation) {
-  // Evaluated with the partners in self-contact as they are now, as a resumed run does.
+  // Evaluated with the partners of faces as they are now, as a resumed run does.
   const bool isAdmissible = simulation.evaluateHere().admissible;
   if (!isAdmissible) fail(simulation, "its state cannot be evaluated again");
   std::unique_ptr<Simulation<2>> next;
@@ -42,15 +48,14 @@ std::unique_ptr<Simulation<2>> Rezoner::rezone(Simulation<2>& simulation) {
 }
 
 std::unique_ptr<Simulation<2>> Rezoner::attempt(Simulation<2>& simulation) {
-  const Patch<2> deformed =
-      deformedPatch(simulation.model->body().patches.front(), simulation.stepping.state().x);
-  const auto mesh = chooseMesh(choice_, simulation, deformed, trigger_.lastPoses());
+  const Patch<2> deformed = deformedPatch(bodyOf(simulation).body, simulation.stepping.state().x);
+  const auto mesh = chooseMesh(choice_, simulation, deformed, trigger_.lastPlaces());
   if (!mesh) {
     fail(simulation, "no mesh of the deformed body is sound");
     return nullptr;
   }
-  const CarryOver carried(simulation, deformed, *mesh,
-                          scene_.allBodies().front().quadraturePoints.value_or(0));
+  const CarryOver carried(simulation, choice_.body, deformed, *mesh,
+                          scene_.allBodies()[choice_.body].quadraturePoints.value_or(0));
   Settled next = settledOn(carried);
   lastReport_ = next.settlement.report;
   if (lastReport_.outcome != NewtonOutcome::Converged) {
@@ -60,7 +65,11 @@ std::unique_ptr<Simulation<2>> Rezoner::attempt(Simulation<2>& simulation) {
   }
   next.simulation->recorder.continueFrom(simulation.recorder);
   next.simulation->record();
-  origin_ = next.simulation->projections.front().project(carried.atQuadraturePoints(origin_)).transpose();
+  const auto [first, end] = bodyOf(*next.simulation).body.nodeRange();
+  origin_ = next.simulation->projections[choice_.body]
+                .project(carried.atQuadraturePoints(origin_))
+                .transpose()
+                .middleCols(first, end - first);
   body_ = carried.body();
   records_.push_back(recordOf(simulation, next, *mesh));
   next.simulation->recorder.noteRezoning(records_.back());
@@ -75,7 +84,7 @@ Rezoner::Settled Rezoner::settledOn(const CarryOver& carried) const {
     SteppingState start = carried.startOf(*model);
     start.iterations += failedIterations;
     next.simulation = std::make_unique<Simulation<2>>(scene_, std::move(model), std::move(start));
-    next.settlement = settle(*next.simulation, parts);
+    next.settlement = settle(*next.simulation, bodyOf(*next.simulation), parts);
     if (next.settlement.report.outcome == NewtonOutcome::Converged) break;
     failedIterations += next.settlement.report.iterations;
   }
@@ -88,7 +97,7 @@ RezoningRecord Rezoner::recordOf(const Simulation<2>& before, const Settled& aft
   return {.time = before.stepping.state().time,
           .energyLost = before.recorder.current().strainEnergy - now.recorder.current().strainEnergy,
           .gapWork = after.settlement.gapWork,
-          .volumeDrift = now.model->bodies().front().bulk->weights().sum() / volume_ - 1.0,
+          .volumeDrift = bodyOf(now).bulk->weights().sum() / volume_ - 1.0,
           .boundaryError = mesh.boundaryError,
           .quality = mesh.quality,
           .smallestSpan = mesh.smallestSpan,
@@ -103,9 +112,11 @@ void Rezoner::fail(const Simulation<2>& simulation, const std::string& why) {
 std::optional<MeshRecord> Rezoner::frameMesh(const Simulation<2>& simulation,
                                              Eigen::MatrixXd& displacement) const {
   if (records_.empty()) return std::nullopt;
-  displacement += simulation.model->body().nodePositions() - origin_;
-  MeshRecord mesh = meshRecord(simulation.model->body());
-  mesh.patches.front().points = origin_;
+  const ModelBody<2>& body = bodyOf(simulation);
+  const auto [first, end] = body.body.nodeRange();
+  displacement.middleCols(first, end - first) += ownPositions(body.body) - origin_;
+  MeshRecord mesh = meshRecord(*simulation.model);
+  mesh.patches[static_cast<std::size_t>(body.firstPatch)].points = origin_;
   return mesh;
 }
 
@@ -115,7 +126,7 @@ void Rezoner::archive(StateArchive& archive) {
   archiveRecords(archive);
   if (records_.empty()) return;
   archiveMatrix(archive, "origin", 2, origin_);
-  archiveBody(archive, scene_.allBodies().front().material, body_);
+  archiveBody(archive, scene_.allBodies()[choice_.body].material, body_);
 }
 
 void Rezoner::archiveRecords(StateArchive& archive) {

@@ -15,8 +15,8 @@
 
 namespace burnish {
 
-/// Remeshes a plane or axisymmetric body of one patch while a tool moves along it, so that its surface is
-/// always resolved where the tool is. `RezoningTrigger` decides when, `chooseMesh` how; `CarryOver` takes the
+/// Remeshes a plane or axisymmetric body of one patch while a tool or another body moves along it, so that its
+/// surface is always resolved where that is. Other bodies keep their meshes. `RezoningTrigger` decides when, `chooseMesh` how; `CarryOver` takes the
 /// state to the new mesh, where `settle` brings it into equilibrium.
 class Rezoner {
  public:
@@ -42,9 +42,9 @@ class Rezoner {
   /// Why the last one failed that did since the run was begun or resumed; empty without.
   const std::string& lastFailure() const { return lastFailure_; }
 
-  /// The mesh of a frame, its control points where the material of the mesh's parameters was at the start of
-  /// the run, approximately; nothing before the first rezoning. displacement: of the present reference,
-  /// becomes the one from the start of the run.
+  /// The meshes of a frame, control points of the remeshed body where the material of the mesh's parameters was
+  /// at the start of the run, approximately; nothing before the first rezoning. displacement: of the present
+  /// reference, becomes the one from the start of the run.
   std::optional<MeshRecord> frameMesh(const Simulation<2>& simulation, Eigen::MatrixXd& displacement) const;
 
   void archive(StateArchive& archive);
@@ -67,6 +67,10 @@ class Rezoner {
   void archiveRecords(StateArchive& archive);
   void fail(const Simulation<2>& simulation, const std::string& why);
 
+  const ModelBody<2>& bodyOf(const Simulation<2>& simulation) const {
+    return simulation.model->bodies()[choice_.body];
+  }
+
   const Scene& scene_;
   MeshChoice choice_;
   RezoningTrigger trigger_;
@@ -76,7 +80,7 @@ class Rezoner {
   int numFailures_ = 0;
   std::string lastFailure_;
   std::optional<RezonedBody> body_;  ///< as the present simulation began
-  Eigen::MatrixXd origin_;           ///< 2 x nodes: see `frameMesh`
+  Eigen::MatrixXd origin_;           ///< 2 x nodes of the body: see `frameMesh`
 };
 
 }  // namespace burnish

@@ -236,6 +236,7 @@ class Run {
     describeEnd(summary_, *simulation_);
     if (!rezoner_) return;
     summary_.rezonings = rezoner_->records();
+    summary_.rezonedBody = scene_.rezoning->body;
     summary_.failedRezonings = rezoner_->numFailures();
     summary_.rezoningFailure = rezoner_->lastFailure();
   }

@@ -140,7 +140,7 @@ void RunHistory<Dim>::addBodies(StateQuantities& next) {
   bool flowed = false;
   for (std::size_t k = 0; k < model_.bodies().size(); ++k) {
     const BulkTerm<Dim>& bulk = *model_.bodies()[k].bulk;
-    BodyQuantities body{bulk.summary().strainEnergy, bulk.plasticWork(), 0.0, bulk.summary().minJ};
+    BodyQuantities body{bulk.summary().strainEnergy, bulk.plasticWork(), 0.0, bulk.summary().minJ, false};
     next.strainEnergy += body.strainEnergy;
     next.plasticWork += body.plasticWork;
     next.minJ = std::min(next.minJ, body.minJ);
@@ -204,7 +204,11 @@ void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& 
   next.stabilisationWork = current_.stabilisationWork;
   if (const auto* stabilisation = model_.stabilisation()) next.stabilisationWork += stabilisation->work();
   next.largestEnergy = std::max(current_.largestEnergy, std::abs(next.energyFound()));
-  next.crossesItself = anyFaceCrossesItself(model_, x);
+  for (std::size_t k = 0; k < model_.bodies().size(); ++k) {
+    const bool crosses = anyFaceCrossesItself(model_, model_.bodies()[k], x);
+    next.crossesItself = next.crossesItself || crosses;
+    if (!next.bodies.empty()) next.bodies[k].crossesItself = crosses;
+  }
   next.measured = measures_.values(state);
   reactions_.update(state, force);
   next.reactions = reactions_.values();

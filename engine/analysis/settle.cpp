@@ -8,20 +8,25 @@
 namespace burnish {
 namespace {
 
-/// λ_A of all pairs.
-std::vector<Eigen::VectorXd> multipliersOf(const Simulation<2>& simulation) {
-  const Eigen::VectorXd& x = simulation.stepping.state().x;
-  std::vector<Eigen::VectorXd> multipliers;
-  for (const auto& pair : simulation.model->contacts())
-    multipliers.push_back(x.segment(pair.term->firstMultiplier(), pair.term->face().numFunctions()));
-  return multipliers;
+/// Terms of the contacts of a body with tools and with other bodies.
+std::vector<FaceContact<2>*> touchesOf(const Model<2>& model, const ModelBody<2>& body) {
+  std::vector<FaceContact<2>*> terms;
+  for (const auto& pair : model.contacts())
+    if (&model.bodyOf(pair.place) == &body) terms.push_back(pair.term.get());
+  for (const auto& pair : model.pairs())
+    if (model.touches(pair, body)) terms.push_back(pair.term.get());
+  return terms;
 }
 
-/// Calls f for every term of contact, with tools first.
-template <class F>
-void forEachContact(const Model<2>& model, const F& f) {
-  for (const auto& pair : model.contacts()) f(*pair.term);
-  for (const auto& contact : model.selfContacts()) f(*contact.term);
+/// λ_A of contacts; of one whose multipliers are not all there, those that the evaluation answered with.
+std::vector<Eigen::VectorXd> multipliersOf(const std::vector<FaceContact<2>*>& terms,
+                                           const Eigen::VectorXd& x) {
+  std::vector<Eigen::VectorXd> multipliers;
+  for (const FaceContact<2>* term : terms)
+    multipliers.push_back(term->hasAllMultipliers()
+                              ? Eigen::VectorXd(x.segment(term->firstMultiplier(), term->face().numFunctions()))
+                              : term->state().lambdaHat);
+  return multipliers;
 }
 
 /// How much stiffer contact becomes: with the integral method the parameter weighs gaps against tractions, and
@@ -30,37 +35,34 @@ double stiffnessOf(const FaceContact<2>& term) {
   return averagesGaps(term.options().method) ? kSettlingStiffness : 1.0;
 }
 
-/// Makes contact stiffer for as long as it lives.
+/// Makes contacts stiffer for as long as it lives.
 class StifferContact {
  public:
-  explicit StifferContact(const Model<2>& model) : model_(model) {
-    forEachContact(model, [this](auto& term) {
-      parameters_.push_back(term.parameter());
-      term.setParameter(stiffnessOf(term) * parameters_.back());
-    });
+  explicit StifferContact(std::vector<FaceContact<2>*> terms) : terms_(std::move(terms)) {
+    for (FaceContact<2>* term : terms_) {
+      parameters_.push_back(term->parameter());
+      term->setParameter(stiffnessOf(*term) * parameters_.back());
+    }
   }
   ~StifferContact() {
-    auto parameter = parameters_.begin();
-    forEachContact(model_, [&](auto& term) { term.setParameter(*parameter++); });
+    for (std::size_t k = 0; k < terms_.size(); ++k) terms_[k]->setParameter(parameters_[k]);
   }
   StifferContact(const StifferContact&) = delete;
   StifferContact& operator=(const StifferContact&) = delete;
 
  private:
-  const Model<2>& model_;
+  std::vector<FaceContact<2>*> terms_;
   std::vector<double> parameters_;
 };
 
-/// Averaged gaps of every pair that should be closed and are not; zero elsewhere. In the state that the terms
-/// have been evaluated at.
-std::vector<Eigen::VectorXd> gapsAtStart(const Simulation<2>& simulation) {
-  const auto multipliers = multipliersOf(simulation);
-  const auto& contacts = simulation.model->contacts();
+/// Averaged gaps of every contact that should be closed and are not; zero elsewhere. In the state x that the
+/// terms have been evaluated at.
+std::vector<Eigen::VectorXd> gapsAtStart(const std::vector<FaceContact<2>*>& terms, const Eigen::VectorXd& x) {
+  const auto multipliers = multipliersOf(terms, x);
   std::vector<Eigen::VectorXd> atStart;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Eigen::VectorXd& gaps = contacts[k].term->state().averageGap;
-    const auto toClose =
-        gapsToClose(gaps, multipliers[k], kSettlingStiffness * contacts[k].term->parameter());
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    const Eigen::VectorXd& gaps = terms[k]->state().averageGap;
+    const auto toClose = gapsToClose(gaps, multipliers[k], kSettlingStiffness * terms[k]->parameter());
     atStart.emplace_back(Eigen::VectorXd::Zero(gaps.size()))(toClose) = gaps(toClose);
   }
   return atStart;
@@ -68,29 +70,31 @@ std::vector<Eigen::VectorXd> gapsAtStart(const Simulation<2>& simulation) {
 
 }  // namespace
 
-Settlement settle(Simulation<2>& simulation, int parts) {
+Settlement settle(Simulation<2>& simulation, const ModelBody<2>& body, int parts) {
   Settlement result;
   NewtonReport& report = result.report;
   report.outcome = NewtonOutcome::Inadmissible;
   if (!simulation.evaluateHere().admissible) return result;
-  const auto& contacts = simulation.model->contacts();
-  const std::vector<Eigen::VectorXd> gaps = gapsAtStart(simulation);
-  const StifferContact stiffer(*simulation.model);
+  const Model<2>& model = *simulation.model;
+  const Eigen::VectorXd& x = simulation.stepping.state().x;
+  const std::vector<FaceContact<2>*> terms = touchesOf(model, body);
+  const std::vector<Eigen::VectorXd> gaps = gapsAtStart(terms, x);
+  std::vector<FaceContact<2>*> stiffened = terms;
+  for (const auto& contact : model.selfContacts())
+    if (&model.bodyOf(contact.place) == &body) stiffened.push_back(contact.term.get());
+  const StifferContact stiffer(std::move(stiffened));
   int iterations = 0;
-  std::vector<Eigen::VectorXd> before = multipliersOf(simulation);
+  std::vector<Eigen::VectorXd> before = multipliersOf(terms, x);
   for (int left = parts - 1; left >= 0; --left) {
     for (std::size_t k = 0; k < gaps.size(); ++k)
-      contacts[k].term->measureGapsFrom(left == 0 ? Eigen::VectorXd()
-                                                  : Eigen::VectorXd(gaps[k] * left / parts));
+      terms[k]->measureGapsFrom(left == 0 ? Eigen::VectorXd() : Eigen::VectorXd(gaps[k] * left / parts));
     report = simulation.stepping.settle();
     iterations += report.iterations;
     if (report.outcome != NewtonOutcome::Converged) break;
-    std::vector<Eigen::VectorXd> now = multipliersOf(simulation);
+    std::vector<Eigen::VectorXd> now = multipliersOf(terms, x);
     for (std::size_t k = 0; k < gaps.size(); ++k)
-      result.gapWork += contacts[k]
-                            .term->weights()
-                            .head(gaps[k].size())
-                            .dot((0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
+      result.gapWork += terms[k]->weights().head(gaps[k].size()).dot(
+          (0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
     before = std::move(now);
   }
   report.iterations = iterations;

@@ -14,8 +14,8 @@ struct Settlement {
   double gapWork = 0.0;  ///< see `RezoningRecord`
 };
 
-/// Brings a simulation that begins on a new mesh into equilibrium. The gaps with which it begins, and which
-/// pairs in contact should not have, are taken away in equal parts.
-Settlement settle(Simulation<2>& simulation, int parts);
+/// Brings a simulation that begins on a new mesh of a body into equilibrium. The gaps with which the body's
+/// contacts begin, and which they should not have where they are closed, are taken away in equal parts.
+Settlement settle(Simulation<2>& simulation, const ModelBody<2>& body, int parts);
 
 }  // namespace burnish

@@ -41,7 +41,7 @@ void StateQuantities::archive(StateArchive& archive) {
   }
   for (std::size_t k = 0; k < bodies.size(); ++k)
     archive.together(fmt::format("body{}", k), bodies[k].strainEnergy, bodies[k].plasticWork,
-                     bodies[k].maxPlasticStrain, bodies[k].minJ);
+                     bodies[k].maxPlasticStrain, bodies[k].minJ, bodies[k].crossesItself);
   archive.together("energies", strainEnergy, contactEnergy, externalWork, plasticWork, stabilisationWork,
                    largestEnergy);
   archive.together("plastic_strain", maxPlasticStrain, projectedPlasticStrain.min,

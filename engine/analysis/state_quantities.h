@@ -44,6 +44,7 @@ struct BodyQuantities {
   double plasticWork = 0.0;
   double maxPlasticStrain = 0.0;  ///< over quadrature points
   double minJ = 0.0;
+  bool crossesItself = false;  ///< a contact face of it does
 };
 
 /// Quantities of one accepted state, in the units of the scene.
@@ -75,6 +76,11 @@ struct StateQuantities {
   RezoningSums rezonings;
   std::vector<double> reactions;  ///< one for each of their columns
   std::vector<double> measured;   ///< one for each column of the scene's measures
+
+  /// Whether a contact face of a body crosses itself.
+  bool bodyCrossesItself(std::size_t body) const {
+    return bodies.empty() ? crossesItself : bodies[body].crossesItself;
+  }
 
   /// Work that friction has taken since the start.
   double frictionWork() const;

@@ -57,6 +57,11 @@ class FaceContact : public Term {
   virtual int numMultipliers() const = 0;
   int firstMultiplier() const { return firstMultiplier_; }
 
+  /// Whether every function has its multipliers, also at ends that supports hold.
+  bool hasAllMultipliers() const {
+    return numMultipliers() == (options_.hasFriction() ? Dim : 1) * face_.numFunctions();
+  }
+
   /// What residuals of multipliers are compared with, one per multiplier: integrals of their functions over
   /// the reference face. With penalties, which have no multipliers, one per function.
   const Eigen::VectorXd& weights() const { return A_; }

@@ -87,14 +87,27 @@ FacePartner<Dim>::FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, D
   chooseAnew(rules_.isNewMesh);
 }
 
+/// Moves both faces, the slave's quadrature points to the positions.
 template <int Dim>
-bool FacePartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) {
+void FacePartner<Dim>::moveTo(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) {
   addedGap_ = ramp_.at(t);
   surface_.moveTo(x);
   positions_ = positions;
   slavePoints_ = slave_.points();
   for (int a = 0; a < slave_.numFunctions(); ++a)
     slavePoints_.col(a) += x.template segment<Dim>(Dim * slave_.nodes()[static_cast<std::size_t>(a)]);
+}
+
+template <int Dim>
+void FacePartner<Dim>::beginAt(double t, const Eigen::VectorXd& x) {
+  moveTo(t, x, slave_.positions(x));
+  feet_.assign(feet_.size(), std::nullopt);
+  chooseAnew(rules_.isNewMesh);
+}
+
+template <int Dim>
+bool FacePartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) {
+  moveTo(t, x, positions);
   hasLeft_ = false;
   for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
     const auto& span = slave_.spans()[e];

@@ -94,6 +94,9 @@ class FacePartner final : public Partner<Dim> {
   FacePartner(const FaceQuadrature<Dim>& slave, Patch<Dim - 1, Dim> slaveTrace, double outward,
               MasterSurface<Dim> surface, const PartnerRules& rules);
 
+  /// Begins at time t with displacements x instead of in the reference state: partners are chosen there.
+  void beginAt(double t, const Eigen::VectorXd& x);
+
   /// Not admissible is a state in which a foot is lost or has gone too far, or in which a point without a
   /// partner has come from before the surface, if that is not its own, to deeper behind it than where new partners
   /// are found.
@@ -148,6 +151,7 @@ class FacePartner final : public Partner<Dim> {
 
   struct Slave;
 
+  void moveTo(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions);
   bool hasSlippedTooFar(const Place& start, const Foot<Dim>& foot) const;
   bool anyHasCrossed() const;
   Slave slaveAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& controlPoints, const Vector& x) const;

@@ -210,6 +210,9 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
       }
     }
   }
+  if (this->gapOrigin_.size() > 0)
+    for (std::size_t A = 0; A < sums.averages.size(); ++A)
+      sums.averages[A].G -= sums.averages[A].A * this->gapOrigin_(static_cast<Eigen::Index>(A));
   for (std::size_t A = 0; A < curved.size(); ++A) {
     Average& average = sums.averages[A];
     if (options_.gapLimit && average.B > 0.0) average.S -= curved[A] / average.B * average.slip.transpose();

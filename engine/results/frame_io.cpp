@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/core/error.h"
 #include "engine/results/check_records.h"
 #include "engine/results/file_header.h"
@@ -120,7 +122,12 @@ FrameRecord readFrame(const std::filesystem::path& path, const StoredModel& mode
   frame.index = root.integer("index");
   frame.step = root.integer("step");
   frame.time = root.real("time");
-  if (root.contains("mesh")) frame.mesh = readMesh(root.group("mesh"), model.record.dim);
+  if (root.contains("mesh")) {
+    frame.mesh = readMesh(root.group("mesh"), model.record.dim);
+    // Patches are those of the model, whose bodies they belong to.
+    for (std::size_t p = 0; p < std::min(frame.mesh->patches.size(), model.record.mesh.patches.size()); ++p)
+      frame.mesh->patches[p].body = model.record.mesh.patches[p].body;
+  }
   frame.displacement = root.dataset("displacement").matrix();
   frame.toolDisplacement = root.dataset("tool_displacement").matrix();
   frame.toolAngle = root.dataset("tool_angle").vector();

@@ -102,6 +102,7 @@ struct RunAccount {
   std::vector<std::string> idleTools;
   std::vector<ReactionRecord> reactions;
   std::vector<RezoningRecord> rezonings;
+  std::string rezonedBody;  ///< name of the body that is meshed anew; empty in a scene of one body
   std::string rezoningFailure;
 
   double endTime = 0.0;
@@ -143,6 +144,7 @@ void describe(Visitor& v, RunAccount& s) {
   v.field("idle_tools", s.idleTools, {}, "Tools with contact pairs that have never touched the body.");
   v.field("reactions", s.reactions, {}, "One entry for each support.");
   v.field("rezonings", s.rezonings, {}, "One entry for each time that the body was meshed anew.");
+  v.field("rezoned_body", s.rezonedBody, {}, "Which body, if there are several.");
   v.field("rezoning_failure", s.rezoningFailure, {}, "Why the last one failed that did.");
 
   v.field("approach_iterations", s.approachIterations, {}, "Iterations of the approach.");

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace burnish {
@@ -25,9 +26,10 @@ void describe(Visitor& v, NewMeshOptions& s) {
           "New meshes whose smallest determinant over the largest is less are not used.");
 }
 
-/// Meshing the body anew while a tool moves along it.
+/// Meshing a body anew while a tool, or another body, moves along it.
 struct RezoningOptions {
-  std::optional<double> travel;  ///< of a tool, from one to the next
+  std::string body;              ///< name; empty in a scene of one body
+  std::optional<double> travel;  ///< of a tool or another body, from one to the next
   double stretch = 1.6;          ///< largest principal one since the last, which calls for the next earlier
   double quality = 0.0;          ///< of the deformed mesh, below which the next comes earlier; 0: never
   std::vector<int> spans;        ///< knot spans per direction; as many as before when empty
@@ -37,9 +39,14 @@ struct RezoningOptions {
 
 template <class Visitor>
 void describe(Visitor& v, RezoningOptions& s) {
+  v.field("body", s.body, {.identifier = true},
+          "Name of the body that is meshed anew, while the others keep their meshes; to be left out if there is "
+          "only one.");
   v.field("travel", s.travel, {.above = 0, .unit = "length"},
           "A new mesh after so much travel of a tool; 0.16 half thicknesses of the tool when left out, or of "
-          "a sixth of the body's size if that is less. What is left out below counts from the same length.");
+          "a sixth of the body's size if that is less. What is left out below counts from the same length. "
+          "Another body in contact is a tool here, half its smaller extent its half thickness, the mean of its "
+          "displacements less that of this body's its travel.");
   v.field("stretch", s.stretch, {.above = 1},
           "A new mesh earlier if the largest principal stretch since the last one exceeds this.");
   v.field("quality", s.quality, {.atLeast = 0, .below = 1},

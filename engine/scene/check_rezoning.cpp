@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "engine/scene/check_context.h"
 
 namespace burnish {
@@ -11,25 +14,58 @@ void refuse(const CheckContext& c, bool found, const std::string& path, const st
     c.report(path, fmt::format("found {} in a scene with rezoning; allowed there: none.", what));
 }
 
+/// The body at points of whose undeformed mesh a measure looks; none for other measures.
+std::optional<std::string> bodyOfPoints(const SceneMeasureSpec& measure) {
+  if (const auto* point = std::get_if<PointMeasureSpec>(&measure.kind)) return point->body;
+  if (const auto* face = std::get_if<FaceMeasureSpec>(&measure.kind)) return face->place.body;
+  if (const auto* error = std::get_if<ErrorMeasureSpec>(&measure.kind)) return error->body;
+  return std::nullopt;
+}
+
+/// Whether a place is on the body that is meshed anew.
+bool isMeshedAnew(const CheckContext& c, const std::string& body) {
+  return c.scene.bodyNumber(body) == c.scene.rezonedBody();
+}
+
+/// A pair of faces. found: whether the body has had a contact before; becomes true where it has one here.
+void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string& path, bool& found) {
+  const bool isSlave = isMeshedAnew(c, pair.place.body);
+  const bool isMaster = std::any_of(pair.against.begin(), pair.against.end(),
+                                    [&](const FaceSpec& face) { return isMeshedAnew(c, face.body); });
+  refuse(c, isSlave && isMaster, path + ".against", "contact of two faces of the body that is meshed anew");
+  refuse(c, isSlave && pair.options.hasFriction() && averagesGaps(pair.options.method),
+         path + (pair.options.rough ? ".rough" : ".friction"),
+         "friction with augmented-lagrangian on the body that is meshed anew (integral-augmented-lagrangian "
+         "carries it over, and so does naming the other body first)");
+  found = found || isSlave || isMaster;
+}
+
 void checkContact(const CheckContext& c) {
   if (!c.clean("contact")) return;
-  const auto& contact = c.scene.contact;
-  if (contact.empty())
-    c.report("rezoning",
-             "found in a scene without contact; allowed: with one contact face, which tells where knot spans "
-             "are needed.");
-  for (std::size_t k = 0; k < contact.size(); ++k) {
-    refuse(c, k > 0, fmt::format("contact[{}]", k), "a second contact pair");
-    refuse(c, !contact[k].against.empty(), fmt::format("contact[{}].against", k), "contact between bodies");
-    const ContactOptions& options = contact[k].options;
+  bool found = false, hasTool = false;
+  for (std::size_t k = 0; k < c.scene.contact.size(); ++k) {
+    const ContactSpec& contact = c.scene.contact[k];
+    const std::string path = fmt::format("contact[{}]", k);
+    if (!contact.against.empty()) {
+      checkPair(c, contact, path, found);
+      continue;
+    }
+    if (!isMeshedAnew(c, contact.place.body)) continue;
+    refuse(c, hasTool, path, "a second contact with a tool");
+    found = hasTool = true;
+    const ContactOptions& options = contact.options;
     refuse(c, options.hasFriction() && averagesGaps(options.method),
-           fmt::format("contact[{}].{}", k, options.rough ? "rough" : "friction"),
+           path + (options.rough ? ".rough" : ".friction"),
            "friction with augmented-lagrangian (integral-augmented-lagrangian carries it over)");
-    if (isPenalty(options.method) && c.clean(fmt::format("contact[{}].method", k)))
-      c.report(fmt::format("contact[{}].method", k),
+    if (isPenalty(options.method) && c.clean(path + ".method"))
+      c.report(path + ".method",
                "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian | "
                "integral-augmented-lagrangian.");
   }
+  if (!found)
+    c.report("rezoning",
+             "found for a body without contact; allowed: with a contact face, which tells where knot spans are "
+             "needed.");
 }
 
 bool hasCreases(const GeometrySpec& geometry) {
@@ -53,19 +89,20 @@ void checkRezoning(const CheckContext& c) {
   if (!c.scene.rezoning || !c.clean("rezoning")) return;
   if (c.dimensionIsKnown() && c.scene.dim() == 3)
     return c.report("rezoning", "found in a scene of three dimensions; allowed: in two.");
-  if (c.scene.allBodies().size() > 1)
-    return c.report("rezoning", fmt::format("found in a scene of {} bodies; allowed: in a scene of one body.",
-                                            c.scene.bodies.size()));
-  const GeometrySpec& geometry = c.scene.allBodies().front().geometry;
-  const auto key = [&](const char* name) { return c.scene.bodyKey(0, name); };
+  if (!checkBodyName(c, "rezoning", c.scene.rezoning->body)) return;
+  const std::size_t body = c.scene.rezonedBody();
+  const GeometrySpec& geometry = c.scene.allBodies()[body].geometry;
+  const auto key = [&](const char* name) { return c.scene.bodyKey(body, name); };
   if (std::holds_alternative<PatchesSpec>(geometry.shape))
     return c.report("rezoning", "found for a body of several patches; allowed: a body of one.");
   refuse(c, hasCreases(geometry), key("geometry.creases"), "creases, which new meshes would lose,");
   refuse(c, hasRepeatedKnots(geometry), key("geometry.knots"),
          "knots that are repeated inside, whose corners new meshes would lose,");
-  refuse(c, !c.scene.loads.empty(), "loads", "loads");
+  for (std::size_t k = 0; k < c.scene.loads.size(); ++k)
+    refuse(c, isMeshedAnew(c, c.scene.loads[k].place.body), fmt::format("loads[{}]", k), "a load on the body");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
     const std::string path = fmt::format("supports[{}]", k);
+    if (!isMeshedAnew(c, c.scene.supports[k].place.body)) continue;
     refuse(c, c.scene.supports[k].prescribe.has_value(), path + ".prescribe",
            "displacements given by formulas of places, which new meshes would move,");
     refuse(c, !c.scene.supports[k].place.part.empty() || !c.scene.supports[k].place.length.empty(), path,
@@ -75,11 +112,9 @@ void checkRezoning(const CheckContext& c) {
     refuse(c, c.scene.tools[k].carry.has_value(), fmt::format("tools[{}].carry", k),
            "a tool that carries a load");
   for (std::size_t k = 0; k < c.scene.measures.size(); ++k) {
-    const auto& kind = c.scene.measures[k].kind;
-    refuse(c,
-           std::holds_alternative<PointMeasureSpec>(kind) || std::holds_alternative<FaceMeasureSpec>(kind) ||
-               std::holds_alternative<ErrorMeasureSpec>(kind),
-           fmt::format("measures[{}]", k), "a measure of points of the undeformed mesh");
+    const std::optional<std::string> measured = bodyOfPoints(c.scene.measures[k]);
+    refuse(c, measured && isMeshedAnew(c, *measured), fmt::format("measures[{}]", k),
+           "a measure of points of the undeformed mesh");
   }
   checkContact(c);
 }

@@ -266,6 +266,9 @@ struct Scene {
   /// Place of a body in the list of all by its name; the first one for an empty or unknown name.
   std::size_t bodyNumber(const std::string& name) const;
 
+  /// Number of the body that is meshed anew, in a scene with rezoning.
+  std::size_t rezonedBody() const { return bodyNumber(rezoning->body); }
+
   /// Path of a key of a body: "geometry", or "bodies[1].geometry".
   std::string bodyKey(std::size_t body, const std::string& key) const;
 };

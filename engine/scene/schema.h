@@ -126,8 +126,8 @@ void describeSimulation(Visitor& v, Scene& s) {
           "Holds a body that nothing but contact holds by a drag that fades while contact sets in: "
           "`stabilise: {}`. What it carries is reported.");
   v.field("rezoning", s.rezoning, {},
-          "Meshes the body anew while a tool moves along it, so that its surface stays resolved under the "
-          "tool; a plane or axisymmetric body of one patch.");
+          "Meshes a body anew while a tool, or another body, moves along it, so that its surface stays "
+          "resolved under the tool; a plane or axisymmetric body of one patch.");
   v.field("output", s.output, {}, "When and how finely results are written.");
 }
 

@@ -26,6 +26,9 @@ class Stabilisation final : public Term {
   /// Holds a body. viscosity: η at the start, stress times time per length².
   void hold(const SpanQuadrature<Dim>& quadrature, double viscosity);
 
+  /// Begins with displacements x instead of none.
+  void beginAt(const Eigen::VectorXd& x) { x_ = x.head(x_.size()); }
+
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
   void accept() override;

@@ -69,6 +69,7 @@ std::string balance(const RunAccount& account, const HistoryTable& history) {
 std::string rezonings(const RunAccount& account) {
   const std::vector<RezoningRecord>& all = account.rezonings;
   std::string text = std::to_string(all.size());
+  if (!account.rezonedBody.empty()) text += fmt::format(" of body {}", account.rezonedBody);
   if (!all.empty()) {
     double error = 0.0, quality = 1.0;
     for (const RezoningRecord& rezoning : all) {

@@ -236,12 +236,12 @@ TEST(RezoningScenes, SayWhatTheyCannotHave) {
   EXPECT_THAT(mistake(samples::replaced(kRezoned, "kind: extent, face: top", "kind: face, face: top")),
               HasSubstr("measures[0]: found a measure of points of the undeformed mesh"));
   EXPECT_THAT(mistake(samples::replaced(kRezoned, "output:", "loads: [{face: left, pressure: 1}]\noutput:")),
-              HasSubstr("loads: found loads"));
+              HasSubstr("loads[0]: found a load on the body"));
   EXPECT_THAT(
       mistake(samples::replaced(kRezoned, "face: top}]\nsteps", "face: top, method: penalty}]\nsteps")),
       HasSubstr("contact[0].method: found a penalty method"));
   EXPECT_THAT(mistake(samples::replaced(kRezoned, "contact: [{tool: disc, face: top}]", "contact: []")),
-              HasSubstr("rezoning: found in a scene without contact"));
+              HasSubstr("rezoning: found for a body without contact"));
 }
 
 TEST(RezonedRun, WarnsOfMeshesThatDoNotFitTheBody) {

@@ -358,8 +358,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "found a shape of 3 dimensions; allowed: 2 dimensions, as the first body has."},
         Mistake{"fewPoints", &twoBodies, "quadrature_points: 5", "quadrature_points: 3", "3\n    geometry",
                 "bodies[1].quadrature_points", "found 3; allowed: at least 4, the degree plus one."},
-        Mistake{"rezoned", &twoBodies, "steps:", "rezoning: {}\nsteps:", "{}", "rezoning",
-                "found in a scene of 2 bodies; allowed: in a scene of one body."}),
+        Mistake{"rezoned", &twoBodies, "steps:", "rezoning: {}\nsteps:", "{}", "rezoning.body",
+                "missing; allowed: soft | firm."}),
     nameOf);
 
 const std::string kPlateOnFirm = "tool: plate, body: firm, face: top";
