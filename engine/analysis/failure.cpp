@@ -53,6 +53,7 @@ ContactFindings contactFindings(const Model<Dim>& model) {
   }
   for (const auto& pair : model.pairs()) {
     const ContactState& contact = pair.term->state();
+    if (contact.active.empty()) continue;
     std::vector<std::string> against;
     for (const FacePlace& place : pair.against) against.push_back(model.faces().textOf(place));
     found.changes += contact.changes;

@@ -89,7 +89,7 @@ void describeFriction(Visitor& v, ContactOptions& s) {
   v.field("rough", s.rough, {},
           "The face does not slip on the tool where it is pressed; instead of friction.");
   v.field("friction_parameter", s.frictionParameter, {.above = 0, .unit = "stress per length"},
-          "Augmentation parameter of friction; parameter when left out.");
+          "Penalty or augmentation parameter of friction; parameter when left out.");
 }
 
 template <class Visitor>

@@ -144,12 +144,8 @@ typename ContactTerm<Dim>::LinearGaps ContactTerm<Dim>::linearReferenceGaps(cons
 
 template <int Dim>
 double ContactTerm<Dim>::smallestReferenceGap(const GapAt& gapAt) const {
-  if (options_.method != Enforcement::PointwisePenalty) return FaceContact<Dim>::smallestReferenceGap(gapAt);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& span : face_.spans())
-    smallest = std::min(smallest,
-                        this->smallestGapAmong(face_.points()(Eigen::all, span.functions) * span.R, gapAt));
-  return smallest;
+  return options_.method == Enforcement::PointwisePenalty ? this->smallestGapOfPoints(gapAt)
+                                                          : FaceContact<Dim>::smallestReferenceGap(gapAt);
 }
 
 template <int Dim>

@@ -38,6 +38,15 @@ Eigen::VectorXd FaceContact<Dim>::referenceGaps(const GapAt& gapAt) const {
 }
 
 template <int Dim>
+double FaceContact<Dim>::smallestGapOfPoints(const GapAt& gapAt) const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& span : face_.spans())
+    smallest =
+        std::min(smallest, smallestGapAmong(face_.points()(Eigen::all, span.functions) * span.R, gapAt));
+  return smallest;
+}
+
+template <int Dim>
 double FaceContact<Dim>::smallestGapAmong(const Eigen::MatrixXd& places, const GapAt& gapAt) {
   double smallest = std::numeric_limits<double>::infinity();
   for (Eigen::Index k = 0; k < places.cols(); ++k) {

@@ -34,7 +34,7 @@ struct ContactState : FaceContactState {
   Eigen::Matrix3Xd slip;      ///< way of the face on the partner in this step; of points that are not open
   Eigen::VectorXd slipped;    ///< way slipped under pressure since the start, quadrature points
   std::vector<int> sliding;   ///< quadrature points: 0 open, 1 stick, 2 slip; empty without friction
-  int sticking = 0, slipping = 0;  ///< functions
+  int sticking = 0, slipping = 0;  ///< functions; with the point-wise penalty quadrature points
   double frictionForce = 0.0;      ///< ∫ |t| dΓ
   double frictionWork = 0.0;       ///< taken by friction since the start
 
@@ -139,6 +139,9 @@ class FaceContact : public Term {
 
   /// Adds averages of the slip of the last evaluated state, which is accepted, to `slipped_`.
   void acceptSlipped();
+
+  /// Smallest gap of the undeformed face's quadrature points.
+  double smallestGapOfPoints(const GapAt& gapAt) const;
 
   /// Smallest gap of some places, Dim x places.
   static double smallestGapAmong(const Eigen::MatrixXd& places, const GapAt& gapAt);

@@ -1,34 +1,14 @@
 #include "engine/contact/mortar_contact_term.h"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <limits>
 #include <utility>
+
+#include "engine/contact/unknown_lists.h"
 
 namespace burnish {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Part of its integral that R_A has to keep over points with partners to take part.
 constexpr double kSmallestPart = 0.05;
-
-/// Where unknowns stand in a list that is ascending and holds them all.
-std::vector<Eigen::Index> placesIn(const std::vector<int>& all, const std::vector<int>& unknowns) {
-  std::vector<Eigen::Index> places;
-  for (const int unknown : unknowns) {
-    const auto at = std::lower_bound(all.begin(), all.end(), unknown);
-    assert(at != all.end() && *at == unknown);
-    places.push_back(at - all.begin());
-  }
-  return places;
-}
-
-void sortOnce(std::vector<int>& unknowns) {
-  std::sort(unknowns.begin(), unknowns.end());
-  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
-}
 
 }  // namespace
 
@@ -56,20 +36,14 @@ template <int Dim>
 MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, FaceId face,
                                           const PartnerMaker<Dim>& makePartner, const ContactOptions& options,
                                           int firstMultiplier, const std::vector<DefinitionSpec>& definitions)
-    : FaceContact<Dim>(body, patch, face, options, firstMultiplier, definitions),
-      partner_(makePartner(face_)),
-      hasFriction_(options.hasFriction()) {
-  A_ = Eigen::VectorXd::Zero(numMultipliers());
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    const auto& span = face_.spans()[e];
-    A_(span.functions) += span.R * span.weights;
-    auto& own = slaveUnknowns_.emplace_back();
-    for (const int a : span.functions)
-      for (int d = 0; d < Dim; ++d) own.push_back(Dim * face_.nodes()[static_cast<std::size_t>(a)] + d);
-  }
-  requireAveragedGaps(A_.head(face_.numFunctions()), axisymmetric_);
-  for (Eigen::Index A = 0; hasFriction_ && A < face_.numFunctions(); ++A)
-    A_.template segment<Dim - 1>(face_.numFunctions() + (Dim - 1) * A).setConstant(A_(A));
+    : PartnerTerm<Dim>(body, patch, face, makePartner, options, firstMultiplier, definitions,
+                       PartnerTerm<Dim>::TractionsOf::Functions) {
+  requireAveragedGaps(A_, axisymmetric_);
+  const Eigen::Index numFunctions = face_.numFunctions();
+  if (numMultipliers() <= numFunctions) return;
+  A_.conservativeResize(numMultipliers());
+  for (Eigen::Index A = 0; A < numFunctions; ++A)
+    A_.template segment<Dim - 1>(numFunctions + (Dim - 1) * A).setConstant(A_(A));
 }
 
 template <int Dim>
@@ -99,32 +73,11 @@ CouplingGroups MortarContactTerm<Dim>::couplings() const {
 
 template <int Dim>
 std::vector<int> MortarContactTerm<Dim>::multiplierUnknowns(int A) const {
+  if (numMultipliers() == 0) return {};
   std::vector<int> unknowns{firstMultiplier_ + A};
   for (int alpha = 0; hasFriction_ && alpha < Dim - 1; ++alpha)
     unknowns.push_back(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A + alpha);
   return unknowns;
-}
-
-template <int Dim>
-Eigen::MatrixXd MortarContactTerm<Dim>::acceptedPoints(std::size_t e) const {
-  const auto& functions = face_.spans()[e].functions;
-  return face_.points()(Eigen::all, functions) +
-         work_.acceptedUnknowns()(slaveUnknowns_[e]).reshaped(Dim, std::ssize(functions));
-}
-
-template <int Dim>
-SlavePoint<Dim> MortarContactTerm<Dim>::pointAt(std::size_t e, Eigen::Index q,
-                                                const Eigen::MatrixXd& positions) const {
-  const auto& span = face_.spans()[e];
-  Eigen::Vector<double, Dim> accepted = positions.col(span.firstPoint + q);
-  if (work_.acceptedUnknowns().size() > 0) accepted = acceptedPoints(e) * span.R.col(q);
-  return {e,
-          span.firstPoint + static_cast<int>(q),
-          span.xi.col(q),
-          slaveUnknowns_[e],
-          span.R.col(q),
-          positions.col(span.firstPoint + q),
-          accepted};
 }
 
 /// Gaps and slips of all points, and the unknowns of each function's points.
@@ -176,10 +129,7 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
       const auto& point = sums.points[number];
       if (!point) continue;
       const LimitedGap& limited = sums.limited[number];
-      const double stretch = frictionLaw_.needsStretch()
-                                 ? areaStretch(span.functions, acceptedPoints(e), span.R.col(q),
-                                               span.dR.middleCols((Dim - 1) * q, Dim - 1))
-                                 : 0.0;
+      const double stretch = this->acceptedStretch(e, q);
       Eigen::Vector3d place = Eigen::Vector3d::Zero();
       if (hasFriction_) place = this->referencePlace(span.functions, span.R.col(q));
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
@@ -210,9 +160,6 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
       }
     }
   }
-  if (this->gapOrigin_.size() > 0)
-    for (std::size_t A = 0; A < sums.averages.size(); ++A)
-      sums.averages[A].G -= sums.averages[A].A * this->gapOrigin_(static_cast<Eigen::Index>(A));
   for (std::size_t A = 0; A < curved.size(); ++A) {
     Average& average = sums.averages[A];
     if (options_.gapLimit && average.B > 0.0) average.S -= curved[A] / average.B * average.slip.transpose();
@@ -229,160 +176,154 @@ FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Averag
     none.byTrial.setZero();
     return none;
   }
-  const Tangential tau = x.template segment<Dim - 1>(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A);
+  Tangential tau = remembered_.at(A);
+  if (numMultipliers() > 0)
+    tau = x.template segment<Dim - 1>(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A);
   const Tangential trial = tau + frictionParameter() / average.B * average.slip;
   const FrictionPlace place{average.place / average.A, t, slipped_(A), average.area / average.A};
   return coulombTraction<Dim - 1>(trial, state_.lambdaHat(A), frictionLaw_.at(place, -state_.lambdaHat(A)));
 }
 
 template <int Dim>
-bool MortarContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
-  const Eigen::MatrixXd positions = face_.positions(x);
-  if (!partner_->update(t, x, positions)) return false;
-  if (hasFriction_) work_.start(x);
-  const Sums sums = integrate(positions);
-  const std::vector<bool> before = std::move(state_.active);
-  state_ = {};
-  addFunctions(t, x, out, sums);
-  state_.countChanges(before);
-  addPoints(out, positions, sums);
-  if (hasFriction_) {
-    work_.end(*partner_);
-    state_.frictionWork = work_.work();
-    this->reportSlipped();
+void MortarContactTerm<Dim>::assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions,
+                                      Assembly& out) {
+  Sums sums = integrate(positions);
+  for (Eigen::Index A = 0; A < face_.numFunctions(); ++A) {
+    Average& average = sums.averages[static_cast<std::size_t>(A)];
+    average.G -= average.A * (touching_ + (gapOrigin_.size() > 0 ? gapOrigin_(A) : 0.0));
   }
-  if (axisymmetric_) state_.keepAxialReaction();
-  return true;
+  chooseActive(x, sums);
+  addFunctions(t, x, out, sums);
+  addPoints(out, positions, sums);
+}
+
+template <int Dim>
+void MortarContactTerm<Dim>::chooseActive(const Eigen::VectorXd& x, const Sums& sums) {
+  state_.active.assign(sums.averages.size(), false);
+  Eigen::Index nearest = -1;
+  for (int A = 0; A < face_.numFunctions(); ++A) {
+    const Average& average = sums.averages[static_cast<std::size_t>(A)];
+    if (!(average.A > kSmallestPart * A_(A))) continue;
+    const double lambda = numMultipliers() > 0 ? x(firstMultiplier_ + A) : 0.0;
+    state_.averageGap(A) = average.G / average.A;
+    state_.lambdaHat(A) = lambda + parameter() * state_.averageGap(A);
+    state_.active[static_cast<std::size_t>(A)] =
+        state_.lambdaHat(A) <= 0.0 && average.B > kOpenSlope * average.A;
+    if (nearest < 0 || state_.lambdaHat(A) < state_.lambdaHat(nearest)) nearest = A;
+  }
+  if (keepsInTouch_ && state_.lambdaHat(nearest) > 0.0 && this->isAlone()) {
+    state_.active[static_cast<std::size_t>(nearest)] = true;
+    state_.pull = state_.lambdaHat(nearest) * A_(nearest);
+  }
+  for (std::size_t a = 0; a < state_.active.size(); ++a)
+    if (!state_.active[a]) state_.lambdaHat(static_cast<Eigen::Index>(a)) = 0.0;
 }
 
 template <int Dim>
 void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, Assembly& out,
                                           const Sums& sums) {
-  const int numFunctions = face_.numFunctions();
-  const double eps = parameter(), epsT = frictionParameter();
-  state_.averageGap = Eigen::VectorXd::Constant(numFunctions, kInfinity);
-  state_.lambdaHat = Eigen::VectorXd::Zero(numFunctions);
-  state_.active.assign(static_cast<std::size_t>(numFunctions), false);
-  tractions_.assign(hasFriction_ ? static_cast<std::size_t>(numFunctions) : 0, {});
-  for (int A = 0; A < numFunctions; ++A) {
+  const double eps = parameter();
+  tractions_.assign(hasFriction_ ? sums.averages.size() : 0, {});
+  for (int A = 0; A < face_.numFunctions(); ++A) {
     const auto a = static_cast<std::size_t>(A);
     const Average& average = sums.averages[a];
-    const double lambda = x(firstMultiplier_ + A);
-    if (average.A > kSmallestPart * A_(A)) {
-      state_.averageGap(A) = average.G / average.A;
-      state_.lambdaHat(A) = lambda + eps * state_.averageGap(A);
-      state_.active[a] = state_.lambdaHat(A) <= 0.0 && average.B > kOpenSlope * average.A;
-    }
-    const bool active = state_.active[a];
-    if (!active) state_.lambdaHat(A) = 0.0;
+    const auto multipliers = multiplierUnknowns(A);
+    const bool active = state_.active[a], hasMultipliers = !multipliers.empty();
     std::vector<int> unknowns;
     if (active) unknowns = average.unknowns;
-    const Eigen::Index n = std::ssize(unknowns), size = n + (hasFriction_ ? Dim : 1);
-    // Of functions that are not active, what vanishes over the face is weighed as all of it.
-    const double weight = active ? average.A : A_(A);
+    const Eigen::Index n = std::ssize(unknowns);
     Eigen::MatrixXd K;
-    if (out.system != nullptr) K = Eigen::MatrixXd::Zero(size, size);
+    if (out.system != nullptr)
+      K = Eigen::MatrixXd::Zero(n + std::ssize(multipliers), n + std::ssize(multipliers));
     if (active) {
       out.force(unknowns) += state_.lambdaHat(A) * average.D;
-      out.force(firstMultiplier_ + A) += average.G;
+      if (hasMultipliers)
+        out.force(firstMultiplier_ + A) += average.G;
+      else
+        state_.energy += 0.5 * state_.lambdaHat(A) * average.G;
+      const Eigen::Index size = n + (hasMultipliers ? 1 : 0);
       if (out.system != nullptr)
-        K.topLeftCorner(n + 1, n + 1) = averagedGapTangent(average.D, eps / weight, true);
-    } else {
-      out.force(firstMultiplier_ + A) -= lambda * weight / eps;
-      if (out.system != nullptr) K(n, n) = -weight / eps;
+        K.topLeftCorner(size, size) = averagedGapTangent(average.D, eps / average.A, hasMultipliers);
+    } else if (hasMultipliers) {
+      out.force(firstMultiplier_ + A) -= x(firstMultiplier_ + A) * A_(A) / eps;
+      if (out.system != nullptr) K(n, n) = -A_(A) / eps;
     }
-    if (hasFriction_) {
-      const int first = firstMultiplier_ + numFunctions + (Dim - 1) * A;
-      const auto& law = tractions_[a] = frictionOf(A, average, t, x);
-      if (active) {
-        ++(law.slips ? state_.slipping : state_.sticking);
-        const Eigen::VectorXd force = average.T * law.traction;
-        out.force(unknowns) += force;
-        work_.force()(unknowns) += force;
-      }
-      out.force.template segment<Dim - 1>(first) +=
-          weight / epsT * (law.traction - x.template segment<Dim - 1>(first));
-      if (out.system != nullptr) {
-        const auto tau = Eigen::seqN(n + 1, Dim - 1), own = Eigen::seqN(0, n);
-        K(tau, tau) += weight / epsT * (law.byTrial - Eigen::Matrix<double, Dim - 1, Dim - 1>::Identity());
-        if (active) {
-          const Rows TM = average.T * law.byTrial, SM = average.S * law.byTrial.transpose();
-          const Eigen::VectorXd Tc = average.T * law.byPressure;
-          K(own, own) +=
-              epsT / average.B * TM * average.S.transpose() + eps / weight * Tc * average.D.transpose();
-          K(own, tau) += TM;
-          K.col(n).head(n) += Tc;
-          K(tau, own) +=
-              weight / average.B * SM.transpose() + eps / epsT * law.byPressure * average.D.transpose();
-          K(tau, n) += weight / epsT * law.byPressure;
-        }
-      }
-    }
-    if (out.system == nullptr) continue;
-    const auto own = multiplierUnknowns(A);
-    unknowns.insert(unknowns.end(), own.begin(), own.end());
+    if (hasFriction_) addFriction(A, average, t, x, out, K);
+    if (out.system == nullptr || K.size() == 0) continue;
+    unknowns.insert(unknowns.end(), multipliers.begin(), multipliers.end());
     out.system->add(unknowns, K);
   }
+}
+
+/// K: tangent of the function's unknowns if it is active, then of its multipliers; empty if not wanted.
+template <int Dim>
+void MortarContactTerm<Dim>::addFriction(int A, const Average& average, double t, const Eigen::VectorXd& x,
+                                         Assembly& out, Eigen::MatrixXd& K) {
+  const auto a = static_cast<std::size_t>(A);
+  const double eps = parameter(), epsT = frictionParameter();
+  const bool active = state_.active[a], hasMultipliers = numMultipliers() > 0;
+  const auto& law = tractions_[a] = frictionOf(A, average, t, x);
+  if (active) {
+    ++(law.slips ? state_.slipping : state_.sticking);
+    const Eigen::VectorXd force = average.T * law.traction;
+    out.force(average.unknowns) += force;
+    work_.force()(average.unknowns) += force;
+  }
+  // Of functions that are not active, what vanishes over the face is weighed as all of it.
+  const double weight = active ? average.A : A_(A);
+  if (hasMultipliers) {
+    const int first = firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A;
+    out.force.template segment<Dim - 1>(first) +=
+        weight / epsT * (law.traction - x.template segment<Dim - 1>(first));
+  }
+  if (K.size() == 0) return;
+  const Eigen::Index n = active ? std::ssize(average.unknowns) : 0;
+  const auto own = Eigen::seqN(0, n), tau = Eigen::seqN(n + 1, Dim - 1);
+  if (hasMultipliers)
+    K(tau, tau) += weight / epsT * (law.byTrial - Eigen::Matrix<double, Dim - 1, Dim - 1>::Identity());
+  if (!active) return;
+  const Rows TM = average.T * law.byTrial, SM = average.S * law.byTrial.transpose();
+  const Eigen::VectorXd Tc = average.T * law.byPressure;
+  K(own, own) += epsT / average.B * TM * average.S.transpose() + eps / weight * Tc * average.D.transpose();
+  if (!hasMultipliers) return;
+  K(own, tau) += TM;
+  K.col(n).head(n) += Tc;
+  K(tau, own) += weight / average.B * SM.transpose() + eps / epsT * law.byPressure * average.D.transpose();
+  K(tau, n) += weight / epsT * law.byPressure;
 }
 
 /// ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + ∂(φ' t·δs_T) dΓ, and what there is to say of the points.
 template <int Dim>
 void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums) {
-  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
-  state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
-  state_.normal = Eigen::MatrixXd::Zero(3, face_.numPoints());
-  if (hasFriction_) {
-    state_.traction = state_.slip = Eigen::Matrix3Xd::Zero(3, face_.numPoints());
-    state_.sliding.assign(static_cast<std::size_t>(face_.numPoints()), 0);
-  }
-  const Eigen::Vector3d pivot = partner_->pivot();
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const auto& span = face_.spans()[e];
     const auto& unknowns = sums.unknowns[e];
     Eigen::MatrixXd K;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const Eigen::Index number = span.firstPoint + q;
-      const auto& point = sums.points[static_cast<std::size_t>(number)];
+      const auto number = static_cast<std::size_t>(span.firstPoint + q);
+      const auto& point = sums.points[number];
       if (!point) continue;
-      const LimitedGap& limited = sums.limited[static_cast<std::size_t>(number)];
+      const LimitedGap& limited = sums.limited[number];
       const double w = span.weights(q), average = span.R.col(q).dot(state_.lambdaHat(span.functions));
       const double lambdaHat = limited.slope * average;
-      state_.gap(number) = point->gap;
-      state_.pressure(number) = -lambdaHat;
-      state_.normal.col(number).template head<Dim>() = point->normal;
-      Eigen::Vector3d normalForce = Eigen::Vector3d::Zero(), tangentialForce = Eigen::Vector3d::Zero();
-      normalForce.template head<Dim>() = w * lambdaHat * point->normal;
       Tangential traction = Tangential::Zero();
+      bool slips = false;
       if (hasFriction_) {
         for (std::size_t a = 0; a < span.functions.size(); ++a)
           traction += span.R(static_cast<Eigen::Index>(a), q) *
                       tractions_[static_cast<std::size_t>(span.functions[a])].traction;
         traction *= limited.slope;
-        tangentialForce.template head<Dim>() = w * point->frame * traction;
-        state_.traction.col(number).template head<Dim>() = point->frame * traction;
-        state_.slip.col(number).template head<Dim>() = point->frame * point->slip;
-        state_.frictionForce += w * traction.norm();
         // As the function does that is largest here.
         Eigen::Index largest = 0;
         span.R.col(q).maxCoeff(&largest);
-        const auto& law =
-            tractions_[static_cast<std::size_t>(span.functions[static_cast<std::size_t>(largest)])];
-        if (lambdaHat < 0.0) state_.sliding[static_cast<std::size_t>(number)] = law.slips ? 2 : 1;
+        slips = tractions_[static_cast<std::size_t>(span.functions[static_cast<std::size_t>(largest)])].slips;
       }
-      Eigen::Vector3d arm = -pivot;
-      arm.head<Dim>() += positions.col(number);
-      state_.reaction += normalForce + tangentialForce;
-      state_.moment += arm.cross(normalForce + tangentialForce);
-      work_.reaction() += tangentialForce;
-      work_.moment() += arm.cross(tangentialForce);
+      const auto slave = pointAt(e, q, positions);
+      this->reportPoint(slave, w, *point, lambdaHat, traction, slips);
       if (out.system == nullptr || (lambdaHat == 0.0 && traction.isZero(0.0))) continue;
       if (K.size() == 0) K = Eigen::MatrixXd::Zero(std::ssize(unknowns), std::ssize(unknowns));
-      const auto slave = pointAt(e, q, positions);
       const auto add = [&](const std::vector<int>& of, const Eigen::MatrixXd& part) {
-        const auto places = placesIn(unknowns, of);
-        for (std::size_t j = 0; j < places.size(); ++j)
-          for (std::size_t i = 0; i < places.size(); ++i)
-            K(places[i], places[j]) += part(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+        addAt(placesIn(unknowns, of), part, K);
       };
       const auto curved = partner_->at(slave, PointDetail::SecondDerivatives);
       add(curved->unknowns, w * lambdaHat * curved->d2Gap);
@@ -392,25 +333,16 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
       if (hasFriction_) force += point->virtualSlip * traction / limited.slope;
       add(point->unknowns, w * limited.curvature * force * point->dGap.transpose());
     }
-    state_.pressed += span.weights.dot(state_.pressure.segment(span.firstPoint, span.weights.size()));
-    if (out.system != nullptr && K.size() > 0) out.system->add(unknowns, K);
+    if (K.size() > 0) out.system->add(unknowns, K);
   }
 }
 
 template <int Dim>
-void MortarContactTerm<Dim>::accept() {
-  partner_->accept();
-  if (!hasFriction_) return;
-  work_.accept();
-  this->acceptSlipped();
-}
-
-template <int Dim>
-void MortarContactTerm<Dim>::archive(StateArchive& archive) {
-  partner_->archive(archive);
-  if (!hasFriction_) return;
-  archive.part("friction", work_);
-  archive.fixedField("slipped", slipped_);
+typename MortarContactTerm<Dim>::Components MortarContactTerm<Dim>::lastTractions() const {
+  Components tractions(Dim - 1, std::ssize(tractions_));
+  for (std::size_t a = 0; a < tractions_.size(); ++a)
+    tractions.col(static_cast<Eigen::Index>(a)) = tractions_[a].traction;
+  return tractions;
 }
 
 template class MortarContactTerm<2>;

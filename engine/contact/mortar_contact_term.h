@@ -1,18 +1,16 @@
 #pragma once
 #include <Eigen/Dense>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "engine/contact/coulomb.h"
-#include "engine/contact/face_contact.h"
-#include "engine/contact/partner.h"
+#include "engine/contact/partner_term.h"
 
 namespace burnish {
 
 /// Mortar contact of one face ("slave") with a partner, with Coulomb friction: augmented Lagrangian with
-/// multipliers λ_A and, with friction, τ_A of the slave's control points. Integrals over the reference face,
-/// over points that have a partner (∫'), N = ∂g and T, S of `ContactPoint`:
+/// multipliers λ_A and, with friction, τ_A of the slave's control points; or a penalty, in which λ_A = 0, τ_A is
+/// the traction τᵉ_A of the accepted state, and rows and columns of multipliers are left out. Integrals over the
+/// reference face, over points that have a partner (∫'), N = ∂g and T, S of `ContactPoint`:
 ///
 ///     A_A = ∫' R_A dΓ,   g_A = 1/A_A ∫' R_A g dΓ,   s_A = 1/A_A ∫' R_A s dΓ,
 ///     D_A = A_A ∂g_A = ∫' R_A N dΓ,   T_A = ∫' R_A T dΓ,   S_A = A_A ∂s_A = ∫' R_A S dΓ,
@@ -37,7 +35,7 @@ namespace burnish {
 /// a twentieth of its weight over points with a partner is not active, and its multipliers vanish; neither is
 /// one over open places alone (`kOpenSlope`).
 template <int Dim>
-class MortarContactTerm final : public FaceContact<Dim> {
+class MortarContactTerm final : public PartnerTerm<Dim> {
  public:
   /// options: with a parameter. firstMultiplier: number of the first of the pair's multipliers among the
   /// unknowns. definitions: of names in the formula for friction. Throws `Error` as `requireAveragedGaps` and
@@ -46,33 +44,35 @@ class MortarContactTerm final : public FaceContact<Dim> {
                     const ContactOptions& options, int firstMultiplier,
                     const std::vector<DefinitionSpec>& definitions = {});
 
-  /// Those λ_A come first; then, with friction, the components of τ_A one after the other.
-  int numMultipliers() const override { return (hasFriction_ ? Dim : 1) * face_.numFunctions(); }
+  /// Those λ_A come first; then, with friction, the components of τ_A one after the other. A penalty has none.
+  int numMultipliers() const override {
+    return isPenalty(options_.method) ? 0 : (hasFriction_ ? Dim : 1) * face_.numFunctions();
+  }
 
   CouplingGroups couplings() const override;
-  bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
-  bool hasSymmetricTangent() const override { return !hasFriction_; }
-  void accept() override;
-  void archive(StateArchive& archive) override;
 
  private:
-  using Tangential = Eigen::Vector<double, Dim - 1>;
+  using typename PartnerTerm<Dim>::Tangential;
+  using typename PartnerTerm<Dim>::Components;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Dim - 1>;
 
   struct Average;
   struct Sums;
 
+  void assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions, Assembly& out) override;
+  Components lastTractions() const override;
+
   /// Numbers of λ_A and, with friction, the components of τ_A.
   std::vector<int> multiplierUnknowns(int A) const;
 
-  /// Control points of a span's functions in the accepted state; with friction alone.
-  Eigen::MatrixXd acceptedPoints(std::size_t e) const;
-  SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
   Sums measure(const Eigen::MatrixXd& positions) const;
   Sums integrate(const Eigen::MatrixXd& positions) const;
+  void chooseActive(const Eigen::VectorXd& x, const Sums& sums);
   FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, double t,
                                        const Eigen::VectorXd& x) const;
   void addFunctions(double t, const Eigen::VectorXd& x, Assembly& out, const Sums& sums);
+  void addFriction(int A, const Average& average, double t, const Eigen::VectorXd& x, Assembly& out,
+                   Eigen::MatrixXd& K);
   void addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums);
 
   using FaceContact<Dim>::face_;
@@ -81,16 +81,20 @@ class MortarContactTerm final : public FaceContact<Dim> {
   using FaceContact<Dim>::axisymmetric_;
   using FaceContact<Dim>::A_;
   using FaceContact<Dim>::state_;
+  using FaceContact<Dim>::gapOrigin_;
+  using FaceContact<Dim>::keepsInTouch_;
   using FaceContact<Dim>::parameter;
   using FaceContact<Dim>::frictionParameter;
   using FaceContact<Dim>::frictionLaw_;
   using FaceContact<Dim>::slipped_;
   using FaceContact<Dim>::work_;
-  using FaceContact<Dim>::areaStretch;
+  using PartnerTerm<Dim>::partner_;
+  using PartnerTerm<Dim>::hasFriction_;
+  using PartnerTerm<Dim>::slaveUnknowns_;
+  using PartnerTerm<Dim>::touching_;
+  using PartnerTerm<Dim>::remembered_;
+  using PartnerTerm<Dim>::pointAt;
 
-  std::unique_ptr<Partner<Dim>> partner_;
-  bool hasFriction_;
-  std::vector<std::vector<int>> slaveUnknowns_;       ///< per span: displacement components, by functions
   std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
 };
 

@@ -1,9 +1,8 @@
 #include "engine/contact/partner_contact.h"
 
-#include <cassert>
-
 #include "engine/contact/integral_contact_term.h"
 #include "engine/contact/mortar_contact_term.h"
+#include "engine/contact/pointwise_penalty_term.h"
 
 namespace burnish {
 
@@ -13,10 +12,17 @@ std::unique_ptr<FaceContact<Dim>> makePartnerContact(const Body<Dim>& body, int 
                                                      const ContactOptions& options, int firstMultiplier,
                                                      const std::vector<bool>& held,
                                                      const std::vector<DefinitionSpec>& definitions) {
-  if (options.method == Enforcement::IntegralAugmentedLagrangian)
-    return std::make_unique<IntegralContactTerm<Dim>>(body, patch, face, makePartner, options,
-                                                      firstMultiplier, held, definitions);
-  assert(options.method == Enforcement::AugmentedLagrangian);
+  switch (options.method) {
+    case Enforcement::IntegralAugmentedLagrangian:
+      return std::make_unique<IntegralContactTerm<Dim>>(body, patch, face, makePartner, options,
+                                                        firstMultiplier, held, definitions);
+    case Enforcement::PointwisePenalty:
+      return std::make_unique<PointwisePenaltyTerm<Dim>>(body, patch, face, makePartner, options,
+                                                         firstMultiplier, definitions);
+    case Enforcement::AugmentedLagrangian:
+    case Enforcement::MortarPenalty:
+      break;
+  }
   return std::make_unique<MortarContactTerm<Dim>>(body, patch, face, makePartner, options, firstMultiplier,
                                                   definitions);
 }

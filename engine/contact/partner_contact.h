@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Contact of a face with a partner, augmented Lagrangian of averaged gaps or of points as the options say.
+/// Contact of a face with a partner, by the method that the options say.
 /// options: with a parameter. firstMultiplier: number of the first of the pair's multipliers among the
 /// unknowns. held: displacement components that supports prescribe. definitions: of names in the formula for
 /// friction. The body must outlive the term. Throws `Error` as the term of the method.

@@ -114,36 +114,12 @@ void checkGapLimit(const CheckContext& c, const ContactOptions& options, const s
     c.report(path, "found for a tool that carries a load; allowed: for tools whose motion is given.");
 }
 
-/// tool: unless the pair is one of faces.
-void checkFriction(const CheckContext& c, const ContactOptions& options, const std::string& path,
-                   const ToolSpec* tool = nullptr) {
-  const std::string friction = path + (options.rough ? ".rough" : ".friction");
+void checkFriction(const CheckContext& c, const ContactOptions& options, const std::string& path) {
   if (!options.rough) checkFrictionFormula(c, path + ".friction", options);
-  const auto report = [&](const char* found, const char* allowed) {
-    if (c.clean(friction)) c.report(friction, fmt::format("found {}; allowed: {}.", found, allowed));
-  };
-  if (options.rough && options.friction) {
-    report("beside friction", "one of the two");
-  } else if (options.hasFriction()) {
-    if (isPenalty(options.method))
-      report("with a penalty method, which knows no friction",
-             "with augmented-lagrangian and integral-augmented-lagrangian");
-    else if (options.method == Enforcement::AugmentedLagrangian && tool != nullptr && tool->carry)
-      report("with augmented-lagrangian for a tool that carries a load",
-             "with integral-augmented-lagrangian");
-  }
+  if (options.rough && options.friction && c.clean(path + ".rough"))
+    c.report(path + ".rough", "found beside friction; allowed: one of the two.");
   if (options.shearLimit && !options.friction && c.clean(path + ".shear_limit"))
     c.report(path + ".shear_limit", "found without friction; allowed: beside friction.");
-}
-
-/// How faces of bodies touch one another.
-void checkFaceOptions(const CheckContext& c, const ContactOptions& options, const std::string& path) {
-  if (isPenalty(options.method) && c.clean(path + ".method"))
-    c.report(path + ".method",
-             "found a penalty method, which is for contact with tools; allowed between bodies: "
-             "augmented-lagrangian, integral-augmented-lagrangian.");
-  checkGapLimit(c, options, path + ".gap_limit");
-  checkFriction(c, options, path);
 }
 
 /// What there is to say of a pair of faces alone. faces: of all pairs before, slave and master.
@@ -153,7 +129,8 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
     checkFace(c, againstKey(pair, path, k), pair.against[k]);
   if (!pair.tool.empty() && c.clean(path + ".tool"))
     c.report(path + ".tool", "found beside against; allowed: one of the two.");
-  checkFaceOptions(c, pair.options, path);
+  checkGapLimit(c, pair.options, path + ".gap_limit");
+  checkFriction(c, pair.options, path);
   if (!c.clean(path)) return;
   const PlaceOfFace slave = placeOfFace(c.scene, pair.place);
   const std::size_t numBefore = faces.size();
@@ -215,7 +192,7 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
                                     [&](const ToolSpec& t) { return t.name == pair.tool; });
     const ToolSpec* tool = named != c.scene.tools.end() ? &*named : nullptr;
     checkGapLimit(c, pair.options, path + ".gap_limit", tool);
-    checkFriction(c, pair.options, path, tool);
+    checkFriction(c, pair.options, path);
     if (!pairs.insert({pair.tool, c.scene.bodyNumber(pair.place.body), pair.place.patch, pair.place.face})
              .second)
       c.report(path,
@@ -244,7 +221,8 @@ void checkSelfContact(const CheckContext& c) {
   for (std::size_t i = 0; i < c.scene.selfContact.size(); ++i) {
     const SelfContactSpec& spec = c.scene.selfContact[i];
     const std::string path = fmt::format("self_contact[{}]", i);
-    checkFaceOptions(c, spec.options, path);
+    checkGapLimit(c, spec.options, path + ".gap_limit");
+    checkFriction(c, spec.options, path);
     if (spec.faces.empty())
       checkFace(c, path, spec.place);
     else

@@ -27,6 +27,13 @@ bool isMeshedAnew(const CheckContext& c, const std::string& body) {
   return c.scene.bodyNumber(body) == c.scene.rezonedBody();
 }
 
+void refusePenalty(const CheckContext& c, const ContactOptions& options, const std::string& path) {
+  if (isPenalty(options.method) && c.clean(path))
+    c.report(path,
+             "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian | "
+             "integral-augmented-lagrangian.");
+}
+
 /// A pair of faces. found: whether the body has had a contact before; becomes true where it has one here.
 void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string& path, bool& found) {
   const bool isSlave = isMeshedAnew(c, pair.place.body);
@@ -37,6 +44,7 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
          path + (pair.options.rough ? ".rough" : ".friction"),
          "friction with augmented-lagrangian on the body that is meshed anew (integral-augmented-lagrangian "
          "carries it over, and so does naming the other body first)");
+  if (isSlave || isMaster) refusePenalty(c, pair.options, path + ".method");
   found = found || isSlave || isMaster;
 }
 
@@ -53,19 +61,16 @@ void checkContact(const CheckContext& c) {
     if (!isMeshedAnew(c, contact.place.body)) continue;
     refuse(c, hasTool, path, "a second contact with a tool");
     found = hasTool = true;
-    const ContactOptions& options = contact.options;
-    refuse(c, options.hasFriction() && averagesGaps(options.method),
-           path + (options.rough ? ".rough" : ".friction"),
-           "friction with augmented-lagrangian (integral-augmented-lagrangian carries it over)");
-    if (isPenalty(options.method) && c.clean(path + ".method"))
-      c.report(path + ".method",
-               "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian | "
-               "integral-augmented-lagrangian.");
+    refusePenalty(c, contact.options, path + ".method");
   }
   if (!found)
-    c.report("rezoning",
-             "found for a body without contact; allowed: with a contact face, which tells where knot spans are "
-             "needed.");
+    c.report(
+        "rezoning",
+        "found for a body without contact; allowed: with a contact face, which tells where knot spans are "
+        "needed.");
+  for (std::size_t k = 0; k < c.scene.selfContact.size(); ++k)
+    if (isMeshedAnew(c, c.scene.selfContact[k].place.body))
+      refusePenalty(c, c.scene.selfContact[k].options, fmt::format("self_contact[{}].method", k));
 }
 
 bool hasCreases(const GeometrySpec& geometry) {
@@ -99,7 +104,8 @@ void checkRezoning(const CheckContext& c) {
   refuse(c, hasRepeatedKnots(geometry), key("geometry.knots"),
          "knots that are repeated inside, whose corners new meshes would lose,");
   for (std::size_t k = 0; k < c.scene.loads.size(); ++k)
-    refuse(c, isMeshedAnew(c, c.scene.loads[k].place.body), fmt::format("loads[{}]", k), "a load on the body");
+    refuse(c, isMeshedAnew(c, c.scene.loads[k].place.body), fmt::format("loads[{}]", k),
+           "a load on the body");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
     const std::string path = fmt::format("supports[{}]", k);
     if (!isMeshedAnew(c, c.scene.supports[k].place.body)) continue;

@@ -118,14 +118,13 @@ void describe(Visitor& v, SelfContactSpec& s) {
   v.field("reach", s.reach, {.above = 0, .unit = "length"},
           "Parts of the face that look at each other from nearer than this are kept apart; a twentieth of "
           "the body's largest extent when left out.");
-  v.field(
-      "method", s.options.method, {},
-      "Mortar augmented Lagrangian, or the integral one with contact or none at every quadrature point; no "
-      "penalty method.");
+  v.field("method", s.options.method, {},
+          "As under contact: mortar augmented Lagrangian, the integral one with contact or none at every "
+          "quadrature point, mortar penalty, or penalty at every quadrature point.");
   v.field(
       "parameter", s.options.parameter, {.above = 0, .unit = "stress per length"},
-      "Augmentation parameter; when left out E/L (mortar) or E/d (integral), L the body's largest extent, d "
-      "the mean distance of control points on the face.");
+      "Penalty or augmentation parameter; when left out E/L (mortar), E/d (integral) or 100 E/L (penalties), "
+      "L the body's largest extent, d the mean distance of control points on the face.");
   v.field("quadrature_points", s.options.quadraturePoints, {.atLeast = 1, .atMost = 32},
           "Quadrature points per knot span and direction; twice the degree when left out.");
   v.field(

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -41,6 +42,7 @@ class FacePairs : public testing::Test {
 };
 
 const std::array<std::string, 2> methods{"augmented-lagrangian", "integral-augmented-lagrangian"};
+const std::array<std::string, 2> penalties{"penalty", "pointwise-penalty"};
 
 /// Two blocks, one over the other, with unlike materials, between rollers.
 std::string patchTest(const std::string& degree, const std::string& spans, const std::string& method) {
@@ -107,7 +109,11 @@ steps: [{until: 1, count: 10}, {until: 2, count: )" +
 }
 
 TEST_F(FacePairs, ForcesOfASlidingBlockAreInTheRatioOfFriction) {
-  for (const auto& [mu, method] : {std::pair{0.1, methods[0]}, {0.5, methods[0]}, {0.3, methods[1]}}) {
+  for (const auto& [mu, method] : {std::pair{0.1, methods[0]},
+                                   {0.5, methods[0]},
+                                   {0.3, methods[1]},
+                                   {0.3, penalties[0]},
+                                   {0.3, penalties[1]}}) {
     const HistoryTable history = run(draggedBlock(mu, 20, method));
     EXPECT_EQ(last(history, "block-slab.sticking"), 0.0);
     // The slab's surface is nearly flat: its Young's modulus is a hundred times the block's.
@@ -182,11 +188,40 @@ TEST_F(FacePairs, AnInterferenceIsResolvedAsLameSays) {
 
 TEST_F(FacePairs, WorkOfFrictionClosesTheBalanceOfEnergy) {
   // With friction of 0.1 the block slides over more than a span of the slab.
-  for (const auto& [mu, method] : {std::pair{0.1, methods[0]}, {0.5, methods[0]}, {0.1, methods[1]}}) {
+  for (const auto& [mu, method] : {std::pair{0.1, methods[0]},
+                                   {0.5, methods[0]},
+                                   {0.1, methods[1]},
+                                   {0.1, penalties[0]},
+                                   {0.5, penalties[1]}}) {
     const HistoryTable history = run(draggedBlock(mu, 20, method));
-    const double found = last(history, "strain_energy") + last(history, "friction_work"),
+    const double found = last(history, "strain_energy") + last(history, "contact_energy") +
+                         last(history, "friction_work"),
                  error = std::abs(found / last(history, "external_work") - 1.0);
     EXPECT_LT(error, 1e-3);
+  }
+}
+
+/// Penetration and elastic slip halve when parameters are doubled. A block that touches exactly at the start
+/// takes no more iterations with large ones.
+TEST_F(FacePairs, PenaltiesConvergeToTheAugmentedLagrangian) {
+  const auto with = [](const std::string& method) {
+    std::string scene = draggedBlock(0.9, 2, method);
+    return scene.replace(scene.find("x: [0, 0, 0.5]"), 14, "x: [0, 0, 0.01]");
+  };
+  const HistoryTable exact = run(with("augmented-lagrangian"));
+  EXPECT_EQ(last(exact, "block-slab.slipping"), 0.0);
+  for (const char* column : {"block-slab.fx", "block-slab.fy", "strain_energy"}) {
+    double before = 0.0;
+    for (const int parameter : {10000, 20000, 40000}) {
+      const HistoryTable history = run(with("penalty, parameter: " + std::to_string(parameter)));
+      EXPECT_LE(std::ranges::max(*findColumn(history, "newton_iterations")), 4.0);
+      const double error = std::abs(last(history, column) - last(exact, column));
+      if (before > 0.0) {
+        EXPECT_NEAR(before / error, 2.0, 0.02) << column;
+      }
+      before = error;
+    }
+    EXPECT_LT(before, 1e-3 * std::abs(last(exact, column))) << column;
   }
 }
 

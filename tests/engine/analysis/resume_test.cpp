@@ -183,6 +183,43 @@ TEST(ResumeOfOtherRuns, SeveralBodies) {
   }
 }
 
+/// What penalties remember of friction, where a part sticks and a part slips: of two bodies, and in space.
+TEST(ResumeOfOtherRuns, PenaltiesThatRub) {
+  const std::string bodies = R"(
+bodies:
+  - {name: slab, geometry: {shape: rectangle, origin: [-1, -1], size: [3, 1], spans: [9, 2]}, material: {law: neo-hookean, E: 30, nu: 0.3}}
+  - {name: block, geometry: {shape: rectangle, size: [1, 1], spans: [4, 3]}, material: {law: neo-hookean, E: 10, nu: 0.3}}
+supports:
+  - {body: slab, face: bottom, fix: [x, y]}
+  - {body: block, face: top, move: {times: [0, 1, 2], x: [0, 0, 0.06], y: [0, -0.05, -0.05]}}
+contact: [{body: block, face: bottom, against: {body: slab, face: top}, friction: 0.3, method: METHOD}]
+steps: [{until: 1, count: 2}, {until: 2, count: 5}]
+output: {every: 0.4}
+)",
+                    space = R"(
+geometry: {shape: box, size: [1, 1, 1], spans: [2, 2, 2]}
+material: {law: neo-hookean, E: 10, nu: 0.3}
+supports: [{face: front, move: {times: [0, 1, 2], x: [0, 0, 0.03], y: [0, 0, 0.02], z: [0, -0.05, -0.05]}}]
+tools: [{name: ball, shape: sphere, center: [0.5, 0.4, -5], radius: 5}]
+contact: [{tool: ball, face: back, friction: 0.3, method: METHOD}]
+steps: [{until: 1, count: 2}, {until: 2, count: 5}]
+output: {every: 0.4}
+)";
+  for (const auto& [scene, name] : {std::pair{&bodies, "block-slab"}, {&space, "ball"}})
+    for (const char* method : {"penalty", "pointwise-penalty"}) {
+      std::string text = *scene;
+      text.replace(text.find("METHOD"), 6, method);
+      const ScratchDirectory whole("resume_rubbing_whole"), part("resume_rubbing_part");
+      ASSERT_TRUE(runTo(whole.path(), text, {}).completed);
+      const HistoryTable history = readHistory(whole.path() / "history.csv");
+      ASSERT_TRUE(runTo(part.path(), text, haltAfter(4)).halted);
+      EXPECT_GT(history.column(std::string(name) + ".sticking")[4], 0.0) << method;
+      EXPECT_GT(history.column(std::string(name) + ".slipping")[4], 0.0) << method;
+      ASSERT_TRUE(resume(part.path()).completed);
+      EXPECT_EQ(differences(filesOf(whole.path()), filesOf(part.path())), "") << name << method;
+    }
+}
+
 TEST(RunsThatCannotGoOn, SayWhereAndWhatHelpsAndKeepTheirFrames) {
   const ScratchDirectory directory("resume_failed");
   RunObserver silent;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/contact/integral_contact_term.h"
+#include "engine/contact/partner_contact.h"
 #include "engine/contact/tool_partner.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
@@ -21,11 +21,12 @@ struct Case {
   bool isFree = false;
   std::optional<double> shearLimit{};
   std::string law{};  ///< instead of mu
+  Enforcement method = Enforcement::IntegralAugmentedLagrangian;
 
   bool sticks() const { return mu == 0.0 || mu > 1.0; }
 
   ContactOptions options() const {
-    ContactOptions options{Enforcement::IntegralAugmentedLagrangian, 10.0, 8};
+    ContactOptions options{method, 10.0, 8};
     options.rough = mu == 0.0;
     if (mu > 0.0) options.friction = FormulaText{fmt::format("{}", mu)};
     if (!law.empty()) options.friction = FormulaText{law};
@@ -56,15 +57,18 @@ struct Rubbed {
   Body<Dim> body;
   int first;
   Tool tool;
-  IntegralContactTerm<Dim> term;
+  std::unique_ptr<FaceContact<Dim>> contact;
+  FaceContact<Dim>& term;
   Eigen::VectorXd x;
 
   Rubbed(Body<Dim> itsBody, FaceId face, const Tool& itsTool, const Case& c)
       : body(std::move(itsBody)),
         first(Dim * body.numNodes + (c.isFree ? static_cast<int>(kToolDofs) : 0)),
         tool(movedTool<Dim>(itsTool, c.isFree, Dim * body.numNodes)),
-        term(body, 0, face, onTool<Dim>(tool), c.options(), first,
-             std::vector<bool>(static_cast<std::size_t>(Dim * body.numNodes), false)) {
+        contact(makePartnerContact<Dim>(
+            body, 0, face, onTool<Dim>(tool), c.options(), first,
+            std::vector<bool>(static_cast<std::size_t>(Dim * body.numNodes), false), {})),
+        term(*contact) {
     const Eigen::VectorXd before = test::randomState(first + term.numMultipliers(), 2e-3, 7);
     static_cast<void>(test::forceOf(term, 0.0, before));
     term.accept();
@@ -115,6 +119,25 @@ INSTANTIATE_TEST_SUITE_P(All, Friction,
                                          Case{.mu = 0.1, .law = "0.01 + 0.05*exp(-p) + 0.02*X*t"},
                                          Case{.mu = 0.1, .axisymmetric = true, .law = "0.02*p^(-1/3)"}));
 
+/// Stick, slip, rings, free tools and laws of methods that average gaps, and of penalties.
+std::vector<Case> casesOf(Enforcement method) {
+  std::vector<Case> cases{Case{},
+                          Case{.mu = 0.1},
+                          Case{.mu = 5.0},
+                          Case{.mu = 0.1, .axisymmetric = true},
+                          Case{.mu = 0.02, .isFree = true},
+                          Case{.isFree = true},
+                          Case{.mu = 0.1, .shearLimit = 0.05},
+                          Case{.mu = 0.1, .law = "0.01 + 0.05*exp(-p) + 0.02*X*t"}};
+  for (Case& c : cases) c.method = method;
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Mortar, Friction, testing::ValuesIn(casesOf(Enforcement::AugmentedLagrangian)));
+INSTANTIATE_TEST_SUITE_P(MortarPenalty, Friction, testing::ValuesIn(casesOf(Enforcement::MortarPenalty)));
+INSTANTIATE_TEST_SUITE_P(PointwisePenalty, Friction,
+                         testing::ValuesIn(casesOf(Enforcement::PointwisePenalty)));
+
 class FrictionInSpace : public testing::TestWithParam<Case> {};
 
 TEST_P(FrictionInSpace, TangentAgreesWithCentralDifferences) {
@@ -126,6 +149,12 @@ TEST_P(FrictionInSpace, TangentAgreesWithCentralDifferences) {
 INSTANTIATE_TEST_SUITE_P(All, FrictionInSpace,
                          testing::Values(Case{}, Case{.mu = 0.1}, Case{.mu = 0.1, .isFree = true},
                                          Case{.isFree = true}, Case{.mu = 0.1, .law = "0.1*p/(1 + p)"}));
+INSTANTIATE_TEST_SUITE_P(Mortar, FrictionInSpace,
+                         testing::ValuesIn(casesOf(Enforcement::AugmentedLagrangian)));
+INSTANTIATE_TEST_SUITE_P(MortarPenalty, FrictionInSpace,
+                         testing::ValuesIn(casesOf(Enforcement::MortarPenalty)));
+INSTANTIATE_TEST_SUITE_P(PointwisePenalty, FrictionInSpace,
+                         testing::ValuesIn(casesOf(Enforcement::PointwisePenalty)));
 
 TEST(FrictionLaw, IsAskedWithTruePressureSlipTimeAndPlace) {
   ContactOptions options;
@@ -164,12 +193,14 @@ TEST(FrictionLaw, SlipIsAddedUpUnderPressure) {
 
 /// Reaction and moment, those of friction included, are what a free tool's equations say.
 TEST(FrictionOnAFreeTool, ReactionAndMomentAreTheForcesOnIt) {
-  Rubbed rubbed = rubbedBlock({.mu = 0.1, .isFree = true});
-  const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
-  const ContactState& state = rubbed.term.state();
-  const int unknown = 2 * rubbed.body.numNodes;
-  EXPECT_NEAR((force.segment<3>(unknown) + state.reaction).norm(), 0.0, 1e-15);
-  EXPECT_NEAR(force(unknown + 3), -state.moment.z() / rubbed.tool.turnLength, 1e-15);
+  for (const auto& [name, method] : EnumNames<Enforcement>::values) {
+    Rubbed rubbed = rubbedBlock({.mu = 0.1, .isFree = true, .method = method});
+    const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
+    const ContactState& state = rubbed.term.state();
+    const int unknown = 2 * rubbed.body.numNodes;
+    EXPECT_NEAR((force.segment<3>(unknown) + state.reaction).norm(), 0.0, 1e-15) << name;
+    EXPECT_NEAR(force(unknown + 3), -state.moment.z() / rubbed.tool.turnLength, 1e-15) << name;
+  }
 }
 
 /// A rigid motion of body and tool together is no slip and does no work, and turns forces.

@@ -10,6 +10,7 @@
 
 #include "engine/contact/face_partner.h"
 #include "engine/contact/mortar_contact_term.h"
+#include "engine/contact/partner_contact.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "tests/engine/solid/term_check.h"
@@ -162,6 +163,105 @@ INSTANTIATE_TEST_SUITE_P(Bases, SelfContact, testing::ValuesIn(kFrictionless));
 INSTANTIATE_TEST_SUITE_P(Friction, SelfContact,
                          testing::Values(Case{BasisFamily::BSpline, 2, false, {3.0, 0.0}, {}, 0.3},
                                          Case{BasisFamily::BSpline, 3, true, {3.0, 0.0}, 0.7, 0.3}));
+
+/// The jaws as wide as they are, of two spans, in space; degree 2.
+Body<3> wideJaws() {
+  const Patch<3> polar =
+      refined(box({1.0, 0.5, 0.0}, {0.5, 5.3, 1.0}),  // radii, angles and widths
+              {KnotVector::uniform(1, 1), KnotVector::uniform(2, 9), KnotVector::uniform(2, 2)});
+  Eigen::MatrixXd points = polar.points();
+  for (auto point : points.colwise())
+    point = Eigen::Vector3d(point(0) * std::cos(point(1)), 0.2 * point(0) * std::sin(point(1)), point(2));
+  Eigen::VectorXd weights = polar.weights();
+  for (Eigen::Index a = 0; a < weights.size(); ++a)
+    weights(a) += 0.1 * std::sin(3.0 * static_cast<double>(a));
+  return makeBody(Patch<3>(polar.basis(), std::move(points), std::move(weights)));
+}
+
+struct ByMethod {
+  Enforcement method;
+  double friction = 0.0;
+};
+
+/// The jaws are pressed into one another until a part of them touches, in two steps, in the second of which they
+/// slide, too: tangent against central differences, sums of forces and moments.
+template <int Dim>
+void expectConsistencyOfClosedJaws(const Body<Dim>& body, const ByMethod& how) {
+  const Patch<Dim>& patch = body.patches.front();
+  const int numDisplacements = Dim * body.numNodes;
+  ContactOptions options{how.method, 10.0, Dim == 3 ? 3 : 4};
+  options.frictionParameter = 7.0;
+  if (how.friction > 0.0) options.friction = FormulaText{fmt::format("{}", how.friction)};
+  const auto term = makePartnerContact<Dim>(
+      body, 0, kInner,
+      [&](const FaceQuadrature<Dim>& slave) {
+        return std::make_unique<FacePartner<Dim>>(
+            slave, tracePatch(patch, kInner), outwardSign(patch, kInner),
+            MasterSurface<Dim>(body, {{0, kInner}}), selfContactRules(0.6, 0));
+      },
+      options, numDisplacements, std::vector<bool>(static_cast<std::size_t>(numDisplacements), false), {});
+  const auto pressed = [&](double depth, double way) {
+    Eigen::VectorXd x = test::randomState(numDisplacements + term->numMultipliers(), 2e-3, 11);
+    for (int a = 0; a < body.numNodes; ++a) {
+      const double side = body.nodePositions()(1, a) > 0.0 ? 1.0 : -1.0;
+      x(Dim * a) += side * way;
+      x(Dim * a + 1) -= side * depth;
+      if (Dim == 3) x(Dim * a + 2) += 0.5 * side * way;
+    }
+    return x;
+  };
+  static_cast<void>(test::forceOf(*term, 0.0, pressed(0.1, 0.0)));
+  term->accept();
+  const Eigen::VectorXd x = pressed(0.14, 0.02);
+  const Eigen::VectorXd force = test::forceOf(*term, 0.0, x);
+  const ContactState& state = term->state();
+  EXPECT_GT(state.pressure.maxCoeff(), 0.1);
+  EXPECT_FALSE((state.pressure.array() > 0.0).all());
+  EXPECT_LT(test::tangentError(*term, 0.0, x, 1e-6), 1e-6);
+  if (how.friction == 0.0) {
+    EXPECT_LT(test::asymmetry(test::tangentOf(*term, 0.0, x)), 1e-12);
+  } else {
+    EXPECT_GT(how.friction < 1.0 ? state.slipping : state.sticking, 0);
+  }
+
+  const Eigen::Matrix<double, Dim, Eigen::Dynamic> forces =
+      force.head(numDisplacements).reshaped(Dim, body.numNodes);
+  const Eigen::Matrix<double, Dim, Eigen::Dynamic> places =
+      body.nodePositions() + x.head(numDisplacements).reshaped(Dim, body.numNodes);
+  const Eigen::Matrix<double, Dim, Dim> moments = places * forces.transpose();
+  const double scale = forces.colwise().norm().sum();
+  EXPECT_GT(state.reaction.norm(), 0.1 * scale);
+  EXPECT_LT(forces.rowwise().sum().norm(), 1e-12 * scale);
+  EXPECT_LT((moments - moments.transpose()).norm(), 1e-12 * scale * places.colwise().norm().maxCoeff());
+}
+
+class SelfContactInSpace : public testing::TestWithParam<ByMethod> {};
+
+TEST_P(SelfContactInSpace, TangentAgreesWithCentralDifferencesAndForcesAreInBalance) {
+  expectConsistencyOfClosedJaws<3>(wideJaws(), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, SelfContactInSpace,
+                         testing::Values(ByMethod{Enforcement::AugmentedLagrangian},
+                                         ByMethod{Enforcement::AugmentedLagrangian, 0.2},
+                                         ByMethod{Enforcement::IntegralAugmentedLagrangian},
+                                         ByMethod{Enforcement::IntegralAugmentedLagrangian, 0.2},
+                                         ByMethod{Enforcement::MortarPenalty},
+                                         ByMethod{Enforcement::MortarPenalty, 0.2},
+                                         ByMethod{Enforcement::MortarPenalty, 5.0},
+                                         ByMethod{Enforcement::PointwisePenalty},
+                                         ByMethod{Enforcement::PointwisePenalty, 0.2},
+                                         ByMethod{Enforcement::PointwisePenalty, 5.0}));
+
+TEST(SelfContactByPenalty, TangentAgreesWithCentralDifferencesAndForcesAreInBalance) {
+  for (const Enforcement method : {Enforcement::MortarPenalty, Enforcement::PointwisePenalty})
+    for (const bool axisymmetric : {false, true})
+      for (const double friction : {0.0, 0.3}) {
+        Body<2> body = jaws(2, BasisFamily::BSpline);
+        body.axisymmetric = axisymmetric;
+        expectConsistencyOfClosedJaws<2>(body, {method, friction});
+      }
+}
 
 // Slaves above a ridge of linear elements are closest to its edge.
 class SelfContactAboveAKink : public testing::TestWithParam<std::optional<double>> {};

@@ -469,11 +469,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "found with method integral-augmented-lagrangian, which averages no gaps; allowed: with "
                 "augmented-lagrangian and penalty."},
         Mistake{
-            "frictionOfAMethodWithout", &block, "method: augmented-lagrangian}",
-            "method: penalty, friction: 0.2}", "0.2}", "contact[0].friction",
-            "found with a penalty method, which knows no friction; allowed: with augmented-lagrangian and "
-            "integral-augmented-lagrangian."},
-        Mistake{
             "frictionBelowZero", &block, "method: augmented-lagrangian}", "friction: -0.2}", "-0.2",
             "contact[0].friction",
             "found \"-0.2\"; allowed: a number at least 0, or a formula in p, slip, t, X, Y, Z and the definitions."},
@@ -503,10 +498,6 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"selfContactOfFacesAgain", &block,
                 "steps:", "self_contact: [{face: top}, {faces: [left, top]}]\nsteps:", "{faces",
                 "self_contact[1]", "found face top a second time; allowed: each face once."},
-        Mistake{"selfContactByPenalty", &block, "steps:",
-                "self_contact: [{face: top, method: penalty}]\nsteps:", "penalty}", "self_contact[0].method",
-                "found a penalty method, which is for contact with tools; allowed between bodies: "
-                "augmented-lagrangian, integral-augmented-lagrangian."},
         Mistake{"selfContactOfNoFace", &block, "steps:", "self_contact: [{reach: 1}]\nsteps:", "{reach",
                 "self_contact[0].face",
                 "missing; allowed: left | right | bottom | top, in three dimensions also back | front."}),

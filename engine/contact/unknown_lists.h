@@ -1,0 +1,17 @@
+#pragma once
+#include <Eigen/Dense>
+#include <vector>
+
+namespace burnish {
+
+/// Puts unknowns into ascending order, each there once.
+void sortOnce(std::vector<int>& unknowns);
+
+/// Where unknowns stand in a list that is ascending and holds them all.
+std::vector<Eigen::Index> placesIn(const std::vector<int>& all, const std::vector<int>& unknowns);
+
+/// Adds part to K, rows and columns at the same places; places may be there more than once.
+void addAt(const std::vector<Eigen::Index>& places, const Eigen::Ref<const Eigen::MatrixXd>& part,
+           Eigen::MatrixXd& K);
+
+}  // namespace burnish
