@@ -27,11 +27,13 @@ bool isMeshedAnew(const CheckContext& c, const std::string& body) {
   return c.scene.bodyNumber(body) == c.scene.rezonedBody();
 }
 
-void refusePenalty(const CheckContext& c, const ContactOptions& options, const std::string& path) {
-  if (isPenalty(options.method) && c.clean(path))
-    c.report(path,
-             "found a penalty method in a scene with rezoning; allowed there: augmented-lagrangian | "
-             "integral-augmented-lagrangian.");
+/// Of the body, new meshes cannot carry penalties over; of others, tractions that these remember.
+void refusePenalty(const CheckContext& c, const ContactOptions& options, bool isOfBody,
+                   const std::string& path) {
+  if (isPenalty(options.method) && (isOfBody || options.hasFriction()) && c.clean(path))
+    c.report(path, fmt::format("found a penalty method{} in a scene with rezoning; allowed there: "
+                               "augmented-lagrangian | integral-augmented-lagrangian.",
+                               isOfBody ? "" : " with friction"));
 }
 
 /// A pair of faces. found: whether the body has had a contact before; becomes true where it has one here.
@@ -44,7 +46,7 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
          path + (pair.options.rough ? ".rough" : ".friction"),
          "friction with augmented-lagrangian on the body that is meshed anew (integral-augmented-lagrangian "
          "carries it over, and so does naming the other body first)");
-  if (isSlave || isMaster) refusePenalty(c, pair.options, path + ".method");
+  refusePenalty(c, pair.options, isSlave || isMaster, path + ".method");
   found = found || isSlave || isMaster;
 }
 
@@ -58,10 +60,10 @@ void checkContact(const CheckContext& c) {
       checkPair(c, contact, path, found);
       continue;
     }
+    refusePenalty(c, contact.options, isMeshedAnew(c, contact.place.body), path + ".method");
     if (!isMeshedAnew(c, contact.place.body)) continue;
     refuse(c, hasTool, path, "a second contact with a tool");
     found = hasTool = true;
-    refusePenalty(c, contact.options, path + ".method");
   }
   if (!found)
     c.report(
@@ -69,8 +71,8 @@ void checkContact(const CheckContext& c) {
         "found for a body without contact; allowed: with a contact face, which tells where knot spans are "
         "needed.");
   for (std::size_t k = 0; k < c.scene.selfContact.size(); ++k)
-    if (isMeshedAnew(c, c.scene.selfContact[k].place.body))
-      refusePenalty(c, c.scene.selfContact[k].options, fmt::format("self_contact[{}].method", k));
+    refusePenalty(c, c.scene.selfContact[k].options, isMeshedAnew(c, c.scene.selfContact[k].place.body),
+                  fmt::format("self_contact[{}].method", k));
 }
 
 bool hasCreases(const GeometrySpec& geometry) {
