@@ -241,9 +241,10 @@ template <int Dim>
 void ModelBuilder<Dim>::requireMultipliers(const FaceContact<Dim>& term, const FacePlace& place,
                                            const std::string& key) const {
   if (!isMeshedAnew(place) || term.hasAllMultipliers()) return;
-  throw InputError(key, fmt::format("a support holds an end of the face {}, which new meshes cannot take over "
-                                    "with this method; use augmented-lagrangian",
-                                    term.options().hasFriction() ? "across or along it" : "across it"));
+  throw InputError(key,
+                   fmt::format("a support holds an end of the face {}, which new meshes cannot take over "
+                               "with this method; use augmented-lagrangian",
+                               term.options().hasFriction() ? "across or along it" : "across it"));
 }
 
 template <int Dim>
@@ -252,9 +253,9 @@ std::unique_ptr<FacePartner<Dim>> ModelBuilder<Dim>::facesAsPartner(const FaceQu
                                                                     const std::vector<FacePlace>& surface,
                                                                     const PartnerRules& rules) const {
   const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
-  auto partner = std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face),
-                                                    outwardSign(patch, place.face),
-                                                    MasterSurface<Dim>(model_->body_, surface), rules);
+  auto partner =
+      std::make_unique<FacePartner<Dim>>(slave, tracePatch(patch, place.face), outwardSign(patch, place.face),
+                                         MasterSurface<Dim>(model_->body_, surface), rules);
   if (rezoned_ != nullptr) partner->beginAt(rezoned_->time, model_->start_.x);
   return partner;
 }

@@ -25,7 +25,7 @@ struct RezonedBody {
   PointStates states;  ///< at the quadrature points that the scene asks for
   double plasticWork = 0.0;
   double time = 0.0;
-  Eigen::MatrixXd others;    ///< displacements of the other bodies' nodes at that time, 2 x nodes
+  Eigen::MatrixXd others;     ///< displacements of the other bodies' nodes at that time, 2 x nodes
   std::vector<GapRamp> fits;  ///< of the pairs of faces
 };
 

@@ -65,8 +65,7 @@ CarryOver::CarryOver(const Simulation<2>& before, std::size_t body, const Patch<
   const double farthest = kFarthestShare * mesh.smallestSpan;
   points_ = parametersIn(map, pointPositions(quadrature, mesh.patch), farthest);
   anchors_ = parametersIn(map, anchorPositions(mesh.patch), farthest);
-  body_.states =
-      interpolated(*old.quadrature, deformed.basis(), old.bulk->carried(state.x), points_);
+  body_.states = interpolated(*old.quadrature, deformed.basis(), old.bulk->carried(state.x), points_);
 }
 
 /// Multipliers of all contacts on the new mesh, in x; with friction the ways slipped and its work, too.

@@ -157,7 +157,8 @@ void takePair(ContactSearch& search, const MeshChoice& choice, const Simulation<
   const Eigen::Matrix2Xd positions = pair.term->face().positions(x);
   for (Eigen::Index q = 0; q < parameters.size(); ++q) {
     if (state.pressure(q) == 0.0) continue;
-    search.take(isSlave ? face.lengthTo(parameters(q)) : nearest(positions.col(q)).length, state.gap(q), true);
+    search.take(isSlave ? face.lengthTo(parameters(q)) : nearest(positions.col(q)).length, state.gap(q),
+                true);
   }
   const FacePlace other = isSlave ? pair.against.front() : pair.place;
   const auto patch = static_cast<std::size_t>(other.patch);
@@ -170,8 +171,8 @@ void takePair(ContactSearch& search, const MeshChoice& choice, const Simulation<
   }
 }
 
-ContactPlace findContact(const MeshChoice& choice, const Simulation<2>& simulation, const ArcLengthCurve& face,
-                         const PartnerPlaces& before) {
+ContactPlace findContact(const MeshChoice& choice, const Simulation<2>& simulation,
+                         const ArcLengthCurve& face, const PartnerPlaces& before) {
   const Model<2>& model = *simulation.model;
   const PartnerPlaces now = partnerPlaces(simulation, model.bodies()[choice.body]);
   const FaceContacts contacts = contactsOf(model, choice.place);

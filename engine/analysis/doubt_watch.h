@@ -57,7 +57,7 @@ class DoubtWatch {
   std::vector<Doubt> tipDoubts_;   ///< one for each contact pair
   std::vector<FoundTip> tips_;     ///< the first ones
   std::vector<bool> touched_;      ///< per tool
-  bool needsNewMesh_ = false;      ///< the body on this mesh, since a rezoning that failed; the next one's begins anew
+  bool needsNewMesh_ = false;      ///< since a rezoning that failed; that of the next mesh begins anew
 };
 
 }  // namespace burnish

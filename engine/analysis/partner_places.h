@@ -10,9 +10,10 @@ namespace burnish {
 
 /// Where the tools and the bodies are that a body may touch.
 struct PartnerPlaces {
-  std::vector<ToolPose> tools;        ///< per tool
-  std::vector<Eigen::Vector2d> ways;  ///< per pair of faces, of the other body against this one; zero for pairs
-                                      ///< of others
+  std::vector<ToolPose> tools;  ///< per tool
+
+  /// Per pair of faces: of the other body against this one; zero for pairs of others.
+  std::vector<Eigen::Vector2d> ways;
 
   /// Displacement of a tool since these places; of the other body of a pair.
   Eigen::Vector2d travelOfTool(std::size_t tool, const PartnerPlaces& now) const {

@@ -23,9 +23,9 @@ std::vector<Eigen::VectorXd> multipliersOf(const std::vector<FaceContact<2>*>& t
                                            const Eigen::VectorXd& x) {
   std::vector<Eigen::VectorXd> multipliers;
   for (const FaceContact<2>* term : terms)
-    multipliers.push_back(term->hasAllMultipliers()
-                              ? Eigen::VectorXd(x.segment(term->firstMultiplier(), term->face().numFunctions()))
-                              : term->state().lambdaHat);
+    multipliers.push_back(term->hasAllMultipliers() ? Eigen::VectorXd(x.segment(term->firstMultiplier(),
+                                                                                term->face().numFunctions()))
+                                                    : term->state().lambdaHat);
   return multipliers;
 }
 
@@ -57,7 +57,8 @@ class StifferContact {
 
 /// Averaged gaps of every contact that should be closed and are not; zero elsewhere. In the state x that the
 /// terms have been evaluated at.
-std::vector<Eigen::VectorXd> gapsAtStart(const std::vector<FaceContact<2>*>& terms, const Eigen::VectorXd& x) {
+std::vector<Eigen::VectorXd> gapsAtStart(const std::vector<FaceContact<2>*>& terms,
+                                         const Eigen::VectorXd& x) {
   const auto multipliers = multipliersOf(terms, x);
   std::vector<Eigen::VectorXd> atStart;
   for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -93,8 +94,10 @@ Settlement settle(Simulation<2>& simulation, const ModelBody<2>& body, int parts
     if (report.outcome != NewtonOutcome::Converged) break;
     std::vector<Eigen::VectorXd> now = multipliersOf(terms, x);
     for (std::size_t k = 0; k < gaps.size(); ++k)
-      result.gapWork += terms[k]->weights().head(gaps[k].size()).dot(
-          (0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
+      result.gapWork += terms[k]
+                            ->weights()
+                            .head(gaps[k].size())
+                            .dot((0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
     before = std::move(now);
   }
   report.iterations = iterations;

@@ -39,14 +39,16 @@ struct RezoningOptions {
 
 template <class Visitor>
 void describe(Visitor& v, RezoningOptions& s) {
-  v.field("body", s.body, {.identifier = true},
-          "Name of the body that is meshed anew, while the others keep their meshes; to be left out if there is "
-          "only one.");
-  v.field("travel", s.travel, {.above = 0, .unit = "length"},
-          "A new mesh after so much travel of a tool; 0.16 half thicknesses of the tool when left out, or of "
-          "a sixth of the body's size if that is less. What is left out below counts from the same length. "
-          "Another body in contact is a tool here, half its smaller extent its half thickness, the mean of its "
-          "displacements less that of this body's its travel.");
+  v.field(
+      "body", s.body, {.identifier = true},
+      "Name of the body that is meshed anew, while the others keep their meshes; to be left out if there is "
+      "only one.");
+  v.field(
+      "travel", s.travel, {.above = 0, .unit = "length"},
+      "A new mesh after so much travel of a tool; 0.16 half thicknesses of the tool when left out, or of "
+      "a sixth of the body's size if that is less. What is left out below counts from the same length. "
+      "Another body in contact is a tool here, half its smaller extent its half thickness, the mean of its "
+      "displacements less that of this body's its travel.");
   v.field("stretch", s.stretch, {.above = 1},
           "A new mesh earlier if the largest principal stretch since the last one exceeds this.");
   v.field("quality", s.quality, {.atLeast = 0, .below = 1},
