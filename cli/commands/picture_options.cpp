@@ -63,10 +63,9 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
                               arguments.frame))
       ->type_name("N|A-B|all|last|time=T");
   command
-      .add_option(
-          "--field", arguments.field,
-          "displacement, plastic_strain, von_mises, stress.xx, ..., pressure, contact_pressure, ... "
-          "[plastic_strain or von_mises]")
+      .add_option("--field", arguments.field,
+                  "displacement, plastic_strain, von_mises, stress.xx, ..., pressure, contact_pressure, ... "
+                  "[plastic_strain or von_mises]")
       ->type_name("NAME");
   command
       .add_option("--component", arguments.component,

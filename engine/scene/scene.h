@@ -125,7 +125,7 @@ struct ContactSpec {
   OneOrMore<FaceSpec> against;  ///< instead of `tool`: whole faces, of other bodies or of the same
   std::optional<double> reach;  ///< of a pair of faces: distance within which they see each other
   Interference interference = Interference::Error;  ///< of a pair of faces
-  ContactOptions options;
+  ContactOptions options{.method = Enforcement::IntegralAugmentedLagrangian};
 };
 
 /// Name of a pair of faces in results: its own, or those of its two bodies (faces, if these have none).
