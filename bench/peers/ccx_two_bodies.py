@@ -6,7 +6,7 @@ writes NAME.inp; run: OMP_NUM_THREADS=1 CCX_NPROC=1 ccx NAME
 
 disc: scenes/examples/disc_ironing.yaml, a disc (E = 1000) pressed into a slab 3 x 1 (E = 1) by 0.075 and dragged by 2 along it,
 mu = 0.3; elements of degree 2 with the nodes of burnish's 49 x 25 functions.
-partial-slip: scenes/verification/partial_slip.yaml, two cylinders pressed together and sheared, mu = 0.2.
+partial-slip: partial_slip.yaml beside this file, two cylinders pressed together and sheared, mu = 0.2.
 """
 import argparse
 import math

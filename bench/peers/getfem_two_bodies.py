@@ -3,7 +3,7 @@
 
 usage: getfem_two_bodies.py disc|partial-slip OUT.csv [--degree 2] [--press 20] [--slide 200] [--r 10] [--until 2]
 disc: scenes/examples/disc_ironing.yaml, a disc (E = 1000) pressed into a slab 3 x 1 (E = 1) by 0.075 and dragged by 2 along it,
-mu = 0.3. partial-slip: scenes/verification/partial_slip.yaml, two cylinders pressed together and sheared, mu = 0.2.
+mu = 0.3. partial-slip: partial_slip.yaml beside this file, two cylinders pressed together and sheared, mu = 0.2.
 Contact: GetFEM's brick for large sliding by raytracing, slave the first body, multipliers of the displacements' degree;
 the law is burnish's neo-hookean, its tangent from automatic differentiation. A step that fails is halved.
 """
