@@ -53,7 +53,7 @@ TEST(LinearGaps, AgreeWithCentralDifferences) {
   const Tool tool = disc();
   ContactTerm<2> term(body, 0, kTop, tool, {Enforcement::AugmentedLagrangian, kParameter}, 2 * body.numNodes);
   const auto linear = term.linearReferenceGaps({});
-  EXPECT_EQ(linear.values, term.referenceGaps(gapTo(tool, {})));
+  EXPECT_LT((linear.values - term.referenceGaps(gapTo(tool, {}))).cwiseAbs().maxCoeff(), 1e-15);
   const Eigen::VectorXd direction = test::randomState(2 * term.face().numFunctions(), 1.0, 3);
   constexpr double step = 1e-6;
   std::array<Eigen::VectorXd, 2> gaps;

@@ -52,7 +52,7 @@ TEST_P(ContactPatchTest, TractionIsUniform) {
 INSTANTIATE_TEST_SUITE_P(All, ContactPatchTest,
                          testing::Combine(testing::Values("nurbs", "lagrange"), testing::Range(1, 5),
                                           testing::Values("method: augmented-lagrangian",
-                                                          "gap_limit: 0.02")));
+                                                          "method: augmented-lagrangian, gap_limit: 0.02")));
 
 TEST(ContactPatchTest, PenaltyMethodsAreUniformTooAndPenetrateByPressureOverParameter) {
   for (const char* method : {"penalty", "pointwise-penalty"}) {
@@ -81,7 +81,7 @@ tools:
   - {{name: punch, shape: polyline, points: [[-1, 1.01], [1.03, 1.01], [2.03, 2.01], [-1, 2.01]],
      motion: {{times: [0, 1], y: [0, -0.11]}}}}
 contact:
-  - {{tool: punch, face: top{}}}
+  - {{tool: punch, face: top, method: augmented-lagrangian{}}}
 steps: [{{until: 1, count: 5}}]
 )",
                                           spans, spans / 2, contact),

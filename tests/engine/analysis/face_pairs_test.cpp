@@ -212,12 +212,12 @@ TEST_F(FacePairs, PenaltiesConvergeToTheAugmentedLagrangian) {
   EXPECT_EQ(last(exact, "block-slab.slipping"), 0.0);
   for (const char* column : {"block-slab.fx", "block-slab.fy", "strain_energy"}) {
     double before = 0.0;
-    for (const int parameter : {10000, 20000, 40000}) {
+    for (const int parameter : {20000, 40000, 80000}) {
       const HistoryTable history = run(with("penalty, parameter: " + std::to_string(parameter)));
       EXPECT_LE(std::ranges::max(*findColumn(history, "newton_iterations")), 4.0);
       const double error = std::abs(last(history, column) - last(exact, column));
       if (before > 0.0) {
-        EXPECT_NEAR(before / error, 2.0, 0.02) << column;
+        EXPECT_NEAR(before / error, 2.0, 0.03) << column;
       }
       before = error;
     }

@@ -27,7 +27,7 @@ geometry: {{shape: rectangle, size: [2, 1], functions: [8, 5]}}
 material: {{law: neo-hookean, E: 1, nu: 0.3}}
 supports: {}
 tools: [{{name: disc, shape: cylinder, radius: 0.5, {}}}]
-contact: [{{tool: disc, face: top}}]
+contact: [{{tool: disc, face: top, method: augmented-lagrangian}}]
 steps: [{{until: 1, count: {}}}]
 )",
                                 supports, tool, steps),
@@ -90,7 +90,7 @@ supports:
   - {face: left, symmetry: true}
   - {face: bottom, symmetry: true}
 tools: [{name: ball, shape: sphere, center: [0, 0, 1.0], radius: 0.5, motion: {times: [0, 1], z: [0, -0.08]}}]
-contact: [{tool: ball, face: front}]
+contact: [{tool: ball, face: front, method: augmented-lagrangian}]
 steps: [{until: 1, count: 8}]
 )",
                                  "ball.yaml");

@@ -51,7 +51,7 @@ supports:
   - {{face: right, fix: [x]}}
   - {{face: bottom, part: [0, 0.2], move: {{times: [0, 1], y: [0, -0.12]}}}}
   - {{face: bottom, part: [0.8, 1], move: {{times: [0, 1], y: [0, 0.12]}}}}
-self_contact: [{{face: top{}}}]
+self_contact: [{{face: top, method: augmented-lagrangian{}}}]
 steps: [{{until: 1, count: 10}}]
 )",
                                               gaps);
@@ -72,7 +72,7 @@ supports:
   - {{face: right, fix: [y]}}
   - {{face: bottom, part: [0, 0.4], move: {{times: [0, 1], y: [0, -0.12]}}}}
 tools: [{{name: plane, shape: plane, origin: [0, 0], normal: [0, 1]}}]
-contact: [{{tool: plane, face: top{}}}]
+contact: [{{tool: plane, face: top, method: augmented-lagrangian{}}}]
 steps: [{{until: 1, count: 10}}]
 output: {{vtu: false}}
 )",
@@ -92,8 +92,8 @@ tools:
     center: [1, 0.9]
     radius: 0.5
     motion: {{times: [0, 1, 2], x: [0, 0, 0.3], y: [0, -0.25, -0.25]}}
-contact: [{{tool: roller, face: bottom}}]
-self_contact: [{{face: top{}}}]
+contact: [{{tool: roller, face: bottom, method: augmented-lagrangian}}]
+self_contact: [{{face: top, method: augmented-lagrangian{}}}]
 steps: [{{until: 1, count: 5}}, {{until: 2, count: 5}}]
 )",
                                                 keys);
@@ -304,10 +304,10 @@ TEST(SelfContactWithFriction, BalancesWorkAndRubbing) {
 
 // A pair of two faces of a body, in which one is the slave, is the contact of both as one surface.
 TEST(SelfContactOfFaces, IsContactOfOneWithTheOther) {
-  const test::Outcome one = outcomeOf(
-                          slitRing("self_contact: [{faces: [left, right], friction: 0.3, reach: 0.3}]")),
-                      pair = outcomeOf(slitRing(
-                          "contact: [{face: left, against: {face: right}, friction: 0.3, reach: 0.3}]"));
+  const test::Outcome
+      one = outcomeOf(slitRing("self_contact: [{faces: [left, right], friction: 0.3, reach: 0.3}]")),
+      pair = outcomeOf(slitRing(
+          "contact: [{face: left, against: {face: right}, friction: 0.3, reach: 0.3, method: augmented-lagrangian}]"));
   ASSERT_TRUE(one.summary.completed) << one.summary.stoppedBecause;
   ASSERT_TRUE(pair.summary.completed) << pair.summary.stoppedBecause;
   EXPECT_GT(last(one, "self_contact.slipping"), 3.0);

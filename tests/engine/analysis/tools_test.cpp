@@ -18,7 +18,9 @@ namespace burnish {
 namespace {
 
 /// A block of 2 x 1 below tools that touch its upper face at y = 1.
-Scene block(const std::string& tools, const std::string& contact = "{tool: tool, face: top}", int steps = 4) {
+Scene block(const std::string& tools,
+            const std::string& contact = "{tool: tool, face: top, method: augmented-lagrangian}",
+            int steps = 4) {
   return parseScene(fmt::format(R"(
 degree: 2
 geometry: {{shape: rectangle, size: [2.0, 1.0], spans: [16, 6]}}
@@ -46,7 +48,7 @@ supports:
 tools:
 {}
 contact:
-  - {{tool: tool, face: top}}
+  - {{tool: tool, face: top, method: augmented-lagrangian}}
 steps: [{{until: 1, count: 2}}]
 )",
                                 tool),
@@ -215,7 +217,7 @@ supports:
   - {{face: back, symmetry: true}}
 tools:
   - {{name: tool, {}, pivot: [0, 0, 0], motion: {{times: [0, 1], y: [1.001, 0.98], angle: [60, 60]}}}}
-contact: [{{tool: tool, face: top}}]
+contact: [{{tool: tool, face: top, method: augmented-lagrangian}}]
 steps: [{{until: 1, count: 4}}]
 )",
                                             shape),
@@ -282,7 +284,7 @@ TEST(ToolsTest, WorkOfATurningToolBalancesTheStoredEnergy) {
   const auto outcome = test::run(
       block("  - {name: tool, shape: box, center: [0.2, 1.3], size: [1.4, 0.5], radius: 0.2, prescribe: "
             "{angle: '-14*t'}}",
-            "{tool: tool, face: top}", 24),
+            "{tool: tool, face: top, method: augmented-lagrangian}", 24),
       "turning");
   ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
   const auto& end = outcome.summary.end;
@@ -297,7 +299,7 @@ material:
   E: 70000
   nu: 0.3
   hardening: {law: voce, sigma0: 79.66, sigma_inf: 171.26, beta: 17.8}
-contact: [{tool: tool, face: top}]
+contact: [{tool: tool, face: top, method: augmented-lagrangian}]
 steps: [{until: 1, count: 4}, {until: 2, count: 2}]
 )";
   const auto plane = test::run(parseScene("geometry: {shape: rectangle, size: [2, 1], spans: [10, 4]}\n"
@@ -330,7 +332,7 @@ TEST(ToolsTest, AToolThatSlidesOverTheEndOfItsFaceIsNoticed) {
   const auto outcome = test::run(block("  - {name: tool, shape: cylinder, center: [1.7, 1.5], radius: 0.5, "
                                        "motion: {times: [0, 0.2, 1], x: "
                                        "[0, 0.6, 0.6], y: [0, 0, -0.5]}}",
-                                       "{tool: tool, face: top}", 20),
+                                       "{tool: tool, face: top, method: augmented-lagrangian}", 20),
                                  "over_the_end");
   const auto& doubts = outcome.summary.doubts;
   const auto inside = std::find_if(doubts.begin(), doubts.end(), [](const DoubtRecord& doubt) {
@@ -371,7 +373,7 @@ geometry: {shape: rectangle, size: [2, 1], spans: [8, 4]}
 material: {law: neo-hookean, E: 10.0, nu: 0.3}
 supports: [{face: bottom, fix: [y]}, {face: left, symmetry: true}]
 tools: [{name: tool, shape: cone, tip: [0, 1], direction: [0, -1], half_angle: 40, motion: {times: [0, 1], y: [0, -0.05]}}]
-contact: [{tool: tool, face: top}]
+contact: [{tool: tool, face: top, method: augmented-lagrangian}]
 steps: [{until: 1, count: 2}]
 )",
                                            "cone"),

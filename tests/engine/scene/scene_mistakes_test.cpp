@@ -459,7 +459,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "contact:\n  - {tool: cylinder, face: top, method: augmented-lagrangian}",
                 "carry: {y: -1}}\n"
                 "  - {name: plate, shape: plane, origin: [0, 2], normal: [0, -1]}\n"
-                "contact:\n  - {tool: cylinder, face: top, gap_limit: 0.02}",
+                "contact:\n  - {tool: cylinder, face: top, method: augmented-lagrangian, gap_limit: 0.02}",
                 "0.02", "contact[0].gap_limit",
                 "found for a tool that carries a load; allowed: for tools whose motion is given."},
         Mistake{"gapLimitOfNothing", &block, "method: augmented-lagrangian}", "gap_limit: 0}", "0}",

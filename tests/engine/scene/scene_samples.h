@@ -53,7 +53,7 @@ supports: [{face: bottom, fix: [x, y]}]
 tools:
   - {name: disc, shape: cylinder, center: [0.7, 1.1], radius: 0.5,
      motion: {times: [0, 1, 2], x: [0, 0, 0.4], y: [0, -0.03, -0.03]}}
-contact: [{tool: disc, face: top}]
+contact: [{tool: disc, face: top, method: augmented-lagrangian}]
 steps: [{until: 1, count: 4}, {until: 2, count: 10}]
 output: {every: 0.4}
 )";

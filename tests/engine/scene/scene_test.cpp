@@ -161,7 +161,7 @@ TEST(Scene, fillsInDefaults) {
   EXPECT_EQ(material.E, 1e-3);
   EXPECT_EQ(material.nu, 0.25);
   EXPECT_EQ(material.volumetric, NeoHookean::Volumetric::Log);
-  EXPECT_EQ(scene.contact.at(0).options.method, Enforcement::AugmentedLagrangian);
+  EXPECT_EQ(scene.contact.at(0).options.method, Enforcement::IntegralAugmentedLagrangian);
   EXPECT_FALSE(scene.contact.at(0).options.parameter.has_value());
   EXPECT_FALSE(scene.tools.at(0).motion.has_value());
   EXPECT_EQ(scene.solver.newton.tolerance, 1e-9);

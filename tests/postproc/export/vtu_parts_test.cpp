@@ -343,7 +343,7 @@ geometry: {shape: rectangle, size: [2, 1], spans: [16, 6]}
 material: {law: j2, E: 100, nu: 0.3, hardening: {law: linear, sigma0: 1, modulus: 5}}
 supports: [{face: bottom, fix: [x, y]}]
 tools: [{name: press, shape: cylinder, center: [1, 1.5], radius: 0.5, motion: {times: [0, 1], y: [0, -0.05]}}]
-contact: [{tool: press, face: top}]
+contact: [{tool: press, face: top, method: augmented-lagrangian}]
 steps: [{until: 1, count: 5}]
 output: {every: 0.5, vtu: false}
 )";
@@ -355,7 +355,7 @@ geometry: {shape: box, size: [1, 1, 0.5], spans: [5, 5, 2]}
 material: {law: j2, E: 100, nu: 0.3, hardening: {law: linear, sigma0: 1, modulus: 5}}
 supports: [{face: back, fix: [x, y, z]}]
 tools: [{name: press, shape: sphere, center: [0.5, 0.5, 1.0], radius: 0.5, motion: {times: [0, 1], z: [0, -0.04]}}]
-contact: [{tool: press, face: front}]
+contact: [{tool: press, face: front, method: augmented-lagrangian}]
 steps: [{until: 1, count: 5}]
 output: {every: 0.5, vtu: false}
 )";
