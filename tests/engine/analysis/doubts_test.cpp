@@ -32,7 +32,7 @@ material: {law: neo-hookean, E: 1, nu: 0.3}
 supports: [{face: bottom, fix: [x, y]}]
 tools: [{name: disc, )" +
                         tool + R"(, motion: {times: [0, 1], y: [0, -0.9]}}]
-contact: [{tool: disc, face: top}]
+contact: [{tool: disc, face: top, method: augmented-lagrangian}]
 steps: [{until: 1, count: )" +
                         std::to_string(steps) + "}]\n",
                     "deep disc");

@@ -191,7 +191,7 @@ bodies:
   - {name: block, geometry: {shape: rectangle, size: [1, 1], spans: [4, 3]}, material: {law: neo-hookean, E: 10, nu: 0.3}}
 supports:
   - {body: slab, face: bottom, fix: [x, y]}
-  - {body: block, face: top, move: {times: [0, 1, 2], x: [0, 0, 0.1], y: [0, -0.05, -0.05]}}
+  - {body: block, face: top, move: {times: [0, 1, 2], x: [0, 0, 0.06], y: [0, -0.05, -0.05]}}
 contact: [{body: block, face: bottom, against: {body: slab, face: top}, friction: 0.3, method: METHOD}]
 steps: [{until: 1, count: 2}, {until: 2, count: 5}]
 output: {every: 0.4}
@@ -199,7 +199,7 @@ output: {every: 0.4}
                     space = R"(
 geometry: {shape: box, size: [1, 1, 1], spans: [2, 2, 2]}
 material: {law: neo-hookean, E: 10, nu: 0.3}
-supports: [{face: front, move: {times: [0, 1, 2], x: [0, 0, 0.06], y: [0, 0, 0.04], z: [0, -0.05, -0.05]}}]
+supports: [{face: front, move: {times: [0, 1, 2], x: [0, 0, 0.1], y: [0, 0, 0.02], z: [0, -0.05, -0.05]}}]
 tools: [{name: ball, shape: sphere, center: [0.5, 0.4, -5], radius: 5}]
 contact: [{tool: ball, face: back, friction: 0.3, method: METHOD}]
 steps: [{until: 1, count: 2}, {until: 2, count: 5}]
@@ -212,9 +212,9 @@ output: {every: 0.4}
       const ScratchDirectory whole("resume_rubbing_whole"), part("resume_rubbing_part");
       ASSERT_TRUE(runTo(whole.path(), text, {}).completed);
       const HistoryTable history = readHistory(whole.path() / "history.csv");
-      ASSERT_TRUE(runTo(part.path(), text, haltAfter(4)).halted);
-      EXPECT_GT(history.column(std::string(name) + ".sticking")[5], 0.0) << method;
-      EXPECT_GT(history.column(std::string(name) + ".slipping")[5], 0.0) << method;
+      ASSERT_TRUE(runTo(part.path(), text, haltAfter(6)).halted);
+      EXPECT_GT(history.column(std::string(name) + ".sticking")[6], 0.0) << method;
+      EXPECT_GT(history.column(std::string(name) + ".slipping")[6], 0.0) << method;
       ASSERT_TRUE(resume(part.path()).completed);
       EXPECT_EQ(differences(filesOf(whole.path()), filesOf(part.path())), "") << name << method;
     }
