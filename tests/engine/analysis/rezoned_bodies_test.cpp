@@ -58,7 +58,7 @@ std::string beside(bool slabIsFirst) {
   - {body: slab, face: bottom, fix: [x, y]}
   - {body: block, face: bottom, fix: [x, y]}
   - {body: block, face: top, move: {times: [0, 1, 2], y: [0, -0.05, -0.05]}})");
-  return replaced(scene, "{tool: disc, face: top}", "{tool: disc, body: slab, face: top}");
+  return replaced(scene, "{tool: disc, face: top", "{tool: disc, body: slab, face: top");
 }
 
 class BesideAnother : public testing::TestWithParam<bool> {};
