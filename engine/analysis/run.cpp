@@ -67,9 +67,9 @@ class Run {
     summary_.timings.total = seconds();
     if (rezoner_) archiveRezoner(archive);
     archive.part("stepping", simulation_->stepping);
-    archive.part("newton", simulation_->newton);
     for (std::size_t k = 0; k < simulation_->terms.size(); ++k)
       archive.part(fmt::format("term{}", k), *simulation_->terms[k]);
+    archive.part("newton", simulation_->newton);
     archive.part("recorder", simulation_->recorder);
     archive.part("summary", summary_);
     archive.part("output", output_);

@@ -32,8 +32,7 @@ typename Simulation<Dim>::Forces Simulation<Dim>::evaluateHere() {
   std::vector<Eigen::VectorXd> ofTerms;
   for (Term* term : terms) {
     Eigen::VectorXd& force = ofTerms.emplace_back(Eigen::VectorXd::Zero(model->numUnknowns()));
-    Assembly out{force};
-    if (!term->evaluate(state.time, state.x, out)) forces.admissible = false;
+    if (!evaluateForce(*term, state.time, state.x, force)) forces.admissible = false;
     forces.total += force;
   }
   forces.bulk = model->bulkForces(ofTerms);

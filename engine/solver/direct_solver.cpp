@@ -270,11 +270,17 @@ class DirectSolver::Companion {
   Matrix A_, near_;
 };
 
-DirectSolver::DirectSolver(Eigen::Index leading, TangentKind kind)
-    : definite_(kind == TangentKind::Symmetric ? std::make_unique<Definite>(leading) : nullptr),
-      companion_(kind == TangentKind::General ? std::make_unique<Companion>(leading) : nullptr),
-      general_(std::make_unique<General>()) {
+DirectSolver::DirectSolver(Eigen::Index leading, TangentKind kind) : leading_(leading), kind_(kind) {
   pinLibrariesToOneThread();
+  makeSolvers();
+}
+
+void DirectSolver::makeSolvers() {
+  if (kind_ == TangentKind::Symmetric)
+    definite_ = std::make_unique<Definite>(leading_);
+  else
+    companion_ = std::make_unique<Companion>(leading_);
+  general_ = std::make_unique<General>();
 }
 
 DirectSolver::~DirectSolver() = default;
@@ -292,6 +298,12 @@ bool DirectSolver::factoriseWhole(const Matrix& A) {
   return general_->factorise(A);
 }
 
+void DirectSolver::forgetPattern() {
+  forgottenNonZeros_ = factorNonZeros();
+  hasFactors_ = false;
+  makeSolvers();
+}
+
 Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd& b) {
   if (isDefinite_) return definite_->solve(b);
   if (hasCompanion_) {
@@ -304,7 +316,7 @@ Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd& b) {
 }
 
 Eigen::Index DirectSolver::factorNonZeros() {
-  if (!hasFactors_) return 0;
+  if (!hasFactors_) return forgottenNonZeros_;
   return isDefinite_     ? definite_->factorNonZeros()
          : hasCompanion_ ? companion_->factorNonZeros()
                          : general_->factorNonZeros();

@@ -17,6 +17,7 @@ class DirectSolver final : public LinearSolver {
   ~DirectSolver() override;
 
   [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A) override;
+  void forgetPattern() override;
   Eigen::VectorXd solve(const Eigen::VectorXd& b) override;
   Eigen::Index factorNonZeros() override;
   bool isDefinite() const override { return isDefinite_; }
@@ -31,8 +32,11 @@ class DirectSolver final : public LinearSolver {
   class Companion;
   class General;
 
+  void makeSolvers();
   bool factoriseWhole(const Eigen::SparseMatrix<double>& A);
 
+  Eigen::Index leading_;
+  TangentKind kind_;
   std::unique_ptr<Definite> definite_;    ///< null for general matrices
   std::unique_ptr<Companion> companion_;  ///< null for symmetric ones
   std::unique_ptr<General> general_;
@@ -40,6 +44,7 @@ class DirectSolver final : public LinearSolver {
   bool isDefinite_ = false;    ///< the last matrix
   bool hasCompanion_ = false;  ///< the last matrix
   long numGeneral_ = 0;
+  Eigen::Index forgottenNonZeros_ = 0;  ///< of the last factors before the pattern was forgotten
 };
 
 }  // namespace burnish

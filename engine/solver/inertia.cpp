@@ -107,6 +107,10 @@ Inertia::Inertia(Eigen::Index leading) : n_(leading) {}
 
 Inertia::~Inertia() = default;
 
+void Inertia::forgetPattern() {
+  factors_.reset();
+}
+
 int Inertia::unstableDirections(const Matrix& A) {
   const Matrix symmetric = 0.5 * (A + Matrix(A.transpose()));
   if (couplesMultipliers(symmetric, n_)) {

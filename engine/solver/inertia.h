@@ -26,6 +26,9 @@ class Inertia {
   /// All matrices must have the pattern of the first one, which is symmetric.
   int unstableDirections(const Eigen::SparseMatrix<double>& A);
 
+  /// The next matrix is a first one.
+  void forgetPattern();
+
  private:
   class Factors;
 

@@ -10,7 +10,7 @@ namespace burnish {
 
 enum class TangentKind { Symmetric, General };
 
-/// Solves linear systems with matrices of one symmetric pattern. Symmetric ones have the form
+/// Solves linear systems with matrices of one symmetric pattern, until it is told to forget that. Symmetric ones have the form
 ///
 ///     A = [ K   B ]
 ///         [ Bᵀ  C ],
@@ -26,6 +26,10 @@ class LinearSolver {
 
   /// Returns false if the matrix is singular to working precision or not finite.
   [[nodiscard]] virtual bool factorise(const Eigen::SparseMatrix<double>& A) = 0;
+
+  /// The next matrix may have another pattern. What is known of the last matrix stays known, but that it can be
+  /// solved with.
+  virtual void forgetPattern() = 0;
 
   /// Solves with the last matrix that was factorised.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) = 0;

@@ -17,6 +17,12 @@ std::vector<CouplingGroups> couplingsOf(const std::vector<Term*>& terms) {
   return groups;
 }
 
+std::vector<long> revisionsOf(const std::vector<Term*>& terms) {
+  std::vector<long> revisions;
+  for (const Term* term : terms) revisions.push_back(term->couplingsRevision());
+  return revisions;
+}
+
 TangentKind tangentKind(const std::vector<Term*>& terms) {
   const bool symmetric =
       std::all_of(terms.begin(), terms.end(), [](const Term* term) { return term->hasSymmetricTangent(); });
@@ -53,6 +59,7 @@ std::string describe(NewtonOutcome outcome) {
 Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales,
                NewtonOptions options)
     : terms_(std::move(terms)),
+      revisions_(revisionsOf(terms_)),
       scales_(std::move(scales)),
       options_(std::move(options)),
       system_(std::move(prescribed), couplingsOf(terms_)),
@@ -64,6 +71,29 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
 }
 
 bool Newton::evaluate(double t, const Eigen::VectorXd& x) {
+  renewPattern();
+  while (!evaluateOnPattern(t, x))
+    if (!renewPattern()) return false;
+  return true;
+}
+
+bool Newton::renewPattern() {
+  std::vector<long> revisions = revisionsOf(terms_);
+  if (revisions == revisions_) return false;
+  revisions_ = std::move(revisions);
+  Eigen::SparseMatrix<double> remembered;
+  if (remembersTangent()) {
+    remembered = system_.tangent();
+    remembered.coeffs() = remembered_;
+  }
+  system_.setPattern(couplingsOf(terms_));
+  if (remembersTangent()) remembered_ = system_.entriesOf(remembered);
+  linear_->forgetPattern();
+  inertia_.forgetPattern();
+  return true;
+}
+
+bool Newton::evaluateOnPattern(double t, const Eigen::VectorXd& x) {
   system_.setZero();
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const Stopwatch watch(timings_.terms[k]);
@@ -174,6 +204,7 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
 }
 
 void Newton::archive(StateArchive& archive) {
+  renewPattern();
   archive.field("remembered_tangent", remembered_);
   if (remembered_.size() != 0 && remembered_.size() != system_.tangent().nonZeros())
     throw Error("the saved tangent is none of this run");

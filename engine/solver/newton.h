@@ -71,7 +71,7 @@ class Newton {
   void rememberTangent() { remembered_ = system_.tangent().coeffs(); }
   bool remembersTangent() const { return remembered_.size() > 0; }
 
-  /// The remembered tangent, and what is counted and timed.
+  /// The remembered tangent, and what is counted and timed. Terms have to be restored before.
   void archive(StateArchive& archive);
 
   /// Force vectors of the terms, in their order, at the last evaluated state.
@@ -94,6 +94,11 @@ class Newton {
   };
 
   bool evaluate(double t, const Eigen::VectorXd& x);
+  bool evaluateOnPattern(double t, const Eigen::VectorXd& x);
+
+  /// Takes over couplings that have changed; false if none have.
+  bool renewPattern();
+
   Residual measure() const;
 
   /// Residual force that rounding in its own evaluation explains: 4 ε ‖|K| (|x| + h)‖, h the sizes of the
@@ -112,6 +117,7 @@ class Newton {
             NewtonReport& report);
 
   std::vector<Term*> terms_;
+  std::vector<long> revisions_;  ///< of the terms' couplings on which the system stands
   ResidualScales scales_;
   NewtonOptions options_;
   SparseSystem system_;

@@ -22,6 +22,13 @@ Eigen::SparseMatrix<double> zeroMatrix(const std::vector<int>& begins, const std
 
 SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups)
     : prescribed_(std::move(prescribed)) {
+  for (std::size_t i = 0; i < prescribed_.size(); ++i)
+    if (!prescribed_[i]) free_.push_back(static_cast<int>(i));
+  setPattern(termGroups);
+}
+
+void SparseSystem::setPattern(const std::vector<CouplingGroups>& termGroups) {
+  groups_.clear();
   for (const auto& groups : termGroups) {
     auto& sorted = groups_.emplace_back();
     for (const auto& group : groups) sorted.push_back(sortedGroup(group));
@@ -80,12 +87,10 @@ Eigen::SparseMatrix<double> SparseSystem::patternOf(std::size_t numUnknowns,
 
 void SparseSystem::findFreeEntries() {
   std::vector<int> equation(prescribed_.size(), -1);
-  for (std::size_t i = 0; i < prescribed_.size(); ++i)
-    if (!prescribed_[i]) {
-      equation[i] = static_cast<int>(free_.size());
-      free_.push_back(static_cast<int>(i));
-    }
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    equation[static_cast<std::size_t>(free_[i])] = static_cast<int>(i);
 
+  freeEntries_.clear();
   std::vector<int> begins{0}, rows;
   for (const int column : free_) {
     for (int k = tangent_.outerIndexPtr()[column]; k < tangent_.outerIndexPtr()[column + 1]; ++k) {
@@ -160,6 +165,18 @@ void SparseSystem::moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> value
     tangent_.valuePtr()[k] += value;
     value = 0.0;
   }
+}
+
+Eigen::VectorXd SparseSystem::entriesOf(const Eigen::SparseMatrix<double>& tangent) const {
+  Eigen::VectorXd entries = Eigen::VectorXd::Zero(tangent_.nonZeros());
+  for (Eigen::Index column = 0; column < tangent_.cols(); ++column) {
+    Eigen::SparseMatrix<double>::InnerIterator entry(tangent, column);
+    for (int k = tangent_.outerIndexPtr()[column]; k < tangent_.outerIndexPtr()[column + 1]; ++k) {
+      while (entry && entry.row() < tangent_.innerIndexPtr()[k]) ++entry;
+      if (entry && entry.row() == tangent_.innerIndexPtr()[k]) entries(k) = entry.value();
+    }
+  }
+  return entries;
 }
 
 const Eigen::SparseMatrix<double>& SparseSystem::freeTangent() {

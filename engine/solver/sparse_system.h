@@ -9,7 +9,7 @@ namespace burnish {
 /// Groups of unknowns; every pair of unknowns inside a group may be coupled.
 using CouplingGroups = std::vector<std::vector<int>>;
 
-/// The tangent matrix over all unknowns, on a sparsity pattern that is fixed once, with a precomputed place
+/// The tangent matrix over all unknowns, on a sparsity pattern that seldom changes, with a precomputed place
 /// for every run of consecutive unknowns in every column of every group. Prescribed unknowns take part in the
 /// assembly (their rows give reactions, their columns the effect of a prescribed increment) and are left out
 /// of the matrix that is factorised.
@@ -17,6 +17,9 @@ class SparseSystem {
  public:
   /// One list of groups per term. `prescribed`: one flag per unknown.
   SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups);
+
+  /// Takes another pattern, on which the tangent is zero. One list of groups per term.
+  void setPattern(const std::vector<CouplingGroups>& termGroups);
 
   int numUnknowns() const { return static_cast<int>(prescribed_.size()); }
   bool isPrescribed(int unknown) const { return prescribed_[static_cast<std::size_t>(unknown)]; }
@@ -40,6 +43,10 @@ class SparseSystem {
 
   /// Replaces all entries of the tangent by those of another one on the same pattern.
   void setTangent(const Eigen::ArrayXd& entries) { tangent_.coeffs() = entries; }
+
+  /// Entries on the pattern, as `setTangent` takes them, of a matrix on another pattern; what is outside of the
+  /// pattern is left out.
+  Eigen::VectorXd entriesOf(const Eigen::SparseMatrix<double>& tangent) const;
 
   /// Tangent over the free unknowns, in the order of `freeUnknowns()`.
   const Eigen::SparseMatrix<double>& freeTangent();

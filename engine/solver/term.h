@@ -21,8 +21,12 @@ class Term {
  public:
   virtual ~Term() = default;
 
-  /// Groups of unknowns that the tangent couples; fixed for the life of the term.
+  /// Groups of unknowns that the tangent couples, until `couplingsRevision` changes.
   virtual CouplingGroups couplings() const = 0;
+
+  /// Number of changes of the couplings so far. They may change when a state is accepted or restored, and in an
+  /// evaluation that needs more of them: that returns false, and can be repeated on a pattern that has them.
+  virtual long couplingsRevision() const { return 0; }
 
   /// Adds the residual (and tangent) at the unknowns x and the time t, starting from the last accepted
   /// history. Returns false if the state is not admissible (J <= 0, a failed return map, a tool that comes
@@ -38,5 +42,18 @@ class Term {
   /// The accepted history.
   virtual void archive(StateArchive&) {}
 };
+
+/// The force of a term without its tangent; repeats an evaluation that needs other couplings. False if the state
+/// is not admissible.
+[[nodiscard]] inline bool evaluateForce(Term& term, double t, const Eigen::VectorXd& x,
+                                        Eigen::VectorXd& force) {
+  for (;;) {
+    const long revision = term.couplingsRevision();
+    force.setZero();
+    Assembly out{force};
+    if (term.evaluate(t, x, out)) return true;
+    if (term.couplingsRevision() == revision) return false;
+  }
+}
 
 }  // namespace burnish

@@ -30,16 +30,17 @@ inline Body<2> ring(int degree) {
 /// Force of one term at (t, x).
 inline Eigen::VectorXd forceOf(Term& term, double t, const Eigen::VectorXd& x, bool* admissible = nullptr) {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
-  Assembly out{force};
-  const bool ok = term.evaluate(t, x, out);
+  const bool ok = evaluateForce(term, t, x, force);
   if (admissible != nullptr) *admissible = ok;
   return force;
 }
 
 /// Assembled tangent of one term at (t, x).
 inline Eigen::MatrixXd tangentOf(Term& term, double t, const Eigen::VectorXd& x) {
-  SparseSystem system(std::vector<bool>(static_cast<std::size_t>(x.size()), false), {term.couplings()});
   Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
+  if (!evaluateForce(term, t, x, force)) return Eigen::MatrixXd::Constant(x.size(), x.size(), 1e300);
+  SparseSystem system(std::vector<bool>(static_cast<std::size_t>(x.size()), false), {term.couplings()});
+  force.setZero();
   Assembly out{force, &system, 0};
   if (!term.evaluate(t, x, out)) return Eigen::MatrixXd::Constant(x.size(), x.size(), 1e300);
   return system.tangent();

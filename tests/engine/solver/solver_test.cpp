@@ -91,6 +91,22 @@ TEST(SparseSystem, AddsGroupsInAnyOrderWithGapsAndRepetitions) {
   EXPECT_EQ(Eigen::MatrixXd(system.freeTangent()), Eigen::MatrixXd(system.tangent())(isFree, isFree));
 }
 
+TEST(SparseSystem, KeepsWhatTwoPatternsHaveInCommon) {
+  SparseSystem system({false, true, false, false}, {{{0, 1, 2}}});
+  system.add(0, 0, Eigen::Matrix3d::Constant(2.0));
+  const Eigen::SparseMatrix<double> before = system.tangent();
+  system.setPattern({{{1, 2, 3}}});
+  EXPECT_TRUE(system.tangent().coeffs().isZero(0.0));
+  const Eigen::VectorXd entries = system.entriesOf(before);
+  system.setTangent(entries);
+  Eigen::Matrix4d expected = Eigen::Matrix4d::Zero();
+  expected(0, 0) = 2.0;
+  expected.block<2, 2>(1, 1).setConstant(2.0);
+  EXPECT_EQ(Eigen::MatrixXd(system.tangent()), expected);
+  const std::vector<int> isFree{0, 2, 3};
+  EXPECT_EQ(Eigen::MatrixXd(system.freeTangent()), expected(isFree, isFree));
+}
+
 TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {
   Chain chain(6, 10.0);
   Newton newton({&chain}, endsHeld(6), scalesFor(6), {});
