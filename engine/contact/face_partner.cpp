@@ -31,6 +31,11 @@ constexpr double kShareOfSpan = 0.25;
 /// A partner is left for a foot that is nearer by more than this part of the slave's span.
 constexpr double kNearer = 1e-3;
 
+/// Margins around feet in sizes of the slave's span: of the master's spans that it is coupled with, and of
+/// those that it has to be coupled with before it is so with others.
+constexpr double kCoupledMargin = 1.0;
+constexpr double kNeededMargin = 0.25;
+
 /// Rounding errors of gaps in parts of the coordinates, and of overhangs: touching parts are outside of one
 /// another, an end is not beyond itself.
 constexpr double kRounding = 1e-12;
@@ -95,7 +100,7 @@ bool FacePartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::M
   slavePoints_ = slave_.points();
   for (int a = 0; a < slave_.numFunctions(); ++a)
     slavePoints_.col(a) += x.template segment<Dim>(Dim * slave_.nodes()[static_cast<std::size_t>(a)]);
-  hasLeft_ = false;
+  left_.clear();
   for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
     const auto& span = slave_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
@@ -106,7 +111,7 @@ bool FacePartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::M
       auto foot = surface_.project(positions_.col(span.firstPoint + q), start);
       if (!foot || foot->shareOfRadius() > kLargestShareOfRadius) return false;
       if (hasSlippedTooFar(start, *foot)) return false;
-      checkCouplings(e, *foot);
+      checkCouplings(e, foot->point.place);
       feet_[number] = std::move(foot);
     }
   }
@@ -166,10 +171,10 @@ bool FacePartner<Dim>::anyHasCrossed() const {
 }
 
 template <int Dim>
-void FacePartner<Dim>::checkCouplings(std::size_t span, const Foot<Dim>& foot) const {
+void FacePartner<Dim>::checkCouplings(std::size_t span, const Place& place) const {
   const auto& known = couplings_[span];
-  if (!std::binary_search(known.begin(), known.end(), Span{foot.point.place.face, foot.point.place.span}))
-    hasLeft_ = true;
+  const Span master{place.face, place.span};
+  if (!std::binary_search(known.begin(), known.end(), master)) left_.emplace_back(span, master);
 }
 
 /// The quadrature point of a span whose parameters are nearest.
@@ -203,7 +208,7 @@ std::optional<Foot<Dim>> FacePartner<Dim>::footOf(const SlavePoint<Dim>& point) 
   const auto start = startOf(point, false);
   if (!start) return std::nullopt;
   auto foot = surface_.project(point.x, *start);
-  if (foot) checkCouplings(point.span, *foot);
+  if (foot) checkCouplings(point.span, foot->point.place);
   return foot;
 }
 
@@ -215,7 +220,9 @@ typename FacePartner<Dim>::Place FacePartner<Dim>::acceptedPlaceOf(const SlavePo
   if (point.number >= 0) return *places_[static_cast<std::size_t>(point.number)];
   const auto start = startOf(point, true);
   const auto accepted = start ? acceptedSurface_.project(point.xAccepted, *start) : std::nullopt;
-  return accepted ? accepted->point.place : foot.point.place;
+  if (!accepted) return foot.point.place;
+  checkCouplings(point.span, accepted->point.place);
+  return accepted->point.place;
 }
 
 template <int Dim>
@@ -414,6 +421,7 @@ typename FacePartner<Dim>::Slave FacePartner<Dim>::slaveAt(std::size_t e, Eigen:
 template <int Dim>
 void FacePartner<Dim>::choosePartners(bool isNewMesh) {
   const MasterSearch<Dim> search(surface_, rules_.ownFace.has_value());
+  const std::vector<std::optional<Place>> before = places_;
   std::vector<bool> had;
   for (const auto& foot : feet_) had.push_back(foot.has_value());
   const auto isBeside = [&](std::size_t e, Eigen::Index q) {
@@ -447,8 +455,7 @@ void FacePartner<Dim>::choosePartners(bool isNewMesh) {
     }
   }
   cutSegments(search);
-  couplings_.assign(slave_.spans().size(), {});
-  addCouplings(search);
+  if (!couplingsSuffice(search)) chooseCouplings(search, before);
 }
 
 template <int Dim>
@@ -485,8 +492,44 @@ void FacePartner<Dim>::cutSegments(const MasterSearch<Dim>& search) {
   }
 }
 
+/// Spans of the master near the feet of a span, ascending. margin: in sizes of the span.
 template <int Dim>
-void FacePartner<Dim>::addCouplings(const MasterSearch<Dim>& search) {
+std::vector<typename FacePartner<Dim>::Span> FacePartner<Dim>::spansAroundFeet(
+    const MasterSearch<Dim>& search, std::size_t span, double margin) const {
+  const auto& rule = slave_.spans()[span];
+  Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  std::vector<Span> spans;
+  for (Eigen::Index q = 0; q < rule.R.cols(); ++q)
+    if (const auto& foot = feet_[static_cast<std::size_t>(rule.firstPoint + q)]) {
+      low = low.cwiseMin(foot->point.x);
+      high = high.cwiseMax(foot->point.x);
+      spans.push_back({foot->point.place.face, foot->point.place.span});
+    }
+  if (spans.empty()) return spans;
+  const Vector around = Vector::Constant(margin * rule.size);
+  for (const Span& near : search.meeting(low - around, high + around)) spans.push_back(near);
+  std::sort(spans.begin(), spans.end());
+  spans.erase(std::unique(spans.begin(), spans.end()), spans.end());
+  return spans;
+}
+
+template <int Dim>
+bool FacePartner<Dim>::couplingsSuffice(const MasterSearch<Dim>& search) const {
+  if (couplings_.empty()) return false;
+  if (rules_.couplesAll) return true;
+  for (std::size_t e = 0; e < couplings_.size(); ++e) {
+    const auto& known = couplings_[e];
+    const auto needed = spansAroundFeet(search, e, kNeededMargin);
+    if (!std::includes(known.begin(), known.end(), needed.begin(), needed.end())) return false;
+  }
+  return true;
+}
+
+/// before: places of feet that a tangent which is remembered may be coupled with.
+template <int Dim>
+void FacePartner<Dim>::chooseCouplings(const MasterSearch<Dim>& search,
+                                       const std::vector<std::optional<Place>>& before) {
+  couplings_.assign(slave_.spans().size(), {});
   if (rules_.couplesAll) {
     std::vector<Span> all;
     for (int face = 0; face < surface_.numFaces(); ++face)
@@ -494,26 +537,31 @@ void FacePartner<Dim>::addCouplings(const MasterSearch<Dim>& search) {
     couplings_.assign(slave_.spans().size(), all);
     return;
   }
-  for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
+  for (std::size_t e = 0; e < couplings_.size(); ++e) {
     const auto& span = slave_.spans()[e];
-    const Eigen::MatrixXd points = slavePoints_(Eigen::all, span.functions);
-    const auto positions = positions_.middleCols(span.firstPoint, span.R.cols());
-    const Vector margin = Vector::Constant(rules_.reach);
-    const Vector low = points.rowwise().minCoeff().cwiseMin(positions.rowwise().minCoeff()) - margin;
-    const Vector high = points.rowwise().maxCoeff().cwiseMax(positions.rowwise().maxCoeff()) + margin;
-    std::vector<Span> spans = search.meeting(low, high);
     for (Eigen::Index q = 0; q < span.R.cols(); ++q)
-      if (const auto& foot = feet_[static_cast<std::size_t>(span.firstPoint + q)])
-        spans.push_back({foot->point.place.face, foot->point.place.span});
-    spans.insert(spans.end(), couplings_[e].begin(), couplings_[e].end());
+      if (const auto& place = before[static_cast<std::size_t>(span.firstPoint + q)])
+        couplings_[e].push_back({place->face, place->span});
+  }
+  addCouplings(search);
+}
+
+template <int Dim>
+void FacePartner<Dim>::addCouplings(const MasterSearch<Dim>& search) {
+  for (std::size_t e = 0; e < couplings_.size(); ++e) {
+    std::vector<Span>& spans = couplings_[e];
+    const auto around = spansAroundFeet(search, e, kCoupledMargin);
+    spans.insert(spans.end(), around.begin(), around.end());
     std::sort(spans.begin(), spans.end());
     spans.erase(std::unique(spans.begin(), spans.end()), spans.end());
-    couplings_[e] = std::move(spans);
   }
+  ++couplingsRevision_;
 }
 
 template <int Dim>
 void FacePartner<Dim>::widenCouplings() {
+  for (const auto& [span, master] : left_) couplings_[span].push_back(master);
+  left_.clear();
   addCouplings(MasterSearch<Dim>(surface_));
 }
 
@@ -611,6 +659,7 @@ void FacePartner<Dim>::archive(StateArchive& archive) {
       pieces.push_back(piece);
     });
   }
+  ++couplingsRevision_;
   originNormal_ = frame.head<Dim>();
   origin_ = frame.tail(Dim * (Dim - 1)).reshaped(Dim, Dim - 1);
 }

@@ -1,9 +1,9 @@
 #pragma once
 #include <Eigen/Dense>
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/carried_frame.h"
@@ -48,7 +48,7 @@ struct PartnerRules {
   bool segments = false;
 
   /// Whether every span of the slave is coupled with the whole surface, so that the pattern of the tangent
-  /// stays the same wherever the slave goes; else with what is within reach.
+  /// stays the same wherever the slave goes; else with what is around its feet.
   bool couplesAll = false;
 
   /// If the slave is one of the surface's own faces, its number: of two points that face each other the one
@@ -108,20 +108,18 @@ class FacePartner final : public Partner<Dim> {
   Eigen::MatrixXd frictionTangent(const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact,
                                   const Eigen::Vector<double, Dim - 1>& traction) const override;
 
-  /// Those of the master spans within reach of the slave's in the accepted state.
+  /// Those of the master spans around the feet of a span. They are chosen anew in an accepted state in which
+  /// feet of any span have come near to the end of what they are coupled with.
   std::vector<int> couplings(std::size_t span) const override;
-
-  /// Whether a foot has been asked for, since the last update, on a span that `couplings` do not know.
-  bool hasLeftCouplings() const { return hasLeft_; }
-
-  /// Adds what is within reach in the last updated state to the couplings.
-  void widenCouplings();
+  long couplingsRevision() const override { return couplingsRevision_; }
+  bool hasLeftCouplings() const override { return !left_.empty(); }
+  void widenCouplings() override;
 
   /// Faces that overlap at first are let into one another step by step.
   void resolveInterference(const GapRamp& ramp) { ramp_ = ramp; }
 
   /// Segments of a span, begin to end, frozen since the accepted state; empty unless the rules want them.
-  const std::vector<Segment>& segments(std::size_t span) const { return segments_[span]; }
+  std::vector<Segment> segments(std::size_t span) const override { return segments_[span]; }
 
   Eigen::Vector3d pivot() const override { return Eigen::Vector3d::Zero(); }
 
@@ -156,7 +154,7 @@ class FacePartner final : public Partner<Dim> {
   std::optional<Place> startOf(const SlavePoint<Dim>& point, bool inAcceptedState) const;
   std::optional<Foot<Dim>> footOf(const SlavePoint<Dim>& point) const;
   Place acceptedPlaceOf(const SlavePoint<Dim>& point, const Foot<Dim>& foot) const;
-  void checkCouplings(std::size_t span, const Foot<Dim>& foot) const;
+  void checkCouplings(std::size_t span, const Place& place) const;
   bool suits(const Slave& slave, const Foot<Dim>& foot, bool isNew) const;
   std::vector<int> neighbours(std::size_t span, Eigen::Index point) const;
   bool isLater(const Place& place, const Slave& slave) const;
@@ -167,6 +165,9 @@ class FacePartner final : public Partner<Dim> {
   void choosePartners(bool isNewMesh);
   void chooseAnew(bool isNewMesh);
   void cutSegments(const MasterSearch<Dim>& search);
+  std::vector<Span> spansAroundFeet(const MasterSearch<Dim>& search, std::size_t span, double margin) const;
+  bool couplingsSuffice(const MasterSearch<Dim>& search) const;
+  void chooseCouplings(const MasterSearch<Dim>& search, const std::vector<std::optional<Place>>& before);
   void addCouplings(const MasterSearch<Dim>& search);
   void chooseFrame();
   Span savedSpan(double face, double span) const;
@@ -183,8 +184,10 @@ class FacePartner final : public Partner<Dim> {
   std::vector<std::optional<Foot<Dim>>> feet_;  ///< in the last updated state
   std::vector<std::optional<Place>> places_;    ///< of feet in the accepted state
   std::vector<std::vector<Span>> couplings_;    ///< per span of the slave, ascending
+  long couplingsRevision_ = 0;
   std::vector<std::vector<Segment>> segments_;  ///< per span of the slave
-  mutable std::atomic<bool> hasLeft_ = false;
+  /// Spans of the slave with such of the master that they are not coupled with, found since the last update.
+  mutable std::vector<std::pair<std::size_t, Span>> left_;
   Vector originNormal_;
   Frame origin_;
 };

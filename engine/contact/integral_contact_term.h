@@ -26,7 +26,7 @@ namespace burnish {
 /// there. The split moves with the unknowns, but the integrands agree on both sides of it, so that the tangent
 /// takes no part in that. In space such a span has twice the points in each direction; so have, with friction, all spans that are pressed:
 /// tractions have kinks between stick and slip, too, and points that moved with a split would be no rule for
-/// these.
+/// these. Where the partner has segments, spans that are pressed are split at their ends as well.
 ///
 /// Friction: τ = Σ M_A τ_A along the frame e_α, slip s and virtual slip δs_T = T of the partner, S = ∂s,
 ///
@@ -52,6 +52,7 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   }
 
   CouplingGroups couplings() const override;
+  long couplingsRevision() const override { return partner_->couplingsRevision(); }
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
   bool hasSymmetricTangent() const override { return !hasFriction_; }
   void accept() override;
@@ -83,7 +84,11 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   struct Contributions;
   enum class SpanState { Open, Closed, Cut };
 
-  void addSpanTables(const Body<Dim>& body);
+  void addSpanTables();
+  void takeCouplings();
+  void splitSpans();
+  std::vector<Span> rulesBetween(std::size_t e, const std::vector<double>& ends, int points) const;
+  std::vector<double> signChanges(const SpanValues& values) const;
   SpanValues valuesOf(std::size_t e, const Eigen::VectorXd& x) const;
   static SlavePoint<Dim> pointOf(const SpanValues& values, const Parameter& xi,
                                  const Eigen::Ref<const Eigen::VectorXd>& R, int number = -1);
@@ -102,6 +107,9 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   void reportPoints(const SpanValues& values);
   void reportAnchors(const std::vector<SpanValues>& values);
   SpanState stateOf(const SpanValues& values) const;
+
+  /// The last updated state. before: functions that were active in the evaluation before.
+  void evaluateUpdated(double t, const Eigen::VectorXd& x, const std::vector<bool>& before, Assembly& out);
 
   /// The quadrature of a span in the state that it is in.
   std::vector<Span> rulesOf(const SpanValues& values, SpanState state) const;
@@ -143,10 +151,12 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   std::unique_ptr<Partner<Dim>> partner_;
   bool hasFriction_;
   MultiplierBasis multipliers_, tangential_;
-  std::vector<Samples> samples_;                   ///< per span
-  std::vector<Span> fine_;                         ///< per span, in space and with friction
-  std::vector<Eigen::MatrixXd> mass_;              ///< per span: ∫ R_a R_b dΓ
-  std::vector<std::vector<int>> unknowns_;         ///< per span: displacement components
+  std::vector<Samples> samples_;            ///< per span
+  std::vector<std::vector<double>> cuts_;   ///< per span: ends of segments inside of it
+  std::vector<std::vector<Span>> rules_;    ///< per span: its own, or one per segment
+  std::vector<std::vector<Span>> fine_;     ///< the same with twice the points, in space and with friction
+  std::vector<Eigen::MatrixXd> mass_;       ///< per span: ∫ R_a R_b dΓ
+  std::vector<std::vector<int>> unknowns_;  ///< per span: displacement components
   std::vector<std::vector<int>> partnerUnknowns_;  ///< per span, ascending
   std::vector<Anchor> anchors_;                    ///< per function
   double time_ = 0.0;                              ///< of the evaluation

@@ -46,10 +46,18 @@ struct MortarContactTerm<Dim>::Average {
 
 template <int Dim>
 struct MortarContactTerm<Dim>::Sums {
-  std::vector<std::optional<ContactPoint<Dim>>> points;  ///< quadrature points
-  std::vector<LimitedGap> limited;                       ///< quadrature points: φ, φ', φ''
-  std::vector<std::vector<int>> unknowns;                ///< spans: what their points depend on, ascending
+  std::vector<std::optional<ContactPoint<Dim>>> points;  ///< points of the parts
+  std::vector<LimitedGap> limited;                       ///< points of the parts: φ, φ', φ''
+  std::vector<std::vector<int>> unknowns;                ///< parts: what their points depend on, ascending
   std::vector<Average> averages;                         ///< functions
+};
+
+/// Tractions at a point.
+template <int Dim>
+struct MortarContactTerm<Dim>::Traction {
+  double average = 0.0;                        ///< λ̂
+  double normal = 0.0;                         ///< φ' λ̂
+  Tangential tangential = Tangential::Zero();  ///< φ' t
 };
 
 template <int Dim>
@@ -57,6 +65,7 @@ MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, Face
                                           const PartnerMaker<Dim>& makePartner, const ContactOptions& options,
                                           int firstMultiplier, const std::vector<DefinitionSpec>& definitions)
     : FaceContact<Dim>(body, patch, face, options, firstMultiplier, definitions),
+      body_(body),
       partner_(makePartner(face_)),
       hasFriction_(options.hasFriction()) {
   A_ = Eigen::VectorXd::Zero(numMultipliers());
@@ -70,6 +79,35 @@ MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, Face
   requireAveragedGaps(A_.head(face_.numFunctions()), axisymmetric_);
   for (Eigen::Index A = 0; hasFriction_ && A < face_.numFunctions(); ++A)
     A_.template segment<Dim - 1>(face_.numFunctions() + (Dim - 1) * A).setConstant(A_(A));
+  chooseParts();
+}
+
+template <int Dim>
+void MortarContactTerm<Dim>::chooseParts() {
+  parts_.clear();
+  numPoints_ = 0;
+  const auto add = [&](std::size_t e, Span rule) {
+    rule.firstPoint = numPoints_;
+    numPoints_ += static_cast<int>(rule.weights.size());
+    parts_.push_back({e, std::move(rule)});
+  };
+  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
+    const Span& span = face_.spans()[e];
+    const std::vector<Segment> segments = partner_->segments(e);
+    if (segments.empty()) {
+      add(e, span);
+      continue;
+    }
+    if constexpr (Dim == 2) {
+      hasSegments_ = true;
+      const int points = options_.quadraturePoints.value_or(segmentPoints(face_.trace()));
+      for (const Segment& segment : segments)
+        if (segment.foot)
+          add(e, face_.part(body_, span.number,
+                            {Eigen::Vector<double, 1>(segment.begin), Eigen::Vector<double, 1>(segment.end)},
+                            points));
+    }
+  }
 }
 
 template <int Dim>
@@ -113,42 +151,63 @@ Eigen::MatrixXd MortarContactTerm<Dim>::acceptedPoints(std::size_t e) const {
 }
 
 template <int Dim>
-SlavePoint<Dim> MortarContactTerm<Dim>::pointAt(std::size_t e, Eigen::Index q,
-                                                const Eigen::MatrixXd& positions) const {
-  const auto& span = face_.spans()[e];
-  Eigen::Vector<double, Dim> accepted = positions.col(span.firstPoint + q);
-  if (work_.acceptedUnknowns().size() > 0) accepted = acceptedPoints(e) * span.R.col(q);
-  return {e,
-          span.firstPoint + static_cast<int>(q),
-          span.xi.col(q),
-          slaveUnknowns_[e],
-          span.R.col(q),
-          positions.col(span.firstPoint + q),
-          accepted};
+SlavePoint<Dim> MortarContactTerm<Dim>::pointAt(std::size_t e, const Span& rule, Eigen::Index q, int number,
+                                                const Eigen::Ref<const Eigen::MatrixXd>& positions) const {
+  const Eigen::Vector<double, Dim> position = positions.col(rule.firstPoint + q);
+  Eigen::Vector<double, Dim> accepted = position;
+  if (work_.acceptedUnknowns().size() > 0) accepted = acceptedPoints(e) * rule.R.col(q);
+  return {e, number, rule.xi.col(q), slaveUnknowns_[e], rule.R.col(q), position, accepted};
 }
 
-/// Gaps and slips of all points, and the unknowns of each function's points.
 template <int Dim>
-typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::measure(
+SlavePoint<Dim> MortarContactTerm<Dim>::pointAt(const Part& part, Eigen::Index q,
+                                                const Eigen::MatrixXd& positions) const {
+  const int number = hasSegments_ ? -1 : part.rule.firstPoint + static_cast<int>(q);
+  return pointAt(part.span, part.rule, q, number, positions);
+}
+
+/// With slip, if there is friction.
+template <int Dim>
+std::optional<ContactPoint<Dim>> MortarContactTerm<Dim>::contactAt(const SlavePoint<Dim>& slave) const {
+  auto point = partner_->at(slave, PointDetail::Derivatives);
+  if (point && hasFriction_) partner_->addSlip(slave, *point);
+  return point;
+}
+
+template <int Dim>
+LimitedGap MortarContactTerm<Dim>::limitedAt(std::size_t e, const ContactPoint<Dim>& point) const {
+  return limitedGap(point.gap, options_.gapLimit.value_or(kAnyGap) * face_.spans()[e].size);
+}
+
+template <int Dim>
+Eigen::MatrixXd MortarContactTerm<Dim>::partPositions(const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd positions(Dim, numPoints_);
+  for (const Part& part : parts_)
+    positions.middleCols(part.rule.firstPoint, part.rule.R.cols()) = face_.positions(part.rule, x);
+  return positions;
+}
+
+/// Gaps and slips of all points, and the unknowns of each function's points. None if a segment has lost its
+/// partner.
+template <int Dim>
+std::optional<typename MortarContactTerm<Dim>::Sums> MortarContactTerm<Dim>::measure(
     const Eigen::MatrixXd& positions) const {
   Sums sums;
-  sums.points.resize(static_cast<std::size_t>(face_.numPoints()));
+  sums.points.resize(static_cast<std::size_t>(numPoints_));
   sums.limited.resize(sums.points.size());
   sums.averages.resize(static_cast<std::size_t>(face_.numFunctions()));
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    const auto& span = face_.spans()[e];
+  for (const Part& part : parts_) {
     auto& unknowns = sums.unknowns.emplace_back();
-    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const auto slave = pointAt(e, q, positions);
-      const auto number = static_cast<std::size_t>(slave.number);
-      auto& point = sums.points[number] = partner_->at(slave, PointDetail::Derivatives);
+    for (Eigen::Index q = 0; q < part.rule.R.cols(); ++q) {
+      const auto number = static_cast<std::size_t>(part.rule.firstPoint + q);
+      auto& point = sums.points[number] = contactAt(pointAt(part, q, positions));
+      if (!point && hasSegments_) return std::nullopt;
       if (!point) continue;
-      if (hasFriction_) partner_->addSlip(slave, *point);
-      sums.limited[number] = limitedGap(point->gap, options_.gapLimit.value_or(kAnyGap) * span.size);
+      sums.limited[number] = limitedAt(part.span, *point);
       unknowns.insert(unknowns.end(), point->unknowns.begin(), point->unknowns.end());
     }
     sortOnce(unknowns);
-    for (const int a : span.functions) {
+    for (const int a : part.rule.functions) {
       auto& all = sums.averages[static_cast<std::size_t>(a)].unknowns;
       all.insert(all.end(), unknowns.begin(), unknowns.end());
     }
@@ -157,9 +216,7 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::measure(
 }
 
 template <int Dim>
-typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
-    const Eigen::MatrixXd& positions) const {
-  Sums sums = measure(positions);
+void MortarContactTerm<Dim>::integrate(Sums& sums) const {
   std::vector<Eigen::VectorXd> curved;  // ∫' R_A φ'' N dΓ per function
   for (Average& average : sums.averages) {
     sortOnce(average.unknowns);
@@ -169,15 +226,15 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
     average.T = average.S = Rows::Zero(size, Dim - 1);
     curved.emplace_back(Eigen::VectorXd::Zero(size));
   }
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    const auto& span = face_.spans()[e];
+  for (const Part& part : parts_) {
+    const Span& span = part.rule;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto number = static_cast<std::size_t>(span.firstPoint + q);
       const auto& point = sums.points[number];
       if (!point) continue;
       const LimitedGap& limited = sums.limited[number];
       const double stretch = frictionLaw_.needsStretch()
-                                 ? areaStretch(span.functions, acceptedPoints(e), span.R.col(q),
+                                 ? areaStretch(span.functions, acceptedPoints(part.span), span.R.col(q),
                                                span.dR.middleCols((Dim - 1) * q, Dim - 1))
                                  : 0.0;
       Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -214,7 +271,6 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
     Average& average = sums.averages[A];
     if (options_.gapLimit && average.B > 0.0) average.S -= curved[A] / average.B * average.slip.transpose();
   }
-  return sums;
 }
 
 template <int Dim>
@@ -237,12 +293,20 @@ bool MortarContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assemb
   const Eigen::MatrixXd positions = face_.positions(x);
   if (!partner_->update(t, x, positions)) return false;
   if (hasFriction_) work_.start(x);
-  const Sums sums = integrate(positions);
+  const Eigen::MatrixXd ofParts = hasSegments_ ? partPositions(x) : positions;
+  std::optional<Sums> sums = measure(ofParts);
+  if (!sums) return false;
+  if (partner_->hasLeftCouplings()) {
+    partner_->widenCouplings();
+    return false;
+  }
+  integrate(*sums);
   const std::vector<bool> before = std::move(state_.active);
   state_ = {};
-  addFunctions(t, x, out, sums);
+  addFunctions(t, x, out, *sums);
   state_.countChanges(before);
-  addPoints(out, positions, sums);
+  addPoints(out, ofParts, *sums);
+  reportPoints(positions, *sums);
   if (hasFriction_) {
     work_.end(*partner_);
     state_.frictionWork = work_.work();
@@ -322,59 +386,53 @@ void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, As
   }
 }
 
-/// ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + ∂(φ' t·δs_T) dΓ, and what there is to say of the points.
+template <int Dim>
+typename MortarContactTerm<Dim>::Traction MortarContactTerm<Dim>::tractionAt(
+    const std::vector<int>& functions, const Eigen::Ref<const Eigen::VectorXd>& R,
+    const LimitedGap& limited) const {
+  Traction traction;
+  traction.average = R.dot(state_.lambdaHat(functions));
+  traction.normal = limited.slope * traction.average;
+  if (!hasFriction_) return traction;
+  for (std::size_t a = 0; a < functions.size(); ++a)
+    traction.tangential +=
+        R(static_cast<Eigen::Index>(a)) * tractions_[static_cast<std::size_t>(functions[a])].traction;
+  traction.tangential *= limited.slope;
+  return traction;
+}
+
+/// ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + ∂(φ' t·δs_T) dΓ, and resultants.
 template <int Dim>
 void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums) {
-  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
-  state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
-  state_.normal = Eigen::MatrixXd::Zero(3, face_.numPoints());
-  if (hasFriction_) {
-    state_.traction = state_.slip = Eigen::Matrix3Xd::Zero(3, face_.numPoints());
-    state_.sliding.assign(static_cast<std::size_t>(face_.numPoints()), 0);
-  }
   const Eigen::Vector3d pivot = partner_->pivot();
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    const auto& span = face_.spans()[e];
-    const auto& unknowns = sums.unknowns[e];
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const Span& span = parts_[k].rule;
+    const auto& unknowns = sums.unknowns[k];
+    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(span.R.cols());
     Eigen::MatrixXd K;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const Eigen::Index number = span.firstPoint + q;
-      const auto& point = sums.points[static_cast<std::size_t>(number)];
+      const auto number = static_cast<std::size_t>(span.firstPoint + q);
+      const auto& point = sums.points[number];
       if (!point) continue;
-      const LimitedGap& limited = sums.limited[static_cast<std::size_t>(number)];
-      const double w = span.weights(q), average = span.R.col(q).dot(state_.lambdaHat(span.functions));
-      const double lambdaHat = limited.slope * average;
-      state_.gap(number) = point->gap;
-      state_.pressure(number) = -lambdaHat;
-      state_.normal.col(number).template head<Dim>() = point->normal;
+      const LimitedGap& limited = sums.limited[number];
+      const auto [average, lambdaHat, traction] = tractionAt(span.functions, span.R.col(q), limited);
+      const double w = span.weights(q);
+      pressure(q) = -lambdaHat;
       Eigen::Vector3d normalForce = Eigen::Vector3d::Zero(), tangentialForce = Eigen::Vector3d::Zero();
       normalForce.template head<Dim>() = w * lambdaHat * point->normal;
-      Tangential traction = Tangential::Zero();
       if (hasFriction_) {
-        for (std::size_t a = 0; a < span.functions.size(); ++a)
-          traction += span.R(static_cast<Eigen::Index>(a), q) *
-                      tractions_[static_cast<std::size_t>(span.functions[a])].traction;
-        traction *= limited.slope;
         tangentialForce.template head<Dim>() = w * point->frame * traction;
-        state_.traction.col(number).template head<Dim>() = point->frame * traction;
-        state_.slip.col(number).template head<Dim>() = point->frame * point->slip;
         state_.frictionForce += w * traction.norm();
-        // As the function does that is largest here.
-        Eigen::Index largest = 0;
-        span.R.col(q).maxCoeff(&largest);
-        const auto& law =
-            tractions_[static_cast<std::size_t>(span.functions[static_cast<std::size_t>(largest)])];
-        if (lambdaHat < 0.0) state_.sliding[static_cast<std::size_t>(number)] = law.slips ? 2 : 1;
       }
       Eigen::Vector3d arm = -pivot;
-      arm.head<Dim>() += positions.col(number);
+      arm.head<Dim>() += positions.col(span.firstPoint + q);
       state_.reaction += normalForce + tangentialForce;
       state_.moment += arm.cross(normalForce + tangentialForce);
       work_.reaction() += tangentialForce;
       work_.moment() += arm.cross(tangentialForce);
       if (out.system == nullptr || (lambdaHat == 0.0 && traction.isZero(0.0))) continue;
       if (K.size() == 0) K = Eigen::MatrixXd::Zero(std::ssize(unknowns), std::ssize(unknowns));
-      const auto slave = pointAt(e, q, positions);
+      const auto slave = pointAt(parts_[k], q, positions);
       const auto add = [&](const std::vector<int>& of, const Eigen::MatrixXd& part) {
         const auto places = placesIn(unknowns, of);
         for (std::size_t j = 0; j < places.size(); ++j)
@@ -389,14 +447,57 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
       if (hasFriction_) force += point->virtualSlip * traction / limited.slope;
       add(point->unknowns, w * limited.curvature * force * point->dGap.transpose());
     }
-    state_.pressed += span.weights.dot(state_.pressure.segment(span.firstPoint, span.weights.size()));
+    state_.pressed += span.weights.dot(pressure);
     if (out.system != nullptr && K.size() > 0) out.system->add(unknowns, K);
+  }
+}
+
+/// What there is to say of a quadrature point of the face.
+template <int Dim>
+void MortarContactTerm<Dim>::reportPoint(const Span& span, Eigen::Index q, const ContactPoint<Dim>& point,
+                                         const LimitedGap& limited) {
+  const Eigen::Index number = span.firstPoint + q;
+  const Traction traction = tractionAt(span.functions, span.R.col(q), limited);
+  state_.gap(number) = point.gap;
+  state_.pressure(number) = -traction.normal;
+  state_.normal.col(number).template head<Dim>() = point.normal;
+  if (!hasFriction_) return;
+  state_.traction.col(number).template head<Dim>() = point.frame * traction.tangential;
+  state_.slip.col(number).template head<Dim>() = point.frame * point.slip;
+  // As the function does that is largest here.
+  Eigen::Index largest = 0;
+  span.R.col(q).maxCoeff(&largest);
+  const auto& law = tractions_[static_cast<std::size_t>(span.functions[static_cast<std::size_t>(largest)])];
+  if (traction.normal < 0.0) state_.sliding[static_cast<std::size_t>(number)] = law.slips ? 2 : 1;
+}
+
+template <int Dim>
+void MortarContactTerm<Dim>::reportPoints(const Eigen::MatrixXd& positions, const Sums& sums) {
+  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
+  state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
+  state_.normal = Eigen::MatrixXd::Zero(3, face_.numPoints());
+  if (hasFriction_) {
+    state_.traction = state_.slip = Eigen::Matrix3Xd::Zero(3, face_.numPoints());
+    state_.sliding.assign(static_cast<std::size_t>(face_.numPoints()), 0);
+  }
+  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
+    const Span& span = face_.spans()[e];
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
+      const int number = span.firstPoint + static_cast<int>(q);
+      if (!hasSegments_) {
+        const auto& point = sums.points[static_cast<std::size_t>(number)];
+        if (point) reportPoint(span, q, *point, sums.limited[static_cast<std::size_t>(number)]);
+      } else if (const auto point = contactAt(pointAt(e, span, q, number, positions))) {
+        reportPoint(span, q, *point, limitedAt(e, *point));
+      }
+    }
   }
 }
 
 template <int Dim>
 void MortarContactTerm<Dim>::accept() {
   partner_->accept();
+  if (hasSegments_) chooseParts();
   if (!hasFriction_) return;
   work_.accept();
   this->acceptSlipped();
@@ -405,6 +506,7 @@ void MortarContactTerm<Dim>::accept() {
 template <int Dim>
 void MortarContactTerm<Dim>::archive(StateArchive& archive) {
   partner_->archive(archive);
+  if (hasSegments_ && archive.restores()) chooseParts();
   if (!hasFriction_) return;
   archive.part("friction", work_);
   archive.fixedField("slipped", slipped_);

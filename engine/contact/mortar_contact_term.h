@@ -36,11 +36,14 @@ namespace burnish {
 /// and in the tangent ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + φ' ∂(t·δs_T) + φ'' (t·T) Nᵀ dΓ. A function with less than
 /// a twentieth of its weight over points with a partner is not active, and its multipliers vanish; neither is
 /// one over open places alone (`kOpenSlope`).
+///
+/// Where the partner has segments, integrals are sums over those that have a partner, each with a rule of its
+/// own; what is told of quadrature points are values there.
 template <int Dim>
 class MortarContactTerm final : public FaceContact<Dim> {
  public:
   /// options: with a parameter. firstMultiplier: number of the first of the pair's multipliers among the
-  /// unknowns. definitions: of names in the formula for friction. Throws `Error` as `requireAveragedGaps` and
+  /// unknowns. definitions: of names in the formula for friction. The body must outlive the term. Throws `Error` as `requireAveragedGaps` and
   /// `FrictionLaw`.
   MortarContactTerm(const Body<Dim>& body, int patch, FaceId face, const PartnerMaker<Dim>& makePartner,
                     const ContactOptions& options, int firstMultiplier,
@@ -50,6 +53,7 @@ class MortarContactTerm final : public FaceContact<Dim> {
   int numMultipliers() const override { return (hasFriction_ ? Dim : 1) * face_.numFunctions(); }
 
   CouplingGroups couplings() const override;
+  long couplingsRevision() const override { return partner_->couplingsRevision(); }
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
   bool hasSymmetricTangent() const override { return !hasFriction_; }
   void accept() override;
@@ -59,21 +63,44 @@ class MortarContactTerm final : public FaceContact<Dim> {
   using Tangential = Eigen::Vector<double, Dim - 1>;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Dim - 1>;
 
+  using Span = typename FaceQuadrature<Dim>::Span;
+
+  /// A span of the face or a segment of it, with its rule; points are numbered over all parts.
+  struct Part {
+    std::size_t span = 0;
+    Span rule;
+  };
+
   struct Average;
   struct Sums;
+  struct Traction;
+
+  void chooseParts();
 
   /// Numbers of λ_A and, with friction, the components of τ_A.
   std::vector<int> multiplierUnknowns(int A) const;
 
   /// Control points of a span's functions in the accepted state; with friction alone.
   Eigen::MatrixXd acceptedPoints(std::size_t e) const;
-  SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
-  Sums measure(const Eigen::MatrixXd& positions) const;
-  Sums integrate(const Eigen::MatrixXd& positions) const;
+
+  /// number: of the face's quadrature points, -1 between them.
+  SlavePoint<Dim> pointAt(std::size_t e, const Span& rule, Eigen::Index q, int number,
+                          const Eigen::Ref<const Eigen::MatrixXd>& positions) const;
+  SlavePoint<Dim> pointAt(const Part& part, Eigen::Index q, const Eigen::MatrixXd& positions) const;
+  std::optional<ContactPoint<Dim>> contactAt(const SlavePoint<Dim>& slave) const;
+  LimitedGap limitedAt(std::size_t e, const ContactPoint<Dim>& point) const;
+  Eigen::MatrixXd partPositions(const Eigen::VectorXd& x) const;
+  std::optional<Sums> measure(const Eigen::MatrixXd& positions) const;
+  void integrate(Sums& sums) const;
   FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, double t,
                                        const Eigen::VectorXd& x) const;
   void addFunctions(double t, const Eigen::VectorXd& x, Assembly& out, const Sums& sums);
+  Traction tractionAt(const std::vector<int>& functions, const Eigen::Ref<const Eigen::VectorXd>& R,
+                      const LimitedGap& limited) const;
   void addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums);
+  void reportPoint(const Span& span, Eigen::Index q, const ContactPoint<Dim>& point,
+                   const LimitedGap& limited);
+  void reportPoints(const Eigen::MatrixXd& positions, const Sums& sums);
 
   using FaceContact<Dim>::face_;
   using FaceContact<Dim>::options_;
@@ -88,8 +115,12 @@ class MortarContactTerm final : public FaceContact<Dim> {
   using FaceContact<Dim>::work_;
   using FaceContact<Dim>::areaStretch;
 
+  const Body<Dim>& body_;
   std::unique_ptr<Partner<Dim>> partner_;
   bool hasFriction_;
+  std::vector<Part> parts_;  ///< of all spans, or segments that have a partner
+  bool hasSegments_ = false;
+  int numPoints_ = 0;                                 ///< of all parts
   std::vector<std::vector<int>> slaveUnknowns_;       ///< per span: displacement components, by functions
   std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/contact/contact_point.h"
+#include "engine/contact/segments.h"
 #include "engine/core/state_archive.h"
 #include "engine/solid/face_quadrature.h"
 
@@ -49,9 +50,21 @@ class Partner {
   virtual Eigen::MatrixXd frictionTangent(const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact,
                                           const Eigen::Vector<double, Dim - 1>& traction) const = 0;
 
-  /// Unknowns of the partner that points of a span may be coupled with until the next accepted state,
-  /// ascending.
+  /// Unknowns of the partner that points of a span may be coupled with, ascending.
   virtual std::vector<int> couplings(std::size_t span) const = 0;
+
+  /// Number of changes of the couplings so far.
+  virtual long couplingsRevision() const { return 0; }
+
+  /// Whether, since the last update, a point has been found to be coupled with more.
+  virtual bool hasLeftCouplings() const { return false; }
+
+  /// Adds what such points are coupled with, and what is around that.
+  virtual void widenCouplings() {}
+
+  /// Segments of a span, begin to end, that quadrature is to be split into until the next accepted state; none
+  /// if it is not to be split.
+  virtual std::vector<Segment> segments(std::size_t) const { return {}; }
 
   /// Point about which the moment of the forces on the partner is taken, in the last updated state.
   virtual Eigen::Vector3d pivot() const = 0;

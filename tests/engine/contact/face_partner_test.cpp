@@ -235,6 +235,24 @@ TEST(FacePartner, TellsWhenAFootLeavesTheCouplings) {
   EXPECT_TRUE(holdsFeet());
 }
 
+TEST(FacePartner, RenewsTheCouplingsWhenFeetHaveComeNearToTheirEnd) {
+  Pair<2> pair(moved<2>(block(8), {0.5, 1.01}, 0.5), block(20), {.reach = 0.05});
+  const std::size_t size = pair.partner->couplings(4).size();
+  const long first = pair.partner->couplingsRevision();
+  constexpr int kSteps = 27;
+  constexpr double kWay = 0.015, kSpan = 0.0625;
+  for (int k = 0; k < kSteps; ++k) {
+    pair.moveUpper({-kWay, 0.0});
+    ASSERT_TRUE(pair.update());
+    EXPECT_FALSE(pair.partner->hasLeftCouplings());
+    pair.partner->accept();
+  }
+  const auto renewals = static_cast<double>(pair.partner->couplingsRevision() - first);
+  EXPECT_GT(renewals, 0.5 * kSteps * kWay / kSpan);
+  EXPECT_LT(renewals, 2.0 * kSteps * kWay / kSpan);
+  EXPECT_LE(pair.partner->couplings(4).size(), size + 2 * 2) << "what the slave has left is forgotten";
+}
+
 TEST(FacePartner, RefusesStatesThatSlipTooFar) {
   Pair<2> pair(moved<2>(block(4), {0.0, 1.01}), block(10), {.reach = 0.05, .largestSlip = 1.0});
   pair.moveUpper({-0.05, 0.0});
