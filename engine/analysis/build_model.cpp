@@ -19,6 +19,18 @@
 #include "engine/solid/follower_load.h"
 
 namespace burnish {
+namespace {
+
+/// Whether a face's functions have kinks at its knots, over which a rule that does not know them errs.
+template <int Dim>
+bool hasKinkedFunctions(const Patch<Dim>& patch, FaceId face) {
+  const Patch<Dim - 1, Dim> trace = tracePatch(patch, face);
+  const UnivariateBasis& basis = trace.basis().direction(0);
+  return basis.family() == BasisFamily::Lagrange || basis.degree() == 1;
+}
+
+}  // namespace
+
 /// Fills a model part by part: first the body, then loads and tools, then contact pairs, whose multipliers
 /// come last among the unknowns.
 template <int Dim>
@@ -229,6 +241,7 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
   const ModelBody<Dim>& body = model_->bodyOf(place);
   std::vector<FacePlace> against;
   double softest = youngsModulus(body.bulk->material()), smallest = body.body.size();
+  bool hasKinks = false;
   for (std::size_t k = 0; k < spec.against.size(); ++k) {
     const FaceSpec& face = spec.against[k];
     model_->faces_.requireOuter(face, againstKey(spec, key, k));
@@ -236,6 +249,8 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
     const ModelBody<Dim>& other = model_->bodyOf(against.back());
     softest = std::min(softest, youngsModulus(other.bulk->material()));
     smallest = std::min(smallest, other.body.size());
+    const auto [patch, side] = against.back();
+    hasKinks = hasKinks || hasKinkedFunctions(model_->body_.patches[static_cast<std::size_t>(patch)], side);
   }
   ContactOptions options = spec.options;
   const auto& patch = model_->body_.patches[static_cast<std::size_t>(place.patch)];
@@ -245,7 +260,7 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
       options.parameterFor(modulus, body.body.size(), meanControlPointDistance(patch, place.face));
   const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), smallest)),
                            .largestSlip = options.hasFriction() ? kLargestSlip : kAnySlip,
-                           .couplesAll = true};
+                           .segments = Dim == 2 && spec.segments.value_or(hasKinks)};
   GapRamp fit;
   const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
     auto partner = facesAsPartner(slave, place, against, rules);

@@ -153,6 +153,9 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
     checkFace(c, againstKey(pair, path, k), pair.against[k]);
   if (!pair.tool.empty() && c.clean(path + ".tool"))
     c.report(path + ".tool", "found beside against; allowed: one of the two.");
+  if (pair.segments.value_or(false) && c.dimensionIsKnown() && c.scene.dim() == 3 &&
+      c.clean(path + ".segments"))
+    c.report(path + ".segments", "found true in a scene of three dimensions; allowed: false.");
   checkFaceOptions(c, pair.options, path);
   if (!c.clean(path)) return;
   const PlaceOfFace slave = placeOfFace(c.scene, pair.place);
@@ -204,6 +207,8 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
       c.report(path + ".reach", "found beside tool; allowed: beside against.");
     if (pair.interference != Interference::Error && c.clean(path + ".interference"))
       c.report(path + ".interference", "found beside tool; allowed: beside against.");
+    if (pair.segments && c.clean(path + ".segments"))
+      c.report(path + ".segments", "found beside tool; allowed: beside against.");
     const bool known = std::find(toolNames.begin(), toolNames.end(), pair.tool) != toolNames.end();
     const bool allNamesAreRead = c.clean("tools") || toolNames.size() == c.scene.tools.size();
     if (!known && allNamesAreRead)

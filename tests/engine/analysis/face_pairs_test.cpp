@@ -43,8 +43,9 @@ class FacePairs : public testing::Test {
 const std::array<std::string, 2> methods{"augmented-lagrangian", "integral-augmented-lagrangian"};
 
 /// Two blocks, one over the other, with unlike materials, between rollers.
-std::string patchTest(const std::string& degree, const std::string& spans, const std::string& method) {
-  return R"(
+std::string patchTest(const std::string& degree, const std::string& spans, const std::string& method,
+                      const std::string& basis = "nurbs", bool segments = false) {
+  return "basis: " + basis + R"(
 bodies:
   - {name: lower, degree: )" +
          degree + R"(, geometry: {shape: rectangle, size: [2, 1], spans: [5, 3]},
@@ -64,9 +65,12 @@ loads:
 stabilise: {until: 1}
 contact:
   - {body: upper, face: bottom, against: {body: lower, face: top}, method: )" +
-         method + R"(}
+         method + ", segments: " + (segments ? "true" : "false") + R"(}
 measures:
   - {name: end, kind: extent, body: upper, face: top}
+  - {name: lower, kind: error, body: lower, displacement: ["0", "(0.8698978702291289 - 1)*Y"]}
+  - {name: upper, kind: error, body: upper,
+     displacement: ["0", "0.8698978702291289 - 1 + (0.9564917252398126 - 1)*(Y - 1)"]}
 steps: [{until: 1, count: 4}]
 )";
 }
@@ -86,6 +90,17 @@ TEST_F(FacePairs, BlocksOfUnlikeMeshesAreCompressedAsTheirMaterialsWant) {
       before = error;
     }
   }
+}
+
+TEST_F(FacePairs, SegmentsPassThePatchTestOfUnlikeMeshes) {
+  for (const std::string& method : methods)
+    for (const char* basis : {"nurbs", "lagrange"})
+      for (const char* degree : {"1", "2", "3"}) {
+        const HistoryTable history = run(patchTest(degree, "7", method, basis, true));
+        EXPECT_LT(last(history, "lower.H1"), 1e-9) << method << basis << degree;
+        EXPECT_LT(last(history, "upper.H1"), 1e-9) << method << basis << degree;
+        EXPECT_NEAR(last(history, "upper-lower.pressed"), 0.4, 1e-9) << method << basis << degree;
+      }
 }
 
 /// A block dragged over a wider one, both elastic; the upper one by its top.
