@@ -124,7 +124,7 @@ class FacePartner final : public Partner<Dim> {
   void resolveInterference(const GapRamp& ramp) { ramp_ = ramp; }
 
   /// Segments of a span, begin to end, frozen since the accepted state; empty unless the rules want them.
-  const std::vector<Segment>& segments(std::size_t span) const { return segments_[span]; }
+  std::vector<Segment> segments(std::size_t span) const override { return segments_[span]; }
 
   Eigen::Vector3d pivot() const override { return Eigen::Vector3d::Zero(); }
 

@@ -20,6 +20,14 @@ constexpr int kSampledPieces = 20;
 constexpr double kFarSpans = 2.0;
 constexpr double kFarMultipliers = 8.0;
 
+/// Points per direction of a rule with twice those of another one.
+template <class Span>
+int finePoints(const Span& rule) {
+  const auto directions = static_cast<double>(rule.xi.rows());
+  return 2 *
+         static_cast<int>(std::lround(std::pow(static_cast<double>(rule.weights.size()), 1.0 / directions)));
+}
+
 /// Zero of a function between a and b, where it has different signs: regula falsi (Illinois) to rounding,
 /// halving where it is not finite.
 template <class F>
@@ -95,7 +103,7 @@ IntegralContactTerm<Dim>::IntegralContactTerm(const Body<Dim>& body, int patch, 
   multipliers_ = MultiplierBasis(face_.trace().basis(), points.across);
   tangential_ = MultiplierBasis(face_.trace().basis(), points.along);
   A_ = Eigen::VectorXd::Zero(numMultipliers());
-  addSpanTables(body);
+  addSpanTables();
   const auto& trace = face_.trace();
   for (int A = 0; A < face_.numFunctions(); ++A) {
     const Parameter xi = trace.basis().anchor(A);
@@ -105,7 +113,7 @@ IntegralContactTerm<Dim>::IntegralContactTerm(const Body<Dim>& body, int patch, 
 }
 
 template <int Dim>
-void IntegralContactTerm<Dim>::addSpanTables(const Body<Dim>& body) {
+void IntegralContactTerm<Dim>::addSpanTables() {
   const auto& trace = face_.trace();
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
     const Span& span = face_.spans()[e];
@@ -126,10 +134,9 @@ void IntegralContactTerm<Dim>::addSpanTables(const Body<Dim>& body) {
       if (multipliers[k] >= 0) A_(multipliers[k] - firstMultiplier_) += sizes(static_cast<Eigen::Index>(a));
     }
     const auto box = spanBox(trace.basis(), span.number);
-    if (Dim == 3 || hasFriction_) {
-      const double points = std::pow(static_cast<double>(span.weights.size()), 1.0 / (Dim - 1));
-      fine_.push_back(face_.part(body, span.number, box, 2 * static_cast<int>(std::lround(points))));
-    }
+    rules_.push_back({span});
+    auto& fine = fine_.emplace_back();
+    if (Dim == 3 || hasFriction_) fine.push_back(face_.part(body_, span.number, box, finePoints(span)));
     Samples samples;
     if constexpr (Dim == 2) {
       samples.xi.resize(1, kSampledPieces + 1);
@@ -139,10 +146,46 @@ void IntegralContactTerm<Dim>::addSpanTables(const Body<Dim>& body) {
         samples.R.col(k) = trace.shape(span.number, samples.xi.col(k)).R;
       }
     } else {
-      samples = {fine_.back().xi, fine_.back().R};
+      samples = {fine.back().xi, fine.back().R};
     }
     samples_.push_back(std::move(samples));
   }
+  cuts_.resize(rules_.size());
+  splitSpans();
+}
+
+/// Rules for pressed spans, from the partner's segments.
+template <int Dim>
+void IntegralContactTerm<Dim>::splitSpans() {
+  if constexpr (Dim == 2) {
+    for (std::size_t e = 0; e < rules_.size(); ++e) {
+      const Span& span = face_.spans()[e];
+      std::vector<double> cuts;
+      for (const Segment& segment : partner_->segments(e)) cuts.push_back(segment.end);
+      if (!cuts.empty()) cuts.pop_back();
+      if (cuts == cuts_[e]) continue;
+      cuts_[e] = std::move(cuts);
+      rules_[e] = rulesBetween(e, cuts_[e], static_cast<int>(span.weights.size()));
+      if (hasFriction_) fine_[e] = rulesBetween(e, cuts_[e], finePoints(span));
+    }
+  }
+}
+
+/// Rules over the parts of a span between its ends and places in it, in any order.
+template <int Dim>
+std::vector<typename IntegralContactTerm<Dim>::Span> IntegralContactTerm<Dim>::rulesBetween(
+    std::size_t e, const std::vector<double>& ends, int points) const {
+  const int number = face_.spans()[e].number;
+  const auto box = spanBox(face_.trace().basis(), number);
+  std::vector<double> all = ends;
+  all.insert(all.end(), {box.begin(0), box.end(0)});
+  std::sort(all.begin(), all.end());
+  std::vector<Span> rules;
+  for (std::size_t k = 0; k + 1 < all.size(); ++k)
+    if (all[k] < all[k + 1])
+      rules.push_back(
+          face_.part(body_, number, {Parameter::Constant(all[k]), Parameter::Constant(all[k + 1])}, points));
+  return rules;
 }
 
 template <int Dim>
@@ -302,33 +345,37 @@ std::vector<typename IntegralContactTerm<Dim>::Span> IntegralContactTerm<Dim>::r
     const SpanValues& values, SpanState state) const {
   const std::size_t e = values.number;
   const Span& span = face_.spans()[e];
-  if (hasFriction_ && state != SpanState::Open) return {fine_[e]};
-  if (state != SpanState::Cut) return {span};
+  if (hasFriction_ && state != SpanState::Open) return fine_[e];
+  if (state == SpanState::Open) return {span};
+  if (state == SpanState::Closed) return rules_[e];
   if constexpr (Dim == 3) {
-    return {fine_[e]};
+    return fine_[e];
   } else {
-    const Samples& samples = samples_[e];
-    const auto value = [&](double xi) {
-      const Parameter place(xi);
-      const Eigen::VectorXd R = face_.trace().shape(span.number, place).R;
-      return augmented(values, pointOf(values, place, R));
-    };
-    std::vector<double> ends{samples.xi(0, 0)};
-    double before = augmented(values, pointOf(values, samples.xi.col(0), samples.R.col(0)));
-    for (Eigen::Index k = 1; k < samples.R.cols(); ++k) {
-      const double here = augmented(values, pointOf(values, samples.xi.col(k), samples.R.col(k)));
-      if ((before < 0.0) != (here < 0.0))
-        ends.push_back(zeroBetween(samples.xi(0, k - 1), before, samples.xi(0, k), here, value));
-      before = here;
-    }
-    ends.push_back(samples.xi(0, samples.xi.cols() - 1));
-    std::vector<Span> rules;
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-      if (ends[k] < ends[k + 1])
-        rules.push_back(face_.part(body_, span.number, {Parameter(ends[k]), Parameter(ends[k + 1])},
-                                   static_cast<int>(span.weights.size())));
-    return rules;
+    std::vector<double> ends = signChanges(values);
+    ends.insert(ends.end(), cuts_[e].begin(), cuts_[e].end());
+    return rulesBetween(e, ends, static_cast<int>(span.weights.size()));
   }
+}
+
+/// Where λ + r g changes its sign in a span, in the plane.
+template <int Dim>
+std::vector<double> IntegralContactTerm<Dim>::signChanges(const SpanValues& values) const {
+  const Samples& samples = samples_[values.number];
+  const int span = face_.spans()[values.number].number;
+  const auto value = [&](double xi) {
+    const Parameter place = Parameter::Constant(xi);
+    const Eigen::VectorXd R = face_.trace().shape(span, place).R;
+    return augmented(values, pointOf(values, place, R));
+  };
+  std::vector<double> changes;
+  double before = augmented(values, pointOf(values, samples.xi.col(0), samples.R.col(0)));
+  for (Eigen::Index k = 1; k < samples.R.cols(); ++k) {
+    const double here = augmented(values, pointOf(values, samples.xi.col(k), samples.R.col(k)));
+    if ((before < 0.0) != (here < 0.0))
+      changes.push_back(zeroBetween(samples.xi(0, k - 1), before, samples.xi(0, k), here, value));
+    before = here;
+  }
+  return changes;
 }
 
 template <int Dim>
@@ -524,6 +571,7 @@ void IntegralContactTerm<Dim>::endFriction() {
 template <int Dim>
 void IntegralContactTerm<Dim>::accept() {
   partner_->accept();
+  splitSpans();
   if (!hasFriction_) return;
   work_.accept();
   this->acceptSlipped();
@@ -532,6 +580,7 @@ void IntegralContactTerm<Dim>::accept() {
 template <int Dim>
 void IntegralContactTerm<Dim>::archive(StateArchive& archive) {
   partner_->archive(archive);
+  if (archive.restores()) splitSpans();
   if (!hasFriction_) return;
   archive.part("friction", work_);
   archive.fixedField("slipped", slipped_);

@@ -28,7 +28,7 @@ namespace burnish {
 /// there. The split moves with the unknowns, but the integrands agree on both sides of it, so that the tangent
 /// takes no part in that. In space such a span has twice the points in each direction; so have, with friction, all spans that are pressed:
 /// tractions have kinks between stick and slip, too, and points that moved with a split would be no rule for
-/// these.
+/// these. Where the partner has segments, spans that are pressed are split at their ends as well.
 ///
 /// Friction: τ = Σ M_A τ_A along the frame e_α, slip s and virtual slip δs_T = T of the partner, S = ∂s,
 ///
@@ -85,7 +85,10 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   struct Contributions;
   enum class SpanState { Open, Closed, Cut };
 
-  void addSpanTables(const Body<Dim>& body);
+  void addSpanTables();
+  void splitSpans();
+  std::vector<Span> rulesBetween(std::size_t e, const std::vector<double>& ends, int points) const;
+  std::vector<double> signChanges(const SpanValues& values) const;
   SpanValues valuesOf(std::size_t e, const Eigen::VectorXd& x) const;
   static SlavePoint<Dim> pointOf(const SpanValues& values, const Parameter& xi,
                                  const Eigen::Ref<const Eigen::VectorXd>& R, int number = -1);
@@ -149,8 +152,10 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   std::unique_ptr<Partner<Dim>> partner_;
   bool hasFriction_;
   MultiplierBasis multipliers_, tangential_;
-  std::vector<Samples> samples_;  ///< per span
-  std::vector<Span> fine_;        ///< per span, in space and with friction
+  std::vector<Samples> samples_;           ///< per span
+  std::vector<std::vector<double>> cuts_;  ///< per span: ends of segments inside of it
+  std::vector<std::vector<Span>> rules_;   ///< per span: its own, or one per segment
+  std::vector<std::vector<Span>> fine_;    ///< the same with twice the points, in space and with friction
   RelativeLength<Dim - 1> relativeLength_;
   std::vector<Eigen::MatrixXd> mass_;              ///< per span: ∫ R_a R_b ℓ dΓ, ℓ the relative length
   std::vector<std::vector<int>> unknowns_;         ///< per span: displacement components

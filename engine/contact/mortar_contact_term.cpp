@@ -26,10 +26,18 @@ struct MortarContactTerm<Dim>::Average {
 
 template <int Dim>
 struct MortarContactTerm<Dim>::Sums {
-  std::vector<std::optional<ContactPoint<Dim>>> points;  ///< quadrature points
-  std::vector<LimitedGap> limited;                       ///< quadrature points: φ, φ', φ''
-  std::vector<std::vector<int>> unknowns;                ///< spans: what their points depend on, ascending
+  std::vector<std::optional<ContactPoint<Dim>>> points;  ///< points of the parts
+  std::vector<LimitedGap> limited;                       ///< points of the parts: φ, φ', φ''
+  std::vector<std::vector<int>> unknowns;                ///< parts: what their points depend on, ascending
   std::vector<Average> averages;                         ///< functions
+};
+
+/// Tractions at a point.
+template <int Dim>
+struct MortarContactTerm<Dim>::Traction {
+  double average = 0.0;                        ///< λ̂
+  double normal = 0.0;                         ///< φ' λ̂
+  Tangential tangential = Tangential::Zero();  ///< φ' t
 };
 
 template <int Dim>
@@ -37,13 +45,43 @@ MortarContactTerm<Dim>::MortarContactTerm(const Body<Dim>& body, int patch, Face
                                           const PartnerMaker<Dim>& makePartner, const ContactOptions& options,
                                           int firstMultiplier, const std::vector<DefinitionSpec>& definitions)
     : PartnerTerm<Dim>(body, patch, face, makePartner, options, firstMultiplier, definitions,
-                       PartnerTerm<Dim>::TractionsOf::Functions) {
+                       PartnerTerm<Dim>::TractionsOf::Functions),
+      body_(body) {
+  chooseParts();
   requireAveragedGaps(A_, axisymmetric_);
   const Eigen::Index numFunctions = face_.numFunctions();
   if (numMultipliers() <= numFunctions) return;
   A_.conservativeResize(numMultipliers());
   for (Eigen::Index A = 0; A < numFunctions; ++A)
     A_.template segment<Dim - 1>(numFunctions + (Dim - 1) * A).setConstant(A_(A));
+}
+
+template <int Dim>
+void MortarContactTerm<Dim>::chooseParts() {
+  parts_.clear();
+  numPoints_ = 0;
+  const auto add = [&](std::size_t e, Span rule) {
+    rule.firstPoint = numPoints_;
+    numPoints_ += static_cast<int>(rule.weights.size());
+    parts_.push_back({e, std::move(rule)});
+  };
+  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
+    const Span& span = face_.spans()[e];
+    const std::vector<Segment> segments = partner_->segments(e);
+    if (segments.empty()) {
+      add(e, span);
+      continue;
+    }
+    if constexpr (Dim == 2) {
+      hasSegments_ = true;
+      const int points = options_.quadraturePoints.value_or(segmentPoints(face_.trace()));
+      for (const Segment& segment : segments)
+        if (segment.foot)
+          add(e, face_.part(body_, span.number,
+                            {Eigen::Vector<double, 1>(segment.begin), Eigen::Vector<double, 1>(segment.end)},
+                            points));
+    }
+  }
 }
 
 template <int Dim>
@@ -80,28 +118,55 @@ std::vector<int> MortarContactTerm<Dim>::multiplierUnknowns(int A) const {
   return unknowns;
 }
 
-/// Gaps and slips of all points, and the unknowns of each function's points.
 template <int Dim>
-typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::measure(
+SlavePoint<Dim> MortarContactTerm<Dim>::pointAt(const Part& part, Eigen::Index q,
+                                                const Eigen::MatrixXd& positions) const {
+  const int number = part.rule.firstPoint + static_cast<int>(q);
+  return pointAt(part.span, part.rule, q, hasSegments_ ? -1 : number, positions.col(number));
+}
+
+/// With slip, if there is friction.
+template <int Dim>
+std::optional<ContactPoint<Dim>> MortarContactTerm<Dim>::contactAt(const SlavePoint<Dim>& slave) const {
+  auto point = partner_->at(slave, PointDetail::Derivatives);
+  if (point && hasFriction_) partner_->addSlip(slave, *point);
+  return point;
+}
+
+template <int Dim>
+LimitedGap MortarContactTerm<Dim>::limitedAt(std::size_t e, const ContactPoint<Dim>& point) const {
+  return limitedGap(point.gap, options_.gapLimit.value_or(kAnyGap) * face_.spans()[e].size);
+}
+
+template <int Dim>
+Eigen::MatrixXd MortarContactTerm<Dim>::partPositions(const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd positions(Dim, numPoints_);
+  for (const Part& part : parts_)
+    positions.middleCols(part.rule.firstPoint, part.rule.R.cols()) = face_.positions(part.rule, x);
+  return positions;
+}
+
+/// Gaps and slips of all points, and the unknowns of each function's points. None if a segment has lost its
+/// partner.
+template <int Dim>
+std::optional<typename MortarContactTerm<Dim>::Sums> MortarContactTerm<Dim>::measure(
     const Eigen::MatrixXd& positions) const {
   Sums sums;
-  sums.points.resize(static_cast<std::size_t>(face_.numPoints()));
+  sums.points.resize(static_cast<std::size_t>(numPoints_));
   sums.limited.resize(sums.points.size());
   sums.averages.resize(static_cast<std::size_t>(face_.numFunctions()));
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    const auto& span = face_.spans()[e];
+  for (const Part& part : parts_) {
     auto& unknowns = sums.unknowns.emplace_back();
-    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
-      const auto slave = pointAt(e, q, positions);
-      const auto number = static_cast<std::size_t>(slave.number);
-      auto& point = sums.points[number] = partner_->at(slave, PointDetail::Derivatives);
+    for (Eigen::Index q = 0; q < part.rule.R.cols(); ++q) {
+      const auto number = static_cast<std::size_t>(part.rule.firstPoint + q);
+      auto& point = sums.points[number] = contactAt(pointAt(part, q, positions));
+      if (!point && hasSegments_) return std::nullopt;
       if (!point) continue;
-      if (hasFriction_) partner_->addSlip(slave, *point);
-      sums.limited[number] = limitedGap(point->gap, options_.gapLimit.value_or(kAnyGap) * span.size);
+      sums.limited[number] = limitedAt(part.span, *point);
       unknowns.insert(unknowns.end(), point->unknowns.begin(), point->unknowns.end());
     }
     sortOnce(unknowns);
-    for (const int a : span.functions) {
+    for (const int a : part.rule.functions) {
       auto& all = sums.averages[static_cast<std::size_t>(a)].unknowns;
       all.insert(all.end(), unknowns.begin(), unknowns.end());
     }
@@ -110,9 +175,7 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::measure(
 }
 
 template <int Dim>
-typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
-    const Eigen::MatrixXd& positions) const {
-  Sums sums = measure(positions);
+void MortarContactTerm<Dim>::integrate(Sums& sums) const {
   std::vector<Eigen::VectorXd> curved;  // ∫' R_A φ'' N dΓ per function
   for (Average& average : sums.averages) {
     sortOnce(average.unknowns);
@@ -122,14 +185,14 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
     average.T = average.S = Rows::Zero(size, Dim - 1);
     curved.emplace_back(Eigen::VectorXd::Zero(size));
   }
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    const auto& span = face_.spans()[e];
+  for (const Part& part : parts_) {
+    const Span& span = part.rule;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto number = static_cast<std::size_t>(span.firstPoint + q);
       const auto& point = sums.points[number];
       if (!point) continue;
       const LimitedGap& limited = sums.limited[number];
-      const double stretch = this->acceptedStretch(e, q);
+      const double stretch = this->acceptedStretch(part.span, span, q);
       Eigen::Vector3d place = Eigen::Vector3d::Zero();
       if (hasFriction_) place = this->referencePlace(span.functions, span.R.col(q));
       for (std::size_t a = 0; a < span.functions.size(); ++a) {
@@ -164,7 +227,6 @@ typename MortarContactTerm<Dim>::Sums MortarContactTerm<Dim>::integrate(
     Average& average = sums.averages[A];
     if (options_.gapLimit && average.B > 0.0) average.S -= curved[A] / average.B * average.slip.transpose();
   }
-  return sums;
 }
 
 template <int Dim>
@@ -185,16 +247,21 @@ FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Averag
 }
 
 template <int Dim>
-void MortarContactTerm<Dim>::assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions,
+bool MortarContactTerm<Dim>::assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions,
                                       Assembly& out) {
-  Sums sums = integrate(positions);
+  const Eigen::MatrixXd ofParts = hasSegments_ ? partPositions(x) : positions;
+  std::optional<Sums> sums = measure(ofParts);
+  if (!sums) return false;
+  integrate(*sums);
   for (Eigen::Index A = 0; A < face_.numFunctions(); ++A) {
-    Average& average = sums.averages[static_cast<std::size_t>(A)];
+    Average& average = sums->averages[static_cast<std::size_t>(A)];
     average.G -= average.A * (touching_ + (gapOrigin_.size() > 0 ? gapOrigin_(A) : 0.0));
   }
-  chooseActive(x, sums);
-  addFunctions(t, x, out, sums);
-  addPoints(out, positions, sums);
+  chooseActive(x, *sums);
+  addFunctions(t, x, out, *sums);
+  addPoints(out, ofParts, *sums);
+  reportPoints(positions, *sums);
+  return true;
 }
 
 template <int Dim>
@@ -292,34 +359,39 @@ void MortarContactTerm<Dim>::addFriction(int A, const Average& average, double t
   K(tau, n) += weight / epsT * law.byPressure;
 }
 
-/// ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + ∂(φ' t·δs_T) dΓ, and what there is to say of the points.
+template <int Dim>
+typename MortarContactTerm<Dim>::Traction MortarContactTerm<Dim>::tractionAt(
+    const std::vector<int>& functions, const Eigen::Ref<const Eigen::VectorXd>& R,
+    const LimitedGap& limited) const {
+  Traction traction;
+  traction.average = R.dot(state_.lambdaHat(functions));
+  traction.normal = limited.slope * traction.average;
+  if (!hasFriction_) return traction;
+  for (std::size_t a = 0; a < functions.size(); ++a)
+    traction.tangential +=
+        R(static_cast<Eigen::Index>(a)) * tractions_[static_cast<std::size_t>(functions[a])].traction;
+  traction.tangential *= limited.slope;
+  return traction;
+}
+
+/// ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + ∂(φ' t·δs_T) dΓ, and resultants.
 template <int Dim>
 void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums) {
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    const auto& span = face_.spans()[e];
-    const auto& unknowns = sums.unknowns[e];
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const Span& span = parts_[k].rule;
+    const auto& unknowns = sums.unknowns[k];
+    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(span.R.cols());
     Eigen::MatrixXd K;
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto number = static_cast<std::size_t>(span.firstPoint + q);
       const auto& point = sums.points[number];
       if (!point) continue;
       const LimitedGap& limited = sums.limited[number];
-      const double w = span.weights(q), average = span.R.col(q).dot(state_.lambdaHat(span.functions));
-      const double lambdaHat = limited.slope * average;
-      Tangential traction = Tangential::Zero();
-      bool slips = false;
-      if (hasFriction_) {
-        for (std::size_t a = 0; a < span.functions.size(); ++a)
-          traction += span.R(static_cast<Eigen::Index>(a), q) *
-                      tractions_[static_cast<std::size_t>(span.functions[a])].traction;
-        traction *= limited.slope;
-        // As the function does that is largest here.
-        Eigen::Index largest = 0;
-        span.R.col(q).maxCoeff(&largest);
-        slips = tractions_[static_cast<std::size_t>(span.functions[static_cast<std::size_t>(largest)])].slips;
-      }
-      const auto slave = pointAt(e, q, positions);
-      this->reportPoint(slave, w, *point, lambdaHat, traction, slips);
+      const auto [average, lambdaHat, traction] = tractionAt(span.functions, span.R.col(q), limited);
+      const double w = span.weights(q);
+      pressure(q) = -lambdaHat;
+      const auto slave = pointAt(parts_[k], q, positions);
+      this->addResultants(slave, w, *point, lambdaHat, traction);
       if (out.system == nullptr || (lambdaHat == 0.0 && traction.isZero(0.0))) continue;
       if (K.size() == 0) K = Eigen::MatrixXd::Zero(std::ssize(unknowns), std::ssize(unknowns));
       const auto add = [&](const std::vector<int>& of, const Eigen::MatrixXd& part) {
@@ -333,8 +405,38 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
       if (hasFriction_) force += point->virtualSlip * traction / limited.slope;
       add(point->unknowns, w * limited.curvature * force * point->dGap.transpose());
     }
+    state_.pressed += span.weights.dot(pressure);
     if (K.size() > 0) out.system->add(unknowns, K);
   }
+}
+
+template <int Dim>
+void MortarContactTerm<Dim>::reportAt(const SlavePoint<Dim>& slave, const ContactPoint<Dim>& point,
+                                      const LimitedGap& limited) {
+  const auto& functions = face_.spans()[slave.span].functions;
+  const Traction traction = tractionAt(functions, slave.R, limited);
+  bool slips = false;
+  if (hasFriction_) {
+    // As the function does that is largest here.
+    Eigen::Index largest = 0;
+    slave.R.maxCoeff(&largest);
+    slips = tractions_[static_cast<std::size_t>(functions[static_cast<std::size_t>(largest)])].slips;
+  }
+  this->reportPoint(slave, point, traction.normal, traction.tangential, slips);
+}
+
+template <int Dim>
+void MortarContactTerm<Dim>::reportPoints(const Eigen::MatrixXd& positions, const Sums& sums) {
+  for (std::size_t e = 0; e < face_.spans().size(); ++e)
+    for (Eigen::Index q = 0; q < face_.spans()[e].R.cols(); ++q) {
+      const auto slave = pointAt(e, q, positions);
+      const auto number = static_cast<std::size_t>(slave.number);
+      if (!hasSegments_) {
+        if (const auto& point = sums.points[number]) reportAt(slave, *point, sums.limited[number]);
+      } else if (const auto point = contactAt(slave)) {
+        reportAt(slave, *point, limitedAt(e, *point));
+      }
+    }
 }
 
 template <int Dim>

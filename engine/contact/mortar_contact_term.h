@@ -34,12 +34,15 @@ namespace burnish {
 /// and in the tangent ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + φ' ∂(t·δs_T) + φ'' (t·T) Nᵀ dΓ. A function with less than
 /// a twentieth of its weight over points with a partner is not active, and its multipliers vanish; neither is
 /// one over open places alone (`kOpenSlope`).
+///
+/// Where the partner has segments, integrals are sums over those that have a partner, each with a rule of its
+/// own; what is told of quadrature points are values there.
 template <int Dim>
 class MortarContactTerm final : public PartnerTerm<Dim> {
  public:
   /// options: with a parameter. firstMultiplier: number of the first of the pair's multipliers among the
-  /// unknowns. definitions: of names in the formula for friction. Throws `Error` as `requireAveragedGaps` and
-  /// `FrictionLaw`.
+  /// unknowns. definitions: of names in the formula for friction. The body must outlive the term. Throws
+  /// `Error` as `requireAveragedGaps` and `FrictionLaw`.
   MortarContactTerm(const Body<Dim>& body, int patch, FaceId face, const PartnerMaker<Dim>& makePartner,
                     const ContactOptions& options, int firstMultiplier,
                     const std::vector<DefinitionSpec>& definitions = {});
@@ -54,26 +57,47 @@ class MortarContactTerm final : public PartnerTerm<Dim> {
  private:
   using typename PartnerTerm<Dim>::Tangential;
   using typename PartnerTerm<Dim>::Components;
+  using typename PartnerTerm<Dim>::Span;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Dim - 1>;
+
+  /// A span of the face or a segment of it, with its rule; points are numbered over all parts.
+  struct Part {
+    std::size_t span = 0;
+    Span rule;
+  };
 
   struct Average;
   struct Sums;
+  struct Traction;
 
-  void assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions, Assembly& out) override;
+  bool assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions, Assembly& out) override;
+  void takeSegments() override {
+    if (hasSegments_) chooseParts();
+  }
   Components lastTractions() const override;
+
+  void chooseParts();
 
   /// Numbers of λ_A and, with friction, the components of τ_A.
   std::vector<int> multiplierUnknowns(int A) const;
 
-  Sums measure(const Eigen::MatrixXd& positions) const;
-  Sums integrate(const Eigen::MatrixXd& positions) const;
+  SlavePoint<Dim> pointAt(const Part& part, Eigen::Index q, const Eigen::MatrixXd& positions) const;
+  std::optional<ContactPoint<Dim>> contactAt(const SlavePoint<Dim>& slave) const;
+  LimitedGap limitedAt(std::size_t e, const ContactPoint<Dim>& point) const;
+  Eigen::MatrixXd partPositions(const Eigen::VectorXd& x) const;
+  std::optional<Sums> measure(const Eigen::MatrixXd& positions) const;
+  void integrate(Sums& sums) const;
   void chooseActive(const Eigen::VectorXd& x, const Sums& sums);
   FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, double t,
                                        const Eigen::VectorXd& x) const;
   void addFunctions(double t, const Eigen::VectorXd& x, Assembly& out, const Sums& sums);
   void addFriction(int A, const Average& average, double t, const Eigen::VectorXd& x, Assembly& out,
                    Eigen::MatrixXd& K);
+  Traction tractionAt(const std::vector<int>& functions, const Eigen::Ref<const Eigen::VectorXd>& R,
+                      const LimitedGap& limited) const;
   void addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums);
+  void reportAt(const SlavePoint<Dim>& slave, const ContactPoint<Dim>& point, const LimitedGap& limited);
+  void reportPoints(const Eigen::MatrixXd& positions, const Sums& sums);
 
   using FaceContact<Dim>::face_;
   using FaceContact<Dim>::options_;
@@ -95,6 +119,10 @@ class MortarContactTerm final : public PartnerTerm<Dim> {
   using PartnerTerm<Dim>::remembered_;
   using PartnerTerm<Dim>::pointAt;
 
+  const Body<Dim>& body_;
+  std::vector<Part> parts_;  ///< of all spans, or segments that have a partner
+  bool hasSegments_ = false;
+  int numPoints_ = 0;                                 ///< of all parts
   std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
 };
 

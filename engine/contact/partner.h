@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/contact/contact_point.h"
+#include "engine/contact/segments.h"
 #include "engine/core/state_archive.h"
 #include "engine/solid/face_quadrature.h"
 
@@ -52,6 +53,10 @@ class Partner {
   /// Unknowns of the partner that points of a span may be coupled with until the next accepted state,
   /// ascending.
   virtual std::vector<int> couplings(std::size_t span) const = 0;
+
+  /// Segments of a span, begin to end, that quadrature is to be split into until the next accepted state; none
+  /// if it is not to be split.
+  virtual std::vector<Segment> segments(std::size_t) const { return {}; }
 
   /// Point about which the moment of the forces on the partner is taken, in the last updated state.
   virtual Eigen::Vector3d pivot() const = 0;

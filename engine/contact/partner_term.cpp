@@ -43,23 +43,23 @@ template <int Dim>
 SlavePoint<Dim> PartnerTerm<Dim>::pointAt(std::size_t e, Eigen::Index q,
                                           const Eigen::MatrixXd& positions) const {
   const auto& span = face_.spans()[e];
-  Eigen::Vector<double, Dim> accepted = positions.col(span.firstPoint + q);
-  if (work_.acceptedUnknowns().size() > 0) accepted = acceptedPoints(e) * span.R.col(q);
-  return {e,
-          span.firstPoint + static_cast<int>(q),
-          span.xi.col(q),
-          slaveUnknowns_[e],
-          span.R.col(q),
-          positions.col(span.firstPoint + q),
-          accepted};
+  const int number = span.firstPoint + static_cast<int>(q);
+  return pointAt(e, span, q, number, positions.col(number));
 }
 
 template <int Dim>
-double PartnerTerm<Dim>::acceptedStretch(std::size_t e, Eigen::Index q) const {
+SlavePoint<Dim> PartnerTerm<Dim>::pointAt(std::size_t e, const Span& rule, Eigen::Index q, int number,
+                                          const Eigen::Ref<const Eigen::VectorXd>& position) const {
+  Eigen::Vector<double, Dim> accepted = position;
+  if (work_.acceptedUnknowns().size() > 0) accepted = acceptedPoints(e) * rule.R.col(q);
+  return {e, number, rule.xi.col(q), slaveUnknowns_[e], rule.R.col(q), position, accepted};
+}
+
+template <int Dim>
+double PartnerTerm<Dim>::acceptedStretch(std::size_t e, const Span& rule, Eigen::Index q) const {
   if (!frictionLaw_.needsStretch()) return 0.0;
-  const auto& span = face_.spans()[e];
-  return this->areaStretch(span.functions, acceptedPoints(e), span.R.col(q),
-                           span.dR.middleCols((Dim - 1) * q, Dim - 1));
+  return this->areaStretch(rule.functions, acceptedPoints(e), rule.R.col(q),
+                           rule.dR.middleCols((Dim - 1) * q, Dim - 1));
 }
 
 template <int Dim>
@@ -67,12 +67,13 @@ bool PartnerTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
   const Eigen::MatrixXd positions = face_.positions(x);
   if (!partner_->update(t, x, positions)) return false;
   if (hasFriction_) work_.start(x);
-  const std::vector<bool> before = std::move(state_.active);
+  ContactState last = std::move(state_);
   clearState();
-  assemble(t, x, positions, out);
-  state_.countChanges(before);
-  for (const auto& span : face_.spans())
-    state_.pressed += span.weights.dot(state_.pressure.segment(span.firstPoint, span.weights.size()));
+  if (!assemble(t, x, positions, out)) {
+    state_ = std::move(last);
+    return false;
+  }
+  state_.countChanges(last.active);
   if (hasFriction_) {
     work_.end(*partner_);
     state_.frictionWork = work_.work();
@@ -97,23 +98,16 @@ void PartnerTerm<Dim>::clearState() {
 }
 
 template <int Dim>
-void PartnerTerm<Dim>::reportPoint(const SlavePoint<Dim>& slave, double weight,
-                                   const ContactPoint<Dim>& point, double lambdaHat,
-                                   const Tangential& traction, bool slips) {
-  const Eigen::Index number = slave.number;
-  state_.gap(number) = point.gap;
-  state_.pressure(number) = -lambdaHat;
-  state_.normal.col(number).template head<Dim>() = point.normal;
+void PartnerTerm<Dim>::addResultants(const SlavePoint<Dim>& slave, double weight,
+                                     const ContactPoint<Dim>& point, double lambdaHat,
+                                     const Tangential& traction) {
   Eigen::Vector3d normalForce = Eigen::Vector3d::Zero(), tangentialForce = normalForce;
   normalForce.template head<Dim>() = weight * lambdaHat * point.normal;
   Eigen::Vector3d arm = -partner_->pivot();
   arm.template head<Dim>() += slave.x;
   if (hasFriction_) {
     tangentialForce.template head<Dim>() = weight * point.frame * traction;
-    state_.traction.col(number).template head<Dim>() = point.frame * traction;
-    state_.slip.col(number).template head<Dim>() = point.frame * point.slip;
     state_.frictionForce += weight * traction.norm();
-    if (lambdaHat < 0.0) state_.sliding[static_cast<std::size_t>(number)] = slips ? 2 : 1;
     work_.reaction() += tangentialForce;
     work_.moment() += arm.cross(tangentialForce);
   }
@@ -122,8 +116,22 @@ void PartnerTerm<Dim>::reportPoint(const SlavePoint<Dim>& slave, double weight,
 }
 
 template <int Dim>
+void PartnerTerm<Dim>::reportPoint(const SlavePoint<Dim>& slave, const ContactPoint<Dim>& point,
+                                   double lambdaHat, const Tangential& traction, bool slips) {
+  const Eigen::Index number = slave.number;
+  state_.gap(number) = point.gap;
+  state_.pressure(number) = -lambdaHat;
+  state_.normal.col(number).template head<Dim>() = point.normal;
+  if (!hasFriction_) return;
+  state_.traction.col(number).template head<Dim>() = point.frame * traction;
+  state_.slip.col(number).template head<Dim>() = point.frame * point.slip;
+  if (lambdaHat < 0.0) state_.sliding[static_cast<std::size_t>(number)] = slips ? 2 : 1;
+}
+
+template <int Dim>
 void PartnerTerm<Dim>::accept() {
   partner_->accept();
+  takeSegments();
   if (!hasFriction_) return;
   work_.accept();
   this->acceptSlipped();
@@ -160,6 +168,7 @@ typename PartnerTerm<Dim>::Components PartnerTerm<Dim>::directionsOfFace() const
 template <int Dim>
 void PartnerTerm<Dim>::archive(StateArchive& archive) {
   partner_->archive(archive);
+  if (archive.restores()) takeSegments();
   if (!hasFriction_) return;
   archive.part("friction", work_);
   archive.fixedField("slipped", slipped_);

@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Contact of one face ("slave") with a partner at the face's own quadrature points, with Coulomb friction:
-/// what methods have in common that have one rule for all states.
+/// Contact of one face ("slave") with a partner, with Coulomb friction: what methods have in common that have one
+/// rule for all states of a step.
 ///
 /// Penalties have no multipliers. In their place, the traction of friction goes on from that of the accepted
 /// state, which the term remembers: what sticks slips elastically, by the traction's change over ε_T.
@@ -35,24 +35,38 @@ class PartnerTerm : public FaceContact<Dim> {
               const ContactOptions& options, int firstMultiplier,
               const std::vector<DefinitionSpec>& definitions, TractionsOf tractions);
 
-  /// Adds residual and tangent at a state that the partner knows, and calls `reportPoint` for its points; what
-  /// else there is to say goes to `state_`. positions: of the quadrature points.
-  virtual void assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions,
-                        Assembly& out) = 0;
+  /// Adds residual and tangent at a state that the partner knows; calls `addResultants` for the points of its
+  /// rule and `reportPoint` for the face's quadrature points; what else there is to say goes to `state_`, with
+  /// the integral of the pressure. positions: of the quadrature points. False if the state is not admissible.
+  [[nodiscard]] virtual bool assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions,
+                                      Assembly& out) = 0;
+
+  /// The partner may have other segments: a state has been accepted or restored.
+  virtual void takeSegments() {}
 
   /// Tractions of friction of the last evaluation by function or by point, in the frames of its step; asked
   /// for with a penalty and friction.
   virtual Components lastTractions() const = 0;
 
+  using Span = typename FaceQuadrature<Dim>::Span;
+
   SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
 
-  /// Stretch of the face's area at a quadrature point in the accepted state if the law of friction needs it,
-  /// else zero.
-  double acceptedStretch(std::size_t e, Eigen::Index q) const;
+  /// A point of a rule on a span. number: of the face's quadrature points, -1 between them.
+  SlavePoint<Dim> pointAt(std::size_t e, const Span& rule, Eigen::Index q, int number,
+                          const Eigen::Ref<const Eigen::VectorXd>& position) const;
 
-  /// What a point bears: λ̂ <= 0 along the normal, a traction along the frame; law: how that came about.
-  void reportPoint(const SlavePoint<Dim>& slave, double weight, const ContactPoint<Dim>& point,
-                   double lambdaHat, const Tangential& traction, bool slips);
+  /// Stretch of the face's area at a point of a rule on a span in the accepted state if the law of friction
+  /// needs it, else zero.
+  double acceptedStretch(std::size_t e, const Span& rule, Eigen::Index q) const;
+
+  /// Adds what a point bears to the resultants: λ̂ <= 0 along the normal, a traction along the frame.
+  void addResultants(const SlavePoint<Dim>& slave, double weight, const ContactPoint<Dim>& point,
+                     double lambdaHat, const Tangential& traction);
+
+  /// What one of the face's quadrature points bears, and whether it slips.
+  void reportPoint(const SlavePoint<Dim>& slave, const ContactPoint<Dim>& point, double lambdaHat,
+                   const Tangential& traction, bool slips);
 
   using FaceContact<Dim>::face_;
   using FaceContact<Dim>::options_;

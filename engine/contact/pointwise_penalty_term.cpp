@@ -56,7 +56,7 @@ Eigen::Index PointwisePenaltyTerm<Dim>::pointInTouch() const {
 }
 
 template <int Dim>
-void PointwisePenaltyTerm<Dim>::assemble(double t, const Eigen::VectorXd&, const Eigen::MatrixXd& positions,
+bool PointwisePenaltyTerm<Dim>::assemble(double t, const Eigen::VectorXd&, const Eigen::MatrixXd& positions,
                                          Assembly& out) {
   measure(positions);
   const Eigen::Index nearest = pointInTouch();
@@ -73,17 +73,20 @@ void PointwisePenaltyTerm<Dim>::assemble(double t, const Eigen::VectorXd&, const
       if (hasFriction_) partner_->addSlip(slave, contact);
       touches.push_back({q, slave, std::move(contact)});
     }
-    if (!touches.empty()) addSpan(e, touches, t, out);
+    if (touches.empty()) continue;
+    addSpan(e, touches, t, out);
+    state_.pressed += span.weights.dot(state_.pressure.segment(span.firstPoint, span.weights.size()));
   }
+  return true;
 }
 
 template <int Dim>
 FrictionTraction<Dim - 1> PointwisePenaltyTerm<Dim>::frictionOf(const Touch& touch, double t) const {
-  const auto& functions = face_.spans()[touch.slave.span].functions;
+  const auto& span = face_.spans()[touch.slave.span];
   const double lambdaHat = parameter() * pressedGap(touch.contact);
-  const FrictionPlace place{this->referencePlace(functions, touch.slave.R), t,
-                            slipped_(functions).dot(touch.slave.R),
-                            this->acceptedStretch(touch.slave.span, touch.q)};
+  const FrictionPlace place{this->referencePlace(span.functions, touch.slave.R), t,
+                            slipped_(span.functions).dot(touch.slave.R),
+                            this->acceptedStretch(touch.slave.span, span, touch.q)};
   const Tangential trial = remembered_.at(touch.slave.number) + frictionParameter() * touch.contact.slip;
   return coulombTraction<Dim - 1>(trial, lambdaHat, frictionLaw_.at(place, -lambdaHat));
 }
@@ -116,7 +119,8 @@ void PointwisePenaltyTerm<Dim>::addSpan(std::size_t e, const std::vector<Touch>&
       ++(law.slips ? state_.slipping : state_.sticking);
       add(w * contact.virtualSlip * law.traction, friction);
     }
-    this->reportPoint(touch.slave, w, contact, lambdaHat, law.traction, law.slips);
+    this->addResultants(touch.slave, w, contact, lambdaHat, law.traction);
+    this->reportPoint(touch.slave, contact, lambdaHat, law.traction, law.slips);
     if (out.system == nullptr) continue;
     Eigen::MatrixXd part = eps * contact.dGap * contact.dGap.transpose() + lambdaHat * contact.d2Gap;
     if (hasFriction_)

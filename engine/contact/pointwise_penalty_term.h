@@ -13,7 +13,8 @@ namespace burnish {
 ///     R_u += ∫ λ̂ N + T τᵉ dΓ,
 ///     K_uu += ∫_{g<0} ε N Nᵀ + λ̂ ∂²g + ε_T T M Sᵀ + ε T c Nᵀ + ∂(τᵉ·δs_T) dΓ
 ///
-/// over the reference face, M = ∂τᵉ/∂τ̂ and c = ∂τᵉ/∂λ̂. The contact energy is ∫ ½ ε g² dΓ.
+/// over the reference face, M = ∂τᵉ/∂τ̂ and c = ∂τᵉ/∂λ̂. The contact energy is ∫ ½ ε g² dΓ. Points remember
+/// tractions and do not move: segments of the partner are none of its.
 template <int Dim>
 class PointwisePenaltyTerm final : public PartnerTerm<Dim> {
  public:
@@ -35,7 +36,7 @@ class PointwisePenaltyTerm final : public PartnerTerm<Dim> {
 
   struct Touch;
 
-  void assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions, Assembly& out) override;
+  bool assemble(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions, Assembly& out) override;
   Components lastTractions() const override { return tractions_; }
 
   void measure(const Eigen::MatrixXd& positions);

@@ -76,20 +76,4 @@ int segmentPoints(const Patch<1, 2>& slave) {
   return isPlain ? degree + 1 : std::max(2 * degree, degree + 1);
 }
 
-QuadratureRule segmentRule(const std::vector<Segment>& segments, int pointsPerSegment) {
-  const QuadratureRule gauss = gaussLegendre(pointsPerSegment);
-  const auto count = std::count_if(segments.begin(), segments.end(),
-                                   [](const Segment& segment) { return segment.foot.has_value(); });
-  QuadratureRule rule{Eigen::VectorXd(count * pointsPerSegment), Eigen::VectorXd(count * pointsPerSegment)};
-  Eigen::Index next = 0;
-  for (const Segment& segment : segments) {
-    if (!segment.foot) continue;
-    const double length = segment.end - segment.begin;
-    rule.points.segment(next, pointsPerSegment) = (segment.begin + length * gauss.points.array()).matrix();
-    rule.weights.segment(next, pointsPerSegment) = length * gauss.weights;
-    next += pointsPerSegment;
-  }
-  return rule;
-}
-
 }  // namespace burnish

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/contact/master_surface.h"
-#include "engine/nurbs/quadrature.h"
+#include "engine/nurbs/patch.h"
 
 namespace burnish {
 
@@ -25,9 +25,5 @@ std::vector<Segment> segmentsOf(double begin, double end,
 /// Points of a rule per segment: degree + 1, exact on a straight face of equal weights; twice the degree on
 /// any other.
 int segmentPoints(const Patch<1, 2>& slave);
-
-/// Gauss-Legendre points and weights in the parameter of the segments that have a partner, one after the
-/// other.
-QuadratureRule segmentRule(const std::vector<Segment>& segments, int pointsPerSegment);
 
 }  // namespace burnish

@@ -122,6 +122,15 @@ void checkFriction(const CheckContext& c, const ContactOptions& options, const s
     c.report(path + ".shear_limit", "found without friction; allowed: beside friction.");
 }
 
+void checkSegments(const CheckContext& c, const ContactSpec& pair, const std::string& path) {
+  const bool isInSpace = c.dimensionIsKnown() && c.scene.dim() == 3;
+  if (pair.segments && c.clean(path) &&
+      (!pair.tool.empty() || isInSpace || pair.options.method == Enforcement::PointwisePenalty))
+    c.report(path,
+             "found true; allowed: beside against, in scenes of two dimensions, with other methods than "
+             "pointwise-penalty.");
+}
+
 /// What there is to say of a pair of faces alone. faces: of all pairs before, slave and master.
 void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string& path,
                std::vector<std::pair<PlaceOfFace, PlaceOfFace>>& faces) {
@@ -129,6 +138,7 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
     checkFace(c, againstKey(pair, path, k), pair.against[k]);
   if (!pair.tool.empty() && c.clean(path + ".tool"))
     c.report(path + ".tool", "found beside against; allowed: one of the two.");
+  checkSegments(c, pair, path + ".segments");
   checkGapLimit(c, pair.options, path + ".gap_limit");
   checkFriction(c, pair.options, path);
   if (!c.clean(path)) return;
@@ -181,6 +191,7 @@ void checkContact(const CheckContext& c, const std::vector<std::string>& toolNam
       c.report(path + ".reach", "found beside tool; allowed: beside against.");
     if (pair.interference != Interference::Error && c.clean(path + ".interference"))
       c.report(path + ".interference", "found beside tool; allowed: beside against.");
+    checkSegments(c, pair, path + ".segments");
     const bool known = std::find(toolNames.begin(), toolNames.end(), pair.tool) != toolNames.end();
     const bool allNamesAreRead = c.clean("tools") || toolNames.size() == c.scene.tools.size();
     if (!known && allNamesAreRead)

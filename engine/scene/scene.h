@@ -125,6 +125,7 @@ struct ContactSpec {
   OneOrMore<FaceSpec> against;  ///< instead of `tool`: whole faces, of other bodies or of the same
   std::optional<double> reach;  ///< of a pair of faces: distance within which they see each other
   Interference interference = Interference::Error;  ///< of a pair of faces
+  bool segments = false;  ///< of a pair of faces in the plane: quadrature knows the master's knots
   ContactOptions options{.method = Enforcement::IntegralAugmentedLagrangian};
 };
 

@@ -104,6 +104,9 @@ void describe(Visitor& v, ContactSpec& s) {
   v.field("interference", s.interference, {},
           "What is done about faces of a pair that overlap at the start: it is an error, or the bodies are "
           "fitted into one another during the first phase, without friction (shrink fit).");
+  v.field("segments", s.segments, {},
+          "Quadrature of a pair is split where the other face has knots and where it ends, so that forces on "
+          "both faces are integrated alike; of bodies in the plane, not with pointwise-penalty.");
   describe(v, s.options);
 }
 

@@ -45,8 +45,9 @@ const std::array<std::string, 2> methods{"augmented-lagrangian", "integral-augme
 const std::array<std::string, 2> penalties{"penalty", "pointwise-penalty"};
 
 /// Two blocks, one over the other, with unlike materials, between rollers.
-std::string patchTest(const std::string& degree, const std::string& spans, const std::string& method) {
-  return R"(
+std::string patchTest(const std::string& degree, const std::string& spans, const std::string& method,
+                      const std::string& basis = "nurbs", bool segments = false) {
+  return "basis: " + basis + R"(
 bodies:
   - {name: lower, degree: )" +
          degree + R"(, geometry: {shape: rectangle, size: [2, 1], spans: [5, 3]},
@@ -63,12 +64,15 @@ supports:
   - {body: upper, face: right, fix: [x]}
 loads:
   - {body: upper, face: top, traction: [0, -0.2], schedule: {times: [0, 1], values: [0, 1]}}
-stabilise: {until: 1}
+stabilise: {until: 0.1, strength: 1e-9}
 contact:
   - {body: upper, face: bottom, against: {body: lower, face: top}, method: )" +
-         method + R"(}
+         method + ", segments: " + (segments ? "true" : "false") + R"(}
 measures:
   - {name: end, kind: extent, body: upper, face: top}
+  - {name: lower_error, kind: error, body: lower, displacement: ["0", "(0.8698978702291289 - 1)*Y"]}
+  - {name: upper_error, kind: error, body: upper,
+     displacement: ["0", "(Y - 1)*(0.9564917252398126 - 1) + 0.8698978702291289 - 1"]}
 steps: [{until: 1, count: 4}]
 )";
 }
@@ -88,6 +92,17 @@ TEST_F(FacePairs, BlocksOfUnlikeMeshesAreCompressedAsTheirMaterialsWant) {
       before = error;
     }
   }
+}
+
+TEST_F(FacePairs, SegmentsPassThePatchTestOfUnlikeMeshes) {
+  for (const std::string& method : methods)
+    for (const char* basis : {"nurbs", "lagrange"})
+      for (const char* degree : {"1", "2", "3"}) {
+        const HistoryTable history = run(patchTest(degree, "7", method, basis, true));
+        EXPECT_LT(last(history, "lower_error.H1"), 1e-9) << method << basis << degree;
+        EXPECT_LT(last(history, "upper_error.H1"), 1e-9) << method << basis << degree;
+        EXPECT_NEAR(last(history, "upper-lower.pressed"), 0.4, 1e-9) << method << basis << degree;
+      }
 }
 
 /// A block dragged over a wider one, both elastic; the upper one by its top.

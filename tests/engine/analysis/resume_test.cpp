@@ -38,6 +38,22 @@ steps: [{until: 2, count: 8}]
 output: {every: 0.7}
 )";
 
+/// A block that slides over the ends of another one's spans, with friction; the method follows.
+const std::string kSlide = R"(
+degree: 1
+bodies:
+  - {name: slab, geometry: {shape: rectangle, size: [3, 0.5], spans: [15, 2]},
+     material: {law: neo-hookean, E: 10, nu: 0.3}}
+  - {name: block, geometry: {shape: rectangle, origin: [0.4, 0.5], size: [1, 0.5], spans: [7, 3]},
+     material: {law: neo-hookean, E: 10, nu: 0.3}}
+supports:
+  - {body: slab, face: bottom, fix: [x, y]}
+  - {body: block, face: top, move: {times: [0, 1, 2], x: [0, 0, 1], y: [0, -0.02, -0.02]}}
+steps: [{until: 1, count: 2}, {until: 2, count: 8}]
+output: {every: 0.7}
+contact:
+  - {body: block, face: bottom, against: {body: slab, face: top}, friction: 0.2, segments: true, method: )";
+
 /// All files of a result, as they are on the disk; those whose bytes a resumed run must repeat.
 std::map<std::string, std::string> filesOf(const fs::path& directory) {
   std::map<std::string, std::string> files;
@@ -218,6 +234,19 @@ output: {every: 0.4}
       ASSERT_TRUE(resume(part.path()).completed);
       EXPECT_EQ(differences(filesOf(whole.path()), filesOf(part.path())), "") << name << method;
     }
+}
+
+TEST(ResumeOfOtherRuns, ASlideOfABodyOverAnotherWithSegments) {
+  for (const char* method : {"augmented-lagrangian", "integral-augmented-lagrangian", "penalty"}) {
+    const std::string scene = kSlide + method + "}\n";
+    const ScratchDirectory whole("resume_slide_whole"), part("resume_slide_part");
+    runTo(whole.path(), scene, {});
+    for (const int steps : {1, 4, 7}) {
+      ASSERT_TRUE(runTo(part.path(), scene, haltAfter(steps)).halted);
+      ASSERT_TRUE(resume(part.path()).completed);
+      EXPECT_EQ(differences(filesOf(whole.path()), filesOf(part.path())), "") << method << steps;
+    }
+  }
 }
 
 TEST(RunsThatCannotGoOn, SayWhereAndWhatHelpsAndKeepTheirFrames) {

@@ -37,8 +37,9 @@ double errorAlongDirections(Term& term, const Eigen::VectorXd& x) {
 }
 
 template <int Dim>
-void expectConsistentTangent(const ContactOptions& options, double way, bool axisymmetric = false) {
-  SlidingStep<Dim> step(options, way, 0.05, axisymmetric, 0.004);
+void expectConsistentTangent(const ContactOptions& options, double way, bool axisymmetric = false,
+                             bool segments = false) {
+  SlidingStep<Dim> step(options, way, 0.05, axisymmetric, 0.004, segments);
   auto& term = *step.blocks.term;
   const Eigen::VectorXd force = test::forceOf(term, 0.0, step.x);
   EXPECT_GT(term.state().pressure.maxCoeff(), 0.0);
@@ -60,6 +61,13 @@ TEST(IntegralPair, TangentAgreesWithDifferencesAndForcesBalance) {
     expectConsistentTangent<2>(integral(0.9, 4), 1e-4, axisymmetric);
   }
   expectConsistentTangent<2>(integral(0.0, 8), 0.1, true);
+}
+
+TEST(IntegralPair, TangentAgreesWithDifferencesAndForcesBalanceOverSegments) {
+  for (const bool axisymmetric : {false, true}) {
+    expectConsistentTangent<2>(integral(0.0, 8), 0.1, axisymmetric, true);
+    expectConsistentTangent<2>(integral(0.3, 4), 0.1, axisymmetric, true);
+  }
 }
 
 TEST(IntegralPair, TangentAgreesWithDifferencesInSpace) {

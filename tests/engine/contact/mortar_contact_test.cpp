@@ -18,8 +18,8 @@ ContactOptions withFriction(double mu) {
 }
 
 template <int Dim>
-void expectConsistentTangent(double mu, double way) {
-  SlidingStep<Dim> step(withFriction(mu), way);
+void expectConsistentTangent(double mu, double way, bool segments = false, bool axisymmetric = false) {
+  SlidingStep<Dim> step(withFriction(mu), way, 0.02, axisymmetric, 0.02, segments);
   auto& term = *step.blocks.term;
   const Eigen::VectorXd force = test::forceOf(term, 0.0, step.x);
   EXPECT_GT(term.state().numActive(), 2);
@@ -40,6 +40,11 @@ TEST(MortarContact, TangentAgreesWithDifferencesAndForcesBalance) {
   }
   expectConsistentTangent<3>(0.0, 0.05);
   expectConsistentTangent<3>(0.3, 0.05);
+}
+
+TEST(MortarContact, TangentAgreesWithDifferencesAndForcesBalanceOverSegments) {
+  for (const double mu : {0.0, 0.3})
+    for (const bool axisymmetric : {false, true}) expectConsistentTangent<2>(mu, 0.1, true, axisymmetric);
 }
 
 TEST(MortarContact, FrictionIsBoundedByCoulombsLaw) {

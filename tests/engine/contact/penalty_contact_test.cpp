@@ -25,8 +25,9 @@ ContactOptions penalty(Enforcement method, double mu) {
 }
 
 template <int Dim>
-void expectConsistentTangent(const ContactOptions& options, double way, bool axisymmetric = false) {
-  SlidingStep<Dim> step(options, way, 0.0, axisymmetric, 0.0043);
+void expectConsistentTangent(const ContactOptions& options, double way, bool axisymmetric = false,
+                             bool segments = false) {
+  SlidingStep<Dim> step(options, way, 0.0, axisymmetric, 0.0043, segments);
   auto& term = *step.blocks.term;
   ASSERT_EQ(term.numMultipliers(), 0);
   const Eigen::VectorXd force = test::forceOf(term, 0.0, step.x);
@@ -49,6 +50,12 @@ TEST(Penalty, TangentAgreesWithDifferencesAndForcesBalance) {
       expectConsistentTangent<2>(penalty(method, 0.3), 0.1, axisymmetric);
       expectConsistentTangent<2>(penalty(method, 0.9), 1e-4, axisymmetric);
     }
+}
+
+TEST(Penalty, TangentAgreesWithDifferencesAndForcesBalanceOverSegments) {
+  for (const bool axisymmetric : {false, true})
+    for (const double mu : {0.0, 0.3})
+      expectConsistentTangent<2>(penalty(Enforcement::MortarPenalty, mu), 0.1, axisymmetric, true);
 }
 
 TEST(Penalty, TangentAgreesWithDifferencesInSpace) {

@@ -44,21 +44,21 @@ struct Faces {
           withSegments
               ? partner.segments(e)
               : std::vector<Segment>{{basis.spanBegin(span), basis.spanEnd(span), SurfacePlace<2>{}}};
-      const QuadratureRule rule = segmentRule(segments, points);
-      for (Eigen::Index q = 0; q < rule.points.size(); ++q) {
-        const Eigen::Vector<double, 1> xi(rule.points(q));
-        const auto shape = trace.shape(span, xi);
-        const auto functions = trace.basis().spanFunctions(span);
-        const Eigen::Matrix2Xd control = trace.points()(Eigen::all, functions);
-        const SlavePoint<2> point{e, -1, xi, {}, shape.R, control * shape.R, {}};
-        const auto contact = partner.at(point, PointDetail::Derivatives);
-        if (!contact) continue;
-        const double weight = rule.weights(q) * (control * shape.dR).norm();
-        for (std::size_t b = 0; b < contact->unknowns.size(); ++b)
-          if (contact->unknowns[b] % 2 == 1)
-            sums(contact->unknowns[b] / 2) -=
-                weight *
-                contact->dGap(static_cast<Eigen::Index>(2 * shape.R.size() + static_cast<Eigen::Index>(b)));
+      for (const Segment& segment : segments) {
+        if (!segment.foot) continue;
+        using Parameter = Eigen::Vector<double, 1>;
+        const auto rule = face.part(slave, span, {Parameter(segment.begin), Parameter(segment.end)}, points);
+        const Eigen::Matrix2Xd positions = face.points()(Eigen::all, rule.functions) * rule.R;
+        for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
+          const SlavePoint<2> point{e, -1, rule.xi.col(q), {}, rule.R.col(q), positions.col(q), {}};
+          const auto contact = partner.at(point, PointDetail::Derivatives);
+          if (!contact) continue;
+          const auto own = static_cast<std::size_t>(2 * rule.R.rows());
+          for (std::size_t b = 0; b < contact->unknowns.size(); ++b)
+            if (contact->unknowns[b] % 2 == 1)
+              sums(contact->unknowns[b] / 2) -=
+                  rule.weights(q) * contact->dGap(static_cast<Eigen::Index>(own + b));
+        }
       }
     }
     return sums;

@@ -84,9 +84,10 @@ struct SlidingStep {
   Eigen::VectorXd accepted, x;
 
   SlidingStep(const ContactOptions& options, double way, double tau = 0.02, bool axisymmetric = false,
-              double down = 0.02)
+              double down = 0.02, bool segments = false)
       : blocks(lifted<Dim>(wavy<Dim>(BasisFamily::BSpline, 2, 2, 0.05, 3), 0.07, 1.0),
-               wavy<Dim>(BasisFamily::BSpline, 2, 3, 0.05, 4), options, axisymmetric) {
+               wavy<Dim>(BasisFamily::BSpline, 2, 3, 0.05, 4), options, axisymmetric,
+               {.reach = 0.5, .segments = segments}) {
     accepted = randomState(blocks.numUnknowns(), 2e-3, 5);
     forceOf(*blocks.term, 0.0, accepted);
     blocks.term->accept();

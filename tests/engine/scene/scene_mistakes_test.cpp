@@ -363,6 +363,9 @@ INSTANTIATE_TEST_SUITE_P(
     nameOf);
 
 const std::string kPlateOnFirm = "tool: plate, body: firm, face: top";
+const char* const kWhereSegmentsAre =
+    "found true; allowed: beside against, in scenes of two dimensions, with other methods than "
+    "pointwise-penalty.";
 std::string firmAgainst(const std::string& faces) {
   return "body: firm, face: left, against: " + faces;
 }
@@ -384,6 +387,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "found face left itself; allowed: another face, or the key self_contact."},
         Mistake{"emptyList", &twoBodies, kPlateOnFirm, firmAgainst("[]"), "[]", "contact[1].against",
                 "found a list of 0 entries; allowed: a mapping, or a list of mappings."},
+        Mistake{"segmentsOfATool", &twoBodies, kPlateOnFirm, kPlateOnFirm + ", segments: true", "true",
+                "contact[1].segments", kWhereSegmentsAre},
+        Mistake{"segmentsOfPointsThatRemember", &twoBodies, kPlateOnFirm,
+                firmAgainst("{body: soft, face: right}, method: pointwise-penalty, segments: true"), "true",
+                "contact[1].segments", kWhereSegmentsAre},
+        Mistake{"segmentsInSpace", &solid,
+                "steps:", "contact: [{face: top, against: {face: bottom}, segments: true}]\nsteps:", "true",
+                "contact[0].segments", kWhereSegmentsAre},
         Mistake{
             "bothSlave", &twoBodies, kPlateOnFirm,
             firmAgainst("{body: soft, face: right}") +
