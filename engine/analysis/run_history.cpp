@@ -178,7 +178,6 @@ double RunHistory<Dim>::fittingWork(const StateQuantities& next) const {
   double work = 0.0;
   for (std::size_t k = 0; k < next.pairs.size(); ++k) {
     const GapRamp& fit = model_.pairs()[k].fit;
-    if (fit.amount == 0.0) continue;
     work += 0.5 * (current_.pairs[k].pressed + next.pairs[k].pressed) *
             (fit.at(current_.time) - fit.at(next.time));
   }

@@ -38,6 +38,20 @@ Eigen::VectorXd FaceContact<Dim>::referenceGaps(const GapAt& gapAt) const {
 }
 
 template <int Dim>
+void FaceContact<Dim>::clearState(bool hasFriction) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  state_ = {};
+  state_.averageGap = Eigen::VectorXd::Constant(face_.numFunctions(), kInfinity);
+  state_.lambdaHat = Eigen::VectorXd::Zero(face_.numFunctions());
+  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
+  state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
+  state_.normal = Eigen::MatrixXd::Zero(3, face_.numPoints());
+  if (!hasFriction) return;
+  state_.traction = state_.slip = Eigen::Matrix3Xd::Zero(3, face_.numPoints());
+  state_.sliding.assign(static_cast<std::size_t>(face_.numPoints()), 0);
+}
+
+template <int Dim>
 double FaceContact<Dim>::smallestGapOfPoints(const GapAt& gapAt) const {
   double smallest = std::numeric_limits<double>::infinity();
   for (const auto& span : face_.spans())

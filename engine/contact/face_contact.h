@@ -134,6 +134,9 @@ class FaceContact : public Term {
     return state_.pressure(point) > 0.0 ? state_.slip.col(point).norm() : 0.0;
   }
 
+  /// State of an evaluation that has not begun: nothing is pressed, nothing has a partner.
+  void clearState(bool hasFriction);
+
   /// Fills in `ContactState::slipped` from the way until the accepted state and the slip of the step.
   void reportSlipped();
 

@@ -3,11 +3,13 @@
 namespace burnish {
 
 /// What is added to gaps of two faces while their interference is resolved: the amount at the time `from`,
-/// nothing from `until` on.
+/// nothing from `until` on. Without an amount nothing at all.
 struct GapRamp {
   double amount = 0.0, from = 0.0, until = 0.0;
 
-  double at(double t) const { return t < until ? amount * (until - t) / (until - from) : 0.0; }
+  double at(double t) const {
+    return amount != 0.0 && t < until ? amount * (until - t) / (until - from) : 0.0;
+  }
 };
 
 }  // namespace burnish

@@ -509,18 +509,9 @@ bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Asse
   if (!partner_->update(t, x, face_.positions(x))) return false;
   time_ = t;
   const std::vector<bool> before = std::move(state_.active);
-  state_ = {};
-  if (hasFriction_) work_.start(x);
-  state_.averageGap = Eigen::VectorXd::Constant(face_.numFunctions(), kInfinity);
-  state_.lambdaHat = Eigen::VectorXd::Zero(face_.numFunctions());
+  this->clearState(hasFriction_);
   state_.active.assign(anchors_.size(), false);
-  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
-  state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
-  state_.normal = Eigen::MatrixXd::Zero(3, face_.numPoints());
-  if (hasFriction_) {
-    state_.traction = state_.slip = Eigen::Matrix3Xd::Zero(3, face_.numPoints());
-    state_.sliding.assign(static_cast<std::size_t>(face_.numPoints()), 0);
-  }
+  if (hasFriction_) work_.start(x);
 
   std::vector<SpanValues> values;
   std::vector<SpanState> states;

@@ -90,10 +90,7 @@ CouplingGroups MortarContactTerm<Dim>::couplings() const {
   CouplingGroups groups;
   CouplingGroups ofFunctions(static_cast<std::size_t>(face_.numFunctions()));
   for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    auto& group = groups.emplace_back(slaveUnknowns_[e]);
-    const auto others = partner_->couplings(e);
-    group.insert(group.end(), others.begin(), others.end());
-    sortOnce(group);
+    const auto& group = groups.emplace_back(this->spanCouplings(e));
     for (const int a : face_.spans()[e].functions) {
       auto& unknowns = ofFunctions[static_cast<std::size_t>(a)];
       unknowns.insert(unknowns.end(), group.begin(), group.end());

@@ -114,7 +114,6 @@ class MortarContactTerm final : public PartnerTerm<Dim> {
   using FaceContact<Dim>::work_;
   using PartnerTerm<Dim>::partner_;
   using PartnerTerm<Dim>::hasFriction_;
-  using PartnerTerm<Dim>::slaveUnknowns_;
   using PartnerTerm<Dim>::touching_;
   using PartnerTerm<Dim>::remembered_;
   using PartnerTerm<Dim>::pointAt;

@@ -1,7 +1,8 @@
 #include "engine/contact/partner_term.h"
 
-#include <limits>
 #include <utility>
+
+#include "engine/contact/unknown_lists.h"
 
 namespace burnish {
 namespace {
@@ -29,6 +30,15 @@ PartnerTerm<Dim>::PartnerTerm(const Body<Dim>& body, int patch, FaceId face,
     for (const int a : span.functions)
       for (int d = 0; d < Dim; ++d) own.push_back(Dim * face_.nodes()[static_cast<std::size_t>(a)] + d);
   }
+}
+
+template <int Dim>
+std::vector<int> PartnerTerm<Dim>::spanCouplings(std::size_t e) const {
+  std::vector<int> unknowns = slaveUnknowns_[e];
+  const auto others = partner_->couplings(e);
+  unknowns.insert(unknowns.end(), others.begin(), others.end());
+  sortOnce(unknowns);
+  return unknowns;
 }
 
 /// Control points of a span's functions in the accepted state; with friction alone.
@@ -68,7 +78,7 @@ bool PartnerTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
   if (!partner_->update(t, x, positions)) return false;
   if (hasFriction_) work_.start(x);
   ContactState last = std::move(state_);
-  clearState();
+  this->clearState(hasFriction_);
   if (!assemble(t, x, positions, out)) {
     state_ = std::move(last);
     return false;
@@ -81,20 +91,6 @@ bool PartnerTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
   }
   if (axisymmetric_) state_.keepAxialReaction();
   return true;
-}
-
-template <int Dim>
-void PartnerTerm<Dim>::clearState() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  state_ = {};
-  state_.averageGap = Eigen::VectorXd::Constant(face_.numFunctions(), kInfinity);
-  state_.lambdaHat = Eigen::VectorXd::Zero(face_.numFunctions());
-  state_.gap = Eigen::VectorXd::Constant(face_.numPoints(), kInfinity);
-  state_.pressure = Eigen::VectorXd::Zero(face_.numPoints());
-  state_.normal = Eigen::MatrixXd::Zero(3, face_.numPoints());
-  if (!hasFriction_) return;
-  state_.traction = state_.slip = Eigen::Matrix3Xd::Zero(3, face_.numPoints());
-  state_.sliding.assign(static_cast<std::size_t>(face_.numPoints()), 0);
 }
 
 template <int Dim>

@@ -50,6 +50,9 @@ class PartnerTerm : public FaceContact<Dim> {
 
   using Span = typename FaceQuadrature<Dim>::Span;
 
+  /// Unknowns that points of a span depend on, ascending.
+  std::vector<int> spanCouplings(std::size_t e) const;
+
   SlavePoint<Dim> pointAt(std::size_t e, Eigen::Index q, const Eigen::MatrixXd& positions) const;
 
   /// A point of a rule on a span. number: of the face's quadrature points, -1 between them.
@@ -90,7 +93,6 @@ class PartnerTerm : public FaceContact<Dim> {
  private:
   bool remembers() const { return hasFriction_ && isPenalty(options_.method); }
   Eigen::MatrixXd acceptedPoints(std::size_t e) const;
-  void clearState();
   Components directionsOfFace() const;
 
   TractionsOf tractionsOf_;

@@ -17,12 +17,7 @@ struct PointwisePenaltyTerm<Dim>::Touch {
 template <int Dim>
 CouplingGroups PointwisePenaltyTerm<Dim>::couplings() const {
   CouplingGroups groups;
-  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
-    auto& group = groups.emplace_back(slaveUnknowns_[e]);
-    const auto others = partner_->couplings(e);
-    group.insert(group.end(), others.begin(), others.end());
-    sortOnce(group);
-  }
+  for (std::size_t e = 0; e < face_.spans().size(); ++e) groups.push_back(this->spanCouplings(e));
   return groups;
 }
 

@@ -42,7 +42,7 @@ void checkPair(const CheckContext& c, const ContactSpec& pair, const std::string
   const bool isMaster = std::any_of(pair.against.begin(), pair.against.end(),
                                     [&](const FaceSpec& face) { return isMeshedAnew(c, face.body); });
   refuse(c, isSlave && isMaster, path + ".against", "contact of two faces of the body that is meshed anew");
-  refuse(c, isSlave && pair.options.hasFriction() && averagesGaps(pair.options.method),
+  refuse(c, isSlave && pair.options.hasFriction() && pair.options.method == Enforcement::AugmentedLagrangian,
          path + (pair.options.rough ? ".rough" : ".friction"),
          "friction with augmented-lagrangian on the body that is meshed anew (integral-augmented-lagrangian "
          "carries it over, and so does naming the other body first)");

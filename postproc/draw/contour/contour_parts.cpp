@@ -52,7 +52,10 @@ void setValues(vtkPointData& points, const Mesh& mesh, const ModelRecord& model,
 /// What has colours. mesh: of the bodies that have the field.
 vtkSmartPointer<vtkPolyData> makeBody(const MeshRecord& mesh, const ModelRecord& model,
                                       const FrameRecord& frame, const ContourOptions& options) {
-  if (isContactField(options.field)) return contactFieldFaces(model, frame, options.field);
+  if (isContactField(options.field)) {
+    chooseField(model, frame, options.field);  // a frame that does not have it is refused
+    return contactFieldFaces(model, frame, options.field);
+  }
   const BodySurface surface(mesh, subdivisionOf(model, options));
   const auto body = surface.displaced(options.warp * frame.displacement);
   setValues(*body->GetPointData(), surface, model, frame, options);
@@ -229,7 +232,6 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.axes = alongNormal ? viewFrom(options.slice->normal) : viewAxes(options.view, model.dim);
   parts.displacement = options.warp * frame.displacement;
   if (options.tools) parts.tools = shownTools(model, frame, options.warp);
-  chooseField(model, frame, options.field);  // of a frame that has it
   const FieldMesh meshes(model, frame, options.field);
   parts.body = makeBody(meshes.with(), model, frame, options);
   parts.box = boxOf(*parts.body);

@@ -98,7 +98,9 @@ void checkContactField(const PictureOptions& options, std::vector<InputProblem>&
   refuse(options.clip.has_value(), "clip");
   refuse(options.cut.has_value(), "cut");
   refuse(options.slice.has_value(), "slice");
-  refuse(options.range.has_value() && !statesOfContactField(options.field).empty(), "range");
+  if (options.range && !statesOfContactField(options.field).empty())
+    problems.push_back({"range", fmt::format("the states of {} have colours of their own; draw it without.",
+                                             options.field)});
   refuse(options.arrows == ArrowField::Displacement, "vectors");
 }
 
