@@ -3,9 +3,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/analysis/mesh_hierarchy.h"
 #include "engine/analysis/residual_scales.h"
 
 namespace burnish {
+
+namespace {
+
+/// For solvers that need one.
+template <int Dim>
+std::optional<Hierarchy> hierarchyFor(const Scene& scene, const Model<Dim>& model) {
+  if (scene.solver.newton.linear.name == "direct") return std::nullopt;
+  constexpr int kCoarsest = 2000;
+  return makeHierarchy(model, MergeRule{}, kCoarsest);
+}
+
+}  // namespace
 
 template <int Dim>
 std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model) {
@@ -18,7 +31,8 @@ template <int Dim>
 Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start)
     : model(std::move(itsModel)),
       terms(model->terms()),
-      newton(terms, model->prescribed(), residualScales(*model), scene.solver.newton),
+      newton(terms, model->prescribed(), residualScales(*model), scene.solver.newton,
+             hierarchyFor(scene, *model)),
       stepping(
           newton, terms, [this](double t) { return model->target(t); }, scene.solver.stepping,
           std::move(start)),

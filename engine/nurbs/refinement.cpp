@@ -53,18 +53,6 @@ void requireNested(const KnotVector& coarse, const KnotVector& fine) {
           fmt::format("refinement: the finer knot vector is smoother than the coarse one at knot {}", x));
 }
 
-/// Coefficients along direction d transformed by T; rows of `values` are functions, first direction fastest.
-Eigen::MatrixXd applyAlong(const Eigen::MatrixXd& values, const Eigen::MatrixXd& T, Eigen::Index stride) {
-  const Eigen::Index n = T.cols(), m = T.rows(), blocks = values.rows() / (n * stride);
-  Eigen::MatrixXd result(blocks * m * stride, values.cols());
-  for (Eigen::Index b = 0; b < blocks; ++b)
-    for (Eigen::Index s = 0; s < stride; ++s) {
-      const Eigen::MatrixXd line = values(Eigen::seqN(b * n * stride + s, n, stride), Eigen::all);
-      result(Eigen::seqN(b * m * stride + s, m, stride), Eigen::all) = T * line;
-    }
-  return result;
-}
-
 /// The breakpoint that a place inside the domain means, or the place itself.
 double snapped(const KnotVector& knots, double place) {
   constexpr double kClose = 1e-3;
@@ -94,6 +82,17 @@ Eigen::MatrixXd refinementMatrix(const KnotVector& coarse, const KnotVector& fin
         blossom(bezier, basis.spanBegin(span), basis.spanEnd(span), knots + 1);
   }
   return T;
+}
+
+Eigen::MatrixXd appliedAlong(const Eigen::MatrixXd& values, const Eigen::MatrixXd& T, Eigen::Index stride) {
+  const Eigen::Index n = T.cols(), m = T.rows(), blocks = values.rows() / (n * stride);
+  Eigen::MatrixXd result(blocks * m * stride, values.cols());
+  for (Eigen::Index b = 0; b < blocks; ++b)
+    for (Eigen::Index s = 0; s < stride; ++s) {
+      const Eigen::MatrixXd line = values(Eigen::seqN(b * n * stride + s, n, stride), Eigen::all);
+      result(Eigen::seqN(b * m * stride + s, m, stride), Eigen::all) = T * line;
+    }
+  return result;
 }
 
 KnotVector withKnots(const KnotVector& knots, const std::vector<double>& added) {
@@ -147,7 +146,7 @@ Patch<P, S> refined(const Patch<P, S>& patch, const std::vector<KnotVector>& tar
       throw Error("refinement: only B-spline directions can be refined");
     const auto& knots = target[static_cast<std::size_t>(d)];
     const Eigen::MatrixXd T = refinementMatrix(KnotVector(old.degree(), old.knots()), knots);
-    homogeneous = applyAlong(homogeneous, T, stride);
+    homogeneous = appliedAlong(homogeneous, T, stride);
     stride *= T.rows();
     directions.push_back(UnivariateBasis::bspline(knots));
   }

@@ -11,6 +11,10 @@ namespace burnish {
 /// Throws `Error` if the coarse space is not contained in the fine one.
 Eigen::MatrixXd refinementMatrix(const KnotVector& coarse, const KnotVector& fine);
 
+/// Coefficients of a tensor product transformed by T along one direction. values: one row per function, the first
+/// direction fastest; stride: number of functions in the directions before this one.
+Eigen::MatrixXd appliedAlong(const Eigen::MatrixXd& values, const Eigen::MatrixXd& T, Eigen::Index stride);
+
 /// The knot vector with knots added (values inside its domain; a value may be repeated).
 KnotVector withKnots(const KnotVector& knots, const std::vector<double>& added);
 

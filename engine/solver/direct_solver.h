@@ -17,9 +17,12 @@ class DirectSolver final : public LinearSolver {
   ~DirectSolver() override;
 
   [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A) override;
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) override;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b);
+  Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy&) override { return solve(b); }
   Eigen::Index factorNonZeros() override;
-  bool isDefinite() const override { return isDefinite_; }
+  Definiteness definiteness() const override {
+    return isDefinite_ ? Definiteness::Definite : Definiteness::NotDefinite;
+  }
 
   /// Factorisations that UMFPACK did.
   long numIndefinite() const override { return numGeneral_; }

@@ -6,24 +6,25 @@
 
 #include "engine/core/error.h"
 #include "engine/solver/direct_solver.h"
+#include "engine/solver/multigrid.h"
 
 namespace burnish {
 namespace {
 
-template <class Solver>
-std::unique_ptr<LinearSolver> make(Eigen::Index leading, TangentKind kind) {
-  return std::make_unique<Solver>(leading, kind);
+std::unique_ptr<LinearSolver> makeDirectSolver(const LinearProblem& problem) {
+  return std::make_unique<DirectSolver>(problem.leading, problem.kind);
 }
 
 /// A linear solver and its name in scenes.
 struct NamedSolver {
   const char* name;
-  std::unique_ptr<LinearSolver> (*make)(Eigen::Index leading, TangentKind kind);
+  std::unique_ptr<LinearSolver> (*make)(const LinearProblem& problem);
 };
 
 /// All linear solvers, one line each.
 constexpr std::array kSolvers{
-    NamedSolver{"direct", make<DirectSolver>},
+    NamedSolver{"direct", makeDirectSolver},
+    NamedSolver{"multigrid", makeMultigridSolver},
 };
 
 }  // namespace
@@ -34,10 +35,10 @@ std::vector<std::string> linearSolverNames() {
   return names;
 }
 
-std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& options, Eigen::Index leading,
-                                               TangentKind kind) {
+std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& options,
+                                               const LinearProblem& problem) {
   for (const NamedSolver& solver : kSolvers)
-    if (options.name == solver.name) return solver.make(leading, kind);
+    if (options.name == solver.name) return solver.make(problem);
   throw Error(fmt::format("there is no linear solver {}", options.name));
 }
 

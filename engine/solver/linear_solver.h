@@ -4,11 +4,35 @@
 #include <memory>
 
 #include "engine/core/state_archive.h"
+#include "engine/solver/hierarchy.h"
 #include "engine/solver/solver_options.h"
 
 namespace burnish {
 
 enum class TangentKind { Symmetric, General };
+
+/// What is known of all systems that a solver shall solve.
+struct LinearProblem {
+  Eigen::Index leading = 0;  ///< number of rows of K
+  TangentKind kind = TangentKind::Symmetric;
+  const Hierarchy* hierarchy = nullptr;  ///< of the first unknowns; must outlive the solver. Null: none is known
+};
+
+/// How well a system is to be solved by a method that comes nearer and nearer.
+struct SolveAccuracy {
+  Eigen::VectorXd rowWeights;  ///< by which residuals are measured; one per row
+  double reduction = 1e-12;    ///< of the norm of the weighted residual over that of the right-hand side
+};
+
+/// Whether K and the Schur complement of the border are definite for a matrix.
+enum class Definiteness { Definite, NotDefinite, NotKnown };
+
+/// What iterative methods have done so far.
+struct IterationCounts {
+  long iterations = 0;
+  long setUps = 0;     ///< of preconditioners
+  long fallbacks = 0;  ///< systems that were solved by another method in the end
+};
 
 /// Solves linear systems with matrices of one symmetric pattern. Symmetric ones have the form
 ///
@@ -24,29 +48,33 @@ class LinearSolver {
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
 
-  /// Returns false if the matrix is singular to working precision or not finite.
+  /// Returns false if the matrix is singular to working precision or not finite. A must stay as it is until
+  /// the last system with it is solved.
   [[nodiscard]] virtual bool factorise(const Eigen::SparseMatrix<double>& A) = 0;
 
-  /// Solves with the last matrix that was factorised.
-  virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) = 0;
+  /// Solves with the last matrix that was factorised: as well as rounding allows, or by an iterative method to
+  /// the accuracy that is asked for. Not finite if that cannot be reached.
+  virtual Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) = 0;
 
   /// Non-zeros of the last factors, 0 before the first: the cost of a solve that no other load on the machine
   /// changes.
   virtual Eigen::Index factorNonZeros() = 0;
 
-  /// Whether K and the Schur complement of the border are known to be definite for the last matrix: then no
-  /// unstable directions are looked for.
-  virtual bool isDefinite() const { return false; }
+  /// Of the last matrix. If it is not known, unstable directions are not looked for.
+  virtual Definiteness definiteness() const { return Definiteness::NotDefinite; }
 
-  /// Factorisations of matrices for which that was not known.
+  /// Factorisations of matrices that were not known to be definite.
   virtual long numIndefinite() const { return 0; }
+
+  virtual IterationCounts counts() const { return {}; }
 
   /// What is counted; what the solver does depends on the matrix alone.
   virtual void archive(StateArchive&) {}
 };
 
-/// The solver that the options name. `leading`: number of rows of K. Throws `Error` for an unknown name.
-std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& options, Eigen::Index leading,
-                                               TangentKind kind = TangentKind::Symmetric);
+/// The solver that the options name. Throws `Error` for an unknown name, and for one that this program was
+/// built without.
+std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& options,
+                                               const LinearProblem& problem);
 
 }  // namespace burnish

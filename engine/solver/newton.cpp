@@ -51,13 +51,14 @@ std::string describe(NewtonOutcome outcome) {
 }
 
 Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales,
-               NewtonOptions options)
+               NewtonOptions options, std::optional<Hierarchy> hierarchy)
     : terms_(std::move(terms)),
       scales_(std::move(scales)),
       options_(std::move(options)),
       system_(std::move(prescribed), couplingsOf(terms_)),
-      linear_(
-          makeLinearSolver(options_.linear, numFreeBelow(system_, scales_.numForces), tangentKind(terms_))),
+      hierarchy_(std::move(hierarchy)),
+      linear_(makeLinearSolver(options_.linear, {numFreeBelow(system_, scales_.numForces), tangentKind(terms_),
+                                                 hierarchy_ ? &*hierarchy_ : nullptr})),
       inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);
@@ -112,7 +113,7 @@ double Newton::roundOff(const Eigen::VectorXd& x) const {
 
 int Newton::countUnstableDirections() {
   // The last iterate is so near that a definite tangent there is one here.
-  if (system_.freeUnknowns().empty() || linear_->isDefinite()) return 0;
+  if (system_.freeUnknowns().empty() || linear_->definiteness() != Definiteness::NotDefinite) return 0;
   const Stopwatch watch(timings_.factorisation);
   return inertia_.unstableDirections(system_.freeTangent());
 }
@@ -136,7 +137,20 @@ NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, 
   return NewtonOutcome::TooManyIterations;
 }
 
-bool Newton::findCorrection(bool isFirst, FirstTangent first, Eigen::VectorXd& correction) {
+SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, const Residual& residual) const {
+  const auto& free = system_.freeUnknowns();
+  SolveAccuracy accuracy{Eigen::VectorXd(rhs.size()), 1e-3};
+  for (std::size_t k = 0; k < free.size(); ++k)
+    accuracy.rowWeights(static_cast<Eigen::Index>(k)) =
+        free[k] < scales_.numForces ? 1.0 / (options_.tolerance * residual.reference)
+                                    : 1.0 / (options_.constraintTolerance * scales_.constraints(free[k] - scales_.numForces));
+  const double size = rhs.cwiseProduct(accuracy.rowWeights).norm();
+  accuracy.reduction = std::clamp(1e-2 / size, 1e-13, 1e-3);
+  return accuracy;
+}
+
+bool Newton::findCorrection(bool isFirst, FirstTangent first, const Residual& residual,
+                            Eigen::VectorXd& correction) {
   if (isFirst && first == FirstTangent::Remembered && remembersTangent()) system_.setTangent(remembered_);
   if (system_.freeUnknowns().empty()) return true;  // supports say it all
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(correction.size());
@@ -147,7 +161,8 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, Eigen::VectorXd& c
     if (!linear_->factorise(system_.freeTangent())) return false;
   }
   const Stopwatch watch(timings_.solve);
-  correction += system_.expandFromFree(linear_->solve(system_.restrictToFree(rhs)));
+  const Eigen::VectorXd free = system_.restrictToFree(rhs);
+  correction += system_.expandFromFree(linear_->solve(free, accuracyFor(free, residual)));
   return correction.allFinite();
 }
 
@@ -191,7 +206,8 @@ NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::Vecto
     return report;
   }
   for (;;) {
-    report.outcome = judge(measure(), x, report);
+    const Residual residual = measure();
+    report.outcome = judge(residual, x, report);
     Eigen::VectorXd correction = target - x;  // of the prescribed unknowns; the others follow
     correction(system_.freeUnknowns()).setZero();
     if (report.outcome == NewtonOutcome::Converged && !correction.isZero(0.0))
@@ -200,7 +216,7 @@ NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::Vecto
     if (report.outcome != NewtonOutcome::TooManyIterations || report.iterations == options_.maxIterations)
       return report;
 
-    if (!findCorrection(report.iterations == 0, first, correction)) {
+    if (!findCorrection(report.iterations == 0, first, residual, correction)) {
       report.outcome = NewtonOutcome::Singular;
       return report;
     }

@@ -2,9 +2,11 @@
 #include <Eigen/Dense>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/solver/hierarchy.h"
 #include "engine/solver/inertia.h"
 #include "engine/solver/linear_solver.h"
 #include "engine/solver/solver_options.h"
@@ -57,9 +59,10 @@ enum class FirstTangent {
 /// Newton's method with the consistent tangent for a sum of terms. Knows residuals and tangents, no physics.
 class Newton {
  public:
-  /// `prescribed`: one flag per unknown. The terms must outlive the object.
-  Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales,
-         NewtonOptions options);
+  /// `prescribed`: one flag per unknown. hierarchy: nested spaces of the free displacement components, for
+  /// solvers that need them. The terms must outlive the object.
+  Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales, NewtonOptions options,
+         std::optional<Hierarchy> hierarchy = {});
 
   /// Solves at time t from the start x. Prescribed unknowns go to the values they have in `target` (their
   /// other entries are ignored) along with the first correction, so that an admissible start stays
@@ -105,7 +108,11 @@ class Newton {
   NewtonOutcome judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const;
 
   /// `correction` holds the increments of the prescribed unknowns on entry; false if the tangent is singular.
-  bool findCorrection(bool isFirst, FirstTangent first, Eigen::VectorXd& correction);
+  bool findCorrection(bool isFirst, FirstTangent first, const Residual& residual, Eigen::VectorXd& correction);
+
+  /// What iterative methods have to reach: residuals are weighed by what they may be in the end, and shall
+  /// become a hundredth of that.
+  SolveAccuracy accuracyFor(const Eigen::VectorXd& rhs, const Residual& residual) const;
 
   /// Moves x along the correction, shortened as needed; false if no admissible state was found.
   bool take(double t, const Eigen::VectorXd& correction, const Eigen::VectorXd& target, Eigen::VectorXd& x,
@@ -115,6 +122,7 @@ class Newton {
   ResidualScales scales_;
   NewtonOptions options_;
   SparseSystem system_;
+  std::optional<Hierarchy> hierarchy_;
   std::unique_ptr<LinearSolver> linear_;
   Inertia inertia_;
   std::vector<Eigen::VectorXd> forces_;

@@ -12,12 +12,9 @@ struct LinearSolverOptions {
   std::string name = "direct";  ///< one of `linearSolverNames()`
 };
 
-/// A scene may choose as soon as there is a choice.
 template <class Visitor>
 void describe(Visitor& v, LinearSolverOptions& s) {
-  const auto names = linearSolverNames();
-  if (names.size() > 1)
-    v.field("linear_solver", s.name, {.choices = names}, "How linear systems of equations are solved.");
+  v.field("linear", s.name, {.choices = linearSolverNames()}, "How linear systems of equations are solved.");
 }
 
 struct NewtonOptions {

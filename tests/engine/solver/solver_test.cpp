@@ -238,7 +238,7 @@ TEST(DirectSolver, GeneralMatricesAreSolvedWithASymmetricOneNearToThem) {
   for (int repetition = 0; repetition < 2; ++repetition) {
     ASSERT_TRUE(solver.factorise(A));
     EXPECT_LT((solver.solve(A * exact) - exact).norm(), 1e-10 * exact.norm());
-    EXPECT_FALSE(solver.isDefinite());
+    EXPECT_EQ(solver.definiteness(), Definiteness::NotDefinite);
   }
   EXPECT_EQ(solver.numIndefinite(), 0);
 
@@ -259,9 +259,9 @@ TEST(DirectSolver, MultiplierThatDoesNothingIsSingular) {
 }
 
 TEST(LinearSolver, IsMadeByItsName) {
-  EXPECT_NE(dynamic_cast<DirectSolver*>(makeLinearSolver({}, 2).get()), nullptr);
-  for (const std::string& name : linearSolverNames()) EXPECT_NE(makeLinearSolver({name}, 2), nullptr);
-  EXPECT_THROW(makeLinearSolver({"none"}, 2), Error);
+  EXPECT_NE(dynamic_cast<DirectSolver*>(makeLinearSolver({}, {2}).get()), nullptr);
+  for (const std::string& name : linearSolverNames()) EXPECT_NE(makeLinearSolver({name}, {2}), nullptr);
+  EXPECT_THROW(makeLinearSolver({"none"}, {2}), Error);
 }
 
 TEST(DirectSolver, ReportsSingularAndNonFiniteMatrices) {

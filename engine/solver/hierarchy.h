@@ -1,0 +1,15 @@
+#pragma once
+#include <Eigen/Sparse>
+#include <vector>
+
+namespace burnish {
+
+/// Nested spaces of displacements, from the finest to the coarsest. Each matrix makes coefficients on one
+/// level from those on the next coarser one: free displacement components of the two levels.
+struct Hierarchy {
+  using Prolongation = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+  std::vector<Prolongation> prolongations;
+};
+
+}  // namespace burnish

@@ -1,0 +1,109 @@
+#include "engine/solver/multigrid.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "engine/core/error.h"
+#include "engine/solver/direct_solver.h"
+
+namespace burnish {
+namespace {
+
+using Maker = LinearSolver*(const LinearProblem&);
+
+/// Factors of more unknowns than these in space do not fit into the memory of most machines.
+constexpr Eigen::Index kMostForDirect = 100'000;
+
+constexpr const char* kLibrary = "burnish_petsc.so";
+
+Maker* loadMaker() {
+  // Found beside the program, through its run path; kept until the process ends.
+  void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  void* maker = library != nullptr ? dlsym(library, "burnishMultigridSolver") : nullptr;
+  if (maker == nullptr)
+    throw Error(
+        fmt::format("solver: linear: multigrid needs {}, which is not there ({}); it is built with PETSc, that is "
+                    "without BURNISH_PETSC=OFF; write linear: direct to do without it",
+                    kLibrary, dlerror()));
+  return reinterpret_cast<Maker*>(maker);
+}
+
+/// Multigrid, and a direct solver for what it cannot solve.
+class MultigridOrDirect final : public LinearSolver {
+ public:
+  explicit MultigridOrDirect(const LinearProblem& problem) : problem_(problem) {
+    static Maker* const make = loadMaker();
+    multigrid_.reset(make(problem));
+  }
+
+  [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A) override {
+    A_ = &A;
+    isDirect_ = false;
+    return multigrid_->factorise(A) || fallBack();
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) override {
+    if (!isDirect_) {
+      Eigen::VectorXd x = multigrid_->solve(b, accuracy);
+      if (x.allFinite() || !fallBack()) return x;
+    }
+    return direct_->solve(b);
+  }
+
+  Eigen::Index factorNonZeros() override {
+    return isDirect_ ? direct_->factorNonZeros() : multigrid_->factorNonZeros();
+  }
+  Definiteness definiteness() const override {
+    return isDirect_ ? direct_->definiteness() : multigrid_->definiteness();
+  }
+  long numIndefinite() const override {
+    return indefinite_ + multigrid_->numIndefinite() + (direct_ ? direct_->numIndefinite() : 0);
+  }
+
+  IterationCounts counts() const override {
+    IterationCounts counts = multigrid_->counts();
+    counts.iterations += before_.iterations;
+    counts.setUps += before_.setUps;
+    counts.fallbacks = before_.fallbacks + fallbacks_;
+    return counts;
+  }
+
+  void archive(StateArchive& archive) override {
+    IterationCounts now = counts();
+    long indefinite = numIndefinite();
+    archive.field("iterations", now.iterations);
+    archive.field("set_ups", now.setUps);
+    archive.field("fallbacks", now.fallbacks);
+    archive.field("indefinite", indefinite);
+    if (!archive.restores()) return;
+    before_ = now;
+    indefinite_ = indefinite;
+  }
+
+ private:
+  /// False if the matrix is too large to be factorised, or singular.
+  bool fallBack() {
+    if (A_->cols() > kMostForDirect) return false;
+    if (!direct_) direct_ = std::make_unique<DirectSolver>(problem_.leading, problem_.kind);
+    ++fallbacks_;
+    isDirect_ = direct_->factorise(*A_);
+    return isDirect_;
+  }
+
+  LinearProblem problem_;
+  std::unique_ptr<LinearSolver> multigrid_;
+  std::unique_ptr<DirectSolver> direct_;  ///< null before it is needed
+  const Eigen::SparseMatrix<double>* A_ = nullptr;
+  bool isDirect_ = false;  ///< the last matrix
+  long fallbacks_ = 0;
+  IterationCounts before_;  ///< in the part of the run that this one goes on with
+  long indefinite_ = 0;     ///< in that part
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> makeMultigridSolver(const LinearProblem& problem) {
+  return std::make_unique<MultigridOrDirect>(problem);
+}
+
+}  // namespace burnish

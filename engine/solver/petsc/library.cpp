@@ -1,0 +1,34 @@
+#include "engine/solver/petsc/library.h"
+
+#include <string>
+
+#include "engine/core/error.h"
+
+namespace burnish::petsc {
+namespace {
+
+struct Library {
+  Library() {
+    if (PetscInitializeNoArguments() != 0) throw Error("PETSc does not start");
+    // What goes wrong is said by the program, and signals are its own.
+    PetscPopSignalHandler();
+    PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
+  }
+  ~Library() { PetscFinalize(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+}  // namespace
+
+void begin() { static const Library library; }
+
+void check(PetscErrorCode code) {
+  if (code == 0) return;
+  const char* text = nullptr;
+  char* where = nullptr;
+  PetscErrorMessage(code, &text, &where);
+  throw RunError(std::string("PETSc: ") + (text != nullptr ? text : "unknown error"));
+}
+
+}  // namespace burnish::petsc

@@ -1,0 +1,271 @@
+#include "engine/solver/petsc/multigrid_solver.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/solver/petsc/border.h"
+#include "engine/solver/petsc/library.h"
+
+namespace burnish {
+namespace {
+
+using petsc::check;
+
+constexpr int kMostIterations = 500;
+constexpr int kRestart = 100;
+
+/// A matrix of the library over the arrays of one of Eigen.
+petsc::Matrix view(const SplitMatrix::Rows& A) {
+  petsc::Matrix matrix;
+  check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, static_cast<PetscInt>(A.rows()),
+                                  static_cast<PetscInt>(A.cols()), const_cast<PetscInt*>(A.outerIndexPtr()),
+                                  const_cast<PetscInt*>(A.innerIndexPtr()), const_cast<double*>(A.valuePtr()),
+                                  matrix.place()));
+  return matrix;
+}
+
+/// A vector of the library for reading, as one of Eigen.
+template <class F>
+void read(Vec vector, const F& f) {
+  const PetscScalar* values = nullptr;
+  PetscInt size = 0;
+  check(VecGetLocalSize(vector, &size));
+  check(VecGetArrayRead(vector, &values));
+  f(Eigen::Map<const Eigen::VectorXd>(values, size));
+  check(VecRestoreArrayRead(vector, &values));
+}
+
+template <class F>
+void write(Vec vector, const F& f) {
+  PetscScalar* values = nullptr;
+  PetscInt size = 0;
+  check(VecGetLocalSize(vector, &size));
+  check(VecGetArray(vector, &values));
+  f(Eigen::Map<Eigen::VectorXd>(values, size));
+  check(VecRestoreArray(vector, &values));
+}
+
+}  // namespace
+
+class MultigridSolver::Implementation {
+ public:
+  Implementation(const LinearProblem& problem)
+      : kind_(problem.kind),
+        n_(problem.hierarchy->prolongations.empty() ? problem.leading
+                                                    : problem.hierarchy->prolongations.front().rows()),
+        A_(n_, problem.kind == TangentKind::Symmetric) {
+    for (const auto& P : problem.hierarchy->prolongations) prolongations_.push_back(view(P));
+  }
+
+  bool factorise(const Eigen::SparseMatrix<double>& A) {
+    if (!A.coeffs().allFinite()) return false;
+    A_.take(A);
+    m_ = A.cols() - n_;
+    if (K_ == nullptr) create();
+    double* values = nullptr;  // have changed
+    check(MatSeqAIJGetArrayWrite(K_, &values));
+    check(MatSeqAIJRestoreArrayWrite(K_, &values));
+    check(PCSetOperators(cycle_, K_, K_));
+    ++counts_.setUps;
+    if (PCSetUp(cycle_) != 0) return false;
+    isIndefinite_ = false;
+    return zone_.factorise(A_);
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
+    if (kind_ == TangentKind::Symmetric && !A_.isCoupled()) {
+      Eigen::VectorXd x(b.size());
+      x.tail(m_) = zone_.solve(b.tail(m_));
+      if (byConjugateGradients(b.head(n_), accuracy, x)) return x;
+    }
+    return byGmres(b, accuracy);
+  }
+
+  Eigen::Index nonZeros() {
+    if (K_ == nullptr) return 0;
+    Eigen::Index sum = 0;
+    for (PetscInt level = 0; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
+      KSP smoother = nullptr;
+      Mat matrix = nullptr;
+      MatInfo info;
+      check(PCMGGetSmoother(cycle_, level, &smoother));
+      check(KSPGetOperators(smoother, &matrix, nullptr));
+      check(MatGetInfo(matrix, MAT_LOCAL, &info));
+      sum += static_cast<Eigen::Index>(info.nz_used);
+    }
+    return sum;
+  }
+
+  Definiteness definiteness() const {
+    return isIndefinite_ ? Definiteness::NotDefinite
+           : kind_ == TangentKind::Symmetric && !A_.isCoupled() ? Definiteness::Definite
+                                                                : Definiteness::NotKnown;
+  }
+  IterationCounts counts_;
+  long numIndefinite_ = 0;
+
+ private:
+  void create() {
+    K_ = view(A_.K());
+    if (kind_ == TangentKind::Symmetric) {
+      check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
+      check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
+    }
+    const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
+    check(PCCreate(PETSC_COMM_SELF, cycle_.place()));
+    check(PCSetOperators(cycle_, K_, K_));
+    check(PCSetType(cycle_, PCMG));
+    check(PCMGSetLevels(cycle_, levels, nullptr));
+    check(PCMGSetGalerkin(cycle_, PC_MG_GALERKIN_BOTH));
+    for (PetscInt level = 1; level < levels; ++level) {
+      check(PCMGSetInterpolation(cycle_, level, prolongations_[static_cast<std::size_t>(levels - 1 - level)]));
+      KSP smoother = nullptr;
+      PC sweep = nullptr;
+      check(PCMGGetSmoother(cycle_, level, &smoother));
+      check(KSPSetType(smoother, KSPCHEBYSHEV));
+      check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, 2));
+      check(KSPGetPC(smoother, &sweep));
+      check(PCSetType(sweep, PCSOR));
+    }
+    KSP coarse = nullptr;
+    PC factors = nullptr;
+    check(PCMGGetCoarseSolve(cycle_, &coarse));
+    check(KSPSetType(coarse, KSPPREONLY));
+    check(KSPGetPC(coarse, &factors));
+    check(PCSetType(factors, PCLU));
+    check(PCFactorSetMatSolverType(factors, MATSOLVERUMFPACK));
+    PetscOptionsInsertString(nullptr, getenv("BURNISH_PETSC_OPTIONS"));
+    check(PCSetFromOptions(cycle_));
+  }
+
+  bool byConjugateGradients(const Eigen::VectorXd& b, const SolveAccuracy& accuracy, Eigen::VectorXd& x) {
+    petsc::Solver krylov;
+    petsc::Vector rhs, solution;
+    check(KSPCreate(PETSC_COMM_SELF, krylov.place()));
+    check(KSPSetType(krylov, KSPCG));
+    check(KSPSetOperators(krylov, K_, K_));
+    check(KSPSetPC(krylov, cycle_));
+    check(KSPSetNormType(krylov, KSP_NORM_UNPRECONDITIONED));
+    check(KSPSetTolerances(krylov, accuracy.reduction, 0.0, 1e10, kMostIterations));
+    check(MatCreateVecs(K_, solution.place(), rhs.place()));
+    write(rhs, [&](auto values) { values = b; });
+    check(KSPSolve(krylov, rhs, solution));
+    PetscInt iterations = 0;
+    KSPConvergedReason reason{};
+    check(KSPGetIterationNumber(krylov, &iterations));
+    check(KSPGetConvergedReason(krylov, &reason));
+    counts_.iterations += iterations;
+    if (getenv("BURNISH_PETSC_LOG")) fprintf(stderr, "CG %d reason %d rtol %g\n", int(iterations), int(reason), accuracy.reduction);
+    read(solution, [&](auto values) { x.head(n_) = values; });
+    if (reason > 0) return true;
+    isIndefinite_ = true;
+    ++numIndefinite_;
+    return false;
+  }
+
+  Eigen::VectorXd byGmres(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
+    weights_ = accuracy.rowWeights;
+    petsc::Matrix whole;
+    petsc::Solver krylov;
+    petsc::Vector rhs, solution;
+    const auto size = static_cast<PetscInt>(b.size());
+    check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, this, whole.place()));
+    check(MatShellSetOperation(whole, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+    check(MatCreateVecs(whole, solution.place(), rhs.place()));
+    check(MatCreateVecs(K_, in_.place(), out_.place()));
+    check(KSPCreate(PETSC_COMM_SELF, krylov.place()));
+    check(KSPSetType(krylov, KSPGMRES));
+    check(KSPGMRESSetRestart(krylov, kRestart));
+    check(KSPSetOperators(krylov, whole, whole));
+    check(KSPSetPCSide(krylov, PC_RIGHT));
+    check(KSPSetNormType(krylov, KSP_NORM_UNPRECONDITIONED));
+    check(KSPSetTolerances(krylov, accuracy.reduction, 0.0, 1e10, kMostIterations));
+    PC pc = nullptr;
+    check(KSPGetPC(krylov, &pc));
+    check(PCSetType(pc, PCSHELL));
+    check(PCShellSetContext(pc, this));
+    check(PCShellSetApply(pc, precondition));
+    write(rhs, [&](auto values) { values = b.cwiseProduct(weights_); });
+    check(KSPSolve(krylov, rhs, solution));
+    PetscInt iterations = 0;
+    KSPConvergedReason reason{};
+    check(KSPGetIterationNumber(krylov, &iterations));
+    check(KSPGetConvergedReason(krylov, &reason));
+    counts_.iterations += iterations;
+    if (getenv("BURNISH_PETSC_LOG")) fprintf(stderr, "GMRES %d reason %d rtol %g zone %d\n", int(iterations), int(reason), accuracy.reduction, int(A_.C().rows()));
+    Eigen::VectorXd x;
+    read(solution, [&](auto values) { x = values; });
+    if (reason <= 0) x.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return x;
+  }
+
+  static PetscErrorCode multiply(Mat whole, Vec x, Vec y) {
+    void* context = nullptr;
+    check(MatShellGetContext(whole, &context));
+    auto& self = *static_cast<Implementation*>(context);
+    const auto n = self.n_, m = self.m_;
+    read(x, [&](auto in) {
+      write(self.in_, [&](auto u) { u = in.head(n); });
+      check(MatMult(self.K_, self.in_, self.out_));
+      write(y, [&](auto out) {
+        read(self.out_, [&](auto Ku) { out.head(n) = Ku; });
+        out.head(n) += self.A_.B() * in.tail(m);
+        out.tail(m) = self.A_.G() * in.head(n) + self.A_.C() * in.tail(m);
+        out.array() *= self.weights_.array();
+      });
+    });
+    return 0;
+  }
+
+  static PetscErrorCode precondition(PC pc, Vec x, Vec y) {
+    void* context = nullptr;
+    check(PCShellGetContext(pc, &context));
+    auto& self = *static_cast<Implementation*>(context);
+    const auto n = self.n_, m = self.m_;
+    read(x, [&](auto in) {
+      const Eigen::VectorXd r = in.cwiseQuotient(self.weights_);
+      const Eigen::VectorXd border = self.zone_.solve(r.tail(m));
+      write(self.in_, [&](auto u) { u = r.head(n) - self.A_.B() * border; });
+      check(PCApply(self.cycle_, self.in_, self.out_));
+      write(y, [&](auto out) {
+        read(self.out_, [&](auto u) { out.head(n) = u; });
+        out.tail(m) = border;
+      });
+    });
+    return 0;
+  }
+
+  TangentKind kind_;
+  Eigen::Index n_, m_ = 0;
+  SplitMatrix A_;
+  BorderZone zone_;
+  std::vector<petsc::Matrix> prolongations_;  ///< from the finest on
+  petsc::Matrix K_;
+  petsc::Preconditioner cycle_;
+  petsc::Vector in_, out_;
+  Eigen::VectorXd weights_;
+  bool isIndefinite_ = false;
+};
+
+MultigridSolver::MultigridSolver(const LinearProblem& problem) {
+  if (problem.hierarchy == nullptr) throw Error("multigrid: no hierarchy of meshes is known");
+  petsc::begin();
+  implementation_ = std::make_unique<Implementation>(problem);
+}
+
+MultigridSolver::~MultigridSolver() = default;
+
+bool MultigridSolver::factorise(const Eigen::SparseMatrix<double>& A) { return implementation_->factorise(A); }
+
+Eigen::VectorXd MultigridSolver::solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
+  return implementation_->solve(b, accuracy);
+}
+
+Eigen::Index MultigridSolver::factorNonZeros() { return implementation_->nonZeros(); }
+Definiteness MultigridSolver::definiteness() const { return implementation_->definiteness(); }
+long MultigridSolver::numIndefinite() const { return implementation_->numIndefinite_; }
+IterationCounts MultigridSolver::counts() const { return implementation_->counts_; }
+
+}  // namespace burnish
