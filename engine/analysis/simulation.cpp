@@ -5,16 +5,21 @@
 
 #include "engine/analysis/mesh_hierarchy.h"
 #include "engine/analysis/residual_scales.h"
+#include "engine/solver/multigrid.h"
 
 namespace burnish {
 
 namespace {
 
-/// For solvers that need one.
+/// From so many displacement components in space on multigrid takes less time than sparse factors.
+constexpr int kMultigridIsFaster = 25'000;
+
+/// For solvers that use one.
 template <int Dim>
-std::optional<Hierarchy> hierarchyFor(const Scene& scene, const Model<Dim>& model) {
-  if (scene.solver.newton.linear.name == "direct") return std::nullopt;
-  constexpr int kCoarsest = 2000;
+std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions& options, const Model<Dim>& model) {
+  constexpr int kCoarsest = 500;
+  const bool isOfUse = Dim == 3 && hasMultigrid() && model.numDisplacements() >= kMultigridIsFaster;
+  if (options.name == "direct" || (options.name == "auto" && !isOfUse)) return std::nullopt;
   return makeHierarchy(model, MergeRule{}, kCoarsest);
 }
 
@@ -32,7 +37,7 @@ Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsM
     : model(std::move(itsModel)),
       terms(model->terms()),
       newton(terms, model->prescribed(), residualScales(*model), scene.solver.newton,
-             hierarchyFor(scene, *model)),
+             hierarchyFor(scene.solver.newton.linear, *model)),
       stepping(
           newton, terms, [this](double t) { return model->target(t); }, scene.solver.stepping,
           std::move(start)),

@@ -45,6 +45,11 @@ void addCosts(RunSummary& summary, Simulation<Dim>& simulation) {
   auto& solver = simulation.newton.linearSolver();
   summary.factorNonZeros = std::max(summary.factorNonZeros, solver.factorNonZeros());
   summary.luFactorisations += solver.numIndefinite();
+  if (const auto counts = solver.counts()) {
+    summary.linearIterations = counts->iterations;
+    summary.linearSetUps = counts->setUps;
+    summary.linearFallbacks = counts->fallbacks;
+  }
 }
 
 template <int Dim>

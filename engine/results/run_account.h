@@ -130,6 +130,7 @@ struct RunAccount {
   int failedRezonings = 0;
   long factorNonZeros = 0;
   long luFactorisations = 0;
+  std::optional<long> linearIterations, linearSetUps, linearFallbacks;  ///< of an iterative linear solver
   RunTimings timings;
 };
 
@@ -164,6 +165,10 @@ void describe(Visitor& v, RunAccount& s) {
   v.field("largest_penetration", s.largestPenetration, {}, "Over quadrature points and all steps.");
   v.field("largest_stabilised_share", s.largestStabilisedShare, {},
           "Largest share of the largest force that the stabilisation carried.");
+  v.field("linear_fallbacks", s.linearFallbacks, {},
+          "Linear systems that multigrid did not solve, so that a direct solver did.");
+  v.field("linear_iterations", s.linearIterations, {}, "Iterations of linear systems solved by multigrid.");
+  v.field("linear_set_ups", s.linearSetUps, {}, "How often multigrid was set up for a new tangent.");
   v.field("lu_factorisations", s.luFactorisations, {}, "Tangents that were not positive definite.");
   v.field("max_iterations", s.maxIterations, {}, "Largest number of corrections of one step.");
   v.field("mean_iterations", s.meanIterations, {}, "Corrections per step.");

@@ -38,7 +38,11 @@ class Writer {
   }
 
   void write(double value) { yaml_ << fmt::format("{}", value); }
-  void write(const std::optional<double>& value) { write(*value); }
+
+  template <class T>
+  void write(const std::optional<T>& value) {
+    write(*value);
+  }
 
   template <class T>
   void write(const T& value) {
@@ -81,7 +85,10 @@ class Reader {
     value = stored.as<T>();
   }
 
-  static void read(const YAML::Node& stored, std::optional<double>& value) { value = stored.as<double>(); }
+  template <class T>
+  static void read(const YAML::Node& stored, std::optional<T>& value) {
+    value = stored.as<T>();
+  }
 
   template <class T>
   requires requires(Reader& reader, T& item) { describe(reader, item); }
@@ -100,8 +107,8 @@ class NumberCollector {
  public:
   template <class T>
   void field(const char* key, const T& value, const Rule& /*rule*/, const char* /*sentence*/) {
-    if constexpr (std::is_same_v<T, std::optional<double>>) {
-      if (value) numbers[key] = *value;
+    if constexpr (requires { value.has_value(); }) {
+      if (value) numbers[key] = static_cast<double>(*value);
     } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
       numbers[key] = static_cast<double>(value);
     }

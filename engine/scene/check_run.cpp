@@ -23,6 +23,15 @@ void checkOutput(const CheckContext& c) {
                                          *c.scene.output.every, mostFrames, end / mostFrames));
 }
 
+/// Coarser meshes are of use where a factorisation is dear.
+void checkLinearSolver(const CheckContext& c) {
+  if (c.scene.solver.newton.linear.name == "multigrid" && c.clean("solver.linear") && c.dimensionIsKnown() &&
+      c.scene.dim() == 2)
+    c.report("solver.linear",
+             "found multigrid in a scene of two dimensions, where a direct solver is faster at every size; allowed: "
+             "direct, auto.");
+}
+
 }  // namespace
 
 void checkTimes(const CheckContext& c, const std::string& path, const std::vector<double>& times) {
@@ -35,6 +44,7 @@ void checkTimes(const CheckContext& c, const std::string& path, const std::vecto
 
 void checkRun(const CheckContext& c) {
   checkSteps(c);
+  checkLinearSolver(c);
   if (c.clean("steps")) checkOutput(c);
 }
 

@@ -15,6 +15,10 @@ std::unique_ptr<LinearSolver> makeDirectSolver(const LinearProblem& problem) {
   return std::make_unique<DirectSolver>(problem.leading, problem.kind);
 }
 
+std::unique_ptr<LinearSolver> makeEitherSolver(const LinearProblem& problem) {
+  return problem.hierarchy != nullptr ? makeMultigridSolver(problem) : makeDirectSolver(problem);
+}
+
 /// A linear solver and its name in scenes.
 struct NamedSolver {
   const char* name;
@@ -25,6 +29,7 @@ struct NamedSolver {
 constexpr std::array kSolvers{
     NamedSolver{"direct", makeDirectSolver},
     NamedSolver{"multigrid", makeMultigridSolver},
+    NamedSolver{"auto", makeEitherSolver},
 };
 
 }  // namespace

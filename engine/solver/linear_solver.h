@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 #include <memory>
+#include <optional>
 
 #include "engine/core/state_archive.h"
 #include "engine/solver/hierarchy.h"
@@ -66,13 +67,14 @@ class LinearSolver {
   /// Factorisations of matrices that were not known to be definite.
   virtual long numIndefinite() const { return 0; }
 
-  virtual IterationCounts counts() const { return {}; }
+  /// None for a direct solver.
+  virtual std::optional<IterationCounts> counts() const { return std::nullopt; }
 
   /// What is counted; what the solver does depends on the matrix alone.
   virtual void archive(StateArchive&) {}
 };
 
-/// The solver that the options name. Throws `Error` for an unknown name, and for one that this program was
+/// The solver that the options name; "auto" is multigrid if there is a hierarchy. Throws `Error` for an unknown name, and for one that this program was
 /// built without.
 std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& options,
                                                const LinearProblem& problem);

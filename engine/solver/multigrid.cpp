@@ -60,8 +60,8 @@ class MultigridOrDirect final : public LinearSolver {
     return indefinite_ + multigrid_->numIndefinite() + (direct_ ? direct_->numIndefinite() : 0);
   }
 
-  IterationCounts counts() const override {
-    IterationCounts counts = multigrid_->counts();
+  std::optional<IterationCounts> counts() const override {
+    IterationCounts counts = multigrid_->counts().value();
     counts.iterations += before_.iterations;
     counts.setUps += before_.setUps;
     counts.fallbacks = before_.fallbacks + fallbacks_;
@@ -69,7 +69,7 @@ class MultigridOrDirect final : public LinearSolver {
   }
 
   void archive(StateArchive& archive) override {
-    IterationCounts now = counts();
+    IterationCounts now = counts().value();
     long indefinite = numIndefinite();
     archive.field("iterations", now.iterations);
     archive.field("set_ups", now.setUps);
@@ -101,6 +101,14 @@ class MultigridOrDirect final : public LinearSolver {
 };
 
 }  // namespace
+
+bool hasMultigrid() {
+#ifdef BURNISH_PETSC
+  return true;
+#else
+  return false;
+#endif
+}
 
 std::unique_ptr<LinearSolver> makeMultigridSolver(const LinearProblem& problem) {
   return std::make_unique<MultigridOrDirect>(problem);

@@ -137,15 +137,24 @@ NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, 
   return NewtonOutcome::TooManyIterations;
 }
 
-SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, const Residual& residual) const {
+/// Eisenstat and Walker's forcing terms: no more digits than the tangent is worth, as the last correction has shown.
+SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) {
+  constexpr double kMost = 1e-3, kLeast = 1e-13, kBeyond = 1e-2;
   const auto& free = system_.freeUnknowns();
-  SolveAccuracy accuracy{Eigen::VectorXd(rhs.size()), 1e-3};
-  for (std::size_t k = 0; k < free.size(); ++k)
-    accuracy.rowWeights(static_cast<Eigen::Index>(k)) =
-        free[k] < scales_.numForces ? 1.0 / (options_.tolerance * residual.reference)
-                                    : 1.0 / (options_.constraintTolerance * scales_.constraints(free[k] - scales_.numForces));
+  SolveAccuracy accuracy;
+  accuracy.rowWeights.resize(rhs.size());
+  for (Eigen::Index k = 0; k < rhs.size(); ++k) {
+    const int unknown = free[static_cast<std::size_t>(k)];
+    const double goal = unknown < scales_.numForces
+                            ? options_.tolerance * reference
+                            : options_.constraintTolerance * scales_.constraints(unknown - scales_.numForces);
+    accuracy.rowWeights(k) = 1.0 / goal;
+  }
   const double size = rhs.cwiseProduct(accuracy.rowWeights).norm();
-  accuracy.reduction = std::clamp(1e-2 / size, 1e-13, 1e-3);
+  const double ratio = size / weighedResidual_;
+  weighedResidual_ = size;
+  accuracy.reduction = options_.linear.tolerance.value_or(
+      std::clamp(std::max(kBeyond / size, 0.9 * ratio * ratio), kLeast, kMost));
   return accuracy;
 }
 
@@ -162,7 +171,7 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, const Residual& re
   }
   const Stopwatch watch(timings_.solve);
   const Eigen::VectorXd free = system_.restrictToFree(rhs);
-  correction += system_.expandFromFree(linear_->solve(free, accuracyFor(free, residual)));
+  correction += system_.expandFromFree(linear_->solve(free, accuracyFor(free, residual.reference)));
   return correction.allFinite();
 }
 
@@ -201,6 +210,7 @@ void Newton::archive(StateArchive& archive) {
 
 NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x, FirstTangent first) {
   NewtonReport report;
+  weighedResidual_ = 0.0;
   if (!evaluate(t, x)) {
     report.outcome = NewtonOutcome::Inadmissible;
     return report;

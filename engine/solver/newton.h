@@ -110,9 +110,9 @@ class Newton {
   /// `correction` holds the increments of the prescribed unknowns on entry; false if the tangent is singular.
   bool findCorrection(bool isFirst, FirstTangent first, const Residual& residual, Eigen::VectorXd& correction);
 
-  /// What iterative methods have to reach: residuals are weighed by what they may be in the end, and shall
-  /// become a hundredth of that.
-  SolveAccuracy accuracyFor(const Eigen::VectorXd& rhs, const Residual& residual) const;
+  /// What an iterative method has to reach for this right-hand side: residuals are weighed by what they may be
+  /// in the end. reference: the force that they are relative to.
+  SolveAccuracy accuracyFor(const Eigen::VectorXd& rhs, double reference);
 
   /// Moves x along the correction, shortened as needed; false if no admissible state was found.
   bool take(double t, const Eigen::VectorXd& correction, const Eigen::VectorXd& target, Eigen::VectorXd& x,
@@ -126,6 +126,7 @@ class Newton {
   std::unique_ptr<LinearSolver> linear_;
   Inertia inertia_;
   std::vector<Eigen::VectorXd> forces_;
+  double weighedResidual_ = 0.0;  ///< before the last correction, over what it may be in the end; 0 before the first
   Eigen::VectorXd remembered_;  ///< entries of a tangent; empty before the first
   NewtonTimings timings_;
   int unstableDirections_ = 0;

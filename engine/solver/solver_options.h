@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,19 @@ std::vector<std::string> linearSolverNames();
 
 struct LinearSolverOptions {
   std::string name = "direct";  ///< one of `linearSolverNames()`
+
+  /// Of iterative methods: reduction of the residual of a linear system; as much as Newton's method can use when
+  /// left out.
+  std::optional<double> tolerance;
 };
 
 template <class Visitor>
 void describe(Visitor& v, LinearSolverOptions& s) {
-  v.field("linear", s.name, {.choices = linearSolverNames()}, "How linear systems of equations are solved.");
+  v.field("linear", s.name, {.choices = linearSolverNames()}, "How linear systems of equations are solved: by sparse factors (direct), by conjugate gradients or GMRES "
+          "with multigrid on coarser meshes (three dimensions), or by whichever is faster at this size (auto).");
+  v.field("linear_tolerance", s.tolerance, {.atLeast = 1e-14, .atMost = 0.1},
+          "Reduction of the residual of a linear system by multigrid; as much as Newton's method can use when left "
+          "out.");
 }
 
 struct NewtonOptions {

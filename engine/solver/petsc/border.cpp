@@ -88,10 +88,10 @@ bool BorderZone::factorise(const SplitMatrix& A) {
   for (Eigen::Index column = 0; column < A.C().cols(); ++column)
     for (SplitMatrix::Columns::InnerIterator entry(A.C(), column); entry; ++entry)
       triplets.emplace_back(z + entry.row(), z + column, entry.value());
-  Eigen::SparseMatrix<double> M(z + A.C().rows(), z + A.C().cols());
-  M.setFromTriplets(triplets.begin(), triplets.end());
-  if (M.rows() == 0) return true;
-  lu_.compute(M);
+  M_.resize(z + A.C().rows(), z + A.C().cols());
+  M_.setFromTriplets(triplets.begin(), triplets.end());
+  if (M_.rows() == 0) return true;
+  lu_.compute(M_);
   return lu_.info() == Eigen::Success;
 }
 

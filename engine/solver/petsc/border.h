@@ -57,6 +57,7 @@ class BorderZone {
 
  private:
   std::vector<int> unknowns_;  ///< of K, ascending
+  Eigen::SparseMatrix<double> M_;  ///< which the factors refer to
   Eigen::UmfPackLU<Eigen::SparseMatrix<double>> lu_;
 };
 

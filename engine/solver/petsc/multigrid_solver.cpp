@@ -136,8 +136,6 @@ class MultigridSolver::Implementation {
     check(KSPGetPC(coarse, &factors));
     check(PCSetType(factors, PCLU));
     check(PCFactorSetMatSolverType(factors, MATSOLVERUMFPACK));
-    PetscOptionsInsertString(nullptr, getenv("BURNISH_PETSC_OPTIONS"));
-    check(PCSetFromOptions(cycle_));
   }
 
   bool byConjugateGradients(const Eigen::VectorXd& b, const SolveAccuracy& accuracy, Eigen::VectorXd& x) {
@@ -157,7 +155,6 @@ class MultigridSolver::Implementation {
     check(KSPGetIterationNumber(krylov, &iterations));
     check(KSPGetConvergedReason(krylov, &reason));
     counts_.iterations += iterations;
-    if (getenv("BURNISH_PETSC_LOG")) fprintf(stderr, "CG %d reason %d rtol %g\n", int(iterations), int(reason), accuracy.reduction);
     read(solution, [&](auto values) { x.head(n_) = values; });
     if (reason > 0) return true;
     isIndefinite_ = true;
@@ -194,7 +191,6 @@ class MultigridSolver::Implementation {
     check(KSPGetIterationNumber(krylov, &iterations));
     check(KSPGetConvergedReason(krylov, &reason));
     counts_.iterations += iterations;
-    if (getenv("BURNISH_PETSC_LOG")) fprintf(stderr, "GMRES %d reason %d rtol %g zone %d\n", int(iterations), int(reason), accuracy.reduction, int(A_.C().rows()));
     Eigen::VectorXd x;
     read(solution, [&](auto values) { x = values; });
     if (reason <= 0) x.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -266,6 +262,6 @@ Eigen::VectorXd MultigridSolver::solve(const Eigen::VectorXd& b, const SolveAccu
 Eigen::Index MultigridSolver::factorNonZeros() { return implementation_->nonZeros(); }
 Definiteness MultigridSolver::definiteness() const { return implementation_->definiteness(); }
 long MultigridSolver::numIndefinite() const { return implementation_->numIndefinite_; }
-IterationCounts MultigridSolver::counts() const { return implementation_->counts_; }
+std::optional<IterationCounts> MultigridSolver::counts() const { return implementation_->counts_; }
 
 }  // namespace burnish

@@ -27,7 +27,7 @@ class MultigridSolver final : public LinearSolver {
   Eigen::Index factorNonZeros() override;
   Definiteness definiteness() const override;
   long numIndefinite() const override;
-  IterationCounts counts() const override;
+  std::optional<IterationCounts> counts() const override;
 
  private:
   class Implementation;

@@ -1,0 +1,151 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "tests/engine/analysis/run_scene.h"
+#include "tests/message_of.h"
+
+/// Runs with multigrid against the same runs with sparse factors.
+namespace burnish {
+namespace {
+
+using test::Outcome;
+using testing::HasSubstr;
+
+constexpr const char* kBlock = R"(
+degree: 2
+geometry:
+  shape: box
+  origin: [-0.5, -0.5, -1]
+  size: [1, 1, 1]
+  spans: [7, 6, 6]
+  grading: ["s", "s", "1 - 0.3*(1 - s) - 0.7*(1 - s)^2"]
+)";
+
+constexpr const char* kHeldAtTheBack = "supports: [{face: back, fix: [x, y, z]}]\n";
+
+constexpr const char* kElastic = "material: {law: neo-hookean, E: 1, nu: 0.3}\n";
+constexpr const char* kPlastic =
+    "material: {law: j2, E: 100, nu: 0.3, hardening: {law: linear, sigma0: 0.3, modulus: 2}}\n";
+
+/// A ball that is pressed into the block and moved aside. contact: what the pair says beside tool and face.
+std::string ball(const std::string& contact) {
+  return R"(
+tools:
+  - {name: ball, shape: sphere, center: [0, 0, 0.5], radius: 0.5,
+     motion: {times: [0, 1, 2], x: [0, 0, 0.06], z: [0, -0.05, -0.05]}}
+contact: [{tool: ball, face: front, )" +
+         contact + R"(}]
+steps: [{until: 1, count: 2}, {until: 2, count: 2}]
+)";
+}
+
+constexpr const char* kPulled = R"yaml(
+loads: [{face: front, traction: [0.01, 0.02, "-0.1*exp(-20*(X^2 + Y^2))"], schedule: {times: [0, 1], values: [0, 1]}}]
+steps: [{until: 1, count: 2}]
+)yaml";
+
+Outcome run(const std::string& scene, const std::string& solver) {
+  return test::run(parseScene(scene + "solver: {linear: " + solver + "}\noutput: {every: 1}\n", "scene.yaml"), "multigrid");
+}
+
+/// Both runs, whose histories agree within 1e-8 of each column's largest value. Returns iterations per system.
+double iterationsPerSystem(const std::string& scene) {
+  const Outcome direct = run(scene, "direct"), multigrid = run(scene, "multigrid");
+  EXPECT_TRUE(multigrid.summary.completed);
+  EXPECT_EQ(multigrid.summary.steps, direct.summary.steps);
+  EXPECT_EQ(multigrid.summary.cuts, direct.summary.cuts);
+  EXPECT_EQ(multigrid.history.columns, direct.history.columns);
+  for (std::size_t c = 0; c < direct.history.columns.size(); ++c) {
+    const auto &a = direct.history.values[c], &b = multigrid.history.values[c];
+    if (direct.history.columns[c] == "newton_iterations") continue;
+    double largest = 0.0, difference = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      largest = std::max(largest, std::abs(a[k]));
+      difference = std::max(difference, std::abs(a[k] - b[k]));
+    }
+    // Forces that symmetry makes vanish are rounding in both.
+    EXPECT_LE(difference, 1e-8 * largest + 1e-12) << direct.history.columns[c];
+  }
+  EXPECT_FALSE(direct.summary.linearIterations);
+  EXPECT_EQ(multigrid.summary.linearFallbacks, 0);
+  return static_cast<double>(multigrid.summary.linearIterations.value()) /
+         static_cast<double>(multigrid.summary.linearSetUps.value());
+}
+
+TEST(Multigrid, PulledBlock) {
+  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled), 8.0);
+}
+
+TEST(Multigrid, ContactAtPoints) {
+  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kPlastic +
+                                ball("method: integral-augmented-lagrangian")),
+            16.0);
+}
+
+TEST(Multigrid, ContactByAveragesWithFriction) {
+  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic +
+                                ball("method: augmented-lagrangian, friction: 0.3")),
+            16.0);
+}
+
+TEST(Multigrid, PenaltyAtPoints) {
+  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic +
+                                ball("method: pointwise-penalty")),
+            16.0);
+}
+
+TEST(Multigrid, LagrangeElements) {
+  EXPECT_LT(iterationsPerSystem("basis: lagrange\n" + std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled), 20.0);
+}
+
+TEST(Multigrid, ConstantDilatation) {
+  EXPECT_LT(iterationsPerSystem("formulation: fbar\n" + std::string(kBlock) + kHeldAtTheBack +
+                                "material: {law: neo-hookean, E: 1, nu: 0.45}\n" + kPulled),
+            30.0);
+}
+
+TEST(Multigrid, TwoPatches) {
+  EXPECT_LT(iterationsPerSystem(std::string(R"yaml(
+degree: 2
+geometry:
+  shape: patches
+  patches:
+    - {name: a, shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 0.6], spans: [6, 6, 4]}
+    - {name: b, shape: box, origin: [-0.5, -0.5, -0.4], size: [1, 1, 0.4], spans: [6, 6, 4]}
+supports: [{patch: a, face: back, fix: [x, y, z]}]
+loads: [{patch: b, face: front, traction: [0.01, 0.02, "-0.1*exp(-20*(X^2 + Y^2))"], schedule: {times: [0, 1], values: [0, 1]}}]
+steps: [{until: 1, count: 2}]
+)yaml") + kElastic),
+            10.0);
+}
+
+TEST(Multigrid, ToolWithAFreeDirection) {
+  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + R"(
+tools:
+  - {name: ball, shape: sphere, center: [0, 0, 0.5], radius: 0.5, carry: {z: "-0.002 - 0.008*t"}}
+contact: [{tool: ball, face: front}]
+steps: [{until: 1, count: 2}]
+)"),
+            20.0);
+}
+
+TEST(Multigrid, IsRefusedInThePlane) {
+  const std::string message = messageOf([] {
+    parseScene(R"(
+degree: 2
+geometry: {shape: rectangle, size: [1, 1], spans: [2, 2]}
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports: [{face: bottom, fix: [x, y]}]
+steps: [{until: 1, count: 1}]
+solver: {linear: multigrid}
+)",
+               "plane.yaml");
+  });
+  EXPECT_THAT(message, HasSubstr("plane.yaml:7:18: solver.linear: found multigrid in a scene of two dimensions"));
+}
+
+}  // namespace
+}  // namespace burnish
