@@ -3,6 +3,11 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+if(BURNISH_PETSC)
+  install(TARGETS burnish_petsc LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/burnish")
+  file(RELATIVE_PATH libraries "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}/burnish")
+  set_target_properties(burnish PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md")
 # For editors.
 install(FILES "${PROJECT_SOURCE_DIR}/docs/scene.schema.json" "${PROJECT_SOURCE_DIR}/docs/study.schema.json"

@@ -66,9 +66,8 @@ UnivariateBasis coarsened(const UnivariateBasis& fine, const std::vector<int>& k
   for (const int k : kept) breakpoints.push_back(fine.breakpoints()[static_cast<std::size_t>(k)]);
   if (fine.family() == BasisFamily::Lagrange) return UnivariateBasis::lagrange(fine.degree(), breakpoints);
   std::vector<double> knots;
-  std::copy_if(fine.knots().begin(), fine.knots().end(), std::back_inserter(knots), [&](double knot) {
-    return std::binary_search(breakpoints.begin(), breakpoints.end(), knot);
-  });
+  std::copy_if(fine.knots().begin(), fine.knots().end(), std::back_inserter(knots),
+               [&](double knot) { return std::binary_search(breakpoints.begin(), breakpoints.end(), knot); });
   return UnivariateBasis::bspline(KnotVector(fine.degree(), std::move(knots)));
 }
 

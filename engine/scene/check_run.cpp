@@ -27,9 +27,10 @@ void checkOutput(const CheckContext& c) {
 void checkLinearSolver(const CheckContext& c) {
   if (c.scene.solver.newton.linear.name == "multigrid" && c.clean("solver.linear") && c.dimensionIsKnown() &&
       c.scene.dim() == 2)
-    c.report("solver.linear",
-             "found multigrid in a scene of two dimensions, where a direct solver is faster at every size; allowed: "
-             "direct, auto.");
+    c.report(
+        "solver.linear",
+        "found multigrid in a scene of two dimensions, where a direct solver is faster at every size; allowed: "
+        "direct, auto.");
 }
 
 }  // namespace

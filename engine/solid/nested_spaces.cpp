@@ -137,7 +137,8 @@ void NestedSpaces<Dim>::findStrips() {
       known[p][static_cast<std::size_t>(d)] = true;
       for (std::size_t k = 0; k < strip.members.size(); ++k) {
         const auto here = strip.members[k];
-        const auto follow = [&](std::size_t patch, int direction, std::size_t other, int along, bool reversed) {
+        const auto follow = [&](std::size_t patch, int direction, std::size_t other, int along,
+                                bool reversed) {
           if (patch != here.patch || direction != here.direction) return;
           const bool turned = here.reversed != reversed;
           bool& isKnown = known[other][static_cast<std::size_t>(along)];
@@ -289,7 +290,8 @@ void NestedSpaces<Dim>::numberNodes() {
     Anchor& anchor = anchors[i];
     anchor.leader = static_cast<int>(i);
     for (std::size_t j = i; j-- > 0 && anchor.order - anchors[j].order <= near * askew.norm();)
-      if (bodyOf_[anchor.patch] == bodyOf_[anchors[j].patch] && (anchor.place - anchors[j].place).norm() <= near)
+      if (bodyOf_[anchor.patch] == bodyOf_[anchors[j].patch] &&
+          (anchor.place - anchors[j].place).norm() <= near)
         anchor.leader = anchors[j].leader;
     leaders[anchor.patch][static_cast<std::size_t>(anchor.function)] = anchor.leader;
   }

@@ -56,8 +56,8 @@ class NestedSpaces {
       bool reversed;
     };
     std::vector<Member> members;
-    int body = 0;           ///< number of the group of patches that hang together
-    bool isFixed = false;   ///< a joint turns it round onto itself
+    int body = 0;          ///< number of the group of patches that hang together
+    bool isFixed = false;  ///< a joint turns it round onto itself
   };
 
   using Transfers = std::array<Prolongation, Dim>;

@@ -16,7 +16,8 @@ enum class TangentKind { Symmetric, General };
 struct LinearProblem {
   Eigen::Index leading = 0;  ///< number of rows of K
   TangentKind kind = TangentKind::Symmetric;
-  const Hierarchy* hierarchy = nullptr;  ///< of the first unknowns; must outlive the solver. Null: none is known
+  const Hierarchy* hierarchy =
+      nullptr;  ///< of the first unknowns; must outlive the solver. Null: none is known
 };
 
 /// How well a system is to be solved by a method that comes nearer and nearer.

@@ -21,10 +21,10 @@ Maker* loadMaker() {
   void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   void* maker = library != nullptr ? dlsym(library, "burnishMultigridSolver") : nullptr;
   if (maker == nullptr)
-    throw Error(
-        fmt::format("solver: linear: multigrid needs {}, which is not there ({}); it is built with PETSc, that is "
-                    "without BURNISH_PETSC=OFF; write linear: direct to do without it",
-                    kLibrary, dlerror()));
+    throw Error(fmt::format(
+        "solver: linear: multigrid needs {}, which is not there ({}); it is built with PETSc, that is "
+        "without BURNISH_PETSC=OFF; write linear: direct to do without it",
+        kLibrary, dlerror()));
   return reinterpret_cast<Maker*>(maker);
 }
 

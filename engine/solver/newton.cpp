@@ -57,8 +57,8 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
       options_(std::move(options)),
       system_(std::move(prescribed), couplingsOf(terms_)),
       hierarchy_(std::move(hierarchy)),
-      linear_(makeLinearSolver(options_.linear, {numFreeBelow(system_, scales_.numForces), tangentKind(terms_),
-                                                 hierarchy_ ? &*hierarchy_ : nullptr})),
+      linear_(makeLinearSolver(options_.linear, {numFreeBelow(system_, scales_.numForces),
+                                                 tangentKind(terms_), hierarchy_ ? &*hierarchy_ : nullptr})),
       inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);

@@ -108,7 +108,8 @@ class Newton {
   NewtonOutcome judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const;
 
   /// `correction` holds the increments of the prescribed unknowns on entry; false if the tangent is singular.
-  bool findCorrection(bool isFirst, FirstTangent first, const Residual& residual, Eigen::VectorXd& correction);
+  bool findCorrection(bool isFirst, FirstTangent first, const Residual& residual,
+                      Eigen::VectorXd& correction);
 
   /// What an iterative method has to reach for this right-hand side: residuals are weighed by what they may be
   /// in the end. reference: the force that they are relative to.
@@ -126,7 +127,8 @@ class Newton {
   std::unique_ptr<LinearSolver> linear_;
   Inertia inertia_;
   std::vector<Eigen::VectorXd> forces_;
-  double weighedResidual_ = 0.0;  ///< before the last correction, over what it may be in the end; 0 before the first
+  double weighedResidual_ =
+      0.0;  ///< before the last correction, over what it may be in the end; 0 before the first
   Eigen::VectorXd remembered_;  ///< entries of a tangent; empty before the first
   NewtonTimings timings_;
   int unstableDirections_ = 0;

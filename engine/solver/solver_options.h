@@ -19,11 +19,14 @@ struct LinearSolverOptions {
 
 template <class Visitor>
 void describe(Visitor& v, LinearSolverOptions& s) {
-  v.field("linear", s.name, {.choices = linearSolverNames()}, "How linear systems of equations are solved: by sparse factors (direct), by conjugate gradients or GMRES "
-          "with multigrid on coarser meshes (three dimensions), or by whichever is faster at this size (auto).");
-  v.field("linear_tolerance", s.tolerance, {.atLeast = 1e-14, .atMost = 0.1},
-          "Reduction of the residual of a linear system by multigrid; as much as Newton's method can use when left "
-          "out.");
+  v.field(
+      "linear", s.name, {.choices = linearSolverNames()},
+      "How linear systems of equations are solved: by sparse factors (direct), by conjugate gradients or GMRES "
+      "with multigrid on coarser meshes (three dimensions), or by whichever is faster at this size (auto).");
+  v.field(
+      "linear_tolerance", s.tolerance, {.atLeast = 1e-14, .atMost = 0.1},
+      "Reduction of the residual of a linear system by multigrid; as much as Newton's method can use when left "
+      "out.");
 }
 
 struct NewtonOptions {

@@ -4,33 +4,42 @@
 
 namespace burnish {
 
+/// The pattern is symmetric: columns of A are rows of K.
 void SplitMatrix::analyse(const Columns& A) {
-  // The pattern is symmetric: columns of A are rows of K.
   const auto numRows = static_cast<int>(n_);
-  std::vector<int> next(static_cast<std::size_t>(n_));
-  std::vector<int> begins{0};
-  for (int row = 0; row < numRows; ++row) {
-    const int *begin = A.innerIndexPtr() + A.outerIndexPtr()[row],
-              *end = A.innerIndexPtr() + A.outerIndexPtr()[row + 1];
-    begins.push_back(begins.back() + static_cast<int>(std::lower_bound(begin, end, numRows) - begin));
-  }
+  const int* begins = A.outerIndexPtr();
   K_.resize(n_, n_);
-  K_.resizeNonZeros(begins.back());
-  std::copy(begins.begin(), begins.end(), K_.outerIndexPtr());
-  from_.resize(static_cast<std::size_t>(begins.back()));
-  std::copy_n(A.outerIndexPtr(), numRows, next.begin());
+  for (int row = 0; row < numRows; ++row) {
+    const int *begin = A.innerIndexPtr() + begins[row], *end = A.innerIndexPtr() + begins[row + 1];
+    const auto length = static_cast<int>(std::lower_bound(begin, end, numRows) - begin);
+    K_.outerIndexPtr()[row + 1] = K_.outerIndexPtr()[row] + length;
+  }
+  K_.resizeNonZeros(K_.outerIndexPtr()[numRows]);
   for (int row = 0; row < numRows; ++row)
-    for (int k = begins[static_cast<std::size_t>(row)]; k < begins[static_cast<std::size_t>(row) + 1]; ++k) {
-      const int entry = A.outerIndexPtr()[row] + k - begins[static_cast<std::size_t>(row)];
-      const int column = A.innerIndexPtr()[entry];
-      K_.innerIndexPtr()[k] = column;
-      from_[static_cast<std::size_t>(k)] = symmetric_ ? entry : next[static_cast<std::size_t>(column)]++;
-    }
+    std::copy_n(A.innerIndexPtr() + begins[row], K_.outerIndexPtr()[row + 1] - K_.outerIndexPtr()[row],
+                K_.innerIndexPtr() + K_.outerIndexPtr()[row]);
+  if (symmetric_) return;
+  // Rows ascend in every column: the entries of a row are met in the order of their columns.
+  std::vector<int> next(begins, begins + numRows);
+  from_.resize(static_cast<std::size_t>(K_.nonZeros()));
+  for (int row = 0; row < numRows; ++row)
+    for (int k = K_.outerIndexPtr()[row]; k < K_.outerIndexPtr()[row + 1]; ++k)
+      from_[static_cast<std::size_t>(k)] = next[static_cast<std::size_t>(K_.innerIndexPtr()[k])]++;
+}
+
+void SplitMatrix::takeLeading(const Columns& A) {
+  if (!symmetric_) {
+    for (std::size_t k = 0; k < from_.size(); ++k) K_.valuePtr()[k] = A.valuePtr()[from_[k]];
+    return;
+  }
+  for (Eigen::Index row = 0; row < n_; ++row)
+    std::copy_n(A.valuePtr() + A.outerIndexPtr()[row], K_.outerIndexPtr()[row + 1] - K_.outerIndexPtr()[row],
+                K_.valuePtr() + K_.outerIndexPtr()[row]);
 }
 
 void SplitMatrix::take(const Columns& A) {
   if (K_.rows() == 0) analyse(A);
-  for (std::size_t k = 0; k < from_.size(); ++k) K_.valuePtr()[k] = A.valuePtr()[from_[k]];
+  takeLeading(A);
 
   const Eigen::Index m = A.cols() - n_;
   std::vector<Eigen::Triplet<double>> b, g, c;
@@ -76,7 +85,8 @@ bool BorderZone::factorise(const SplitMatrix& A) {
   const auto z = static_cast<int>(unknowns_.size());
   std::vector<Eigen::Triplet<double>> triplets;
   for (int row = 0; row < z; ++row)
-    for (SplitMatrix::Rows::InnerIterator entry(A.K(), unknowns_[static_cast<std::size_t>(row)]); entry; ++entry)
+    for (SplitMatrix::Rows::InnerIterator entry(A.K(), unknowns_[static_cast<std::size_t>(row)]); entry;
+         ++entry)
       if (const int column = place[static_cast<std::size_t>(entry.col())]; column >= 0)
         triplets.emplace_back(row, column, entry.value());
   for (Eigen::Index column = 0; column < A.B().cols(); ++column)

@@ -32,11 +32,12 @@ class SplitMatrix {
 
  private:
   void analyse(const Columns& A);
+  void takeLeading(const Columns& A);
 
   Eigen::Index n_;
   bool symmetric_;
   Rows K_;
-  std::vector<int> from_;  ///< entry of A behind each entry of K
+  std::vector<int> from_;  ///< entry of A behind each entry of K; empty if A is symmetric
   Columns B_, C_;
   Rows G_;
 };
@@ -56,7 +57,7 @@ class BorderZone {
   Eigen::VectorXd solve(const Eigen::VectorXd& g);
 
  private:
-  std::vector<int> unknowns_;  ///< of K, ascending
+  std::vector<int> unknowns_;      ///< of K, ascending
   Eigen::SparseMatrix<double> M_;  ///< which the factors refer to
   Eigen::UmfPackLU<Eigen::SparseMatrix<double>> lu_;
 };

@@ -21,7 +21,9 @@ struct Library {
 
 }  // namespace
 
-void begin() { static const Library library; }
+void begin() {
+  static const Library library;
+}
 
 void check(PetscErrorCode code) {
   if (code == 0) return;

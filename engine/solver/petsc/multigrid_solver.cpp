@@ -13,7 +13,13 @@ namespace {
 
 using petsc::check;
 
-constexpr int kMostIterations = 500;
+/// Where more are needed, others do better.
+constexpr int kMostWithFactors = 60, kMostWithSweeps = 500;
+
+/// A residual that has grown so much does not come down again.
+constexpr double kDivergence = 1e10;
+
+/// Of GMRES: so many vectors are kept.
 constexpr int kRestart = 100;
 
 /// A matrix of the library over the arrays of one of Eigen.
@@ -51,7 +57,7 @@ void write(Vec vector, const F& f) {
 
 class MultigridSolver::Implementation {
  public:
-  Implementation(const LinearProblem& problem)
+  explicit Implementation(const LinearProblem& problem)
       : kind_(problem.kind),
         n_(problem.hierarchy->prolongations.empty() ? problem.leading
                                                     : problem.hierarchy->prolongations.front().rows()),
@@ -63,24 +69,24 @@ class MultigridSolver::Implementation {
     if (!A.coeffs().allFinite()) return false;
     A_.take(A);
     m_ = A.cols() - n_;
-    if (K_ == nullptr) create();
+    if (K_ == nullptr) {
+      makeMatrix();
+      makeCycle();
+    }
     double* values = nullptr;  // have changed
     check(MatSeqAIJGetArrayWrite(K_, &values));
     check(MatSeqAIJRestoreArrayWrite(K_, &values));
-    check(PCSetOperators(cycle_, K_, K_));
-    ++counts_.setUps;
-    if (PCSetUp(cycle_) != 0) return false;
     isIndefinite_ = false;
-    return zone_.factorise(A_);
+    return setUpCycle() && zone_.factorise(A_);
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
-    if (kind_ == TangentKind::Symmetric && !A_.isCoupled()) {
-      Eigen::VectorXd x(b.size());
-      x.tail(m_) = zone_.solve(b.tail(m_));
-      if (byConjugateGradients(b.head(n_), accuracy, x)) return x;
-    }
-    return byGmres(b, accuracy);
+    Eigen::VectorXd x = solveWithCycle(b, accuracy);
+    if (x.allFinite() || !factorises_) return x;
+    // Incomplete factors are of no use where shear is soft beside compression.
+    factorises_ = false;
+    makeCycle();
+    return setUpCycle() ? solveWithCycle(b, accuracy) : x;
   }
 
   Eigen::Index nonZeros() {
@@ -99,20 +105,41 @@ class MultigridSolver::Implementation {
   }
 
   Definiteness definiteness() const {
-    return isIndefinite_ ? Definiteness::NotDefinite
+    return isIndefinite_                                        ? Definiteness::NotDefinite
            : kind_ == TangentKind::Symmetric && !A_.isCoupled() ? Definiteness::Definite
                                                                 : Definiteness::NotKnown;
   }
-  IterationCounts counts_;
-  long numIndefinite_ = 0;
+  const IterationCounts& counts() const { return counts_; }
+  long numIndefinite() const { return numIndefinite_; }
 
  private:
-  void create() {
-    K_ = view(A_.K());
-    if (kind_ == TangentKind::Symmetric) {
-      check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
-      check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
+  bool setUpCycle() {
+    check(PCSetOperators(cycle_, K_, K_));
+    ++counts_.setUps;
+    return PCSetUp(cycle_) == 0;
+  }
+
+  /// Not finite if it does not converge.
+  Eigen::VectorXd solveWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
+    if (kind_ == TangentKind::Symmetric && !A_.isCoupled()) {
+      Eigen::VectorXd x(b.size());
+      x.tail(m_) = zone_.solve(b.tail(m_));
+      if (byConjugateGradients(b.head(n_), accuracy, x)) return x;
     }
+    return byGmres(b, accuracy);
+  }
+
+  int mostIterations() const { return factorises_ ? kMostWithFactors : kMostWithSweeps; }
+
+  void makeMatrix() {
+    K_ = view(A_.K());
+    if (kind_ != TangentKind::Symmetric) return;
+    check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
+    check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
+  }
+
+  /// One V-cycle over all levels.
+  void makeCycle() {
     const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
     check(PCCreate(PETSC_COMM_SELF, cycle_.place()));
     check(PCSetOperators(cycle_, K_, K_));
@@ -120,14 +147,16 @@ class MultigridSolver::Implementation {
     check(PCMGSetLevels(cycle_, levels, nullptr));
     check(PCMGSetGalerkin(cycle_, PC_MG_GALERKIN_BOTH));
     for (PetscInt level = 1; level < levels; ++level) {
-      check(PCMGSetInterpolation(cycle_, level, prolongations_[static_cast<std::size_t>(levels - 1 - level)]));
+      check(
+          PCMGSetInterpolation(cycle_, level, prolongations_[static_cast<std::size_t>(levels - 1 - level)]));
       KSP smoother = nullptr;
       PC sweep = nullptr;
       check(PCMGGetSmoother(cycle_, level, &smoother));
       check(KSPSetType(smoother, KSPCHEBYSHEV));
-      check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, 2));
+      check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, factorises_ ? 1 : 2));
       check(KSPGetPC(smoother, &sweep));
-      check(PCSetType(sweep, PCSOR));
+      check(PCSetType(sweep, factorises_ ? PCICC : PCSOR));
+      if (factorises_) check(PCFactorSetShiftType(sweep, MAT_SHIFT_POSITIVE_DEFINITE));
     }
     KSP coarse = nullptr;
     PC factors = nullptr;
@@ -138,6 +167,18 @@ class MultigridSolver::Implementation {
     check(PCFactorSetMatSolverType(factors, MATSOLVERUMFPACK));
   }
 
+  /// Solves for the vector that `rhs` holds; false if it does not converge.
+  bool iterate(KSP krylov, Vec rhs, Vec solution, double reduction, KSPConvergedReason& reason) {
+    check(KSPSetNormType(krylov, KSP_NORM_UNPRECONDITIONED));
+    check(KSPSetTolerances(krylov, reduction, 0.0, kDivergence, mostIterations()));
+    check(KSPSolve(krylov, rhs, solution));
+    PetscInt iterations = 0;
+    check(KSPGetIterationNumber(krylov, &iterations));
+    check(KSPGetConvergedReason(krylov, &reason));
+    counts_.iterations += iterations;
+    return reason > 0;
+  }
+
   bool byConjugateGradients(const Eigen::VectorXd& b, const SolveAccuracy& accuracy, Eigen::VectorXd& x) {
     petsc::Solver krylov;
     petsc::Vector rhs, solution;
@@ -145,21 +186,16 @@ class MultigridSolver::Implementation {
     check(KSPSetType(krylov, KSPCG));
     check(KSPSetOperators(krylov, K_, K_));
     check(KSPSetPC(krylov, cycle_));
-    check(KSPSetNormType(krylov, KSP_NORM_UNPRECONDITIONED));
-    check(KSPSetTolerances(krylov, accuracy.reduction, 0.0, 1e10, kMostIterations));
     check(MatCreateVecs(K_, solution.place(), rhs.place()));
     write(rhs, [&](auto values) { values = b; });
-    check(KSPSolve(krylov, rhs, solution));
-    PetscInt iterations = 0;
     KSPConvergedReason reason{};
-    check(KSPGetIterationNumber(krylov, &iterations));
-    check(KSPGetConvergedReason(krylov, &reason));
-    counts_.iterations += iterations;
+    const bool converged = iterate(krylov, rhs, solution, accuracy.reduction, reason);
+    if (reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC) {
+      isIndefinite_ = true;
+      ++numIndefinite_;
+    }
     read(solution, [&](auto values) { x.head(n_) = values; });
-    if (reason > 0) return true;
-    isIndefinite_ = true;
-    ++numIndefinite_;
-    return false;
+    return converged;
   }
 
   Eigen::VectorXd byGmres(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
@@ -177,26 +213,21 @@ class MultigridSolver::Implementation {
     check(KSPGMRESSetRestart(krylov, kRestart));
     check(KSPSetOperators(krylov, whole, whole));
     check(KSPSetPCSide(krylov, PC_RIGHT));
-    check(KSPSetNormType(krylov, KSP_NORM_UNPRECONDITIONED));
-    check(KSPSetTolerances(krylov, accuracy.reduction, 0.0, 1e10, kMostIterations));
-    PC pc = nullptr;
-    check(KSPGetPC(krylov, &pc));
-    check(PCSetType(pc, PCSHELL));
-    check(PCShellSetContext(pc, this));
-    check(PCShellSetApply(pc, precondition));
+    PC preconditioner = nullptr;
+    check(KSPGetPC(krylov, &preconditioner));
+    check(PCSetType(preconditioner, PCSHELL));
+    check(PCShellSetContext(preconditioner, this));
+    check(PCShellSetApply(preconditioner, precondition));
     write(rhs, [&](auto values) { values = b.cwiseProduct(weights_); });
-    check(KSPSolve(krylov, rhs, solution));
-    PetscInt iterations = 0;
     KSPConvergedReason reason{};
-    check(KSPGetIterationNumber(krylov, &iterations));
-    check(KSPGetConvergedReason(krylov, &reason));
-    counts_.iterations += iterations;
+    const bool converged = iterate(krylov, rhs, solution, accuracy.reduction, reason);
     Eigen::VectorXd x;
     read(solution, [&](auto values) { x = values; });
-    if (reason <= 0) x.setConstant(std::numeric_limits<double>::quiet_NaN());
+    if (!converged) x.setConstant(std::numeric_limits<double>::quiet_NaN());
     return x;
   }
 
+  /// y = W A x with the weights W of rows.
   static PetscErrorCode multiply(Mat whole, Vec x, Vec y) {
     void* context = nullptr;
     check(MatShellGetContext(whole, &context));
@@ -215,6 +246,7 @@ class MultigridSolver::Implementation {
     return 0;
   }
 
+  /// y = P⁻¹ W⁻¹ x.
   static PetscErrorCode precondition(PC pc, Vec x, Vec y) {
     void* context = nullptr;
     check(PCShellGetContext(pc, &context));
@@ -241,7 +273,10 @@ class MultigridSolver::Implementation {
   petsc::Matrix K_;
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;
-  Eigen::VectorXd weights_;
+  Eigen::VectorXd weights_;  ///< of rows in GMRES
+  IterationCounts counts_;
+  long numIndefinite_ = 0;
+  bool factorises_ = true;  ///< smooths with incomplete factors, else by over-relaxation
   bool isIndefinite_ = false;
 };
 
@@ -253,15 +288,25 @@ MultigridSolver::MultigridSolver(const LinearProblem& problem) {
 
 MultigridSolver::~MultigridSolver() = default;
 
-bool MultigridSolver::factorise(const Eigen::SparseMatrix<double>& A) { return implementation_->factorise(A); }
+bool MultigridSolver::factorise(const Eigen::SparseMatrix<double>& A) {
+  return implementation_->factorise(A);
+}
 
 Eigen::VectorXd MultigridSolver::solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
   return implementation_->solve(b, accuracy);
 }
 
-Eigen::Index MultigridSolver::factorNonZeros() { return implementation_->nonZeros(); }
-Definiteness MultigridSolver::definiteness() const { return implementation_->definiteness(); }
-long MultigridSolver::numIndefinite() const { return implementation_->numIndefinite_; }
-std::optional<IterationCounts> MultigridSolver::counts() const { return implementation_->counts_; }
+Eigen::Index MultigridSolver::factorNonZeros() {
+  return implementation_->nonZeros();
+}
+Definiteness MultigridSolver::definiteness() const {
+  return implementation_->definiteness();
+}
+long MultigridSolver::numIndefinite() const {
+  return implementation_->numIndefinite();
+}
+std::optional<IterationCounts> MultigridSolver::counts() const {
+  return implementation_->counts();
+}
 
 }  // namespace burnish

@@ -48,7 +48,8 @@ steps: [{until: 1, count: 2}]
 )yaml";
 
 Outcome run(const std::string& scene, const std::string& solver) {
-  return test::run(parseScene(scene + "solver: {linear: " + solver + "}\noutput: {every: 1}\n", "scene.yaml"), "multigrid");
+  return test::run(parseScene(scene + "solver: {linear: " + solver + "}\noutput: {every: 1}\n", "scene.yaml"),
+                   "multigrid");
 }
 
 /// Both runs, whose histories agree within 1e-8 of each column's largest value. Returns iterations per system.
@@ -76,35 +77,53 @@ double iterationsPerSystem(const std::string& scene) {
 }
 
 TEST(Multigrid, PulledBlock) {
-  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled), 8.0);
+  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled), 4.5);
 }
 
 TEST(Multigrid, ContactAtPoints) {
   EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kPlastic +
                                 ball("method: integral-augmented-lagrangian")),
-            16.0);
+            5.5);
 }
 
 TEST(Multigrid, ContactByAveragesWithFriction) {
   EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic +
                                 ball("method: augmented-lagrangian, friction: 0.3")),
-            16.0);
+            7.5);
 }
 
 TEST(Multigrid, PenaltyAtPoints) {
   EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic +
                                 ball("method: pointwise-penalty")),
-            16.0);
+            5.0);
 }
 
 TEST(Multigrid, LagrangeElements) {
-  EXPECT_LT(iterationsPerSystem("basis: lagrange\n" + std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled), 20.0);
+  EXPECT_LT(
+      iterationsPerSystem("basis: lagrange\n" + std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled),
+      6.5);
 }
 
 TEST(Multigrid, ConstantDilatation) {
   EXPECT_LT(iterationsPerSystem("formulation: fbar\n" + std::string(kBlock) + kHeldAtTheBack +
                                 "material: {law: neo-hookean, E: 1, nu: 0.45}\n" + kPulled),
-            30.0);
+            4.0);
+}
+
+/// Incomplete factors are given up here.
+TEST(Multigrid, NearlyIncompressible) {
+  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack +
+                                "material: {law: neo-hookean, E: 1, nu: 0.49}\n" + kPulled),
+            7.0);
+}
+
+TEST(Multigrid, DegreeThree) {
+  EXPECT_LT(iterationsPerSystem(R"(
+degree: 3
+geometry: {shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 1], spans: [5, 5, 4]}
+)" + std::string(kHeldAtTheBack) +
+                                kPlastic + ball("method: integral-augmented-lagrangian")),
+            5.5);
 }
 
 TEST(Multigrid, TwoPatches) {
@@ -119,7 +138,7 @@ supports: [{patch: a, face: back, fix: [x, y, z]}]
 loads: [{patch: b, face: front, traction: [0.01, 0.02, "-0.1*exp(-20*(X^2 + Y^2))"], schedule: {times: [0, 1], values: [0, 1]}}]
 steps: [{until: 1, count: 2}]
 )yaml") + kElastic),
-            10.0);
+            4.5);
 }
 
 TEST(Multigrid, ToolWithAFreeDirection) {
@@ -129,7 +148,7 @@ tools:
 contact: [{tool: ball, face: front}]
 steps: [{until: 1, count: 2}]
 )"),
-            20.0);
+            7.0);
 }
 
 TEST(Multigrid, IsRefusedInThePlane) {
@@ -144,7 +163,8 @@ solver: {linear: multigrid}
 )",
                "plane.yaml");
   });
-  EXPECT_THAT(message, HasSubstr("plane.yaml:7:18: solver.linear: found multigrid in a scene of two dimensions"));
+  EXPECT_THAT(message,
+              HasSubstr("plane.yaml:7:18: solver.linear: found multigrid in a scene of two dimensions"));
 }
 
 }  // namespace

@@ -34,7 +34,9 @@ void expectTheSameFunction(const UnivariateBasis& coarse, const UnivariateBasis&
   const Eigen::VectorXd f = T * c;
   const auto valueOf = [](const UnivariateBasis& basis, const Eigen::VectorXd& coefficients, double xi) {
     const int span = basis.findSpan(xi);
-    return basis.evaluate(span, xi, 0).col(0).dot(coefficients.segment(basis.firstFunction(span), basis.degree() + 1));
+    return basis.evaluate(span, xi, 0)
+        .col(0)
+        .dot(coefficients.segment(basis.firstFunction(span), basis.degree() + 1));
   };
   for (int k = 0; k <= 40; ++k) {
     const double xi = fine.parameterAt(k / 40.0);
@@ -46,7 +48,8 @@ TEST(TransferMatrix, KeepsFunctionsOfSplinesWithUnevenAndRepeatedKnots) {
   for (const int degree : {1, 2, 3, 4}) {
     const KnotVector even = KnotVector::uniform(degree, 7);
     const auto fine = UnivariateBasis::bspline(creased(withKnots(even, {0.03, 0.031, 0.9}), {0.5}));
-    for (const auto& kept : {std::vector<int>{0, 2, 5, fine.numSpans()}, std::vector<int>{0, fine.numSpans()}}) {
+    for (const auto& kept :
+         {std::vector<int>{0, 2, 5, fine.numSpans()}, std::vector<int>{0, fine.numSpans()}}) {
       const auto coarse = coarsened(fine, kept);
       EXPECT_EQ(coarse.numSpans(), static_cast<int>(kept.size()) - 1);
       expectTheSameFunction(coarse, fine);

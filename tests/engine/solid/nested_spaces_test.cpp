@@ -29,7 +29,8 @@ Eigen::MatrixXd randomDisplacements(int nodes) {
 
 /// Rows are the displacements of nodes.
 Eigen::Vector3d displacementAt(const TensorBasis<3>& basis, const Eigen::VectorXd& weights,
-                               const std::vector<int>& nodes, const Eigen::MatrixXd& u, const Eigen::Vector3d& xi) {
+                               const std::vector<int>& nodes, const Eigen::MatrixXd& u,
+                               const Eigen::Vector3d& xi) {
   TensorBasis<3>::Index spans{};
   for (int d = 0; d < 3; ++d) spans[static_cast<std::size_t>(d)] = basis.direction(d).findSpan(xi(d));
   std::array<Eigen::VectorXd, 3> N;
@@ -73,7 +74,8 @@ double largestDifference(const Body<3>& body, const MergeRule& rule, int& levels
         for (const double y : {0.02, 0.41, 0.93})
           for (const double z : {0.0, 0.35, 0.999}) {
             Eigen::Vector3d xi;
-            for (int d = 0; d < 3; ++d) xi(d) = bases[p].direction(d).parameterAt(d == 0 ? x : d == 1 ? y : z);
+            for (int d = 0; d < 3; ++d)
+              xi(d) = bases[p].direction(d).parameterAt(d == 0 ? x : d == 1 ? y : z);
             const Eigen::Vector3d difference =
                 displacementAt(bases[p], weights[p], nodes[p], fine, xi) -
                 displacementAt(spaces.basis(p), spaces.weights(p), spaces.nodes(p), coarse, xi);
@@ -124,7 +126,8 @@ TEST(NestedSpaces, PatchesStayJoined) {
   int functions = 0;
   for (std::size_t p = 0; p < 2; ++p) functions += spaces.basis(p).numFunctions();
   const auto& first = spaces.basis(0);
-  EXPECT_EQ(spaces.numNodes(), functions - first.direction(0).numFunctions() * first.direction(2).numFunctions());
+  EXPECT_EQ(spaces.numNodes(),
+            functions - first.direction(0).numFunctions() * first.direction(2).numFunctions());
 }
 
 TEST(NestedSpaces, CollapsedLinesStayOneNode) {
@@ -147,7 +150,8 @@ degree: 2
 geometry: {shape: box, size: [1, 1, 1], spans: [6, 6, 6]}
 )");
   std::vector<bool> held(static_cast<std::size_t>(3 * body.numNodes), false);
-  for (const int a : faceFunctions(body.patches.front().basis(), 4)) held[static_cast<std::size_t>(3 * a + 2)] = true;
+  for (const int a : faceFunctions(body.patches.front().basis(), 4))
+    held[static_cast<std::size_t>(3 * a + 2)] = true;
   NestedSpaces<3> spaces(body);
   ASSERT_TRUE(spaces.coarsen({}));
   const auto coarse = spaces.held(held);
