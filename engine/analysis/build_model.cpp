@@ -285,8 +285,7 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
       options.parameterFor(modulus, body.body.size(), meanControlPointDistance(patch, place.face));
   const PartnerRules rules{.reach = spec.reach.value_or(defaultReach(body.body.size(), smallest)),
                            .largestSlip = options.hasFriction() ? kLargestSlip : kAnySlip,
-                           .segments = spec.segments,
-                           .couplesAll = true};
+                           .segments = spec.segments};
   GapRamp fit;
   const PartnerMaker<Dim> makePartner = [&](const FaceQuadrature<Dim>& slave) {
     auto partner = facesAsPartner(slave, place, against, rules);

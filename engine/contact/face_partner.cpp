@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/contact/pair_rows.h"
+#include "engine/contact/unknown_lists.h"
 #include "engine/core/error.h"
 
 namespace burnish {
@@ -36,24 +37,27 @@ constexpr double kNearer = 1e-3;
 constexpr double kRounding = 1e-12;
 constexpr double kRoundedOverhang = 1e-12;
 
-/// Lists of entries of several numbers, each list behind its length.
-class SavedLists {
- public:
-  SavedLists(const std::vector<double>& numbers, int entrySize)
-      : next_(numbers.data()), end_(numbers.data() + numbers.size()), entrySize_(entrySize) {}
+/// Numbers that a segment is saved as.
+constexpr int kNumbersPerSegment = 5;
 
-  /// Calls a function for every entry of the next list. Throws `Error` if it is cut short.
+/// Lists of segments, each list behind its length.
+class SavedSegments {
+ public:
+  explicit SavedSegments(const std::vector<double>& numbers)
+      : next_(numbers.data()), end_(numbers.data() + numbers.size()) {}
+
+  /// Calls a function for the numbers of every segment of the next list. Throws `Error` if it is cut short.
   template <class F>
   void forEach(F&& f) {
-    if (next_ == end_ || !(*next_ >= 0.0) || !(entrySize_ * *next_ < static_cast<double>(end_ - next_)))
-      throw Error("saved state: a list of spans of a pair of faces is cut short");
+    if (next_ == end_ || !(*next_ >= 0.0) ||
+        !(kNumbersPerSegment * *next_ < static_cast<double>(end_ - next_)))
+      throw Error("saved state: a list of segments of a pair of faces is cut short");
     const auto count = static_cast<int>(*next_++);
-    for (int k = 0; k < count; ++k, next_ += entrySize_) f(next_);
+    for (int k = 0; k < count; ++k, next_ += kNumbersPerSegment) f(next_);
   }
 
  private:
   const double *next_, *end_;
-  int entrySize_;
 };
 
 }  // namespace
@@ -108,7 +112,6 @@ void FacePartner<Dim>::beginAt(double t, const Eigen::VectorXd& x) {
 template <int Dim>
 bool FacePartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::MatrixXd& positions) {
   moveTo(t, x, positions);
-  hasLeft_ = false;
   for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
     const auto& span = slave_.spans()[e];
     for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
@@ -119,7 +122,6 @@ bool FacePartner<Dim>::update(double t, const Eigen::VectorXd& x, const Eigen::M
       auto foot = surface_.project(positions_.col(span.firstPoint + q), start);
       if (!foot || foot->shareOfRadius() > kLargestShareOfRadius) return false;
       if (hasSlippedTooFar(start, *foot)) return false;
-      checkCouplings(e, *foot);
       feet_[number] = std::move(foot);
     }
   }
@@ -178,13 +180,6 @@ bool FacePartner<Dim>::anyHasCrossed() const {
   return false;
 }
 
-template <int Dim>
-void FacePartner<Dim>::checkCouplings(std::size_t span, const Foot<Dim>& foot) const {
-  const auto& known = couplings_[span];
-  if (!std::binary_search(known.begin(), known.end(), Span{foot.point.place.face, foot.point.place.span}))
-    hasLeft_ = true;
-}
-
 /// The quadrature point of a span whose parameters are nearest.
 template <int Dim>
 int FacePartner<Dim>::nearestNumber(std::size_t span, const Eigen::Vector<double, Dim - 1>& xi) const {
@@ -215,9 +210,7 @@ std::optional<Foot<Dim>> FacePartner<Dim>::footOf(const SlavePoint<Dim>& point) 
   if (point.number >= 0) return feet_[static_cast<std::size_t>(point.number)];
   const auto start = startOf(point, false);
   if (!start) return std::nullopt;
-  auto foot = surface_.project(point.x, *start);
-  if (foot) checkCouplings(point.span, *foot);
-  return foot;
+  return surface_.project(point.x, *start);
 }
 
 /// The place of the foot in the accepted state; of the present one if there was none between the quadrature
@@ -292,15 +285,12 @@ double FacePartner<Dim>::smallestGap() const {
 }
 
 template <int Dim>
-std::vector<int> FacePartner<Dim>::couplings(std::size_t span) const {
+std::vector<int> FacePartner<Dim>::couplings(std::size_t) const {
   std::vector<int> unknowns;
-  for (const Span& master : couplings_[span])
-    for (const int a : surface_.basis(master.face).spanFunctions(master.span)) {
-      const int first = Dim * surface_.nodes(master.face)[static_cast<std::size_t>(a)];
-      for (int d = 0; d < Dim; ++d) unknowns.push_back(first + d);
-    }
-  std::sort(unknowns.begin(), unknowns.end());
-  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  for (int face = 0; face < surface_.numFaces(); ++face)
+    for (const int node : surface_.nodes(face))
+      for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * node + d);
+  sortOnce(unknowns);
   return unknowns;
 }
 
@@ -460,8 +450,6 @@ void FacePartner<Dim>::choosePartners(bool isNewMesh) {
     }
   }
   cutSegments(search);
-  couplings_.assign(slave_.spans().size(), {});
-  addCouplings(search);
 }
 
 template <int Dim>
@@ -496,38 +484,6 @@ void FacePartner<Dim>::cutSegments(const MasterSearch<Dim>& search) {
       segments_[e] = segmentsOf(basis.spanBegin(span), basis.spanEnd(span), footAt);
     }
   }
-}
-
-template <int Dim>
-void FacePartner<Dim>::addCouplings(const MasterSearch<Dim>& search) {
-  if (rules_.couplesAll) {
-    std::vector<Span> all;
-    for (int face = 0; face < surface_.numFaces(); ++face)
-      for (int span = 0; span < surface_.basis(face).numSpans(); ++span) all.push_back({face, span});
-    couplings_.assign(slave_.spans().size(), all);
-    return;
-  }
-  for (std::size_t e = 0; e < slave_.spans().size(); ++e) {
-    const auto& span = slave_.spans()[e];
-    const Eigen::MatrixXd points = slavePoints_(Eigen::all, span.functions);
-    const auto positions = positions_.middleCols(span.firstPoint, span.R.cols());
-    const Vector margin = Vector::Constant(rules_.reach);
-    const Vector low = points.rowwise().minCoeff().cwiseMin(positions.rowwise().minCoeff()) - margin;
-    const Vector high = points.rowwise().maxCoeff().cwiseMax(positions.rowwise().maxCoeff()) + margin;
-    std::vector<Span> spans = search.meeting(low, high);
-    for (Eigen::Index q = 0; q < span.R.cols(); ++q)
-      if (const auto& foot = feet_[static_cast<std::size_t>(span.firstPoint + q)])
-        spans.push_back({foot->point.place.face, foot->point.place.span});
-    spans.insert(spans.end(), couplings_[e].begin(), couplings_[e].end());
-    std::sort(spans.begin(), spans.end());
-    spans.erase(std::unique(spans.begin(), spans.end()), spans.end());
-    couplings_[e] = std::move(spans);
-  }
-}
-
-template <int Dim>
-void FacePartner<Dim>::widenCouplings() {
-  addCouplings(MasterSearch<Dim>(surface_));
 }
 
 template <int Dim>
@@ -570,16 +526,6 @@ void FacePartner<Dim>::archive(StateArchive& archive) {
       feet.segment<Dim + 1>((Dim + 1) * static_cast<Eigen::Index>(k)) << place->face, place->span, place->xi;
   archive.fixedField("feet", feet);
 
-  // Per span of the slave the number of master spans, then face and number of each.
-  std::vector<double> couplings;
-  for (const auto& spans : couplings_) {
-    couplings.push_back(static_cast<double>(spans.size()));
-    for (const Span& span : spans) {
-      couplings.push_back(span.face);
-      couplings.push_back(span.span);
-    }
-  }
-  archive.field("couplings", couplings);
   // Per span of the slave the number of segments, then begin, end and foot of each, as above.
   std::vector<double> segments;
   for (const auto& pieces : segments_) {
@@ -607,12 +553,7 @@ void FacePartner<Dim>::archive(StateArchive& archive) {
     const Span span = savedSpan(saved(0), saved(1));
     places_[k] = Place{span.face, span.span, saved.template tail<Dim - 1>()};
   }
-  SavedLists savedCouplings(couplings, 2);
-  for (auto& spans : couplings_) {
-    spans.clear();
-    savedCouplings.forEach([&](const double* entry) { spans.push_back(savedSpan(entry[0], entry[1])); });
-  }
-  SavedLists savedSegments(segments, 5);
+  SavedSegments savedSegments(segments);
   for (auto& pieces : segments_) {
     pieces.clear();
     savedSegments.forEach([&](const double* entry) {

@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -47,10 +46,6 @@ struct PartnerRules {
   /// In the plane: whether spans of the slave are cut into `FacePartner::segments`.
   bool segments = false;
 
-  /// Whether every span of the slave is coupled with the whole surface, so that the pattern of the tangent
-  /// stays the same wherever the slave goes; else with what is within reach.
-  bool couplesAll = false;
-
   /// If the slave is one of the surface's own faces, its number: of two points that face each other the one
   /// on the face with the smaller number is the slave; on one face the one with the smaller parameter, of
   /// those in which they differ most over the face. Where a fold closes, within a span of the slave along
@@ -68,7 +63,6 @@ inline PartnerRules selfContactRules(double reach, int ownFace, bool isNewMesh =
           .newPenetration = 0.0,
           .newOverhang = kOverhang,
           .takesNearer = false,
-          .couplesAll = true,
           .ownFace = ownFace,
           .isNewMesh = isNewMesh};
 }
@@ -111,14 +105,8 @@ class FacePartner final : public Partner<Dim> {
   Eigen::MatrixXd frictionTangent(const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact,
                                   const Eigen::Vector<double, Dim - 1>& traction) const override;
 
-  /// Those of the master spans within reach of the slave's in the accepted state.
+  /// Those of the whole surface, so that the pattern of the tangent stays the same wherever the slave goes.
   std::vector<int> couplings(std::size_t span) const override;
-
-  /// Whether a foot has been asked for, since the last update, on a span that `couplings` do not know.
-  bool hasLeftCouplings() const { return hasLeft_; }
-
-  /// Adds what is within reach in the last updated state to the couplings.
-  void widenCouplings();
 
   /// Faces that overlap at first are let into one another step by step.
   void resolveInterference(const GapRamp& ramp) { ramp_ = ramp; }
@@ -160,7 +148,6 @@ class FacePartner final : public Partner<Dim> {
   std::optional<Place> startOf(const SlavePoint<Dim>& point, bool inAcceptedState) const;
   std::optional<Foot<Dim>> footOf(const SlavePoint<Dim>& point) const;
   Place acceptedPlaceOf(const SlavePoint<Dim>& point, const Foot<Dim>& foot) const;
-  void checkCouplings(std::size_t span, const Foot<Dim>& foot) const;
   bool suits(const Slave& slave, const Foot<Dim>& foot, bool isNew) const;
   std::vector<int> neighbours(std::size_t span, Eigen::Index point) const;
   bool isLater(const Place& place, const Slave& slave) const;
@@ -171,7 +158,6 @@ class FacePartner final : public Partner<Dim> {
   void choosePartners(bool isNewMesh);
   void chooseAnew(bool isNewMesh);
   void cutSegments(const MasterSearch<Dim>& search);
-  void addCouplings(const MasterSearch<Dim>& search);
   void chooseFrame();
   Span savedSpan(double face, double span) const;
 
@@ -186,9 +172,7 @@ class FacePartner final : public Partner<Dim> {
   Eigen::MatrixXd acceptedSlavePoints_;         ///< control points in the accepted state
   std::vector<std::optional<Foot<Dim>>> feet_;  ///< in the last updated state
   std::vector<std::optional<Place>> places_;    ///< of feet in the accepted state
-  std::vector<std::vector<Span>> couplings_;    ///< per span of the slave, ascending
   std::vector<std::vector<Segment>> segments_;  ///< per span of the slave
-  mutable std::atomic<bool> hasLeft_ = false;
   Vector originNormal_;
   Frame origin_;
 };

@@ -92,18 +92,6 @@ MasterSearch<Dim>::MasterSearch(const MasterSurface<Dim>& surface, bool withNorm
 }
 
 template <int Dim>
-std::vector<typename MasterSearch<Dim>::Span> MasterSearch<Dim>::meeting(const Point& low,
-                                                                         const Point& high) const {
-  std::vector<int> numbers = others_;
-  for (const int k : tree_.meeting(inSpace<Dim>(low), inSpace<Dim>(high)))
-    numbers.push_back(inTree_[static_cast<std::size_t>(k)]);
-  std::sort(numbers.begin(), numbers.end());
-  std::vector<Span> spans;
-  for (const int number : numbers) spans.push_back(candidates_[static_cast<std::size_t>(number)].span);
-  return spans;
-}
-
-template <int Dim>
 std::optional<Foot<Dim>> MasterSearch<Dim>::nearest(const MasterSurface<Dim>& surface, const Point& position,
                                                     double reach,
                                                     const std::function<bool(const Foot<Dim>&)>& suits,

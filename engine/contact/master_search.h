@@ -18,16 +18,12 @@ class MasterSearch {
 
   struct Span {
     int face = 0, span = 0;
-    auto operator<=>(const Span&) const = default;
   };
 
   MasterSearch() = default;
 
   /// withNormals: for `MayHold`.
   explicit MasterSearch(const MasterSurface<Dim>& surface, bool withNormals = false);
-
-  /// Spans whose boxes meet a box, ascending; among them all that have a point in it.
-  std::vector<Span> meeting(const Point& low, const Point& high) const;
 
   /// Whether a span, with the surface's normals at a few places in it and at all sides of its corners, may have
   /// a foot that suits.

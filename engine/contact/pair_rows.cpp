@@ -1,18 +1,6 @@
 #include "engine/contact/pair_rows.h"
 
-#include <algorithm>
-
 namespace burnish {
-
-std::vector<int> placesAmong(std::vector<int>& nodes, const std::vector<int>& others) {
-  std::vector<int> places;
-  for (const int node : others) {
-    const auto found = std::find(nodes.begin(), nodes.end(), node);
-    places.push_back(static_cast<int>(found - nodes.begin()));
-    if (found == nodes.end()) nodes.push_back(node);
-  }
-  return places;
-}
 
 template <int Dim>
 PairRows<Dim>::PairRows(const Eigen::Ref<const Eigen::VectorXd>& R, const Foot<Dim>& foot, int others)

@@ -7,9 +7,6 @@
 
 namespace burnish {
 
-/// Where other nodes stand among some: those that are not there yet are added at the end.
-std::vector<int> placesAmong(std::vector<int>& nodes, const std::vector<int>& others);
-
 /// Variations at a slave point x = Σ R_a x_a and its foot y = Σ R_b y_b as rows over the n displacement
 /// components of the slave's functions, then of the foot's nodes, then of others if there are some.
 ///

@@ -14,4 +14,7 @@ std::vector<Eigen::Index> placesIn(const std::vector<int>& all, const std::vecto
 void addAt(const std::vector<Eigen::Index>& places, const Eigen::Ref<const Eigen::MatrixXd>& part,
            Eigen::MatrixXd& K);
 
+/// Where other nodes stand among some: those that are not there yet are added at the end.
+std::vector<int> placesAmong(std::vector<int>& nodes, const std::vector<int>& others);
+
 }  // namespace burnish

@@ -154,7 +154,6 @@ TEST(FacePartner, DerivativesAgreeWithDifferencesInAStepThatSlides) {
 TEST(FacePartner, FindsPartnersInReachOnly) {
   Pair<2> far(moved<2>(block(4), {0.0, 1.2}), block(5), {.reach = 0.1});
   EXPECT_EQ(far.numPartners(), 0);
-  EXPECT_TRUE(far.partner->couplings(0).empty());
   Pair<2> near(moved<2>(block(4), {0.0, 1.05}), block(5), {.reach = 0.1});
   EXPECT_EQ(near.numPartners(), near.slave.numPoints());
   EXPECT_NEAR(near.partner->foot(0)->gap, 0.05, 1e-15);
@@ -204,35 +203,6 @@ TEST(FacePartner, DoesNotSeeTheSurfaceFromBehind) {
                                outwardSign(below.patches.front(), kTop),
                                MasterSurface<2>(master, {{0, kTop}}), {.reach = 0.1});
   for (int k = 0; k < top.numPoints(); ++k) EXPECT_FALSE(partner.foot(k));
-}
-
-TEST(FacePartner, TellsWhenAFootLeavesTheCouplings) {
-  Pair<2> pair(moved<2>(block(4), {0.2, 1.01}, 0.5), block(10), {.reach = 0.05});
-  const auto holdsFeet = [&] {
-    bool all = true;
-    for (std::size_t e = 0; e < pair.slave.spans().size(); ++e) {
-      const auto known = pair.partner->couplings(e);
-      EXPECT_TRUE(std::is_sorted(known.begin(), known.end()));
-      const auto& span = pair.slave.spans()[e];
-      for (int q = 0; q < span.R.cols(); ++q)
-        for (const int node : pair.partner->foot(span.firstPoint + q)->point.nodes)
-          all = all && std::binary_search(known.begin(), known.end(), 2 * node);
-    }
-    return all;
-  };
-  EXPECT_TRUE(holdsFeet());
-  EXPECT_LT(pair.partner->couplings(0).size(), 2u * 12u);
-  pair.moveUpper({-0.04, 0.0});
-  ASSERT_TRUE(pair.update());
-  EXPECT_FALSE(pair.partner->hasLeftCouplings());
-  pair.moveUpper({0.2, 0.0});
-  ASSERT_TRUE(pair.update());
-  EXPECT_TRUE(pair.partner->hasLeftCouplings());
-  EXPECT_FALSE(holdsFeet());
-  pair.partner->widenCouplings();
-  ASSERT_TRUE(pair.update());
-  EXPECT_FALSE(pair.partner->hasLeftCouplings());
-  EXPECT_TRUE(holdsFeet());
 }
 
 TEST(FacePartner, RefusesStatesThatSlipTooFar) {

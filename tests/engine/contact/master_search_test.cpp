@@ -96,13 +96,5 @@ TEST(MasterSearch, TakesTheNearestThatSuits) {
   EXPECT_NEAR(lower->gap, -0.15, 1e-15);
 }
 
-TEST(MasterSearch, ListsTheSpansNearABox) {
-  const Body<2> block = makeBody(
-      refined(rectangle({0.0, 0.0}, {1.0, 0.2}), {KnotVector::uniform(2, 10), KnotVector::uniform(1, 1)}));
-  const MasterSurface<2> surface(block, {{0, kTop}});
-  using Span = MasterSearch<2>::Span;
-  EXPECT_EQ(MasterSearch<2>(surface).meeting({0.32, 0.1}, {0.45, 0.3}), (std::vector<Span>{{0, 3}, {0, 4}}));
-}
-
 }  // namespace
 }  // namespace burnish

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "engine/contact/unknown_lists.h"
 #include "tests/engine/contact/surface_samples.h"
 
 namespace burnish {
