@@ -502,6 +502,7 @@ void FacePartner<Dim>::accept() {
 
 template <int Dim>
 void FacePartner<Dim>::chooseAnew(bool isNewMesh) {
+  surface_.roundKinks();
   choosePartners(isNewMesh);
   chooseFrame();
   acceptedSurface_ = surface_;
@@ -546,6 +547,8 @@ void FacePartner<Dim>::archive(StateArchive& archive) {
   acceptedSlavePoints_ = slavePoints.reshaped(Dim, acceptedSlavePoints_.cols());
   if (!archive.restores()) return;
 
+  acceptedSurface_.roundKinks();
+  surface_ = acceptedSurface_;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const auto saved = feet.segment<Dim + 1>((Dim + 1) * static_cast<Eigen::Index>(k));
     places_[k].reset();

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
+#include "engine/contact/unknown_lists.h"
 #include "engine/core/error.h"
 #include "engine/solid/face_quadrature.h"
 
@@ -28,6 +30,12 @@ constexpr double kChecked = 1e-7;
 /// Difference of unit normals below which a line is no kink.
 constexpr double kKink = 1e-9;
 
+/// Turn of the tangent from which on a kink is rounded, below which jumps of forces do not matter, and cosine of
+/// that from which on it is a corner; half the length of what is rounded, in parts of the shorter span.
+constexpr double kSmallestTurn = 1e-7;
+constexpr double kCornerCosine = 0.5 * std::numbers::sqrt2;
+constexpr double kRoundedPart = 0.03;
+
 /// Nodes of a face along one of its rims, in the order of the rim's own parameter.
 template <int P>
 std::vector<int> rimNodes(const TensorBasis<P>& basis, const std::vector<int>& nodes, int rim) {
@@ -48,6 +56,7 @@ bool areSame(const std::vector<int>& nodes) {
 
 template <int Dim>
 double Foot<Dim>::shareOfRadius() const {
+  if (point.isRounded) return 0.0;
   Eigen::Matrix<double, Dim - 1, Dim - 1> m = point.tangents.transpose() * point.tangents, k;
   for (int a = 0; a < Dim - 1; ++a)
     for (int b = 0; b < Dim - 1; ++b)
@@ -74,7 +83,7 @@ MasterSurface<Dim>::MasterSurface(const Body<Dim>& body, const std::vector<FaceP
       throw Error(fmt::format("contact: the face {} of patch {} is named twice", faceName(faces[k].face),
                               faces[k].patch + 1));
     const auto& patch = body.patches[static_cast<std::size_t>(faces[k].patch)];
-    Face face{tracePatch(patch, faces[k].face), {}, outwardSign(patch, faces[k].face), {}, {}, {}};
+    Face face{tracePatch(patch, faces[k].face), {}, outwardSign(patch, faces[k].face), {}, {}, {}, {}};
     for (const int a : faceFunctions(patch.basis(), faces[k].face))
       face.nodes.push_back(body.nodes[static_cast<std::size_t>(faces[k].patch)][static_cast<std::size_t>(a)]);
     face.points = face.trace.points();
@@ -114,6 +123,45 @@ void MasterSurface<Dim>::glueRims() {
 }
 
 template <int Dim>
+void MasterSurface<Dim>::roundKinks() {
+  if constexpr (Dim == 2) {
+    for (int f = 0; f < numFaces(); ++f) {
+      const UnivariateBasis& univariate = basis(f).direction(0);
+      auto& roundings = faces_[static_cast<std::size_t>(f)].roundings;
+      roundings.assign(static_cast<std::size_t>(univariate.numSpans()), {});
+      for (int span = 0; span < univariate.numSpans(); ++span)
+        for (const int side : {0, 1}) {
+          const double end = side == 0 ? univariate.spanBegin(span) : univariate.spanEnd(span);
+          roundings[static_cast<std::size_t>(span)][static_cast<std::size_t>(side)] =
+              roundingOf({f, span, Eigen::Vector<double, P>::Constant(end)}, side);
+        }
+    }
+  }
+}
+
+/// place: an end of its span. None where there is no kink, or a corner.
+template <int Dim>
+std::optional<typename MasterSurface<Dim>::Rounding> MasterSurface<Dim>::roundingOf(
+    const SurfacePlace<Dim>& place, int side) const {
+  const auto edge = across(place, 0, side);
+  if (!edge) return std::nullopt;
+  // Towards the other span: up at the end of a span, down at its begin; on from there the other way about.
+  const double sign = side == 0 ? -1.0 : 1.0, signThere = edge->side == 0 ? 1.0 : -1.0;
+  const Eigen::Vector<double, Dim> tangent = sign * unroundedAt(place).tangents.col(0),
+                                   tangentThere = signThere * unroundedAt(edge->place).tangents.col(0);
+  const double speed = tangent.norm(), speedThere = tangentThere.norm();
+  const double turn = (tangentThere / speedThere - tangent / speed).norm();
+  if (!(turn > kSmallestTurn) || !(tangent.dot(tangentThere) > kCornerCosine * speed * speedThere))
+    return std::nullopt;
+  const auto spanSize = [&](const SurfacePlace<Dim>& there) {
+    const UnivariateBasis& univariate = basis(there.face).direction(0);
+    return univariate.spanEnd(there.span) - univariate.spanBegin(there.span);
+  };
+  const double length = kRoundedPart * std::min(speed * spanSize(place), speedThere * spanSize(edge->place));
+  return Rounding{place, edge->place, length / speed, sign * length / speed, signThere * length / speedThere};
+}
+
+template <int Dim>
 void MasterSurface<Dim>::moveTo(const Eigen::VectorXd& x) {
   for (Face& face : faces_) {
     face.points = face.trace.points();
@@ -147,6 +195,48 @@ double MasterSurface<Dim>::largestWayFrom(const MasterSurface& other) const {
 
 template <int Dim>
 SurfacePoint<Dim> MasterSurface<Dim>::at(const SurfacePlace<Dim>& place) const {
+  SurfacePoint<Dim> point = unroundedAt(place);
+  round(point);
+  return point;
+}
+
+/// Adds ¼ u² (y'(0⁺) - y'(0⁻)), u = 1 - |s|, to a point of what is rounded.
+template <int Dim>
+void MasterSurface<Dim>::round(SurfacePoint<Dim>& point) const {
+  const SurfacePlace<Dim> place = point.place;
+  const auto& roundings = at(place.face).roundings;
+  if (roundings.empty()) return;
+  for (const auto& rounding : roundings[static_cast<std::size_t>(place.span)]) {
+    if (!rounding) continue;
+    const double u = 1.0 - std::abs(place.xi(0) - rounding->here.xi(0)) / rounding->width;
+    if (!(u > 0.0)) continue;
+    const double du = (rounding->hereByLength > 0.0 ? 1.0 : -1.0) / rounding->width;
+    const double b = 0.25 * u * u, db = 0.5 * u * du, ddb = 0.5 * du * du;
+    const auto add = [&](const SurfacePlace<Dim>& side, double byLength) {
+      const SurfacePoint<Dim> there = unroundedAt(side);
+      const auto places = placesAmong(point.nodes, there.nodes);
+      const auto size = std::ssize(point.nodes);
+      point.shape.R.conservativeResizeLike(Eigen::VectorXd::Zero(size));
+      point.shape.dR.conservativeResizeLike(decltype(point.shape.dR)::Zero(size, P));
+      point.shape.ddR.conservativeResizeLike(decltype(point.shape.ddR)::Zero(size, P * (P + 1) / 2));
+      const Eigen::VectorXd dR = byLength * there.shape.dR.col(0);
+      point.shape.R(places) += b * dR;
+      point.shape.dR(places, 0) += db * dR;
+      point.shape.ddR(places, 0) += ddb * dR;
+      const Eigen::Vector<double, Dim> tangent = byLength * there.tangents.col(0);
+      point.x += b * tangent;
+      point.tangents.col(0) += db * tangent;
+      point.curvatures.col(0) += ddb * tangent;
+    };
+    add(rounding->there, rounding->thereByLength);
+    add(rounding->here, -rounding->hereByLength);
+    point.normal = at(place.face).outward * areaVector<Dim>(point.tangents).normalized();
+    point.isRounded = true;
+  }
+}
+
+template <int Dim>
+SurfacePoint<Dim> MasterSurface<Dim>::unroundedAt(const SurfacePlace<Dim>& place) const {
   const Face& face = at(place.face);
   const std::vector<int> functions = face.trace.basis().spanFunctions(place.span);
   SurfacePoint<Dim> point;
@@ -462,8 +552,20 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> MasterSurface<Dim>::hull(int face, in
   const Eigen::MatrixXd weighted = w.asDiagonal() * C;
   const Eigen::RowVectorXd weights = weighted.colwise().sum();
   if (!(weights.minCoeff() > 0.0)) return {};
-  const Eigen::MatrixXd points = at(face).points(Eigen::all, functions) * weighted;
-  return points.array().rowwise() / weights.array();
+  Eigen::Matrix<double, Dim, Eigen::Dynamic> points = at(face).points(Eigen::all, functions) * weighted;
+  points.array().rowwise() /= weights.array();
+  if (at(face).roundings.empty()) return points;
+  for (const auto& rounding : at(face).roundings[static_cast<std::size_t>(span)]) {
+    // What is rounded is within ¼ (y'(0⁺) - y'(0⁻)) of the span.
+    if (!rounding) continue;
+    const Eigen::Vector<double, Dim> jump =
+        rounding->thereByLength * unroundedAt(rounding->there).tangents.col(0) -
+        rounding->hereByLength * unroundedAt(rounding->here).tangents.col(0);
+    const Eigen::Index count = points.cols();
+    points.conservativeResize(Eigen::NoChange, 2 * count);
+    points.rightCols(count) = points.leftCols(count).colwise() + 0.25 * jump;
+  }
+  return points;
 }
 
 template struct Foot<2>;

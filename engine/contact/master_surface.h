@@ -29,6 +29,7 @@ struct SurfacePoint {
   Eigen::Matrix<double, Dim, Dim - 1> tangents;              ///< y_α = ∂y/∂η^α
   Eigen::Matrix<double, Dim, Dim*(Dim - 1) / 2> curvatures;  ///< y_αβ, see `secondDerivative`
   Eigen::Vector<double, Dim> normal;                         ///< unit, out of the body
+  bool isRounded = false;                                    ///< on a rounded kink
 };
 
 /// Closest point of a surface to a position x. Where the surface has a kink only some of the two parameters
@@ -57,6 +58,15 @@ struct Foot {
 
 /// One or several faces of a body as one surface: rims with the same nodes are glued to one another. Beyond a
 /// rim that is not, the surface goes on along its tangents by the size of the last span.
+///
+/// Where two spans meet that are continuous only, the surface gets a kink under pressure. The normal would jump
+/// where a foot goes over it, and with it forces: states in between, in which both sides hold a point, would
+/// have no equilibrium. In the plane kinks are therefore rounded (`roundKinks`),
+///
+///     ỹ(s) = y(s) + ¼ (1 - |s|)² (y'(0⁺) - y'(0⁻)) for |s| <= 1,
+///
+/// with s the distance from the kink over a small part of the shorter of both spans. ỹ has a continuous tangent,
+/// and is a sum of control points as y is.
 template <int Dim>
 class MasterSurface {
  public:
@@ -66,11 +76,15 @@ class MasterSurface {
   /// Moves it to where the displacements of all nodes put it, which come first among the unknowns.
   void moveTo(const Eigen::VectorXd& x);
 
+  /// Rounds the kinks that the surface has in its current place, in the plane, but for corners from 45 degrees
+  /// on; which ones they are, and how far, stays so until it is called again.
+  void roundKinks();
+
   /// Longest way of a control point from another place of the same surface; no point of it has gone farther
   /// where weights are positive.
   double largestWayFrom(const MasterSurface& other) const;
 
-  /// Its current place.
+  /// Its current place, without what is rounded.
   void archive(StateArchive& archive);
 
   int numFaces() const { return static_cast<int>(faces_.size()); }
@@ -96,8 +110,8 @@ class MasterSurface {
   /// Around a rim that is collapsed to a point also the middles of its spans.
   std::vector<SurfacePlace<Dim>> around(const SurfacePlace<Dim>& place) const;
 
-  /// Current Bézier points of a span, in whose convex hull it lies; empty if their weights are not positive
-  /// (possible for Lagrange bases with weights only).
+  /// Current Bézier points of a span, with those of its rounded ends, in whose convex hull it lies; empty if
+  /// their weights are not positive (possible for Lagrange bases with weights only).
   Eigen::Matrix<double, Dim, Eigen::Dynamic> hull(int face, int span) const;
 
  private:
@@ -109,6 +123,13 @@ class MasterSurface {
     bool reversed = false;
   };
 
+  /// How the kink at an end of a span is rounded, seen from that span.
+  struct Rounding {
+    SurfacePlace<Dim> here, there;                   ///< the kink as a place of both spans
+    double width = 0.0;                              ///< of the rounded part, in the span's parameter
+    double hereByLength = 0.0, thereByLength = 0.0;  ///< parameters by s, which grows from here to there
+  };
+
   struct Face {
     Patch<P, Dim> trace;  ///< in the reference place
     std::vector<int> nodes;
@@ -116,6 +137,7 @@ class MasterSurface {
     Eigen::MatrixXd points;  ///< current control points
     std::array<std::optional<Glue>, 2 * P> glued;
     std::array<bool, 2 * P> collapsed{};
+    std::vector<std::array<std::optional<Rounding>, 2>> roundings;  ///< per span, at its ends; in the plane
   };
 
   /// A place on the edge of a span, seen from that span: parameter d at its begin (side 0) or end (1).
@@ -126,6 +148,9 @@ class MasterSurface {
 
   const Face& at(int face) const { return faces_[static_cast<std::size_t>(face)]; }
   void glueRims();
+  std::optional<Rounding> roundingOf(const SurfacePlace<Dim>& place, int side) const;
+  SurfacePoint<Dim> unroundedAt(const SurfacePlace<Dim>& place) const;
+  void round(SurfacePoint<Dim>& point) const;
   bool isAtRim(const SurfacePlace<Dim>& place, int direction, int side) const;
   bool isFree(const SurfacePlace<Dim>& place, int direction, int side) const;
 

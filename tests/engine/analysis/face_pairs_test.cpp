@@ -320,5 +320,41 @@ steps: [{until: 1, count: 8}]
   }
 }
 
+/// A narrow punch is dragged over a slab of the same stiffness that has kinks under it: over the joint of two
+/// patches, or over spans of degree 1. Where a step leaves a point on a kink both sides of it hold the point.
+TEST_F(FacePairs, APunchIsDraggedOverKinksWithFriction) {
+  const std::array<std::array<std::string, 4>, 2> slabs{
+      {{"1", "{shape: rectangle, origin: [-0.5, -0.3], size: [1, 0.3], spans: [10, 3]}",
+        "  - {body: slab, face: bottom, fix: [x, y]}\n", "{body: slab, face: top}"},
+       {"2",
+        "{shape: patches, patches: ["
+        "{name: a, shape: rectangle, origin: [-0.5, -0.3], size: [0.5, 0.3], spans: [5, 3]}, "
+        "{name: b, shape: rectangle, origin: [0, -0.3], size: [0.5, 0.3], spans: [5, 3]}]}",
+        "  - {body: slab, patch: a, face: bottom, fix: [x, y]}\n"
+        "  - {body: slab, patch: b, face: bottom, fix: [x, y]}\n",
+        "[{body: slab, patch: a, face: top}, {body: slab, patch: b, face: top}]"}}};
+  for (const auto& [degree, geometry, supports, against] : slabs)
+    for (const auto& [method, steps] : {std::pair{methods[0], "10"}, {methods[1], "12"}}) {
+      const HistoryTable history =
+          run(R"(
+bodies:
+  - {name: punch, geometry: {shape: rectangle, origin: [-0.28, 0], size: [0.2, 0.2], spans: [4, 2]},
+     material: {law: neo-hookean, E: 1, nu: 0.3}}
+  - {name: slab, degree: )" +
+              degree + ", geometry: " + geometry + R"(, material: {law: neo-hookean, E: 1, nu: 0.3}}
+supports:
+)" + supports +
+              R"(  - {body: punch, face: top, move: {times: [0, 1, 2], x: [0, 0, 0.3], y: [0, -0.02, -0.02]}}
+contact:
+  - {body: punch, face: bottom, against: )" +
+              against + ", friction: 0.3, method: " + method + R"(}
+steps: [{until: 1, count: 2}, {until: 2, count: )" +
+              steps + "}]\n");
+      EXPECT_EQ(findColumn(history, "time")->size(), 3u + std::stoul(steps)) << "no step is made smaller";
+      EXPECT_LE(std::ranges::max(*findColumn(history, "newton_iterations")), 10.0);
+      EXPECT_NEAR(last(history, "punch-slab.friction"), 0.3 * last(history, "punch-slab.pressed"), 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace burnish

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/nurbs/refinement.h"
@@ -99,6 +101,94 @@ TEST(MasterSurface, SeesAConcaveKinkFromInside) {
   EXPECT_FALSE(foot->moves[0]);
   EXPECT_NEAR(foot->gap, -std::hypot(0.1, 0.5), 1e-14);
   EXPECT_LT((foot->normal - (x - Eigen::Vector2d(0.0, 1.0)) / foot->gap).norm(), 1e-14);
+}
+
+/// Places of a plane surface around the knot between two spans of its first face, shares of the spans away from it.
+std::array<SurfacePlace<2>, 2> besideKnot(const MasterSurface<2>& surface, int span, double share) {
+  const UnivariateBasis& basis = surface.basis(0).direction(0);
+  const auto at = [&](int number, double from) {
+    const double length = basis.spanEnd(number) - basis.spanBegin(number);
+    return SurfacePlace<2>{0, number, Eigen::Vector<double, 1>(basis.spanEnd(span) + from * share * length)};
+  };
+  return {at(span, -1.0), at(span + 1, 1.0)};
+}
+
+TEST(MasterSurface, RoundsKinksToOneTangent) {
+  for (const auto& [family, degree] : {std::pair{BasisFamily::BSpline, 1}, {BasisFamily::Lagrange, 2}}) {
+    const Body<2> body = makeBody(test::wavy<2>(family, degree, 4, 0.1 / degree, 9));
+    const MasterSurface<2> sharp(body, {{0, kTop}});
+    MasterSurface<2> surface = sharp;
+    surface.roundKinks();
+    for (const int span : {0, 1, 2}) {
+      const auto [before, after] = besideKnot(surface, span, 0.0);
+      EXPECT_GT((sharp.at(before).normal - sharp.at(after).normal).norm(), 1e-3);
+      EXPECT_LT((surface.at(before).normal - surface.at(after).normal).norm(), 1e-13);
+      EXPECT_LT((surface.at(before).x - surface.at(after).x).norm(), 1e-15);
+      EXPECT_LT((surface.at(before).x - sharp.at(before).x).norm(), 0.01 * 0.25);
+      // Farther away all is as it was.
+      for (const auto& place : besideKnot(surface, span, 0.1)) {
+        EXPECT_EQ(surface.at(place).x, sharp.at(place).x);
+        EXPECT_EQ(surface.at(place).normal, sharp.at(place).normal);
+        EXPECT_FALSE(surface.at(place).isRounded);
+      }
+      for (const auto& place : besideKnot(surface, span, 0.004)) {
+        const auto point = surface.at(place);
+        EXPECT_TRUE(point.isRounded);
+        EXPECT_NEAR(point.shape.R.sum(), 1.0, 1e-14);
+        EXPECT_NEAR(point.shape.dR.sum(), 0.0, 1e-12);
+        const double step = 1e-6;
+        SurfacePlace<2> low = place, high = place;
+        low.xi(0) -= step;
+        high.xi(0) += step;
+        const auto tangents = (surface.at(high).x - surface.at(low).x) / (2.0 * step);
+        const auto curvatures = (surface.at(high).tangents - surface.at(low).tangents) / (2.0 * step);
+        EXPECT_LT((tangents - point.tangents).norm(), 1e-8);
+        EXPECT_LT((curvatures - point.curvatures).norm(), 1e-6);
+      }
+    }
+  }
+}
+
+/// A point that goes over a kink in small steps: its normal turns without a jump, on either side of the surface.
+TEST(MasterSurface, FeetGoOverARoundedKinkSmoothly) {
+  for (const double height : {0.3, -0.3}) {
+    Patch<2> sheet =
+        refined(rectangle({-1.0, -1.0}, {2.0, 1.0}), {KnotVector::uniform(1, 2), KnotVector::uniform(1, 1)});
+    Eigen::MatrixXd points = sheet.points();
+    points(1, 4) = height;
+    const Body<2> body = makeBody(Patch<2>(sheet.basis(), points, sheet.weights()));
+    MasterSurface<2> surface(body, {{0, kTop}});
+    surface.roundKinks();
+    for (const double above : {1e-3, 0.0, -1e-3}) {
+      SurfacePlace<2> place = surface.placeOf(0, Eigen::Vector<double, 1>(0.45));
+      Eigen::Vector2d last = surface.at(place).normal;
+      const int count = 2000;
+      for (int k = 0; k <= count; ++k) {
+        const double x = -0.05 + 0.1 * k / count;
+        const auto foot = surface.project({x, height * (1.0 - std::abs(x)) + above}, place);
+        ASSERT_TRUE(foot);
+        EXPECT_TRUE(foot->isSmooth());
+        EXPECT_LT((foot->normal - last).norm(), 2e-3);
+        last = foot->normal;
+        place = foot->point.place;
+      }
+      EXPECT_EQ(place.span, 1);
+    }
+  }
+}
+
+TEST(MasterSurface, LeavesCornersSharpAndWhatIsSmoothAsItIs) {
+  const Body<2> block = makeBody(
+      refined(rectangle({0.0, 0.0}, {2.0, 1.0}), {KnotVector::uniform(2, 3), KnotVector::uniform(1, 2)}));
+  MasterSurface<2> surface(block, {{0, kTop}, {0, kRight}});
+  surface.roundKinks();
+  EXPECT_FALSE(surface.project({2.3, 1.4}, surface.placeOf(0, Eigen::Vector<double, 1>(0.9)))->moves[0]);
+  for (const auto& sample : test::samples(surface, 2))
+    for (const auto& place :
+         surface.around({sample.place.face, sample.place.span,
+                         Eigen::Vector<double, 1>(
+                             surface.basis(sample.place.face).direction(0).spanEnd(sample.place.span))}))
+      EXPECT_FALSE(surface.at(place).isRounded);
 }
 
 TEST(MasterSurface, GoesOnStraightBeyondAFreeEnd) {
@@ -262,6 +352,20 @@ TEST(MasterSurface, HullHoldsTheSpan) {
                   (sample.x.array() <= high.array() + 1e-14).all());
     }
   }
+}
+
+TEST(MasterSurface, HullHoldsRoundedKinks) {
+  const Body<2> body = makeBody(test::wavy<2>(BasisFamily::BSpline, 1, 4, 0.2, 9));
+  MasterSurface<2> surface(body, {{0, kTop}});
+  surface.roundKinks();
+  for (const int span : {0, 1, 2})
+    for (const double share : {0.0, 0.005, 0.02})
+      for (const auto& place : besideKnot(surface, span, share)) {
+        const auto hull = surface.hull(0, place.span);
+        const Eigen::Vector2d x = surface.at(place).x;
+        EXPECT_TRUE((x.array() >= hull.rowwise().minCoeff().array() - 1e-15).all() &&
+                    (x.array() <= hull.rowwise().maxCoeff().array() + 1e-15).all());
+      }
 }
 
 TEST(MasterSurface, RefusesAFaceThatIsNamedTwice) {
