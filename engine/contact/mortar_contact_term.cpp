@@ -257,7 +257,7 @@ bool MortarContactTerm<Dim>::assemble(double t, const Eigen::VectorXd& x, const 
   chooseActive(x, *sums);
   addFunctions(t, x, out, *sums);
   addPoints(out, ofParts, *sums);
-  reportPoints(positions, *sums);
+  if (hasSegments_) reportPoints(positions);
   return true;
 }
 
@@ -371,7 +371,8 @@ typename MortarContactTerm<Dim>::Traction MortarContactTerm<Dim>::tractionAt(
   return traction;
 }
 
-/// ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + ∂(φ' t·δs_T) dΓ, and resultants.
+/// ∫' λ̂ (φ' ∂²g + φ'' N Nᵀ) + ∂(φ' t·δs_T) dΓ, resultants, and what the face's quadrature points bear where the
+/// points of the parts are those.
 template <int Dim>
 void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -384,11 +385,13 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
       const auto& point = sums.points[number];
       if (!point) continue;
       const LimitedGap& limited = sums.limited[number];
-      const auto [average, lambdaHat, traction] = tractionAt(span.functions, span.R.col(q), limited);
+      const Traction here = tractionAt(span.functions, span.R.col(q), limited);
+      const auto& [average, lambdaHat, traction] = here;
       const double w = span.weights(q);
       pressure(q) = -lambdaHat;
       const auto slave = pointAt(parts_[k], q, positions);
       this->addResultants(slave, w, *point, lambdaHat, traction);
+      if (!hasSegments_) reportAt(slave, *point, here);
       if (out.system == nullptr || (lambdaHat == 0.0 && traction.isZero(0.0))) continue;
       if (K.size() == 0) K = Eigen::MatrixXd::Zero(std::ssize(unknowns), std::ssize(unknowns));
       const auto add = [&](const std::vector<int>& of, const Eigen::MatrixXd& part) {
@@ -409,31 +412,29 @@ void MortarContactTerm<Dim>::addPoints(Assembly& out, const Eigen::MatrixXd& pos
 
 template <int Dim>
 void MortarContactTerm<Dim>::reportAt(const SlavePoint<Dim>& slave, const ContactPoint<Dim>& point,
-                                      const LimitedGap& limited) {
-  const auto& functions = face_.spans()[slave.span].functions;
-  const Traction traction = tractionAt(functions, slave.R, limited);
+                                      const Traction& traction) {
   bool slips = false;
   if (hasFriction_) {
     // As the function does that is largest here.
     Eigen::Index largest = 0;
     slave.R.maxCoeff(&largest);
-    slips = tractions_[static_cast<std::size_t>(functions[static_cast<std::size_t>(largest)])].slips;
+    const int function = face_.spans()[slave.span].functions[static_cast<std::size_t>(largest)];
+    slips = tractions_[static_cast<std::size_t>(function)].slips;
   }
   this->reportPoint(slave, point, traction.normal, traction.tangential, slips);
 }
 
+/// What the face's quadrature points bear, of which segments have none.
 template <int Dim>
-void MortarContactTerm<Dim>::reportPoints(const Eigen::MatrixXd& positions, const Sums& sums) {
-  for (std::size_t e = 0; e < face_.spans().size(); ++e)
-    for (Eigen::Index q = 0; q < face_.spans()[e].R.cols(); ++q) {
+void MortarContactTerm<Dim>::reportPoints(const Eigen::MatrixXd& positions) {
+  for (std::size_t e = 0; e < face_.spans().size(); ++e) {
+    const Span& span = face_.spans()[e];
+    for (Eigen::Index q = 0; q < span.R.cols(); ++q) {
       const auto slave = pointAt(e, q, positions);
-      const auto number = static_cast<std::size_t>(slave.number);
-      if (!hasSegments_) {
-        if (const auto& point = sums.points[number]) reportAt(slave, *point, sums.limited[number]);
-      } else if (const auto point = contactAt(slave)) {
-        reportAt(slave, *point, limitedAt(e, *point));
-      }
+      if (const auto point = contactAt(slave))
+        reportAt(slave, *point, tractionAt(span.functions, slave.R, limitedAt(e, *point)));
     }
+  }
 }
 
 template <int Dim>

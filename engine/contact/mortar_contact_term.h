@@ -96,8 +96,8 @@ class MortarContactTerm final : public PartnerTerm<Dim> {
   Traction tractionAt(const std::vector<int>& functions, const Eigen::Ref<const Eigen::VectorXd>& R,
                       const LimitedGap& limited) const;
   void addPoints(Assembly& out, const Eigen::MatrixXd& positions, const Sums& sums);
-  void reportAt(const SlavePoint<Dim>& slave, const ContactPoint<Dim>& point, const LimitedGap& limited);
-  void reportPoints(const Eigen::MatrixXd& positions, const Sums& sums);
+  void reportAt(const SlavePoint<Dim>& slave, const ContactPoint<Dim>& point, const Traction& traction);
+  void reportPoints(const Eigen::MatrixXd& positions);
 
   using FaceContact<Dim>::face_;
   using FaceContact<Dim>::options_;
