@@ -16,7 +16,7 @@ struct FamilySpec {
   std::vector<std::string> set;
 };
 struct MeshVariantSpec {
-  double size = 1.0;  ///< of a cell, in any unit; decreasing from mesh to mesh
+  double size = 1.0;  ///< in any unit; decreasing from mesh to mesh
   std::vector<std::string> set;
 };
 
@@ -24,6 +24,7 @@ struct MeshVariantSpec {
 struct VariantsSpec {
   std::vector<FamilySpec> families;
   std::vector<MeshVariantSpec> meshes;
+  enum class Sizes { Cells, Steps } sizes = Sizes::Cells;  ///< what those of the meshes are sizes of
 };
 
 /// What a scene must produce.

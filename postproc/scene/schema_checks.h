@@ -7,6 +7,12 @@
 namespace burnish {
 
 template <>
+struct EnumNames<VariantsSpec::Sizes> {
+  static constexpr std::array values{std::pair{"cells", VariantsSpec::Sizes::Cells},
+                                     std::pair{"steps", VariantsSpec::Sizes::Steps}};
+};
+
+template <>
 struct EnumNames<CheckSpec::Meshes> {
   static constexpr std::array values{std::pair{"finest", CheckSpec::Meshes::Finest},
                                      std::pair{"every", CheckSpec::Meshes::Every}};
@@ -20,7 +26,7 @@ void describe(Visitor& v, FamilySpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, MeshVariantSpec& s) {
-  v.field("size", s.size, {.required = true, .above = 0}, "Size of a cell, in any unit.");
+  v.field("size", s.size, {.required = true, .above = 0}, "Size of a cell, or of a step, in any unit.");
   v.field("set", s.set, {}, "Changes of the scene, as `burnish run --set` takes them.");
 }
 
@@ -28,6 +34,7 @@ template <class Visitor>
 void describe(Visitor& v, VariantsSpec& s) {
   v.field("families", s.families, {}, "Kinds of discretisation; the scene as it is when left out.");
   v.field("meshes", s.meshes, {}, "Meshes from coarse to fine; the scene as it is when left out.");
+  v.field("sizes", s.sizes, {}, "What the sizes of the meshes are sizes of: steps where only these change.");
 }
 
 template <class Visitor>
@@ -42,7 +49,7 @@ void describe(Visitor& v, CheckSpec& s) {
   v.alternatives("expect", s.expect,
                  {{{"value", "The quantity is a value within a tolerance."},
                    {"range", "The quantity lies between bounds."},
-                   {"order", "The quantity, an error, falls with an order of the cell size."},
+                   {"order", "The quantity, an error, falls with an order of the size."},
                    {"monotone", "The quantity grows or falls from mesh to mesh."},
                    {"same", "The quantity is the same for all families."}}},
                  "What is expected.");

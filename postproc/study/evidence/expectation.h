@@ -21,7 +21,7 @@ struct ExpectedRange {
   std::optional<FormulaText> atLeast, atMost;
 };
 
-/// The numbers are errors, which fall with this order of the cell size.
+/// The numbers are errors, which fall with this order of the size.
 struct ExpectedOrder {
   double order = 1.0;
   double tolerance = 0.2;            ///< the observed order may be lower by so much
@@ -47,7 +47,7 @@ struct ExpectedDifference {
 /// A number that is judged, of a run or a mesh; none if it could not be had.
 struct Observed {
   std::optional<double> value;
-  double size = 1.0;                                         ///< of a cell, for orders
+  double size = 1.0;                                         ///< of a cell or a step, for orders
   const std::vector<DefinitionSpec>* definitions = nullptr;  ///< that the expectation's formulas may name
 };
 

@@ -43,8 +43,7 @@ std::vector<MarkdownColumn> meshColumns(const VerificationCase& verified) {
   const auto& variants = verified.families.front().variants;
   if (variants.size() == 1) return {{"value", {}}};
   std::vector<MarkdownColumn> columns;
-  for (const CaseVariant& variant : variants)
-    columns.push_back({"h = " + numberText(variant.size, kValueDigits), {}});
+  for (const CaseVariant& variant : variants) columns.push_back({sizeText(verified.sizes, variant.size), {}});
   return columns;
 }
 

@@ -106,11 +106,11 @@ void addReferenceLines(const std::vector<ErrorCurve>& curves, Chart& chart) {
   }
 }
 
-Chart drawnChart(const ErrorChart& errors) {
+Chart drawnChart(const ErrorChart& errors, const SizeWords& sizes) {
   constexpr std::size_t kManyCurves = 4;
   Chart chart;
   if (errors.curves.size() > kManyCurves) chart.size = {1200, 1200};  // room for the legend
-  chart.x = {.title = "size h of the cells", .logarithmic = true, .range = {}};
+  chart.x = {.title = sizes.title, .logarithmic = true, .range = {}};
   chart.y = {.title = errors.title, .logarithmic = true, .range = {}};
   for (std::size_t k = 0; k < errors.curves.size(); ++k) {
     const ErrorCurve& curve = errors.curves[k];
@@ -135,7 +135,7 @@ std::vector<std::filesystem::path> drawOrderCharts(const VerificationCase& verif
   for (const ErrorChart& errors : chartsOf(verified, judged)) {
     makeDirectory(directory);
     files.push_back(directory / fmt::format("{}-{}.png", verified.name, files.size() + 1));
-    drawChart(drawnChart(errors), files.back());
+    drawChart(drawnChart(errors, verified.sizes), files.back());
   }
   return files;
 }

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// Draws errors over the size of the cells, both on logarithmic axes, with dashed lines of the orders that
+/// Draws errors over the size of the cells or steps, both on logarithmic axes, with dashed lines of the orders that
 /// theory has: one chart for all checks of orders of one quantity, NAME-1.png, NAME-2.png, … in the
 /// directory, which is made if needed. The files, none if no order is checked or known. Throws `Error` if a
 /// file cannot be written.

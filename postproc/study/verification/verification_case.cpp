@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/results/summary_file.h"
 #include "postproc/text/text_file.h"
+#include "postproc/text/ticks.h"
 
 namespace burnish {
 namespace {
@@ -38,6 +39,11 @@ std::string directoryName(const std::string& text) {
   return name;
 }
 
+SizeWords wordsOf(VariantsSpec::Sizes sizes) {
+  if (sizes == VariantsSpec::Sizes::Steps) return {"Δt", "size Δt of the steps"};
+  return {"h", "size h of the cells"};
+}
+
 /// What no check looks at costs time; and a result stays good when only the checks change.
 std::vector<std::string> overridesOf(const FamilySpec& family, const MeshVariantSpec& mesh) {
   std::vector<std::string> overrides = family.set;
@@ -47,14 +53,15 @@ std::vector<std::string> overridesOf(const FamilySpec& family, const MeshVariant
   return overrides;
 }
 
-CaseVariant variantOf(const std::string& caseName, const fs::path& file, const FamilySpec& family,
-                      const MeshVariantSpec& mesh, std::size_t number) {
+CaseVariant variantOf(const std::string& caseName, const fs::path& file, const VariantsSpec& variants,
+                      const FamilySpec& family, const MeshVariantSpec& mesh, std::size_t number) {
   CaseVariant variant;
   variant.size = mesh.size;
   fs::path place = caseName;
   if (!family.name.empty()) place /= directoryName(family.name);
   if (number > 0) {
-    variant.mesh = fmt::format("mesh {}", number);
+    variant.mesh = variants.sizes == VariantsSpec::Sizes::Steps ? sizeText(wordsOf(variants.sizes), mesh.size)
+                                                                : fmt::format("mesh {}", number);
     place /= fmt::format("mesh-{}", number);
   }
   const std::string name = place.string();
@@ -69,26 +76,33 @@ CaseVariant variantOf(const std::string& caseName, const fs::path& file, const F
 
 }  // namespace
 
+std::string sizeText(const SizeWords& words, double size) {
+  constexpr int kDigits = 4;
+  return words.symbol + " = " + numberText(size, kDigits);
+}
+
 std::string labelOf(const CaseFamily& family, const CaseVariant& variant) {
   const bool both = !family.name.empty() && !variant.mesh.empty();
   return family.name + (both ? ", " : "") + variant.mesh;
 }
 
 VerificationCase readCase(const fs::path& file) {
-  VerificationCase result{file.stem().string(), readSceneDocument(file), leadingComment(readText(file)), {}};
+  VerificationCase result{
+      file.stem().string(), readSceneDocument(file), leadingComment(readText(file)), {}, {}};
   if (result.document.checks.empty())
     throw Error(
         fmt::format("{}: found no checks; allowed: a scene that states under checks what it must produce",
                     file.string()));
   VariantsSpec variants = result.document.variants.value_or(VariantsSpec{});
   const bool hasMeshes = !variants.meshes.empty();
+  result.sizes = wordsOf(variants.sizes);
   if (variants.families.empty()) variants.families.emplace_back();
   if (!hasMeshes) variants.meshes.emplace_back();
   for (const FamilySpec& family : variants.families) {
     CaseFamily& added = result.families.emplace_back(CaseFamily{family.name, {}});
     for (std::size_t m = 0; m < variants.meshes.size(); ++m)
       added.variants.push_back(
-          variantOf(result.name, file, family, variants.meshes[m], hasMeshes ? m + 1 : 0));
+          variantOf(result.name, file, variants, family, variants.meshes[m], hasMeshes ? m + 1 : 0));
   }
   return result;
 }

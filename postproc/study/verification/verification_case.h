@@ -13,8 +13,8 @@ namespace burnish {
 
 /// A run of a case: one family on one mesh.
 struct CaseVariant {
-  std::string mesh;                         ///< "mesh 2"; empty if the scene has no meshes
-  double size = 1.0;                        ///< of a cell
+  std::string mesh;                         ///< "mesh 2" or "Δt = 0.1"; empty if the scene has no meshes
+  double size = 1.0;                        ///< of a cell or a step
   StudyRun run;                             ///< its name is a path: of the case, the family and the mesh
   std::vector<DefinitionSpec> definitions;  ///< those of the changed scene
 };
@@ -28,11 +28,21 @@ struct CaseFamily {
 /// "FAMILY, mesh 2", of which a part may be missing.
 std::string labelOf(const CaseFamily& family, const CaseVariant& variant);
 
+/// How tables and charts name the sizes of meshes.
+struct SizeWords {
+  std::string symbol;  ///< h, Δt
+  std::string title;   ///< "size h of the cells"
+};
+
+/// "h = 0.25", "Δt = 0.1".
+std::string sizeText(const SizeWords& words, double size);
+
 /// A scene that states what it must produce, and what is to be run for it.
 struct VerificationCase {
   std::string name;         ///< that of the file
   SceneDocument document;   ///< unchanged
   std::string explanation;  ///< the comment that the file begins with, as Markdown
+  SizeWords sizes;
   std::vector<CaseFamily> families;
 };
 

@@ -279,6 +279,21 @@ TEST_F(Verify, ToolsThatNeverTouchAreNamedBesideTheChecks) {
             "- tool 'disc' has never touched the body: p = 1, mesh 1; p = 2, mesh 2\n");
 }
 
+// Tables, problems and charts say of sizes what they are sizes of.
+TEST_F(Verify, SizesOfStepsAreNamedAsSuch) {
+  const VerificationCase verified =
+      caseOf(kBlock +
+             "variants: {sizes: steps, meshes: [{size: 0.5}, {size: 0.25, set: [\"steps[0].count=8\"]}]}\n" +
+             checks("quantity: value, expect: value, value: 1, absolute: 1"));
+  EXPECT_EQ(verified.sizes.title, "size Δt of the steps");
+  EXPECT_EQ(caseOf(kBlock + kThreeMeshes + checks("quantity: value, expect: monotone")).sizes.title,
+            "size h of the cells");
+  const auto judged = judgeChecks(verified, {{{history({1.0, 1.0, 1.0})}, {{}, "the run failed"}}});
+  EXPECT_EQ(judged[0].rows[0].problem, "Δt = 0.25: the run failed");
+  EXPECT_THAT(checkTable(verified, judged),
+              testing::AllOf(HasSubstr("| Δt = 0.5 |"), HasSubstr("| Δt = 0.25 |")));
+}
+
 TEST_F(Verify, TheDocumentShowsAllMeshesAndDrawsTheOrders) {
   const VerificationCase verified = caseOf(
       kBlock + kThreeMeshes +
