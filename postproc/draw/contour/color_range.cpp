@@ -15,7 +15,6 @@
 #include "engine/core/error.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/mesh/chosen_bodies.h"
-#include "postproc/mesh/contact_field.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/tensor_points.h"
 #include "postproc/mesh/tessellation.h"
@@ -107,13 +106,10 @@ std::optional<std::array<double, 2>> extremes(const MeshRecord& mesh, const Fiel
 
 /// Smallest and largest value of a contact field; nothing if one is not finite. States have the same colours
 /// everywhere.
-std::optional<std::array<double, 2>> contactExtremes(const ModelRecord& model, const FrameRecord& frame,
-                                                     const std::string& field) {
-  if (const auto states = statesOfContactField(field); !states.empty())
-    return std::array{-0.5, static_cast<double>(states.size()) - 0.5};
-  const auto faces = contactFieldFaces(model, frame, field);
+std::optional<std::array<double, 2>> contactExtremes(const FieldChoice& field) {
+  if (!field.states.empty()) return std::array{-0.5, static_cast<double>(field.states.size()) - 0.5};
   std::array<double, 2> range{};
-  faces->GetPointData()->GetScalars()->GetRange(range.data());
+  field.faces->GetPointData()->GetScalars()->GetRange(range.data());
   if (!std::isfinite(range[0]) || !std::isfinite(range[1])) return std::nullopt;
   return range;
 }
@@ -133,25 +129,24 @@ std::string ordinal(double number) {
 
 std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
                                  int subdivision, std::optional<double> clip) {
-  return fieldRanges(model, frame, field, subdivision, clip).shown;
+  return fieldRanges(model, frame, chooseField(model, frame, field), subdivision, clip).shown;
 }
 
-FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
+FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                        int subdivision, std::optional<double> clip) {
   if (clip && !(*clip > kLowestPercentile && *clip <= 100.0))
     throw Error(
         fmt::format("clip: found {}; expected a percentile above {}, at which the colours end, up to 100",
                     *clip, kLowestPercentile));
-  const FieldChoice choice = chooseField(model, frame, field);
-  const FieldMesh meshes(model, frame, field);
+  const FieldMesh meshes(model, frame, field.name);
   const MeshRecord& mesh = meshes.with();
   const std::optional<std::array<double, 2>> whole =
-      isContactField(field) ? contactExtremes(model, frame, field) : extremes(mesh, choice, subdivision);
+      field.faces ? contactExtremes(field) : extremes(mesh, field, subdivision);
   if (!whole)
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
-                            field, frame.index));
+                            field.name, frame.index));
   if (!clip || *clip == 100.0) return {*whole, *whole};
-  const auto clipped = percentiles(Tessellation(mesh, subdivision), choice, *clip);
+  const auto clipped = percentiles(Tessellation(mesh, subdivision), field, *clip);
   return {*whole, clipped[0] < clipped[1] ? clipped : *whole};
 }
 

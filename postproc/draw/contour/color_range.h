@@ -8,6 +8,8 @@
 
 namespace burnish {
 
+struct FieldChoice;
+
 inline constexpr double kLowestPercentile = 50.0;  ///< exclusive, of a `clip`
 
 /// Smallest and largest value that a picture of the field shows; with `clip` (a percentile p in (50, 100])
@@ -18,11 +20,11 @@ inline constexpr double kLowestPercentile = 50.0;  ///< exclusive, of a `clip`
 std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
                                  int subdivision, std::optional<double> clip = {});
 
-/// Both, and what they are without `clip`.
+/// Both, and what they are without `clip`. field: of this model and frame.
 struct FieldRange {
   std::array<double, 2> whole, shown;
 };
-FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
+FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                        int subdivision, std::optional<double> clip);
 
 /// A range that a colour scale can have: a field that is constant gets a scale around it.

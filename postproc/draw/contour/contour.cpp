@@ -33,7 +33,6 @@
 #include "postproc/draw/page/flat_shapes.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/png_file.h"
-#include "postproc/mesh/contact_field.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
@@ -85,11 +84,11 @@ class ContourPicture {
         size_(drawnSize(options)),
         textSize_(options.scale * options.textSize.value_or(theme_.textSize * textSizeFor(options.size))),
         field_(chooseField(model, frame, options.field)),
-        parts_(contourParts(model, frame, options)) {}
+        parts_(contourParts(model, frame, field_, options)) {}
 
   ContourImage draw() const {
     const auto [whole, unclipped] =
-        fieldRanges(model_, frame_, options_.field, subdivisionOf(model_, options_), options_.clip);
+        fieldRanges(model_, frame_, field_, subdivisionOf(model_, options_), options_.clip);
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const int bands = field_.states.empty() ? options_.bands : static_cast<int>(field_.states.size());
     const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), bands);
@@ -188,7 +187,7 @@ class ContourPicture {
       renderer.AddActor(actor);
     };
     const auto colored = contourActor(*parts_.body, colors, !isFlat());
-    const bool ofContact = isContactField(options_.field);
+    const bool ofContact = field_.faces != nullptr;
     if (ofContact) colored->GetProperty()->SetLineWidth(static_cast<float>(kFaceWidth * line));
     add(colored, !ofContact ? kBody : isFlat() ? kContactFaces : kIsolines);
     if (parts_.section) add(contourActor(*parts_.section, colors, false), kBody);
@@ -290,7 +289,7 @@ View drawContour(const ModelRecord& model, const FrameRecord& frame, const Conto
 Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,
                               const ContourOptions& options) {
   return withShownModel(model, frame, options, [&](const ModelRecord& shown, const FrameRecord& its) {
-    return contentOf(contourParts(shown, its, options), shown.dim);
+    return contentOf(contourParts(shown, its, chooseField(shown, its, options.field), options), shown.dim);
   });
 }
 

@@ -14,11 +14,9 @@
 #include "engine/core/error.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_view.h"
-#include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/chosen_bodies.h"
-#include "postproc/mesh/contact_field.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/plane_section.h"
@@ -40,25 +38,22 @@ constexpr double kDotRoom = 0.005;  // for the dots of the control net, of the d
 
 /// Gives points what is drawn at them. mesh: knows their number and how to evaluate there.
 template <class Mesh>
-void setValues(vtkPointData& points, const Mesh& mesh, const ModelRecord& model, const FrameRecord& frame,
+void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame, const FieldChoice& field,
                const ContourOptions& options) {
-  const FieldChoice choice = chooseField(model, frame, options.field);
   points.SetScalars(
-      makeArray("drawn", choice.drawnScalars(mesh.evaluate(choice.coefficients)).transpose(), {}));
+      makeArray("drawn", field.drawnScalars(mesh.evaluate(field.coefficients)).transpose(), {}));
   if (options.arrows == ArrowField::Displacement)
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
 }
 
 /// What has colours. mesh: of the bodies that have the field.
 vtkSmartPointer<vtkPolyData> makeBody(const MeshRecord& mesh, const ModelRecord& model,
-                                      const FrameRecord& frame, const ContourOptions& options) {
-  if (isContactField(options.field)) {
-    chooseField(model, frame, options.field);  // a frame that does not have it is refused
-    return contactFieldFaces(model, frame, options.field);
-  }
+                                      const FrameRecord& frame, const FieldChoice& field,
+                                      const ContourOptions& options) {
+  if (field.faces) return field.faces;
   const BodySurface surface(mesh, subdivisionOf(model, options));
   const auto body = surface.displaced(options.warp * frame.displacement);
-  setValues(*body->GetPointData(), surface, model, frame, options);
+  setValues(*body->GetPointData(), surface, frame, field, options);
   return body;
 }
 
@@ -66,10 +61,11 @@ vtkSmartPointer<vtkPolyData> makeBody(const MeshRecord& mesh, const ModelRecord&
 class BodyCut {
  public:
   BodyCut(const FieldMesh& meshes, const ModelRecord& model, const FrameRecord& frame,
-          const ContourOptions& options, ContourParts& parts)
+          const FieldChoice& field, const ContourOptions& options, ContourParts& parts)
       : meshes_(meshes),
         model_(model),
         frame_(frame),
+        field_(field),
         mesh_(meshOf(model, frame)),
         options_(options),
         parts_(parts),
@@ -139,7 +135,7 @@ class BodyCut {
   vtkSmartPointer<vtkPolyData> sectionWithValues() const {
     const Tessellation cells(meshes_.with(), subdivision_);
     const auto grid = gridOf(cells);
-    setValues(*grid->GetPointData(), cells, model_, frame_, options_);
+    setValues(*grid->GetPointData(), cells, frame_, field_, options_);
     const auto section = sectionOf(*grid, plane_);
     section->GetPointData()->SetNormals(
         makeArray("normals", plane_.normal.replicate(1, section->GetNumberOfPoints()), {}));
@@ -163,6 +159,7 @@ class BodyCut {
   const FieldMesh& meshes_;
   const ModelRecord& model_;
   const FrameRecord& frame_;
+  const FieldChoice& field_;
   const MeshRecord& mesh_;  ///< of the frame
   const ContourOptions& options_;
   ContourParts& parts_;
@@ -224,7 +221,8 @@ int subdivisionOf(const ModelRecord& model, const ContourOptions& options) {
   return options.subdivision.value_or(model.subdivision);
 }
 
-ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
+                          const ContourOptions& options) {
   const int subdivision = subdivisionOf(model, options);
   const MeshRecord& mesh = meshOf(model, frame);
   ContourParts parts;
@@ -232,8 +230,8 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.axes = alongNormal ? viewFrom(options.slice->normal) : viewAxes(options.view, model.dim);
   parts.displacement = options.warp * frame.displacement;
   if (options.tools) parts.tools = shownTools(model, frame, options.warp);
-  const FieldMesh meshes(model, frame, options.field);
-  parts.body = makeBody(meshes.with(), model, frame, options);
+  const FieldMesh meshes(model, frame, field.name);
+  parts.body = makeBody(meshes.with(), model, frame, field, options);
   parts.box = boxOf(*parts.body);
   if (meshes.without() != nullptr) {
     parts.plain = BodySurface(*meshes.without(), subdivision).displaced(parts.displacement);
@@ -242,7 +240,7 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.outline = bodyOutline(mesh, parts.displacement, subdivision);
   if (options.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, subdivision);
   if (options.cut || options.slice)
-    BodyCut(meshes, model, frame, options, parts).apply();
+    BodyCut(meshes, model, frame, field, options, parts).apply();
   else if (options.knots)
     parts.knots = knotLines(mesh, parts.displacement, subdivision);
   if (options.controlNet) {

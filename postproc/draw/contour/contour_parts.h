@@ -8,6 +8,7 @@
 #include "engine/results/result.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/contour_arrows.h"
+#include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/page/view.h"
 
 class vtkPolyData;
@@ -36,8 +37,10 @@ struct ContourParts {
   ContourArrows arrows;
 };
 
-/// Throws `Error` for an unknown field, and for a plane that misses the body or is seen edge-on.
-ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
+/// field: that of the options, in this model and frame. Throws `Error` for a plane that misses the body or is
+/// seen edge-on.
+ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
+                          const ContourOptions& options);
 
 /// Cells per knot span and direction.
 int subdivisionOf(const ModelRecord& model, const ContourOptions& options);

@@ -19,8 +19,9 @@ namespace {
 
 using Range = std::array<double, 2>;
 
-Range rangeOf(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
-  return fieldRange(model, frame, options.field, subdivisionOf(model, options), options.clip);
+Range rangeOf(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
+              const ContourOptions& options) {
+  return fieldRanges(model, frame, field, subdivisionOf(model, options), options.clip).shown;
 }
 
 Range joined(const std::optional<Range>& a, const Range& b) {
@@ -42,7 +43,7 @@ ContourOptions contourOptions(const PictureOptions& picture, const ResultReader&
 
 Range shownRange(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   return withShownModel(model, frame, options, [&](const ModelRecord& wholeModel, const FrameRecord& whole) {
-    return rangeOf(wholeModel, whole, options);
+    return rangeOf(wholeModel, whole, chooseField(wholeModel, whole, options.field), options);
   });
 }
 
@@ -59,9 +60,10 @@ ContourOptions withCommonView(ContourOptions options, const ResultReader& result
     throwIfInterrupted();
     withShownModel(result.model(), result.frame(k), options,
                    [&](const ModelRecord& model, const FrameRecord& frame) {
-                     if (inRange.contains(k)) range = joined(range, rangeOf(model, frame, options));
+                     const FieldChoice field = chooseField(model, frame, options.field);
+                     if (inRange.contains(k)) range = joined(range, rangeOf(model, frame, field, options));
                      if (inWindow.contains(k))
-                       window.extend(contentOf(contourParts(model, frame, options), model.dim));
+                       window.extend(contentOf(contourParts(model, frame, field, options), model.dim));
                    });
   }
   if (range) {

@@ -117,16 +117,17 @@ Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
   const std::vector<std::string> ofContact = contactFieldsOf(frame);
   if (std::find(ofContact.begin(), ofContact.end(), name) != ofContact.end())
-    return {titleOf(name, "", false), unitOfContactField(model, name), {}, true, statesOfContactField(name)};
+    return {name, titleOf(name, "", false),   unitOfContactField(model, name),      {},
+            true, statesOfContactField(name), contactFieldFaces(model, frame, name)};
   const auto fields = allFields(frame, model.lengthUnit);
   for (const auto& [fieldName, field] : fields) {
     const auto names = namesOf(fieldName, field);
     if (std::find(names.begin(), names.end(), name) == names.end()) continue;
     if (name == fieldName)
-      return {titleOf(fieldName, "", isVector(field)), field.unit, field.values, isNonNegative(name)};
+      return {name, titleOf(fieldName, "", isVector(field)), field.unit, field.values, isNonNegative(name)};
     const std::string component = name.substr(fieldName.size() + 1);
     const auto row = std::find(field.components.begin(), field.components.end(), component);
-    return {titleOf(fieldName, component, false), field.unit,
+    return {name, titleOf(fieldName, component, false), field.unit,
             field.values.row(row - field.components.begin())};
   }
   const auto names = fieldNames(frame);

@@ -1,4 +1,7 @@
 #pragma once
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
 #include <Eigen/Dense>
 #include <string>
 #include <vector>
@@ -18,12 +21,14 @@ std::string fieldToShow(const FrameRecord& frame);
 
 /// A scalar that is to be drawn.
 struct FieldChoice {
+  std::string name;              ///< by which it was chosen
   RichText title;                ///< readable name with symbol, without unit
   std::string unit;              ///< may be empty
   Eigen::MatrixXd coefficients;  ///< one row, or the components of a vector whose magnitude is meant; of a
-                                 ///< contact field, see `contactFieldFaces`, none
+                                 ///< contact field none
   bool isNonNegative = false;    ///< in truth; a projection may fall below 0
-  std::vector<std::string> states{};  ///< what the values 0, 1, … mean; empty for quantities
+  std::vector<std::string> states{};             ///< what the values 0, 1, … mean; empty for quantities
+  vtkSmartPointer<vtkPolyData> faces = nullptr;  ///< of a contact field: `contactFieldFaces`
 
   /// The scalars that are drawn of values (components x points): a scalar itself, not below 0 if it cannot
   /// be, or the magnitude of a vector.
