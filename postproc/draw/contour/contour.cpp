@@ -73,6 +73,22 @@ std::string joined(const std::vector<std::string>& notes) {
   return line;
 }
 
+/// Of ordinary text, in pixels of what is drawn.
+double textSizeOf(const ContourOptions& options, const Theme& theme) {
+  return options.scale * options.textSize.value_or(theme.textSize * textSizeFor(options.size));
+}
+
+ColorScale colorScaleOf(const FieldChoice& field, const ContourOptions& options,
+                        const std::array<double, 2>& shown) {
+  const int bands = field.states.empty() ? options.bands : static_cast<int>(field.states.size());
+  return {options.colormap, options.range ? shown : widened(shown), bands};
+}
+
+ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const std::array<double, 2>& values,
+                      double textSize, const Theme& theme) {
+  return {scale, {field.title, field.unit, values[0], values[1], field.states}, textSize, theme};
+}
+
 /// Makes one picture, part by part.
 class ContourPicture {
  public:
@@ -82,7 +98,7 @@ class ContourPicture {
         options_(options),
         theme_(themeOf(options)),
         size_(drawnSize(options)),
-        textSize_(options.scale * options.textSize.value_or(theme_.textSize * textSizeFor(options.size))),
+        textSize_(textSizeOf(options, theme_)),
         field_(chooseField(model, frame, options.field)),
         parts_(contourParts(model, frame, field_, options)) {}
 
@@ -90,13 +106,11 @@ class ContourPicture {
     const auto [whole, unclipped] =
         fieldRanges(model_, frame_, field_, subdivisionOf(model_, options_), options_.clip);
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
-    const int bands = field_.states.empty() ? options_.bands : static_cast<int>(field_.states.size());
-    const ColorScale scale(options_.colormap, options_.range ? shown : widened(shown), bands);
-    const ScalarBar bar(scale, {field_.title, field_.unit, whole[0], whole[1], field_.states}, textSize_,
-                        theme_);
-    const ContourLayout layout =
-        layOutContour(size_, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim),
-                      parts_.axes, caption(options_.clip && shown != whole), bar, theme_);
+    const ColorScale scale = colorScaleOf(field_, options_, shown);
+    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_);
+    const ContourLayout layout = layOutContour(
+        size_, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim), parts_.axes,
+        caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr, theme_);
     if (!options_.transparent) return {capture(theme_.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
             layout.view};
@@ -159,7 +173,7 @@ class ContourPicture {
           layout.barDirection == Overlay::Direction::Up ? Overlay::Anchor::End : Overlay::Anchor::Middle);
     if (!layout.doubt.text.empty()) overlay.addText(layout.doubt.text, layout.doubtAt, layout.doubt.style);
     FlatShapes shapes(renderer, scale);
-    bar.draw(overlay, shapes, layout.bar, layout.barDirection);
+    if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody()) drawFrame(shapes, layout.view.area);
     if (model_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
   }
@@ -284,6 +298,26 @@ View drawContour(const ModelRecord& model, const FrameRecord& frame, const Conto
   const ContourImage image = contourImage(model, frame, options);
   writePng(*image.picture, png);
   return image.view;
+}
+
+void drawColorScale(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                    const std::array<double, 2>& values, const std::filesystem::path& png) {
+  constexpr double kLength = 0.5;  // of the picture's width
+  const Theme theme = themeOf(options);
+  const double textSize = textSizeOf(options, theme);
+  const FieldChoice field = chooseField(model, frame, options.field);
+  const ScalarBar bar = scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)),
+                                    values, textSize, theme);
+  const int width = drawnSize(options)[0];
+  const double length = kLength * width, depth = bar.depth(Overlay::Direction::Right, length);
+  OffscreenCanvas canvas(width, static_cast<int>(std::ceil(depth)));
+  vtkNew<vtkRenderer> paper;
+  canvas.window().AddRenderer(paper);
+  paper->SetBackground(theme.paper[0] / 255.0, theme.paper[1] / 255.0, theme.paper[2] / 255.0);
+  Overlay overlay(*paper, canvas.supersampling());
+  FlatShapes shapes(*paper, canvas.supersampling());
+  bar.draw(overlay, shapes, {(width - length) / 2.0, 0.0, length, depth}, Overlay::Direction::Right);
+  writePng(*canvas.capture(), png);
 }
 
 Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,

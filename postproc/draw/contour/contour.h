@@ -18,9 +18,10 @@ struct ContourOptions : PictureOptions {
   ContourOptions() = default;
   ContourOptions(const PictureOptions& options) : PictureOptions(options) {}
 
-  std::string note;   ///< small text below the body; may be empty
-  std::string doubt;  ///< the same in the lower left corner; see `doubtMarkOf`
-  bool time = true;   ///< write the time of the frame
+  std::string note;        ///< small text below the body; may be empty
+  std::string doubt;       ///< the same in the lower left corner; see `doubtMarkOf`
+  bool time = true;        ///< write the time of the frame
+  bool colorScale = true;  ///< draw the colour scale, at the right of the body or below
 };
 
 /// A picture in memory, RGB or, transparent, RGBA, lowest row first.
@@ -38,6 +39,13 @@ ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, co
 /// misses the body, a field that is not finite, a missing font and a file that cannot be written.
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                  const std::filesystem::path& png);
+
+/// Draws nothing but the colour scale that pictures of a range share, across in the middle of a picture as wide
+/// as `options.size` and as high as it needs. options: of one of the pictures. values: the smallest and the
+/// largest one of all of them. Throws `Error` for an unknown field, a missing font and a file that cannot be
+/// written.
+void drawColorScale(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                    const std::array<double, 2>& values, const std::filesystem::path& png);
 
 /// The part of the view's plane that a picture without a `window` shows: body, outline and tools. The union
 /// over frames is a window in which they can be compared.

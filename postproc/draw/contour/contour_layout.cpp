@@ -85,6 +85,29 @@ void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& e
   }
 }
 
+/// The content alone in the middle of the room.
+void arrangeAlone(ContourLayout& layout, const PixelRect& room, const Eigen::Vector2d& extent, double size) {
+  const double padding = 2.0 * kPadding * size;
+  layout.view.pixelsPerLength = fit(extent, room.width - padding, room.height - padding);
+  const Eigen::Vector2d drawn = drawnSize(extent, layout.view.pixelsPerLength, size);
+  const Eigen::Vector2d middle = room.center();
+  layout.view.area = {std::floor(middle.x() - drawn.x() / 2), std::floor(middle.y() - drawn.y() / 2),
+                      drawn.x(), drawn.y()};
+  layout.barDirection = Overlay::Direction::Right;
+  layout.bar = {layout.view.area.center().x(), layout.view.area.y, 0.0, 0.0};
+}
+
+/// Content and bar, which stands where it leaves more room for the content.
+void arrangeWithBar(ContourLayout& layout, const PixelRect& room, const Eigen::Vector2d& extent,
+                    const ScalarBar& bar, double size) {
+  const Placement up = place(room, extent, bar, Overlay::Direction::Up, size);
+  const Placement across = place(room, extent, bar, Overlay::Direction::Right, size);
+  const bool isUp = up.scale >= across.scale;
+  layout.barDirection = isUp ? Overlay::Direction::Up : Overlay::Direction::Right;
+  layout.view.pixelsPerLength = isUp ? up.scale : across.scale;
+  arrange(layout, isUp ? up : across, extent, size);
+}
+
 /// Below content and bar: under the right end of an upright bar, under the middle of one across.
 void placeNote(ContourLayout& layout, double size, double margin) {
   if (layout.note.text.empty()) return;
@@ -104,7 +127,7 @@ double textSizeFor(const std::array<int, 2>& pictureSize) {
 
 ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSize,
                             const Eigen::AlignedBox2d& content, const Eigen::Matrix<double, 2, 3>& axes,
-                            const ContourCaption& caption, const ScalarBar& bar, const Theme& theme) {
+                            const ContourCaption& caption, const ScalarBar* bar, const Theme& theme) {
   const double width = pictureSize[0], height = pictureSize[1], size = textSize;
   const bool bare = caption.title.empty() && caption.time.empty();
   const double margin = std::round((bare ? kBareMargin : kMargin) * size);
@@ -140,13 +163,12 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   layout.triadAt = {margin, margin};
   const PixelRect room{left, bottom, width - margin - left, top - bottom};
   const Eigen::Vector2d extent = content.sizes().cwiseMax(1e-9 * content.sizes().maxCoeff());
-  const Placement up = place(room, extent, bar, Overlay::Direction::Up, size);
-  const Placement across = place(room, extent, bar, Overlay::Direction::Right, size);
-  layout.barDirection = up.scale >= across.scale ? Overlay::Direction::Up : Overlay::Direction::Right;
   layout.view.axes = axes;
   layout.view.center = content.center();
-  layout.view.pixelsPerLength = std::max(up.scale, across.scale);
-  arrange(layout, up.scale >= across.scale ? up : across, extent, size);
+  if (bar != nullptr)
+    arrangeWithBar(layout, room, extent, *bar, size);
+  else
+    arrangeAlone(layout, room, extent, size);
   placeNote(layout, size, margin);
   return layout;
 }

@@ -22,7 +22,7 @@ struct ContourLayout {
   FittedText doubt;  ///< empty text: none
   Eigen::Vector2d titleAt, timeAt, doubtAt;
   Eigen::Vector2d noteAt;  ///< end (bar upright) or middle (bar across) of its baseline
-  PixelRect bar;
+  PixelRect bar;           ///< of no size below the view without a colour scale
   Overlay::Direction barDirection;
   View view;
   Eigen::Vector2d triadAt;  ///< lower left corner of the axes, of which there is room if the caption asks
@@ -36,9 +36,10 @@ struct ContourCaption {
   bool triad = false;
 };
 
-/// textSize: of ordinary text, in pixels. content: the projected box that must be seen. axes: see `View`.
+/// textSize: of ordinary text, in pixels. content: the projected box that must be seen. axes: see `View`. bar:
+/// null without a colour scale.
 ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSize,
                             const Eigen::AlignedBox2d& content, const Eigen::Matrix<double, 2, 3>& axes,
-                            const ContourCaption& caption, const ScalarBar& bar, const Theme& theme);
+                            const ContourCaption& caption, const ScalarBar* bar, const Theme& theme);
 
 }  // namespace burnish

@@ -19,9 +19,9 @@ namespace {
 
 using Range = std::array<double, 2>;
 
-Range rangeOf(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
-              const ContourOptions& options) {
-  return fieldRanges(model, frame, field, subdivisionOf(model, options), options.clip).shown;
+FieldRange rangesOf(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
+                    const ContourOptions& options) {
+  return fieldRanges(model, frame, field, subdivisionOf(model, options), options.clip);
 }
 
 Range joined(const std::optional<Range>& a, const Range& b) {
@@ -41,9 +41,9 @@ ContourOptions contourOptions(const PictureOptions& picture, const ResultReader&
   return options;
 }
 
-Range shownRange(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   return withShownModel(model, frame, options, [&](const ModelRecord& wholeModel, const FrameRecord& whole) {
-    return rangeOf(wholeModel, whole, chooseField(wholeModel, whole, options.field), options);
+    return rangesOf(wholeModel, whole, chooseField(wholeModel, whole, options.field), options);
   });
 }
 
@@ -61,7 +61,8 @@ ContourOptions withCommonView(ContourOptions options, const ResultReader& result
     withShownModel(result.model(), result.frame(k), options,
                    [&](const ModelRecord& model, const FrameRecord& frame) {
                      const FieldChoice field = chooseField(model, frame, options.field);
-                     if (inRange.contains(k)) range = joined(range, rangeOf(model, frame, field, options));
+                     if (inRange.contains(k))
+                       range = joined(range, rangesOf(model, frame, field, options).shown);
                      if (inWindow.contains(k))
                        window.extend(contentOf(contourParts(model, frame, field, options), model.dim));
                    });

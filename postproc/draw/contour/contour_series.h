@@ -13,9 +13,8 @@ namespace burnish {
 ContourOptions contourOptions(const PictureOptions& picture, const ResultReader& result,
                               const FrameRecord& frame);
 
-/// The range of colours of one frame that is drawn like this.
-std::array<double, 2> shownRange(const ModelRecord& model, const FrameRecord& frame,
-                                 const ContourOptions& options);
+/// The range of values and of colours of one frame that is drawn like this.
+FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
 
 /// The options with a range of colours and a window for several frames, unless they have one. The range goes
 /// from the smallest to the largest value that one of the frames `ofRange` shows, or that `clip` leaves of

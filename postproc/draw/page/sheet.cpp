@@ -97,12 +97,14 @@ int captionHeight(const std::vector<Tile>& tiles, std::size_t first, std::size_t
                 capitalHeight(style)));
 }
 
-/// Places the tiles from the top down; the pictures of a row stand on one line.
-void place(Sheet& sheet, int columns) {
+/// Places the tiles from the top down; the pictures of a row stand on one line. A last tile may be a picture
+/// below all of them.
+void place(Sheet& sheet, int columns, bool hasBelow) {
   const int gutter = sheet.width / columns - sheet.panelWidth;
+  const std::size_t numPanels = sheet.tiles.size() - (hasBelow ? 1 : 0);
   int top = -gutter / 2;  // from the upper edge, downwards negative, until the height is known
-  for (std::size_t first = 0; first < sheet.tiles.size(); first += static_cast<std::size_t>(columns)) {
-    const std::size_t last = std::min(first + static_cast<std::size_t>(columns), sheet.tiles.size());
+  for (std::size_t first = 0; first < numPanels; first += static_cast<std::size_t>(columns)) {
+    const std::size_t last = std::min(first + static_cast<std::size_t>(columns), numPanels);
     int height = 0;
     for (std::size_t k = first; k < last; ++k)
       height = std::max(height, sheet.tiles[k].picture->GetDimensions()[1]);
@@ -112,11 +114,18 @@ void place(Sheet& sheet, int columns) {
     }
     top -= height + captionHeight(sheet.tiles, first, last, sheet.style) + gutter;
   }
+  if (hasBelow) {
+    Tile& below = sheet.tiles.back();
+    below.left = gutter / 2;
+    below.bottom = top - below.picture->GetDimensions()[1];
+    top = below.bottom - gutter;
+  }
   sheet.height = -top - gutter + gutter / 2;
   for (Tile& tile : sheet.tiles) tile.bottom += sheet.height;
 }
 
-Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, const Theme& theme) {
+Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, const Theme& theme,
+                const fs::path& below) {
   Sheet sheet;
   sheet.width = width;
   sheet.panelWidth = sheetPanelWidth(columns, width);
@@ -124,7 +133,8 @@ Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, c
   for (const SheetPanel& panel : panels)
     sheet.tiles.push_back(
         {readPanel(panel.picture, sheet.panelWidth), wrapped(panel.caption, sheet.style, sheet.panelWidth)});
-  place(sheet, columns);
+  if (!below.empty()) sheet.tiles.push_back({readPanel(below, sheetInnerWidth(columns, width)), {}});
+  place(sheet, columns, !below.empty());
   if (sheet.height > kLargestSheetSide)
     throw Error(
         fmt::format("sheet: it would be {} pixels high; expected up to {}: take more columns or fewer panels",
@@ -165,14 +175,18 @@ int sheetPanelWidth(int columns, int width) {
   return panel;
 }
 
+int sheetInnerWidth(int columns, int width) {
+  return width - (width / columns - sheetPanelWidth(columns, width));
+}
+
 double sheetTextSize(int panelWidth, double points) {
   return std::round(panelWidth * points * kMillimetresPerInch / kPointsPerInch / kPrintedColumn);
 }
 
 void drawSheet(const std::vector<SheetPanel>& panels, int columns, int width, const fs::path& png,
-               const Theme& theme) {
+               const Theme& theme, const fs::path& below) {
   if (panels.empty()) throw Error("sheet: found no panel; expected at least one");
-  const Sheet sheet = makeSheet(panels, columns, width, theme);
+  const Sheet sheet = makeSheet(panels, columns, width, theme, below);
   vtkNew<vtkImageBlend> blend;
   blend->AddInputData(drawCaptions(sheet, theme.paper));
   for (const Tile& tile : sheet.tiles) {

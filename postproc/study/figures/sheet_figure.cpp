@@ -16,12 +16,14 @@
 namespace burnish {
 namespace {
 
-using Range = std::array<double, 2>;
+constexpr std::array<double, 2> kEmpty{std::numeric_limits<double>::infinity(),
+                                       -std::numeric_limits<double>::infinity()};
 
-constexpr Range kNothing{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-Range joined(const Range& a, const Range& b) {
-  return {std::min(a[0], b[0]), std::max(a[1], b[1])};
+FieldRange joined(const FieldRange& a, const FieldRange& b) {
+  const auto both = [](const std::array<double, 2>& one, const std::array<double, 2>& other) {
+    return std::array{std::min(one[0], other[0]), std::max(one[1], other[1])};
+  };
+  return {both(a.whole, b.whole), both(a.shown, b.shown)};
 }
 
 /// a, b, …, z, aa, ab, …
@@ -42,19 +44,22 @@ class ContourSheet {
   Files draw() {
     Files files{task_.file(".png")};
     std::vector<SheetPanel> panels;
-    const Range whole = spec_.scale == SheetScale::Sheet ? sheetRange() : kNothing;
+    const FieldRange whole = sharesOneScale() ? sheetRange() : FieldRange{kEmpty, kEmpty};
     for (std::size_t row = 0; row < spec_.times.size(); ++row) {
-      const Range common = spec_.scale == SheetScale::Row ? rowRange(row) : whole;
+      const FieldRange common = spec_.scale == SheetScale::Row ? rowRange(row) : whole;
       for (std::size_t column = 0; column < data_.size(); ++column) {
-        panels.push_back(drawPanel(row, column, common));
+        panels.push_back(drawPanel(row, column, common.shown));
         files.push_back(panels.back().picture);
       }
     }
-    drawSheet(panels, columns(), sheetWidth(), files.front(), themeOf(spec_.panel));
+    std::filesystem::path scale;
+    if (sharesOneScale()) files.push_back(scale = drawScale(whole));
+    drawSheet(panels, columns(), sheetWidth(), files.front(), themeOf(spec_.panel), scale);
     return files;
   }
 
  private:
+  bool sharesOneScale() const { return spec_.scale == SheetScale::Sheet; }
   int columns() const { return static_cast<int>(data_.size()); }
   int sheetWidth() const { return columns() * spec_.panel.size[0]; }
 
@@ -68,41 +73,57 @@ class ContourSheet {
     return frameAt(data_[column], results_[column], spec_.times[row]);
   }
 
-  Range rowRange(std::size_t row) const {
-    Range range = kNothing;
+  FieldRange rowRange(std::size_t row) const {
+    FieldRange range{kEmpty, kEmpty};
     for (std::size_t column = 0; column < data_.size(); ++column) {
       const FrameRecord shown = frame(row, column).frame;
-      range = joined(range, shownRange(results_[column].model(), shown, panelOptions(column, shown)));
+      range = joined(range, shownRanges(results_[column].model(), shown, panelOptions(row, column, shown)));
     }
     return range;
   }
 
-  Range sheetRange() const {
-    Range range = kNothing;
+  FieldRange sheetRange() const {
+    FieldRange range{kEmpty, kEmpty};
     for (std::size_t row = 0; row < spec_.times.size(); ++row) range = joined(range, rowRange(row));
     return range;
   }
 
-  ContourOptions panelOptions(std::size_t column, const FrameRecord& shown) const {
+  ContourOptions panelOptions(std::size_t row, std::size_t column, const FrameRecord& shown) const {
     ContourOptions options = contourOptions(spec_.panel, results_[column], shown);
     options.size = panelSize();
     if (!options.textSize) options.textSize = options.theme.textSize * sheetTextSize(options.size[0]);
     options.title = "";
     options.time = false;
+    options.colorScale = !sharesOneScale();
+    if (!spec_.windows.empty()) options.window = spec_.windows[row];
     return options;
   }
 
-  SheetPanel drawPanel(std::size_t row, std::size_t column, const Range& common) const {
+  /// common: ends of a shared scale.
+  ContourOptions withColors(ContourOptions options, const std::array<double, 2>& common) const {
+    if (spec_.scale == SheetScale::Panel || options.range) return options;
+    options.range = widened(common);
+    options.clip.reset();  // it is in the range
+    return options;
+  }
+
+  SheetPanel drawPanel(std::size_t row, std::size_t column, const std::array<double, 2>& common) const {
     const FrameAt at = frame(row, column);
     const std::string letter = letters(row * data_.size() + column);
-    ContourOptions options = panelOptions(column, at.frame);
-    if (spec_.scale != SheetScale::Panel && !options.range) {
-      options.range = widened(common);
-      options.clip.reset();  // it is in the range
-    }
+    const ContourOptions options = withColors(panelOptions(row, column, at.frame), common);
     const auto picture = task_.file("_" + letter + ".png");
     drawContour(results_[column].model(), at.frame, options, picture);
     return {picture, caption(row, column, letter, at)};
+  }
+
+  /// The scale of all panels, in a picture as wide as they are together.
+  std::filesystem::path drawScale(const FieldRange& range) const {
+    const FrameRecord shown = frame(0, 0).frame;
+    ContourOptions options = withColors(panelOptions(0, 0, shown), range.shown);
+    options.size[0] = sheetInnerWidth(columns(), sheetWidth());
+    const auto picture = task_.file("_scale.png");
+    drawColorScale(results_[0].model(), shown, options, range.whole, picture);
+    return picture;
   }
 
   std::string caption(std::size_t row, std::size_t column, const std::string& letter,
@@ -130,6 +151,9 @@ Alternative SheetFigure::about() {
 
 void SheetFigure::check(const std::string& path, const StudyReporter& reporter) const {
   reporter.requireSameLength(path + ".time_labels", timeLabels.size(), "times", times.size());
+  reporter.requireSameLength(path + ".zooms", windows.size(), "times", times.size());
+  if (!windows.empty() && panel.window)
+    reporter.report(path + ".zooms", "found beside zoom; the two exclude each other: give one of them.");
   reporter.checkPicture(path, panel, "panel_size");
 }
 

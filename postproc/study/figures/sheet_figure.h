@@ -19,7 +19,8 @@ struct EnumNames<SheetScale> {
 struct SheetFigure {
   std::vector<std::string> runs;
   std::vector<double> times;
-  std::vector<std::string> timeLabels;  ///< "{time}" in the captions; as many as times, or none
+  std::vector<std::string> timeLabels;       ///< "{time}" in the captions; as many as times, or none
+  std::vector<Eigen::AlignedBox2d> windows;  ///< of the panels at each time; as many as times, or none
   SheetScale scale = SheetScale::Panel;
   std::string panelCaption = "{letter}) {label}, {time}";
   PanelOptions panel = picturesOfSize<PanelOptions>({960, 480});
@@ -39,7 +40,9 @@ void describe(Visitor& v, SheetFigure& s) {
   describe(v, s.panel);
   describeSize(v, s.panel, "panel_size");
   describeTextSize(v, s.panel);
-  v.field("scale", s.scale, {}, "What shares a colour scale.");
+  v.field("zooms", s.windows, {}, "What is seen at each time, instead of one zoom: corners as there.");
+  v.field("scale", s.scale, {},
+          "What shares a colour scale, which is drawn once below the panels where the sheet shares it.");
   v.field("panel_caption", s.panelCaption, {.longest = kLongestShownText},
           "Below a panel; in braces letter, label and time, and the parameters of the run.");
 }

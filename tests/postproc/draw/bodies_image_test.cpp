@@ -28,7 +28,7 @@ TEST_F(ContourPictures, ABodyWithoutTheFieldIsDrawnPlain) {
   // The zeros that stand for it do not widen the scale.
   samples::Sample offset = sample;
   offset.frame.fields.at("plastic_strain").values.array() += 2.0;
-  const auto range = shownRange(offset.model, offset.frame, small("plastic_strain"));
+  const auto range = shownRanges(offset.model, offset.frame, small("plastic_strain")).shown;
   EXPECT_NEAR(range[0], 2.0, 1e-12);
 }
 

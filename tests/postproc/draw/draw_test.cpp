@@ -181,7 +181,7 @@ TEST(ContourLayout, HasRoomForTheTextsOfTheBarAtEverySize) {
                             {{{"von Mises stress σ"}, {"v", Script::Sub}}, "", 0.0, largest}, text, theme);
         const ContourLayout layout =
             layOutContour(size, text, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, height)},
-                          ViewAxes::Identity(), {"Title", "t = 2", ""}, bar, theme);
+                          ViewAxes::Identity(), {"Title", "t = 2", ""}, &bar, theme);
         const bool up = layout.barDirection == Overlay::Direction::Up;
         const double needed = bar.depth(layout.barDirection, up ? layout.bar.height : layout.bar.width);
         EXPECT_LE(needed, (up ? layout.bar.width : layout.bar.height) + 1e-9)
@@ -197,7 +197,7 @@ TEST(ContourLayout, MarkOfDoubtHasALineOfItsOwn) {
   const ScalarBar bar(ColorScale("viridis", {0.0, 1.0}, 0), {{{"field"}}, "", 0.0, 1.0}, text, Theme{});
   const auto layOut = [&](const ContourCaption& caption) {
     return layOutContour(size, text, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}, ViewAxes::Identity(),
-                         caption, bar, Theme{});
+                         caption, &bar, Theme{});
   };
   const std::string note(150, 'n');
   const ContourLayout plain = layOut({"Title", "t = 2", note});
@@ -206,6 +206,15 @@ TEST(ContourLayout, MarkOfDoubtHasALineOfItsOwn) {
   EXPECT_EQ(marked.note.text[0].text, plain.note.text[0].text);
   EXPECT_GT(marked.noteAt.y(), marked.doubtAt.y() + capitalHeight(marked.doubt.style));
   EXPECT_EQ(marked.doubt.text[0].text, kDoubtMark);
+}
+
+TEST(ContourLayout, WithoutAColourScaleTheBodyHasAllOfTheRoom) {
+  const ContourLayout layout = layOutContour({400, 300}, 10.0, {Eigen::Vector2d(1, 2), Eigen::Vector2d(5, 5)},
+                                             ViewAxes::Identity(), {"", "", ""}, nullptr, Theme{});
+  EXPECT_EQ(layout.view.center, Eigen::Vector2d(3.0, 3.5));
+  EXPECT_NEAR(layout.view.area.center().x(), 200.0, 1.0);
+  EXPECT_NEAR(layout.view.area.center().y(), 150.0, 1.0);
+  EXPECT_GT(layout.view.pixelsPerLength, 0.95 * 300.0 / 3.0);
 }
 
 TEST(ColorNames, AreDigitsOrThoseOfCss) {

@@ -180,9 +180,27 @@ TEST_F(StudyFigures, SheetSharesColoursWhereItIsAskedTo) {
   draw("row", spec);
   EXPECT_TRUE(bodyIsBright(figures() / "row_a.png"));
   spec.scale = SheetScale::Sheet;
-  draw("sheet", spec);
+  EXPECT_THAT(draw("sheet", spec), ElementsAre("sheet.png", "sheet_a.png", "sheet_b.png", "sheet_scale.png"));
   EXPECT_FALSE(bodyIsBright(figures() / "sheet_a.png"));
   EXPECT_TRUE(bodyIsBright(figures() / "sheet_b.png"));
+}
+
+TEST_F(StudyFigures, SheetZoomsInAtEachTime) {
+  SheetFigure spec = sheetOfFine();
+  spec.panel.range = {0.0, 1.0};
+  draw("whole", spec);
+  spec.windows = {{Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)},
+                  {Eigen::Vector2d(1, 0), Eigen::Vector2d(2, 1)}};
+  draw("both", spec);
+  spec.windows.clear();
+  for (const double left : {0.0, 1.0}) {
+    spec.panel.window = {Eigen::Vector2d(left, 0), Eigen::Vector2d(left + 1, 1)};
+    draw(left == 0.0 ? "first" : "second", spec);
+  }
+  EXPECT_EQ(text("both_a.png"), text("first_a.png"));
+  EXPECT_EQ(text("both_d.png"), text("second_d.png"));
+  EXPECT_NE(text("both_a.png"), text("whole_a.png"));
+  EXPECT_NE(text("both_c.png"), text("first_c.png"));
 }
 
 TEST_F(StudyFigures, SheetTakesWordsForItsCaptionsFromTheRun) {
