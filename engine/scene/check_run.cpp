@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/scene/check_context.h"
+#include "engine/solver/multigrid.h"
 
 namespace burnish {
 namespace {
@@ -25,12 +26,14 @@ void checkOutput(const CheckContext& c) {
 
 /// Coarser meshes are of use where a factorisation is dear.
 void checkLinearSolver(const CheckContext& c) {
-  if (c.scene.solver.newton.linear.name == "multigrid" && c.clean("solver.linear") && c.dimensionIsKnown() &&
-      c.scene.dim() == 2)
-    c.report(
-        "solver.linear",
-        "found multigrid in a scene of two dimensions, where a direct solver is faster at every size; allowed: "
-        "direct, auto.");
+  if (c.scene.solver.newton.linear.name != "multigrid" || !c.clean("solver.linear")) return;
+  if (!hasMultigrid())
+    c.report("solver.linear",
+             "found multigrid, which this program was built without (BURNISH_PETSC=OFF); allowed: direct, auto.");
+  else if (c.dimensionIsKnown() && c.scene.dim() == 2)
+    c.report("solver.linear",
+             "found multigrid in a scene of two dimensions, where a direct solver is faster at every size; "
+             "allowed: direct, auto.");
 }
 
 }  // namespace

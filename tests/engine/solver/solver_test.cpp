@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -259,9 +260,16 @@ TEST(DirectSolver, MultiplierThatDoesNothingIsSingular) {
 }
 
 TEST(LinearSolver, IsMadeByItsName) {
-  EXPECT_NE(dynamic_cast<DirectSolver*>(makeLinearSolver({}, {2}).get()), nullptr);
-  for (const std::string& name : linearSolverNames()) EXPECT_NE(makeLinearSolver({name}, {2}), nullptr);
-  EXPECT_THROW(makeLinearSolver({"none"}, {2}), Error);
+  const auto make = [](const std::string& name) {
+    LinearSolverOptions options;
+    options.name = name;
+    return makeLinearSolver(options, {2});
+  };
+  for (const char* name : {"direct", "auto"})
+    EXPECT_NE(dynamic_cast<DirectSolver*>(make(name).get()), nullptr) << name;
+  EXPECT_THROW(make("multigrid"), Error);  // without coarser meshes
+  EXPECT_THROW(make("none"), Error);
+  EXPECT_THAT(linearSolverNames(), testing::ElementsAre("direct", "multigrid", "auto"));
 }
 
 TEST(DirectSolver, ReportsSingularAndNonFiniteMatrices) {
