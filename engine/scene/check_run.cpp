@@ -28,8 +28,9 @@ void checkOutput(const CheckContext& c) {
 void checkLinearSolver(const CheckContext& c) {
   if (c.scene.solver.newton.linear.name != "multigrid" || !c.clean("solver.linear")) return;
   if (!hasMultigrid())
-    c.report("solver.linear",
-             "found multigrid, which this program was built without (BURNISH_PETSC=OFF); allowed: direct, auto.");
+    c.report(
+        "solver.linear",
+        "found multigrid, which this program was built without (BURNISH_PETSC=OFF); allowed: direct, auto.");
   else if (c.dimensionIsKnown() && c.scene.dim() == 2)
     c.report("solver.linear",
              "found multigrid in a scene of two dimensions, where a direct solver is faster at every size; "

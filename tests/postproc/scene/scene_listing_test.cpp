@@ -90,7 +90,7 @@ TEST(Explanation, namesTheAlternativesThatHaveAKey) {
 TEST(Explanation, ofAnUnknownKeyNamesTheNearest) {
   EXPECT_EQ(explained("solver.tolerence"),
             "solver.tolerence: \"tolerence\" is not a key of solver; allowed: tolerance, max_iterations, "
-            "max_cuts. Did you mean \"tolerance\"?");
+            "max_cuts, linear, linear_tolerance. Did you mean \"tolerance\"?");
   EXPECT_NE(explained("max_cuts").find("The keys of this name are solver.max_cuts."), std::string::npos);
   EXPECT_NE(explained("tolerence").find("Did you mean solver.tolerance or checks.tolerance?"),
             std::string::npos)
