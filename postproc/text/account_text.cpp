@@ -65,6 +65,17 @@ std::string balance(const RunAccount& account, const HistoryTable& history) {
                      100.0 * limitOf(Condition::Balance));
 }
 
+/// What multigrid needed.
+std::string linearSystems(const RunAccount& account) {
+  const long systems = account.linearSetUps.value_or(0), iterations = account.linearIterations.value_or(0),
+             fallbacks = account.linearFallbacks.value_or(0);
+  std::string text =
+      fmt::format("{} by multigrid, {:.1f} iterations in each", systems,
+                  static_cast<double>(iterations) / static_cast<double>(std::max(1L, systems)));
+  if (fallbacks > 0) text += fmt::format("; {} of them by factors in the end", fallbacks);
+  return text;
+}
+
 /// How often the body was meshed anew.
 std::string rezonings(const RunAccount& account) {
   const std::vector<RezoningRecord>& all = account.rezonings;
@@ -121,6 +132,7 @@ AccountLines accountLines(const RunAccount& a, const HistoryTable& history) {
   add("iterations",
       fmt::format("{}, {:.2f} per step, at most {} in one", a.iterations, a.meanIterations, a.maxIterations));
   add("unknowns", std::to_string(a.unknowns));
+  if (a.linearIterations) add("linear systems", linearSystems(a));
   if (!a.rezonings.empty() || a.failedRezonings > 0) add("rezonings", rezonings(a));
   add("worst residual", fmt::format("{:.2e}, tolerance {:.0e}", a.worstResidual, a.tolerance));
   if (a.stepsAtRoundOff > 0)

@@ -48,6 +48,18 @@ TEST(AccountText, ReactionsAreShownWithoutRoundingErrors) {
             "force of the body on face bottom: (0, -3.57), largest 3.57 at t = 1");
 }
 
+TEST(AccountText, SaysWhatMultigridNeeded) {
+  RunAccount account;
+  EXPECT_EQ(lineOf(account, {}, "linear systems"), "") << "of factors";
+  account.linearIterations = 125;
+  account.linearSetUps = 20;
+  account.linearFallbacks = 0;
+  EXPECT_EQ(lineOf(account, {}, "linear systems"), "20 by multigrid, 6.2 iterations in each");
+  account.linearFallbacks = 2;
+  EXPECT_EQ(lineOf(account, {}, "linear systems"),
+            "20 by multigrid, 6.2 iterations in each; 2 of them by factors in the end");
+}
+
 TEST(AccountText, TimingsAddUp) {
   RunAccount account;
   account.timings = {.assembly = 1.0, .contact = 2.0, .factorisation = 3.0, .output = 0.5, .total = 8.0};
