@@ -20,8 +20,16 @@ void* blas_memory_alloc(int);
 void blas_memory_free(void*);
 }
 
+/// Of LAPACK.
+extern "C" void dpbtrf_(const char* triangle, const blasint* n, const blasint* width, double* band,
+                        const blasint* stride, blasint* problem, std::size_t triangleLength);
+
 namespace burnish {
 namespace {
+
+blasint size(Eigen::Index n) {
+  return static_cast<blasint>(n);
+}
 
 /// Kernels for the instruction sets of this processor, or null if the slowest ones are right.
 const char* fastestKernels() {
@@ -74,10 +82,28 @@ void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eige
 void multiplyTransposedInto(const Eigen::Ref<const Eigen::MatrixXd>& A,
                             const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> C) {
   assert(A.cols() == B.cols() && C.rows() == A.rows() && C.cols() == B.rows());
-  const auto size = [](Eigen::Index n) { return static_cast<blasint>(n); };
   cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, size(A.rows()), size(B.rows()), size(A.cols()), 1.0,
               A.data(), size(A.outerStride()), B.data(), size(B.outerStride()), 0.0, C.data(),
               size(C.outerStride()));
+}
+
+bool factoriseBand(Eigen::MatrixXd& band) {
+  const blasint n = size(band.cols()), width = size(band.rows() - 1), stride = size(band.rows());
+  blasint problem = 0;
+  dpbtrf_("L", &n, &width, band.data(), &stride, &problem, 1);
+  return problem == 0;
+}
+
+void solveBand(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::VectorXd> x) {
+  const Eigen::Index zeros = std::find_if(x.begin(), x.end(), [](double v) { return v != 0.0; }) - x.begin();
+  if (zeros == x.size()) return;
+  cblas_dtbsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, size(x.size() - zeros),
+              size(factor.rows() - 1), factor.col(zeros).data(), size(factor.rows()), x.data() + zeros, 1);
+}
+
+void solveBandTransposed(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::VectorXd> x) {
+  cblas_dtbsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, size(x.size()), size(factor.rows() - 1),
+              factor.data(), size(factor.rows()), x.data(), 1);
 }
 
 }  // namespace burnish

@@ -25,4 +25,12 @@ void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eige
 void multiplyTransposedInto(const Eigen::Ref<const Eigen::MatrixXd>& A,
                             const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> C);
 
+/// Replaces a symmetric band matrix by its Cholesky factor L; false if it is not positive definite. band: row k
+/// holds the k-th diagonal below the main one, which is row 0, each entry in its column.
+[[nodiscard]] bool factoriseBand(Eigen::MatrixXd& band);
+
+/// L⁻¹ x and L⁻ᵀ x. Zeros at the begin of x cost nothing in the first.
+void solveBand(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::VectorXd> x);
+void solveBandTransposed(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::VectorXd> x);
+
 }  // namespace burnish
