@@ -13,7 +13,7 @@
 /// Hardening laws: the yield stress σ_y as a function of the equivalent plastic strain e >= 0. Every law has
 ///   kind         its name in scenes, and a sentence,
 ///   sigma_y(e)   the yield stress,
-///   slope(e)     its derivative (from the right where a law has a corner),
+///   slope(e)     its derivative (from the right where a law has a corner), both perhaps for `Lanes`, too,
 ///   work(e)      H(e) = ∫_0^e σ_y,
 /// a `describe` for what it is made from and, where the keys do not say all, a `check` of that.
 namespace burnish {

@@ -23,12 +23,12 @@ constexpr double kEqualStretches = 1e-6;
 
 /// Volumetric part of an elastic law.
 struct Volumetric {
+  double logJ;
   double pressure;   ///< mean Kirchhoff stress J U'
   double stiffness;  ///< its derivative with respect to ln J
   double energy;
 
-  Volumetric(ElasticLaw law, double kappa, double JMinusOne) {
-    const double logJ = std::log1p(JMinusOne);
+  Volumetric(ElasticLaw law, double kappa, double JMinusOne) : logJ(std::log1p(JMinusOne)) {
     const double halfJ2 = JMinusOne * (1.0 + 0.5 * JMinusOne);  // ½(J² − 1)
     const bool hencky = law == ElasticLaw::Hencky;
     pressure = kappa * (hencky ? logJ : halfJ2);
@@ -114,50 +114,88 @@ void check(const J2Plasticity::Parameters& law, const Problems& problems) {
   checkHardening(law.hardening, problems, "hardening");
 }
 
+/// A step that leaves the yield surface: what its end needs of its beginning.
 template <int Dim>
-bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const State& old, State& next,
-                            MaterialResponse<Dim>& out) const {
+struct J2Plasticity::Flow {
+  Volumetric volumetric;
+  PrincipalAxes<Dim> axes;
+  double mean;  ///< of the logarithmic strains
+  TrialState trial;
+};
+
+template <int Dim>
+bool J2Plasticity::predict(const Eigen::Matrix3d& F, const State& old, State& next,
+                           MaterialResponse<Dim>& out, std::optional<Flow<Dim>>& flow) const {
+  flow.reset();
   const VolumeChange volume(F - Eigen::Matrix3d::Identity());
-  const double J = volume.J();
-  if (!(J > 0.0)) return false;
+  if (!(volume.J() > 0.0)) return false;
   const Volumetric volumetric(elasticLaw_, moduli_.kappa, volume.minusOne());
-  const double radius = kRootTwoThirds * hardeningAt(hardening_, old.e_p).sigma_y * (1.0 + kYieldTolerance);
+  const double radius = kRootTwoThirds * yieldStress(old.e_p) * (1.0 + kYieldTolerance);
   next = old;
   out.plasticWork = 0.0;
 
-  // Elastic predictor
   const Eigen::Matrix3d f = F * old.F_inv;
   const Eigen::Matrix3d b = f * old.b_e * f.transpose();
   if (elasticLaw_ == ElasticLaw::NeoHookean) {
-    const SymmetricTensor<Dim> bBar = components<Dim>(b) / std::cbrt(J * J);
+    const SymmetricTensor<Dim> bBar = components<Dim>(b) * std::exp(-2.0 / 3.0 * volumetric.logJ);
     if (setNeoHookeanWithin<Dim>(radius, moduli_.mu, volumetric, bBar, out)) return isFinite(out);
   }
   const PrincipalAxes<Dim> axes(b);
   if (!(axes.values.minCoeff() > 0.0)) return false;
   const Eigen::Array3d strain = 0.5 * axes.values.array().log();
   const double mean = strain.sum() / 3.0;
-  const Eigen::Array3d e_tr = strain - mean;
-  const DeviatoricLaw law{elasticLaw_, moduli_.mu};
-  if (elasticLaw_ == ElasticLaw::Hencky && 2.0 * moduli_.mu * e_tr.matrix().norm() <= radius) {
-    setPrincipal(axes, volumetric, elasticState(law, e_tr, old.e_p), out);
+  const TrialState trial{strain - mean, old.e_p};
+  if (elasticLaw_ == ElasticLaw::Hencky && 2.0 * moduli_.mu * trial.e.matrix().norm() <= radius) {
+    setPrincipal(axes, volumetric, elasticHenckyState(moduli_.mu, trial), out);
     return isFinite(out);
   }
+  flow.emplace(volumetric, axes, mean, trial);
+  return true;
+}
 
-  // Return to the yield surface
-  const std::optional<PrincipalState> state = returnMap(law, hardening_, e_tr, old.e_p);
-  if (!state) return false;
-  setPrincipal(axes, volumetric, *state, out);
-  const Eigen::Vector3d elasticStretches = (2.0 * (state->e + mean)).exp().matrix();
+template <int Dim>
+bool J2Plasticity::finish(const Flow<Dim>& flow, const PrincipalState& state, const Eigen::Matrix3d& F,
+                          State& next, MaterialResponse<Dim>& out) const {
+  setPrincipal(flow.axes, flow.volumetric, state, out);
+  const Eigen::Vector3d elasticStretches = (2.0 * (state.e + flow.mean)).exp().matrix();
   next.F_inv = F.inverse();
-  next.b_e = fullTensor<Dim>(axes.tensor(elasticStretches));
-  next.e_p = state->e_p;
-  out.plasticWork = hardeningWork(hardening_, old.e_p, next.e_p);
+  next.b_e = fullTensor<Dim>(flow.axes.tensor(elasticStretches));
+  next.e_p = state.e_p;
+  out.plasticWork = hardeningWork(hardening_, flow.trial.e_p, next.e_p);
   return isFinite(out);
 }
 
-template bool J2Plasticity::evaluate<2>(const Eigen::Matrix3d&, const State&, State&,
-                                        MaterialResponse<2>&) const;
-template bool J2Plasticity::evaluate<3>(const Eigen::Matrix3d&, const State&, State&,
-                                        MaterialResponse<3>&) const;
+template <int Dim>
+bool J2Plasticity::evaluateAll(std::span<const Eigen::Matrix3d> F, std::span<const State> old,
+                               std::span<State> next, std::span<MaterialResponse<Dim>> out) const {
+  std::array<std::optional<Flow<Dim>>, kLanes> flows;
+  std::array<TrialState, kLanes> trials;
+  std::array<std::optional<PrincipalState>, kLanes> states;
+  std::array<std::size_t, kLanes> points;
+  std::size_t count = 0;  // of flows begun
+  const auto finishAll = [&] {
+    returnMap({elasticLaw_, moduli_.mu}, hardening_, std::span(trials).first(count),
+              std::span(states).first(count));
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t q = points[k];
+      if (!states[k] || !finish<Dim>(*flows[k], *states[k], F[q], next[q], out[q])) return false;
+    }
+    count = 0;
+    return true;
+  };
+  for (std::size_t q = 0; q < F.size(); ++q) {
+    if (!predict<Dim>(F[q], old[q], next[q], out[q], flows[count])) return false;
+    if (!flows[count]) continue;
+    trials[count] = flows[count]->trial;
+    points[count] = q;
+    if (++count == kLanes && !finishAll()) return false;
+  }
+  return count == 0 || finishAll();
+}
+
+template bool J2Plasticity::evaluateAll<2>(std::span<const Eigen::Matrix3d>, std::span<const State>,
+                                           std::span<State>, std::span<MaterialResponse<2>>) const;
+template bool J2Plasticity::evaluateAll<3>(std::span<const Eigen::Matrix3d>, std::span<const State>,
+                                           std::span<State>, std::span<MaterialResponse<3>>) const;
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -74,12 +75,32 @@ class J2Plasticity {
   /// then `next` and `out` are not to be used.
   template <int Dim>
   [[nodiscard]] bool evaluate(const Eigen::Matrix3d& F, const State& old, State& next,
-                              MaterialResponse<Dim>& out) const;
+                              MaterialResponse<Dim>& out) const {
+    return evaluateAll<Dim>(std::span(&F, 1), std::span(&old, 1), std::span(&next, 1), std::span(&out, 1));
+  }
+
+  /// The same at several points; false when it fails at one of them.
+  template <int Dim>
+  [[nodiscard]] bool evaluateAll(std::span<const Eigen::Matrix3d> F, std::span<const State> old,
+                                 std::span<State> next, std::span<MaterialResponse<Dim>> out) const;
 
   /// b_e at the deformation gradient F, without flow since `state`.
   Eigen::Matrix3d elasticDeformation(const Eigen::Matrix3d& F, const State& state) const;
 
  private:
+  template <int Dim>
+  struct Flow;
+
+  /// Sets the response if there is no flow, else where the flow begins. False like `evaluate`.
+  template <int Dim>
+  bool predict(const Eigen::Matrix3d& F, const State& old, State& next, MaterialResponse<Dim>& out,
+               std::optional<Flow<Dim>>& flow) const;
+
+  /// Sets response and state at the end of a flow.
+  template <int Dim>
+  bool finish(const Flow<Dim>& flow, const PrincipalState& state, const Eigen::Matrix3d& F, State& next,
+              MaterialResponse<Dim>& out) const;
+
   ElasticModuli moduli_;
   double nu_;
   ElasticLaw elasticLaw_;

@@ -10,8 +10,14 @@ struct LinearHardening {
   double sigma0 = 0.0;
   double modulus = 0.0;  ///< h
 
-  double sigma_y(double e) const { return sigma0 + modulus * e; }
-  double slope(double) const { return modulus; }
+  template <class Number>
+  Number sigma_y(Number e) const {
+    return sigma0 + modulus * e;
+  }
+  template <class Number>
+  Number slope(Number) const {
+    return Number{} + modulus;
+  }
   double work(double e) const { return (sigma0 + 0.5 * modulus * e) * e; }
 };
 

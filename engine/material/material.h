@@ -19,6 +19,7 @@
 ///   elasticDeformation(F, state)      b_e, whose stretches a new reference configuration keeps.
 /// It may have
 ///   evaluate<Dim>(F, dt, old, next, out)  instead, if it depends on rates: dt is the length of the step,
+///   evaluateAll<Dim>(F, old, next, out)   the same at several points, all spans, where that is faster,
 ///   fields()                          what of a state results and pictures show,
 ///   carried(), begin(stretch)         numbers of a state that go along to a new mesh, and how it begins there,
 ///   yieldStress(e_p)                  if the material flows,

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -21,13 +22,36 @@ struct PointsOf {
   /// step where no time has passed, infinite before the first step.
   double timeStep = std::numeric_limits<double>::infinity();
 
-  /// The law at a point, from its accepted state to its trial state; false if it cannot answer.
+  /// The law at points that follow one another, from their accepted states to their trial states; false if
+  /// it cannot answer at one of them.
+  template <int Dim>
+  [[nodiscard]] bool evaluate(std::size_t first, std::span<const Eigen::Matrix3d> F,
+                              std::span<MaterialResponse<Dim>> out) {
+    const auto old = std::span<const typename Law::State>(accepted).subspan(first, F.size());
+    const auto next = std::span(trial).subspan(first, F.size());
+    if constexpr (requires { law.template evaluateAll<Dim>(F, old, next, out); }) {
+      return law.template evaluateAll<Dim>(F, old, next, out);
+    } else {
+      for (std::size_t q = 0; q < F.size(); ++q)
+        if (!evaluateOne<Dim>(F[q], old[q], next[q], out[q])) return false;
+      return true;
+    }
+  }
+
+  /// The same at one point.
   template <int Dim>
   [[nodiscard]] bool evaluate(std::size_t point, const Eigen::Matrix3d& F, MaterialResponse<Dim>& out) {
+    return evaluate<Dim>(point, std::span(&F, 1), std::span(&out, 1));
+  }
+
+ private:
+  template <int Dim>
+  bool evaluateOne(const Eigen::Matrix3d& F, const typename Law::State& old, typename Law::State& next,
+                   MaterialResponse<Dim>& out) {
     if constexpr (RateDependent<Law>)
-      return law.template evaluate<Dim>(F, timeStep, accepted[point], trial[point], out);
+      return law.template evaluate<Dim>(F, timeStep, old, next, out);
     else
-      return law.template evaluate<Dim>(F, accepted[point], trial[point], out);
+      return law.template evaluate<Dim>(F, old, next, out);
   }
 };
 

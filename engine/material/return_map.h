@@ -1,7 +1,9 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 
+#include "engine/core/lanes.h"
 #include "engine/material/hardening.h"
 
 namespace burnish {
@@ -12,25 +14,11 @@ inline constexpr double kRootTwoThirds = 0.81649658092772603;  // √(2/3)
 /// NeoHookean: W = κ/2 (½(J²−1) − ln J) + μ/2 (Σ λ̄_A² − 3); Hencky: W = κ/2 (ln J)² + μ Σ (dev ε_A)².
 enum class ElasticLaw { NeoHookean, Hencky };
 
-/// Isochoric part of an elastic law in principal directions, as a function of the deviator e = dev ln λ.
+/// Isochoric part of an elastic law in principal directions.
 struct DeviatoricLaw {
   ElasticLaw law;
   double mu;
-
-  struct Answer {
-    Eigen::Array3d s;        ///< deviatoric Kirchhoff stress
-    Eigen::Array3d modulus;  ///< m with ds/de = P diag(m) P, P the projection on deviators
-    double energy;
-  };
-  Answer operator()(const Eigen::Array3d& e) const;
 };
-
-/// Yield stress and its derivative.
-struct HardeningPoint {
-  double sigma_y;
-  double slope;
-};
-HardeningPoint hardeningAt(const Hardening& hardening, double e_p);
 
 /// State in principal directions at the end of a step, and its linearisation.
 struct PrincipalState {
@@ -42,13 +30,20 @@ struct PrincipalState {
   double e_p;
 };
 
-/// The state of an elastic step: e = e_tr.
-PrincipalState elasticState(const DeviatoricLaw& law, const Eigen::Array3d& e_tr, double e_p);
+/// Where a plastic step begins.
+struct TrialState {
+  Eigen::Array3d e;  ///< deviator of the trial strains, beyond the yield surface
+  double e_p;
+};
 
-/// The state of a plastic step from the deviator e_tr of the trial strains (beyond the yield surface):
+/// The state of an elastic step with the Hencky energy.
+PrincipalState elasticHenckyState(double mu, const TrialState& trial);
+
+/// The states of plastic steps at up to `kLanes` points, each from its trial state:
 ///   e + Δγ s/‖s‖ = e_tr,   ‖s(e)‖ = √(2/3) σ_y(e_p,n + √(2/3) Δγ),
-/// solved to round-off. Nothing when there is no such state: no positive yield stress, numbers that overflow.
-std::optional<PrincipalState> returnMap(const DeviatoricLaw& law, const Hardening& hardening,
-                                        const Eigen::Array3d& e_tr, double e_p_old);
+/// solved to round-off. Nothing for a point where there is no such state: no positive yield stress, numbers
+/// that overflow.
+void returnMap(const DeviatoricLaw& law, const Hardening& hardening, std::span<const TrialState> trials,
+               std::span<std::optional<PrincipalState>> states);
 
 }  // namespace burnish

@@ -13,8 +13,14 @@ struct TwoTermVoceHardening {
   SaturatingTerm first{};
   SaturatingTerm second{};
 
-  double sigma_y(double e) const { return sigma0 + first.sigma_y(e) + second.sigma_y(e); }
-  double slope(double e) const { return first.slope(e) + second.slope(e); }
+  template <class Number>
+  Number sigma_y(Number e) const {
+    return sigma0 + first.sigma_y(e) + second.sigma_y(e);
+  }
+  template <class Number>
+  Number slope(Number e) const {
+    return first.slope(e) + second.slope(e);
+  }
   double work(double e) const { return sigma0 * e + first.work(e) + second.work(e); }
 };
 

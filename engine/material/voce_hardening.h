@@ -12,8 +12,14 @@ struct VoceHardening {
   double sigmaInf = 0.0;  ///< yield stress at saturation
   double beta = 0.0;      ///< rate of saturation
 
-  double sigma_y(double e) const { return sigma0 + saturation().sigma_y(e); }
-  double slope(double e) const { return saturation().slope(e); }
+  template <class Number>
+  Number sigma_y(Number e) const {
+    return sigma0 + saturation().sigma_y(e);
+  }
+  template <class Number>
+  Number slope(Number e) const {
+    return saturation().slope(e);
+  }
   double work(double e) const { return sigma0 * e + saturation().work(e); }
 
  private:

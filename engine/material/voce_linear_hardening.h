@@ -11,8 +11,14 @@ struct VoceLinearHardening {
   VoceHardening voce{};
   double modulus = 0.0;  ///< h
 
-  double sigma_y(double e) const { return voce.sigma_y(e) + modulus * e; }
-  double slope(double e) const { return voce.slope(e) + modulus; }
+  template <class Number>
+  Number sigma_y(Number e) const {
+    return voce.sigma_y(e) + modulus * e;
+  }
+  template <class Number>
+  Number slope(Number e) const {
+    return voce.slope(e) + modulus;
+  }
   double work(double e) const { return voce.work(e) + 0.5 * modulus * e * e; }
 };
 

@@ -103,8 +103,8 @@ void BulkTerm<Dim>::archive(StateArchive& archive) {
 template <int Dim>
 std::vector<int> unknownsOf(const std::vector<int>& nodes) {
   std::vector<int> unknowns;
-  for (int d = 0; d < Dim; ++d)
-    for (const int node : nodes) unknowns.push_back(Dim * node + d);
+  for (const int node : nodes)
+    for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * node + d);
   return unknowns;
 }
 

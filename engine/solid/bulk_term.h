@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/material/material_points.h"
@@ -76,34 +77,30 @@ class BulkTerm : public Term {
   /// The deformation gradients that the law sees at the quadrature points, with displacements x.
   virtual std::vector<Eigen::Matrix3d> gradientsOfLaw(const Eigen::VectorXd& x) const;
 
-  /// Evaluates the law at one point from its accepted state and adds to the span's summary; false if it
-  /// cannot answer. Stress and J are stored by the formulation.
+  /// Evaluates the law at points that follow one another, from their accepted states, and adds to the span's
+  /// summary; false if it cannot answer. Stress and J are stored by the formulation.
   template <class Law>
-  bool respond(PointsOf<Law>& points, std::size_t point, double weight, const Eigen::Matrix3d& F,
-               MaterialResponse<Dim>& response, BulkSummary& summary) {
-    if (!points.template evaluate<Dim>(point, F, response)) return false;
-    // Written as fused operations, so that no choice of the compiler decides the last digit.
-    summary.strainEnergy = std::fma(weight, response.strainEnergy, summary.strainEnergy);
-    summary.plasticWorkIncrement = std::fma(weight, response.plasticWork, summary.plasticWorkIncrement);
+  bool respond(PointsOf<Law>& points, std::size_t first, std::span<const Eigen::Matrix3d> F,
+               std::span<MaterialResponse<Dim>> responses, BulkSummary& summary) {
+    if (!points.template evaluate<Dim>(first, F, responses)) return false;
+    const double* weight = weights_.data() + first;
+    for (const auto& response : responses) {
+      // Written as fused operations, so that no choice of the compiler decides the last digit.
+      summary.strainEnergy = std::fma(*weight, response.strainEnergy, summary.strainEnergy);
+      summary.plasticWorkIncrement = std::fma(*weight, response.plasticWork, summary.plasticWorkIncrement);
+      ++weight;
+    }
     return true;
   }
 
-  /// Adds forces and, if wanted, the tangent of a span. tangent: a buffer.
+  /// Adds forces and, if wanted, the tangent of a span.
   template <class Kernel>
-  void add(const Kernel& kernel, std::size_t number, Eigen::MatrixXd& tangent, Assembly& out) const {
+  void add(const Kernel& kernel, std::size_t number, Assembly& out) const {
     const auto& nodes = quadrature_.spans()[number].nodes;
     const auto n = static_cast<Eigen::Index>(nodes.size());
     for (Eigen::Index a = 0; a < n; ++a)
       out.force.segment<Dim>(Dim * nodes[static_cast<std::size_t>(a)]) += kernel.force(a);
-    if (out.system == nullptr) return;
-    tangent.resize(Dim * n, Dim * n);
-    for (int i = 0; i < Dim; ++i)
-      for (int k = i; k < Dim; ++k) {
-        const auto block = kernel.tangentBlock(i, k);
-        tangent.block(i * n, k * n, n, n) = block;
-        if (i != k) tangent.block(k * n, i * n, n, n) = block.transpose();
-      }
-    out.system->add(out.term, number, tangent);
+    if (out.system != nullptr) out.system->add(out.term, number, kernel.tangent());
   }
 
   /// Makes the summary of the body from those of the spans.
@@ -128,7 +125,7 @@ class BulkTerm : public Term {
   double plasticWork_ = 0.0;
 };
 
-/// Displacement unknowns of nodes, component by component.
+/// Displacement unknowns of nodes, node by node.
 template <int Dim>
 std::vector<int> unknownsOf(const std::vector<int>& nodes);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/solid/bulk_term.h"
 #include "engine/solid/parallel_spans.h"
 
 namespace burnish {
@@ -29,15 +30,11 @@ Lists unions(const Lists& lists, const Lists& members, int limit) {
   return result;
 }
 
-/// Unknowns of lists of nodes, in the order of the nodes.
+/// Unknowns of lists of nodes.
 template <int Dim>
-Lists unknownsNodeByNode(const Lists& lists) {
+Lists unknownsOfLists(const Lists& lists) {
   Lists unknowns;
-  for (const auto& nodes : lists) {
-    auto& list = unknowns.emplace_back();
-    for (const int node : nodes)
-      for (int d = 0; d < Dim; ++d) list.push_back(Dim * node + d);
-  }
+  for (const auto& nodes : lists) unknowns.push_back(unknownsOf<Dim>(nodes));
   return unknowns;
 }
 
@@ -85,9 +82,9 @@ void DilatationCoupling<Dim>::findColumns(const std::vector<std::vector<int>>& n
   for (std::size_t A = 0; A < nodes.size(); ++A)
     for (std::size_t k = 0; k < nodes[A].size(); ++k)
       dependences_[static_cast<std::size_t>(nodes[A][k])].push_back({A, Dim * k});
-  Z_ = C_ = RunColumns(unknownsNodeByNode<Dim>(nodes));
-  Y_ = RunColumns(unknownsNodeByNode<Dim>(unions(overlapping_, nodes, numNodes)));
-  groups_ = unknownsNodeByNode<Dim>(unions(functions_, nodes, numNodes));
+  Z_ = C_ = RunColumns(unknownsOfLists<Dim>(nodes));
+  Y_ = RunColumns(unknownsOfLists<Dim>(unions(overlapping_, nodes, numNodes)));
+  groups_ = unknownsOfLists<Dim>(unions(functions_, nodes, numNodes));
 }
 
 /// Sums one part of the spans' shares into the column of a function.

@@ -3,8 +3,10 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "engine/solid/parallel_spans.h"
 #include "engine/solid/solid_kernel.h"
@@ -16,7 +18,8 @@ template <Kinematics K>
 struct DisplacementTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
   KernelFor<K> kernel;
-  Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
+  std::vector<Eigen::Matrix3d> F, elastic;       // Q: in the body, and what the law sees
+  std::vector<MaterialResponse<Dim>> responses;  // Q
 };
 
 template <int Dim>
@@ -36,27 +39,34 @@ bool DisplacementTerm<Dim>::evaluateSpan(PointsOf<Law>& points, std::size_t numb
   work.kernel.start(span, wantTangent);
 
   BulkSummary summary;
-  MaterialResponse<Dim> response;
+  work.F.clear();
+  work.elastic.clear();
+  work.responses.resize(static_cast<std::size_t>(Q));
+  const auto first = static_cast<std::size_t>(span.firstPoint);
   for (Eigen::Index q = 0; q < Q; ++q) {
-    const auto G = span.G.template middleCols<C>(C * q);
-    const Eigen::Matrix3d F = deformationGradient<K>(work.u, G);
-    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    const std::size_t point = first + static_cast<std::size_t>(q);
+    const Eigen::Matrix3d& F =
+        work.F.emplace_back(deformationGradient<K>(work.u, span.G.template middleCols<C>(C * q)));
     const double J = volumeRatio<K>(F) * this->referenceVolumeRatio(point);
-    const double w = this->weights_(span.firstPoint + q);
-    if (!(J > 0.0) || !this->respond(points, point, w, this->elasticGradient(point, F), response, summary))
-      return false;
+    if (!(J > 0.0)) return false;
     summary.minJ = std::min(summary.minJ, J);
     this->J_[point] = J;
-    this->stress_[point] = response.tau;
+    work.elastic.push_back(this->elasticGradient(point, F));
+  }
+  if (!this->respond(points, first, work.elastic, std::span(work.responses), summary)) return false;
 
-    work.kernel.setGradients(q, F);
+  for (Eigen::Index q = 0; q < Q; ++q) {
+    const auto& response = work.responses[static_cast<std::size_t>(q)];
+    const double w = this->weights_(span.firstPoint + q);
+    this->stress_[first + static_cast<std::size_t>(q)] = response.tau;
+    work.kernel.setGradients(q, work.F[static_cast<std::size_t>(q)]);
     work.kernel.setStress(q, w * response.tau);
     if (wantTangent) work.kernel.setModuli(q, w, response.tau, response.c, 0.0);
   }
   this->spanSummaries_[number] = summary;
 
   work.kernel.multiply();
-  this->add(work.kernel, number, work.tangent, out);
+  this->add(work.kernel, number, out);
   return true;
 }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "engine/core/blas.h"
 #include "engine/material/volume_change.h"
@@ -91,8 +93,8 @@ struct ProjectedTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
   Eigen::MatrixXd perPoint;                      // Dim·n x Q: a value of every unknown at every point
   KernelFor<K> kernel;
-  Eigen::VectorXd e;        // Q: weighted factors of η²
-  Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
+  Eigen::VectorXd e;                  // Q: weighted factors of η²
+  std::vector<Eigen::Matrix3d> Fbar;  // Q: what the law sees
 };
 
 template <int Dim>
@@ -181,21 +183,26 @@ void ProjectedTerm<Dim>::gatherDilatation() {
 /// The law at F̄; false where J̄ is not positive or the law cannot answer.
 template <int Dim>
 template <Kinematics K, class Law>
-bool ProjectedTerm<Dim>::respondOnSpan(PointsOf<Law>& points, std::size_t number) {
+bool ProjectedTerm<Dim>::respondOnSpan(PointsOf<Law>& points, std::size_t number, Workspace<K>& work) {
   const auto& span = this->quadrature_.spans()[number];
   const auto& projected = projection_.spans()[number];
   const Eigen::VectorXd dilatation = projected.N.transpose() * dilatation_(projected.functions);
+  work.Fbar.clear();
+  const auto first = static_cast<std::size_t>(span.firstPoint);
   for (Eigen::Index q = 0; q < dilatation.size(); ++q) {
-    const auto point = static_cast<std::size_t>(span.firstPoint + q);
-    const double J = this->J_[point];
+    const std::size_t point = first + static_cast<std::size_t>(q);
     const double Jbar = 1.0 + dilatation(q);
     if (!(Jbar > 0.0)) return false;
     Jbar_(span.firstPoint + q) = Jbar;
-    Eigen::Matrix3d Fbar = this->elasticGradient(point, F_[point]);
-    projectVolume(Fbar, kColumns<K>, Jbar, J);
-    if (!this->respond(points, point, this->weights_(span.firstPoint + q), Fbar, responses_[point],
-                       this->spanSummaries_[number]))
-      return false;
+    Eigen::Matrix3d& Fbar = work.Fbar.emplace_back(this->elasticGradient(point, F_[point]));
+    projectVolume(Fbar, kColumns<K>, Jbar, this->J_[point]);
+  }
+  if (!this->respond(points, first, work.Fbar, std::span(responses_).subspan(first, work.Fbar.size()),
+                     this->spanSummaries_[number]))
+    return false;
+  for (Eigen::Index q = 0; q < dilatation.size(); ++q) {
+    const std::size_t point = first + static_cast<std::size_t>(q);
+    const double J = this->J_[point], Jbar = Jbar_(span.firstPoint + q);
     const UnseenDilatation unseen(shearModulus_, J, Jbar);
     this->spanSummaries_[number].strainEnergy += this->weights_(span.firstPoint + q) * unseen.energy;
     stressOnJbar_(span.firstPoint + q) = meanStress<K>(responses_[point]) - unseen.stress;
@@ -247,7 +254,7 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
   }
 
   work.kernel.multiply();
-  this->add(work.kernel, number, work.tangent, out);
+  this->add(work.kernel, number, out);
   if (!wantTangent) return;
   auto& share = coupling_.share(number);
   multiplyTransposed(work.perPoint, projected.N, share.C);
@@ -265,7 +272,8 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
     return false;
   gatherDilatation();
   const bool responded = this->points_.visit([&](auto& points) {
-    return parallelAll(spans, 8, [&](std::size_t e) { return respondOnSpan<K>(points, e); });
+    return parallelAll(spans, 8,
+                       [&](std::size_t e) { return respondOnSpan<K>(points, e, workspaces.local()); });
   });
   if (!responded) return false;
   gatherPressure();

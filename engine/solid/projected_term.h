@@ -44,7 +44,7 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   template <Kinematics K>
   bool measure(std::size_t number, const Eigen::VectorXd& x, bool wantTangent, Workspace<K>& work);
   template <Kinematics K, class Law>
-  bool respondOnSpan(PointsOf<Law>& points, std::size_t number);
+  bool respondOnSpan(PointsOf<Law>& points, std::size_t number, Workspace<K>& work);
   template <Kinematics K>
   void assemble(std::size_t number, Assembly& out, Workspace<K>& work);
   void gatherDilatation();

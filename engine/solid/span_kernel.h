@@ -18,7 +18,8 @@ double modulus(int i, int j, int k, int l, const Stress& tau, const Tangent& c) 
 }
 
 /// Forces and tangent of one span, Σ_q g τ and Σ_q g (c + δτ) gᵀ, by one matrix product over all its
-/// quadrature points. Buffers keep their memory from span to span.
+/// quadrature points. The current gradients g = G P are not formed: stresses and moduli are pulled back to the
+/// reference gradients G, P τ and P (c + δτ) Pᵀ. Buffers keep their memory from span to span.
 template <Kinematics K>
 class SpanKernel {
  public:
@@ -32,26 +33,25 @@ class SpanKernel {
     const Eigen::Index n = span.G.rows(), Q = span.weights.size();
     n_ = n;
     stressRow_ = wantTangent ? kPairs * n : 0;
-    g_.resize(n, kC * Q);
     h_.resize(stressRow_ + kDim, kC * Q);
   }
 
-  /// Sets the gradients at point q from the deformation gradient; to be called first.
-  void setGradients(Eigen::Index q, const Eigen::Matrix3d& F) {
-    g_.template middleCols<kC>(kC * q).noalias() =
-        span_->G.template middleCols<kC>(kC * q) * pushForward<K>(F);
-  }
+  /// Sets the gradients at point q from the deformation gradient; to be called before the stress and the
+  /// moduli of the same point are set.
+  void setGradients(Eigen::Index, const Eigen::Matrix3d& F) { pushForward_ = pushForward<K>(F); }
 
   /// Stress that makes the forces, times the weight.
   void setStress(Eigen::Index q, const Stress& weighted) {
+    Eigen::Matrix<double, kDim, kC> tau;
     for (int i = 0; i < kDim; ++i)
       for (int j = 0; j < kC; ++j)
-        h_(stressRow_ + i, kC * q + j) = gradientPlace<K>(i, j) < 0 ? 0.0 : weighted(gradientPlace<K>(i, j));
+        tau(i, j) = gradientPlace<K>(i, j) < 0 ? 0.0 : weighted(gradientPlace<K>(i, j));
+    h_.template block<kDim, kC>(stressRow_, kC * q) = tau.lazyProduct(pushForward_.transpose());
   }
 
   /// Moduli of D : c : D + (D τ) : D + r tr(D D), with D the spatial gradient, times the weight w.
   void setModuli(Eigen::Index q, double w, const Stress& tau, const Tangent& c, double r) {
-    const auto g = g_.template middleCols<kC>(kC * q);
+    const auto G = span_->G.template middleCols<kC>(kC * q);
     Eigen::Index pair = 0;
     for (int i = 0; i < kDim; ++i)
       for (int k = i; k < kDim; ++k, ++pair) {
@@ -60,36 +60,55 @@ class SpanKernel {
           for (int l = 0; l < kC; ++l) moduli(j, l) = w * modulus<K>(i, j, k, l, tau, c);
         moduli(k, i) += w * r;
         if (K == Kinematics::Axisymmetric && k == 0) moduli(2, 2) += w * r;
-        h_.template block<Eigen::Dynamic, kC>(pair * n_, kC * q, n_, kC).noalias() = g * moduli;
+        const Eigen::Matrix<double, kC, kC> left = pushForward_.lazyProduct(moduli);
+        moduli = left.lazyProduct(pushForward_.transpose());
+        for (int l = 0; l < kC; ++l) h_.col(kC * q + l).segment(pair * n_, n_) = G.lazyProduct(moduli.col(l));
       }
   }
 
   /// To be called when all points are set.
-  void multiply() { multiplyTransposed(h_, g_, blocks_); }
+  void multiply() {
+    multiplyTransposed(h_, span_->G, blocks_);
+    if (stressRow_ > 0) arrange();
+  }
 
   /// Force on function a.
   Eigen::Vector<double, kDim> force(Eigen::Index a) const {
     return blocks_.col(a).template segment<kDim>(stressRow_);
   }
 
-  /// Entry (d, e) of the tangent for all pairs of functions, n x n, d <= e; the other ones are their
-  /// transposes.
-  auto tangentBlock(int d, int e) const {
-    return blocks_.middleRows((d * kDim - d * (d - 1) / 2 + e - d) * n_, n_);
-  }
+  /// Dim·n x Dim·n, node by node.
+  const Eigen::MatrixXd& tangent() const { return tangent_; }
 
  private:
   static constexpr int kC = kColumns<K>;
   /// Pairs (i, k) of directions with i <= k.
   static constexpr int kPairs = kDim * (kDim + 1) / 2;
 
+  /// The tangent from the blocks of pairs.
+  void arrange() {
+    tangent_.resize(kDim * n_, kDim * n_);
+    for (Eigen::Index b = 0; b < n_; ++b) {
+      const double* pair = &blocks_(0, b);
+      for (int i = 0; i < kDim; ++i)
+        for (int k = i; k < kDim; ++k, pair += n_) {
+          double* to = &tangent_(i, kDim * b + k);
+          for (Eigen::Index a = 0; a < n_; ++a) to[kDim * a] = pair[a];
+          if (i == k) continue;
+          double* mirrored = &tangent_(kDim * b + k, i);
+          for (Eigen::Index a = 0; a < n_; ++a) mirrored[kDim * kDim * n_ * a] = pair[a];
+        }
+    }
+  }
+
   const typename SpanQuadrature<kDim>::Span* span_ = nullptr;
   Eigen::Index n_ = 0, stressRow_ = 0;
-  Eigen::MatrixXd g_;  ///< n x columns·Q
+  Eigen::Matrix<double, kC, kC> pushForward_;  ///< P at the point that is being set
   /// kPairs·n + Dim rows x columns·Q: gradients times the weighted moduli, one block per pair (i, k), then
-  /// the weighted stresses. Times gᵀ: blocks of the tangent and the forces.
+  /// the weighted stresses. Times Gᵀ: blocks of the tangent and the forces.
   Eigen::MatrixXd h_;
-  Eigen::MatrixXd blocks_;  ///< kPairs·n + Dim x n
+  Eigen::MatrixXd blocks_;   ///< kPairs·n + Dim x n
+  Eigen::MatrixXd tangent_;  ///< Dim·n x Dim·n
 };
 
 }  // namespace burnish

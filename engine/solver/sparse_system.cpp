@@ -42,6 +42,7 @@ SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) 
       runs.push_back({at(place), 0});  // also where an unknown stands in the group a second time
     ++runs.back().length;
   }
+  if (std::is_sorted(group.order.begin(), group.order.end())) group.order.clear();
   return group;
 }
 
@@ -100,10 +101,12 @@ void SparseSystem::findFreeEntries() {
 }
 
 void SparseSystem::findStarts(Group& group) const {
-  std::vector<int> unknowns(group.order.size());
-  const int* place = group.order.data();
+  std::vector<int> unknowns;
   for (const Run& run : group.runs)
-    for (int k = 0; k < run.length; ++k) unknowns[static_cast<std::size_t>(*place++)] = run.first + k;
+    for (int k = 0; k < run.length; ++k) unknowns.push_back(run.first + k);
+  const std::vector<int> ascending = unknowns;
+  for (std::size_t k = 0; k < group.order.size(); ++k)
+    unknowns[static_cast<std::size_t>(group.order[k])] = ascending[k];
   group.starts.reserve(unknowns.size() * group.runs.size());
   for (const int column : unknowns) {
     const int* begin = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column];
@@ -131,6 +134,14 @@ void SparseSystem::add(std::size_t term, std::size_t number, const Eigen::Ref<co
   for (Eigen::Index c = 0; c < K.cols(); ++c) {
     if (c + 1 < K.cols()) fetchAhead(group, start + group.runs.size());
     const double* column = K.col(c).data();
+    if (group.order.empty()) {
+      for (const Run& run : group.runs) {
+        double* entry = tangent_.valuePtr() + *start++;
+        for (int k = 0; k < run.length; ++k) entry[k] += column[k];
+        column += run.length;
+      }
+      continue;
+    }
     const int* row = group.order.data();
     for (const Run& run : group.runs) {
       double* entry = tangent_.valuePtr() + *start++;

@@ -54,7 +54,7 @@ class SparseSystem {
     int length;
   };
   struct Group {
-    std::vector<int> order;  ///< the group's places, by ascending unknown
+    std::vector<int> order;  ///< the group's places, by ascending unknown; empty if they ascend as they are
     std::vector<Run> runs;   ///< all unknowns, ascending
     /// Entry of `tangent_` where each run starts, column by column; found when the group is first added to,
     /// as some groups never are.

@@ -29,7 +29,7 @@ J2Plasticity makeLaw(ElasticLaw elastic, const HardeningParameters& hardening = 
 }
 
 double yieldStress(const Hardening& hardening, double e) {
-  return hardeningAt(hardening, e).sigma_y;
+  return std::visit([e](const auto& law) { return law.sigma_y(e); }, hardening);
 }
 
 /// The von Mises norm √(3/2) ‖dev τ‖.
@@ -396,9 +396,13 @@ TEST(ReturnMap, SolvesItsEquations) {
             const Eigen::Array3d e_tr =
                 size * Eigen::Array3d(std::cos(angle), std::cos(angle - 2.0 * std::numbers::pi / 3.0),
                                       std::cos(angle + 2.0 * std::numbers::pi / 3.0));
-            const DeviatoricLaw law{elastic, mu};
-            if (law(e_tr).s.matrix().norm() <= kRootTwoThirds * yieldStress(laws[k], 0.0)) continue;
-            const auto state = returnMap(law, laws[k], e_tr, 0.0);
+            const Eigen::Array3d stretches = (2.0 * e_tr).exp();  // neo-Hookean: squared
+            const Eigen::Array3d trialStress =
+                mu * (elastic == ElasticLaw::Hencky ? 2.0 * e_tr : stretches - stretches.mean());
+            if (trialStress.matrix().norm() <= kRootTwoThirds * yieldStress(laws[k], 0.0)) continue;
+            std::optional<PrincipalState> state;
+            const TrialState trial{e_tr, 0.0};
+            returnMap({elastic, mu}, laws[k], std::span(&trial, 1), std::span(&state, 1));
             ASSERT_TRUE(state) << "law " << k << ", mu " << mu << ", size " << size << ", angle " << angle;
             const double norm = state->s.matrix().norm();
             const double deltaGamma = state->e_p / kRootTwoThirds;
@@ -408,6 +412,39 @@ TEST(ReturnMap, SolvesItsEquations) {
             EXPECT_LT(flow.matrix().norm(), 1e-14 * size)
                 << "law " << k << ", mu " << mu << ", size " << size << ", angle " << angle;
           }
+}
+
+/// Elastic points, points that flow, in numbers that fill the lanes and that do not.
+TEST(J2Plasticity, AnswersTheSameAtSeveralPointsAsAtEachOfThem) {
+  const J2Plasticity law = makeLaw(ElasticLaw::NeoHookean);
+  std::vector<Eigen::Matrix3d> F;
+  for (int k = 0; k < 11; ++k) F.push_back(test::skewed<2>(k % 3 == 0 ? 1e-5 * k : 0.01 * k));
+  const std::vector<State> old(F.size());
+  for (std::size_t count = 1; count <= F.size(); ++count) {
+    std::vector<State> next(count);
+    std::vector<MaterialResponse<2>> out(count);
+    ASSERT_TRUE(law.evaluateAll<2>(std::span(F).first(count), std::span(old).first(count), std::span(next),
+                                   std::span(out)));
+    for (std::size_t q = 0; q < count; ++q) {
+      const auto alone = evaluate<2>(law, F[q]);
+      EXPECT_EQ(next[q].e_p, alone.state.e_p);
+      EXPECT_EQ(next[q].b_e, alone.state.b_e);
+      EXPECT_EQ(out[q].tau, alone.response.tau);
+      EXPECT_EQ(out[q].c, alone.response.c);
+    }
+  }
+}
+
+/// A point that has no answer keeps none of the others from theirs.
+TEST(ReturnMap, SolvesItsEquationsBesideAPointWithoutASolution) {
+  const TrialState good{{0.02, -0.01, -0.01}, 0.0}, bad{{400.0, -200.0, -200.0}, 0.0};
+  const std::vector<TrialState> trials{good, bad, good};
+  std::vector<std::optional<PrincipalState>> states(3);
+  returnMap({ElasticLaw::NeoHookean, 1e3}, VoceHardening{1.0, 3.0, 200.0}, trials, states);
+  EXPECT_FALSE(states[1]);
+  ASSERT_TRUE(states[0] && states[2]);
+  EXPECT_EQ(states[0]->e_p, states[2]->e_p);
+  EXPECT_GT(states[0]->e_p, 0.0);
 }
 
 TEST(Material, KnowsItsYoungsModulus) {
