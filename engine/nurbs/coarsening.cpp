@@ -1,8 +1,7 @@
 #include "engine/nurbs/coarsening.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <iterator>
 
 #include "engine/nurbs/refinement.h"
 

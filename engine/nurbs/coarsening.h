@@ -12,10 +12,10 @@ struct MergeRule {
   int most = 3;          ///< how many
 };
 
-/// Breakpoints that stay, ascending, the first and the last among them: neighbours are merged while their sum is at
-/// most `rule.longest * shortest`; what is shorter than 1.5 * shortest then joins its shorter neighbour. Longer
-/// spans stay, so that coarser and coarser meshes become uniform. lengths: of the spans; shortest: of all spans of
-/// all directions.
+/// Breakpoints that stay, ascending, the first and the last among them: neighbours are merged while their sum
+/// is at most `rule.longest * shortest`; what is shorter than 1.5 * shortest then joins its shorter neighbour.
+/// Longer spans stay, so that coarser and coarser meshes become uniform. lengths: of the spans; shortest: of
+/// all spans of all directions.
 std::vector<int> mergedBreakpoints(const std::vector<double>& lengths, double shortest,
                                    const MergeRule& rule);
 
@@ -24,7 +24,8 @@ std::vector<int> mergedBreakpoints(const std::vector<double>& lengths, double sh
 UnivariateBasis coarsened(const UnivariateBasis& fine, const std::vector<int>& kept);
 
 /// Matrix T (functions of `fine` x functions of `coarse`) such that coefficients c and T c describe the same
-/// function, for two bases of one family and degree. Throws `Error` if the coarse space is not in the fine one.
+/// function, for two bases of one family and degree. Throws `Error` if the coarse space of splines is not in
+/// the fine one.
 Eigen::SparseMatrix<double, Eigen::RowMajor> transferMatrix(const UnivariateBasis& coarse,
                                                             const UnivariateBasis& fine);
 

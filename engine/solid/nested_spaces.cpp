@@ -1,6 +1,7 @@
 #include "engine/solid/nested_spaces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -32,13 +33,6 @@ std::array<int, Dim - 1> directionsOf(FaceId face) {
   return directions;
 }
 
-template <int Dim>
-TensorBasis<Dim - 1> faceBasis(const TensorBasis<Dim>& basis, FaceId face) {
-  std::vector<UnivariateBasis> directions;
-  for (const int d : directionsOf<Dim>(face)) directions.push_back(basis.direction(d));
-  return TensorBasis<Dim - 1>(std::move(directions));
-}
-
 /// Links between the patches' directions, from the nodes that their faces have in common.
 template <int Dim>
 std::vector<Link> findLinks(const Body<Dim>& body) {
@@ -66,8 +60,8 @@ std::vector<Link> findLinks(const Body<Dim>& body) {
       if (a.nodes.size() != b.nodes.size() ||
           std::find(b.nodes.begin(), b.nodes.end(), a.nodes.front()) == b.nodes.end())
         continue;
-      const auto first = faceBasis(body.patches[a.patch].basis(), a.id),
-                 second = faceBasis(body.patches[b.patch].basis(), b.id);
+      const auto first = tracePatch(body.patches[a.patch], a.id).basis(),
+                 second = tracePatch(body.patches[b.patch], b.id).basis();
       for (const auto& orientation : faceOrientations<Dim - 1>()) {
         const auto meets = [&] {
           for (int d = 0; d < Dim - 1; ++d)

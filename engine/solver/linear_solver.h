@@ -70,13 +70,14 @@ class LinearSolver {
 
   /// None for a direct solver.
   virtual std::optional<IterationCounts> counts() const { return std::nullopt; }
+  bool isIterative() const { return counts().has_value(); }
 
   /// What is counted; what the solver does depends on the matrix alone.
   virtual void archive(StateArchive&) {}
 };
 
-/// The solver that the options name; "auto" is multigrid if there is a hierarchy. Throws `Error` for an unknown name, and for one that this program was
-/// built without.
+/// The solver that the options name; "auto" is multigrid if there is a hierarchy. Throws `Error` for an unknown
+/// name, and for a solver that this program was built without.
 std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& options,
                                                const LinearProblem& problem);
 

@@ -137,7 +137,8 @@ NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, 
   return NewtonOutcome::TooManyIterations;
 }
 
-/// Eisenstat and Walker's forcing terms: no more digits than the tangent is worth, as the last correction has shown.
+/// Eisenstat and Walker's forcing terms: no more digits than the tangent is worth, as the last correction has
+/// shown.
 SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) {
   constexpr double kMost = 1e-3, kLeast = 1e-13, kBeyond = 1e-2;
   const auto& free = system_.freeUnknowns();
@@ -171,7 +172,9 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, const Residual& re
   }
   const Stopwatch watch(timings_.solve);
   const Eigen::VectorXd free = system_.restrictToFree(rhs);
-  correction += system_.expandFromFree(linear_->solve(free, accuracyFor(free, residual.reference)));
+  const SolveAccuracy accuracy =
+      linear_->isIterative() ? accuracyFor(free, residual.reference) : SolveAccuracy{};
+  correction += system_.expandFromFree(linear_->solve(free, accuracy));
   return correction.allFinite();
 }
 

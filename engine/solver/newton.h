@@ -127,8 +127,8 @@ class Newton {
   std::unique_ptr<LinearSolver> linear_;
   Inertia inertia_;
   std::vector<Eigen::VectorXd> forces_;
-  double weighedResidual_ =
-      0.0;  ///< before the last correction, over what it may be in the end; 0 before the first
+  /// Of an iterative solver: before the last correction, over what it may be in the end; 0 before the first.
+  double weighedResidual_ = 0.0;
   Eigen::VectorXd remembered_;  ///< entries of a tangent; empty before the first
   NewtonTimings timings_;
   int unstableDirections_ = 0;

@@ -133,6 +133,7 @@ class MultigridSolver::Implementation {
 
   void makeMatrix() {
     K_ = view(A_.K());
+    check(MatCreateVecs(K_, in_.place(), out_.place()));
     if (kind_ != TangentKind::Symmetric) return;
     check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
     check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
@@ -207,7 +208,6 @@ class MultigridSolver::Implementation {
     check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, this, whole.place()));
     check(MatShellSetOperation(whole, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
     check(MatCreateVecs(whole, solution.place(), rhs.place()));
-    check(MatCreateVecs(K_, in_.place(), out_.place()));
     check(KSPCreate(PETSC_COMM_SELF, krylov.place()));
     check(KSPSetType(krylov, KSPGMRES));
     check(KSPGMRESSetRestart(krylov, kRestart));

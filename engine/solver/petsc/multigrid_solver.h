@@ -6,8 +6,9 @@
 namespace burnish {
 
 /// Krylov methods with multigrid for K. Levels are those of the problem's hierarchy, with coarse matrices PᵀKP
-/// (Galerkin) and a Chebyshev polynomial of incomplete Cholesky factors as smoother, or one of symmetric successive
-/// over-relaxation from the first system on for which these are of no use; the coarsest one is factorised. Without a border that is coupled with K a symmetric matrix is left to conjugate gradients; else
+/// (Galerkin) and a Chebyshev polynomial of incomplete Cholesky factors as smoother, or one of symmetric
+/// successive over-relaxation from the first system on for which these are of no use; the coarsest one is
+/// factorised. Without a border that is coupled with K a symmetric matrix is left to conjugate gradients; else
 /// GMRES is preconditioned from the right with
 ///
 ///     [ K̂  B ]

@@ -71,7 +71,8 @@ void writeVerification(const std::vector<VerifiedCase>& cases, const fs::path& f
   std::string text = fmt::format(
       "# Verification\n\nMade by `burnish verify` ({}) from the scenes named below, which say what is "
       "computed and what is expected. Values stand for all meshes, h is the size of the cells, Δt "
-      "that of the steps; an order is that of the two finest meshes; the deviation is that of the judged meshes, the finest one unless the "
+      "that of the steps; an order is that of the two finest meshes; the deviation is that of the judged "
+      "meshes, the finest one unless the "
       "scene says every. This file is generated; changes to it are lost.\n\n",
       programName());
   text += overview(cases);

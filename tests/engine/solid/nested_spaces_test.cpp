@@ -27,30 +27,9 @@ Eigen::MatrixXd randomDisplacements(int nodes) {
   return Eigen::MatrixXd::NullaryExpr(nodes, 3, [&] { return uniform(generator); });
 }
 
-/// Rows are the displacements of nodes.
-Eigen::Vector3d displacementAt(const TensorBasis<3>& basis, const Eigen::VectorXd& weights,
-                               const std::vector<int>& nodes, const Eigen::MatrixXd& u,
-                               const Eigen::Vector3d& xi) {
-  TensorBasis<3>::Index spans{};
-  for (int d = 0; d < 3; ++d) spans[static_cast<std::size_t>(d)] = basis.direction(d).findSpan(xi(d));
-  std::array<Eigen::VectorXd, 3> N;
-  for (int d = 0; d < 3; ++d) {
-    const auto k = static_cast<std::size_t>(d);
-    N[k] = basis.direction(d).evaluate(spans[k], xi(d), 0).col(0);
-  }
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double W = 0.0;
-  for (const int a : basis.spanFunctions(basis.spanNumber(spans))) {
-    const auto index = basis.functionIndex(a);
-    double value = weights(a);
-    for (int d = 0; d < 3; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      value *= N[k](index[k] - basis.direction(d).firstFunction(spans[k]));
-    }
-    W += value;
-    sum += value * u.row(nodes[static_cast<std::size_t>(a)]).transpose();
-  }
-  return sum / W;
+/// Displacements as points of a patch. u: one row per node.
+Patch<3> displacementsOn(const NestedSpaces<3>& spaces, std::size_t patch, const Eigen::MatrixXd& u) {
+  return {spaces.basis(patch), u(spaces.nodes(patch), Eigen::all).transpose(), spaces.weights(patch)};
 }
 
 /// Largest difference between a random displacement of each coarser space and its prolongation.
@@ -58,29 +37,21 @@ double largestDifference(const Body<3>& body, const MergeRule& rule, int& levels
   NestedSpaces<3> spaces(body);
   double largest = 0.0;
   for (levels = 0;; ++levels) {
-    std::vector<TensorBasis<3>> bases;
-    std::vector<Eigen::VectorXd> weights;
-    std::vector<std::vector<int>> nodes;
-    for (std::size_t p = 0; p < body.patches.size(); ++p) {
-      bases.push_back(spaces.basis(p));
-      weights.push_back(spaces.weights(p));
-      nodes.push_back(spaces.nodes(p));
-    }
+    const NestedSpaces<3> finer = spaces;
     if (!spaces.coarsen(rule)) return largest;
     const Eigen::MatrixXd coarse = randomDisplacements(spaces.numNodes()),
                           fine = spaces.prolongation() * coarse;
-    for (std::size_t p = 0; p < body.patches.size(); ++p)
+    for (std::size_t p = 0; p < body.patches.size(); ++p) {
+      const Patch<3> before = displacementsOn(finer, p, fine), after = displacementsOn(spaces, p, coarse);
       for (const double x : {0.0, 0.13, 0.5, 0.77, 1.0})
         for (const double y : {0.02, 0.41, 0.93})
           for (const double z : {0.0, 0.35, 0.999}) {
-            Eigen::Vector3d xi;
-            for (int d = 0; d < 3; ++d)
-              xi(d) = bases[p].direction(d).parameterAt(d == 0 ? x : d == 1 ? y : z);
-            const Eigen::Vector3d difference =
-                displacementAt(bases[p], weights[p], nodes[p], fine, xi) -
-                displacementAt(spaces.basis(p), spaces.weights(p), spaces.nodes(p), coarse, xi);
-            largest = std::max(largest, difference.norm());
+            const Eigen::Vector3d xi(before.basis().direction(0).parameterAt(x),
+                                     before.basis().direction(1).parameterAt(y),
+                                     before.basis().direction(2).parameterAt(z));
+            largest = std::max(largest, (before.position(xi) - after.position(xi)).norm());
           }
+    }
   }
 }
 
