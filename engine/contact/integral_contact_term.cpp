@@ -5,7 +5,10 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
+
+#include "engine/contact/unknown_lists.h"
 
 namespace burnish {
 namespace {
@@ -19,6 +22,12 @@ constexpr int kSampledPieces = 20;
 /// gaps change by no more than the way between two points, λ is no larger than so many of its coefficients.
 constexpr double kFarSpans = 2.0;
 constexpr double kFarMultipliers = 8.0;
+
+/// Places in a span's sums of the components α of its n functions' τ.
+template <int Dim>
+auto tangentialRows(Eigen::Index n, Eigen::Index alpha) {
+  return Eigen::seqN(n + alpha, n, Dim - 1);
+}
 
 /// Points per direction of a rule with twice those of another one.
 template <class Span>
@@ -79,13 +88,43 @@ struct IntegralContactTerm<Dim>::SpanValues {
   Eigen::MatrixXd tau;            ///< τ, (Dim-1) x n; with friction alone
 };
 
-/// Residual and tangent of a span: displacements, the partner's unknowns, λ of the span's functions, with
-/// friction τ of these.
+/// Residual and tangent of a span: λ of the span's functions, with friction τ of these; where it touches, its
+/// displacements and those unknowns of the partner that its points depend on, so that the partner's size does
+/// not count.
 template <int Dim>
 struct IntegralContactTerm<Dim>::Contributions {
+  Contributions(std::vector<int> ofMultipliers, bool hasTangent)
+      : multipliers(std::move(ofMultipliers)), wantsTangent(hasTangent) {
+    resize();
+  }
+
+  /// Places of a point's unknowns, which get there if they are not. Unknowns of the span that are the partner's,
+  /// too, have two places.
+  std::vector<Eigen::Index> placesOf(const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact) {
+    displacements = point.unknowns;
+    std::vector<Eigen::Index> places(displacements.size());
+    std::iota(places.begin(), places.end(), std::ssize(multipliers));
+    const auto first = std::ssize(multipliers) + std::ssize(displacements);
+    const std::span<const int> all = contact.unknowns;
+    for (const int place : placesAmong(partners, all.subspan(displacements.size())))
+      places.push_back(first + place);
+    resize();
+    return places;
+  }
+
+  void resize() {
+    const auto size = std::ssize(multipliers) + std::ssize(displacements) + std::ssize(partners);
+    if (size == force.size()) return;
+    force.conservativeResizeLike(Eigen::VectorXd::Zero(size));
+    if (wantsTangent) K.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
+  }
+
+  std::vector<int> multipliers;        ///< -1 for one that there is not
+  std::span<const int> displacements;  ///< none while nothing has touched
+  std::vector<int> partners;           ///< in the order in which points asked for them
+  bool wantsTangent;
   Eigen::VectorXd force;
   Eigen::MatrixXd K;  ///< empty if no tangent is wanted
-  Eigen::Index firstLambda = 0, firstTau = 0;
 };
 
 template <int Dim>
@@ -125,7 +164,6 @@ void IntegralContactTerm<Dim>::addSpanTables() {
     for (const int a : span.functions)
       for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * face_.nodes()[static_cast<std::size_t>(a)] + d);
     unknowns_.push_back(std::move(unknowns));
-    partnerUnknowns_.push_back(partner_->couplings(e));
     const Eigen::VectorXd sizes = span.R.cwiseAbs() * span.weights;
     const auto multipliers = multiplierUnknowns(e);
     for (std::size_t k = 0; k < multipliers.size(); ++k) {
@@ -193,7 +231,8 @@ CouplingGroups IntegralContactTerm<Dim>::couplings() const {
   CouplingGroups groups;
   for (std::size_t e = 0; e < unknowns_.size(); ++e) {
     auto& group = groups.emplace_back(unknowns_[e]);
-    group.insert(group.end(), partnerUnknowns_[e].begin(), partnerUnknowns_[e].end());
+    const auto others = partner_->couplings(e);
+    group.insert(group.end(), others.begin(), others.end());
     for (const int unknown : multiplierUnknowns(e))
       if (unknown >= 0) group.push_back(unknown);
   }
@@ -383,47 +422,38 @@ void IntegralContactTerm<Dim>::addOpenSpan(const SpanValues& values, Contributio
   const Eigen::MatrixXd& mass = mass_[values.number];
   const Eigen::Index n = mass.rows();
   const Eigen::VectorXd force = mass * values.lambda / parameter();
-  sums.force.segment(sums.firstLambda, n) -= force;
+  sums.force.head(n) -= force;
   state_.energy -= 0.5 * values.lambda.dot(force);
-  const bool wantsTangent = sums.K.size() > 0;
-  if (wantsTangent) sums.K.block(sums.firstLambda, sums.firstLambda, n, n) -= mass / parameter();
+  if (sums.wantsTangent) sums.K.topLeftCorner(n, n) -= mass / parameter();
   if (!hasFriction_) return;
   for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha) {
-    const auto rows = Eigen::seqN(sums.firstTau + alpha, n, Dim - 1);
+    const auto rows = tangentialRows<Dim>(n, alpha);
     sums.force(rows) -= mass * values.tau.row(alpha).transpose() / frictionParameter();
-    if (wantsTangent) sums.K(rows, rows) -= mass / frictionParameter();
+    if (sums.wantsTangent) sums.K(rows, rows) -= mass / frictionParameter();
   }
 }
 
 template <int Dim>
 void IntegralContactTerm<Dim>::addPoint(const SpanValues& values, const Span& rule, Eigen::Index q,
                                         bool mustTouch, Contributions& sums) {
-  const bool wantsTangent = sums.K.size() > 0;
   const auto R = rule.R.col(q);
   const Eigen::Index n = R.size();
   const auto point = pointOf(values, rule.xi.col(q), R);
   const double r = parameter() / lengthAt(point), w = rule.weights(q), lambda = values.lambda.dot(R);
-  const auto multipliers = Eigen::seqN(sums.firstLambda, n);
+  const auto multipliers = Eigen::seqN(0, n);
   auto contact =
-      partner_->at(point, wantsTangent ? PointDetail::SecondDerivatives : PointDetail::Derivatives);
+      partner_->at(point, sums.wantsTangent ? PointDetail::SecondDerivatives : PointDetail::Derivatives);
   const double p = contact ? augmented(values, point, contact->gap) : kInfinity;
   const bool isPressed = p < 0.0, rubs = hasFriction_ && isPressed;
   if (hasFriction_ && !isPressed) addOpenTangential(values, point, w, sums);
   if (!isPressed && !mustTouch) {
     sums.force(multipliers) -= w / r * lambda * R;
     state_.energy -= 0.5 * w / r * lambda * lambda;
-    if (wantsTangent) sums.K(multipliers, multipliers) -= w / r * R * R.transpose();
+    if (sums.wantsTangent) sums.K(multipliers, multipliers) -= w / r * R * R.transpose();
     return;
   }
   if (rubs) partner_->addSlip(point, *contact);  // may add unknowns
-  const auto& partners = partnerUnknowns_[values.number];
-  const auto own = static_cast<Eigen::Index>(values.unknowns.size());
-  std::vector<Eigen::Index> places(contact->unknowns.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    places[i] = i < values.unknowns.size()
-                    ? static_cast<Eigen::Index>(i)
-                    : own + (std::lower_bound(partners.begin(), partners.end(), contact->unknowns[i]) -
-                             partners.begin());
+  const auto places = sums.placesOf(point, *contact);
   sums.force(places) += w * p * contact->dGap;
   sums.force(multipliers) += w / r * (p - lambda) * R;
   state_.energy += 0.5 * w / r * (p * p - lambda * lambda);
@@ -431,7 +461,7 @@ void IntegralContactTerm<Dim>::addPoint(const SpanValues& values, const Span& ru
   state_.pressed -= w * p;
   if (mustTouch && p > 0.0) state_.pull += w * p;
   addForce(w * p * contact->normal, point, state_.reaction, state_.moment);
-  if (wantsTangent) {
+  if (sums.wantsTangent) {
     sums.K(places, places) += w * (r * contact->dGap * contact->dGap.transpose() + p * contact->d2Gap);
     const Eigen::MatrixXd border = w * contact->dGap * R.transpose();
     sums.K(places, multipliers) += border;
@@ -457,9 +487,9 @@ void IntegralContactTerm<Dim>::addOpenTangential(const SpanValues& values, const
   const double weight = w * lengthAt(point) / frictionParameter();
   const Tangential tau = values.tau * R;
   for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha) {
-    const auto rows = Eigen::seqN(sums.firstTau + alpha, R.size(), Dim - 1);
+    const auto rows = tangentialRows<Dim>(R.size(), alpha);
     sums.force(rows) -= weight * tau(alpha) * R;
-    if (sums.K.size() > 0) sums.K(rows, rows) -= weight * R * R.transpose();
+    if (sums.wantsTangent) sums.K(rows, rows) -= weight * R * R.transpose();
   }
 }
 
@@ -481,12 +511,12 @@ void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span&
   const Eigen::Vector<double, Dim> onPartner = w * contact.frame * law.traction;
   addForce(onPartner, point, work_.reaction(), work_.moment());
   state_.frictionForce += onPartner.norm();
-  const auto rowsOf = [&](Eigen::Index alpha) { return Eigen::seqN(sums.firstTau + alpha, n, Dim - 1); };
+  const auto rowsOf = [&](Eigen::Index alpha) { return tangentialRows<Dim>(n, alpha); };
   for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha)
     sums.force(rowsOf(alpha)) += w / rT * (law.traction(alpha) - tau(alpha)) * R;
-  if (sums.K.size() == 0) return;
+  if (!sums.wantsTangent) return;
 
-  const auto multipliers = Eigen::seqN(sums.firstLambda, n);
+  const auto multipliers = Eigen::seqN(0, n);
   const auto& N = contact.dGap;
   const auto& T = contact.virtualSlip;
   const Eigen::VectorXd Tc = T * law.byPressure;
@@ -531,10 +561,7 @@ bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Asse
     const Span& span = face_.spans()[e];
     const Eigen::Index touching = nearest - span.firstPoint;
     const bool touches = nearest >= 0 && touching >= 0 && touching < span.R.cols();
-    const Eigen::Index n = span.R.rows(), first = std::ssize(unknowns_[e]) + std::ssize(partnerUnknowns_[e]),
-                       size = first + (hasFriction_ ? Dim : 1) * n;
-    Contributions sums{Eigen::VectorXd::Zero(size), {}, first, first + n};
-    if (out.system != nullptr) sums.K = Eigen::MatrixXd::Zero(size, size);
+    Contributions sums(multiplierUnknowns(e), out.system != nullptr);
     if (states[e] == SpanState::Open && !touches) {
       addOpenSpan(values[e], sums);
     } else {
@@ -542,7 +569,7 @@ bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Asse
         for (Eigen::Index q = 0; q < rule.R.cols(); ++q)
           addPoint(values[e], rule, q, touches && q == touching, sums);
     }
-    addToSystem(e, sums, out);
+    addToSystem(sums, out);
   }
   if (hasFriction_) endFriction();
   if (axisymmetric_) state_.keepAxialReaction();
@@ -577,22 +604,26 @@ void IntegralContactTerm<Dim>::archive(StateArchive& archive) {
   archive.fixedField("slipped", slipped_);
 }
 
+/// Without multipliers that there are not.
 template <int Dim>
-void IntegralContactTerm<Dim>::addToSystem(std::size_t e, const Contributions& sums, Assembly& out) const {
-  // Rows of displacements and of the partner as they are, then those of multipliers that there are.
-  std::vector<Eigen::Index> rows(static_cast<std::size_t>(sums.firstLambda));
-  std::iota(rows.begin(), rows.end(), Eigen::Index{0});
-  const Eigen::Index own = std::ssize(unknowns_[e]);
-  out.force(unknowns_[e]) += sums.force.head(own);
-  out.force(partnerUnknowns_[e]) += sums.force.segment(own, sums.firstLambda - own);
-  const auto multipliers = multiplierUnknowns(e);
-  for (std::size_t k = 0; k < multipliers.size(); ++k) {
-    if (multipliers[k] < 0) continue;
-    const auto row = sums.firstLambda + static_cast<Eigen::Index>(k);
-    rows.push_back(row);
-    out.force(multipliers[k]) += sums.force(row);
-  }
-  if (out.system != nullptr) out.system->add(out.term, e, sums.K(rows, rows));
+void IntegralContactTerm<Dim>::addToSystem(const Contributions& sums, Assembly& out) const {
+  std::vector<int> unknowns;
+  std::vector<Eigen::Index> rows;
+  Eigen::Index row = 0;
+  const auto add = [&](std::span<const int> part) {
+    for (const int unknown : part) {
+      if (unknown >= 0) {
+        unknowns.push_back(unknown);
+        rows.push_back(row);
+        out.force(unknown) += sums.force(row);
+      }
+      ++row;
+    }
+  };
+  add(sums.multipliers);
+  add(sums.displacements);
+  add(sums.partners);
+  if (out.system != nullptr) out.system->add(unknowns, sums.K(rows, rows));
 }
 
 template <int Dim>

@@ -129,7 +129,7 @@ class IntegralContactTerm final : public FaceContact<Dim> {
 
   /// Numbers of the unknowns behind the multipliers of a span's functions, λ first; -1 for none.
   std::vector<int> multiplierUnknowns(std::size_t e) const;
-  void addToSystem(std::size_t e, const Contributions& sums, Assembly& out) const;
+  void addToSystem(const Contributions& sums, Assembly& out) const;
 
   using FaceContact<Dim>::face_;
   using FaceContact<Dim>::options_;
@@ -157,11 +157,10 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   std::vector<std::vector<Span>> rules_;   ///< per span: its own, or one per segment
   std::vector<std::vector<Span>> fine_;    ///< the same with twice the points, in space and with friction
   RelativeLength<Dim - 1> relativeLength_;
-  std::vector<Eigen::MatrixXd> mass_;              ///< per span: ∫ R_a R_b ℓ dΓ, ℓ the relative length
-  std::vector<std::vector<int>> unknowns_;         ///< per span: displacement components
-  std::vector<std::vector<int>> partnerUnknowns_;  ///< per span, ascending
-  std::vector<Anchor> anchors_;                    ///< per function
-  double time_ = 0.0;                              ///< of the evaluation
+  std::vector<Eigen::MatrixXd> mass_;       ///< per span: ∫ R_a R_b ℓ dΓ, ℓ the relative length
+  std::vector<std::vector<int>> unknowns_;  ///< per span: displacement components
+  std::vector<Anchor> anchors_;             ///< per function
+  double time_ = 0.0;                       ///< of the evaluation
 };
 
 }  // namespace burnish

@@ -27,12 +27,12 @@ void addAt(const std::vector<Eigen::Index>& places, const Eigen::Ref<const Eigen
       K(places[i], places[j]) += part(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
 }
 
-std::vector<int> placesAmong(std::vector<int>& nodes, const std::vector<int>& others) {
+std::vector<int> placesAmong(std::vector<int>& list, std::span<const int> others) {
   std::vector<int> places;
-  for (const int node : others) {
-    const auto found = std::find(nodes.begin(), nodes.end(), node);
-    places.push_back(static_cast<int>(found - nodes.begin()));
-    if (found == nodes.end()) nodes.push_back(node);
+  for (const int number : others) {
+    const auto found = std::find(list.begin(), list.end(), number);
+    places.push_back(static_cast<int>(found - list.begin()));
+    if (found == list.end()) list.push_back(number);
   }
   return places;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <span>
 #include <vector>
 
 namespace burnish {
@@ -14,7 +15,7 @@ std::vector<Eigen::Index> placesIn(const std::vector<int>& all, const std::vecto
 void addAt(const std::vector<Eigen::Index>& places, const Eigen::Ref<const Eigen::MatrixXd>& part,
            Eigen::MatrixXd& K);
 
-/// Where other nodes stand among some: those that are not there yet are added at the end.
-std::vector<int> placesAmong(std::vector<int>& nodes, const std::vector<int>& others);
+/// Where other numbers stand in a list: those that are not there yet are added at its end.
+std::vector<int> placesAmong(std::vector<int>& list, std::span<const int> others);
 
 }  // namespace burnish

@@ -106,11 +106,12 @@ void SparseSystem::findStarts(Group& group) const {
     for (int k = 0; k < run.length; ++k) unknowns[static_cast<std::size_t>(*place++)] = run.first + k;
   group.starts.reserve(unknowns.size() * group.runs.size());
   for (const int column : unknowns) {
-    const int* begin = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column];
+    const int* entry = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column];
     const int* end = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column + 1];
-    for (const Run& run : group.runs)
-      group.starts.push_back(
-          static_cast<int>(std::lower_bound(begin, end, run.first) - tangent_.innerIndexPtr()));
+    for (const Run& run : group.runs) {
+      entry = std::lower_bound(entry, end, run.first);
+      group.starts.push_back(static_cast<int>(entry - tangent_.innerIndexPtr()));
+    }
   }
 }
 
@@ -127,6 +128,16 @@ void SparseSystem::fetchAhead(const Group& group, const int* start) {
 void SparseSystem::add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K) {
   Group& group = groups_[term][number];
   if (group.starts.empty()) findStarts(group);
+  add(group, K);
+}
+
+void SparseSystem::add(const std::vector<int>& unknowns, const Eigen::Ref<const Eigen::MatrixXd>& K) {
+  Group group = sortedGroup(unknowns);
+  findStarts(group);
+  add(group, K);
+}
+
+void SparseSystem::add(const Group& group, const Eigen::Ref<const Eigen::MatrixXd>& K) {
   const int* start = group.starts.data();
   for (Eigen::Index c = 0; c < K.cols(); ++c) {
     if (c + 1 < K.cols()) fetchAhead(group, start + group.runs.size());
@@ -135,18 +146,6 @@ void SparseSystem::add(std::size_t term, std::size_t number, const Eigen::Ref<co
     for (const Run& run : group.runs) {
       double* entry = tangent_.valuePtr() + *start++;
       for (int k = 0; k < run.length; ++k) entry[k] += column[*row++];
-    }
-  }
-}
-
-void SparseSystem::add(const std::vector<int>& unknowns, const Eigen::Ref<const Eigen::MatrixXd>& K) {
-  for (std::size_t c = 0; c < unknowns.size(); ++c) {
-    const int* begin = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[unknowns[c]];
-    const int* end = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[unknowns[c] + 1];
-    const double* value = K.col(static_cast<Eigen::Index>(c)).data();
-    for (const int row : unknowns) {
-      if (begin == end || *begin != row) begin = std::lower_bound(begin, end, row);
-      tangent_.valuePtr()[begin++ - tangent_.innerIndexPtr()] += *value++;
     }
   }
 }

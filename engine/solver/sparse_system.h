@@ -28,7 +28,7 @@ class SparseSystem {
   /// same time for groups that have no unknown in common.
   void add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
-  /// Adds the dense tangent of some unknowns, ascending and each there once, that a group has together.
+  /// Adds the dense tangent of some unknowns, in any order and also more than once, that a group has together.
   void add(const std::vector<int>& unknowns, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
   /// Adds a column over the first unknowns, as many as there are values, zero outside of the pattern, and
@@ -66,6 +66,7 @@ class SparseSystem {
                                                const std::vector<std::vector<Group>>& terms);
   void findFreeEntries();
   void findStarts(Group& group) const;
+  void add(const Group& group, const Eigen::Ref<const Eigen::MatrixXd>& K);
   void fetchAhead(const Group& group, const int* start);
 
   std::vector<bool> prescribed_;

@@ -70,9 +70,11 @@ TEST(SparseSystem, AddsGroupsInAnyOrderWithGapsAndRepetitions) {
       const auto n = static_cast<Eigen::Index>(unknowns.size());
       const Eigen::MatrixXd K = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return uniform(generator); });
       system.add(term, g, K);
+      system.add(unknowns, 0.5 * K);  // as a list that belongs to no term
       for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j)
-          expected(unknowns[static_cast<std::size_t>(i)], unknowns[static_cast<std::size_t>(j)]) += K(i, j);
+          expected(unknowns[static_cast<std::size_t>(i)], unknowns[static_cast<std::size_t>(j)]) +=
+              1.5 * K(i, j);
     }
   EXPECT_LT((Eigen::MatrixXd(system.tangent()) - expected).cwiseAbs().maxCoeff(), 1e-15);
   Eigen::VectorXd column = Eigen::VectorXd::Zero(7);
