@@ -23,15 +23,12 @@ void syncDirectory(const fs::path& directory) {
   ::close(descriptor);
 }
 
-}  // namespace
-
-void writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
+/// Calls write(temporary name), after which that file is complete and synced, and renames it.
+template <class Write>
+void replaceFile(const fs::path& path, const Write& write) {
   const fs::path partial = partialName(path);
   try {
-    OutputFile file(partial);
-    file.write(bytes);
-    file.sync();
-    file.close();
+    write(partial);
     fs::rename(partial, path);
   } catch (const fs::filesystem_error& error) {
     std::error_code ignored;
@@ -43,6 +40,30 @@ void writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes)
     throw;
   }
   syncDirectory(path.has_parent_path() ? path.parent_path() : fs::path("."));
+}
+
+void finish(OutputFile& file) {
+  file.sync();
+  file.close();
+}
+
+}  // namespace
+
+void writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
+  replaceFile(path, [&](const fs::path& partial) {
+    OutputFile file(partial);
+    file.write(bytes);
+    finish(file);
+  });
+}
+
+void writeFileAtomically(const fs::path& path, const std::function<void(const fs::path& partial)>& write) {
+  replaceFile(path, [&](const fs::path& partial) {
+    OutputFile(partial).close();  // throws with the reason if there can be no such file
+    write(partial);
+    OutputFile file(partial, fs::file_size(partial));
+    finish(file);
+  });
 }
 
 fs::path partialName(const fs::path& path) {

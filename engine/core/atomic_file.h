@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 
 namespace burnish {
@@ -9,6 +10,11 @@ namespace burnish {
 /// go to `partialName(path)`, are synced, and the file is renamed. Throws `Error`; then no partial file stays
 /// behind and an earlier file of that name is untouched.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// As above, for a file that a library makes: `write` is called with the temporary name, under which an empty
+/// file stands, and throws if it fails.
+void writeFileAtomically(const std::filesystem::path& path,
+                         const std::function<void(const std::filesystem::path& partial)>& write);
 
 /// The temporary name of a file that is being written.
 std::filesystem::path partialName(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -12,7 +13,6 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,11 +72,14 @@ void write(vtkDataObject& data, double time, const std::filesystem::path& file) 
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOn();
   writer->SetCompressorTypeToZLib();
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0)
-    throw Error(fmt::format("cannot write {}: VTK failed to encode it", file.string()));
-  const std::string text = writer->GetOutputString();
-  writeFileAtomically(file, std::as_bytes(std::span(text)));
+  writeFileAtomically(file, [&](const std::filesystem::path& partial) {
+    writer->SetFileName(partial.c_str());
+    if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)
+      throw Error(fmt::format("cannot write {}: {}", file.string(),
+                              writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError
+                                  ? "No space left on device"
+                                  : "VTK failed to encode it"));
+  });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
@@ -10,6 +11,8 @@
 #include <vtkPoints.h>
 #include <vtkXMLMultiBlockDataReader.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -280,6 +283,26 @@ TEST_F(VtuSeries, SeveralBodiesArePartsOfTheirOwn) {
   EXPECT_STREQ(blocks->GetMetaData(1u)->Get(vtkCompositeDataSet::NAME()), "body_stamp");
   EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(1))->GetNumberOfCells(),
             stamp->GetNumberOfCells());
+}
+
+/// The limit on the size of a file stands in for a full disk.
+TEST_F(VtuSeries, AFullDiskIsAnErrorAndLeavesNoPart) {
+  const ModelRecord model = ringWithTools();
+  const FrameRecord frame = frameOf(model, 0, 0.0);
+  VtuSeriesWriter writer(directory_, model);
+  const auto writeOnFullDisk = [&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{.rlim_cur = 2000, .rlim_max = 2000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      writer.write(frame);
+    } catch (const Error& error) {
+      const std::string expected = "cannot write " + (directory_ / "frames/body_000000.vtu").string();
+      std::exit(std::string(error.what()).starts_with(expected) ? 3 : 1);
+    }
+  };
+  EXPECT_EXIT(writeOnFullDisk(), testing::ExitedWithCode(3), "");
+  EXPECT_THAT(filesIn(directory_ / "frames"), testing::IsEmpty());
 }
 
 }  // namespace
