@@ -27,9 +27,15 @@ class DirectSolver::General {
   }
 
   bool factorise(const Matrix& A) {
-    if (!analysed_) analyse(A);
+    analyse(A);
     lu_.factorize(A);
     return lu_.info() == Eigen::Success;
+  }
+
+  /// Operations of a factorisation, by the pattern.
+  double cost(const Matrix& A) {
+    analyse(A);
+    return lu_.symmetricFlops();
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) { return lu_.solve(b); }
@@ -39,13 +45,19 @@ class DirectSolver::General {
  private:
   /// By the pattern alone: the values of the first matrix, which differs in a run that is resumed, must not
   /// decide how those of all others are rounded.
-  void analyse(Matrix A) {
-    A.coeffs().setOnes();
-    lu_.analyzePattern(A);
+  void analyse(const Matrix& A) {
+    if (analysed_) return;
+    Matrix pattern = A;
+    pattern.coeffs().setOnes();
+    lu_.analyzePattern(pattern);
     analysed_ = true;
   }
 
-  Eigen::UmfPackLU<Matrix> lu_;
+  /// With what the library tells of its analysis.
+  struct Lu : Eigen::UmfPackLU<Matrix> {
+    double symmetricFlops() const { return m_umfpackInfo(UMFPACK_SYMMETRIC_FLOPS); }
+  };
+  Lu lu_;
   bool analysed_ = false;
 };
 
@@ -56,12 +68,13 @@ class DirectSolver::Definite {
     llt_.cholmod().print = 0;  // a matrix that is not positive definite is no surprise here
   }
 
-  /// False if K or -S is not positive definite, or if the border is too wide.
-  bool factorise(const Matrix& A) {
+  /// False if K or -S is not positive definite, or if the border is so wide that factors of all of A, of a known
+  /// cost or else of about twice that of K, are cheaper.
+  bool factorise(const Matrix& A, std::optional<double> costOfWhole = {}) {
     if (K_.rows() == 0) analyse(A);
     if (!analysed_) return false;
     for (std::size_t k = 0; k < entries_.size(); ++k) K_.valuePtr()[k] = A.valuePtr()[entries_[k]];
-    if (!findBorder(A) || isTooWide()) return false;
+    if (!findBorder(A) || costOfBorder() > costOfWhole.value_or(2.0 * llt_.cholmod().fl)) return false;
     llt_.factorize(K_);
     if (llt_.info() != Eigen::Success) return false;
     return coupled_.empty() || eliminateBorder(A);
@@ -131,12 +144,11 @@ class DirectSolver::Definite {
   }
 
   /// Solving for the columns of B costs 4 lnz each, and the Schur complement of what is coupled with the
-  /// border alone a dense factorisation; a factorisation of all of A about twice that of K.
-  bool isTooWide() {
-    const auto& cost = llt_.cholmod();
+  /// border alone a dense factorisation.
+  double costOfBorder() {
     const auto m = static_cast<double>(coupled_.size()), touching = static_cast<double>(numTouching_);
     const double dense = (m * m * m - touching * touching * touching) / 3.0;
-    return 4.0 * cost.lnz * touching + dense > 2.0 * cost.fl;
+    return 4.0 * llt_.cholmod().lnz * touching + dense;
   }
 
   bool eliminateBorder(const Matrix& A) {
@@ -217,7 +229,7 @@ class DirectSolver::Companion {
  public:
   explicit Companion(Eigen::Index leading) : leading_(leading), symmetric_(leading) {}
 
-  bool factorise(const Matrix& A) {
+  bool factorise(const Matrix& A, double costOfWhole) {
     if (opposite_.empty()) {
       findOpposite(A);
       near_ = A;
@@ -233,7 +245,7 @@ class DirectSolver::Companion {
                               : std::abs(here) < std::abs(there) ? here
                                                                  : there;
       }
-    return symmetric_.factorise(near_);
+    return symmetric_.factorise(near_, costOfWhole);
   }
 
   /// None if GMRES does not get near enough.
@@ -282,7 +294,7 @@ DirectSolver::~DirectSolver() = default;
 bool DirectSolver::factorise(const Matrix& A) {
   if (!A.coeffs().allFinite()) return false;
   isDefinite_ = definite_ && definite_->factorise(A);
-  hasCompanion_ = companion_ && companion_->factorise(A);
+  hasCompanion_ = companion_ && companion_->factorise(A, general_->cost(A));
   hasFactors_ = isDefinite_ || hasCompanion_ || factoriseWhole(A);
   return hasFactors_;
 }
