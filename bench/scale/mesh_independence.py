@@ -82,7 +82,7 @@ def main():
         for spans in meshes:
             with tempfile.TemporaryDirectory() as directory:
                 summary = run(program, scene(*what, spans), directory)
-            systems = summary["linear_set_ups"]
+            systems = summary["linear_systems"]
             line += f" {summary['linear_iterations'] / systems:.1f}" + "F" * summary["linear_fallbacks"] + " |"
         per = 1e6 / systems / summary["unknowns"]
         print(f"{line} {per * summary['factorisation_seconds']:.0f} | {per * summary['solve_seconds']:.0f} |", flush=True)

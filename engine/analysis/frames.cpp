@@ -62,9 +62,10 @@ void addQuadraturePoints(QuadratureRecord& record, const Model<Dim>& model,
   for (const auto& body : model.bodies()) numPoints += body.quadrature->numPoints();
   record.positions.resize(Dim, numPoints);
   for (const auto& body : model.bodies()) {
+    Eigen::MatrixXd buffer;
     for (const auto& span : body.quadrature->spans())
-      record.positions.middleCols(firstPoint + span.firstPoint, span.R.cols()) =
-          currentNodes(Eigen::all, span.nodes) * span.R;
+      record.positions.middleCols(firstPoint + span.firstPoint, span.weights.size()) =
+          currentNodes(Eigen::all, span.nodes) * span.values(buffer);
     firstPoint += body.quadrature->numPoints();
     if (model.bodies().size() > 1) record.numPoints.push_back(body.quadrature->numPoints());
   }

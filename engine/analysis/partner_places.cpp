@@ -9,8 +9,9 @@ namespace {
 Eigen::Vector2d meanDisplacement(const ModelBody<2>& body, const Eigen::VectorXd& x) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double volume = 0.0;
+  Eigen::MatrixXd buffer;
   for (const auto& span : body.quadrature->spans()) {
-    const Eigen::VectorXd shares = span.R * span.weights;
+    const Eigen::VectorXd shares = span.values(buffer) * span.weights;
     for (std::size_t a = 0; a < span.nodes.size(); ++a)
       sum += shares(static_cast<Eigen::Index>(a)) * x.segment<2>(2 * Eigen::Index{span.nodes[a]});
     volume += span.weights.sum();

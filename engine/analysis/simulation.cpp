@@ -28,7 +28,7 @@ std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions& options, const 
 template <int Dim>
 std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model) {
   std::vector<Projection<Dim>> projections;
-  for (const auto& body : model.bodies()) projections.emplace_back(*body.quadrature);
+  for (const auto& body : model.bodies()) projections.emplace_back(body.body, *body.quadrature);
   return projections;
 }
 

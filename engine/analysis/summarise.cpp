@@ -46,6 +46,7 @@ void addCosts(RunSummary& summary, Simulation<Dim>& simulation) {
   summary.factorNonZeros = std::max(summary.factorNonZeros, solver.factorNonZeros());
   summary.luFactorisations += solver.numIndefinite();
   if (const auto counts = solver.counts()) {
+    summary.linearSystems = counts->systems;
     summary.linearIterations = counts->iterations;
     summary.linearSetUps = counts->setUps;
     summary.linearFallbacks = counts->fallbacks;

@@ -50,21 +50,23 @@ Eigen::Matrix<double, Dim, Dim> ErrorMeasure<Dim>::exactGradient(const Eigen::Ve
 template <int Dim>
 std::vector<double> ErrorMeasure<Dim>::values(const MeasuredState& state) const {
   double error = 0.0, norm = 0.0, gradientError = 0.0, gradientNorm = 0.0;
-  const auto columns = quadrature_.spans().front().G.cols() / quadrature_.spans().front().weights.size();
+  const int columns = gradientColumns(quadrature_.kinematics());
+  Eigen::MatrixXd ofValues, ofGradients;  // buffers
   for (const auto& span : quadrature_.spans()) {
     Eigen::MatrixXd u(Dim, static_cast<Eigen::Index>(span.nodes.size()));
     for (std::size_t a = 0; a < span.nodes.size(); ++a)
       u.col(static_cast<Eigen::Index>(a)) = state.x.template segment<Dim>(Dim * span.nodes[a]);
-    const Eigen::MatrixXd positions = nodes_(Eigen::all, span.nodes) * span.R;
+    const Eigen::MatrixXd &R = span.values(ofValues), &G = span.gradients(ofGradients);
+    const Eigen::MatrixXd positions = nodes_(Eigen::all, span.nodes) * R;
     for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
       Eigen::Vector3d X = Eigen::Vector3d::Zero();
       X.head<Dim>() = positions.col(q);
       const Eigen::Vector<double, Dim> exact = exactDisplacement(X, state.time);
       const Eigen::Matrix<double, Dim, Dim> exactSlope = exactGradient(X, state.time);
-      error += span.weights(q) * (u * span.R.col(q) - exact).squaredNorm();
+      error += span.weights(q) * (u * R.col(q) - exact).squaredNorm();
       norm += span.weights(q) * exact.squaredNorm();
       gradientError +=
-          span.weights(q) * (u * span.G.template middleCols<Dim>(columns * q) - exactSlope).squaredNorm();
+          span.weights(q) * (u * G.template middleCols<Dim>(columns * q) - exactSlope).squaredNorm();
       gradientNorm += span.weights(q) * exactSlope.squaredNorm();
     }
   }

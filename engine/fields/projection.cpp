@@ -1,38 +1,77 @@
 #include "engine/fields/projection.h"
 
 #include <Eigen/CholmodSupport>
-#include <algorithm>
+#include <Eigen/IterativeLinearSolvers>
+#include <utility>
 #include <vector>
 
+#include "engine/core/error.h"
+#include "engine/fields/tensor_mass.h"
 #include "engine/solver/sparse_system.h"
 
 namespace burnish {
+namespace {
 
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// ∫ R_A R_B dV over the body's own nodes.
 template <int Dim>
-struct Projection<Dim>::Factor {
-  Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>> mass;
+Matrix massMatrix(const SpanQuadrature<Dim>& quadrature, int firstNode, int numNodes) {
+  CouplingGroups groups;
+  for (const auto& span : quadrature.spans())
+    for (int& node : groups.emplace_back(span.nodes)) node -= firstNode;
+  SparseSystem system(std::vector<bool>(static_cast<std::size_t>(numNodes), false), {groups});
+  Eigen::MatrixXd buffer;
+  for (std::size_t e = 0; e < groups.size(); ++e) {
+    const auto& span = quadrature.spans()[e];
+    const Eigen::MatrixXd& R = span.values(buffer);
+    system.add(0, e, R * span.weights.asDiagonal() * R.transpose());
+  }
+  return system.leading();
+}
+
+}  // namespace
+
+template <>
+class Projection<2>::Mass {
+ public:
+  Mass(const Body<2>&, int, const Matrix& mass) {
+    factor_.setMode(Eigen::CholmodSupernodalLLt);
+    factor_.compute(mass);
+  }
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const { return factor_.solve(rhs); }
+
+ private:
+  Eigen::CholmodDecomposition<Matrix> factor_;
+};
+
+template <>
+class Projection<3>::Mass {
+ public:
+  Mass(const Body<3>& body, int firstNode, Matrix mass) : mass_(std::move(mass)) {
+    gradients_.setTolerance(1e-14);
+    gradients_.preconditioner().setUp(body, firstNode, mass_.diagonal());
+    gradients_.compute(mass_);
+  }
+
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const {
+    Eigen::MatrixXd solution = gradients_.solve(rhs);
+    if (gradients_.info() != Eigen::Success) throw Error("a field could not be projected onto the body");
+    return solution;
+  }
+
+ private:
+  Matrix mass_;
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, TensorMassInverse> gradients_;
 };
 
 template <int Dim>
-Projection<Dim>::Projection(const SpanQuadrature<Dim>& quadrature)
-    : quadrature_(quadrature), factor_(std::make_unique<Factor>()) {
-  CouplingGroups groups;
-  int lowest = quadrature_.numNodes(), highest = 0;
-  for (const auto& span : quadrature_.spans())
-    for (const int node : groups.emplace_back(span.nodes)) {
-      lowest = std::min(lowest, node);
-      highest = std::max(highest, node);
-    }
-  firstNode_ = lowest;
-  for (auto& group : groups)
-    for (int& node : group) node -= firstNode_;
-  SparseSystem system(std::vector<bool>(static_cast<std::size_t>(highest + 1 - lowest), false), {groups});
-  for (std::size_t e = 0; e < groups.size(); ++e) {
-    const auto& span = quadrature_.spans()[e];
-    system.add(0, e, span.R * span.weights.asDiagonal() * span.R.transpose());
-  }
-  factor_->mass.setMode(Eigen::CholmodSupernodalLLt);
-  factor_->mass.compute(system.tangent());
+Projection<Dim>::Projection(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature)
+    : quadrature_(quadrature) {
+  const auto [first, end] = body.nodeRange();
+  firstNode_ = first;
+  numNodes_ = end - first;
+  mass_ = std::make_unique<Mass>(body, first, massMatrix(quadrature, first, numNodes_));
 }
 
 template <int Dim>
@@ -43,12 +82,12 @@ Projection<Dim>::Projection(Projection&&) noexcept = default;
 template <int Dim>
 Eigen::MatrixXd Projection<Dim>::project(const Eigen::MatrixXd& values) const {
   Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(quadrature_.numNodes(), values.cols());
+  Eigen::MatrixXd buffer;
   for (const auto& span : quadrature_.spans())
-    rhs(span.nodes, Eigen::all) +=
-        span.R * span.weights.asDiagonal() * values.middleRows(span.firstPoint, span.weights.size());
-  const Eigen::Index own = factor_->mass.rows();
-  const Eigen::MatrixXd solution = factor_->mass.solve(rhs.middleRows(firstNode_, own));
-  rhs.middleRows(firstNode_, own) = solution;
+    rhs(span.nodes, Eigen::all) += span.values(buffer) * span.weights.asDiagonal() *
+                                   values.middleRows(span.firstPoint, span.weights.size());
+  const Eigen::MatrixXd solution = mass_->solve(rhs.middleRows(firstNode_, numNodes_));
+  rhs.middleRows(firstNode_, numNodes_) = solution;
   return rhs;
 }
 

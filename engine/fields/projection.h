@@ -7,13 +7,14 @@
 namespace burnish {
 
 /// L2 projection of quadrature-point fields onto the body's own basis:
-/// find q with ∫ R_A (Σ R_B q_B − q) dV = 0 over the reference body. The mass matrix is factorised once. Nodes
-/// of other bodies get zeros.
+/// find q with ∫ R_A (Σ R_B q_B − q) dV = 0 over the reference body. In the plane the mass matrix is
+/// factorised once; in space, where factors would need more memory than the computation, conjugate gradients
+/// solve with it. Nodes of other bodies get zeros.
 template <int Dim>
 class Projection {
  public:
-  /// The quadrature must outlive the projection.
-  explicit Projection(const SpanQuadrature<Dim>& quadrature);
+  /// The quadrature, made from the body, must outlive the projection.
+  Projection(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature);
   ~Projection();
   Projection(Projection&&) noexcept;
 
@@ -21,10 +22,11 @@ class Projection {
   Eigen::MatrixXd project(const Eigen::MatrixXd& values) const;
 
  private:
-  struct Factor;
+  class Mass;
   const SpanQuadrature<Dim>& quadrature_;
   int firstNode_ = 0;  ///< of the body
-  std::unique_ptr<Factor> factor_;
+  int numNodes_ = 0;   ///< of the body
+  std::unique_ptr<Mass> mass_;
 };
 
 }  // namespace burnish

@@ -130,7 +130,8 @@ struct RunAccount {
   int failedRezonings = 0;
   long factorNonZeros = 0;
   long luFactorisations = 0;
-  std::optional<long> linearIterations, linearSetUps, linearFallbacks;  ///< of an iterative linear solver
+  /// Of an iterative linear solver.
+  std::optional<long> linearSystems, linearIterations, linearSetUps, linearFallbacks;
   RunTimings timings;
 };
 
@@ -169,6 +170,7 @@ void describe(Visitor& v, RunAccount& s) {
           "Linear systems that multigrid did not solve, so that a direct solver did.");
   v.field("linear_iterations", s.linearIterations, {}, "Iterations of linear systems solved by multigrid.");
   v.field("linear_set_ups", s.linearSetUps, {}, "How often multigrid was set up for a new tangent.");
+  v.field("linear_systems", s.linearSystems, {}, "Linear systems that were left to multigrid.");
   v.field("lu_factorisations", s.luFactorisations, {}, "Tangents that were not positive definite.");
   v.field("max_iterations", s.maxIterations, {}, "Largest number of corrections of one step.");
   v.field("mean_iterations", s.meanIterations, {}, "Corrections per step.");

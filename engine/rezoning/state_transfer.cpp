@@ -92,8 +92,10 @@ Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& pos
 
 Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch<2>& patch) {
   Eigen::Matrix2Xd positions(2, quadrature.numPoints());
+  Eigen::MatrixXd buffer;
   for (const auto& span : quadrature.spans())
-    positions.middleCols(span.firstPoint, span.R.cols()) = patch.points()(Eigen::all, span.nodes) * span.R;
+    positions.middleCols(span.firstPoint, span.weights.size()) =
+        patch.points()(Eigen::all, span.nodes) * span.values(buffer);
   return positions;
 }
 

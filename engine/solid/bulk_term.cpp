@@ -51,11 +51,13 @@ void BulkTerm<Dim>::forEachGradient(const Eigen::VectorXd& x, const F& f) const 
   withKinematics<Dim>(quadrature_.kinematics(), [&](auto kinematics) {
     constexpr Kinematics K = decltype(kinematics)::value;
     Eigen::Matrix<double, Eigen::Dynamic, Dim> u;
+    Eigen::MatrixXd buffer;
     for (const auto& span : quadrature_.spans()) {
       gatherNodes<Dim>(x, span.nodes, u);
+      const Eigen::MatrixXd& G = span.gradients(buffer);
       for (Eigen::Index q = 0; q < span.weights.size(); ++q)
         f(static_cast<std::size_t>(span.firstPoint + q),
-          deformationGradient<K>(u, span.G.template middleCols<kColumns<K>>(kColumns<K> * q)));
+          deformationGradient<K>(u, G.template middleCols<kColumns<K>>(kColumns<K> * q)));
     }
   });
 }

@@ -38,10 +38,13 @@ DeadLoad<Dim>::DeadLoad(const Body<Dim>& body, const SpanQuadrature<Dim>& quadra
                         std::vector<Formula> components, Schedule factor)
     : components_(std::move(components)), factor_(std::move(factor)), varies_(dependOnTime(components_)) {
   const Eigen::MatrixXd nodes = body.nodePositions();
-  for (const auto& span : quadrature.spans())
-    if (patch < 0 || span.patch == patch)
-      spans_.push_back({span.nodes, span.R * span.weights.asDiagonal(),
-                        padded<Dim>(nodes(Eigen::all, span.nodes) * span.R)});
+  Eigen::MatrixXd buffer;
+  for (const auto& span : quadrature.spans()) {
+    if (patch >= 0 && span.patch != patch) continue;
+    const Eigen::MatrixXd& R = span.values(buffer);
+    spans_.push_back(
+        {span.nodes, R * span.weights.asDiagonal(), padded<Dim>(nodes(Eigen::all, span.nodes) * R)});
+  }
   forces_.setZero(Dim * body.numNodes);
   unit_ = integrate(unitTime_);
 }

@@ -15,6 +15,7 @@ template <int Dim>
 template <Kinematics K>
 struct DisplacementTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
+  Eigen::MatrixXd gradients;                     // as the span asks for it
   KernelFor<K> kernel;
   Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
 };
@@ -33,12 +34,13 @@ bool DisplacementTerm<Dim>::evaluateSpan(PointsOf<Law>& points, std::size_t numb
   const Eigen::Index Q = span.weights.size();
   const bool wantTangent = out.system != nullptr;
   gatherNodes<Dim>(x, span.nodes, work.u);
-  work.kernel.start(span, wantTangent);
+  const Eigen::MatrixXd& gradients = span.gradients(work.gradients);
+  work.kernel.start(span, gradients, wantTangent);
 
   BulkSummary summary;
   MaterialResponse<Dim> response;
   for (Eigen::Index q = 0; q < Q; ++q) {
-    const auto G = span.G.template middleCols<C>(C * q);
+    const auto G = gradients.template middleCols<C>(C * q);
     const Eigen::Matrix3d F = deformationGradient<K>(work.u, G);
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
     const double J = volumeRatio<K>(F) * this->referenceVolumeRatio(point);

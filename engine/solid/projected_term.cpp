@@ -90,6 +90,7 @@ template <Kinematics K>
 struct ProjectedTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
   Eigen::MatrixXd perPoint;                      // Dim·n x Q: a value of every unknown at every point
+  Eigen::MatrixXd gradients;                     // as the span asks for it
   KernelFor<K> kernel;
   Eigen::VectorXd e;        // Q: weighted factors of η²
   Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
@@ -147,12 +148,13 @@ bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, b
   const auto n = static_cast<Eigen::Index>(span.nodes.size());
   const Eigen::Index Q = span.weights.size();
   gatherNodes<Dim>(x, span.nodes, work.u);
+  const Eigen::MatrixXd& gradients = span.gradients(work.gradients);
   work.perPoint.resize(Dim * n, wantTangent ? Q : 0);
 
   BulkSummary summary;
   Eigen::VectorXd dilatation(Q);
   for (Eigen::Index q = 0; q < Q; ++q) {
-    const auto G = span.G.template middleCols<C>(C * q);
+    const auto G = gradients.template middleCols<C>(C * q);
     const auto point = static_cast<std::size_t>(span.firstPoint + q);
     F_[point] = deformationGradient<K>(work.u, G);
     const double J = volumeRatio<K>(F_[point]) * this->referenceVolumeRatio(point);
@@ -225,7 +227,8 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
   const auto n = static_cast<Eigen::Index>(span.nodes.size());
   const Eigen::Index Q = span.weights.size();
   const bool wantTangent = out.system != nullptr;
-  work.kernel.start(span, wantTangent);
+  const Eigen::MatrixXd& gradients = span.gradients(work.gradients);
+  work.kernel.start(span, gradients, wantTangent);
   work.perPoint.resize(Dim * n, wantTangent ? Q : 0);
   work.e.resize(Q);
 
@@ -242,7 +245,7 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
     const UnseenDilatation unseen(shearModulus_, this->J_[point], Jbar);
     const PointModuli<K> moduli(response, p, unseen.stiffness, balanced);
     work.kernel.setModuli(q, w, response.tau, moduli.c, moduli.r);
-    contract<K>(span.G.template middleCols<C>(C * q), F_[point], (w / Jbar) * moduli.B, work.perPoint.col(q));
+    contract<K>(gradients.template middleCols<C>(C * q), F_[point], (w / Jbar) * moduli.B, work.perPoint.col(q));
     work.e(q) = w * moduli.e / (Jbar * Jbar);
   }
 

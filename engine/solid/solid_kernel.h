@@ -14,9 +14,9 @@ class SolidKernel {
   using Stress = TensorKernel::Stress;
   using Tangent = TensorKernel::Tangent;
 
-  void start(const Span& span, bool wantTangent) {
+  void start(const Span& span, const Eigen::MatrixXd& gradients, bool wantTangent) {
     isDense_ = span.factors.N[0].rows() == 2;
-    isDense_ ? dense_.start(span, wantTangent) : tensor_.start(span, wantTangent);
+    isDense_ ? dense_.start(span, gradients, wantTangent) : tensor_.start(span, gradients, wantTangent);
   }
   void setGradients(Eigen::Index q, const Eigen::Matrix3d& F) {
     isDense_ ? dense_.setGradients(q, F) : tensor_.setGradients(q, F);

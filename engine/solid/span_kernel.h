@@ -26,10 +26,11 @@ class SpanKernel {
   using Stress = Eigen::Vector<double, kVoigt<kDim>>;
   using Tangent = Eigen::Matrix<double, kVoigt<kDim>, kVoigt<kDim>>;
 
-  /// Begins a span, which must outlive the work on it.
-  void start(const typename SpanQuadrature<kDim>::Span& span, bool wantTangent) {
-    span_ = &span;
-    const Eigen::Index n = span.G.rows(), Q = span.weights.size();
+  /// Begins a span; its gradients must outlive the work on it.
+  void start(const typename SpanQuadrature<kDim>::Span& span, const Eigen::MatrixXd& gradients,
+             bool wantTangent) {
+    gradients_ = &gradients;
+    const Eigen::Index n = gradients.rows(), Q = span.weights.size();
     n_ = n;
     stressRow_ = wantTangent ? kPairs * n : 0;
     g_.resize(n, kC * Q);
@@ -39,7 +40,7 @@ class SpanKernel {
   /// Sets the gradients at point q from the deformation gradient; to be called first.
   void setGradients(Eigen::Index q, const Eigen::Matrix3d& F) {
     g_.template middleCols<kC>(kC * q).noalias() =
-        span_->G.template middleCols<kC>(kC * q) * pushForward<K>(F);
+        gradients_->template middleCols<kC>(kC * q) * pushForward<K>(F);
   }
 
   /// Stress that makes the forces, times the weight.
@@ -83,7 +84,7 @@ class SpanKernel {
   /// Pairs (i, k) of directions with i <= k.
   static constexpr int kPairs = kDim * (kDim + 1) / 2;
 
-  const typename SpanQuadrature<kDim>::Span* span_ = nullptr;
+  const Eigen::MatrixXd* gradients_ = nullptr;
   Eigen::Index n_ = 0, stressRow_ = 0;
   Eigen::MatrixXd g_;  ///< n x columns·Q
   /// kPairs·n + Dim rows x columns·Q: gradients times the weighted moduli, one block per pair (i, k), then

@@ -62,6 +62,30 @@ void requireSound(const Body<Dim>& body, std::size_t patch, const Eigen::Vector<
                                  patch + 1, X(0), X(1)));
 }
 
+/// w_a D_m N_a of all functions at a point, m = 0 … 3: n x 4.
+void weightedProducts(const TensorFactors& factors, Eigen::Index q,
+                      Eigen::Matrix<double, Eigen::Dynamic, 4>& D) {
+  std::array<const double*, 3> N{}, dN{};
+  const Eigen::Index points = factors.N[0].cols() / 2;
+  for (std::size_t d = 0; d < 3; ++d, q /= points) {
+    N[d] = factors.N[d].col(q % points).data();
+    dN[d] = factors.N[d].col(points + q % points).data();
+  }
+  D.resize(factors.weights.size(), 4);
+  Eigen::Index a = 0;
+  for (Eigen::Index a3 = 0; a3 < factors.N[2].rows(); ++a3)
+    for (Eigen::Index a2 = 0; a2 < factors.N[1].rows(); ++a2) {
+      const double none = N[1][a2] * N[2][a3], second = dN[1][a2] * N[2][a3], third = N[1][a2] * dN[2][a3];
+      for (Eigen::Index a1 = 0; a1 < factors.N[0].rows(); ++a1, ++a) {
+        const double w = factors.weights(a), own = w * N[0][a1];
+        D(a, 0) = w * dN[0][a1] * none;
+        D(a, 1) = own * second;
+        D(a, 2) = own * third;
+        D(a, 3) = own * none;
+      }
+    }
+}
+
 /// Functions and weights of a span, with room for the map.
 TensorFactors tensorFactors(const Patch<3>& patch, int span, const SpanRule<3>& rule,
                             int pointsPerDirection) {
@@ -83,6 +107,40 @@ TensorFactors tensorFactors(const Patch<3>& patch, int span, const SpanRule<3>& 
 }
 
 }  // namespace
+
+void TensorFactors::makeValues(Eigen::MatrixXd& R) const {
+  const Eigen::Index Q = map.cols() / 3;
+  R.resize(weights.size(), Q);
+  Eigen::Matrix<double, Eigen::Dynamic, 4> D;
+  for (Eigen::Index q = 0; q < Q; ++q) {
+    weightedProducts(*this, q, D);
+    R.col(q) = D.col(3) / D.col(3).sum();
+  }
+}
+
+void TensorFactors::makeGradients(Eigen::MatrixXd& G) const {
+  const Eigen::Index Q = map.cols() / 3;
+  G.resize(weights.size(), 3 * Q);
+  Eigen::Matrix<double, Eigen::Dynamic, 4> D;
+  for (Eigen::Index q = 0; q < Q; ++q) {
+    weightedProducts(*this, q, D);
+    G.middleCols<3>(3 * q) = D.lazyProduct(map.middleCols<3>(3 * q));
+  }
+}
+
+template <int Dim>
+const Eigen::MatrixXd& SpanQuadrature<Dim>::Span::values(Eigen::MatrixXd& buffer) const {
+  if constexpr (Dim == 2) return stored.R;
+  factors.makeValues(buffer);
+  return buffer;
+}
+
+template <int Dim>
+const Eigen::MatrixXd& SpanQuadrature<Dim>::Span::gradients(Eigen::MatrixXd& buffer) const {
+  if constexpr (Dim == 2) return stored.G;
+  factors.makeGradients(buffer);
+  return buffer;
+}
 
 template <int Dim>
 SpanQuadrature<Dim>::SpanQuadrature(const Body<Dim>& body, int pointsPerDirection)
@@ -107,19 +165,14 @@ typename SpanQuadrature<Dim>::Span SpanQuadrature<Dim>::makeSpan(const Body<Dim>
   const auto n = static_cast<Eigen::Index>(functions.size());
   const auto Q = static_cast<Eigen::Index>(rule.points.size());
   const int columns = gradientColumns(kinematics_);
-  Span span{static_cast<int>(p),
-            number,
-            {},
-            numPoints_,
-            Eigen::MatrixXd(Dim, Q),
-            Eigen::MatrixXd(n, Q),
-            Eigen::MatrixXd(n, columns * Q),
-            Eigen::VectorXd(Q),
-            0.0,
-            {}};
+  Span span{static_cast<int>(p), number, {}, numPoints_, Eigen::MatrixXd(Dim, Q), Eigen::VectorXd(Q), 0.0,
+            {},                  {}};
   for (const int a : functions) span.nodes.push_back(body.nodes[p][static_cast<std::size_t>(a)]);
   const Eigen::MatrixXd points = patch.points()(Eigen::all, functions);
-  if constexpr (Dim == 3) span.factors = tensorFactors(patch, number, rule, pointsPerDirection);
+  if constexpr (Dim == 3)
+    span.factors = tensorFactors(patch, number, rule, pointsPerDirection);
+  else
+    span.stored = {Eigen::MatrixXd(n, Q), Eigen::MatrixXd(n, columns * Q)};
   for (Eigen::Index q = 0; q < Q; ++q) {
     const auto& xi = rule.points[static_cast<std::size_t>(q)];
     const auto shape = patch.shape(number, xi);
@@ -128,17 +181,18 @@ typename SpanQuadrature<Dim>::Span SpanQuadrature<Dim>::makeSpan(const Body<Dim>
     const double det = jacobian.determinant();
     requireSound(body, p, X, det);
     span.xi.col(q) = xi;
-    span.R.col(q) = shape.R;
     const Eigen::Matrix<double, Dim, Dim> inverse = jacobian.inverse();
-    span.G.middleCols(columns * q, Dim) = shape.dR * inverse;
-    if constexpr (Dim == 3) {
+    if constexpr (Dim == 2) {
+      span.stored.R.col(q) = shape.R;
+      span.stored.G.middleCols(columns * q, 2) = shape.dR * inverse;
+      if (body.axisymmetric) span.stored.G.col(columns * q + 2) = shape.R / X(0);
+    } else {
       // The univariate functions sum to one, so that 1/W = Σ R_a/w_a with W = Σ w_a N_a.
       const Eigen::RowVectorXd reciprocals = span.factors.weights.cwiseInverse().transpose();
       auto map = span.factors.map.template middleCols<3>(3 * q);
       map.template topRows<3>() = reciprocals.dot(shape.R) * inverse;
-      map.row(3) = reciprocals * span.G.template middleCols<3>(3 * q);
+      map.row(3) = reciprocals * (shape.dR * inverse);
     }
-    if (body.axisymmetric) span.G.col(columns * q + 2) = shape.R / X(0);
     span.size += rule.weights[static_cast<std::size_t>(q)] * det;
     span.weights(q) = rule.weights[static_cast<std::size_t>(q)] * det * body.circumference(X);
   }

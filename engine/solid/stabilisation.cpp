@@ -17,8 +17,9 @@ Stabilisation<Dim>::Stabilisation(int numNodes, const Drag& drag)
 
 template <int Dim>
 void Stabilisation<Dim>::hold(const SpanQuadrature<Dim>& quadrature, double viscosity) {
+  Eigen::MatrixXd buffer;
   for (const auto& span : quadrature.spans()) {
-    masses_(span.nodes) += span.R * span.weights;
+    masses_(span.nodes) += span.values(buffer) * span.weights;
     viscosities_(span.nodes).setConstant(viscosity);
   }
 }

@@ -78,8 +78,9 @@ void sumDirection(const std::array<Group, Count>& groups, const Eigen::MatrixXd&
 
 }  // namespace
 
-void TensorKernel::start(const Span& span, bool wantTangent) {
+void TensorKernel::start(const Span& span, const Eigen::MatrixXd& gradients, bool wantTangent) {
   span_ = &span;
+  gradients_ = &gradients;
   wantTangent_ = wantTangent;
   points_ = span.factors.N[0].cols() / 2;
   stress_.resize(3 * span.weights.size(), 3);
@@ -116,8 +117,8 @@ void TensorKernel::setModuli(Eigen::Index q, double w, const Stress& tau, const 
 }
 
 void TensorKernel::multiply() {
-  forces_.resize(span_->G.rows(), 3);
-  forces_.noalias() = span_->G * stress_;
+  forces_.resize(gradients_->rows(), 3);
+  forces_.noalias() = *gradients_ * stress_;
   if (!wantTangent_) return;
   makeProducts();
   sumOverPoints();

@@ -19,8 +19,8 @@ class TensorKernel {
   using Stress = MaterialResponse<3>::Stress;
   using Tangent = MaterialResponse<3>::Tangent;
 
-  /// Begins a span, which must outlive the work on it.
-  void start(const Span& span, bool wantTangent);
+  /// Begins a span, which must outlive the work on it, as its gradients must.
+  void start(const Span& span, const Eigen::MatrixXd& gradients, bool wantTangent);
 
   /// Sets the gradients at point q from the deformation gradient; to be called before the stress and the
   /// moduli of the same point are set.
@@ -56,6 +56,7 @@ class TensorKernel {
   void spread();
 
   const Span* span_ = nullptr;
+  const Eigen::MatrixXd* gradients_ = nullptr;
   bool wantTangent_ = false;
   Eigen::Index points_ = 0;  ///< per direction
   Eigen::Matrix3d Finv_;     ///< at the point that is being set

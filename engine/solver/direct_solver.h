@@ -16,7 +16,8 @@ class DirectSolver final : public LinearSolver {
   explicit DirectSolver(Eigen::Index leading, TangentKind kind = TangentKind::Symmetric);
   ~DirectSolver() override;
 
-  [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A) override;
+  [[nodiscard]] bool factorise(SystemMatrix& A) override { return factorise(A.whole()); }
+  [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A);
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy&) override { return solve(b); }
   Eigen::Index factorNonZeros() override;

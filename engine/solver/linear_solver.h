@@ -7,6 +7,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/solver/hierarchy.h"
 #include "engine/solver/solver_options.h"
+#include "engine/solver/system_matrix.h"
 
 namespace burnish {
 
@@ -32,6 +33,7 @@ enum class Definiteness { Definite, NotDefinite, NotKnown };
 /// What iterative methods have done so far.
 struct IterationCounts {
   long iterations = 0;
+  long systems = 0;
   long setUps = 0;     ///< of preconditioners
   long fallbacks = 0;  ///< systems that were solved by another method in the end
 };
@@ -50,9 +52,13 @@ class LinearSolver {
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
 
+  /// Tells that the search for another equilibrium begins: until the next one does, matrices may be near each
+  /// other.
+  virtual void beginSearch() {}
+
   /// Returns false if the matrix is singular to working precision or not finite. A must stay as it is until
   /// the last system with it is solved.
-  [[nodiscard]] virtual bool factorise(const Eigen::SparseMatrix<double>& A) = 0;
+  [[nodiscard]] virtual bool factorise(SystemMatrix& A) = 0;
 
   /// Solves with the last matrix that was factorised: as well as rounding allows, or by an iterative method to
   /// the accuracy that is asked for. Not finite if that cannot be reached.
@@ -72,7 +78,7 @@ class LinearSolver {
   virtual std::optional<IterationCounts> counts() const { return std::nullopt; }
   bool isIterative() const { return counts().has_value(); }
 
-  /// What is counted; what the solver does depends on the matrix alone.
+  /// What is counted, and what later searches depend on beside their matrices.
   virtual void archive(StateArchive&) {}
 };
 

@@ -36,7 +36,9 @@ class MultigridOrDirect final : public LinearSolver {
     multigrid_.reset(make(problem));
   }
 
-  [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A) override {
+  void beginSearch() override { multigrid_->beginSearch(); }
+
+  [[nodiscard]] bool factorise(SystemMatrix& A) override {
     A_ = &A;
     isDirect_ = false;
     return multigrid_->factorise(A) || fallBack();
@@ -63,6 +65,7 @@ class MultigridOrDirect final : public LinearSolver {
   std::optional<IterationCounts> counts() const override {
     IterationCounts counts = multigrid_->counts().value();
     counts.iterations += before_.iterations;
+    counts.systems += before_.systems;
     counts.setUps += before_.setUps;
     counts.fallbacks = before_.fallbacks + fallbacks_;
     return counts;
@@ -72,9 +75,11 @@ class MultigridOrDirect final : public LinearSolver {
     IterationCounts now = counts().value();
     long indefinite = numIndefinite();
     archive.field("iterations", now.iterations);
+    archive.field("systems", now.systems);
     archive.field("set_ups", now.setUps);
     archive.field("fallbacks", now.fallbacks);
     archive.field("indefinite", indefinite);
+    archive.part("multigrid", *multigrid_);
     if (!archive.restores()) return;
     before_ = now;
     indefinite_ = indefinite;
@@ -83,7 +88,7 @@ class MultigridOrDirect final : public LinearSolver {
  private:
   /// False if the matrix is too large to be factorised, or singular.
   bool fallBack() {
-    if (A_->cols() > kMostForDirect) return false;
+    if (problem_.leading > kMostForDirect) return false;
     if (!direct_) direct_ = std::make_unique<DirectSolver>(problem_.leading, problem_.kind);
     ++fallbacks_;
     isDirect_ = direct_->factorise(*A_);
@@ -93,7 +98,7 @@ class MultigridOrDirect final : public LinearSolver {
   LinearProblem problem_;
   std::unique_ptr<LinearSolver> multigrid_;
   std::unique_ptr<DirectSolver> direct_;  ///< null before it is needed
-  const Eigen::SparseMatrix<double>* A_ = nullptr;
+  SystemMatrix* A_ = nullptr;
   bool isDirect_ = false;  ///< the last matrix
   long fallbacks_ = 0;
   IterationCounts before_;  ///< in the part of the run that this one goes on with

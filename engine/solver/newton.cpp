@@ -29,6 +29,17 @@ std::ptrdiff_t numFreeBelow(const SparseSystem& system, int limit) {
   return std::lower_bound(unknowns.begin(), unknowns.end(), limit) - unknowns.begin();
 }
 
+/// Unknowns that K of the tangent is over: those of the hierarchy of meshes where there is one, else all with
+/// forces, free ways of tools included.
+int numLeading(const std::vector<bool>& prescribed, int numForces,
+               const std::optional<Hierarchy>& hierarchy) {
+  if (!hierarchy || hierarchy->prolongations.empty()) return numForces;
+  auto left = hierarchy->prolongations.front().rows();
+  int end = 0;
+  for (; left > 0; ++end) left -= prescribed[static_cast<std::size_t>(end)] ? 0 : 1;
+  return end;
+}
+
 }  // namespace
 
 std::string describe(NewtonOutcome outcome) {
@@ -55,13 +66,17 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
     : terms_(std::move(terms)),
       scales_(std::move(scales)),
       options_(std::move(options)),
-      system_(std::move(prescribed), couplingsOf(terms_)),
       hierarchy_(std::move(hierarchy)),
+      system_(prescribed, couplingsOf(terms_), numLeading(prescribed, scales_.numForces, hierarchy_)),
       linear_(makeLinearSolver(options_.linear, {numFreeBelow(system_, scales_.numForces),
                                                  tangentKind(terms_), hierarchy_ ? &*hierarchy_ : nullptr})),
       inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);
+}
+
+void Newton::rememberTangent() {
+  if (!linear_->isIterative()) remembered_ = system_.entries();
 }
 
 bool Newton::evaluate(double t, const Eigen::VectorXd& x) {
@@ -104,7 +119,7 @@ Newton::Residual Newton::measure() const {
 double Newton::roundOff(const Eigen::VectorXd& x) const {
   Eigen::VectorXd magnitude = x.cwiseAbs();
   magnitude.head(scales_.numForces) += scales_.spanSizes;
-  const Eigen::VectorXd bound = system_.tangent().cwiseAbs() * magnitude;
+  const Eigen::VectorXd bound = system_.timesMagnitudes(magnitude);
   double sum = 0.0;
   for (const int i : system_.freeUnknowns())
     if (i < scales_.numForces) sum += bound(i) * bound(i);
@@ -115,7 +130,7 @@ int Newton::countUnstableDirections() {
   // The last iterate is so near that a definite tangent there is one here.
   if (system_.freeUnknowns().empty() || linear_->definiteness() != Definiteness::NotDefinite) return 0;
   const Stopwatch watch(timings_.factorisation);
-  return inertia_.unstableDirections(system_.freeTangent());
+  return inertia_.unstableDirections(system_.whole());
 }
 
 NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const {
@@ -161,14 +176,14 @@ SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) 
 
 bool Newton::findCorrection(bool isFirst, FirstTangent first, const Residual& residual,
                             Eigen::VectorXd& correction) {
-  if (isFirst && first == FirstTangent::Remembered && remembersTangent()) system_.setTangent(remembered_);
+  if (isFirst && first == FirstTangent::Remembered && remembersTangent()) system_.setEntries(remembered_);
   if (system_.freeUnknowns().empty()) return true;  // supports say it all
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(correction.size());
   for (const auto& force : forces_) rhs -= force;
-  if (!correction.isZero(0.0)) rhs -= system_.tangent() * correction;
+  if (!correction.isZero(0.0)) rhs -= system_.timesPrescribed(correction);
   {
     const Stopwatch watch(timings_.factorisation);
-    if (!linear_->factorise(system_.freeTangent())) return false;
+    if (!linear_->factorise(system_)) return false;
   }
   const Stopwatch watch(timings_.solve);
   const Eigen::VectorXd free = system_.restrictToFree(rhs);
@@ -201,9 +216,12 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
 }
 
 void Newton::archive(StateArchive& archive) {
-  archive.field("remembered_tangent", remembered_);
-  if (remembered_.size() != 0 && remembered_.size() != system_.tangent().nonZeros())
+  Eigen::VectorXd entries;
+  if (remembersTangent()) entries = system_.byColumns(remembered_);
+  archive.field("remembered_tangent", entries);
+  if (entries.size() != 0 && entries.size() != system_.nonZeros())
     throw Error("the saved tangent is none of this run");
+  if (archive.restores() && entries.size() != 0) remembered_ = system_.fromColumns(entries);
   archive.fixedField("seconds_of_terms", timings_.terms);
   archive.field("seconds_of_factorisation", timings_.factorisation);
   archive.field("seconds_of_solve", timings_.solve);
@@ -214,6 +232,7 @@ void Newton::archive(StateArchive& archive) {
 NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x, FirstTangent first) {
   NewtonReport report;
   weighedResidual_ = 0.0;
+  linear_->beginSearch();
   if (!evaluate(t, x)) {
     report.outcome = NewtonOutcome::Inadmissible;
     return report;

@@ -70,9 +70,10 @@ class Newton {
   NewtonReport solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x,
                      FirstTangent first = FirstTangent::Current);
 
-  /// Keeps the tangent of the last evaluated state for later first corrections.
-  void rememberTangent() { remembered_ = system_.tangent().coeffs(); }
-  bool remembersTangent() const { return remembered_.size() > 0; }
+  /// Keeps the tangent of the last evaluated state for later first corrections, unless the solver is an
+  /// iterative one: what those are for is too large to be kept twice.
+  void rememberTangent();
+  bool remembersTangent() const { return remembered_.leading.size() > 0; }
 
   /// The remembered tangent, and what is counted and timed.
   void archive(StateArchive& archive);
@@ -122,14 +123,14 @@ class Newton {
   std::vector<Term*> terms_;
   ResidualScales scales_;
   NewtonOptions options_;
-  SparseSystem system_;
   std::optional<Hierarchy> hierarchy_;
+  SparseSystem system_;
   std::unique_ptr<LinearSolver> linear_;
   Inertia inertia_;
   std::vector<Eigen::VectorXd> forces_;
   /// Of an iterative solver: before the last correction, over what it may be in the end; 0 before the first.
   double weighedResidual_ = 0.0;
-  Eigen::VectorXd remembered_;  ///< entries of a tangent; empty before the first
+  SparseSystem::Entries remembered_;  ///< of a tangent; empty before the first
   NewtonTimings timings_;
   int unstableDirections_ = 0;
 };

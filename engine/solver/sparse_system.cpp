@@ -7,30 +7,47 @@
 namespace burnish {
 namespace {
 
-/// A square matrix of zeros from the begins of its columns and their rows.
-Eigen::SparseMatrix<double> zeroMatrix(const std::vector<int>& begins, const std::vector<int>& rows) {
-  const auto n = static_cast<Eigen::Index>(begins.size()) - 1;
-  Eigen::SparseMatrix<double> matrix(n, n);
-  matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-  std::copy(begins.begin(), begins.end(), matrix.outerIndexPtr());
-  std::copy(rows.begin(), rows.end(), matrix.innerIndexPtr());
-  matrix.coeffs().setZero();
-  return matrix;
+/// The pattern of a square matrix, column by column.
+struct Pattern {
+  std::vector<int> begins{0}, rows;
+
+  void endColumn() { begins.push_back(static_cast<int>(rows.size())); }
+
+  Eigen::SparseMatrix<double> zeros() const {
+    const auto n = static_cast<Eigen::Index>(begins.size()) - 1;
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+    std::copy(begins.begin(), begins.end(), matrix.outerIndexPtr());
+    std::copy(rows.begin(), rows.end(), matrix.innerIndexPtr());
+    matrix.coeffs().setZero();
+    return matrix;
+  }
+};
+
+/// The entry of a row in a column, or where it would stand, from an entry of that column on.
+int firstFrom(int entry, const Eigen::SparseMatrix<double>& matrix, int row, int column) {
+  const int* rows = matrix.innerIndexPtr();
+  return static_cast<int>(std::lower_bound(rows + entry, rows + matrix.outerIndexPtr()[column + 1], row) - rows);
 }
 
 }  // namespace
 
-SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups)
-    : prescribed_(std::move(prescribed)) {
+SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups,
+                           int numLeading)
+    : prescribed_(std::move(prescribed)), numLeading_(numLeading), equations_(prescribed_.size(), -1) {
+  for (std::size_t i = 0; i < prescribed_.size(); ++i)
+    if (!prescribed_[i]) {
+      equations_[i] = static_cast<int>(free_.size());
+      free_.push_back(static_cast<int>(i));
+    }
   for (const auto& groups : termGroups) {
     auto& sorted = groups_.emplace_back();
     for (const auto& group : groups) sorted.push_back(sortedGroup(group));
   }
-  tangent_ = patternOf(prescribed_.size(), groups_);
-  findFreeEntries();
+  makePattern();
 }
 
-SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) {
+SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) const {
   const auto at = [&](int place) { return unknowns[static_cast<std::size_t>(place)]; };
   Group group;
   group.order.resize(unknowns.size());
@@ -38,7 +55,8 @@ SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) 
   std::stable_sort(group.order.begin(), group.order.end(), [&](int a, int b) { return at(a) < at(b); });
   for (const int place : group.order) {
     auto& runs = group.runs;
-    if (runs.empty() || at(place) != runs.back().first + runs.back().length)
+    if (runs.empty() || at(place) != runs.back().first + runs.back().length ||
+        isLeading(at(place)) != isLeading(runs.back().first))
       runs.push_back({at(place), 0});  // also where an unknown stands in the group a second time
     ++runs.back().length;
   }
@@ -46,22 +64,20 @@ SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) 
 }
 
 /// Every unknown is coupled with itself and with all others of its groups.
-Eigen::SparseMatrix<double> SparseSystem::patternOf(std::size_t numUnknowns,
-                                                    const std::vector<std::vector<Group>>& terms) {
-  std::vector<std::vector<const Group*>> groupsOf(numUnknowns);
-  for (const auto& groups : terms)
+void SparseSystem::makePattern() {
+  std::vector<std::vector<const Group*>> groupsOf(prescribed_.size());
+  for (const auto& groups : groups_)
     for (const auto& group : groups)
       for (const Run& run : group.runs)
         for (int k = run.first; k < run.first + run.length; ++k)
           groupsOf[static_cast<std::size_t>(k)].push_back(&group);
 
-  std::vector<int> begins{0}, rows;
-  std::vector<char> isCoupled(numUnknowns, 0);
-  for (std::size_t c = 0; c < numUnknowns; ++c) {
-    if (c > 0 && !groupsOf[c].empty() && groupsOf[c] == groupsOf[c - 1]) {  // directions of one node
-      const int begin = begins[c - 1], end = begins[c];
-      for (int k = begin; k < end; ++k) rows.push_back(rows[static_cast<std::size_t>(k)]);
-    } else {
+  Pattern ofK, ofRest;
+  std::vector<char> isCoupled(prescribed_.size(), 0);
+  std::vector<int> rows;
+  for (std::size_t c = 0; c < prescribed_.size(); ++c) {
+    const bool isSameNode = c > 0 && !groupsOf[c].empty() && groupsOf[c] == groupsOf[c - 1];
+    if (!isSameNode) {
       auto first = isCoupled.begin() + static_cast<std::ptrdiff_t>(c), last = first + 1;
       *first = 1;
       for (const Group* group : groupsOf[c]) {
@@ -69,34 +85,28 @@ Eigen::SparseMatrix<double> SparseSystem::patternOf(std::size_t numUnknowns,
         first = std::min(first, isCoupled.begin() + group->runs.front().first);
         last = std::max(last, isCoupled.begin() + group->runs.back().first + group->runs.back().length);
       }
+      rows.clear();
       for (auto it = first; it != last; ++it)
         if (*it != 0) rows.push_back(static_cast<int>(it - isCoupled.begin()));
       std::fill(first, last, char{0});
     }
-    begins.push_back(static_cast<int>(rows.size()));
+    const bool isOfK = isLeading(static_cast<int>(c));
+    for (const int row : rows) {
+      if (isOfK && isLeading(row))
+        ofK.rows.push_back(equations_[static_cast<std::size_t>(row)]);
+      else
+        ofRest.rows.push_back(row);
+    }
+    if (isOfK) ofK.endColumn();
+    ofRest.endColumn();
   }
-  return zeroMatrix(begins, rows);
+  K_ = ofK.zeros();
+  rest_ = ofRest.zeros();
 }
 
-void SparseSystem::findFreeEntries() {
-  std::vector<int> equation(prescribed_.size(), -1);
-  for (std::size_t i = 0; i < prescribed_.size(); ++i)
-    if (!prescribed_[i]) {
-      equation[i] = static_cast<int>(free_.size());
-      free_.push_back(static_cast<int>(i));
-    }
-
-  std::vector<int> begins{0}, rows;
-  for (const int column : free_) {
-    for (int k = tangent_.outerIndexPtr()[column]; k < tangent_.outerIndexPtr()[column + 1]; ++k) {
-      const int row = equation[static_cast<std::size_t>(tangent_.innerIndexPtr()[k])];
-      if (row < 0) continue;
-      rows.push_back(row);
-      freeEntries_.push_back(k);
-    }
-    begins.push_back(static_cast<int>(rows.size()));
-  }
-  freeTangent_ = zeroMatrix(begins, rows);
+void SparseSystem::setZero() {
+  K_.coeffs().setZero();
+  rest_.coeffs().setZero();
 }
 
 void SparseSystem::findStarts(Group& group) const {
@@ -106,11 +116,16 @@ void SparseSystem::findStarts(Group& group) const {
     for (int k = 0; k < run.length; ++k) unknowns[static_cast<std::size_t>(*place++)] = run.first + k;
   group.starts.reserve(unknowns.size() * group.runs.size());
   for (const int column : unknowns) {
-    const int* entry = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column];
-    const int* end = tangent_.innerIndexPtr() + tangent_.outerIndexPtr()[column + 1];
+    const int equation = isLeading(column) ? equations_[static_cast<std::size_t>(column)] : -1;
+    int inK = equation >= 0 ? K_.outerIndexPtr()[equation] : 0, inRest = rest_.outerIndexPtr()[column];
     for (const Run& run : group.runs) {
-      entry = std::lower_bound(entry, end, run.first);
-      group.starts.push_back(static_cast<int>(entry - tangent_.innerIndexPtr()));
+      if (equation >= 0 && isLeading(run.first)) {
+        inK = firstFrom(inK, K_, equations_[static_cast<std::size_t>(run.first)], equation);
+        group.starts.push_back(inK);
+      } else {
+        inRest = firstFrom(inRest, rest_, run.first, column);
+        group.starts.push_back(~inRest);
+      }
     }
   }
 }
@@ -119,7 +134,7 @@ void SparseSystem::findStarts(Group& group) const {
 /// them takes longer than adding.
 void SparseSystem::fetchAhead(const Group& group, const int* start) {
   for (const Run& run : group.runs) {
-    const double* entry = tangent_.valuePtr() + *start++;
+    const double* entry = &entryAt(*start++);
     __builtin_prefetch(entry, 1);
     __builtin_prefetch(entry + run.length - 1, 1);
   }
@@ -144,28 +159,139 @@ void SparseSystem::add(const Group& group, const Eigen::Ref<const Eigen::MatrixX
     const double* column = K.col(c).data();
     const int* row = group.order.data();
     for (const Run& run : group.runs) {
-      double* entry = tangent_.valuePtr() + *start++;
+      double* entry = &entryAt(*start++);
       for (int k = 0; k < run.length; ++k) entry[k] += column[*row++];
     }
   }
 }
 
 void SparseSystem::moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values) {
-  const int end = tangent_.outerIndexPtr()[unknown + 1];
-  for (int k = tangent_.outerIndexPtr()[unknown]; k < end; ++k) {
-    const int row = tangent_.innerIndexPtr()[k];
-    if (row >= values.size()) return;
+  const auto move = [&](int row, double& entry) {
     double& value = values(row);
-    tangent_.valuePtr()[k] += value;
+    entry += value;
     value = 0.0;
+  };
+  for (Matrix::InnerIterator entry(rest_, unknown); entry && entry.row() < values.size(); ++entry)
+    move(static_cast<int>(entry.row()), entry.valueRef());
+  if (!isLeading(unknown)) return;
+  for (Matrix::InnerIterator entry(K_, equations_[static_cast<std::size_t>(unknown)]); entry; ++entry) {
+    const int row = free_[static_cast<std::size_t>(entry.row())];
+    if (row >= values.size()) return;
+    move(row, entry.valueRef());
   }
 }
 
-const Eigen::SparseMatrix<double>& SparseSystem::freeTangent() {
-  const double* from = tangent_.valuePtr();
-  double* to = freeTangent_.valuePtr();
-  for (std::size_t k = 0; k < freeEntries_.size(); ++k) to[k] = from[freeEntries_[k]];
-  return freeTangent_;
+/// Calls f(row, column, place) for all entries, column by column.
+template <class F>
+void SparseSystem::forEachByColumns(const F& f) const {
+  for (int column = 0; column < numUnknowns(); ++column) {
+    const int equation = isLeading(column) ? equations_[static_cast<std::size_t>(column)] : -1;
+    int k = equation >= 0 ? K_.outerIndexPtr()[equation] : 0;
+    const int end = equation >= 0 ? K_.outerIndexPtr()[equation + 1] : 0;
+    const auto rowOfK = [&] { return free_[static_cast<std::size_t>(K_.innerIndexPtr()[k])]; };
+    for (int r = rest_.outerIndexPtr()[column]; r < rest_.outerIndexPtr()[column + 1]; ++r) {
+      const int row = rest_.innerIndexPtr()[r];
+      for (; k < end && rowOfK() < row; ++k) f(rowOfK(), column, k);
+      f(row, column, ~r);
+    }
+    for (; k < end; ++k) f(rowOfK(), column, k);
+  }
+}
+
+void SparseSystem::findWhole() {
+  Pattern pattern;
+  int next = 0;  // column
+  forEachByColumns([&](int row, int column, int place) {
+    const int r = equations_[static_cast<std::size_t>(row)], c = equations_[static_cast<std::size_t>(column)];
+    if (r < 0 || c < 0) return;
+    for (; next < c; ++next) pattern.endColumn();
+    pattern.rows.push_back(r);
+    wholePlaces_.push_back(place);
+  });
+  pattern.endColumn();
+  whole_ = pattern.zeros();
+}
+
+const SparseSystem::Matrix& SparseSystem::whole() {
+  if (K_.cols() == std::ssize(free_)) return K_;
+  if (wholePlaces_.empty()) findWhole();
+  double* to = whole_.valuePtr();
+  for (const int place : wholePlaces_) *to++ = entryAt(place);
+  return whole_;
+}
+
+SystemBorder SparseSystem::border() const {
+  const Eigen::Index n = K_.cols(), m = std::ssize(free_) - n;
+  std::vector<Eigen::Triplet<double>> b, g, c;
+  for (const int column : free_) {
+    const int j = equations_[static_cast<std::size_t>(column)];
+    for (Matrix::InnerIterator entry(rest_, column); entry; ++entry) {
+      const int i = equations_[static_cast<std::size_t>(entry.row())];
+      if (i < 0 || entry.value() == 0.0) continue;
+      if (i < n)
+        b.emplace_back(i, j - n, entry.value());
+      else if (j < n)
+        g.emplace_back(i - n, j, entry.value());
+      else
+        c.emplace_back(i - n, j - n, entry.value());
+    }
+  }
+  SystemBorder border;
+  border.B.resize(n, m);
+  border.B.setFromTriplets(b.begin(), b.end());
+  border.G.resize(m, n);
+  border.G.setFromTriplets(g.begin(), g.end());
+  border.C.resize(m, m);
+  border.C.setFromTriplets(c.begin(), c.end());
+  return border;
+}
+
+Eigen::VectorXd SparseSystem::timesPrescribed(const Eigen::VectorXd& increments) const {
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(numUnknowns());
+  for (int column = 0; column < numUnknowns(); ++column)
+    if (isPrescribed(column)) product += rest_.col(column) * increments(column);
+  return product;
+}
+
+Eigen::VectorXd SparseSystem::timesMagnitudes(const Eigen::VectorXd& magnitudes) const {
+  Eigen::VectorXd product = rest_.cwiseAbs() * magnitudes;
+  const auto leading = Eigen::Map<const Eigen::VectorXi>(free_.data(), K_.cols());
+  product(leading) += K_.cwiseAbs() * magnitudes(leading);
+  return product;
+}
+
+void SparseSystem::setEntries(const Entries& entries) {
+  K_.coeffs() = entries.leading;
+  rest_.coeffs() = entries.rest;
+}
+
+Eigen::VectorXd SparseSystem::byColumns(const Entries& entries) const {
+  Eigen::VectorXd values(nonZeros());
+  double* to = values.data();
+  forEachByColumns(
+      [&](int, int, int place) { *to++ = place >= 0 ? entries.leading(place) : entries.rest(~place); });
+  return values;
+}
+
+SparseSystem::Entries SparseSystem::fromColumns(const Eigen::VectorXd& values) const {
+  Entries entries{Eigen::VectorXd(K_.nonZeros()), Eigen::VectorXd(rest_.nonZeros())};
+  const double* from = values.data();
+  forEachByColumns(
+      [&](int, int, int place) { (place >= 0 ? entries.leading(place) : entries.rest(~place)) = *from++; });
+  return entries;
+}
+
+SparseSystem::Matrix SparseSystem::tangent() const {
+  Pattern pattern;
+  int next = 0;
+  forEachByColumns([&](int row, int column, int) {
+    for (; next < column; ++next) pattern.endColumn();
+    pattern.rows.push_back(row);
+  });
+  pattern.endColumn();
+  Matrix tangent = pattern.zeros();
+  tangent.coeffs() = byColumns(entries());
+  return tangent;
 }
 
 Eigen::VectorXd SparseSystem::expandFromFree(const Eigen::VectorXd& free) const {

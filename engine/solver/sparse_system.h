@@ -1,28 +1,40 @@
 #pragma once
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
-#include <span>
+#include <limits>
 #include <vector>
+
+#include "engine/solver/system_matrix.h"
 
 namespace burnish {
 
 /// Groups of unknowns; every pair of unknowns inside a group may be coupled.
 using CouplingGroups = std::vector<std::vector<int>>;
 
-/// The tangent matrix over all unknowns, on a sparsity pattern that is fixed once, with a precomputed place
-/// for every run of consecutive unknowns in every column of every group. Prescribed unknowns take part in the
-/// assembly (their rows give reactions, their columns the effect of a prescribed increment) and are left out
-/// of the matrix that is factorised.
-class SparseSystem {
+/// The tangent over all unknowns, on a sparsity pattern that is fixed once, with a precomputed place for every
+/// run of consecutive unknowns in every column of every group. Prescribed unknowns take part in the assembly
+/// (their columns give the effect of a prescribed increment) and are left out of the linear systems.
+///
+/// It is kept in two parts, each in one copy: K over the free leading unknowns, and all other entries.
+class SparseSystem final : public SystemMatrix {
  public:
-  /// One list of groups per term. `prescribed`: one flag per unknown.
-  SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups);
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  /// The numbers that the pattern has places for.
+  struct Entries {
+    Eigen::VectorXd leading, rest;
+  };
+
+  /// One list of groups per term. `prescribed`: one flag per unknown; numLeading: the first unknowns, those
+  /// behind them are the border; all where left out.
+  SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups,
+               int numLeading = std::numeric_limits<int>::max());
 
   int numUnknowns() const { return static_cast<int>(prescribed_.size()); }
   bool isPrescribed(int unknown) const { return prescribed_[static_cast<std::size_t>(unknown)]; }
   const std::vector<int>& freeUnknowns() const { return free_; }
 
-  void setZero() { tangent_.coeffs().setZero(); }
+  void setZero();
 
   /// Adds the dense tangent of a group of a term (unknowns in the order of the group). Safe to call at the
   /// same time for groups that have no unknown in common.
@@ -35,20 +47,35 @@ class SparseSystem {
   /// leaves zeros behind. Safe to call at the same time for different columns.
   void moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values);
 
-  /// Tangent over all unknowns.
-  const Eigen::SparseMatrix<double>& tangent() const { return tangent_; }
+  /// The free unknowns' matrix, in the order of `freeUnknowns()`.
+  const Matrix& whole() override;
+  const Matrix& leading() const override { return K_; }
+  SystemBorder border() const override;
+
+  /// Tangent times increments of the prescribed unknowns; other entries are ignored.
+  Eigen::VectorXd timesPrescribed(const Eigen::VectorXd& increments) const;
+
+  /// Absolute values of the entries, times numbers that are not negative.
+  Eigen::VectorXd timesMagnitudes(const Eigen::VectorXd& magnitudes) const;
+
+  Eigen::Index nonZeros() const { return K_.nonZeros() + rest_.nonZeros(); }
+  Entries entries() const { return {K_.coeffs(), rest_.coeffs()}; }
 
   /// Replaces all entries of the tangent by those of another one on the same pattern.
-  void setTangent(const Eigen::ArrayXd& entries) { tangent_.coeffs() = entries; }
+  void setEntries(const Entries& entries);
 
-  /// Tangent over the free unknowns, in the order of `freeUnknowns()`.
-  const Eigen::SparseMatrix<double>& freeTangent();
+  /// Entries of the tangent over all unknowns, column by column, and back.
+  Eigen::VectorXd byColumns(const Entries& entries) const;
+  Entries fromColumns(const Eigen::VectorXd& entries) const;
+
+  /// The tangent over all unknowns, put together.
+  Matrix tangent() const;
 
   Eigen::VectorXd restrictToFree(const Eigen::VectorXd& all) const { return all(free_); }
   Eigen::VectorXd expandFromFree(const Eigen::VectorXd& free) const;
 
  private:
-  /// Consecutive unknowns of a group: entries that follow each other in every column of the tangent.
+  /// Consecutive unknowns of a group, all of K or none: entries that follow each other in every column.
   struct Run {
     int first;
     int length;
@@ -56,25 +83,31 @@ class SparseSystem {
   struct Group {
     std::vector<int> order;  ///< the group's places, by ascending unknown
     std::vector<Run> runs;   ///< all unknowns, ascending
-    /// Entry of `tangent_` where each run starts, column by column; found when the group is first added to,
-    /// as some groups never are.
+    /// Where each run starts, column by column: an entry of K, or the complement of one of the rest; found
+    /// when the group is first added to, as some groups never are.
     std::vector<int> starts;
   };
 
-  static Group sortedGroup(const std::vector<int>& unknowns);
-  static Eigen::SparseMatrix<double> patternOf(std::size_t numUnknowns,
-                                               const std::vector<std::vector<Group>>& terms);
-  void findFreeEntries();
+  bool isLeading(int unknown) const { return unknown < numLeading_ && !isPrescribed(unknown); }
+  Group sortedGroup(const std::vector<int>& unknowns) const;
+  void makePattern();
+  void findWhole();
   void findStarts(Group& group) const;
   void add(const Group& group, const Eigen::Ref<const Eigen::MatrixXd>& K);
+  double& entryAt(int place) { return place >= 0 ? K_.valuePtr()[place] : rest_.valuePtr()[~place]; }
   void fetchAhead(const Group& group, const int* start);
+  template <class F>
+  void forEachByColumns(const F& f) const;
 
   std::vector<bool> prescribed_;
+  int numLeading_;
   std::vector<int> free_;
+  std::vector<int> equations_;              ///< per unknown its place in `free_`, -1 if it is prescribed
   std::vector<std::vector<Group>> groups_;  ///< per term
-  Eigen::SparseMatrix<double> tangent_;
-  Eigen::SparseMatrix<double> freeTangent_;
-  std::vector<int> freeEntries_;  ///< entry of `tangent_` behind each entry of `freeTangent_`
+  Matrix K_;                                ///< over the free leading unknowns
+  Matrix rest_;                             ///< over all unknowns, the entries that K has not
+  Matrix whole_;                            ///< empty before it is asked for, and where it is K
+  std::vector<int> wholePlaces_;            ///< per entry of `whole_`, as in `Group::starts`
 };
 
 /// A partition of groups into classes whose members share no unknown: inside a class, groups may be assembled

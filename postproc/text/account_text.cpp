@@ -67,11 +67,11 @@ std::string balance(const RunAccount& account, const HistoryTable& history) {
 
 /// What multigrid needed.
 std::string linearSystems(const RunAccount& account) {
-  const long systems = account.linearSetUps.value_or(0), iterations = account.linearIterations.value_or(0),
-             fallbacks = account.linearFallbacks.value_or(0);
+  const long systems = account.linearSystems.value_or(0), iterations = account.linearIterations.value_or(0),
+             setUps = account.linearSetUps.value_or(0), fallbacks = account.linearFallbacks.value_or(0);
   std::string text =
-      fmt::format("{} by multigrid, {:.1f} iterations in each", systems,
-                  static_cast<double>(iterations) / static_cast<double>(std::max(1L, systems)));
+      fmt::format("{} by multigrid, {:.1f} iterations in each, set up {} times", systems,
+                  static_cast<double>(iterations) / static_cast<double>(std::max(1L, systems)), setUps);
   if (fallbacks > 0) text += fmt::format("; {} of them by factors in the end", fallbacks);
   return text;
 }

@@ -1,6 +1,7 @@
 #include "engine/solver/petsc/multigrid_solver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -16,19 +17,26 @@ using petsc::check;
 /// Where more are needed, others do better.
 constexpr int kMostWithFactors = 60, kMostWithSweeps = 500;
 
+/// A V-cycle of an earlier matrix is kept while a digit costs no more than this, over what it cost at first.
+constexpr double kMostOverFirst = 1.5;
+
+/// Searches that go without incomplete factors after a search that has needed to.
+constexpr int kMostWithout = 64;
+
 /// A residual that has grown so much does not come down again.
 constexpr double kDivergence = 1e10;
 
 /// Of GMRES: so many vectors are kept.
 constexpr int kRestart = 100;
 
-/// A matrix of the library over the arrays of one of Eigen.
-petsc::Matrix view(const SplitMatrix::Rows& A) {
+/// A matrix of the library, which has rows, over the arrays of one of Eigen: its transpose if that has columns.
+template <int Order>
+petsc::Matrix view(const Eigen::SparseMatrix<double, Order>& A) {
   petsc::Matrix matrix;
-  check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, static_cast<PetscInt>(A.rows()),
-                                  static_cast<PetscInt>(A.cols()), const_cast<PetscInt*>(A.outerIndexPtr()),
-                                  const_cast<PetscInt*>(A.innerIndexPtr()), const_cast<double*>(A.valuePtr()),
-                                  matrix.place()));
+  check(MatCreateSeqAIJWithArrays(
+      PETSC_COMM_SELF, static_cast<PetscInt>(A.outerSize()), static_cast<PetscInt>(A.innerSize()),
+      const_cast<PetscInt*>(A.outerIndexPtr()), const_cast<PetscInt*>(A.innerIndexPtr()),
+      const_cast<double*>(A.valuePtr()), matrix.place()));
   return matrix;
 }
 
@@ -41,6 +49,10 @@ void read(Vec vector, const F& f) {
   check(VecGetArrayRead(vector, &values));
   f(Eigen::Map<const Eigen::VectorXd>(values, size));
   check(VecRestoreArrayRead(vector, &values));
+}
+
+bool isFinite(const SystemBorder& border) {
+  return border.B.coeffs().allFinite() && border.G.coeffs().allFinite() && border.C.coeffs().allFinite();
 }
 
 template <class F>
@@ -60,33 +72,40 @@ class MultigridSolver::Implementation {
   explicit Implementation(const LinearProblem& problem)
       : kind_(problem.kind),
         n_(problem.hierarchy->prolongations.empty() ? problem.leading
-                                                    : problem.hierarchy->prolongations.front().rows()),
-        A_(n_, problem.kind == TangentKind::Symmetric) {
+                                                    : problem.hierarchy->prolongations.front().rows()) {
     for (const auto& P : problem.hierarchy->prolongations) prolongations_.push_back(view(P));
   }
 
-  bool factorise(const Eigen::SparseMatrix<double>& A) {
-    if (!A.coeffs().allFinite()) return false;
-    A_.take(A);
-    m_ = A.cols() - n_;
+  void beginSearch() {
+    isNear_ = false;
+    useFactors(searchesWithout_ == 0);
+    if (searchesWithout_ > 0) --searchesWithout_;
+  }
+
+  bool factorise(const SystemMatrix& A) {
+    border_ = A.border();
+    if (!A.leading().coeffs().allFinite() || !isFinite(border_)) return false;
+    m_ = border_.C.rows();
     if (K_ == nullptr) {
-      makeMatrix();
+      makeMatrix(A.leading());
       makeCycle();
     }
-    double* values = nullptr;  // have changed
-    check(MatSeqAIJGetArrayWrite(K_, &values));
-    check(MatSeqAIJRestoreArrayWrite(K_, &values));
     isIndefinite_ = false;
-    return setUpCycle() && zone_.factorise(A_);
+    return (isNear_ || setUpCycle()) && zone_.factorise(A.leading(), border_);
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
+    ++counts_.systems;
     Eigen::VectorXd x = solveWithCycle(b, accuracy);
-    if (x.allFinite() || !factorises_) return x;
-    // Incomplete factors are of no use where shear is soft beside compression.
-    factorises_ = false;
-    makeCycle();
-    return setUpCycle() ? solveWithCycle(b, accuracy) : x;
+    if (!x.allFinite() && isNear_ && setUpCycle()) x = solveWithCycle(b, accuracy);
+    if (!x.allFinite() && factorises_) {
+      // Incomplete factors are of no use where shear is soft beside compression.
+      searchesWithout_ = pause_ = std::clamp(2 * pause_, 1, kMostWithout);
+      useFactors(false);
+      if (setUpCycle()) x = solveWithCycle(b, accuracy);
+    }
+    if (factorises_ && x.allFinite()) pause_ = 0;
+    return x;
   }
 
   Eigen::Index nonZeros() {
@@ -105,23 +124,47 @@ class MultigridSolver::Implementation {
   }
 
   Definiteness definiteness() const {
-    return isIndefinite_                                        ? Definiteness::NotDefinite
-           : kind_ == TangentKind::Symmetric && !A_.isCoupled() ? Definiteness::Definite
-                                                                : Definiteness::NotKnown;
+    return isIndefinite_                                             ? Definiteness::NotDefinite
+           : kind_ == TangentKind::Symmetric && !border_.isCoupled() ? Definiteness::Definite
+                                                                     : Definiteness::NotKnown;
   }
   const IterationCounts& counts() const { return counts_; }
+  void archive(StateArchive& archive) { archive.together("without_factors", searchesWithout_, pause_); }
   long numIndefinite() const { return numIndefinite_; }
 
  private:
+  /// Of the present matrix.
   bool setUpCycle() {
+    // The library does not know that the values have changed; as long as it does not, smoothers keep what they
+    // have made of others.
+    double* values = nullptr;
+    check(MatSeqAIJGetArrayWrite(K_, &values));
+    check(MatSeqAIJRestoreArrayWrite(K_, &values));
     check(PCSetOperators(cycle_, K_, K_));
     ++counts_.setUps;
+    isNear_ = false;
     return PCSetUp(cycle_) == 0;
+  }
+
+  void useFactors(bool factorises) {
+    if (factorises == factorises_) return;
+    factorises_ = factorises;
+    if (K_ != nullptr) makeCycle();
   }
 
   /// Not finite if it does not converge.
   Eigen::VectorXd solveWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
-    if (kind_ == TangentKind::Symmetric && !A_.isCoupled()) {
+    const long before = counts_.iterations;
+    Eigen::VectorXd x = iterateWithCycle(b, accuracy);
+    const double perDigit =
+        static_cast<double>(counts_.iterations - before) / -std::log10(accuracy.reduction);
+    if (!isNear_) perDigitAtFirst_ = perDigit;
+    isNear_ = factorises_ && x.allFinite() && perDigit <= kMostOverFirst * perDigitAtFirst_;
+    return x;
+  }
+
+  Eigen::VectorXd iterateWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
+    if (kind_ == TangentKind::Symmetric && !border_.isCoupled()) {
       Eigen::VectorXd x(b.size());
       x.tail(m_) = zone_.solve(b.tail(m_));
       if (byConjugateGradients(b.head(n_), accuracy, x)) return x;
@@ -131,8 +174,9 @@ class MultigridSolver::Implementation {
 
   int mostIterations() const { return factorises_ ? kMostWithFactors : kMostWithSweeps; }
 
-  void makeMatrix() {
-    K_ = view(A_.K());
+  /// The library sees the transpose of K, which need not be symmetric.
+  void makeMatrix(const Eigen::SparseMatrix<double>& K) {
+    K_ = view(K);
     check(MatCreateVecs(K_, in_.place(), out_.place()));
     if (kind_ != TangentKind::Symmetric) return;
     check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
@@ -235,11 +279,12 @@ class MultigridSolver::Implementation {
     const auto n = self.n_, m = self.m_;
     read(x, [&](auto in) {
       write(self.in_, [&](auto u) { u = in.head(n); });
-      check(MatMult(self.K_, self.in_, self.out_));
+      check(self.kind_ == TangentKind::Symmetric ? MatMult(self.K_, self.in_, self.out_)
+                                                 : MatMultTranspose(self.K_, self.in_, self.out_));
       write(y, [&](auto out) {
         read(self.out_, [&](auto Ku) { out.head(n) = Ku; });
-        out.head(n) += self.A_.B() * in.tail(m);
-        out.tail(m) = self.A_.G() * in.head(n) + self.A_.C() * in.tail(m);
+        out.head(n) += self.border_.B * in.tail(m);
+        out.tail(m) = self.border_.G * in.head(n) + self.border_.C * in.tail(m);
         out.array() *= self.weights_.array();
       });
     });
@@ -255,7 +300,7 @@ class MultigridSolver::Implementation {
     read(x, [&](auto in) {
       const Eigen::VectorXd r = in.cwiseQuotient(self.weights_);
       const Eigen::VectorXd border = self.zone_.solve(r.tail(m));
-      write(self.in_, [&](auto u) { u = r.head(n) - self.A_.B() * border; });
+      write(self.in_, [&](auto u) { u = r.head(n) - self.border_.B * border; });
       check(PCApply(self.cycle_, self.in_, self.out_));
       write(y, [&](auto out) {
         read(self.out_, [&](auto u) { out.head(n) = u; });
@@ -267,10 +312,10 @@ class MultigridSolver::Implementation {
 
   TangentKind kind_;
   Eigen::Index n_, m_ = 0;
-  SplitMatrix A_;
+  SystemBorder border_;
   BorderZone zone_;
   std::vector<petsc::Matrix> prolongations_;  ///< from the finest on
-  petsc::Matrix K_;
+  petsc::Matrix K_;                           ///< transposed
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;
   Eigen::VectorXd weights_;  ///< of rows in GMRES
@@ -278,6 +323,11 @@ class MultigridSolver::Implementation {
   long numIndefinite_ = 0;
   bool factorises_ = true;  ///< smooths with incomplete factors, else by over-relaxation
   bool isIndefinite_ = false;
+
+  bool isNear_ = false;           ///< the V-cycle is to be kept for the next matrix
+  double perDigitAtFirst_ = 0.0;  ///< iterations, with the V-cycle of the matrix itself
+  int searchesWithout_ = 0;       ///< incomplete factors, from the next search on
+  int pause_ = 0;                 ///< `searchesWithout_` as it was set last
 };
 
 MultigridSolver::MultigridSolver(const LinearProblem& problem) {
@@ -288,7 +338,11 @@ MultigridSolver::MultigridSolver(const LinearProblem& problem) {
 
 MultigridSolver::~MultigridSolver() = default;
 
-bool MultigridSolver::factorise(const Eigen::SparseMatrix<double>& A) {
+void MultigridSolver::beginSearch() {
+  implementation_->beginSearch();
+}
+
+bool MultigridSolver::factorise(SystemMatrix& A) {
   return implementation_->factorise(A);
 }
 
@@ -307,6 +361,9 @@ long MultigridSolver::numIndefinite() const {
 }
 std::optional<IterationCounts> MultigridSolver::counts() const {
   return implementation_->counts();
+}
+void MultigridSolver::archive(StateArchive& archive) {
+  implementation_->archive(archive);
 }
 
 }  // namespace burnish

@@ -7,8 +7,10 @@ namespace burnish {
 
 /// Krylov methods with multigrid for K. Levels are those of the problem's hierarchy, with coarse matrices PᵀKP
 /// (Galerkin) and a Chebyshev polynomial of incomplete Cholesky factors as smoother, or one of symmetric
-/// successive over-relaxation from the first system on for which these are of no use; the coarsest one is
-/// factorised. Without a border that is coupled with K a symmetric matrix is left to conjugate gradients; else
+/// successive over-relaxation where these are of no use: for the rest of a search for an equilibrium in which
+/// a system was met that they do not solve, and for twice as many searches behind it as the last time. The
+/// coarsest level is factorised. Within a search, factors and coarse matrices stay those of an earlier matrix
+/// for as long as iterations come on nearly as fast. Without a border that is coupled with K a symmetric matrix is left to conjugate gradients; else
 /// GMRES is preconditioned from the right with
 ///
 ///     [ K̂  B ]
@@ -21,7 +23,8 @@ class MultigridSolver final : public LinearSolver {
   explicit MultigridSolver(const LinearProblem& problem);
   ~MultigridSolver() override;
 
-  [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& A) override;
+  void beginSearch() override;
+  [[nodiscard]] bool factorise(SystemMatrix& A) override;
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) override;
 
   /// Of the matrices of all levels: what a V-cycle goes through.
@@ -29,6 +32,7 @@ class MultigridSolver final : public LinearSolver {
   Definiteness definiteness() const override;
   long numIndefinite() const override;
   std::optional<IterationCounts> counts() const override;
+  void archive(StateArchive& archive) override;
 
  private:
   class Implementation;

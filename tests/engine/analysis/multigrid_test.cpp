@@ -52,7 +52,8 @@ Outcome run(const std::string& scene, const std::string& solver) {
                    "multigrid");
 }
 
-/// Both runs, whose histories agree within 1e-8 of each column's largest value. Returns iterations per system.
+/// Both runs, whose histories agree within 1e-8 of each column's largest value. Returns iterations per system,
+/// most of which are solved with the V-cycle of an earlier one: a new one costs as much as eight iterations.
 double iterationsPerSystem(const std::string& scene) {
   const Outcome direct = run(scene, "direct"), multigrid = run(scene, "multigrid");
   EXPECT_TRUE(multigrid.summary.completed);
@@ -72,8 +73,9 @@ double iterationsPerSystem(const std::string& scene) {
   }
   EXPECT_FALSE(direct.summary.linearIterations);
   EXPECT_EQ(multigrid.summary.linearFallbacks, 0);
+  EXPECT_LT(multigrid.summary.linearSetUps.value(), multigrid.summary.linearSystems.value());
   return static_cast<double>(multigrid.summary.linearIterations.value()) /
-         static_cast<double>(multigrid.summary.linearSetUps.value());
+         static_cast<double>(multigrid.summary.linearSystems.value());
 }
 
 TEST(Multigrid, PulledBlock) {
@@ -83,7 +85,7 @@ TEST(Multigrid, PulledBlock) {
 TEST(Multigrid, ContactAtPoints) {
   EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kPlastic +
                                 ball("method: integral-augmented-lagrangian")),
-            5.5);
+            9.0);
 }
 
 TEST(Multigrid, ContactByAveragesWithFriction) {
@@ -107,7 +109,7 @@ TEST(Multigrid, LagrangeElements) {
 TEST(Multigrid, ConstantDilatation) {
   EXPECT_LT(iterationsPerSystem("formulation: fbar\n" + std::string(kBlock) + kHeldAtTheBack +
                                 "material: {law: neo-hookean, E: 1, nu: 0.45}\n" + kPulled),
-            4.0);
+            7.0);
 }
 
 /// Incomplete factors are given up here.
@@ -123,7 +125,7 @@ degree: 3
 geometry: {shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 1], spans: [5, 5, 4]}
 )" + std::string(kHeldAtTheBack) +
                                 kPlastic + ball("method: integral-augmented-lagrangian")),
-            5.5);
+            9.0);
 }
 
 TEST(Multigrid, TwoPatches) {
@@ -148,7 +150,7 @@ tools:
 contact: [{tool: ball, face: front}]
 steps: [{until: 1, count: 2}]
 )"),
-            7.0);
+            9.0);
 }
 
 TEST(Multigrid, IsRefusedInThePlane) {

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/IterativeLinearSolvers>
+#include <cmath>
 #include <numbers>
 
 #include "engine/core/error.h"
 #include "engine/fields/projection.h"
 #include "engine/fields/span_extremes.h"
+#include "engine/fields/tensor_mass.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/displacement_term.h"
@@ -35,8 +38,10 @@ Body<3> uneven(int degree) {
 /// Sets both kernels to the same stress, moduli and deformation at all points of a span and multiplies.
 void fillAlike(SpanKernel<Kinematics::Solid>& dense, TensorKernel& factorised,
                const SpanQuadrature<3>::Span& span, unsigned seed) {
-  dense.start(span, true);
-  factorised.start(span, true);
+  Eigen::MatrixXd buffer;
+  const Eigen::MatrixXd& gradients = span.gradients(buffer);
+  dense.start(span, gradients, true);
+  factorised.start(span, gradients, true);
   for (Eigen::Index q = 0; q < span.weights.size(); ++q, seed += 3) {
     const Eigen::Matrix3d F = Eigen::Matrix3d::Identity() + test::randomState(9, 0.2, seed).reshaped(3, 3);
     const TensorKernel::Stress tau = test::randomState(6, 1.0, seed + 1);
@@ -100,7 +105,7 @@ TEST(TensorKernel, AgreesWithTheDenseProducts) {
                     1e-12 * block.cwiseAbs().maxCoeff())
               << "degree " << degree << ", span " << span.number << ", block " << i << k;
         }
-      for (Eigen::Index a = 0; a < span.G.rows(); ++a)
+      for (Eigen::Index a = 0; a < std::ssize(span.nodes); ++a)
         EXPECT_LT((factorised.force(a) - dense.force(a)).norm(), 1e-13) << "degree " << degree;
     }
   }
@@ -165,26 +170,84 @@ TEST(DisplacementTerm, RefusesAStateThatIsInsideOut) {
   EXPECT_FALSE(admissible);
 }
 
-TEST(Projection, ReproducesFieldsOfTheSpaceAndOrthogonalisesTheRest) {
-  const Body<2> body = test::ring(2);
-  const SpanQuadrature<2> quadrature(body);
-  const Projection<2> projection(quadrature);
+template <int Dim>
+void expectExactProjection(const Body<Dim>& body) {
+  const SpanQuadrature<Dim> quadrature(body);
+  const Projection<Dim> projection(body, quadrature);
   const Eigen::VectorXd coefficients = test::randomState(body.numNodes, 1.0, 8);
   Eigen::MatrixXd values(quadrature.numPoints(), 2);
-  for (const auto& span : quadrature.spans())
+  Eigen::MatrixXd buffer;
+  for (const auto& span : quadrature.spans()) {
+    const Eigen::MatrixXd& R = span.values(buffer);
     for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
-      values(span.firstPoint + q, 0) = span.R.col(q).dot(coefficients(span.nodes));
+      values(span.firstPoint + q, 0) = R.col(q).dot(coefficients(span.nodes));
       values(span.firstPoint + q, 1) = std::sin(static_cast<double>(span.firstPoint + q));
     }
+  }
   const Eigen::MatrixXd projected = projection.project(values);
-  EXPECT_LT((projected.col(0) - coefficients).norm(), 1e-12);
+  EXPECT_LT((projected.col(0) - coefficients).norm(), 1e-12 * coefficients.norm());
 
   Eigen::VectorXd rest = Eigen::VectorXd::Zero(body.numNodes);
-  for (const auto& span : quadrature.spans())
+  for (const auto& span : quadrature.spans()) {
+    const Eigen::MatrixXd& R = span.values(buffer);
     for (Eigen::Index q = 0; q < span.weights.size(); ++q)
-      rest(span.nodes) += span.weights(q) * span.R.col(q) *
-                          (span.R.col(q).dot(projected.col(1)(span.nodes)) - values(span.firstPoint + q, 1));
+      rest(span.nodes) +=
+          span.weights(q) * R.col(q) *
+          (R.col(q).dot(projected.col(1)(span.nodes)) - values(span.firstPoint + q, 1));
+  }
   EXPECT_LT(rest.norm(), 1e-13);
+}
+
+TEST(Projection, ReproducesFieldsOfTheSpaceAndOrthogonalisesTheRest) {
+  expectExactProjection(test::ring(2));
+  expectExactProjection(shell());
+  for (int degree = 1; degree <= 3; ++degree) expectExactProjection(uneven(degree));
+}
+
+TEST(Projection, InSpaceTakesAsManyIterationsOnAFineMeshAsOnACoarseOne) {
+  const auto iterations = [](int spans) {
+    const KnotVector knots = KnotVector::uniform(2, spans);
+    const Body<3> body = makeBody(
+        refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.5, {0.0, 1.0}, {0.0, 1.0}), {knots, knots, knots}));
+    const SpanQuadrature<3> quadrature(body);
+    Eigen::SparseMatrix<double> mass(body.numNodes, body.numNodes);
+    Eigen::MatrixXd buffer;
+    for (const auto& span : quadrature.spans()) {
+      const Eigen::MatrixXd& R = span.values(buffer);
+      const Eigen::MatrixXd own = R * span.weights.asDiagonal() * R.transpose();
+      for (std::size_t b = 0; b < span.nodes.size(); ++b)
+        for (std::size_t a = 0; a < span.nodes.size(); ++a)
+          mass.coeffRef(span.nodes[a], span.nodes[b]) +=
+              own(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+    }
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, TensorMassInverse>
+        gradients;
+    gradients.setTolerance(1e-10);
+    gradients.preconditioner().setUp(body, 0, mass.diagonal());
+    gradients.compute(mass);
+    static_cast<void>(gradients.solve(test::randomState(body.numNodes, 1.0, 5)).eval());
+    return gradients.iterations();
+  };
+  EXPECT_LE(iterations(3), 12);
+  EXPECT_LE(iterations(8), 12);
+}
+
+TEST(SpanQuadrature, MakesInSpaceTheFunctionsThatThePatchHas) {
+  for (int degree = 1; degree <= 4; ++degree) {
+    const Body<3> body = uneven(degree);
+    const SpanQuadrature<3> quadrature(body);
+    Eigen::MatrixXd ofValues, ofGradients;
+    for (const auto& span : quadrature.spans()) {
+      const Eigen::MatrixXd &R = span.values(ofValues), &G = span.gradients(ofGradients);
+      for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
+        const Patch<3>& patch = body.patches.front();
+        const Eigen::Vector3d xi = span.xi.col(q);
+        const auto shape = patch.shape(span.number, xi);
+        EXPECT_LT((R.col(q) - shape.R).norm(), 1e-14);
+        EXPECT_LT((G.middleCols<3>(3 * q) * patch.jacobian(xi) - shape.dR).norm(), 1e-12 * shape.dR.norm());
+      }
+    }
+  }
 }
 
 TEST(SpanExtremes, FindsTheExtremesOfARationalField) {

@@ -52,12 +52,13 @@ TEST(AccountText, SaysWhatMultigridNeeded) {
   RunAccount account;
   EXPECT_EQ(lineOf(account, {}, "linear systems"), "") << "of factors";
   account.linearIterations = 125;
-  account.linearSetUps = 20;
+  account.linearSystems = 20;
+  account.linearSetUps = 12;
   account.linearFallbacks = 0;
-  EXPECT_EQ(lineOf(account, {}, "linear systems"), "20 by multigrid, 6.2 iterations in each");
+  EXPECT_EQ(lineOf(account, {}, "linear systems"), "20 by multigrid, 6.2 iterations in each, set up 12 times");
   account.linearFallbacks = 2;
   EXPECT_EQ(lineOf(account, {}, "linear systems"),
-            "20 by multigrid, 6.2 iterations in each; 2 of them by factors in the end");
+            "20 by multigrid, 6.2 iterations in each, set up 12 times; 2 of them by factors in the end");
 }
 
 TEST(AccountText, TimingsAddUp) {
