@@ -60,15 +60,17 @@ void DoubtWatch<Dim>::note(Condition condition, bool holds, double time, double 
 }
 
 template <int Dim>
-void DoubtWatch<Dim>::update(const RunHistory<Dim>& history, int unstableDirections) {
+void DoubtWatch<Dim>::update(const RunHistory<Dim>& history, const std::function<int()>& unstableDirections) {
   const StateQuantities& s = history.current();
   note(Condition::SmallJ, s.minJ < limitOf(Condition::SmallJ), s.time, 1.0 / s.minJ);
   note(Condition::CrossesItself, s.crossesItself, s.time);
   if (rezoned_ != nullptr)
     note(Condition::NewBoundary,
          s.rezonings.boundaryError > limitOf(Condition::NewBoundary) * rezoned_->body.size(), s.time);
-  note(Condition::Unstable, !rubs(model_) && unstableDirections > limitOf(Condition::Unstable), s.time,
-       unstableDirections);
+  if (!rubs(model_)) {
+    const int unstable = unstableDirections();
+    note(Condition::Unstable, unstable > limitOf(Condition::Unstable), s.time, unstable);
+  }
   note(Condition::Stabilisation, s.stabilisedShare > limitOf(Condition::Stabilisation), s.time,
        s.stabilisedShare);
   watchContacts(history);

@@ -19,8 +19,8 @@ class DoubtWatch {
   DoubtWatch(const Scene& scene, const Model<Dim>& model);
 
   /// Takes in the state that the history has just taken in and the terms have been evaluated at.
-  /// unstableDirections: see `Inertia`.
-  void update(const RunHistory<Dim>& history, int unstableDirections);
+  /// unstableDirections: counts them, see `Inertia`; called where they tell something.
+  void update(const RunHistory<Dim>& history, const std::function<int()>& unstableDirections);
 
   /// The run ends with the current state.
   void noteEnd(const RunHistory<Dim>& history);

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,8 @@ namespace burnish {
 
 /// What is to be known of how the forces of an accepted state balance.
 struct Equilibrium {
-  int unstableDirections = 0;    ///< see `Inertia`
+  /// See `Inertia`; counted when it is called.
+  std::function<int()> unstableDirections = [] { return 0; };
   double stabilisedShare = 0.0;  ///< see `Model::stabilisedShare`
 };
 

@@ -65,7 +65,7 @@ void Simulation<Dim>::record() {
   for (const Eigen::VectorXd& force : newton.forces()) total += force;
   const Eigen::VectorXd bulk = model->bulkForces(newton.forces());
   recorder.update({stepping.state().time, stepping.state().x, bulk}, total,
-                  {newton.unstableDirections(), model->stabilisedShare(newton.forces())});
+                  {[this] { return newton.countUnstableDirections(); }, model->stabilisedShare(newton.forces())});
 }
 
 template <int Dim>

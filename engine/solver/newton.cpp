@@ -80,6 +80,7 @@ void Newton::rememberTangent() {
 }
 
 bool Newton::evaluate(double t, const Eigen::VectorXd& x) {
+  hasEquilibrium_ = false;
   system_.setZero();
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const Stopwatch watch(timings_.terms[k]);
@@ -128,7 +129,9 @@ double Newton::roundOff(const Eigen::VectorXd& x) const {
 
 int Newton::countUnstableDirections() {
   // The last iterate is so near that a definite tangent there is one here.
-  if (system_.freeUnknowns().empty() || linear_->definiteness() != Definiteness::NotDefinite) return 0;
+  if (!hasEquilibrium_ || system_.freeUnknowns().empty() ||
+      linear_->definiteness() != Definiteness::NotDefinite)
+    return 0;
   const Stopwatch watch(timings_.factorisation);
   return inertia_.unstableDirections(system_.whole());
 }
@@ -244,7 +247,7 @@ NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::Vecto
     correction(system_.freeUnknowns()).setZero();
     if (report.outcome == NewtonOutcome::Converged && !correction.isZero(0.0))
       report.outcome = NewtonOutcome::TooManyIterations;
-    if (report.outcome == NewtonOutcome::Converged) unstableDirections_ = countUnstableDirections();
+    hasEquilibrium_ = report.outcome == NewtonOutcome::Converged;
     if (report.outcome != NewtonOutcome::TooManyIterations || report.iterations == options_.maxIterations)
       return report;
 

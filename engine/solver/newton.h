@@ -81,8 +81,9 @@ class Newton {
   /// Force vectors of the terms, in their order, at the last evaluated state.
   const std::vector<Eigen::VectorXd>& forces() const { return forces_; }
 
-  /// Of the equilibrium that was found last, see `Inertia`.
-  int unstableDirections() const { return unstableDirections_; }
+  /// Of the equilibrium that was found last, see `Inertia`; none where one is not known. Takes as long as a
+  /// factorisation.
+  int countUnstableDirections();
 
   const NewtonOptions& options() const { return options_; }
   const SparseSystem& system() const { return system_; }
@@ -103,8 +104,6 @@ class Newton {
   /// Residual force that rounding in its own evaluation explains: 4 ε ‖|K| (|x| + h)‖, h the sizes of the
   /// spans. F = I + ∇u is rounded like a number of order one however small the displacements are.
   double roundOff(const Eigen::VectorXd& x) const;
-
-  int countUnstableDirections();
 
   NewtonOutcome judge(const Residual& residual, const Eigen::VectorXd& x, NewtonReport& report) const;
 
@@ -132,7 +131,7 @@ class Newton {
   double weighedResidual_ = 0.0;
   SparseSystem::Entries remembered_;  ///< of a tangent; empty before the first
   NewtonTimings timings_;
-  int unstableDirections_ = 0;
+  bool hasEquilibrium_ = false;  ///< whose tangent `system_` holds
 };
 
 }  // namespace burnish
