@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace burnish {
 namespace {
@@ -17,28 +18,45 @@ Eigen::MatrixXd continuedFunctions(const UnivariateBasis& basis, int span, doubl
   return N;
 }
 
+/// Products w_A Π_d ∂^k N of wanted orders k, one per direction, of all functions of a span at one place.
+template <int P>
+class WeightedProducts {
+ public:
+  using Orders = std::array<int, P>;
+
+  WeightedProducts(const TensorBasis<P>& basis, const Eigen::VectorXd& weights, int span,
+                   const Eigen::Vector<double, P>& xi)
+      : weights_(weights), functions_(basis.spanFunctions(span)) {
+    const auto spans = basis.spanIndex(span);
+    for (std::size_t d = 0; d < P; ++d)
+      N_[d] = continuedFunctions(basis.direction(static_cast<int>(d)), spans[d], xi(static_cast<int>(d)));
+  }
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(functions_.size()); }
+
+  Eigen::VectorXd operator()(const Orders& orders) const {
+    Eigen::VectorXd values(size());
+    for (Eigen::Index a = 0, rest = 0; a < size(); ++a, rest = a) {
+      values(a) = weights_(functions_[static_cast<std::size_t>(a)]);
+      for (std::size_t d = 0; d < P; rest /= N_[d].rows(), ++d)
+        values(a) *= N_[d](rest % N_[d].rows(), orders[d]);
+    }
+    return values;
+  }
+
+ private:
+  const Eigen::VectorXd& weights_;
+  std::vector<int> functions_;
+  std::array<Eigen::MatrixXd, P> N_;
+};
+
 }  // namespace
 
 template <int P>
 SecondOrderShape<P> secondOrderShape(const TensorBasis<P>& basis, const Eigen::VectorXd& weights, int span,
                                      const Eigen::Vector<double, P>& xi) {
-  const auto spans = basis.spanIndex(span);
-  const auto functions = basis.spanFunctions(span);
-  const auto n = static_cast<Eigen::Index>(functions.size());
-  std::array<Eigen::MatrixXd, P> N;
-  for (std::size_t d = 0; d < P; ++d)
-    N[d] = continuedFunctions(basis.direction(static_cast<int>(d)), spans[d], xi(static_cast<int>(d)));
-
-  // Products w_A Π_d ∂^k N of the wanted orders k, one per direction.
-  const auto product = [&](const std::array<int, P>& orders) {
-    Eigen::VectorXd values(n);
-    for (Eigen::Index a = 0, rest = 0; a < n; ++a, rest = a) {
-      values(a) = weights(functions[static_cast<std::size_t>(a)]);
-      for (std::size_t d = 0; d < P; rest /= N[d].rows(), ++d)
-        values(a) *= N[d](rest % N[d].rows(), orders[d]);
-    }
-    return values;
-  };
+  const WeightedProducts<P> product(basis, weights, span, xi);
+  const Eigen::Index n = product.size();
   SecondOrderShape<P> shape;
   const Eigen::VectorXd values = product({});
   const double W = values.sum();
@@ -65,9 +83,39 @@ SecondOrderShape<P> secondOrderShape(const TensorBasis<P>& basis, const Eigen::V
   return shape;
 }
 
+template <int P>
+Eigen::MatrixXd crossingDerivatives(const TensorBasis<P>& basis, const Eigen::VectorXd& weights, int span,
+                                    const Eigen::Vector<double, P>& xi, int direction) {
+  // W R = w N and W Q = w ∂N - R ∂W with Q = ∂R across, differentiated along up to twice.
+  const WeightedProducts<P> product(basis, weights, span, xi);
+  constexpr int kColumns = P == 1 ? 1 : 3;
+  constexpr double kBinomial[3][3] = {{1.0}, {1.0, 1.0}, {1.0, 2.0, 1.0}};
+  Eigen::MatrixXd R(product.size(), kColumns), Q(product.size(), kColumns);
+  Eigen::Vector<double, kColumns> W, V;
+  for (int k = 0; k < kColumns; ++k) {
+    typename WeightedProducts<P>::Orders orders{};
+    if constexpr (P == 2) orders[static_cast<std::size_t>(1 - direction)] = k;
+    R.col(k) = product(orders);
+    orders[static_cast<std::size_t>(direction)] = 1;
+    Q.col(k) = product(orders);
+    W(k) = R.col(k).sum();
+    V(k) = Q.col(k).sum();
+    for (int j = 1; j <= k; ++j) R.col(k) -= kBinomial[k][j] * W(j) * R.col(k - j);
+    R.col(k) /= W(0);
+    for (int j = 0; j <= k; ++j) Q.col(k) -= kBinomial[k][j] * V(j) * R.col(k - j);
+    for (int j = 1; j <= k; ++j) Q.col(k) -= kBinomial[k][j] * W(j) * Q.col(k - j);
+    Q.col(k) /= W(0);
+  }
+  return Q;
+}
+
 template SecondOrderShape<1> secondOrderShape(const TensorBasis<1>&, const Eigen::VectorXd&, int,
                                               const Eigen::Vector<double, 1>&);
 template SecondOrderShape<2> secondOrderShape(const TensorBasis<2>&, const Eigen::VectorXd&, int,
                                               const Eigen::Vector<double, 2>&);
+template Eigen::MatrixXd crossingDerivatives(const TensorBasis<1>&, const Eigen::VectorXd&, int,
+                                             const Eigen::Vector<double, 1>&, int);
+template Eigen::MatrixXd crossingDerivatives(const TensorBasis<2>&, const Eigen::VectorXd&, int,
+                                             const Eigen::Vector<double, 2>&, int);
 
 }  // namespace burnish

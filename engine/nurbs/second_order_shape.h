@@ -25,4 +25,10 @@ template <int P>
 SecondOrderShape<P> secondOrderShape(const TensorBasis<P>& basis, const Eigen::VectorXd& weights, int span,
                                      const Eigen::Vector<double, P>& xi);
 
+/// ∂R_A/∂ξ^d by one parameter d, n x 1 if P = 1; if P = 2 with the first and second derivatives of that by the
+/// other parameter, n x 3.
+template <int P>
+Eigen::MatrixXd crossingDerivatives(const TensorBasis<P>& basis, const Eigen::VectorXd& weights, int span,
+                                    const Eigen::Vector<double, P>& xi, int direction);
+
 }  // namespace burnish
