@@ -56,9 +56,9 @@ MasterSearch<Dim>::MasterSearch(const MasterSurface<Dim>& surface, bool withNorm
     for (int span = 0; span < surface.basis(face).numSpans(); ++span) {
       Candidate candidate{{face, span}, {}, {}, {}, {}};
       const int number = static_cast<int>(candidates_.size());
-      if (const auto hull = surface.hull(face, span); hull.cols() > 0) {
-        candidate.low = hull.rowwise().minCoeff();
-        candidate.high = hull.rowwise().maxCoeff();
+      if (const auto box = surface.box(face, span); !box.isEmpty()) {
+        candidate.low = box.min();
+        candidate.high = box.max();
         inTree_.push_back(number);
       } else {
         candidate.low.setConstant(-std::numeric_limits<double>::infinity());

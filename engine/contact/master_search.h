@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-/// Finds the spans of a surface, in the place where it was when this was made, that are near to something. A
-/// span lies in the box of its Bézier points in every state.
+/// Finds the spans of a surface, in the place where it was when this was made, that are near to something, by
+/// their boxes.
 template <int Dim>
 class MasterSearch {
  public:
@@ -39,14 +39,14 @@ class MasterSearch {
  private:
   struct Candidate {
     Span span;
-    Point low, high;  ///< of its Bézier points, infinite where it has none
+    Point low, high;                                     ///< of its box, infinite where it has none
     Eigen::Matrix<double, Dim, Eigen::Dynamic> samples;  ///< degree + 1 points per direction
     Eigen::Matrix<double, Dim, Eigen::Dynamic>
         normals;  ///< there, then around its corners; empty unless wanted
   };
 
   std::vector<Candidate> candidates_;  ///< ascending
-  BoxTree tree_;                       ///< of those with Bézier points
+  BoxTree tree_;                       ///< of those with boxes
   std::vector<int> inTree_;            ///< their numbers
   std::vector<int> others_;
 };

@@ -30,7 +30,7 @@ constexpr double kChecked = 1e-7;
 /// Difference of unit normals below which a line is no kink.
 constexpr double kKink = 1e-9;
 
-/// Turn of the tangent from which on a kink is rounded, below which jumps of forces do not matter, and cosine of
+/// Turn of the normal from which on a kink is rounded, below which jumps of forces do not matter, and cosine of
 /// that from which on it is a corner; half the length of what is rounded, in parts of the shorter span.
 constexpr double kSmallestTurn = 1e-7;
 constexpr double kCornerCosine = 0.5 * std::numbers::sqrt2;
@@ -56,13 +56,12 @@ bool areSame(const std::vector<int>& nodes) {
 
 template <int Dim>
 double Foot<Dim>::shareOfRadius() const {
-  if (point.isRounded) return 0.0;
   Eigen::Matrix<double, Dim - 1, Dim - 1> m = point.tangents.transpose() * point.tangents, k;
   for (int a = 0; a < Dim - 1; ++a)
     for (int b = 0; b < Dim - 1; ++b)
       k(a, b) = gap * normal.dot(point.curvatures.col(secondDerivative(a, b)));
   for (int a = 0; a < Dim - 1; ++a) {
-    if (moves[static_cast<std::size_t>(a)]) continue;
+    if (moves[static_cast<std::size_t>(a)] && !point.isRounded[static_cast<std::size_t>(a)]) continue;
     const double square = m(a, a);
     m.row(a).setZero();
     m.col(a).setZero();
@@ -124,41 +123,119 @@ void MasterSurface<Dim>::glueRims() {
 
 template <int Dim>
 void MasterSurface<Dim>::roundKinks() {
-  if constexpr (Dim == 2) {
-    for (int f = 0; f < numFaces(); ++f) {
-      const UnivariateBasis& univariate = basis(f).direction(0);
-      auto& roundings = faces_[static_cast<std::size_t>(f)].roundings;
-      roundings.assign(static_cast<std::size_t>(univariate.numSpans()), {});
-      for (int span = 0; span < univariate.numSpans(); ++span)
-        for (const int side : {0, 1}) {
-          const double end = side == 0 ? univariate.spanBegin(span) : univariate.spanEnd(span);
-          roundings[static_cast<std::size_t>(span)][static_cast<std::size_t>(side)] =
-              roundingOf({f, span, Eigen::Vector<double, P>::Constant(end)}, side);
-        }
-    }
+  const auto forEachEdge = [&](const auto& visit) {
+    for (int f = 0; f < numFaces(); ++f)
+      for (int span = 0; span < basis(f).numSpans(); ++span)
+        for (int d = 0; d < P; ++d)
+          for (const int side : {0, 1}) {
+            Edge edge{{f, span, {}}, d, side};
+            edge.place.xi(d) = spanEnd(edge.place, d, side);
+            visit(edge);
+          }
+  };
+  const auto among = [](auto& lists, const Edge& edge) -> auto& {
+    return lists[static_cast<std::size_t>(edge.place.span)]
+                [static_cast<std::size_t>(2 * edge.direction + edge.side)];
+  };
+  Creases creases;
+  bool any = false;
+  for (int f = 0; f < numFaces(); ++f) creases.emplace_back(static_cast<std::size_t>(basis(f).numSpans()));
+  forEachEdge([&](const Edge& edge) {
+    auto& crease = among(creases[static_cast<std::size_t>(edge.place.face)], edge);
+    crease = creaseAt(edge);
+    any = any || (crease && crease->isKink);
+  });
+  for (Face& face : faces_) {
+    face.widths.clear();
+    if (any) face.widths.resize(static_cast<std::size_t>(face.trace.basis().numSpans()));
   }
+  if (!any) return;
+  forEachEdge([&](Edge edge) {
+    auto& widths = among(faces_[static_cast<std::size_t>(edge.place.face)].widths, edge);
+    for (const int end : {0, 1}) {
+      if constexpr (P == 2) edge.place.xi(1 - edge.direction) = spanEnd(edge.place, 1 - edge.direction, end);
+      widths[static_cast<std::size_t>(end)] = widthAtCorner(edge, creases);
+    }
+  });
 }
 
-/// place: an end of its span. None where there is no kink, or a corner.
 template <int Dim>
-std::optional<typename MasterSurface<Dim>::Rounding> MasterSurface<Dim>::roundingOf(
-    const SurfacePlace<Dim>& place, int side) const {
-  const auto edge = across(place, 0, side);
-  if (!edge) return std::nullopt;
-  // Towards the other span: up at the end of a span, down at its begin; on from there the other way about.
-  const double sign = side == 0 ? -1.0 : 1.0, signThere = edge->side == 0 ? 1.0 : -1.0;
-  const Eigen::Vector<double, Dim> tangent = sign * unroundedAt(place).tangents.col(0),
-                                   tangentThere = signThere * unroundedAt(edge->place).tangents.col(0);
-  const double speed = tangent.norm(), speedThere = tangentThere.norm();
-  const double turn = (tangentThere / speedThere - tangent / speed).norm();
-  if (!(turn > kSmallestTurn) || !(tangent.dot(tangentThere) > kCornerCosine * speed * speedThere))
-    return std::nullopt;
-  const auto spanSize = [&](const SurfacePlace<Dim>& there) {
-    const UnivariateBasis& univariate = basis(there.face).direction(0);
-    return univariate.spanEnd(there.span) - univariate.spanBegin(there.span);
+double MasterSurface<Dim>::spanEnd(const SurfacePlace<Dim>& place, int direction, int side) const {
+  const UnivariateBasis& univariate = basis(place.face).direction(direction);
+  const int number = basis(place.face).spanIndex(place.span)[static_cast<std::size_t>(direction)];
+  return side == 0 ? univariate.spanBegin(number) : univariate.spanEnd(number);
+}
+
+template <int Dim>
+double MasterSurface<Dim>::spanSize(const SurfacePlace<Dim>& place, int direction) const {
+  return spanEnd(place, direction, 1) - spanEnd(place, direction, 0);
+}
+
+/// None where the surface ends and where functions are smooth. The places along it are enough to see every kink
+/// that functions of this degree can have.
+template <int Dim>
+std::optional<typename MasterSurface<Dim>::Crease> MasterSurface<Dim>::creaseAt(Edge edge) const {
+  const int d = edge.direction;
+  if (!isAtRim(edge.place, d, edge.side)) {
+    const UnivariateBasis& univariate = basis(edge.place.face).direction(d);
+    const int number = basis(edge.place.face).spanIndex(edge.place.span)[static_cast<std::size_t>(d)];
+    const int begin = edge.side == 0 ? number : number + 1;
+    if (univariate.firstFunction(begin) - univariate.firstFunction(begin - 1) < univariate.degree())
+      return std::nullopt;
+  }
+  const int parts = P == 1 ? 0 : basis(edge.place.face).direction(1 - d).degree();
+  Crease crease;
+  for (int k = 0; k <= parts; ++k) {
+    if constexpr (P == 2)
+      edge.place.xi(1 - d) = std::lerp(spanEnd(edge.place, 1 - d, 0), spanEnd(edge.place, 1 - d, 1),
+                                       static_cast<double>(k) / parts);
+    const auto other = across(edge.place, d, edge.side);
+    if (!other) return std::nullopt;
+    const SurfacePoint<Dim> here = unroundedAt(edge.place), there = unroundedAt(other->place);
+    crease.isKink = crease.isKink || (here.normal - there.normal).norm() > kSmallestTurn;
+    crease.isCorner = crease.isCorner || here.normal.dot(there.normal) <= kCornerCosine;
+    crease.speed += here.tangents.col(d).norm();
+    crease.speedThere += there.tangents.col(other->direction).norm();
+  }
+  return crease;
+}
+
+/// Half of what is rounded about an edge, in the parameter across, at the corner of the span that is its place.
+/// Zero in space where the edge or the one behind that corner is too sharp, and where the line neither goes on as
+/// one behind the corner nor ends with the surface.
+template <int Dim>
+double MasterSurface<Dim>::widthAtCorner(const Edge& edge, const Creases& creases) const {
+  const auto creaseOf = [&](const SurfacePlace<Dim>& place, int direction, int side) {
+    return creases[static_cast<std::size_t>(place.face)][static_cast<std::size_t>(place.span)]
+                  [static_cast<std::size_t>(2 * direction + side)];
   };
-  const double length = kRoundedPart * std::min(speed * spanSize(place), speedThere * spanSize(edge->place));
-  return Rounding{place, edge->place, length / speed, sign * length / speed, signThere * length / speedThere};
+  const SurfacePlace<Dim>& here = edge.place;
+  auto crease = creaseOf(here, edge.direction, edge.side);
+  if (!crease) return 0.0;
+  const Edge there = *across(here, edge.direction, edge.side);
+  const double size = spanSize(here, edge.direction), sizeThere = spanSize(there.place, there.direction);
+  if constexpr (P == 2) {
+    const auto onwards = [&](const Edge& from) {
+      return across(from.place, 1 - from.direction, sideOf(from.place, 1 - from.direction));
+    };
+    const auto next = onwards(edge), nextThere = onwards(there);
+    if (next.has_value() != nextThere.has_value()) return 0.0;
+    if (next) {
+      const int direction = 1 - next->direction, side = sideOf(next->place, direction);
+      const auto opposite = across(next->place, direction, side);
+      const auto nextCrease = creaseOf(next->place, direction, side);
+      if (!nextCrease || opposite->place.face != nextThere->place.face ||
+          opposite->place.span != nextThere->place.span)
+        return 0.0;
+      crease->isKink = crease->isKink || nextCrease->isKink;
+      crease->isCorner = crease->isCorner || nextCrease->isCorner;
+      crease->speed += nextCrease->speed * (spanSize(next->place, direction) / size);
+      crease->speedThere +=
+          nextCrease->speedThere * (spanSize(nextThere->place, 1 - nextThere->direction) / sizeThere);
+    }
+  }
+  if (!crease->isKink || crease->isCorner) return 0.0;
+  return kRoundedPart * std::min(crease->speed * size, crease->speedThere * sizeThere) / crease->speed;
 }
 
 template <int Dim>
@@ -200,50 +277,178 @@ SurfacePoint<Dim> MasterSurface<Dim>::at(const SurfacePlace<Dim>& place) const {
   return point;
 }
 
-/// Adds ¼ u² (y'(0⁺) - y'(0⁻)), u = 1 - |s|, to a point of what is rounded.
 template <int Dim>
 void MasterSurface<Dim>::round(SurfacePoint<Dim>& point) const {
-  const SurfacePlace<Dim> place = point.place;
-  const auto& roundings = at(place.face).roundings;
-  if (roundings.empty()) return;
-  for (const auto& rounding : roundings[static_cast<std::size_t>(place.span)]) {
+  if (at(point.place.face).widths.empty()) return;
+  std::array<std::optional<Rounding>, P> roundings;
+  for (int d = 0; d < P; ++d) {
+    auto& rounding = roundings[static_cast<std::size_t>(d)];
+    rounding = roundingAt(point.place, d);
     if (!rounding) continue;
-    const double u = 1.0 - std::abs(place.xi(0) - rounding->here.xi(0)) / rounding->width;
-    if (!(u > 0.0)) continue;
-    const double du = (rounding->hereByLength > 0.0 ? 1.0 : -1.0) / rounding->width;
-    const double b = 0.25 * u * u, db = 0.5 * u * du, ddb = 0.5 * du * du;
-    const auto add = [&](const SurfacePlace<Dim>& side, double byLength) {
-      const SurfacePoint<Dim> there = unroundedAt(side);
-      const auto places = placesAmong(point.nodes, there.nodes);
-      const auto size = std::ssize(point.nodes);
-      point.shape.R.conservativeResizeLike(Eigen::VectorXd::Zero(size));
-      point.shape.dR.conservativeResizeLike(decltype(point.shape.dR)::Zero(size, P));
-      point.shape.ddR.conservativeResizeLike(decltype(point.shape.ddR)::Zero(size, P * (P + 1) / 2));
-      const Eigen::VectorXd dR = byLength * there.shape.dR.col(0);
-      point.shape.R(places) += b * dR;
-      point.shape.dR(places, 0) += db * dR;
-      point.shape.ddR(places, 0) += ddb * dR;
-      const Eigen::Vector<double, Dim> tangent = byLength * there.tangents.col(0);
-      point.x += b * tangent;
-      point.tangents.col(0) += db * tangent;
-      point.curvatures.col(0) += ddb * tangent;
-    };
-    add(rounding->there, rounding->thereByLength);
-    add(rounding->here, -rounding->hereByLength);
-    point.normal = at(place.face).outward * areaVector<Dim>(point.tangents).normalized();
-    point.isRounded = true;
+    for (const Edge& side : {rounding->there, rounding->here})
+      add(rounding->blend * widthAlong(side, 1 - d), slopeInto(side), 1 - d, point);
+    point.isRounded[static_cast<std::size_t>(d)] = true;
   }
+  if (!roundings.front() && !roundings.back()) return;
+  if constexpr (P == 2)
+    if (roundings[0] && roundings[1]) roundCrossing(*roundings[0], *roundings[1], point);
+  point.normal = at(point.place.face).outward * areaVector<Dim>(point.tangents).normalized();
+}
+
+/// Adds b_0 b_1 Σ y_01, with the widths beside the point; the span behind an edge has another parameter along it,
+/// and so another width across it.
+template <int Dim>
+void MasterSurface<Dim>::roundCrossing(const Rounding& first, const Rounding& second,
+                                       SurfacePoint<Dim>& point) const {
+  const Blend both = first.blend * second.blend;
+  const auto addTwist = [&](const Edge& edge0, const Edge& edge1, const SurfacePlace<Dim>& corner,
+                            double stretch) {
+    const SurfacePoint<Dim> there = unroundedAt(corner);
+    const double factor = sideOf(corner, 0) == sideOf(corner, 1) ? std::abs(stretch) : -std::abs(stretch);
+    add(both * widthAlong(edge0, 1) * widthAlong(edge1, 0),
+        {there.nodes, factor * there.shape.ddR.rightCols(1), factor * there.curvatures.rightCols(1)}, 0,
+        point);
+  };
+  const auto over = [&](const SurfacePlace<Dim>& corner, int d) {
+    return *across(corner, d, sideOf(corner, d));
+  };
+  SurfacePlace<Dim> corner = point.place;
+  corner.xi(0) = first.here.place.xi(0);
+  corner.xi(1) = second.here.place.xi(1);
+  const Edge beside0 = over(corner, 0), beside1 = over(corner, 1),
+             opposite = over(beside0.place, 1 - beside0.direction);
+  addTwist(first.here, second.here, corner, 1.0);
+  addTwist(first.there, second.here, beside0.place, beside0.stretch);
+  addTwist(first.here, second.there, beside1.place, beside1.stretch);
+  addTwist(first.there, second.there, opposite.place,
+           opposite.stretch * over(beside1.place, 1 - beside1.direction).stretch);
+}
+
+/// At which end of a span in a direction a corner of it is.
+template <int Dim>
+int MasterSurface<Dim>::sideOf(const SurfacePlace<Dim>& corner, int direction) const {
+  return corner.xi(direction) == spanEnd(corner, direction, 0) ? 0 : 1;
+}
+
+template <int Dim>
+typename MasterSurface<Dim>::Blend MasterSurface<Dim>::Blend::operator*(const Blend& other) const {
+  Blend product{b * other.b, d * other.b + b * other.d, dd * other.b + b * other.dd};
+  for (int i = 0; i < P; ++i)
+    for (int j = i; j < P; ++j) product.dd(secondDerivative(i, j)) += d(i) * other.d(j) + d(j) * other.d(i);
+  return product;
+}
+
+/// Half of what is rounded about an edge, w = w_0 + (w_1 - w_0) (3 t² - 2 t³) with t from 0 to 1 between both ends,
+/// constant beyond, with derivatives by the parameter `along` of the span from which one came over the edge.
+template <int Dim>
+typename MasterSurface<Dim>::Blend MasterSurface<Dim>::widthAlong(const Edge& edge, int along) const {
+  const auto& [begin, end] = at(edge.place.face)
+                                 .widths[static_cast<std::size_t>(edge.place.span)]
+                                        [static_cast<std::size_t>(2 * edge.direction + edge.side)];
+  Blend width{begin};
+  if constexpr (P == 2) {
+    const int alongThere = 1 - edge.direction;
+    const double size = spanSize(edge.place, alongThere), rise = end - begin;
+    const double way = edge.place.xi(alongThere) - spanEnd(edge.place, alongThere, 0);
+    const double t = std::clamp(way / size, 0.0, 1.0), dt = edge.stretch / size;
+    width.b += rise * t * t * (3.0 - 2.0 * t);
+    width.d(along) = rise * 6.0 * t * (1.0 - t) * dt;
+    width.dd(along) = rise * (6.0 - 12.0 * t) * dt * dt;
+  }
+  return width;
+}
+
+/// None where a place is not on the rounded side of an edge across that parameter.
+template <int Dim>
+std::optional<typename MasterSurface<Dim>::Rounding> MasterSurface<Dim>::roundingAt(
+    const SurfacePlace<Dim>& place, int direction) const {
+  for (const int side : {0, 1}) {
+    Edge edge{place, direction, side};
+    edge.place.xi(direction) = spanEnd(place, direction, side);
+    const Blend width = widthAlong(edge, 1 - direction);
+    const double w = width.b, way = std::abs(place.xi(direction) - edge.place.xi(direction));
+    const double u = 1.0 - way / w;  // no number on a corner with w = 0
+    if (!(u > 0.0)) continue;
+    Blend blend{0.25 * u * u};
+    const double du = (side == 0 ? -1.0 : 1.0) / w;
+    blend.d(direction) = 0.5 * u * du;
+    blend.dd(direction) = 0.5 * du * du;
+    if constexpr (P == 2) {
+      const int along = 1 - direction;
+      const double dw = width.d(along), ddw = width.dd(along), duAlong = way * dw / (w * w);
+      blend.d(along) = 0.5 * u * duAlong;
+      blend.dd(along) = 0.5 * (duAlong * duAlong + u * way * (ddw - 2.0 * dw * dw / w) / (w * w));
+      blend.dd(2) = 0.5 * (du * duAlong - u * du * dw / w);
+    }
+    return Rounding{edge, *across(edge.place, direction, side), blend};
+  }
+  return std::nullopt;
+}
+
+/// ∂y/∂ξ^d on an edge by its span's parameter d across, into the span, and derivatives of that along the edge, by
+/// the parameter of the span from which one came over it.
+template <int Dim>
+typename MasterSurface<Dim>::EdgeSum MasterSurface<Dim>::slopeInto(const Edge& edge) const {
+  const Face& face = at(edge.place.face);
+  EdgeSum slope;
+  slope.nodes = spanNodes(edge.place);
+  slope.f = crossingDerivatives<P>(face.trace.basis(), face.trace.weights(), edge.place.span, edge.place.xi,
+                                   edge.direction);
+  double factor = edge.side == 0 ? 1.0 : -1.0;
+  for (auto column : slope.f.colwise()) {
+    column *= factor;
+    factor *= edge.stretch;
+  }
+  slope.y = spanPoints(edge.place) * slope.f;
+  return slope;
+}
+
+/// Adds a blended sum, which changes with the parameter `along`, if at all.
+template <int Dim>
+void MasterSurface<Dim>::add(const Blend& blend, const EdgeSum& sum, int along, SurfacePoint<Dim>& point) {
+  const auto places = placesAmong(point.nodes, sum.nodes);
+  const auto size = std::ssize(point.nodes);
+  point.shape.R.conservativeResizeLike(Eigen::VectorXd::Zero(size));
+  point.shape.dR.conservativeResizeLike(decltype(point.shape.dR)::Zero(size, P));
+  point.shape.ddR.conservativeResizeLike(decltype(point.shape.ddR)::Zero(size, P * (P + 1) / 2));
+  const auto addTo = [&](auto&& value, auto&& first, auto&& second, const auto& columns) {
+    value += blend.b * columns.col(0);
+    for (int c = 0; c < P; ++c) first.col(c) += blend.d(c) * columns.col(0);
+    for (int c = 0; c < P * (P + 1) / 2; ++c) second.col(c) += blend.dd(c) * columns.col(0);
+    if (columns.cols() == 1) return;
+    first.col(along) += blend.b * columns.col(1);
+    second.col(along) += 2.0 * blend.d(along) * columns.col(1) + blend.b * columns.col(2);
+    second.col(2) += blend.d(1 - along) * columns.col(1);
+  };
+  addTo(point.shape.R(places), point.shape.dR(places, Eigen::all), point.shape.ddR(places, Eigen::all),
+        sum.f);
+  addTo(point.x, point.tangents, point.curvatures, sum.y);
+}
+
+template <int Dim>
+std::vector<int> MasterSurface<Dim>::spanNodes(const SurfacePlace<Dim>& place) const {
+  const Face& face = at(place.face);
+  std::vector<int> nodes;
+  for (const int a : face.trace.basis().spanFunctions(place.span))
+    nodes.push_back(face.nodes[static_cast<std::size_t>(a)]);
+  return nodes;
+}
+
+template <int Dim>
+Eigen::Matrix<double, Dim, Eigen::Dynamic> MasterSurface<Dim>::spanPoints(
+    const SurfacePlace<Dim>& place) const {
+  const Face& face = at(place.face);
+  return face.points(Eigen::all, face.trace.basis().spanFunctions(place.span));
 }
 
 template <int Dim>
 SurfacePoint<Dim> MasterSurface<Dim>::unroundedAt(const SurfacePlace<Dim>& place) const {
   const Face& face = at(place.face);
-  const std::vector<int> functions = face.trace.basis().spanFunctions(place.span);
   SurfacePoint<Dim> point;
   point.place = place;
-  for (const int a : functions) point.nodes.push_back(face.nodes[static_cast<std::size_t>(a)]);
+  point.nodes = spanNodes(place);
   point.shape = secondOrderShape<P>(face.trace.basis(), face.trace.weights(), place.span, place.xi);
-  const Eigen::Matrix<double, Dim, Eigen::Dynamic> points = face.points(Eigen::all, functions);
+  const Eigen::Matrix<double, Dim, Eigen::Dynamic> points = spanPoints(place);
   point.x = points * point.shape.R;
   point.tangents = points * point.shape.dR;
   point.curvatures = points * point.shape.ddR;
@@ -302,6 +507,9 @@ std::optional<typename MasterSurface<Dim>::Edge> MasterSurface<Dim>::across(cons
     there[static_cast<std::size_t>(1 - edge.direction)] = counterpart;
     edge.place.xi(1 - edge.direction) = std::lerp(other.spanBegin(counterpart), other.spanEnd(counterpart),
                                                   glue->reversed ? 1.0 - share : share);
+    edge.stretch = (glue->reversed ? -1.0 : 1.0) *
+                   (other.spanEnd(counterpart) - other.spanBegin(counterpart)) /
+                   (along.spanEnd(number) - along.spanBegin(number));
   }
   edge.place.span = to.spanNumber(there);
   return edge;
@@ -535,8 +743,9 @@ std::optional<Foot<Dim>> MasterSurface<Dim>::project(const Eigen::Vector<double,
   return std::nullopt;
 }
 
+/// Bézier points of a span without what is rounded and, in the last row, their weights.
 template <int Dim>
-Eigen::Matrix<double, Dim, Eigen::Dynamic> MasterSurface<Dim>::hull(int face, int span) const {
+Eigen::Matrix<double, Dim + 1, Eigen::Dynamic> MasterSurface<Dim>::bezierPoints(int face, int span) const {
   const TensorBasis<P>& tensor = basis(face);
   const auto index = tensor.spanIndex(span);
   Eigen::MatrixXd C = tensor.direction(0).extraction(index[0]);
@@ -550,22 +759,52 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> MasterSurface<Dim>::hull(int face, in
   const std::vector<int> functions = tensor.spanFunctions(span);
   const Eigen::VectorXd w = at(face).trace.weights()(functions);
   const Eigen::MatrixXd weighted = w.asDiagonal() * C;
-  const Eigen::RowVectorXd weights = weighted.colwise().sum();
-  if (!(weights.minCoeff() > 0.0)) return {};
-  Eigen::Matrix<double, Dim, Eigen::Dynamic> points = at(face).points(Eigen::all, functions) * weighted;
-  points.array().rowwise() /= weights.array();
-  if (at(face).roundings.empty()) return points;
-  for (const auto& rounding : at(face).roundings[static_cast<std::size_t>(span)]) {
-    // What is rounded is within ¼ (y'(0⁺) - y'(0⁻)) of the span.
-    if (!rounding) continue;
-    const Eigen::Vector<double, Dim> jump =
-        rounding->thereByLength * unroundedAt(rounding->there).tangents.col(0) -
-        rounding->hereByLength * unroundedAt(rounding->here).tangents.col(0);
-    const Eigen::Index count = points.cols();
-    points.conservativeResize(Eigen::NoChange, 2 * count);
-    points.rightCols(count) = points.leftCols(count).colwise() + 0.25 * jump;
-  }
+  Eigen::Matrix<double, Dim + 1, Eigen::Dynamic> points(Dim + 1, C.cols());
+  points.template bottomRows<1>() = weighted.colwise().sum();
+  points.template topRows<Dim>() = at(face).points(Eigen::all, functions) * weighted;
+  points.template topRows<Dim>().array().rowwise() /= points.template bottomRows<1>().array();
   return points;
+}
+
+template <int Dim>
+Eigen::AlignedBox<double, Dim> MasterSurface<Dim>::box(int face, int span) const {
+  using Box = Eigen::AlignedBox<double, Dim>;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+  const auto sharpBox = [&](int f, int s) {
+    const auto points = bezierPoints(f, s);
+    lowest = std::min(lowest, points.template bottomRows<1>().minCoeff());
+    highest = std::max(highest, points.template bottomRows<1>().maxCoeff());
+    return Box(points.template topRows<Dim>().rowwise().minCoeff(),
+               points.template topRows<Dim>().rowwise().maxCoeff());
+  };
+  Box box = sharpBox(face, span);
+  int degree = 0;
+  if (isRounded(face, span)) {
+    // What is rounded is a sum of Bézier points as the span is, with some of the spans around. Derivatives give
+    // these factors up to b w p times the ratio of weights, per direction.
+    Box all = box;
+    SurfacePlace<Dim> corner{face, span, {}};
+    for (unsigned number = 0; number < 1u << P; ++number) {
+      for (int d = 0; d < P; ++d) corner.xi(d) = spanEnd(corner, d, static_cast<int>(number >> d & 1u));
+      for (const SurfacePlace<Dim>& place : around(corner)) {
+        all.extend(sharpBox(place.face, place.span));
+        for (int d = 0; d < P; ++d) degree = std::max(degree, basis(place.face).direction(d).degree());
+      }
+    }
+    const double factor = 0.25 * kRoundedPart * degree * highest / lowest;
+    const double share = std::min(1.0, std::pow(1.0 + factor, P) - 1.0);
+    box = Box(box.min() + share * (all.min() - box.min()), box.max() + share * (all.max() - box.max()));
+  }
+  return lowest > 0.0 ? box : Box();
+}
+
+template <int Dim>
+bool MasterSurface<Dim>::isRounded(int face, int span) const {
+  const auto& widths = at(face).widths;
+  if (widths.empty()) return false;
+  const auto& edges = widths[static_cast<std::size_t>(span)];
+  return std::any_of(edges.begin(), edges.end(),
+                     [](const auto& ends) { return ends[0] > 0.0 || ends[1] > 0.0; });
 }
 
 template struct Foot<2>;

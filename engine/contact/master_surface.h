@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 #include <vector>
@@ -29,7 +30,7 @@ struct SurfacePoint {
   Eigen::Matrix<double, Dim, Dim - 1> tangents;              ///< y_α = ∂y/∂η^α
   Eigen::Matrix<double, Dim, Dim*(Dim - 1) / 2> curvatures;  ///< y_αβ, see `secondDerivative`
   Eigen::Vector<double, Dim> normal;                         ///< unit, out of the body
-  bool isRounded = false;                                    ///< on a rounded kink
+  std::array<bool, Dim - 1> isRounded{};                     ///< across which parameter on a rounded kink
 };
 
 /// Closest point of a surface to a position x. Where the surface has a kink only some of the two parameters
@@ -52,7 +53,7 @@ struct Foot {
 
   /// Gap over the distance to the nearer centre of curvature, positive on its side, where the foot ends to be
   /// the closest point at 1: the largest eigenvalue of g m⁻¹ κ of the parameters that move, with
-  /// m_αβ = y_α·y_β and κ_αβ = n·y_αβ.
+  /// m_αβ = y_α·y_β and κ_αβ = n·y_αβ. Rounded kinks, whose radii are short, are left out.
   double shareOfRadius() const;
 };
 
@@ -61,12 +62,20 @@ struct Foot {
 ///
 /// Where two spans meet that are continuous only, the surface gets a kink under pressure. The normal would jump
 /// where a foot goes over it, and with it forces: states in between, in which both sides hold a point, would
-/// have no equilibrium. In the plane kinks are therefore rounded (`roundKinks`),
+/// have no equilibrium. Kinks are therefore rounded (`roundKinks`),
 ///
-///     ỹ(s) = y(s) + ¼ (1 - |s|)² (y'(0⁺) - y'(0⁻)) for |s| <= 1,
+///     ỹ = y + b Σ y_d,  b = ¼ (1 - s)² for s <= 1,
 ///
-/// with s the distance from the kink over a small part of the shorter of both spans. ỹ has a continuous tangent,
-/// and is a sum of control points as y is.
+/// with s the distance from the kink in parts of a width, a small part of the shorter of both spans, and the sum of
+/// both sides' derivatives ∂y/∂s on the kink, away from it. ỹ has a continuous tangent, and is a sum of control
+/// points as y is. In space a kink is a line of constant parameter, y_d and the width go along it, and where two of
+/// them cross both are rounded, one after the other in either order:
+///
+///     ỹ = y + b_0 Σ y_0 + b_1 Σ y_1 + b_0 b_1 Σ y_01,
+///
+/// the last sum going over the four spans around the crossing. Widths belong to the corners of spans, zero at
+/// those from which a line does not go on as one, and change along edges such that their derivative is zero at
+/// corners: what is rounded then goes on over them with a continuous tangent plane.
 template <int Dim>
 class MasterSurface {
  public:
@@ -76,8 +85,8 @@ class MasterSurface {
   /// Moves it to where the displacements of all nodes put it, which come first among the unknowns.
   void moveTo(const Eigen::VectorXd& x);
 
-  /// Rounds the kinks that the surface has in its current place, in the plane, but for corners from 45 degrees
-  /// on; which ones they are, and how far, stays so until it is called again.
+  /// Rounds the kinks that the surface has in its current place, but for corners from 45 degrees on; which ones
+  /// they are, and how far, stays so until it is called again.
   void roundKinks();
 
   /// Longest way of a control point from another place of the same surface; no point of it has gone farther
@@ -110,9 +119,10 @@ class MasterSurface {
   /// Around a rim that is collapsed to a point also the middles of its spans.
   std::vector<SurfacePlace<Dim>> around(const SurfacePlace<Dim>& place) const;
 
-  /// Current Bézier points of a span, with those of its rounded ends, in whose convex hull it lies; empty if
-  /// their weights are not positive (possible for Lagrange bases with weights only).
-  Eigen::Matrix<double, Dim, Eigen::Dynamic> hull(int face, int span) const;
+  /// Box in which a span lies in its current place, that of its Bézier points and, where it is rounded, a part of
+  /// the way to those of the spans around; empty if their weights are not positive (possible for Lagrange bases
+  /// with weights only).
+  Eigen::AlignedBox<double, Dim> box(int face, int span) const;
 
  private:
   static constexpr int P = Dim - 1;
@@ -123,13 +133,6 @@ class MasterSurface {
     bool reversed = false;
   };
 
-  /// How the kink at an end of a span is rounded, seen from that span.
-  struct Rounding {
-    SurfacePlace<Dim> here, there;                   ///< the kink as a place of both spans
-    double width = 0.0;                              ///< of the rounded part, in the span's parameter
-    double hereByLength = 0.0, thereByLength = 0.0;  ///< parameters by s, which grows from here to there
-  };
-
   struct Face {
     Patch<P, Dim> trace;  ///< in the reference place
     std::vector<int> nodes;
@@ -137,20 +140,68 @@ class MasterSurface {
     Eigen::MatrixXd points;  ///< current control points
     std::array<std::optional<Glue>, 2 * P> glued;
     std::array<bool, 2 * P> collapsed{};
-    std::vector<std::array<std::optional<Rounding>, 2>> roundings;  ///< per span, at its ends; in the plane
+
+    /// Per span, of what is rounded at its edge 2 d + side, in the parameter d: at the begin and end of the
+    /// edge (equal in the plane), zero where it is sharp. Empty if all edges are.
+    std::vector<std::array<std::array<double, 2>, 2 * P>> widths;
   };
 
-  /// A place on the edge of a span, seen from that span: parameter d at its begin (side 0) or end (1).
+  /// A place on the edge of a span, seen from that span: parameter d at its begin (side 0) or end (1). `stretch`
+  /// is the derivative of the parameter along it by that of the span from which one came over the edge.
   struct Edge {
     SurfacePlace<Dim> place;
     int direction = 0, side = 0;
+    double stretch = 1.0;
+  };
+
+  /// What an edge between two spans that are continuous only is like somewhere along it, and sums over places on
+  /// it of the lengths of the tangents by either span's parameter across.
+  struct Crease {
+    bool isKink = false, isCorner = false;
+    double speed = 0.0, speedThere = 0.0;
+  };
+  using Creases = std::vector<std::vector<std::array<std::optional<Crease>, 2 * P>>>;
+
+  /// A factor with derivatives by the parameters.
+  struct Blend {
+    double b = 0.0;
+    Eigen::Vector<double, P> d = Eigen::Vector<double, P>::Zero();
+    Eigen::Vector<double, P*(P + 1) / 2> dd = Eigen::Vector<double, P*(P + 1) / 2>::Zero();
+
+    Blend operator*(const Blend& other) const;
+  };
+
+  /// Both sides of an edge about which a place of the first one is rounded, with b of `MasterSurface`.
+  struct Rounding {
+    Edge here, there;
+    Blend blend;
+  };
+
+  /// A sum of control points on an edge, Σ f_b y_b, and its derivatives along the edge, one column each.
+  struct EdgeSum {
+    std::vector<int> nodes;
+    Eigen::MatrixXd f;
+    Eigen::Matrix<double, Dim, Eigen::Dynamic> y;
   };
 
   const Face& at(int face) const { return faces_[static_cast<std::size_t>(face)]; }
   void glueRims();
-  std::optional<Rounding> roundingOf(const SurfacePlace<Dim>& place, int side) const;
+  double spanEnd(const SurfacePlace<Dim>& place, int direction, int side) const;
+  double spanSize(const SurfacePlace<Dim>& place, int direction) const;
+  int sideOf(const SurfacePlace<Dim>& corner, int direction) const;
+  std::optional<Crease> creaseAt(Edge edge) const;
+  double widthAtCorner(const Edge& edge, const Creases& creases) const;
+  Blend widthAlong(const Edge& edge, int along) const;
+  std::optional<Rounding> roundingAt(const SurfacePlace<Dim>& place, int direction) const;
+  EdgeSum slopeInto(const Edge& edge) const;
+  static void add(const Blend& blend, const EdgeSum& sum, int along, SurfacePoint<Dim>& point);
+  std::vector<int> spanNodes(const SurfacePlace<Dim>& place) const;
+  Eigen::Matrix<double, Dim, Eigen::Dynamic> spanPoints(const SurfacePlace<Dim>& place) const;
+  Eigen::Matrix<double, Dim + 1, Eigen::Dynamic> bezierPoints(int face, int span) const;
+  bool isRounded(int face, int span) const;
   SurfacePoint<Dim> unroundedAt(const SurfacePlace<Dim>& place) const;
   void round(SurfacePoint<Dim>& point) const;
+  void roundCrossing(const Rounding& first, const Rounding& second, SurfacePoint<Dim>& point) const;
   bool isAtRim(const SurfacePlace<Dim>& place, int direction, int side) const;
   bool isFree(const SurfacePlace<Dim>& place, int direction, int side) const;
 

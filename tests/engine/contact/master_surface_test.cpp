@@ -103,49 +103,96 @@ TEST(MasterSurface, SeesAConcaveKinkFromInside) {
   EXPECT_LT((foot->normal - (x - Eigen::Vector2d(0.0, 1.0)) / foot->gap).norm(), 1e-14);
 }
 
-/// Places of a plane surface around the knot between two spans of its first face, shares of the spans away from it.
-std::array<SurfacePlace<2>, 2> besideKnot(const MasterSurface<2>& surface, int span, double share) {
+/// Differences of a place's neighbours against its tangents and curvatures.
+template <int Dim>
+void expectDerivatives(const MasterSurface<Dim>& surface, const SurfacePlace<Dim>& place, double tolerance) {
+  const auto point = surface.at(place);
+  EXPECT_NEAR(point.shape.R.sum(), 1.0, 1e-14);
+  EXPECT_LT(point.shape.dR.colwise().sum().norm(), 1e-12);
+  const double step = 1e-6;
+  for (int d = 0; d < Dim - 1; ++d) {
+    SurfacePlace<Dim> before = place, after = place;
+    before.xi(d) -= step;
+    after.xi(d) += step;
+    const auto low = surface.at(before), high = surface.at(after);
+    EXPECT_LT(((high.x - low.x) / (2.0 * step) - point.tangents.col(d)).norm(), 0.1 * tolerance);
+    for (int e = 0; e < Dim - 1; ++e)
+      EXPECT_LT(((high.tangents.col(e) - low.tangents.col(e)) / (2.0 * step) -
+                 point.curvatures.col(secondDerivative(d, e)))
+                    .norm(),
+                tolerance);
+  }
+}
+
+/// Places of a surface around the knot behind spans of its first face, shares of the spans away from it, at which
+/// the other parameter is given.
+template <int Dim>
+std::array<SurfacePlace<Dim>, 2> besideKnot(const MasterSurface<Dim>& surface, int span, double share,
+                                            double along = 0.0) {
   const UnivariateBasis& basis = surface.basis(0).direction(0);
   const auto at = [&](int number, double from) {
     const double length = basis.spanEnd(number) - basis.spanBegin(number);
-    return SurfacePlace<2>{0, number, Eigen::Vector<double, 1>(basis.spanEnd(span) + from * share * length)};
+    Eigen::Vector<double, Dim - 1> xi = Eigen::Vector<double, Dim - 1>::Constant(along);
+    const int line = Dim == 2 ? 0 : surface.placeOf(0, xi).span / basis.numSpans();
+    xi(0) = basis.spanEnd(span) + from * share * length;
+    return SurfacePlace<Dim>{0, line * basis.numSpans() + number, xi};
   };
   return {at(span, -1.0), at(span + 1, 1.0)};
 }
 
+template <int Dim>
+void expectRoundedKnots(const MasterSurface<Dim>& sharp, double along = 0.0) {
+  MasterSurface<Dim> surface = sharp;
+  surface.roundKinks();
+  const int spans = surface.basis(0).direction(0).numSpans();
+  for (int span = 0; span < spans - 1; ++span) {
+    const auto [before, after] = besideKnot(surface, span, 0.0, along);
+    EXPECT_GT((sharp.at(before).normal - sharp.at(after).normal).norm(), 1e-3);
+    EXPECT_LT((surface.at(before).normal - surface.at(after).normal).norm(), 1e-13);
+    EXPECT_LT((surface.at(before).x - surface.at(after).x).norm(), 1e-15);
+    EXPECT_LT((surface.at(before).x - sharp.at(before).x).norm(), 0.01 / spans);
+    EXPECT_GT((surface.at(before).x - sharp.at(before).x).norm(), 1e-6);
+    // Farther away all is as it was.
+    for (const auto& place : besideKnot(surface, span, 0.1, along)) {
+      EXPECT_EQ(surface.at(place).x, sharp.at(place).x);
+      EXPECT_EQ(surface.at(place).normal, sharp.at(place).normal);
+      EXPECT_FALSE(surface.at(place).isRounded[0]);
+    }
+    for (const auto& place : besideKnot(surface, span, 0.004, along)) {
+      EXPECT_TRUE(surface.at(place).isRounded[0]);
+      expectDerivatives<Dim>(surface, place, 1e-6);
+    }
+  }
+}
+
 TEST(MasterSurface, RoundsKinksToOneTangent) {
   for (const auto& [family, degree] : {std::pair{BasisFamily::BSpline, 1}, {BasisFamily::Lagrange, 2}}) {
-    const Body<2> body = makeBody(test::wavy<2>(family, degree, 4, 0.1 / degree, 9));
-    const MasterSurface<2> sharp(body, {{0, kTop}});
-    MasterSurface<2> surface = sharp;
+    const Body<2> plane = makeBody(test::wavy<2>(family, degree, 4, 0.1 / degree, 9));
+    expectRoundedKnots<2>(MasterSurface<2>(plane, {{0, kTop}}));
+    const Body<3> solid = makeBody(test::wavy<3>(family, degree, 3, 0.1 / degree, 9));
+    expectRoundedKnots<3>(MasterSurface<3>(solid, {{0, kTop}}), 0.43);
+  }
+}
+
+TEST(MasterSurface, RoundsCrossingKinksToOneTangentPlane) {
+  for (const auto& [family, degree] : {std::pair{BasisFamily::BSpline, 1}, {BasisFamily::Lagrange, 2}}) {
+    const Body<3> body = makeBody(test::wavy<3>(family, degree, 3, 0.1 / degree, 9));
+    const MasterSurface<3> sharp(body, {{0, kTop}});
+    MasterSurface<3> surface = sharp;
     surface.roundKinks();
-    for (const int span : {0, 1, 2}) {
-      const auto [before, after] = besideKnot(surface, span, 0.0);
-      EXPECT_GT((sharp.at(before).normal - sharp.at(after).normal).norm(), 1e-3);
-      EXPECT_LT((surface.at(before).normal - surface.at(after).normal).norm(), 1e-13);
-      EXPECT_LT((surface.at(before).x - surface.at(after).x).norm(), 1e-15);
-      EXPECT_LT((surface.at(before).x - sharp.at(before).x).norm(), 0.01 * 0.25);
-      // Farther away all is as it was.
-      for (const auto& place : besideKnot(surface, span, 0.1)) {
-        EXPECT_EQ(surface.at(place).x, sharp.at(place).x);
-        EXPECT_EQ(surface.at(place).normal, sharp.at(place).normal);
-        EXPECT_FALSE(surface.at(place).isRounded);
-      }
-      for (const auto& place : besideKnot(surface, span, 0.004)) {
-        const auto point = surface.at(place);
-        EXPECT_TRUE(point.isRounded);
-        EXPECT_NEAR(point.shape.R.sum(), 1.0, 1e-14);
-        EXPECT_NEAR(point.shape.dR.sum(), 0.0, 1e-12);
-        const double step = 1e-6;
-        SurfacePlace<2> low = place, high = place;
-        low.xi(0) -= step;
-        high.xi(0) += step;
-        const auto tangents = (surface.at(high).x - surface.at(low).x) / (2.0 * step);
-        const auto curvatures = (surface.at(high).tangents - surface.at(low).tangents) / (2.0 * step);
-        EXPECT_LT((tangents - point.tangents).norm(), 1e-8);
-        EXPECT_LT((curvatures - point.curvatures).norm(), 1e-6);
+    const double knot = surface.basis(0).direction(0).spanEnd(1);
+    for (const Eigen::Vector2d& xi : {Eigen::Vector2d(knot, knot), Eigen::Vector2d(knot + 0.003, knot),
+                                      Eigen::Vector2d(knot, knot - 0.004), Eigen::Vector2d(knot, 1.0)}) {
+      const auto first = surface.at(surface.placeOf(0, xi));
+      const auto places = surface.around(first.place);
+      EXPECT_EQ(places.size(), xi(0) == xi(1) ? 4u : 2u);
+      for (const auto& place : places) {
+        EXPECT_LT((surface.at(place).x - first.x).norm(), 1e-15);
+        EXPECT_LT((surface.at(place).normal - first.normal).norm(), 1e-13);
       }
     }
+    for (const double share : {-0.005, 0.004})
+      expectDerivatives<3>(surface, surface.placeOf(0, {knot + share, knot + 0.003}), 1e-6);
   }
 }
 
@@ -177,6 +224,140 @@ TEST(MasterSurface, FeetGoOverARoundedKinkSmoothly) {
   }
 }
 
+/// The same block with parameters that run the other way along two directions, over longer ranges.
+Patch<3> reparametrised(const Patch<3>& patch) {
+  const auto& basis = patch.basis();
+  std::vector<UnivariateBasis> directions;
+  for (const int d : {0, 1, 2}) {
+    std::vector<double> knots = basis.direction(d).knots();
+    for (double& knot : knots) knot *= d + 1.0;
+    directions.push_back(UnivariateBasis::bspline({basis.direction(d).degree(), std::move(knots)}));
+  }
+  Eigen::MatrixXd points = patch.points();
+  for (int a = 0; a < basis.numFunctions(); ++a) {
+    auto index = basis.functionIndex(a);
+    for (const int d : {0, 2}) {
+      auto& number = index[static_cast<std::size_t>(d)];
+      number = basis.direction(d).numFunctions() - 1 - number;
+    }
+    points.col(basis.functionNumber(index)) = patch.points().col(a);
+  }
+  return {TensorBasis<3>(std::move(directions)), std::move(points), patch.weights()};
+}
+
+/// A block of four patches about a vertical line, two of them with other parameters, whose upper faces are bent.
+Body<3> bentBlocks() {
+  const auto block = [](double x, double z) {
+    const Patch<3> patch =
+        refined(box({x, -1.0, z}, {1.0, 1.0, 1.0}),
+                {KnotVector::uniform(2, 2), KnotVector::uniform(1, 1), KnotVector::uniform(2, 3)});
+    Eigen::MatrixXd points = patch.points();
+    for (Eigen::Index a = 0; a < points.cols(); ++a) {
+      const double u = points(0, a), w = points(2, a);
+      points(1, a) -=
+          points(1, a) < -0.5 ? 0.0 : 0.2 * std::abs(u) + 0.15 * std::abs(w) + 0.1 * u * std::abs(w);
+    }
+    return Patch<3>(patch.basis(), points, patch.weights());
+  };
+  return joinedBody<3>({block(-1.0, -1.0), reparametrised(block(0.0, -1.0)), reparametrised(block(-1.0, 0.0)),
+                        block(0.0, 0.0)},
+                       {"a", "b", "c", "d"});
+}
+
+TEST(MasterSurface, RoundsJointsOfPatchesAndWhereTheyCross) {
+  const Body<3> body = bentBlocks();
+  const std::vector<FacePlace> faces{{0, kTop}, {1, kTop}, {2, kTop}, {3, kTop}};
+  const MasterSurface<3> sharp(body, faces);
+  MasterSurface<3> surface = sharp;
+  surface.roundKinks();
+  for (const Eigen::Vector2d& xi :
+       {Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(1.0, 0.4), Eigen::Vector2d(0.3, 1.0),
+        Eigen::Vector2d(1.0, 0.995), Eigen::Vector2d(0.99, 1.0), Eigen::Vector2d(1.0, 2.0 / 3.0),
+        Eigen::Vector2d(1.0, 0.0)}) {
+    const auto first = surface.at(surface.placeOf(0, xi));
+    const auto places = surface.around(first.place);
+    EXPECT_GE(places.size(), 2u);
+    double turn = 0.0;
+    for (const auto& place : places) {
+      turn = std::max(turn, (sharp.at(place).normal - sharp.at(first.place).normal).norm());
+      EXPECT_LT((surface.at(place).x - first.x).norm(), 1e-15);
+      EXPECT_LT((surface.at(place).normal - first.normal).norm(), 1e-13);
+    }
+    EXPECT_GT(turn, 0.1);
+  }
+  for (const Eigen::Vector2d& xi : {Eigen::Vector2d(0.996, 0.995), Eigen::Vector2d(0.997, 0.3)})
+    expectDerivatives<3>(surface, surface.placeOf(0, xi), 1e-6);
+}
+
+/// Three faces that meet in one point, with kinks of less than 45 degrees between them: no line goes on there.
+TEST(MasterSurface, RoundedKinksEndWithoutAGapWhereThreeFacesMeet) {
+  Eigen::MatrixXd points(3, 8);
+  const auto around = [](double degrees, double height) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    return Eigen::Vector3d(std::cos(angle), std::sin(angle), height);
+  };
+  // A flattened cube that stands on a corner; the upper one is the last of its control points.
+  points << Eigen::Vector3d(0.0, 0.0, -1.0), around(60.0, -0.35), around(300.0, -0.35), around(0.0, -0.2),
+      around(180.0, -0.35), around(120.0, -0.2), around(240.0, -0.2), Eigen::Vector3d::Zero();
+  const Patch<3> cube = box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0});
+  const Body<3> body =
+      makeBody(refined(Patch<3>(cube.basis(), points, cube.weights()),
+                       {KnotVector::uniform(1, 2), KnotVector::uniform(1, 2), KnotVector::uniform(1, 2)}));
+  const MasterSurface<3> sharp(body, {{0, kRight}, {0, kTop}, {0, kFront}});
+  MasterSurface<3> surface = sharp;
+  surface.roundKinks();
+  bool anyRounded = false;
+  for (const double along : {1.0, 0.999, 0.99, 0.9, 0.7, 0.51, 0.5, 0.3})
+    for (const Eigen::Vector2d& xi : {Eigen::Vector2d(1.0, along), Eigen::Vector2d(along, 1.0)})
+      for (const int face : {0, 1, 2}) {
+        const auto first = surface.at(surface.placeOf(face, xi));
+        for (const auto& place : surface.around(first.place)) {
+          EXPECT_LT((surface.at(place).x - first.x).norm(), 1e-15);
+          if (along < 1.0) {
+            EXPECT_LT((surface.at(place).normal - first.normal).norm(), 1e-12);
+          }
+          anyRounded = anyRounded || surface.at(place).isRounded[0];
+        }
+      }
+  EXPECT_TRUE(anyRounded);
+  const auto top = surface.at(surface.placeOf(0, {1.0, 1.0}));
+  EXPECT_EQ(top.x, sharp.at(top.place).x);
+  for (const auto& xi : {Eigen::Vector2d(0.99, 0.7), Eigen::Vector2d(0.999, 0.9)})
+    expectDerivatives<3>(surface, surface.placeOf(1, xi), 1e-5);
+}
+
+/// A point that goes over a crossing of two kinks, a blunt pyramid or a pit, in small steps, at an angle.
+TEST(MasterSurface, FeetGoOverARoundedCrossingSmoothly) {
+  for (const double height : {0.2, -0.2}) {
+    const Patch<3> block =
+        refined(box({-1.0, -1.0, -1.0}, {2.0, 1.0, 2.0}),
+                {KnotVector::uniform(1, 2), KnotVector::uniform(1, 1), KnotVector::uniform(1, 2)});
+    Eigen::MatrixXd points = block.points();
+    for (Eigen::Index a = 0; a < points.cols(); ++a)
+      if (points(1, a) > -0.5) points(1, a) = -height * (std::abs(points(0, a)) + std::abs(points(2, a)));
+    const Body<3> body = makeBody(Patch<3>(block.basis(), points, block.weights()));
+    MasterSurface<3> surface(body, {{0, kTop}});
+    surface.roundKinks();
+    for (const double above : {1e-3, 0.0, -1e-3}) {
+      SurfacePlace<3> place = surface.placeOf(0, {0.48, 0.48});
+      Eigen::Vector3d last = Eigen::Vector3d::Zero();
+      const int count = 2000;
+      for (int k = 0; k <= count; ++k) {
+        const double x = -0.05 + 0.1 * k / count, z = 0.6 * x + 0.005;
+        const auto foot = surface.project({x, -height * (std::abs(x) + std::abs(z)) + above, z}, place);
+        ASSERT_TRUE(foot);
+        EXPECT_TRUE(foot->isSmooth());
+        if (k > 0) {
+          EXPECT_LT((foot->normal - last).norm(), 2e-3);
+        }
+        last = foot->normal;
+        place = foot->point.place;
+      }
+      EXPECT_EQ(place.span, 3);
+    }
+  }
+}
+
 TEST(MasterSurface, LeavesCornersSharpAndWhatIsSmoothAsItIs) {
   const Body<2> block = makeBody(
       refined(rectangle({0.0, 0.0}, {2.0, 1.0}), {KnotVector::uniform(2, 3), KnotVector::uniform(1, 2)}));
@@ -188,7 +369,7 @@ TEST(MasterSurface, LeavesCornersSharpAndWhatIsSmoothAsItIs) {
          surface.around({sample.place.face, sample.place.span,
                          Eigen::Vector<double, 1>(
                              surface.basis(sample.place.face).direction(0).spanEnd(sample.place.span))}))
-      EXPECT_FALSE(surface.at(place).isRounded);
+      EXPECT_FALSE(surface.at(place).isRounded[0]);
 }
 
 TEST(MasterSurface, GoesOnStraightBeyondAFreeEnd) {
@@ -320,52 +501,43 @@ TEST(MasterSurface, FollowsTheBody) {
 TEST(MasterSurface, DerivativesAgreeWithDifferencesAlsoBeyondTheEnds) {
   const Body<3> body = makeBody(test::wavy<3>(BasisFamily::BSpline, 3, 3, 0.1, 9));
   const MasterSurface<3> surface(body, {{0, kTop}});
-  const double step = 1e-6;
   for (const Eigen::Vector2d& xi :
-       {Eigen::Vector2d(0.41, 0.27), Eigen::Vector2d(1.05, 0.2), Eigen::Vector2d(-0.07, 1.02)}) {
-    const SurfacePlace<3> place = surface.placeOf(0, xi);
-    const auto point = surface.at(place);
-    for (int d = 0; d < 2; ++d) {
-      SurfacePlace<3> before = place, after = place;
-      before.xi(d) -= step;
-      after.xi(d) += step;
-      const auto low = surface.at(before), high = surface.at(after);
-      EXPECT_LT(((high.x - low.x) / (2.0 * step) - point.tangents.col(d)).norm(), 1e-8);
-      for (int e = 0; e < 2; ++e)
-        EXPECT_LT(((high.tangents.col(e) - low.tangents.col(e)) / (2.0 * step) -
-                   point.curvatures.col(secondDerivative(d, e)))
-                      .norm(),
-                  1e-7);
-    }
-  }
+       {Eigen::Vector2d(0.41, 0.27), Eigen::Vector2d(1.05, 0.2), Eigen::Vector2d(-0.07, 1.02)})
+    expectDerivatives<3>(surface, surface.placeOf(0, xi), 1e-7);
 }
 
-TEST(MasterSurface, HullHoldsTheSpan) {
+template <int Dim>
+bool holds(const Eigen::AlignedBox<double, Dim>& box, const Eigen::Vector<double, Dim>& x) {
+  return box.exteriorDistance(x) <= 1e-14;
+}
+
+TEST(MasterSurface, BoxHoldsTheSpan) {
   for (const BasisFamily family : {BasisFamily::BSpline, BasisFamily::Lagrange}) {
     const Body<3> body = makeBody(test::wavy<3>(family, 2, 3, 0.1, 9));
     const MasterSurface<3> surface(body, {{0, kTop}});
-    for (const auto& sample : test::samples(surface, 5)) {
-      const auto hull = surface.hull(0, sample.place.span);
-      ASSERT_EQ(hull.cols(), 9);
-      const Eigen::Vector3d low = hull.rowwise().minCoeff(), high = hull.rowwise().maxCoeff();
-      EXPECT_TRUE((sample.x.array() >= low.array() - 1e-14).all() &&
-                  (sample.x.array() <= high.array() + 1e-14).all());
-    }
+    for (const auto& sample : test::samples(surface, 5))
+      EXPECT_TRUE(holds<3>(surface.box(0, sample.place.span), sample.x));
   }
 }
 
-TEST(MasterSurface, HullHoldsRoundedKinks) {
-  const Body<2> body = makeBody(test::wavy<2>(BasisFamily::BSpline, 1, 4, 0.2, 9));
-  MasterSurface<2> surface(body, {{0, kTop}});
-  surface.roundKinks();
+TEST(MasterSurface, BoxHoldsRoundedKinks) {
+  const Body<2> plane = makeBody(test::wavy<2>(BasisFamily::BSpline, 1, 4, 0.2, 9));
+  MasterSurface<2> curve(plane, {{0, kTop}});
+  curve.roundKinks();
   for (const int span : {0, 1, 2})
     for (const double share : {0.0, 0.005, 0.02})
-      for (const auto& place : besideKnot(surface, span, share)) {
-        const auto hull = surface.hull(0, place.span);
-        const Eigen::Vector2d x = surface.at(place).x;
-        EXPECT_TRUE((x.array() >= hull.rowwise().minCoeff().array() - 1e-15).all() &&
-                    (x.array() <= hull.rowwise().maxCoeff().array() + 1e-15).all());
-      }
+      for (const auto& place : besideKnot<2>(curve, span, share))
+        EXPECT_TRUE(holds<2>(curve.box(0, place.span), curve.at(place).x));
+  for (const auto& [family, degree] : {std::pair{BasisFamily::BSpline, 1}, {BasisFamily::Lagrange, 2}}) {
+    const Body<3> solid = makeBody(test::wavy<3>(family, degree, 3, 0.2 / degree, 9));
+    MasterSurface<3> surface(solid, {{0, kTop}});
+    surface.roundKinks();
+    for (const int span : {0, 1})
+      for (const double share : {0.0, 0.005, 0.02})
+        for (const double along : {0.01, 0.2, 1.0 / 3.0, 0.34, 0.66})
+          for (const auto& place : besideKnot<3>(surface, span, share, along))
+            EXPECT_TRUE(holds<3>(surface.box(0, place.span), surface.at(place).x));
+  }
 }
 
 TEST(MasterSurface, RefusesAFaceThatIsNamedTwice) {
