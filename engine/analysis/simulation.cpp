@@ -64,8 +64,9 @@ void Simulation<Dim>::record() {
   Eigen::VectorXd total = Eigen::VectorXd::Zero(model->numUnknowns());
   for (const Eigen::VectorXd& force : newton.forces()) total += force;
   const Eigen::VectorXd bulk = model->bulkForces(newton.forces());
-  recorder.update({stepping.state().time, stepping.state().x, bulk}, total,
-                  {[this] { return newton.countUnstableDirections(); }, model->stabilisedShare(newton.forces())});
+  recorder.update(
+      {stepping.state().time, stepping.state().x, bulk}, total,
+      {[this] { return newton.countUnstableDirections(); }, model->stabilisedShare(newton.forces())});
 }
 
 template <int Dim>

@@ -245,7 +245,8 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
     const UnseenDilatation unseen(shearModulus_, this->J_[point], Jbar);
     const PointModuli<K> moduli(response, p, unseen.stiffness, balanced);
     work.kernel.setModuli(q, w, response.tau, moduli.c, moduli.r);
-    contract<K>(gradients.template middleCols<C>(C * q), F_[point], (w / Jbar) * moduli.B, work.perPoint.col(q));
+    contract<K>(gradients.template middleCols<C>(C * q), F_[point], (w / Jbar) * moduli.B,
+                work.perPoint.col(q));
     work.e(q) = w * moduli.e / (Jbar * Jbar);
   }
 

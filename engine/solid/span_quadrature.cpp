@@ -165,8 +165,8 @@ typename SpanQuadrature<Dim>::Span SpanQuadrature<Dim>::makeSpan(const Body<Dim>
   const auto n = static_cast<Eigen::Index>(functions.size());
   const auto Q = static_cast<Eigen::Index>(rule.points.size());
   const int columns = gradientColumns(kinematics_);
-  Span span{static_cast<int>(p), number, {}, numPoints_, Eigen::MatrixXd(Dim, Q), Eigen::VectorXd(Q), 0.0,
-            {},                  {}};
+  Span span{static_cast<int>(p), number, {}, numPoints_, Eigen::MatrixXd(Dim, Q),
+            Eigen::VectorXd(Q),  0.0,    {}, {}};
   for (const int a : functions) span.nodes.push_back(body.nodes[p][static_cast<std::size_t>(a)]);
   const Eigen::MatrixXd points = patch.points()(Eigen::all, functions);
   if constexpr (Dim == 3)

@@ -31,10 +31,10 @@ class SpanQuadrature {
   /// One knot span of one patch, with `n` functions and `Q` points.
   struct Span {
     int patch = 0;
-    int number = 0;          ///< span of the patch's basis
-    std::vector<int> nodes;  ///< n nodes
-    int firstPoint = 0;      ///< number of its first quadrature point in the body
-    Eigen::MatrixXd xi;      ///< Dim x Q parameters
+    int number = 0;           ///< span of the patch's basis
+    std::vector<int> nodes;   ///< n nodes
+    int firstPoint = 0;       ///< number of its first quadrature point in the body
+    Eigen::MatrixXd xi;       ///< Dim x Q parameters
     Eigen::VectorXd weights;  ///< Q: weight times det(∂X/∂ξ), and times 2πR in axisymmetry
     double size = 0.0;        ///< square root of its area (2D) or cube root of its volume
     TensorFactors factors;    ///< Dim 3 only, else empty

@@ -27,7 +27,8 @@ struct Pattern {
 /// The entry of a row in a column, or where it would stand, from an entry of that column on.
 int firstFrom(int entry, const Eigen::SparseMatrix<double>& matrix, int row, int column) {
   const int* rows = matrix.innerIndexPtr();
-  return static_cast<int>(std::lower_bound(rows + entry, rows + matrix.outerIndexPtr()[column + 1], row) - rows);
+  return static_cast<int>(std::lower_bound(rows + entry, rows + matrix.outerIndexPtr()[column + 1], row) -
+                          rows);
 }
 
 }  // namespace

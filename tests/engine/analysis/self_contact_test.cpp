@@ -81,8 +81,7 @@ contact: [{{tool: plane, face: top{}}}]
 steps: [{{until: 1, count: 10}}]
 output: {{vtu: false}}
 )",
-                             refine,
-                             withMethod(gaps));
+                             refine, withMethod(gaps));
 }
 
 /// A roller that presses one leg on the other and moves along it. keys: further ones of the contact of the
@@ -310,10 +309,10 @@ TEST(SelfContactWithFriction, BalancesWorkAndRubbing) {
 
 // A pair of two faces of a body, in which one is the slave, is the contact of both as one surface.
 TEST(SelfContactOfFaces, IsContactOfOneWithTheOther) {
-  const test::Outcome
-      one = outcomeOf(slitRing("self_contact: [{faces: [left, right], friction: 0.3, reach: 0.3}]")),
-      pair = outcomeOf(slitRing(
-          "contact: [{face: left, against: {face: right}, friction: 0.3, reach: 0.3}]"));
+  const test::Outcome one = outcomeOf(
+                          slitRing("self_contact: [{faces: [left, right], friction: 0.3, reach: 0.3}]")),
+                      pair = outcomeOf(slitRing(
+                          "contact: [{face: left, against: {face: right}, friction: 0.3, reach: 0.3}]"));
   ASSERT_TRUE(one.summary.completed) << one.summary.stoppedBecause;
   ASSERT_TRUE(pair.summary.completed) << pair.summary.stoppedBecause;
   EXPECT_GT(last(one, "self_contact.slipping"), 3.0);

@@ -191,9 +191,8 @@ void expectExactProjection(const Body<Dim>& body) {
   for (const auto& span : quadrature.spans()) {
     const Eigen::MatrixXd& R = span.values(buffer);
     for (Eigen::Index q = 0; q < span.weights.size(); ++q)
-      rest(span.nodes) +=
-          span.weights(q) * R.col(q) *
-          (R.col(q).dot(projected.col(1)(span.nodes)) - values(span.firstPoint + q, 1));
+      rest(span.nodes) += span.weights(q) * R.col(q) *
+                          (R.col(q).dot(projected.col(1)(span.nodes)) - values(span.firstPoint + q, 1));
   }
   EXPECT_LT(rest.norm(), 1e-13);
 }

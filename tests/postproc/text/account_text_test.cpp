@@ -55,7 +55,8 @@ TEST(AccountText, SaysWhatMultigridNeeded) {
   account.linearSystems = 20;
   account.linearSetUps = 12;
   account.linearFallbacks = 0;
-  EXPECT_EQ(lineOf(account, {}, "linear systems"), "20 by multigrid, 6.2 iterations in each, set up 12 times");
+  EXPECT_EQ(lineOf(account, {}, "linear systems"),
+            "20 by multigrid, 6.2 iterations in each, set up 12 times");
   account.linearFallbacks = 2;
   EXPECT_EQ(lineOf(account, {}, "linear systems"),
             "20 by multigrid, 6.2 iterations in each, set up 12 times; 2 of them by factors in the end");
