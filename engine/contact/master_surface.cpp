@@ -353,7 +353,7 @@ typename MasterSurface<Dim>::Blend MasterSurface<Dim>::widthAlong(const Edge& ed
     const double t = std::clamp(way / size, 0.0, 1.0), dt = edge.stretch / size;
     width.b += rise * t * t * (3.0 - 2.0 * t);
     width.d(along) = rise * 6.0 * t * (1.0 - t) * dt;
-    width.dd(along) = rise * (6.0 - 12.0 * t) * dt * dt;
+    if (way >= 0.0 && way <= size) width.dd(along) = rise * (6.0 - 12.0 * t) * dt * dt;
   }
   return width;
 }

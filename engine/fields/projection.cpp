@@ -2,6 +2,7 @@
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/IterativeLinearSolvers>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -55,8 +56,12 @@ class Projection<3>::Mass {
   }
 
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const {
+    if (!rhs.allFinite())
+      return Eigen::MatrixXd::Constant(rhs.rows(), rhs.cols(), std::numeric_limits<double>::quiet_NaN());
     Eigen::MatrixXd solution = gradients_.solve(rhs);
-    if (gradients_.info() != Eigen::Success) throw Error("a field could not be projected onto the body");
+    if (gradients_.info() != Eigen::Success)
+      throw Error(
+          "a field at quadrature points could not be projected onto the body: conjugate gradients stall");
     return solution;
   }
 

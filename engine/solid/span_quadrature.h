@@ -10,7 +10,7 @@ namespace burnish {
 /// What makes the values and gradients of a span with three directions of univariate functions, with `points`
 /// in each: R_a = w_a N_a / Σ_b w_b N_b and ∇_X R_a = w_a Σ_m D_m N_a map_m, where D_m N_a is the product of the
 /// univariate functions with the one in direction m differentiated, and without derivatives for m = 3. They
-/// take a tenth of the memory of what they make.
+/// take a seventh of the memory of what they make at degree 2.
 struct TensorFactors {
   std::array<Eigen::MatrixXd, 3> N;              ///< per direction p+1 x 2·points: values, then derivatives
   Eigen::VectorXd weights;                       ///< n weights w_a

@@ -32,10 +32,11 @@ class DirectSolver::General {
     return lu_.info() == Eigen::Success;
   }
 
-  /// Operations of a factorisation, by the pattern.
-  double cost(const Matrix& A) {
+  /// Operations of a factorisation, by the pattern; none if they were not counted.
+  std::optional<double> cost(const Matrix& A) {
     analyse(A);
-    return lu_.symmetricFlops();
+    const double flops = lu_.symmetricFlops();
+    return flops > 0.0 ? std::optional(flops) : std::nullopt;
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) { return lu_.solve(b); }
@@ -68,8 +69,8 @@ class DirectSolver::Definite {
     llt_.cholmod().print = 0;  // a matrix that is not positive definite is no surprise here
   }
 
-  /// False if K or -S is not positive definite, or if the border is so wide that factors of all of A, of a known
-  /// cost or else of about twice that of K, are cheaper.
+  /// False if K or -S is not positive definite, or if the border alone, beside K, costs more than factors of all
+  /// of A do: what is known, or about twice as much as those of K.
   bool factorise(const Matrix& A, std::optional<double> costOfWhole = {}) {
     if (K_.rows() == 0) analyse(A);
     if (!analysed_) return false;
@@ -229,7 +230,7 @@ class DirectSolver::Companion {
  public:
   explicit Companion(Eigen::Index leading) : leading_(leading), symmetric_(leading) {}
 
-  bool factorise(const Matrix& A, double costOfWhole) {
+  bool factorise(const Matrix& A, std::optional<double> costOfWhole) {
     if (opposite_.empty()) {
       findOpposite(A);
       near_ = A;

@@ -36,7 +36,7 @@ int numLeading(const std::vector<bool>& prescribed, int numForces,
   if (!hierarchy || hierarchy->prolongations.empty()) return numForces;
   auto left = hierarchy->prolongations.front().rows();
   int end = 0;
-  for (; left > 0; ++end) left -= prescribed[static_cast<std::size_t>(end)] ? 0 : 1;
+  for (; left > 0; ++end) left -= prescribed.at(static_cast<std::size_t>(end)) ? 0 : 1;
   return end;
 }
 
@@ -224,7 +224,8 @@ void Newton::archive(StateArchive& archive) {
   archive.field("remembered_tangent", entries);
   if (entries.size() != 0 && entries.size() != system_.nonZeros())
     throw Error("the saved tangent is none of this run");
-  if (archive.restores() && entries.size() != 0) remembered_ = system_.fromColumns(entries);
+  if (archive.restores())
+    remembered_ = entries.size() != 0 ? system_.fromColumns(entries) : SparseSystem::Entries{};
   archive.fixedField("seconds_of_terms", timings_.terms);
   archive.field("seconds_of_factorisation", timings_.factorisation);
   archive.field("seconds_of_solve", timings_.solve);

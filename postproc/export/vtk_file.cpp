@@ -78,7 +78,7 @@ void write(vtkDataObject& data, double time, const std::filesystem::path& file) 
       throw Error(fmt::format("cannot write {}: {}", file.string(),
                               writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError
                                   ? "No space left on device"
-                                  : "VTK failed to encode it"));
+                                  : vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())));
   });
 }
 

@@ -78,6 +78,8 @@ class MultigridSolver::Implementation {
 
   void beginSearch() {
     isNear_ = false;
+    if (factorises_ && hasSolved_) pause_ = 0;  // the search before has done with factors
+    hasSolved_ = false;
     useFactors(searchesWithout_ == 0);
     if (searchesWithout_ > 0) --searchesWithout_;
   }
@@ -86,30 +88,29 @@ class MultigridSolver::Implementation {
     border_ = A.border();
     if (!A.leading().coeffs().allFinite() || !isFinite(border_)) return false;
     m_ = border_.C.rows();
-    if (K_ == nullptr) {
-      makeMatrix(A.leading());
-      makeCycle();
-    }
+    if (K_ == nullptr) makeMatrix(A.leading());
     isIndefinite_ = false;
+    ++counts_.systems;
     return (isNear_ || setUpCycle()) && zone_.factorise(A.leading(), border_);
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
-    ++counts_.systems;
+    const bool wasNear = isNear_;
     Eigen::VectorXd x = solveWithCycle(b, accuracy);
-    if (!x.allFinite() && isNear_ && setUpCycle()) x = solveWithCycle(b, accuracy);
+    if (!x.allFinite() && wasNear && setUpCycle()) x = solveWithCycle(b, accuracy);
     if (!x.allFinite() && factorises_) {
       // Incomplete factors are of no use where shear is soft beside compression.
       searchesWithout_ = pause_ = std::clamp(2 * pause_, 1, kMostWithout);
       useFactors(false);
       if (setUpCycle()) x = solveWithCycle(b, accuracy);
     }
-    if (factorises_ && x.allFinite()) pause_ = 0;
+    hasSolved_ = hasSolved_ || x.allFinite();
+    if (isIndefinite_) ++numIndefinite_;
     return x;
   }
 
   Eigen::Index nonZeros() {
-    if (K_ == nullptr) return 0;
+    if (!isSetUp_) return 0;
     Eigen::Index sum = 0;
     for (PetscInt level = 0; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
       KSP smoother = nullptr;
@@ -129,12 +130,15 @@ class MultigridSolver::Implementation {
                                                                      : Definiteness::NotKnown;
   }
   const IterationCounts& counts() const { return counts_; }
-  void archive(StateArchive& archive) { archive.together("without_factors", searchesWithout_, pause_); }
+  void archive(StateArchive& archive) {
+    archive.together("without_factors", searchesWithout_, pause_, factorises_, hasSolved_);
+  }
   long numIndefinite() const { return numIndefinite_; }
 
  private:
   /// Of the present matrix.
   bool setUpCycle() {
+    if (cycle_ == nullptr) makeCycle();
     // The library does not know that the values have changed; as long as it does not, smoothers keep what they
     // have made of others.
     double* values = nullptr;
@@ -143,13 +147,15 @@ class MultigridSolver::Implementation {
     check(PCSetOperators(cycle_, K_, K_));
     ++counts_.setUps;
     isNear_ = false;
-    return PCSetUp(cycle_) == 0;
+    isSetUp_ = PCSetUp(cycle_) == 0;
+    return isSetUp_;
   }
 
   void useFactors(bool factorises) {
     if (factorises == factorises_) return;
     factorises_ = factorises;
-    if (K_ != nullptr) makeCycle();
+    cycle_.reset();
+    isSetUp_ = false;
   }
 
   /// Not finite if it does not converge.
@@ -168,6 +174,8 @@ class MultigridSolver::Implementation {
       Eigen::VectorXd x(b.size());
       x.tail(m_) = zone_.solve(b.tail(m_));
       if (byConjugateGradients(b.head(n_), accuracy, x)) return x;
+      // With the V-cycle of another matrix that tells nothing about this one.
+      if (isNear_) return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
     }
     return byGmres(b, accuracy);
   }
@@ -235,10 +243,8 @@ class MultigridSolver::Implementation {
     write(rhs, [&](auto values) { values = b; });
     KSPConvergedReason reason{};
     const bool converged = iterate(krylov, rhs, solution, accuracy.reduction, reason);
-    if (reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC) {
-      isIndefinite_ = true;
-      ++numIndefinite_;
-    }
+    isIndefinite_ =
+        !isNear_ && (reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC);
     read(solution, [&](auto values) { x.head(n_) = values; });
     return converged;
   }
@@ -323,11 +329,13 @@ class MultigridSolver::Implementation {
   long numIndefinite_ = 0;
   bool factorises_ = true;  ///< smooths with incomplete factors, else by over-relaxation
   bool isIndefinite_ = false;
+  bool isSetUp_ = false;  ///< the V-cycle
 
   bool isNear_ = false;           ///< the V-cycle is to be kept for the next matrix
   double perDigitAtFirst_ = 0.0;  ///< iterations, with the V-cycle of the matrix itself
   int searchesWithout_ = 0;       ///< incomplete factors, from the next search on
   int pause_ = 0;                 ///< `searchesWithout_` as it was set last
+  bool hasSolved_ = false;        ///< a system of this search
 };
 
 MultigridSolver::MultigridSolver(const LinearProblem& problem) {

@@ -52,9 +52,9 @@ Outcome run(const std::string& scene, const std::string& solver) {
                    "multigrid");
 }
 
-/// Both runs, whose histories agree within 1e-8 of each column's largest value. Returns iterations per system,
-/// most of which are solved with the V-cycle of an earlier one: a new one costs as much as eight iterations.
-double iterationsPerSystem(const std::string& scene) {
+/// Both runs, whose histories agree within 1e-8 of each column's largest value. Returns the iterations that a
+/// system costs, a V-cycle that is set up counted as eight, which it takes as long as.
+double costPerSystem(const std::string& scene) {
   const Outcome direct = run(scene, "direct"), multigrid = run(scene, "multigrid");
   EXPECT_TRUE(multigrid.summary.completed);
   EXPECT_EQ(multigrid.summary.steps, direct.summary.steps);
@@ -74,62 +74,62 @@ double iterationsPerSystem(const std::string& scene) {
   EXPECT_FALSE(direct.summary.linearIterations);
   EXPECT_EQ(multigrid.summary.linearFallbacks, 0);
   EXPECT_LT(multigrid.summary.linearSetUps.value(), multigrid.summary.linearSystems.value());
-  return static_cast<double>(multigrid.summary.linearIterations.value()) /
+  return static_cast<double>(multigrid.summary.linearIterations.value() +
+                             8 * multigrid.summary.linearSetUps.value()) /
          static_cast<double>(multigrid.summary.linearSystems.value());
 }
 
 TEST(Multigrid, PulledBlock) {
-  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled), 4.5);
+  EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled), 12.5);
 }
 
 TEST(Multigrid, ContactAtPoints) {
-  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kPlastic +
-                                ball("method: integral-augmented-lagrangian")),
-            9.0);
+  EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack + kPlastic +
+                          ball("method: integral-augmented-lagrangian")),
+            13.5);
 }
 
 TEST(Multigrid, ContactByAveragesWithFriction) {
-  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic +
-                                ball("method: augmented-lagrangian, friction: 0.3")),
-            7.5);
+  EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic +
+                          ball("method: augmented-lagrangian, friction: 0.3")),
+            15.5);
 }
 
 TEST(Multigrid, PenaltyAtPoints) {
-  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic +
-                                ball("method: pointwise-penalty")),
-            5.0);
+  EXPECT_LT(
+      costPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + ball("method: pointwise-penalty")),
+      13.0);
 }
 
 TEST(Multigrid, LagrangeElements) {
-  EXPECT_LT(
-      iterationsPerSystem("basis: lagrange\n" + std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled),
-      6.5);
+  EXPECT_LT(costPerSystem("basis: lagrange\n" + std::string(kBlock) + kHeldAtTheBack + kElastic + kPulled),
+            14.5);
 }
 
 TEST(Multigrid, ConstantDilatation) {
-  EXPECT_LT(iterationsPerSystem("formulation: fbar\n" + std::string(kBlock) + kHeldAtTheBack +
-                                "material: {law: neo-hookean, E: 1, nu: 0.45}\n" + kPulled),
-            7.0);
+  EXPECT_LT(costPerSystem("formulation: fbar\n" + std::string(kBlock) + kHeldAtTheBack +
+                          "material: {law: neo-hookean, E: 1, nu: 0.45}\n" + kPulled),
+            12.0);
 }
 
 /// Incomplete factors are given up here.
 TEST(Multigrid, NearlyIncompressible) {
-  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack +
-                                "material: {law: neo-hookean, E: 1, nu: 0.49}\n" + kPulled),
-            7.0);
+  EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack +
+                          "material: {law: neo-hookean, E: 1, nu: 0.49}\n" + kPulled),
+            15.0);
 }
 
 TEST(Multigrid, DegreeThree) {
-  EXPECT_LT(iterationsPerSystem(R"(
+  EXPECT_LT(costPerSystem(R"(
 degree: 3
 geometry: {shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 1], spans: [5, 5, 4]}
 )" + std::string(kHeldAtTheBack) +
-                                kPlastic + ball("method: integral-augmented-lagrangian")),
-            9.0);
+                          kPlastic + ball("method: integral-augmented-lagrangian")),
+            13.5);
 }
 
 TEST(Multigrid, TwoPatches) {
-  EXPECT_LT(iterationsPerSystem(std::string(R"yaml(
+  EXPECT_LT(costPerSystem(std::string(R"yaml(
 degree: 2
 geometry:
   shape: patches
@@ -140,17 +140,17 @@ supports: [{patch: a, face: back, fix: [x, y, z]}]
 loads: [{patch: b, face: front, traction: [0.01, 0.02, "-0.1*exp(-20*(X^2 + Y^2))"], schedule: {times: [0, 1], values: [0, 1]}}]
 steps: [{until: 1, count: 2}]
 )yaml") + kElastic),
-            4.5);
+            12.5);
 }
 
 TEST(Multigrid, ToolWithAFreeDirection) {
-  EXPECT_LT(iterationsPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + R"(
+  EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + R"(
 tools:
   - {name: ball, shape: sphere, center: [0, 0, 0.5], radius: 0.5, carry: {z: "-0.002 - 0.008*t"}}
 contact: [{tool: ball, face: front}]
 steps: [{until: 1, count: 2}]
 )"),
-            9.0);
+            15.0);
 }
 
 TEST(Multigrid, IsRefusedInThePlane) {

@@ -58,9 +58,12 @@ ResidualScales scalesFor(int size) {
   return {size, 1e-9, Eigen::VectorXd::Zero(size), Eigen::VectorXd()};
 }
 
-TEST(SparseSystem, AddsGroupsInAnyOrderWithGapsAndRepetitions) {
+/// With K over so many of the first unknowns.
+class SparseSystemOf : public testing::TestWithParam<int> {};
+
+TEST_P(SparseSystemOf, AddsGroupsInAnyOrderWithGapsAndRepetitions) {
   const std::vector<CouplingGroups> groups{{{4, 0, 1}, {5, 2, 2, 3}}, {{1, 4}}};
-  SparseSystem system({false, true, false, false, false, false, false}, groups);
+  SparseSystem system({false, true, false, false, false, false, false}, groups, GetParam());
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(7, 7);
   std::mt19937 generator(2);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -91,8 +94,28 @@ TEST(SparseSystem, AddsGroupsInAnyOrderWithGapsAndRepetitions) {
   EXPECT_EQ(system.tangent().nonZeros(), 9 + 9 + 1) << "two groups of three unknowns, one in none";
   const std::vector<int> isFree{0, 2, 3, 4, 5, 6};
   EXPECT_EQ(system.freeUnknowns(), isFree);
-  EXPECT_EQ(Eigen::MatrixXd(system.whole()), Eigen::MatrixXd(system.tangent())(isFree, isFree));
+
+  const Eigen::MatrixXd all = system.tangent(), A = all(isFree, isFree);
+  EXPECT_EQ(Eigen::MatrixXd(system.whole()), A);
+  const Eigen::Index n = system.leading().cols(), m = A.cols() - n;
+  EXPECT_EQ(n, std::max(0, GetParam() - 1));
+  EXPECT_EQ(Eigen::MatrixXd(system.leading()), A.topLeftCorner(n, n));
+  const SystemBorder border = system.border();
+  EXPECT_EQ(Eigen::MatrixXd(border.B), A.topRightCorner(n, m));
+  EXPECT_EQ(Eigen::MatrixXd(border.G), A.bottomLeftCorner(m, n));
+  EXPECT_EQ(Eigen::MatrixXd(border.C), A.bottomRightCorner(m, m));
+
+  const Eigen::VectorXd sizes = Eigen::VectorXd::LinSpaced(7, 0.5, 2.0);
+  EXPECT_LT((system.timesMagnitudes(sizes) - all.cwiseAbs() * sizes).norm(), 1e-14);
+  EXPECT_LT((system.timesPrescribed(sizes) - all.col(1) * sizes(1)).norm(), 1e-15);
+  const auto entries = system.entries();
+  const Eigen::VectorXd byColumns = system.byColumns(entries);
+  EXPECT_EQ(byColumns, system.tangent().coeffs().matrix());
+  const auto back = system.fromColumns(byColumns);
+  EXPECT_EQ(back.leading, entries.leading);
+  EXPECT_EQ(back.rest, entries.rest);
 }
+INSTANTIATE_TEST_SUITE_P(NumLeading, SparseSystemOf, testing::Values(0, 3, 5, 7));
 
 TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {
   Chain chain(6, 10.0);
