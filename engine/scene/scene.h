@@ -141,7 +141,7 @@ struct SelfContactSpec {
   FaceSpec place;                  ///< a whole face, or
   std::vector<std::string> faces;  ///< whole faces of that body and patch
   std::optional<double> reach;     ///< distance within which parts are partners
-  ContactOptions options{.method = Enforcement::IntegralAugmentedLagrangian};
+  ContactOptions options;          ///< method is the default
 
   /// The face, or all of the faces.
   std::vector<FaceSpec> places() const;

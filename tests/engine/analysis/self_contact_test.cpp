@@ -43,11 +43,6 @@ output: {{vtu: false}}
                              refine);
 }
 
-/// Keys of contact with a method: by averages unless they name another.
-std::string withMethod(const std::string& keys) {
-  return keys.find("method:") == std::string::npos ? ", method: augmented-lagrangian" + keys : keys;
-}
-
 /// gaps: further keys of the contact.
 std::string squeezed(const std::string& basis, int refine, const std::string& gaps) {
   return hairpin(basis, refine) + fmt::format(R"(
@@ -59,7 +54,7 @@ supports:
 self_contact: [{{face: top{}}}]
 steps: [{{until: 1, count: 10}}]
 )",
-                                              withMethod(gaps));
+                                              gaps);
 }
 
 /// The upper half of the same on a plane of symmetry, which its leg touches as a rigid tool.
@@ -81,7 +76,10 @@ contact: [{{tool: plane, face: top{}}}]
 steps: [{{until: 1, count: 10}}]
 output: {{vtu: false}}
 )",
-                             refine, withMethod(gaps));
+                             refine,
+                             gaps.find("method:") == std::string::npos
+                                 ? ", method: augmented-lagrangian" + gaps
+                                 : gaps);
 }
 
 /// A roller that presses one leg on the other and moves along it. keys: further ones of the contact of the
@@ -309,10 +307,10 @@ TEST(SelfContactWithFriction, BalancesWorkAndRubbing) {
 
 // A pair of two faces of a body, in which one is the slave, is the contact of both as one surface.
 TEST(SelfContactOfFaces, IsContactOfOneWithTheOther) {
-  const test::Outcome one = outcomeOf(
-                          slitRing("self_contact: [{faces: [left, right], friction: 0.3, reach: 0.3}]")),
-                      pair = outcomeOf(slitRing(
-                          "contact: [{face: left, against: {face: right}, friction: 0.3, reach: 0.3}]"));
+  const test::Outcome
+      one = outcomeOf(slitRing("self_contact: [{faces: [left, right], friction: 0.3, reach: 0.3}]")),
+      pair = outcomeOf(slitRing(
+          "contact: [{face: left, against: {face: right}, friction: 0.3, reach: 0.3, method: augmented-lagrangian}]"));
   ASSERT_TRUE(one.summary.completed) << one.summary.stoppedBecause;
   ASSERT_TRUE(pair.summary.completed) << pair.summary.stoppedBecause;
   EXPECT_GT(last(one, "self_contact.slipping"), 3.0);
