@@ -52,6 +52,10 @@ class ModelBuilder {
   void addContact(std::size_t number);
   void addPair(std::size_t number);
 
+  std::unique_ptr<FaceContact<Dim>> partnerContact(const FacePlace& place, const std::string& key,
+                                                   const PartnerMaker<Dim>& makePartner,
+                                                   const ContactOptions& options);
+
   /// The faces of a surface as the partner of the face at a place. slave: its quadrature.
   std::unique_ptr<FacePartner<Dim>> facesAsPartner(const FaceQuadrature<Dim>& slave, const FacePlace& place,
                                                    const std::vector<FacePlace>& surface,
@@ -247,6 +251,26 @@ void ModelBuilder<Dim>::requireMultipliers(const FaceContact<Dim>& term, const F
                                term.options().hasFriction() ? "across or along it" : "across it"));
 }
 
+/// Contact of a face with other faces, whose multipliers become the next unknowns.
+template <int Dim>
+std::unique_ptr<FaceContact<Dim>> ModelBuilder<Dim>::partnerContact(const FacePlace& place,
+                                                                    const std::string& key,
+                                                                    const PartnerMaker<Dim>& makePartner,
+                                                                    const ContactOptions& options) {
+  try {
+    auto term =
+        makePartnerContact<Dim>(model_->body_, place.patch, place.face, makePartner, options,
+                                model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
+    requireMultipliers(*term, place, key);
+    model_->numUnknowns_ += term->numMultipliers();
+    return term;
+  } catch (const InputError&) {
+    throw;
+  } catch (const Error& error) {
+    throw InputError(key, error.what());
+  }
+}
+
 template <int Dim>
 std::unique_ptr<FacePartner<Dim>> ModelBuilder<Dim>::facesAsPartner(const FaceQuadrature<Dim>& slave,
                                                                     const FacePlace& place,
@@ -303,19 +327,9 @@ void ModelBuilder<Dim>::addPair(std::size_t number) {
     }
     return partner;
   };
-  try {
-    auto term =
-        makePartnerContact<Dim>(model_->body_, place.patch, place.face, makePartner, options,
-                                model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
-    requireMultipliers(*term, place, key);
-    if (fit.amount > 0.0) term->beginFrictionAt(fit.until);
-    model_->numUnknowns_ += term->numMultipliers();
-    model_->pairs_.push_back({pairName(spec), place, against, std::move(term), fit});
-  } catch (const InputError&) {
-    throw;
-  } catch (const Error& error) {
-    throw InputError(key, error.what());
-  }
+  auto term = partnerContact(place, key, makePartner, options);
+  if (fit.amount > 0.0) term->beginFrictionAt(fit.until);
+  model_->pairs_.push_back({pairName(spec), place, against, std::move(term), fit});
 }
 
 template <int Dim>
@@ -339,15 +353,7 @@ void ModelBuilder<Dim>::addSelfContact(std::size_t number) {
       return facesAsPartner(slave, place, surface,
                             selfContactRules(reach, static_cast<int>(k), rezoned_ != nullptr));
     };
-    try {
-      auto term =
-          makePartnerContact<Dim>(model_->body_, place.patch, place.face, makePartner, options,
-                                  model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
-      model_->numUnknowns_ += term->numMultipliers();
-      model_->selfContacts_.push_back({place, reach, std::move(term)});
-    } catch (const Error& error) {
-      throw InputError(key, error.what());
-    }
+    model_->selfContacts_.push_back({place, reach, partnerContact(place, key, makePartner, options)});
   }
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/engine/analysis/run_scene.h"
+#include "tests/message_of.h"
 
 /// Bodies whose face touches itself.
 namespace burnish {
@@ -271,6 +272,16 @@ TEST(SelfContactAcrossMeshes, FrictionIsThatOfOneFineMesh) {
   EXPECT_GT(last(fixed, "self_contact.slipping"), 3.0);
   for (const char* column : {"self_contact_force", "self_contact.friction", "roller.fy"})
     EXPECT_NEAR(last(rezoned, column) / last(fixed, column), 1.0, 0.02) << column;
+}
+
+// The slab's end is held, and with it multipliers are missing there.
+TEST(SelfContactAcrossMeshes, IsRefusedAtPointsWhereASupportHoldsAnEnd) {
+  const std::string scene = rolled("degree: 2\n" + kRezoning, 12, ", method: integral-augmented-lagrangian");
+  EXPECT_NE(
+      messageOf([&] { static_cast<void>(outcomeOf(scene)); })
+          .find("self_contact[0]: a support holds an end of the face across it, which new meshes cannot "
+                "take over with this method; use augmented-lagrangian"),
+      std::string::npos);
 }
 
 class SelfContactResumed : public testing::TestWithParam<const char*> {};
