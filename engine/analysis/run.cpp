@@ -44,7 +44,8 @@ class Run {
         halt_(std::move(halt)),
         observer_(observer),
         simulation_(simulationFrom(scene, std::move(model))),
-        output_(directory, checkedRecord(resumes), simulation_->recorder.columns(), resumes, observer) {
+        output_(directory, checkedRecord(resumes), simulation_->recorder.columns(), resumes,
+                simulation_->newton.linearSolver().isIterative(), observer) {
     if constexpr (Dim == 2)
       if (scene.rezoning) rezoner_.emplace(scene, *simulation_);
   }

@@ -12,10 +12,12 @@
 namespace burnish {
 
 RunOutput::RunOutput(const std::filesystem::path& directory, ModelRecord model,
-                     const std::vector<std::string>& columns, bool resumes, RunObserver& observer)
+                     const std::vector<std::string>& columns, bool resumes, bool countsLinear,
+                     RunObserver& observer)
     : directory_(directory),
       model_(std::move(model)),
-      files_(directory, model_, columns, resumes),
+      files_(directory, model_, columns, resumes, countsLinear),
+      countsLinear_(countsLinear),
       observer_(observer) {}
 
 void RunOutput::showAgain() {
@@ -35,9 +37,12 @@ void RunOutput::appendRow(const Recorder<Dim>& recorder, int step, int iteration
 }
 
 void RunOutput::appendConvergence(int number, const StepReport& step) {
-  for (std::size_t k = 0; k < step.newton.history.size(); ++k)
-    files_.appendConvergence(
-        {static_cast<double>(number), step.time, static_cast<double>(k), step.newton.history[k]});
+  for (std::size_t k = 0; k < step.newton.history.size(); ++k) {
+    std::vector<double> row{static_cast<double>(number), step.time, static_cast<double>(k),
+                            step.newton.history[k]};
+    if (countsLinear_) row.push_back(k > 0 ? static_cast<double>(step.newton.linearIterations[k - 1]) : 0.0);
+    files_.appendConvergence(row);
+  }
 }
 
 void RunOutput::accept(const FrameRecord& frame) {

@@ -16,9 +16,10 @@ namespace burnish {
 class RunOutput {
  public:
   /// model: in which the run begins. columns: of the history. resumes: goes on with what a stopped run left
-  /// in the directory, else deletes it. The observer must outlive the object.
+  /// in the directory, else deletes it. countsLinear: the linear solver is one whose iterations are counted.
+  /// The observer must outlive the object.
   RunOutput(const std::filesystem::path& directory, ModelRecord model,
-            const std::vector<std::string>& columns, bool resumes, RunObserver& observer);
+            const std::vector<std::string>& columns, bool resumes, bool countsLinear, RunObserver& observer);
 
   const ModelRecord& model() const { return model_; }
 
@@ -59,6 +60,7 @@ class RunOutput {
   std::filesystem::path directory_;
   ModelRecord model_;
   RunFiles files_;
+  bool countsLinear_;
   RunObserver& observer_;
   double lastFrameTime_ = -std::numeric_limits<double>::infinity();
   double lastRowTime_ = -std::numeric_limits<double>::infinity();

@@ -13,15 +13,21 @@ HistoryWriter makeTable(const std::filesystem::path& path, const std::vector<std
   return HistoryWriter(path, columns);
 }
 
+std::vector<std::string> convergenceColumns(bool countsLinear) {
+  std::vector<std::string> columns{"step", "time", "iteration", "residual"};
+  if (countsLinear) columns.emplace_back("linear_iterations");
+  return columns;
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const std::filesystem::path& directory, const ModelRecord& model,
-                   const std::vector<std::string>& columns, bool resumes)
+                   const std::vector<std::string>& columns, bool resumes, bool countsLinear)
     : directory_(directory),
       restart_(resumes ? std::optional<RestartRecord>(std::in_place) : std::nullopt),
       writer_(restart_ ? ResultWriter(directory, model, *restart_) : ResultWriter(directory, model)),
       history_(makeTable(directory / "history.csv", columns, restart_ ? &restart_->history : nullptr)),
-      convergence_(makeTable(directory / "convergence.csv", {"step", "time", "iteration", "residual"},
+      convergence_(makeTable(directory / "convergence.csv", convergenceColumns(countsLinear),
                              restart_ ? &restart_->convergence : nullptr)) {}
 
 RestartRecord RunFiles::makeRestart(int step, int frames, SavedState state) {

@@ -16,9 +16,9 @@ namespace burnish {
 class RunFiles {
  public:
   /// resumes: goes on with what a stopped run left in the directory, else deletes it. columns: of the
-  /// history.
+  /// history. countsLinear: rows of the convergence end with iterations of the linear solver.
   RunFiles(const std::filesystem::path& directory, const ModelRecord& model,
-           const std::vector<std::string>& columns, bool resumes);
+           const std::vector<std::string>& columns, bool resumes, bool countsLinear = false);
 
   /// Where a resumed run goes on; null for a new one.
   const RestartRecord* restart() const { return restart_ ? &*restart_ : nullptr; }

@@ -252,10 +252,12 @@ NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::Vecto
     if (report.outcome != NewtonOutcome::TooManyIterations || report.iterations == options_.maxIterations)
       return report;
 
+    const auto before = linear_->counts();
     if (!findCorrection(report.iterations == 0, first, residual, correction)) {
       report.outcome = NewtonOutcome::Singular;
       return report;
     }
+    if (before) report.linearIterations.push_back(linear_->counts()->iterations - before->iterations);
     ++report.iterations;
     ++timings_.iterations;
     if (!take(t, correction, target, x, report)) {

@@ -37,9 +37,10 @@ struct NewtonReport {
   int backtracks = 0;
   double residual = std::numeric_limits<double>::infinity();    ///< last relative force residual
   double constraint = std::numeric_limits<double>::infinity();  ///< last constraint residual over L
-  int worstUnknown = -1;        ///< the one with the largest residual force, -1 if there is none
-  bool atRoundOff = false;      ///< converged to what rounding allows, above the relative tolerance
-  std::vector<double> history;  ///< relative force residual before each correction and at the end
+  int worstUnknown = -1;               ///< the one with the largest residual force, -1 if there is none
+  bool atRoundOff = false;             ///< converged to what rounding allows, above the relative tolerance
+  std::vector<double> history;         ///< relative force residual before each correction and at the end
+  std::vector<long> linearIterations;  ///< per correction; empty with a direct solver
 };
 
 /// Seconds spent in the parts of the iteration.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <string>
 
 #include "engine/core/error.h"
@@ -233,6 +234,10 @@ output: {vtu: false, every: 0.25}
     return std::string(std::istreambuf_iterator<char>(stream), {});
   };
   EXPECT_EQ(bytes(whole.path() / "history.csv"), bytes(part.path() / "history.csv"));
+  EXPECT_EQ(bytes(whole.path() / "convergence.csv"), bytes(part.path() / "convergence.csv"));
+  const HistoryTable convergence = readHistory(part.path() / "convergence.csv");
+  const auto& ofSystems = convergence.column("linear_iterations");
+  EXPECT_EQ(std::accumulate(ofSystems.begin(), ofSystems.end(), 0.0), summary.linearIterations);
   EXPECT_EQ(resumed.linearSystems, summary.linearSystems);
   EXPECT_EQ(resumed.linearIterations, summary.linearIterations);
   EXPECT_EQ(resumed.linearSetUps, summary.linearSetUps);
