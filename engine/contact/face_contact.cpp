@@ -15,6 +15,17 @@ void FaceContact<Dim>::keepInTouch(std::vector<const FaceContact*> others) {
 }
 
 template <int Dim>
+double FaceContact<Dim>::usefulPart(const Eigen::VectorXd& x, const Eigen::VectorXd& correction) const {
+  constexpr double kLeast = 0.05;
+  if (!hasAllMultipliers() || keepsInTouch_) return 1.0;
+  const auto n = face_.numFunctions();
+  const double force = A_.head(n).dot(x.segment(firstMultiplier_, n));
+  const double change = A_.head(n).dot(correction.segment(firstMultiplier_, n));
+  const bool pulls = force < 0.0 && force + change > 0.0;  // multipliers are negative under pressure
+  return pulls ? std::max(kLeast, -force / change) : 1.0;
+}
+
+template <int Dim>
 bool FaceContact<Dim>::isAlone() const {
   return std::none_of(others_.begin(), others_.end(), [](const FaceContact* other) {
     return other->state().pressure.size() > 0 && other->state().pressure.maxCoeff() > 0.0;

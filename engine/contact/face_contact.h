@@ -66,6 +66,11 @@ class FaceContact : public Term {
   /// the reference face. With penalties, which have no multipliers, one per function.
   const Eigen::VectorXd& weights() const { return A_; }
 
+  /// As much as takes the pressure away, where the whole correction would leave the face pulled by its partner:
+  /// multipliers that pull let go next, and so a body comes free by its own springback instead of under a
+  /// tension in which it flows.
+  double usefulPart(const Eigen::VectorXd& x, const Eigen::VectorXd& correction) const override;
+
   /// Replaces ε. With an augmented Lagrangian the way into equilibrium depends on it, the equilibrium does
   /// not.
   void setParameter(double parameter) { options_.parameter = parameter; }

@@ -200,10 +200,15 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
                   Eigen::VectorXd& x, NewtonReport& report) {
   const Eigen::VectorXd start = x;
   const double before = report.history.back();
+  double useful = 1.0;
+  for (const Term* term : terms_) useful = std::min(useful, term->usefulPart(start, correction));
+  report.cameFree = report.cameFree || useful < 1.0;
+  Eigen::VectorXd way = correction;
+  if (useful < 1.0) way.head(scales_.numForces) *= useful;
   double s = 1.0;
   for (int halvings = 0;; ++halvings, s *= 0.5) {
-    x = start + s * correction;
-    if (s == 1.0)
+    x = start + s * way;
+    if (s == 1.0 && useful == 1.0)
       for (int i = 0; i < system_.numUnknowns(); ++i)
         if (system_.isPrescribed(i)) x(i) = target(i);  // exactly, not up to a rounded sum
     if (evaluate(t, x)) {

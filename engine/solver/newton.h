@@ -35,6 +35,7 @@ struct NewtonReport {
   NewtonOutcome outcome = NewtonOutcome::TooManyIterations;
   int iterations = 0;  ///< corrections taken
   int backtracks = 0;
+  bool cameFree = false;  ///< corrections were taken in part only, see `Term::usefulPart`
   double residual = std::numeric_limits<double>::infinity();    ///< last relative force residual
   double constraint = std::numeric_limits<double>::infinity();  ///< last constraint residual over L
   int worstUnknown = -1;               ///< the one with the largest residual force, -1 if there is none

@@ -36,11 +36,13 @@ NewtonReport Stepping::attempt(double time, Start start, Eigen::VectorXd& x) {
 }
 
 std::vector<Stepping::Start> Stepping::starts() const {
+  // At a corner of a schedule points that flowed unload: what the last step ended with says nothing there.
+  const bool goesOn = state_.lastIncrement.size() > 0;
   std::vector<Start> starts;
-  if (state_.lastIncrement.size() > 0 && state_.stepsToExtrapolation == 0)
-    starts.push_back(Start::Extrapolated);
-  if (newton_.remembersTangent()) starts.push_back(Start::RememberedTangent);
+  if (goesOn && state_.stepsToExtrapolation == 0) starts.push_back(Start::Extrapolated);
+  if (goesOn && newton_.remembersTangent()) starts.push_back(Start::RememberedTangent);
   starts.push_back(Start::Old);
+  if (!goesOn && newton_.remembersTangent()) starts.push_back(Start::RememberedTangent);
   return starts;
 }
 
@@ -108,7 +110,8 @@ Walk Stepping::advance(double time, double nominal, const std::function<bool(con
 
     newton_.rememberTangent();
     for (Term* term : terms_) term->accept();
-    state_.lastIncrement = x - state_.x;
+    // A body that has come free does not go on as it sprang back.
+    state_.lastIncrement = report.cameFree ? Eigen::VectorXd() : Eigen::VectorXd(x - state_.x);
     state_.lastSize = size;
     state_.x = std::move(x);
     state_.time = next;

@@ -29,6 +29,12 @@ class Term {
   /// through): the step control mends that.
   [[nodiscard]] virtual bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) = 0;
 
+  /// Part, at most 1, of the displacements of a correction at x beyond which the term's tangent is known to say
+  /// nothing. Multipliers take all of the correction.
+  virtual double usefulPart(const Eigen::VectorXd& /*x*/, const Eigen::VectorXd& /*correction*/) const {
+    return 1.0;
+  }
+
   /// Whether the tangent is symmetric in every state; that of a load which follows the body is not.
   virtual bool hasSymmetricTangent() const { return true; }
 

@@ -187,6 +187,32 @@ TEST(Ironing, HasTheSameBitsWithAnyNumberOfThreads) {
   EXPECT_GT(one.summary.end.maxPlasticStrain, 0.0);
 }
 
+/// The tool is lifted by several times the springback in one step, from a body that has flowed.
+class LiftedTool : public testing::TestWithParam<std::string> {};
+
+TEST_P(LiftedTool, LetsGoInAFewIterations) {
+  const auto outcome = test::run(
+      coarseScene("plastic", {"contact[0].method=" + GetParam(),
+                              "tools[0].motion={times: [0, 1, 2], x: [0, 0, 0], y: [0, -0.03, 0.02]}",
+                              "steps=[{until: 1, count: 5}, {until: 2, count: 5}]"}),
+      "let_go");
+  ASSERT_TRUE(outcome.summary.completed);
+  EXPECT_EQ(outcome.summary.cuts, 0);
+  const auto &time = outcome.history.column("time"), &force = outcome.history.column("cylinder.fy"),
+             &iterations = outcome.history.column("newton_iterations");
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    if (time[k] <= 1.0) continue;
+    EXPECT_LE(iterations[k], time[k] < 1.25 ? 6 : 1) << "at t = " << time[k];
+    EXPECT_EQ(force[k], 0.0);
+  }
+  EXPECT_GT(largest(force), 1.0);
+  EXPECT_GT(outcome.summary.end.maxPlasticStrain, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, LiftedTool,
+                         testing::Values("augmented-lagrangian", "integral-augmented-lagrangian"),
+                         [](const auto& method) { return method.index == 0 ? "ByAverages" : "AtPoints"; });
+
 TEST(Ironing, WithALiftedToolBeginsAtZeroToo) {
   const auto scene = coarseScene("plastic", {"basis=lagrange", "steps=[{until: 0.2, count: 2}]"});
   ASSERT_LT(buildModel<2>(scene)->startTime(), 0.0);
