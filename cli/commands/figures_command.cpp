@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <thread>
@@ -13,6 +15,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
+#include "cli/jobs/snakefile.h"
 #include "cli/jobs/study_plan.h"
 #include "cli/jobs/study_progress.h"
 #include "cli/jobs/study_table.h"
@@ -26,20 +29,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array kWorkflows{std::pair{"snakemake", "Snakefile"}};  ///< with the names of their files
+
 struct FiguresArguments {
   fs::path study;
-  fs::path directory;
+  fs::path output;  ///< the directory, or the file of a workflow
   int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::vector<std::string> only;
   fs::path document;
   fs::path gallery;
+  std::optional<std::string> workflow;
+  fs::path results;       ///< of a workflow
   bool drawOnly = false;  ///< in a process that another one has started
 };
 
 ExitCode draw(const Study& study, const FiguresArguments& arguments) {
   const SignalGuard signals(SecondSignal::Ends);
   for (const std::string& name : arguments.only)
-    drawAndRecord(study, findFigure(study, name), arguments.directory);
+    drawAndRecord(study, findFigure(study, name), arguments.output);
   return ExitCode::Fine;
 }
 
@@ -73,21 +80,21 @@ void printResults(const StudyPlan& plan, const std::vector<JobStatus>& jobs, con
 }
 
 ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
-  const DirectoryLock lock = lockOutput(arguments.directory);
-  const StudyPlan plan = planStudy(study, arguments.directory, arguments.only, arguments.jobs);
+  const DirectoryLock lock = lockOutput(arguments.output);
+  const StudyPlan plan = planStudy(study, arguments.output, arguments.only, arguments.jobs);
   announce(plan);
-  prepareJobs(plan, arguments.directory);
+  prepareJobs(plan, arguments.output);
   PoolResult result;
   {
     StudyProgress progress(plan);
     result = runJobs(plan.jobs, arguments.jobs, progress);
   }
   if (result.signal != 0) return interrupted(result.signal);
-  printResults(plan, result.jobs, arguments.directory);
+  printResults(plan, result.jobs, arguments.output);
   if (arguments.only.empty()) {
     const std::string csv = runsCsv(plan, result.jobs);
-    writeFileAtomically(arguments.directory / "runs.csv", std::as_bytes(std::span(csv)));
-    writeDocument(study, arguments.directory, {.file = arguments.document, .gallery = arguments.gallery});
+    writeFileAtomically(arguments.output / "runs.csv", std::as_bytes(std::span(csv)));
+    writeDocument(study, arguments.output, {.file = arguments.document, .gallery = arguments.gallery});
     printOut("document {}\n", arguments.document.string());
   }
   const bool allFine = std::all_of(result.jobs.begin(), result.jobs.end(),
@@ -95,11 +102,28 @@ ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
   return allFine ? ExitCode::Fine : ExitCode::Incomplete;
 }
 
-ExitCode figures(FiguresArguments arguments) {
+/// file: as it is called if no other name is given.
+ExitCode writeWorkflow(const FiguresArguments& arguments, const char* file) {
+  const SnakefileOptions options{.file = arguments.output.empty() ? file : arguments.output,
+                                 .results = arguments.results,
+                                 .document = arguments.document,
+                                 .gallery = arguments.gallery};
+  requireNotInput("--document", options.document, {arguments.study, options.file});
   const Study study = readStudy(arguments.study);
-  if (arguments.directory.empty()) arguments.directory = fs::path("out") / arguments.study.stem();
+  writeSnakefile(study, options);
+  printOut("workflow {}: {} runs, {} figures and a document; start it with: {} -c2\n", options.file.string(),
+           study.runs.size(), study.spec.figures.size(), snakemakeCommand(options.file));
+  flushOutput();
+  return ExitCode::Fine;
+}
+
+ExitCode figures(FiguresArguments arguments) {
+  if (arguments.workflow)
+    return writeWorkflow(arguments, chosen("--workflow", *arguments.workflow, kWorkflows));
+  const Study study = readStudy(arguments.study);
+  if (arguments.output.empty()) arguments.output = fs::path("out") / arguments.study.stem();
   if (arguments.document.empty())
-    arguments.document = arguments.directory / arguments.study.stem().concat(".md");
+    arguments.document = arguments.output / arguments.study.stem().concat(".md");
   requireNotInput("--document", arguments.document, {arguments.study});
   return arguments.drawOnly ? draw(study, arguments) : makeEverything(study, arguments);
 }
@@ -110,21 +134,39 @@ void addFiguresCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("figures", "Compute the runs of a study and draw its figures");
   const auto arguments = std::make_shared<FiguresArguments>();
   command->add_option("STUDY", arguments->study, "Study file (YAML)")->required();
-  command->add_option("-o,--output", arguments->directory,
-                      "Directory for everything that is written [out/NAME of the study]");
-  command->add_option("--jobs", arguments->jobs, "Runs or figures at a time [one per processor]")
-      ->check(CLI::Range(1, 1024));
-  command
-      ->add_option("--only", arguments->only,
-                   "Draw only this figure, from the runs that it needs; may be repeated")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
+  command->footer(
+      "With --workflow nothing is computed: a file is written in which every run, every figure and the document\n"
+      "are rules that call burnish, for a program that works them off here or on a cluster. snakemake -c2 has two\n"
+      "at a time here; docs/study.md shows how Slurm is asked.");
+  command->add_option("-o,--output", arguments->output,
+                      "Directory for everything that is written [out/NAME of the study]; with --workflow its "
+                      "file [Snakefile]");
+  CLI::Option* jobs =
+      command->add_option("--jobs", arguments->jobs, "Runs or figures at a time [one per processor]")
+          ->check(CLI::Range(1, 1024));
+  CLI::Option* only = command
+                          ->add_option("--only", arguments->only,
+                                       "Draw only this figure, from the runs that it needs; may be repeated")
+                          ->type_name("NAME")
+                          ->allow_extra_args(false);
   command->add_option("--document", arguments->document, "Name of the document [NAME of the study.md in DIR]")
       ->type_name("FILE.md");
   command
       ->add_option("--gallery", arguments->gallery, "Directory to which the document's pictures are copied")
       ->type_name("DIR");
-  command->add_flag("--draw-only", arguments->drawOnly)->group("");
+  CLI::Option* drawOnly = command->add_flag("--draw-only", arguments->drawOnly)->group("");
+  CLI::Option* workflow =
+      command
+          ->add_option("--workflow", arguments->workflow, "Write the study as a workflow instead: snakemake")
+          ->type_name("KIND")
+          ->excludes(jobs)
+          ->excludes(only)
+          ->excludes(drawOnly);
+  command
+      ->add_option("--results", arguments->results,
+                   "Directory for everything that the workflow makes [out/NAME of the study]")
+      ->type_name("DIR")
+      ->needs(workflow);
   command->callback([&action, arguments] { action = [arguments] { return figures(*arguments); }; });
 }
 

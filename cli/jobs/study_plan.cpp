@@ -38,14 +38,6 @@ fs::path logFile(const fs::path& directory, const std::string& figure) {
   return directory / "drawn" / (figure + ".log");
 }
 
-/// Tells studies apart, also those with equal times of change.
-std::string digestOf(const fs::path& studyFile) {
-  const std::string text = readText(studyFile);
-  Fingerprint digest;
-  digest.add(std::as_bytes(std::span(text)));
-  return "study " + digest.text();
-}
-
 /// Whether a run has ended, with this program and this scene.
 bool isOf(const fs::path& run, const Scene& scene) {
   try {
@@ -64,6 +56,13 @@ bool hasEnded(const fs::path& run) {
   } catch (const Error&) {
     return false;
   }
+}
+
+/// Removes the files of a figure that was drawn before.
+void removeDrawn(const fs::path& directory, const std::string& figure) {
+  std::error_code absent;
+  for (const fs::path& file : drawnFiles(directory, figure)) fs::remove(file, absent);
+  fs::remove(recordFile(directory, figure), absent);
 }
 
 /// The knots of a shape before it is meshed. All named shapes have one span per direction.
@@ -100,7 +99,7 @@ class Planner {
  public:
   Planner(const Study& study, const fs::path& directory, int atOnce)
       : study_(study), directory_(directory), atOnce_(atOnce) {
-    if (!study.spec.figures.empty()) digest_ = digestOf(study.file);  // runs alone need no file
+    if (!study.spec.figures.empty()) digest_ = studyDigest(study.file);  // runs alone need no file
   }
 
   StudyPlan plan(const std::vector<std::string>& only) {
@@ -210,6 +209,13 @@ class Planner {
 
 }  // namespace
 
+std::string studyDigest(const fs::path& studyFile) {
+  const std::string text = readText(studyFile);
+  Fingerprint digest;
+  digest.add(std::as_bytes(std::span(text)));
+  return "study " + digest.text();
+}
+
 const FigureSpec& findFigure(const Study& study, const std::string& name) {
   std::vector<std::string> names;
   for (const FigureSpec& figure : study.spec.figures) {
@@ -247,16 +253,13 @@ void prepareJobs(const StudyPlan& plan, const fs::path& directory) {
     makeDirectory(run.directory);
     removeSummary(run.directory);
   }
-  std::error_code absent;
-  for (const PlannedFigure& figure : plan.figures) {
-    if (!figure.job) continue;
-    for (const fs::path& file : drawnFiles(directory, figure.figure->name)) fs::remove(file, absent);
-    fs::remove(recordFile(directory, figure.figure->name), absent);
-  }
+  for (const PlannedFigure& figure : plan.figures)
+    if (figure.job) removeDrawn(directory, figure.figure->name);
 }
 
 void drawAndRecord(const Study& study, const FigureSpec& figure, const fs::path& directory) {
-  std::string record = digestOf(study.file) + "\n";
+  removeDrawn(directory, figure.name);
+  std::string record = studyDigest(study.file) + "\n";
   for (const fs::path& file : drawFigure(study, figure, directory))
     record += file.lexically_relative(directory).string() + "\n";
   makeDirectory(directory / "drawn");

@@ -31,6 +31,9 @@ struct StudyPlan {
   std::vector<Job> jobs;
 };
 
+/// Tells studies apart, also those with equal times of change. Throws `Error` if the file cannot be read.
+std::string studyDigest(const std::filesystem::path& studyFile);
+
 /// What a run costs, in no unit: components times entries per unknown times steps times N^1.5 in two
 /// dimensions or N² in three for N functions, as a factorisation by nested dissection.
 double expectedCost(const Scene& scene);
@@ -45,7 +48,7 @@ StudyPlan planStudy(const Study& study, const std::filesystem::path& directory,
 /// study passes for a part of this one.
 void prepareJobs(const StudyPlan& plan, const std::filesystem::path& directory);
 
-/// Draws a figure now and keeps a record of its files.
+/// Draws a figure now, in place of what was drawn before, and keeps a record of its files.
 void drawAndRecord(const Study& study, const FigureSpec& figure, const std::filesystem::path& directory);
 
 /// Files of a figure that was drawn; none if it was not.
