@@ -3,8 +3,10 @@
 #include <Eigen/Sparse>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/core/state_archive.h"
+#include "engine/core/team.h"
 #include "engine/solver/hierarchy.h"
 #include "engine/solver/solver_options.h"
 #include "engine/solver/system_matrix.h"
@@ -18,7 +20,9 @@ struct LinearProblem {
   Eigen::Index leading = 0;  ///< number of rows of K
   TangentKind kind = TangentKind::Symmetric;
   const Hierarchy* hierarchy =
-      nullptr;  ///< of the first unknowns; must outlive the solver. Null: none is known
+      nullptr;                  ///< of the first unknowns; must outlive the solver. Null: none is known
+  const Team* team = &alone();  ///< that solves the systems together; must outlive the solver
+  std::vector<int> begins{};    ///< of several ranks: where the rows of K of each begin, and their number
 };
 
 /// How well a system is to be solved by a method that comes nearer and nearer.
@@ -44,7 +48,8 @@ struct IterationCounts {
 ///         [ Bᵀ  C ],
 ///
 /// whose leading block K is usually positive definite and whose border, the multipliers, has a C that is
-/// negative semidefinite: a diagonal, or sparse.
+/// negative semidefinite: a diagonal, or sparse. Where several ranks solve them together, right-hand sides and
+/// solutions are whole on each.
 class LinearSolver {
  public:
   LinearSolver() = default;

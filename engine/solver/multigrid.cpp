@@ -1,10 +1,7 @@
 #include "engine/solver/multigrid.h"
 
-#include <dlfcn.h>
-#include <fmt/format.h>
-
-#include "engine/core/error.h"
 #include "engine/solver/direct_solver.h"
+#include "engine/solver/petsc_module.h"
 
 namespace burnish {
 namespace {
@@ -14,25 +11,12 @@ using Maker = LinearSolver*(const LinearProblem&);
 /// Factors of more unknowns than these in space do not fit into the memory of most machines.
 constexpr Eigen::Index kMostForDirect = 100'000;
 
-constexpr const char* kLibrary = "burnish_petsc.so";
-
-Maker* loadMaker() {
-  // Found beside the program, through its run path; kept until the process ends.
-  void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  void* maker = library != nullptr ? dlsym(library, "burnishMultigridSolver") : nullptr;
-  if (maker == nullptr)
-    throw Error(fmt::format(
-        "solver: linear: multigrid needs {}, which is not there ({}); it is built with PETSc, that is "
-        "without BURNISH_PETSC=OFF; write linear: direct to do without it",
-        kLibrary, dlerror()));
-  return reinterpret_cast<Maker*>(maker);
-}
-
-/// Multigrid, and a direct solver for what it cannot solve.
+/// Multigrid, and a direct solver for what it cannot solve alone.
 class MultigridOrDirect final : public LinearSolver {
  public:
   explicit MultigridOrDirect(const LinearProblem& problem) : problem_(problem) {
-    static Maker* const make = loadMaker();
+    static auto* const make =
+        reinterpret_cast<Maker*>(petscFunction("burnishMultigridSolver", "solver: linear: multigrid"));
     multigrid_.reset(make(problem));
   }
 
@@ -86,9 +70,9 @@ class MultigridOrDirect final : public LinearSolver {
   }
 
  private:
-  /// False if the matrix is too large to be factorised, or singular.
+  /// False if the matrix is too large to be factorised, divided among ranks, or singular.
   bool fallBack() {
-    if (problem_.leading > kMostForDirect) return false;
+    if (problem_.leading > kMostForDirect || !problem_.team->isAlone()) return false;
     if (!direct_) direct_ = std::make_unique<DirectSolver>(problem_.leading, problem_.kind);
     ++fallbacks_;
     isDirect_ = direct_->factorise(*A_);

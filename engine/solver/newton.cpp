@@ -1,7 +1,9 @@
 #include "engine/solver/newton.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -40,6 +42,16 @@ int numLeading(const std::vector<bool>& prescribed, int numForces,
   return end;
 }
 
+/// Ranks decide alike only from the same bits: processors of different kinds may round differently.
+void requireSameOnAllRanks(const Team& team, std::array<double, 2> values) {
+  const std::array<double, 2> mine = values;
+  team.share(values, 0);
+  if (!team.all(std::memcmp(values.data(), mine.data(), sizeof(mine)) == 0))
+    throw Error(
+        "the processes have found different residuals: their processors round differently; run them on "
+        "processors of one kind");
+}
+
 }  // namespace
 
 std::string describe(NewtonOutcome outcome) {
@@ -62,17 +74,22 @@ std::string describe(NewtonOutcome outcome) {
 }
 
 Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales,
-               NewtonOptions options, std::optional<Hierarchy> hierarchy)
+               NewtonOptions options, std::optional<Hierarchy> hierarchy, const Team& team)
     : terms_(std::move(terms)),
       scales_(std::move(scales)),
       options_(std::move(options)),
       hierarchy_(std::move(hierarchy)),
-      system_(prescribed, couplingsOf(terms_), numLeading(prescribed, scales_.numForces, hierarchy_)),
-      linear_(makeLinearSolver(options_.linear, {numFreeBelow(system_, scales_.numForces),
-                                                 tangentKind(terms_), hierarchy_ ? &*hierarchy_ : nullptr})),
+      team_(team),
+      system_(prescribed, couplingsOf(terms_), numLeading(prescribed, scales_.numForces, hierarchy_),
+              team.rank(), team.size()),
+      linear_(makeLinearSolver(options_.linear,
+                               {numFreeBelow(system_, scales_.numForces), tangentKind(terms_),
+                                hierarchy_ ? &*hierarchy_ : nullptr, &team, system_.leadingBegins()})),
       inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);
+  if (team_.isAlone()) return;
+  for (Term* term : terms_) term->divideAmong(team_, system_.division());
 }
 
 void Newton::rememberTangent() {
@@ -114,13 +131,15 @@ Newton::Residual Newton::measure() const {
     }
   }
   measured.force = std::sqrt(sum) / measured.reference;
+  if (!team_.isAlone()) requireSameOnAllRanks(team_, {measured.force, measured.constraint});
   return measured;
 }
 
 double Newton::roundOff(const Eigen::VectorXd& x) const {
   Eigen::VectorXd magnitude = x.cwiseAbs();
   magnitude.head(scales_.numForces) += scales_.spanSizes;
-  const Eigen::VectorXd bound = system_.timesMagnitudes(magnitude);
+  Eigen::VectorXd bound = system_.timesMagnitudes(magnitude);
+  team_.sum(asSpan(bound));
   double sum = 0.0;
   for (const int i : system_.freeUnknowns())
     if (i < scales_.numForces) sum += bound(i) * bound(i);
@@ -129,7 +148,7 @@ double Newton::roundOff(const Eigen::VectorXd& x) const {
 
 int Newton::countUnstableDirections() {
   // The last iterate is so near that a definite tangent there is one here.
-  if (!hasEquilibrium_ || system_.freeUnknowns().empty() ||
+  if (!hasEquilibrium_ || system_.freeUnknowns().empty() || !team_.isAlone() ||
       linear_->definiteness() != Definiteness::NotDefinite)
     return 0;
   const Stopwatch watch(timings_.factorisation);
@@ -183,7 +202,11 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, const Residual& re
   if (system_.freeUnknowns().empty()) return true;  // supports say it all
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(correction.size());
   for (const auto& force : forces_) rhs -= force;
-  if (!correction.isZero(0.0)) rhs -= system_.timesPrescribed(correction);
+  if (!correction.isZero(0.0)) {
+    Eigen::VectorXd moved = system_.timesPrescribed(correction);
+    team_.sum(asSpan(moved));
+    rhs -= moved;
+  }
   {
     const Stopwatch watch(timings_.factorisation);
     if (!linear_->factorise(system_)) return false;

@@ -62,9 +62,9 @@ enum class FirstTangent {
 class Newton {
  public:
   /// `prescribed`: one flag per unknown. hierarchy: nested spaces of the free displacement components, for
-  /// solvers that need them. The terms must outlive the object.
+  /// solvers that need them. team: that does this together. Terms and team must outlive the object.
   Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales, NewtonOptions options,
-         std::optional<Hierarchy> hierarchy = {});
+         std::optional<Hierarchy> hierarchy = {}, const Team& team = alone());
 
   /// Solves at time t from the start x. Prescribed unknowns go to the values they have in `target` (their
   /// other entries are ignored) along with the first correction, so that an admissible start stays
@@ -83,8 +83,8 @@ class Newton {
   /// Force vectors of the terms, in their order, at the last evaluated state.
   const std::vector<Eigen::VectorXd>& forces() const { return forces_; }
 
-  /// Of the equilibrium that was found last, see `Inertia`; none where one is not known. Takes as long as a
-  /// factorisation.
+  /// Of the equilibrium that was found last, see `Inertia`; none where one is not known, and of a tangent that is
+  /// divided. Takes as long as a factorisation.
   int countUnstableDirections();
 
   const NewtonOptions& options() const { return options_; }
@@ -101,6 +101,8 @@ class Newton {
   };
 
   bool evaluate(double t, const Eigen::VectorXd& x);
+
+  /// Throws `Error` if ranks do not find the same bits.
   Residual measure() const;
 
   /// Residual force that rounding in its own evaluation explains: 4 ε ‖|K| (|x| + h)‖, h the sizes of the
@@ -125,6 +127,7 @@ class Newton {
   ResidualScales scales_;
   NewtonOptions options_;
   std::optional<Hierarchy> hierarchy_;
+  const Team& team_;
   SparseSystem system_;
   std::unique_ptr<LinearSolver> linear_;
   Inertia inertia_;

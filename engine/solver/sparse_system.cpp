@@ -1,21 +1,23 @@
 #include "engine/solver/sparse_system.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <utility>
 
 namespace burnish {
 namespace {
 
-/// The pattern of a square matrix, column by column.
+/// The pattern of a matrix, column by column.
 struct Pattern {
   std::vector<int> begins{0}, rows;
 
   void endColumn() { begins.push_back(static_cast<int>(rows.size())); }
 
-  Eigen::SparseMatrix<double> zeros() const {
-    const auto n = static_cast<Eigen::Index>(begins.size()) - 1;
-    Eigen::SparseMatrix<double> matrix(n, n);
+  Eigen::SparseMatrix<double> zeros() const { return zeros(std::ssize(begins) - 1); }
+
+  Eigen::SparseMatrix<double> zeros(Eigen::Index numRows) const {
+    Eigen::SparseMatrix<double> matrix(numRows, std::ssize(begins) - 1);
     matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
     std::copy(begins.begin(), begins.end(), matrix.outerIndexPtr());
     std::copy(rows.begin(), rows.end(), matrix.innerIndexPtr());
@@ -34,18 +36,43 @@ int firstFrom(int entry, const Eigen::SparseMatrix<double>& matrix, int row, int
 }  // namespace
 
 SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups,
-                           int numLeading)
-    : prescribed_(std::move(prescribed)), numLeading_(numLeading), equations_(prescribed_.size(), -1) {
+                           int numLeading, int rank, int ranks)
+    : prescribed_(std::move(prescribed)),
+      numLeading_(numLeading),
+      equations_(prescribed_.size(), -1),
+      division_(divideUnknowns(termGroups, numUnknowns(), numLeading, rank, ranks)) {
   for (std::size_t i = 0; i < prescribed_.size(); ++i)
     if (!prescribed_[i]) {
       equations_[i] = static_cast<int>(free_.size());
       free_.push_back(static_cast<int>(i));
     }
+  const std::vector<int> begins = leadingBegins();
+  firstEquation_ = begins[static_cast<std::size_t>(rank)];
+  numFreeLeading_ = begins.back();
   for (const auto& groups : termGroups) {
     auto& sorted = groups_.emplace_back();
     for (const auto& group : groups) sorted.push_back(sortedGroup(group));
   }
   makePattern();
+}
+
+std::vector<int> SparseSystem::leadingBegins() const {
+  std::vector<int> begins;
+  for (const int unknown : division_.begins) {
+    const auto behind = std::lower_bound(free_.begin(), free_.end(), std::min(unknown, numLeading_));
+    begins.push_back(static_cast<int>(behind - free_.begin()));
+  }
+  return begins;
+}
+
+SparseSystem::Kind SparseSystem::kindOf(int unknown) const {
+  if (isPrescribed(unknown)) return Kind::Prescribed;
+  if (unknown >= numLeading_) return Kind::Border;
+  return division_.isOwn(unknown) ? Kind::Own : Kind::Elsewhere;
+}
+
+int SparseSystem::columnOfK(int unknown) const {
+  return kindOf(unknown) == Kind::Own ? equationOf(unknown) - firstEquation_ : -1;
 }
 
 SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) const {
@@ -57,7 +84,7 @@ SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) 
   for (const int place : group.order) {
     auto& runs = group.runs;
     if (runs.empty() || at(place) != runs.back().first + runs.back().length ||
-        isLeading(at(place)) != isLeading(runs.back().first))
+        kindOf(at(place)) != kindOf(runs.back().first))
       runs.push_back({at(place), 0});  // also where an unknown stands in the group a second time
     ++runs.back().length;
   }
@@ -73,9 +100,13 @@ void SparseSystem::makePattern() {
         for (int k = run.first; k < run.first + run.length; ++k)
           groupsOf[static_cast<std::size_t>(k)].push_back(&group);
 
-  Pattern ofK, ofRest;
+  Pattern here, elsewhere, ofRest;
   std::vector<char> isCoupled(prescribed_.size(), 0);
-  std::vector<int> rows;
+  struct Row {
+    int unknown;
+    Kind kind;
+  };
+  std::vector<Row> rows;
   for (std::size_t c = 0; c < prescribed_.size(); ++c) {
     const bool isSameNode = c > 0 && !groupsOf[c].empty() && groupsOf[c] == groupsOf[c - 1];
     if (!isSameNode) {
@@ -88,25 +119,36 @@ void SparseSystem::makePattern() {
       }
       rows.clear();
       for (auto it = first; it != last; ++it)
-        if (*it != 0) rows.push_back(static_cast<int>(it - isCoupled.begin()));
+        if (const auto row = static_cast<int>(it - isCoupled.begin()); *it != 0)
+          rows.push_back({row, kindOf(row)});
       std::fill(first, last, char{0});
     }
-    const bool isOfK = isLeading(static_cast<int>(c));
-    for (const int row : rows) {
-      if (isOfK && isLeading(row))
-        ofK.rows.push_back(equations_[static_cast<std::size_t>(row)]);
-      else
+    const int column = static_cast<int>(c);
+    const Kind kind = kindOf(column);
+    const bool isKept = division_.isOwn(column) || kind == Kind::Border;
+    for (const auto [row, kindOfRow] : rows) {
+      if (kind == Kind::Own && kindOfRow == Kind::Own)
+        here.rows.push_back(equationOf(row) - firstEquation_);
+      else if (kind == Kind::Own && kindOfRow == Kind::Elsewhere)
+        elsewhere.rows.push_back(equationOf(row));
+      else if (isKept || kindOfRow == Kind::Border)
         ofRest.rows.push_back(row);
     }
-    if (isOfK) ofK.endColumn();
+    if (kind == Kind::Own) {
+      here.endColumn();
+      elsewhere.endColumn();
+    }
     ofRest.endColumn();
   }
-  K_ = ofK.zeros();
+  K_ = here.zeros();
+  numHere_ = static_cast<int>(K_.nonZeros());
+  elsewhere_ = elsewhere.zeros(numFreeLeading_);
   rest_ = ofRest.zeros();
 }
 
 void SparseSystem::setZero() {
   K_.coeffs().setZero();
+  elsewhere_.coeffs().setZero();
   rest_.coeffs().setZero();
 }
 
@@ -117,15 +159,23 @@ void SparseSystem::findStarts(Group& group) const {
     for (int k = 0; k < run.length; ++k) unknowns[static_cast<std::size_t>(*place++)] = run.first + k;
   group.starts.reserve(unknowns.size() * group.runs.size());
   for (const int column : unknowns) {
-    const int equation = isLeading(column) ? equations_[static_cast<std::size_t>(column)] : -1;
-    int inK = equation >= 0 ? K_.outerIndexPtr()[equation] : 0, inRest = rest_.outerIndexPtr()[column];
+    const int ofK = columnOfK(column);
+    int here = ofK >= 0 ? K_.outerIndexPtr()[ofK] : 0,
+        elsewhere = ofK >= 0 ? elsewhere_.outerIndexPtr()[ofK] : 0, inRest = rest_.outerIndexPtr()[column];
+    const bool isKept = division_.isOwn(column) || kindOf(column) == Kind::Border;
     for (const Run& run : group.runs) {
-      if (equation >= 0 && isLeading(run.first)) {
-        inK = firstFrom(inK, K_, equations_[static_cast<std::size_t>(run.first)], equation);
-        group.starts.push_back(inK);
-      } else {
+      const Kind kind = kindOf(run.first);
+      if (ofK >= 0 && kind == Kind::Own) {
+        here = firstFrom(here, K_, equationOf(run.first) - firstEquation_, ofK);
+        group.starts.push_back(here);
+      } else if (ofK >= 0 && kind == Kind::Elsewhere) {
+        elsewhere = firstFrom(elsewhere, elsewhere_, equationOf(run.first), ofK);
+        group.starts.push_back(numHere_ + elsewhere);
+      } else if (isKept || kind == Kind::Border) {
         inRest = firstFrom(inRest, rest_, run.first, column);
         group.starts.push_back(~inRest);
+      } else {
+        group.starts.push_back(kNowhere);
       }
     }
   }
@@ -135,7 +185,9 @@ void SparseSystem::findStarts(Group& group) const {
 /// them takes longer than adding.
 void SparseSystem::fetchAhead(const Group& group, const int* start) {
   for (const Run& run : group.runs) {
-    const double* entry = &entryAt(*start++);
+    const int place = *start++;
+    if (place == kNowhere) continue;
+    const double* entry = &entryAt(place);
     __builtin_prefetch(entry, 1);
     __builtin_prefetch(entry + run.length - 1, 1);
   }
@@ -160,8 +212,12 @@ void SparseSystem::add(const Group& group, const Eigen::Ref<const Eigen::MatrixX
     const double* column = K.col(c).data();
     const int* row = group.order.data();
     for (const Run& run : group.runs) {
-      double* entry = &entryAt(*start++);
-      for (int k = 0; k < run.length; ++k) entry[k] += column[*row++];
+      const int place = *start++;
+      if (place != kNowhere) {
+        double* entry = &entryAt(place);
+        for (int k = 0; k < run.length; ++k) entry[k] += column[row[k]];
+      }
+      row += run.length;
     }
   }
 }
@@ -174,19 +230,25 @@ void SparseSystem::moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> value
   };
   for (Matrix::InnerIterator entry(rest_, unknown); entry && entry.row() < values.size(); ++entry)
     move(static_cast<int>(entry.row()), entry.valueRef());
-  if (!isLeading(unknown)) return;
-  for (Matrix::InnerIterator entry(K_, equations_[static_cast<std::size_t>(unknown)]); entry; ++entry) {
-    const int row = free_[static_cast<std::size_t>(entry.row())];
-    if (row >= values.size()) return;
-    move(row, entry.valueRef());
-  }
+  const int column = columnOfK(unknown);
+  if (column < 0) return;
+  const auto moveAll = [&](Matrix& matrix, int firstEquation) {
+    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      const int row = free_[static_cast<std::size_t>(firstEquation + entry.row())];
+      if (row >= values.size()) return;
+      move(row, entry.valueRef());
+    }
+  };
+  moveAll(K_, firstEquation_);
+  moveAll(elsewhere_, 0);
 }
 
 /// Calls f(row, column, place) for all entries, column by column.
 template <class F>
 void SparseSystem::forEachByColumns(const F& f) const {
+  assert(division_.isWhole());
   for (int column = 0; column < numUnknowns(); ++column) {
-    const int equation = isLeading(column) ? equations_[static_cast<std::size_t>(column)] : -1;
+    const int equation = columnOfK(column);
     int k = equation >= 0 ? K_.outerIndexPtr()[equation] : 0;
     const int end = equation >= 0 ? K_.outerIndexPtr()[equation + 1] : 0;
     const auto rowOfK = [&] { return free_[static_cast<std::size_t>(K_.innerIndexPtr()[k])]; };
@@ -214,6 +276,7 @@ void SparseSystem::findWhole() {
 }
 
 const SparseSystem::Matrix& SparseSystem::whole() {
+  assert(division_.isWhole());
   if (K_.cols() == std::ssize(free_)) return K_;
   if (wholePlaces_.empty()) findWhole();
   double* to = whole_.valuePtr();
@@ -222,7 +285,7 @@ const SparseSystem::Matrix& SparseSystem::whole() {
 }
 
 SystemBorder SparseSystem::border() const {
-  const Eigen::Index n = K_.cols(), m = std::ssize(free_) - n;
+  const Eigen::Index n = numFreeLeading_, m = std::ssize(free_) - n;
   std::vector<Eigen::Triplet<double>> b, g, c;
   for (const int column : free_) {
     const int j = equations_[static_cast<std::size_t>(column)];
@@ -249,15 +312,18 @@ SystemBorder SparseSystem::border() const {
 
 Eigen::VectorXd SparseSystem::timesPrescribed(const Eigen::VectorXd& increments) const {
   Eigen::VectorXd product = Eigen::VectorXd::Zero(numUnknowns());
-  for (int column = 0; column < numUnknowns(); ++column)
+  for (int column = division_.first(); column < division_.end(); ++column)
     if (isPrescribed(column)) product += rest_.col(column) * increments(column);
   return product;
 }
 
 Eigen::VectorXd SparseSystem::timesMagnitudes(const Eigen::VectorXd& magnitudes) const {
-  Eigen::VectorXd product = rest_.cwiseAbs() * magnitudes;
-  const auto leading = Eigen::Map<const Eigen::VectorXi>(free_.data(), K_.cols());
-  product(leading) += K_.cwiseAbs() * magnitudes(leading);
+  const int first = division_.first(), columns = division_.end() - first;
+  Eigen::VectorXd product = rest_.middleCols(first, columns).cwiseAbs() * magnitudes.segment(first, columns);
+  const auto here = Eigen::Map<const Eigen::VectorXi>(free_.data() + firstEquation_, K_.cols());
+  product(here) += K_.cwiseAbs() * magnitudes(here);
+  const auto all = Eigen::Map<const Eigen::VectorXi>(free_.data(), elsewhere_.rows());
+  if (elsewhere_.nonZeros() > 0) product(all) += elsewhere_.cwiseAbs() * magnitudes(here);
   return product;
 }
 

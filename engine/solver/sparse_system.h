@@ -4,18 +4,19 @@
 #include <limits>
 #include <vector>
 
+#include "engine/solver/coupling_groups.h"
+#include "engine/solver/division.h"
 #include "engine/solver/system_matrix.h"
 
 namespace burnish {
-
-/// Groups of unknowns; every pair of unknowns inside a group may be coupled.
-using CouplingGroups = std::vector<std::vector<int>>;
 
 /// The tangent over all unknowns, on a sparsity pattern that is fixed once, with a precomputed place for every
 /// run of consecutive unknowns in every column of every group. Prescribed unknowns take part in the assembly
 /// (their columns give the effect of a prescribed increment) and are left out of the linear systems.
 ///
-/// It is kept in two parts, each in one copy: K over the free leading unknowns, and all other entries.
+/// It is kept in parts, each in one copy: K over the free leading unknowns, and all other entries. Where ranks
+/// divide the unknowns, each keeps the columns that it answers for, and of all others what couples them with
+/// the border, the free unknowns behind the leading ones.
 class SparseSystem final : public SystemMatrix {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -26,9 +27,15 @@ class SparseSystem final : public SystemMatrix {
   };
 
   /// One list of groups per term. `prescribed`: one flag per unknown; numLeading: the first unknowns, those
-  /// behind them are the border; all where left out.
+  /// behind them are the border; all where left out. The columns of this rank, of several, are such that all
+  /// ranks have as many entries of K.
   SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups,
-               int numLeading = std::numeric_limits<int>::max());
+               int numLeading = std::numeric_limits<int>::max(), int rank = 0, int ranks = 1);
+
+  const Division& division() const { return division_; }
+
+  /// Where the columns of each rank begin in K, and their number.
+  std::vector<int> leadingBegins() const;
 
   int numUnknowns() const { return static_cast<int>(prescribed_.size()); }
   bool isPrescribed(int unknown) const { return prescribed_[static_cast<std::size_t>(unknown)]; }
@@ -36,27 +43,30 @@ class SparseSystem final : public SystemMatrix {
 
   void setZero();
 
-  /// Adds the dense tangent of a group of a term (unknowns in the order of the group). Safe to call at the
-  /// same time for groups that have no unknown in common.
+  /// Adds the dense tangent of a group of a term (unknowns in the order of the group), as far as it is kept.
+  /// Safe to call at the same time for groups that have no unknown in common.
   void add(std::size_t term, std::size_t number, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
   /// Adds the dense tangent of some unknowns, in any order and also more than once, that a group has together.
   void add(const std::vector<int>& unknowns, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
-  /// Adds a column over the first unknowns, as many as there are values, zero outside of the pattern, and
-  /// leaves zeros behind. Safe to call at the same time for different columns.
+  /// Adds a column that is kept, over the first unknowns, as many as there are values, zero outside of the
+  /// pattern, and leaves zeros behind. Safe to call at the same time for different columns.
   void moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values);
 
   /// The free unknowns' matrix, in the order of `freeUnknowns()`.
   const Matrix& whole() override;
   const Matrix& leading() const override { return K_; }
+  const Matrix& leadingElsewhere() const override { return elsewhere_; }
   SystemBorder border() const override;
 
-  /// Tangent times increments of the prescribed unknowns; other entries are ignored.
+  /// Tangent times increments of the prescribed unknowns; other entries are ignored. Of this rank's columns.
   Eigen::VectorXd timesPrescribed(const Eigen::VectorXd& increments) const;
 
-  /// Absolute values of the entries, times numbers that are not negative.
+  /// Absolute values of the entries, times numbers that are not negative. Of this rank's columns.
   Eigen::VectorXd timesMagnitudes(const Eigen::VectorXd& magnitudes) const;
+
+  /// What follows is for a tangent that is not divided.
 
   Eigen::Index nonZeros() const { return K_.nonZeros() + rest_.nonZeros(); }
   Entries entries() const { return {K_.coeffs(), rest_.coeffs()}; }
@@ -75,7 +85,10 @@ class SparseSystem final : public SystemMatrix {
   Eigen::VectorXd expandFromFree(const Eigen::VectorXd& free) const;
 
  private:
-  /// Consecutive unknowns of a group, all of K or none: entries that follow each other in every column.
+  /// What an unknown is for the tangent.
+  enum class Kind { Own, Elsewhere, Border, Prescribed };
+
+  /// Consecutive unknowns of a group, of one kind: entries that follow each other in every column.
   struct Run {
     int first;
     int length;
@@ -83,18 +96,30 @@ class SparseSystem final : public SystemMatrix {
   struct Group {
     std::vector<int> order;  ///< the group's places, by ascending unknown
     std::vector<Run> runs;   ///< all unknowns, ascending
-    /// Where each run starts, column by column: an entry of K, or the complement of one of the rest; found
-    /// when the group is first added to, as some groups never are.
+    /// Where each run starts, column by column: see `entryAt`; found when the group is first added to, as some
+    /// groups never are.
     std::vector<int> starts;
   };
 
-  bool isLeading(int unknown) const { return unknown < numLeading_ && !isPrescribed(unknown); }
+  /// The place of an entry that is not kept.
+  static constexpr int kNowhere = std::numeric_limits<int>::max();
+
+  Kind kindOf(int unknown) const;
+  int equationOf(int unknown) const { return equations_[static_cast<std::size_t>(unknown)]; }
+
+  /// The number of a column among those of K that this rank has; -1 if it is none of them.
+  int columnOfK(int unknown) const;
   Group sortedGroup(const std::vector<int>& unknowns) const;
   void makePattern();
   void findWhole();
   void findStarts(Group& group) const;
   void add(const Group& group, const Eigen::Ref<const Eigen::MatrixXd>& K);
-  double& entryAt(int place) { return place >= 0 ? K_.valuePtr()[place] : rest_.valuePtr()[~place]; }
+
+  /// An entry of K here, behind these one of K elsewhere, or the complement of one of the rest.
+  double& entryAt(int place) {
+    if (place < 0) return rest_.valuePtr()[~place];
+    return place < numHere_ ? K_.valuePtr()[place] : elsewhere_.valuePtr()[place - numHere_];
+  }
   void fetchAhead(const Group& group, const int* start);
   template <class F>
   void forEachByColumns(const F& f) const;
@@ -102,9 +127,14 @@ class SparseSystem final : public SystemMatrix {
   std::vector<bool> prescribed_;
   int numLeading_;
   std::vector<int> free_;
-  std::vector<int> equations_;              ///< per unknown its place in `free_`, -1 if it is prescribed
+  std::vector<int> equations_;  ///< per unknown its place in `free_`, -1 if it is prescribed
+  int numFreeLeading_ = 0;
+  Division division_;
+  int firstEquation_ = 0;                   ///< of this rank's columns
   std::vector<std::vector<Group>> groups_;  ///< per term
-  Matrix K_;                                ///< over the free leading unknowns
+  Matrix K_;                                ///< over the free leading unknowns that are this rank's
+  Matrix elsewhere_;                        ///< of the same columns, the other rows of K
+  int numHere_ = 0;                         ///< entries of `K_`
   Matrix rest_;                             ///< over all unknowns, the entries that K has not
   Matrix whole_;                            ///< empty before it is asked for, and where it is K
   std::vector<int> wholePlaces_;            ///< per entry of `whole_`, as in `Group::starts`

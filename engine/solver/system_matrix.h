@@ -18,16 +18,21 @@ struct SystemBorder {
   bool isCoupled() const { return B.nonZeros() > 0 || G.nonZeros() > 0; }
 };
 
-/// The matrix A of a linear system, of one pattern for good that is symmetric; rows ascend in every column.
+/// The matrix A of a linear system, of one pattern for good that is symmetric; rows ascend in every column. Where
+/// several ranks divide the columns of K, each has its own ones and all of the border.
 class SystemMatrix {
  public:
   virtual ~SystemMatrix() = default;
 
-  /// All of A; made when it is asked for.
+  /// All of A; made when it is asked for. Not of one that is divided.
   virtual const Eigen::SparseMatrix<double>& whole() = 0;
 
-  /// K, whose arrays stay where they are.
+  /// Columns of K that are this rank's, in the rows with the same numbers: all of K if it is not divided. Its
+  /// arrays stay where they are.
   virtual const Eigen::SparseMatrix<double>& leading() const = 0;
+
+  /// The same columns in all other rows, under their numbers in K.
+  virtual const Eigen::SparseMatrix<double>& leadingElsewhere() const = 0;
 
   virtual SystemBorder border() const = 0;
 };

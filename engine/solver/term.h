@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/core/state_archive.h"
+#include "engine/core/team.h"
 #include "engine/solver/sparse_system.h"
 
 namespace burnish {
@@ -23,6 +24,10 @@ class Term {
 
   /// Groups of unknowns that the tangent couples; fixed for the life of the term.
   virtual CouplingGroups couplings() const = 0;
+
+  /// From now on the columns of the tangent are divided among the ranks of a team, which must outlive the term.
+  /// Every rank may leave what does not touch its unknowns to the others, and has of them what its results lack.
+  virtual void divideAmong(const Team&, const Division&) {}
 
   /// Adds the residual (and tangent) at the unknowns x and the time t, starting from the last accepted
   /// history. Returns false if the state is not admissible (J <= 0, a failed return map, a tool that comes

@@ -2,14 +2,40 @@
 
 #include <algorithm>
 
+#include "engine/core/shares.h"
+
 namespace burnish {
 
 using Columns = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-bool BorderZone::factorise(const Eigen::SparseMatrix<double>& K, const SystemBorder& border) {
+std::vector<Eigen::Triplet<double>> BorderZone::entriesOfK(const SystemMatrix& A,
+                                                           const std::vector<int>& place, const Team& team,
+                                                           int firstColumn) {
+  std::vector<double> entries;  // row, column, value
+  const auto add = [&](const Columns& part, int firstRow) {
+    for (int k = 0; k < part.cols(); ++k) {
+      const int column = place[static_cast<std::size_t>(firstColumn + k)];
+      if (column < 0) continue;
+      for (Columns::InnerIterator entry(part, k); entry; ++entry)
+        if (const int row = place[static_cast<std::size_t>(firstRow + entry.row())]; row >= 0)
+          entries.insert(entries.end(),
+                         {static_cast<double>(row), static_cast<double>(column), entry.value()});
+    }
+  };
+  add(A.leading(), firstColumn);
+  add(A.leadingElsewhere(), 0);
+  gatherLists(team, entries);
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (std::size_t k = 0; k < entries.size(); k += 3)
+    triplets.emplace_back(static_cast<int>(entries[k]), static_cast<int>(entries[k + 1]), entries[k + 2]);
+  return triplets;
+}
+
+bool BorderZone::factorise(const SystemMatrix& A, const SystemBorder& border, const Team& team,
+                           int firstColumn) {
   const auto& [B, G, C] = border;
-  std::vector<char> isInZone(static_cast<std::size_t>(K.rows()), 0);
+  std::vector<char> isInZone(static_cast<std::size_t>(B.rows()), 0);
   for (Eigen::Index k = 0; k < B.nonZeros(); ++k)
     isInZone[static_cast<std::size_t>(B.innerIndexPtr()[k])] = 1;
   for (Eigen::Index k = 0; k < G.nonZeros(); ++k)
@@ -23,11 +49,8 @@ bool BorderZone::factorise(const Eigen::SparseMatrix<double>& K, const SystemBor
     }
 
   const auto z = static_cast<int>(unknowns_.size());
-  std::vector<Eigen::Triplet<double>> triplets;
-  for (int column = 0; column < z; ++column)
-    for (Columns::InnerIterator entry(K, unknowns_[static_cast<std::size_t>(column)]); entry; ++entry)
-      if (const int row = place[static_cast<std::size_t>(entry.row())]; row >= 0)
-        triplets.emplace_back(row, column, entry.value());
+  std::vector<Eigen::Triplet<double>> triplets = entriesOfK(A, place, team, firstColumn);
+  if (!team.isLast()) return team.all(true);
   for (Eigen::Index column = 0; column < B.cols(); ++column)
     for (Columns::InnerIterator entry(B, column); entry; ++entry)
       triplets.emplace_back(place[static_cast<std::size_t>(entry.row())], z + column, entry.value());
@@ -39,9 +62,8 @@ bool BorderZone::factorise(const Eigen::SparseMatrix<double>& K, const SystemBor
       triplets.emplace_back(z + entry.row(), z + column, entry.value());
   M_.resize(z + C.rows(), z + C.cols());
   M_.setFromTriplets(triplets.begin(), triplets.end());
-  if (M_.rows() == 0) return true;
-  lu_.compute(M_);
-  return lu_.info() == Eigen::Success;
+  if (M_.rows() > 0) lu_.compute(M_);
+  return team.all(M_.rows() == 0 || lu_.info() == Eigen::Success);
 }
 
 Eigen::VectorXd BorderZone::solve(const Eigen::VectorXd& g) {

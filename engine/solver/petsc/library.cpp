@@ -30,7 +30,11 @@ void check(PetscErrorCode code) {
   const char* text = nullptr;
   char* where = nullptr;
   PetscErrorMessage(code, &text, &where);
-  throw RunError(std::string("PETSc: ") + (text != nullptr ? text : "unknown error"));
+  const std::string words = std::string("PETSc: ") + (text != nullptr ? text : "unknown error");
+  int ranks = 1;
+  MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
+  if (ranks > 1) throw Error(words);
+  throw RunError(words);
 }
 
 }  // namespace burnish::petsc

@@ -8,7 +8,8 @@ namespace burnish::petsc {
 /// Begins to use the library, once per process; it is ended with the process. Throws `Error` if it cannot.
 void begin();
 
-/// Throws `RunError` with the library's words unless a call has succeeded.
+/// Throws `RunError` with the library's words unless a call has succeeded; `Error` in one of several ranks, as others
+/// may not know.
 void check(PetscErrorCode code);
 
 /// Owner of an object of the library.

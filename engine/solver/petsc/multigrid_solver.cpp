@@ -1,5 +1,7 @@
 #include "engine/solver/petsc/multigrid_solver.h"
 
+#include <petsc/private/petscimpl.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,6 +30,9 @@ constexpr double kDivergence = 1e10;
 
 /// Of GMRES: so many vectors are kept.
 constexpr int kRestart = 100;
+
+/// Of preconditioners whose parts are set by the library's options.
+constexpr const char* kPrefix = "burnish_";
 
 /// A matrix of the library, which has rows, over the arrays of one of Eigen: its transpose if that has columns.
 template <int Order>
@@ -69,11 +74,23 @@ void write(Vec vector, const F& f) {
 
 class MultigridSolver::Implementation {
  public:
-  explicit Implementation(const LinearProblem& problem)
-      : kind_(problem.kind),
-        n_(problem.hierarchy->prolongations.empty() ? problem.leading
-                                                    : problem.hierarchy->prolongations.front().rows()) {
-    for (const auto& P : problem.hierarchy->prolongations) prolongations_.push_back(view(P));
+  explicit Implementation(const LinearProblem& problem) : kind_(problem.kind), team_(*problem.team) {
+    const auto& prolongations = problem.hierarchy->prolongations;
+    N_ = prolongations.empty() ? problem.leading : prolongations.front().rows();
+    begins_ = team_.isAlone() ? std::vector<int>{0, static_cast<int>(N_)} : problem.begins;
+    std::vector<int> begins = begins_;
+    for (const auto& P : prolongations) {
+      if (team_.isAlone()) {
+        prolongations_.push_back(view(P));
+        continue;
+      }
+      std::vector<int> coarse = coarseBegins(P, begins);
+      prolongations_.push_back(ownRows(P, begins, coarse));
+      begins = std::move(coarse);
+    }
+    const auto rank = static_cast<std::size_t>(team_.rank());
+    first_ = begins_[rank];
+    n_ = begins_[rank + 1] - begins_[rank];
   }
 
   void beginSearch() {
@@ -86,12 +103,17 @@ class MultigridSolver::Implementation {
 
   bool factorise(const SystemMatrix& A) {
     border_ = A.border();
-    if (!A.leading().coeffs().allFinite() || !isFinite(border_)) return false;
+    if (!team_.all(A.leading().coeffs().allFinite() && A.leadingElsewhere().coeffs().allFinite() &&
+                   isFinite(border_)))
+      return false;
     m_ = border_.C.rows();
-    if (K_ == nullptr) makeMatrix(A.leading());
+    // Ranks have the border's entries in their rows and columns; what is in none of them the last one has.
+    ownB_ = border_.B.middleRows(first_, n_);
+    ownG_ = border_.G.middleCols(first_, n_);
+    if (K_ == nullptr) makeMatrix(A);
     isIndefinite_ = false;
     ++counts_.systems;
-    return (isNear_ || setUpCycle()) && zone_.factorise(A.leading(), border_);
+    return (isNear_ || setUpCycle()) && zone_.factorise(A, border_, team_, static_cast<int>(first_));
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
@@ -118,7 +140,7 @@ class MultigridSolver::Implementation {
       MatInfo info;
       check(PCMGGetSmoother(cycle_, level, &smoother));
       check(KSPGetOperators(smoother, &matrix, nullptr));
-      check(MatGetInfo(matrix, MAT_LOCAL, &info));
+      check(MatGetInfo(matrix, MAT_GLOBAL_SUM, &info));
       sum += static_cast<Eigen::Index>(info.nz_used);
     }
     return sum;
@@ -139,16 +161,27 @@ class MultigridSolver::Implementation {
   /// Of the present matrix.
   bool setUpCycle() {
     if (cycle_ == nullptr) makeCycle();
-    // The library does not know that the values have changed; as long as it does not, smoothers keep what they
-    // have made of others.
-    double* values = nullptr;
-    check(MatSeqAIJGetArrayWrite(K_, &values));
-    check(MatSeqAIJRestoreArrayWrite(K_, &values));
+    noteChangedValues();
     check(PCSetOperators(cycle_, K_, K_));
     ++counts_.setUps;
     isNear_ = false;
-    isSetUp_ = PCSetUp(cycle_) == 0;
+    isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
     return isSetUp_;
+  }
+
+  /// The library does not know that the values of K have changed; as long as it does not, smoothers keep what they
+  /// have made of others.
+  void noteChangedValues() {
+    Mat here = K_, elsewhere = nullptr;
+    if (!team_.isAlone()) check(MatMPIAIJGetSeqAIJ(K_, &here, &elsewhere, nullptr));
+    for (Mat part : {here, elsewhere}) {
+      if (part == nullptr) continue;
+      double* values = nullptr;
+      check(MatSeqAIJGetArrayWrite(part, &values));
+      check(MatSeqAIJRestoreArrayWrite(part, &values));
+    }
+    if (!team_.isAlone())
+      check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(static_cast<Mat>(K_))));
   }
 
   void useFactors(bool factorises) {
@@ -172,8 +205,8 @@ class MultigridSolver::Implementation {
   Eigen::VectorXd iterateWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
     if (kind_ == TangentKind::Symmetric && !border_.isCoupled()) {
       Eigen::VectorXd x(b.size());
-      x.tail(m_) = zone_.solve(b.tail(m_));
-      if (byConjugateGradients(b.head(n_), accuracy, x)) return x;
+      x.tail(m_) = solveBorder(b.tail(m_));
+      if (byConjugateGradients(b.segment(first_, n_), accuracy, x)) return x;
       // With the V-cycle of another matrix that tells nothing about this one.
       if (isNear_) return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
     }
@@ -182,9 +215,79 @@ class MultigridSolver::Implementation {
 
   int mostIterations() const { return factorises_ ? kMostWithFactors : kMostWithSweeps; }
 
+  /// The border's part of the solution, from its right-hand side, which only the last rank needs to have.
+  Eigen::VectorXd solveBorder(const Eigen::VectorXd& g) {
+    Eigen::VectorXd x = team_.isLast() ? zone_.solve(g) : Eigen::VectorXd(m_);
+    team_.share(asSpan(x), team_.size() - 1);
+    return x;
+  }
+
+  /// Numbers of this rank's rows of a system, in a vector of the library: of K and, in the last one, the border.
+  Eigen::Index numOwn() const { return n_ + (team_.isLast() ? m_ : 0); }
+
+  /// Completes a solution of which this rank has its own rows.
+  void gather(Eigen::VectorXd& x) const {
+    std::vector<int> begins = begins_;
+    begins.back() = static_cast<int>(x.size());
+    team_.gather(asSpan(x), begins);
+  }
+
+  MPI_Comm communicator() const { return team_.isAlone() ? PETSC_COMM_SELF : PETSC_COMM_WORLD; }
+
+  /// Where the coarse functions of each rank begin: those go with the rows that are in the middle of their own.
+  static std::vector<int> coarseBegins(const Hierarchy::Prolongation& P, const std::vector<int>& begins) {
+    std::vector<int> first(static_cast<std::size_t>(P.cols()), static_cast<int>(P.rows())),
+        last(first.size(), 0);
+    for (int row = 0; row < P.outerSize(); ++row)
+      for (Hierarchy::Prolongation::InnerIterator entry(P, row); entry; ++entry) {
+        const auto column = static_cast<std::size_t>(entry.col());
+        first[column] = std::min(first[column], row);
+        last[column] = std::max(last[column], row);
+      }
+    std::vector<int> coarse;
+    for (const int begin : begins) {
+      int before = 0;
+      for (std::size_t column = 0; column < first.size(); ++column)
+        before += (first[column] + last[column]) / 2 < begin ? 1 : 0;
+      coarse.push_back(before);
+    }
+    coarse.back() = static_cast<int>(P.cols());
+    return coarse;
+  }
+
+  /// This rank's rows of a prolongation, as the library has them.
+  petsc::Matrix ownRows(const Hierarchy::Prolongation& P, const std::vector<int>& rows,
+                        const std::vector<int>& columns) const {
+    const auto rank = static_cast<std::size_t>(team_.rank());
+    const int first = rows[rank], count = rows[rank + 1] - first;
+    const int* begins = P.outerIndexPtr() + first;
+    std::vector<PetscInt> starts;
+    for (int row = 0; row <= count; ++row) starts.push_back(begins[row] - begins[0]);
+    petsc::Matrix matrix;
+    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, count, columns[rank + 1] - columns[rank],
+                                    static_cast<PetscInt>(P.rows()), static_cast<PetscInt>(P.cols()),
+                                    starts.data(), P.innerIndexPtr() + begins[0], P.valuePtr() + begins[0],
+                                    matrix.place()));
+    return matrix;
+  }
+
+  /// K over the arrays of its two parts, of which the library numbers the columns elsewhere anew.
+  petsc::Matrix viewParts(const SystemMatrix& A) {
+    const auto &here = A.leading(), &elsewhere = A.leadingElsewhere();
+    const auto own = static_cast<PetscInt>(n_), all = static_cast<PetscInt>(N_);
+    elsewhere_.assign(elsewhere.innerIndexPtr(), elsewhere.innerIndexPtr() + elsewhere.nonZeros());
+    petsc::Matrix matrix;
+    check(MatCreateMPIAIJWithSplitArrays(
+        PETSC_COMM_WORLD, own, own, all, all, const_cast<PetscInt*>(here.outerIndexPtr()),
+        const_cast<PetscInt*>(here.innerIndexPtr()), const_cast<double*>(here.valuePtr()),
+        const_cast<PetscInt*>(elsewhere.outerIndexPtr()), elsewhere_.data(),
+        const_cast<double*>(elsewhere.valuePtr()), matrix.place()));
+    return matrix;
+  }
+
   /// The library sees the transpose of K, which need not be symmetric.
-  void makeMatrix(const Eigen::SparseMatrix<double>& K) {
-    K_ = view(K);
+  void makeMatrix(const SystemMatrix& A) {
+    K_ = team_.isAlone() ? view(A.leading()) : viewParts(A);
     check(MatCreateVecs(K_, in_.place(), out_.place()));
     if (kind_ != TangentKind::Symmetric) return;
     check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
@@ -194,7 +297,7 @@ class MultigridSolver::Implementation {
   /// One V-cycle over all levels.
   void makeCycle() {
     const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
-    check(PCCreate(PETSC_COMM_SELF, cycle_.place()));
+    check(PCCreate(communicator(), cycle_.place()));
     check(PCSetOperators(cycle_, K_, K_));
     check(PCSetType(cycle_, PCMG));
     check(PCMGSetLevels(cycle_, levels, nullptr));
@@ -208,16 +311,35 @@ class MultigridSolver::Implementation {
       check(KSPSetType(smoother, KSPCHEBYSHEV));
       check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, factorises_ ? 1 : 2));
       check(KSPGetPC(smoother, &sweep));
-      check(PCSetType(sweep, factorises_ ? PCICC : PCSOR));
-      if (factorises_) check(PCFactorSetShiftType(sweep, MAT_SHIFT_POSITIVE_DEFINITE));
+      makeSweep(sweep);
     }
     KSP coarse = nullptr;
     PC factors = nullptr;
     check(PCMGGetCoarseSolve(cycle_, &coarse));
     check(KSPSetType(coarse, KSPPREONLY));
     check(KSPGetPC(coarse, &factors));
+    if (!team_.isAlone()) {
+      check(PCSetType(factors, PCREDUNDANT));
+      check(PCRedundantGetKSP(factors, &coarse));
+      check(KSPSetType(coarse, KSPPREONLY));
+      check(KSPGetPC(coarse, &factors));
+    }
     check(PCSetType(factors, PCLU));
     check(PCFactorSetMatSolverType(factors, MATSOLVERUMFPACK));
+  }
+
+  /// Several ranks have factors of their own rows and columns each, and sweep over their own rows.
+  void makeSweep(PC sweep) const {
+    if (!factorises_) return check(PCSetType(sweep, PCSOR));
+    if (team_.isAlone()) {
+      check(PCSetType(sweep, PCICC));
+      return check(PCFactorSetShiftType(sweep, MAT_SHIFT_POSITIVE_DEFINITE));
+    }
+    check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_type", PCICC));
+    check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_factor_shift_type", "positive_definite"));
+    check(PCSetType(sweep, PCBJACOBI));
+    check(PCSetOptionsPrefix(sweep, kPrefix));
+    check(PCSetFromOptions(sweep));
   }
 
   /// Solves for the vector that `rhs` holds; false if it does not converge.
@@ -235,7 +357,7 @@ class MultigridSolver::Implementation {
   bool byConjugateGradients(const Eigen::VectorXd& b, const SolveAccuracy& accuracy, Eigen::VectorXd& x) {
     petsc::Solver krylov;
     petsc::Vector rhs, solution;
-    check(KSPCreate(PETSC_COMM_SELF, krylov.place()));
+    check(KSPCreate(communicator(), krylov.place()));
     check(KSPSetType(krylov, KSPCG));
     check(KSPSetOperators(krylov, K_, K_));
     check(KSPSetPC(krylov, cycle_));
@@ -245,20 +367,23 @@ class MultigridSolver::Implementation {
     const bool converged = iterate(krylov, rhs, solution, accuracy.reduction, reason);
     isIndefinite_ =
         !isNear_ && (reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC);
-    read(solution, [&](auto values) { x.head(n_) = values; });
+    Eigen::VectorXd displacements(N_);
+    read(solution, [&](auto values) { displacements.segment(first_, n_) = values; });
+    team_.gather(asSpan(displacements), begins_);
+    x.head(N_) = displacements;
     return converged;
   }
 
   Eigen::VectorXd byGmres(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
-    weights_ = accuracy.rowWeights;
+    const auto own = static_cast<PetscInt>(numOwn()), size = static_cast<PetscInt>(b.size());
+    weights_ = accuracy.rowWeights.segment(first_, own);
     petsc::Matrix whole;
     petsc::Solver krylov;
     petsc::Vector rhs, solution;
-    const auto size = static_cast<PetscInt>(b.size());
-    check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, this, whole.place()));
+    check(MatCreateShell(communicator(), own, own, size, size, this, whole.place()));
     check(MatShellSetOperation(whole, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
     check(MatCreateVecs(whole, solution.place(), rhs.place()));
-    check(KSPCreate(PETSC_COMM_SELF, krylov.place()));
+    check(KSPCreate(communicator(), krylov.place()));
     check(KSPSetType(krylov, KSPGMRES));
     check(KSPGMRESSetRestart(krylov, kRestart));
     check(KSPSetOperators(krylov, whole, whole));
@@ -268,11 +393,12 @@ class MultigridSolver::Implementation {
     check(PCSetType(preconditioner, PCSHELL));
     check(PCShellSetContext(preconditioner, this));
     check(PCShellSetApply(preconditioner, precondition));
-    write(rhs, [&](auto values) { values = b.cwiseProduct(weights_); });
+    write(rhs, [&](auto values) { values = b.segment(first_, own).cwiseProduct(weights_); });
     KSPConvergedReason reason{};
     const bool converged = iterate(krylov, rhs, solution, accuracy.reduction, reason);
-    Eigen::VectorXd x;
-    read(solution, [&](auto values) { x = values; });
+    Eigen::VectorXd x(b.size());
+    read(solution, [&](auto values) { x.segment(first_, own) = values; });
+    gather(x);
     if (!converged) x.setConstant(std::numeric_limits<double>::quiet_NaN());
     return x;
   }
@@ -283,14 +409,19 @@ class MultigridSolver::Implementation {
     check(MatShellGetContext(whole, &context));
     auto& self = *static_cast<Implementation*>(context);
     const auto n = self.n_, m = self.m_;
+    const bool isLast = self.team_.isLast();
     read(x, [&](auto in) {
       write(self.in_, [&](auto u) { u = in.head(n); });
       check(self.kind_ == TangentKind::Symmetric ? MatMult(self.K_, self.in_, self.out_)
                                                  : MatMultTranspose(self.K_, self.in_, self.out_));
+      Eigen::VectorXd lambda(m), border = self.ownG_ * in.head(n);
+      if (isLast) lambda = in.tail(m);
+      self.team_.share(asSpan(lambda), self.team_.size() - 1);
+      self.team_.sum(asSpan(border));
       write(y, [&](auto out) {
         read(self.out_, [&](auto Ku) { out.head(n) = Ku; });
-        out.head(n) += self.border_.B * in.tail(m);
-        out.tail(m) = self.border_.G * in.head(n) + self.border_.C * in.tail(m);
+        out.head(n) += self.ownB_ * lambda;
+        if (isLast) out.tail(m) = border + self.border_.C * lambda;
         out.array() *= self.weights_.array();
       });
     });
@@ -305,20 +436,27 @@ class MultigridSolver::Implementation {
     const auto n = self.n_, m = self.m_;
     read(x, [&](auto in) {
       const Eigen::VectorXd r = in.cwiseQuotient(self.weights_);
-      const Eigen::VectorXd border = self.zone_.solve(r.tail(m));
-      write(self.in_, [&](auto u) { u = r.head(n) - self.border_.B * border; });
+      const bool isLast = self.team_.isLast();
+      const Eigen::VectorXd border = self.solveBorder(r.tail(isLast ? m : 0));
+      write(self.in_, [&](auto u) { u = r.head(n) - self.ownB_ * border; });
       check(PCApply(self.cycle_, self.in_, self.out_));
       write(y, [&](auto out) {
         read(self.out_, [&](auto u) { out.head(n) = u; });
-        out.tail(m) = border;
+        if (isLast) out.tail(m) = border;
       });
     });
     return 0;
   }
 
   TangentKind kind_;
-  Eigen::Index n_, m_ = 0;
+  const Team& team_;
+  std::vector<int> begins_;                 ///< rows of K of each rank, and their number
+  Eigen::Index N_ = 0, first_ = 0, n_ = 0;  ///< rows of K, the first of this rank, and their number
+  Eigen::Index m_ = 0;                      ///< of the border
   SystemBorder border_;
+  Eigen::SparseMatrix<double> ownB_;                   ///< this rank's rows of B
+  Eigen::SparseMatrix<double, Eigen::RowMajor> ownG_;  ///< and columns of G
+  std::vector<PetscInt> elsewhere_;                    ///< columns of K that other ranks have
   BorderZone zone_;
   std::vector<petsc::Matrix> prolongations_;  ///< from the finest on
   petsc::Matrix K_;                           ///< transposed
