@@ -12,32 +12,29 @@
 namespace burnish {
 namespace {
 
-/// All numbers of states, one state after the other.
+/// Appends the numbers of a state.
 template <class State>
-Eigen::VectorXd numbersOf(std::vector<State>& states) {
-  std::vector<double> numbers;
-  const auto add = [&](auto& member) {
+void addNumbers(State& state, std::vector<double>& numbers) {
+  state.forEachMember([&](auto& member) {
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(member)>>)
       numbers.push_back(member);
     else
       numbers.insert(numbers.end(), member.data(), member.data() + member.size());
-  };
-  for (State& state : states) state.forEachMember(add);
-  return Eigen::Map<Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
+  });
 }
 
+/// Takes the numbers of a state; returns where those of the next one begin.
 template <class State>
-void setNumbers(std::vector<State>& states, const Eigen::VectorXd& numbers) {
-  const double* next = numbers.data();
-  const auto take = [&](auto& member) {
+const double* setNumbers(State& state, const double* numbers) {
+  state.forEachMember([&](auto& member) {
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(member)>>) {
-      member = *next++;
+      member = *numbers++;
     } else {
-      std::copy_n(next, member.size(), member.data());
-      next += member.size();
+      std::copy_n(numbers, member.size(), member.data());
+      numbers += member.size();
     }
-  };
-  for (State& state : states) state.forEachMember(take);
+  });
+  return numbers;
 }
 
 }  // namespace
@@ -66,12 +63,34 @@ void MaterialPoints::accept() {
   visit([](auto& points) { points.accepted = points.trial; });
 }
 
+void MaterialPoints::exchangeTrial(const Team& team, const Shares& shares) {
+  visit([&]<class Law>(PointsOf<Law>& points) {
+    if constexpr (!std::is_empty_v<typename Law::State>) {
+      std::vector<double> numbers;
+      typename Law::State any;
+      addNumbers(any, numbers);
+      exchange(
+          team, shares, static_cast<int>(numbers.size()),
+          [&](int q, double* to) {
+            numbers.clear();
+            addNumbers(points.trial[static_cast<std::size_t>(q)], numbers);
+            std::copy(numbers.begin(), numbers.end(), to);
+          },
+          [&](int q, const double* from) { setNumbers(points.trial[static_cast<std::size_t>(q)], from); });
+    }
+  });
+}
+
 void MaterialPoints::archive(StateArchive& archive) {
   visit([&]<class Law>(PointsOf<Law>& points) {
     if constexpr (!std::is_empty_v<typename Law::State>) {
-      Eigen::VectorXd numbers = numbersOf(points.accepted);
+      std::vector<double> list;
+      for (auto& state : points.accepted) addNumbers(state, list);
+      Eigen::VectorXd numbers = Eigen::Map<Eigen::VectorXd>(list.data(), std::ssize(list));
       archive.fixedField("history", numbers);
-      if (archive.restores()) setNumbers(points.accepted, numbers);
+      const double* next = numbers.data();
+      if (archive.restores())
+        for (auto& state : points.accepted) next = setNumbers(state, next);
     }
     if constexpr (RateDependent<Law>) {
       archive.field("time", time_);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/core/shares.h"
 #include "engine/core/state_archive.h"
 #include "engine/material/material.h"
 
@@ -60,6 +61,9 @@ class MaterialPoints {
 
   /// Makes the states of the last evaluation the accepted ones.
   void accept();
+
+  /// Has the states of the last evaluation that are other ranks'.
+  void exchangeTrial(const Team& team, const Shares& points);
 
   /// The accepted states, and the time where the law asks for it.
   void archive(StateArchive& archive);

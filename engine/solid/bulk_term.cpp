@@ -81,6 +81,73 @@ double BulkTerm<Dim>::largestStretch(const Eigen::VectorXd& x) const {
 }
 
 template <int Dim>
+void BulkTerm<Dim>::divideAmong(const Team& team, const Division& division) {
+  team_ = &team;
+  division_ = division;
+  std::vector<std::vector<int>> spansOf(static_cast<std::size_t>(team.size()));
+  for (std::size_t e = 0; e < groups_.size(); ++e) {
+    const int owner = division.ownerOf(*std::min_element(groups_[e].begin(), groups_[e].end()));
+    spansOf[static_cast<std::size_t>(owner)].push_back(static_cast<int>(e));
+  }
+  for (const auto& spans : spansOf) {
+    for (const int e : spans) {
+      shareOfSpans_.items.push_back(e);
+      const auto& span = quadrature_.spans()[static_cast<std::size_t>(e)];
+      for (int q = 0; q < span.weights.size(); ++q) shareOfPoints_.items.push_back(span.firstPoint + q);
+    }
+    shareOfSpans_.begins.push_back(static_cast<int>(shareOfSpans_.items.size()));
+    shareOfPoints_.begins.push_back(static_cast<int>(shareOfPoints_.items.size()));
+  }
+  // Those that are left add up in the order of all.
+  for (auto& colour : colours_)
+    std::erase_if(colour, [&](int e) {
+      const auto& unknowns = groups_[static_cast<std::size_t>(e)];
+      return std::none_of(unknowns.begin(), unknowns.end(), [&](int k) { return division.isOwn(k); });
+    });
+}
+
+template <int Dim>
+int BulkTerm<Dim>::numWorkedOn() const {
+  std::size_t count = 0;
+  for (const auto& colour : colours_) count += colour.size();
+  return static_cast<int>(count);
+}
+
+template <int Dim>
+bool BulkTerm<Dim>::conclude(bool admissible, Assembly& out) {
+  if (!team_->all(admissible)) return false;
+  if (!team_->isAlone()) team_->gather(asSpan(out.force), division_.begins);
+  exchange(
+      *team_, shareOfSpans_, 3,
+      [&](int e, double* to) {
+        const BulkSummary& span = spanSummaries_[static_cast<std::size_t>(e)];
+        to[0] = span.strainEnergy, to[1] = span.plasticWorkIncrement, to[2] = span.minJ;
+      },
+      [&](int e, const double* from) {
+        spanSummaries_[static_cast<std::size_t>(e)] = {from[0], from[1], from[2]};
+      });
+  if (out.system == nullptr) exchangePoints();
+  summarise();
+  return true;
+}
+
+template <int Dim>
+void BulkTerm<Dim>::exchangePoints() {
+  points_.exchangeTrial(*team_, shareOfPoints_);
+  exchange(
+      *team_, shareOfPoints_, kVoigt<Dim> + 1,
+      [&](int q, double* to) {
+        const auto point = static_cast<std::size_t>(q);
+        *std::copy(stress_[point].begin(), stress_[point].end(), to) = J_[point];
+      },
+      [&](int q, const double* from) {
+        const auto point = static_cast<std::size_t>(q);
+        std::copy_n(from, kVoigt<Dim>, stress_[point].begin());
+        J_[point] = from[kVoigt<Dim>];
+      });
+}
+
+template <int Dim>
 void BulkTerm<Dim>::summarise() {
   summary_ = {};
   for (const auto& span : spanSummaries_) {
@@ -92,6 +159,7 @@ void BulkTerm<Dim>::summarise() {
 
 template <int Dim>
 void BulkTerm<Dim>::accept() {
+  exchangePoints();
   points_.accept();
   plasticWork_ += summary_.plasticWorkIncrement;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/core/shares.h"
 #include "engine/material/material_points.h"
 #include "engine/solid/body.h"
 #include "engine/solid/formulation.h"
@@ -24,17 +25,23 @@ struct BulkSummary {
 };
 
 /// The body's resistance, total Lagrangian: history and stresses at the quadrature points, which all
-/// formulations share.
+/// formulations share. Each of several ranks works on the spans that touch its unknowns, and is handed forces
+/// and sums by the others with every evaluation, histories and stresses where the tangent is not asked for and
+/// with every accepted state.
 template <int Dim>
 class BulkTerm : public Term {
  public:
   using Stress = Eigen::Vector<double, kVoigt<Dim>>;
 
   CouplingGroups couplings() const override { return groups_; }
+  void divideAmong(const Team& team, const Division& division) override;
   void accept() override;
   void archive(StateArchive& archive) override;
 
   const BulkSummary& summary() const { return summary_; }
+
+  /// Spans that this rank works on.
+  int numWorkedOn() const;
 
   /// Dissipated by plastic flow up to the last accepted state.
   double plasticWork() const { return plasticWork_; }
@@ -106,6 +113,10 @@ class BulkTerm : public Term {
     out.system->add(out.term, number, tangent);
   }
 
+  /// To be called at the end of an evaluation in which all spans that this rank works on were admissible or not:
+  /// has of other ranks what is theirs and makes the summary of the body. Returns whether all are admissible.
+  bool conclude(bool admissible, Assembly& out);
+
   /// Makes the summary of the body from those of the spans.
   void summarise();
 
@@ -123,9 +134,16 @@ class BulkTerm : public Term {
   template <class F>
   void forEachGradient(const Eigen::VectorXd& x, const F& f) const;
 
+  /// Has trial states and stresses of other ranks.
+  void exchangePoints();
+
   std::vector<Eigen::Matrix3d> stretch_;  ///< V_e of the reference state; empty: one everywhere
   BulkSummary summary_;
   double plasticWork_ = 0.0;
+
+  const Team* team_ = &alone();
+  Division division_;
+  Shares shareOfSpans_, shareOfPoints_;  ///< empty for one rank
 };
 
 /// Displacement unknowns of nodes, component by component.

@@ -80,8 +80,7 @@ bool DisplacementTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembl
     return this->points_.visit(
         [&](auto& points) { return evaluateAll<decltype(kinematics)::value>(points, x, out); });
   });
-  if (admissible) this->summarise();
-  return admissible;
+  return this->conclude(admissible, out);
 }
 
 template class DisplacementTerm<2>;

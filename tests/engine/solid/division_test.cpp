@@ -1,0 +1,134 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "engine/nurbs/refinement.h"
+#include "engine/nurbs/shapes.h"
+#include "engine/solid/bulk_term.h"
+#include "tests/engine/solid/term_check.h"
+
+/// What each of several ranks has of a tangent against the tangent of one.
+namespace burnish {
+namespace {
+
+/// One of several ranks without the others: what they have to say is not asked for.
+class RankOf final : public Team {
+ public:
+  RankOf(int rank, int size) : rank_(rank), size_(size) {}
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+  void sum(std::span<double>) const override {}
+  void gather(std::span<double>, const std::vector<int>&) const override {}
+  void share(std::span<double>, int) const override {}
+  double bytesSent() const override { return 0.0; }
+  std::optional<bool> meet(bool) const override { return false; }
+  [[noreturn]] void abort(int exitCode) const override { std::exit(exitCode); }
+
+ private:
+  int rank_, size_;
+};
+
+/// A block on a mesh of unequal spans that is held at its bottom.
+struct Block {
+  Body<3> body = makeBody(refined(
+      box({0.0, 0.0, 0.0}, {1.0, 1.0, 2.0}),
+      {KnotVector::uniform(2, 3), KnotVector::uniform(2, 2), withKnots(KnotVector::uniform(2, 6), {0.05})}));
+  SpanQuadrature<3> quadrature{body};
+  int numUnknowns = 3 * body.numNodes + 2;  // two multipliers
+
+  std::vector<bool> held() const {
+    std::vector<bool> held(static_cast<std::size_t>(numUnknowns), false);
+    for (int node = 0; node < body.numNodes; ++node)
+      if (body.nodePositions()(2, node) == 0.0)
+        for (int d = 0; d < 3; ++d) held[static_cast<std::size_t>(3 * node + d)] = true;
+    return held;
+  }
+
+  std::unique_ptr<BulkTerm<3>> term() const {
+    return makeBulkTerm<3>(body, quadrature,
+                           J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0}}),
+                           Formulation::Displacement);
+  }
+
+  /// Multipliers on nodes in the middle and at the end, which may be far from a rank's own.
+  CouplingGroups contact() const {
+    const int n = 3 * body.numNodes;
+    return {{n / 2, n / 2 + 1, n}, {n - 3, n - 1, n + 1}};
+  }
+};
+
+/// A tangent and the forces that go with it.
+struct Assembled {
+  SparseSystem system;
+  Eigen::VectorXd forces;
+  int spans = 0;
+
+  Assembled(const Block& block, int rank, int ranks)
+      : system(block.held(), {block.term()->couplings(), block.contact()}, 3 * block.body.numNodes, rank,
+               ranks),
+        forces(Eigen::VectorXd::Zero(block.numUnknowns)) {
+    const auto term = block.term();
+    const RankOf team(rank, ranks);
+    if (ranks > 1) term->divideAmong(team, system.division());
+    Assembly out{forces, &system, 0};
+    EXPECT_TRUE(term->evaluate(1.0, test::randomState(block.numUnknowns, 0.02, 3), out));
+    const auto contact = block.contact();
+    for (std::size_t k = 0; k < contact.size(); ++k)
+      system.add(1, k, Eigen::MatrixXd::Constant(std::ssize(contact[k]), std::ssize(contact[k]), 0.1));
+    system.add({contact[0][0], contact[1][2]}, Eigen::Matrix2d::Zero());
+    spans = term->numWorkedOn();
+  }
+};
+
+class DividedAmong : public testing::TestWithParam<int> {};
+
+TEST_P(DividedAmong, RanksHaveTheColumnsAndForcesOfOneBitByBit) {
+  const int ranks = GetParam();
+  const Block block;
+  Assembled one(block, 0, 1);
+  const Eigen::MatrixXd K = one.system.leading();
+  const SystemBorder border = one.system.border();
+  const Eigen::VectorXd sizes = Eigen::VectorXd::LinSpaced(block.numUnknowns, 0.5, 2.0);
+  Eigen::VectorXd prescribed = Eigen::VectorXd::Zero(block.numUnknowns), magnitudes = prescribed;
+  Eigen::Index columns = 0;
+  int spans = 0;
+  std::vector<double> entries;
+  for (int rank = 0; rank < ranks; ++rank) {
+    const Assembled part(block, rank, ranks);
+    const std::vector<int> begins = part.system.leadingBegins();
+    const Eigen::Index first = begins[static_cast<std::size_t>(rank)], n = part.system.leading().cols();
+    ASSERT_EQ(first, columns);
+    ASSERT_GT(n, 0);
+    Eigen::MatrixXd own = part.system.leadingElsewhere();
+    own.middleRows(first, n) += Eigen::MatrixXd(part.system.leading());
+    EXPECT_EQ(own, K.middleCols(first, n)) << "rank " << rank;
+    const auto [B, G, C] = part.system.border();
+    EXPECT_EQ(Eigen::MatrixXd(B), Eigen::MatrixXd(border.B));
+    EXPECT_EQ(Eigen::MatrixXd(G), Eigen::MatrixXd(border.G));
+    EXPECT_EQ(Eigen::MatrixXd(C), Eigen::MatrixXd(border.C));
+    const Division& division = part.system.division();
+    const int count = division.end() - division.first();
+    EXPECT_EQ(part.forces.segment(division.first(), count), one.forces.segment(division.first(), count));
+    EXPECT_EQ(division.ownerOf(division.first()), rank);
+    EXPECT_EQ(division.ownerOf(division.end() - 1), rank);
+    prescribed += part.system.timesPrescribed(sizes);
+    magnitudes += part.system.timesMagnitudes(sizes);
+    entries.push_back(
+        static_cast<double>(part.system.leading().nonZeros() + part.system.leadingElsewhere().nonZeros()));
+    columns += n;
+    spans += part.spans;
+  }
+  EXPECT_EQ(columns, K.cols());
+  EXPECT_LT((prescribed - one.system.timesPrescribed(sizes)).norm(), 1e-13 * prescribed.norm());
+  EXPECT_LT((magnitudes - one.system.timesMagnitudes(sizes)).norm(), 1e-13 * magnitudes.norm());
+  EXPECT_GT(spans, one.spans) << "spans at borders are assembled more than once";
+  EXPECT_LT(spans, ranks * one.spans);
+  // Within half a layer of nodes.
+  const auto [least, most] = std::minmax_element(entries.begin(), entries.end());
+  EXPECT_LT(*most, 1.25 * *least);
+}
+INSTANTIATE_TEST_SUITE_P(Ranks, DividedAmong, testing::Values(2, 3));
+
+}  // namespace
+}  // namespace burnish
