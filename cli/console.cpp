@@ -1,4 +1,5 @@
 #include "cli/console.h"
+#include "cli/silence.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -6,7 +7,9 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <string>
 #include <system_error>
+#include <utility>
 
 #include "engine/core/error.h"
 
@@ -14,6 +17,8 @@ namespace burnish {
 namespace {
 
 int outputProblem = 0;  ///< the first errno of standard output
+bool isSilent = false;
+std::string kept;  ///< for standard error
 
 void noteProblem(bool fine) {
   if (!fine && outputProblem == 0 && errno != EINTR) outputProblem = errno;
@@ -47,11 +52,25 @@ void openStandardDescriptors() {
     }
 }
 
+void keepSilent() {
+  isSilent = true;
+}
+
+std::string endSilence() {
+  isSilent = false;
+  return std::exchange(kept, {});
+}
+
 void printText(std::string_view text) {
+  if (isSilent) return;
   noteProblem(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 
 void printErrorText(std::string_view text) {
+  if (isSilent) {
+    kept += text;
+    return;
+  }
   flushOutput();
   const NoBrokenPipe guard;
   std::fwrite(text.data(), 1, text.size(), stderr);

@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/faults.h"
+#include "cli/ranks.h"
 #include "cli/usage_error.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
@@ -69,10 +70,13 @@ int main(int argc, char** argv) {
     useFastestBlasKernels(argv);
   }
   silenceVtk();
-  const ExitCode done = guarded([&] { return execute(argc, argv); });
+  const ExitCode done = guarded([&] {
+    if (computing) joinRanks(argv[1]);
+    return execute(argc, argv);
+  });
   const ExitCode printed = guarded([&] {
     requirePrinted(computing ? GoneReader::IsFine : GoneReader::Fails);
     return ExitCode::Fine;
   });
-  return static_cast<int>(done == ExitCode::Fine ? printed : done);
+  return static_cast<int>(leaveRanks(done == ExitCode::Fine ? printed : done));
 }

@@ -13,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/faults.h"
 #include "cli/jobs/child_process.h"
+#include "cli/ranks.h"
 #include "engine/core/error.h"
 #include "engine/results/history.h"
 #include "engine/results/run_files.h"
@@ -55,9 +56,24 @@ void printTimings(const RunSummary& summary) {
   printLine("a Newton iteration", fmt::format("{:.2f} ms on average", perIteration));
 }
 
+/// How several processes have divided the work.
+void printRanks(const RunSummary& summary) {
+  int assembled = 0;
+  for (std::size_t r = 0; r < summary.ranks.size(); ++r) {
+    const RankWork& rank = summary.ranks[r];
+    assembled += rank.spans;
+    printLine(fmt::format("rank {}", r),
+              fmt::format("{} spans, {:.3g} million entries of the tangent, {:.3g} MB sent", rank.spans,
+                          1e-6 * rank.entries, 1e-6 * rank.bytesSent));
+  }
+  printLine("spans assembled", fmt::format("{} of {}: {:.2f} times", assembled, summary.spans,
+                                           static_cast<double>(assembled) / summary.spans));
+}
+
 void printResults(const RunArguments& arguments, const RunSummary& summary, const RunOutputs& outputs) {
   printAccount(summary, readHistory(arguments.directory / "history.csv"));
   if (arguments.timings) printTimings(summary);
+  if (arguments.timings && !summary.ranks.empty()) printRanks(summary);
   printOut("results in {}\n", arguments.directory.string());
   for (const auto& picture : outputs.pictures()) printOut("  picture {}\n", picture.string());
 }
@@ -66,11 +82,19 @@ std::string howToResume(const std::filesystem::path& directory) {
   return fmt::format("go on with: burnish run --resume {}", directory.string());
 }
 
+/// As the first rank finds it before it writes.
+bool canBeContinued(const std::filesystem::path& directory) {
+  bool can = false;
+  ranks().first([&] { can = canBeResumed(directory); });
+  return ranks().any(can);
+}
+
 RunSummary compute(const Scene& scene, const RunArguments& arguments, const SignalGuard& signals,
                    RunOutputs& outputs) {
-  const RunOptions options{.threads = arguments.threads, .halt = [&] { return signals.count() > 0; }};
+  const RunOptions options{
+      .threads = arguments.threads, .halt = [&] { return signals.count() > 0; }, .team = &ranks()};
   try {
-    if (arguments.continues && canBeResumed(arguments.directory)) {
+    if (arguments.continues && canBeContinued(arguments.directory)) {
       try {
         return resumeRun(scene, arguments.directory, options, outputs);
       } catch (const Error& error) {
@@ -125,10 +149,12 @@ ExitCode run(const RunArguments& arguments) {
   OffscreenCanvas::saveMemory();  // for the solver
   const SignalGuard signals(SecondSignal::Ends);
   RunOutputs outputs(document, arguments.directory, !arguments.quiet, !arguments.noDoubts);
-  if (!arguments.resumes) outputs.requireNoForeignFiles();
+  if (!arguments.resumes) ranks().first([&] { outputs.requireNoForeignFiles(); });
   const RunSummary summary = compute(document.scene, arguments, signals, outputs);
-  if (!summary.halted) outputs.finish(!summary.doubts.empty());
-  if (!arguments.quiet) printResults(arguments, summary, outputs);
+  ranks().first([&] {
+    if (!summary.halted) outputs.finish(!summary.doubts.empty());
+    if (!arguments.quiet) printResults(arguments, summary, outputs);
+  });
   flushOutput();
   return reportEnd(arguments, summary, outputs, signals.signal());
 }

@@ -28,6 +28,7 @@
 #include "engine/core/stopwatch.h"
 #include "engine/results/result_reader.h"
 #include "engine/scene/reader.h"
+#include "engine/scene/scene_places.h"
 #include "engine/solver/stepping.h"
 
 namespace burnish {
@@ -39,20 +40,21 @@ class Run {
  public:
   /// resumes: goes on with the run that was stopped in the directory.
   Run(const Scene& scene, std::unique_ptr<Model<Dim>> model, const std::filesystem::path& directory,
-      bool resumes, std::function<bool()> halt, RunObserver& observer)
+      bool resumes, const RunOptions& options, RunObserver& observer)
       : scene_(scene),
-        halt_(std::move(halt)),
+        halt_(options.halt),
+        team_(*options.team),
         observer_(observer),
-        simulation_(simulationFrom(scene, std::move(model))),
+        simulation_(simulationFrom(scene, std::move(model), team_)),
         output_(directory, checkedRecord(resumes), simulation_->recorder.columns(), resumes,
-                simulation_->newton.linearSolver().isIterative(), observer) {
+                simulation_->newton.linearSolver().isIterative(), observer, team_) {
     if constexpr (Dim == 2)
       if (scene.rezoning) rezoner_.emplace(scene, *simulation_);
   }
 
   RunSummary execute() {
     warn();
-    observer_.onStart(output_.model());
+    team_.first([&] { observer_.onStart(output_.model()); });
     try {
       end(begin() ? walk() : Walk::Failed);
     } catch (const RunError& error) {
@@ -80,9 +82,10 @@ class Run {
 
  private:
   static std::unique_ptr<Simulation<Dim>> simulationFrom(const Scene& scene,
-                                                         std::unique_ptr<Model<Dim>> model) {
+                                                         std::unique_ptr<Model<Dim>> model,
+                                                         const Team& team) {
     SteppingState start = model->startState();
-    return std::make_unique<Simulation<Dim>>(scene, std::move(model), std::move(start));
+    return std::make_unique<Simulation<Dim>>(scene, std::move(model), std::move(start), team);
   }
 
   /// The model as the result has it. Before anything is written, refuses what can be seen to have no good
@@ -91,7 +94,7 @@ class Run {
     ModelRecord record = makeModelRecord(scene_, *simulation_->model);
     if (resumes) return record;
     requireKnownColumns(scene_, simulation_->recorder.columns());
-    observer_.onModel(record);
+    team_.first([&] { observer_.onModel(record); });
     return record;
   }
 
@@ -99,18 +102,19 @@ class Run {
     const auto warnings = sceneWarnings(scene_, *simulation_->model, simulation_->recorder.columns());
     for (const InputProblem& warning : warnings)
       summary_.warnings.push_back(fmt::format("{}: {}", warning.path, warning.text));
-    observer_.onWarnings(warningLines(scene_, warnings));
+    team_.first([&] { observer_.onWarnings(warningLines(scene_, warnings)); });
   }
 
   /// Comes to the state at t = 0, or to the one in which the run was stopped; false if the way there failed.
   bool begin() {
-    if (output_.restart() == nullptr) return approach() == Walk::Arrived;
-    restore(*output_.restart());
+    std::optional<SavedState> restart = output_.restart();
+    if (!restart) return approach() == Walk::Arrived;
+    restore(std::move(*restart));
     return true;
   }
 
-  void restore(const RestartRecord& restart) {
-    StateArchive saved(restart.state);
+  void restore(SavedState state) {
+    StateArchive saved(std::move(state));
     archive(saved);
     output_.showAgain();
   }
@@ -174,8 +178,8 @@ class Run {
     step_ = step.step - summary_.approachSteps;
     output_.appendRow(simulation_->recorder, step_, step.iterations);
     output_.appendConvergence(step_, step);
-    observer_.onStep({step_, step.time, endTime_, step.iterations, state().cuts});
-    halts_ = halt_();
+    team_.first([&] { observer_.onStep({step_, step.time, endTime_, step.iterations, state().cuts}); });
+    halts_ = team_.any(halt_());
   }
 
   /// Hands the state that a step has just reached to the recorder.
@@ -235,6 +239,7 @@ class Run {
     summary_.steps = step_;
     summary_.timings.total = seconds();
     describeEnd(summary_, *simulation_);
+    describeRanks(summary_, *simulation_, team_);
     if (!rezoner_) return;
     summary_.rezonings = rezoner_->records();
     summary_.rezonedBody = scene_.rezoning->body;
@@ -278,6 +283,7 @@ class Run {
 
   const Scene& scene_;
   std::function<bool()> halt_;
+  const Team& team_;
   RunObserver& observer_;
   std::unique_ptr<Simulation<Dim>> simulation_;
   RunOutput output_;
@@ -294,14 +300,32 @@ class Run {
 template <int Dim>
 RunSummary runInDimension(const Scene& scene, const std::filesystem::path& directory, bool resumes,
                           const RunOptions& options, RunObserver& observer) {
-  return Run<Dim>(scene, buildModel<Dim>(scene), directory, resumes, options.halt, observer).execute();
+  return Run<Dim>(scene, buildModel<Dim>(scene), directory, resumes, options, observer).execute();
+}
+
+/// Throws `Error` with the place of what several ranks cannot compute together.
+void requireDivisible(const Scene& scene) {
+  std::vector<InputProblem> problems;
+  if (scene.dim() == 2)
+    problems.push_back({"geometry", "found two dimensions; several processes compute bodies in space only."});
+  else if (scene.solver.newton.linear.name == "direct")
+    problems.push_back(
+        {"solver.linear",
+         "found direct, whose factors several processes cannot divide; allowed: multigrid, auto."});
+  for (std::size_t k = 0; k < scene.allBodies().size(); ++k)
+    if (scene.allBodies()[k].formulation == Formulation::ProjectedDilatation)
+      problems.push_back(
+          {scene.bodyKey(k, "formulation"),
+           "found fbar, whose tangent several processes cannot divide; allowed: displacement."});
+  if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
 }
 
 RunSummary runOrResume(const Scene& scene, const std::filesystem::path& directory, bool resumes,
                        const RunOptions& options, RunObserver& observer) {
   pinLibrariesToOneThread();
-  const auto threads =
-      threadsWithMemory(options.threads > 0 ? options.threads : tbb::info::default_concurrency());
+  if (!options.team->isAlone()) requireDivisible(scene);
+  const int most = options.team->isAlone() ? tbb::info::default_concurrency() : 1;
+  const auto threads = threadsWithMemory(options.threads > 0 ? options.threads : most);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   if (scene.dim() == 2) return runInDimension<2>(scene, directory, resumes, options, observer);

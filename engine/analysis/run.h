@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/analysis/run_summary.h"
+#include "engine/core/team.h"
 #include "engine/results/result.h"
 #include "engine/scene/scene.h"
 #include "engine/solver/newton.h"
@@ -12,10 +13,14 @@
 namespace burnish {
 
 struct RunOptions {
-  int threads = 0;  ///< 0: as many as the machine has; results do not depend on it
+  /// 0: as many as the machine has, one for each of several ranks; results do not depend on it.
+  int threads = 0;
 
   /// Asked after every step; the run halts when it says true, and can be resumed.
   std::function<bool()> halt = [] { return false; };
+
+  /// That computes the run together; it halts when `halt` says so in any of them. Must outlive the run.
+  const Team* team = &alone();
 };
 
 /// Where a run stands, after every accepted step.
@@ -27,7 +32,7 @@ struct RunProgress {
   int totalCuts = 0;
 };
 
-/// Is told what happens during a run.
+/// Is told what happens during a run; of several ranks, that of the first one.
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
@@ -47,7 +52,8 @@ class RunObserver {
 /// Computes a scene and writes its result set, `history.csv`, `convergence.csv` and, at its end,
 /// `summary.yaml` into a directory. A run that cannot reach its end keeps everything computed so far and says
 /// why in the summary. Throws `Error` before anything is written if the scene cannot be computed, or when the
-/// directory cannot be written; a run that has written a frame before can be resumed.
+/// directory cannot be written; a run that has written a frame before can be resumed. Of several ranks the
+/// first one alone reads and writes in the directory; it can be resumed by another number of them.
 RunSummary runScene(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
                     RunObserver& observer);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,19 +11,61 @@
 #include "engine/results/result_reader.h"
 
 namespace burnish {
+namespace {
+
+/// Hands the values of the first rank to all others.
+void shareState(const Team& team, SavedState& state) {
+  std::vector<double> head;  // per value its size, its name's, and the name
+  for (const auto& [name, values] : state) {
+    head.push_back(static_cast<double>(values.size()));
+    head.push_back(static_cast<double>(name.size()));
+    head.insert(head.end(), name.begin(), name.end());
+  }
+  double length = static_cast<double>(head.size());
+  team.share({&length, 1}, 0);
+  head.resize(static_cast<std::size_t>(length));
+  team.share(head, 0);
+  for (auto next = head.begin(); next != head.end();) {
+    const auto size = static_cast<Eigen::Index>(*next++);
+    const auto letters = static_cast<std::ptrdiff_t>(*next++);
+    std::string name(static_cast<std::size_t>(letters), ' ');
+    std::transform(next, next + letters, name.begin(),
+                   [](double letter) { return static_cast<char>(letter); });
+    next += letters;
+    Eigen::VectorXd& values = state[name];
+    values.conservativeResize(size);
+    team.share(asSpan(values), 0);
+  }
+}
+
+}  // namespace
 
 RunOutput::RunOutput(const std::filesystem::path& directory, ModelRecord model,
                      const std::vector<std::string>& columns, bool resumes, bool countsLinear,
-                     RunObserver& observer)
+                     RunObserver& observer, const Team& team)
     : directory_(directory),
       model_(std::move(model)),
-      files_(directory, model_, columns, resumes, countsLinear),
+      team_(team),
       countsLinear_(countsLinear),
-      observer_(observer) {}
+      observer_(observer) {
+  team_.first([&] { files_.emplace(directory, model_, columns, resumes, countsLinear); });
+}
+
+std::optional<SavedState> RunOutput::restart() const {
+  std::optional<SavedState> state;
+  if (team_.isFirst() && files_->restart() != nullptr) state = files_->restart()->state;
+  if (team_.any(state.has_value())) {
+    if (!state) state.emplace();
+    shareState(team_, *state);
+  }
+  return state;
+}
 
 void RunOutput::showAgain() {
-  const ResultReader result(directory_);
-  for (int k = 0; k < result.numFrames(); ++k) observer_.onFrame(model_, result.frame(k));
+  team_.first([&] {
+    const ResultReader result(directory_);
+    for (int k = 0; k < result.numFrames(); ++k) observer_.onFrame(model_, result.frame(k));
+  });
 }
 
 template <int Dim>
@@ -32,17 +75,20 @@ void RunOutput::appendRow(const Recorder<Dim>& recorder, int step, int iteration
     if (!std::isfinite(row[column]))
       throw RunError(
           fmt::format("{} is not finite at t = {:.6g}", recorder.columns()[column], recorder.current().time));
-  files_.appendHistory(row);
+  team_.first([&] { files_->appendHistory(row); });
   lastRowTime_ = recorder.current().time;
 }
 
 void RunOutput::appendConvergence(int number, const StepReport& step) {
-  for (std::size_t k = 0; k < step.newton.history.size(); ++k) {
-    std::vector<double> row{static_cast<double>(number), step.time, static_cast<double>(k),
-                            step.newton.history[k]};
-    if (countsLinear_) row.push_back(k > 0 ? static_cast<double>(step.newton.linearIterations[k - 1]) : 0.0);
-    files_.appendConvergence(row);
-  }
+  team_.first([&] {
+    for (std::size_t k = 0; k < step.newton.history.size(); ++k) {
+      std::vector<double> row{static_cast<double>(number), step.time, static_cast<double>(k),
+                              step.newton.history[k]};
+      if (countsLinear_)
+        row.push_back(k > 0 ? static_cast<double>(step.newton.linearIterations[k - 1]) : 0.0);
+      files_->appendConvergence(row);
+    }
+  });
 }
 
 void RunOutput::accept(const FrameRecord& frame) {
@@ -55,13 +101,25 @@ void RunOutput::accept(const FrameRecord& frame) {
 }
 
 void RunOutput::append(const FrameRecord& frame, int steps, SavedState state) {
-  files_.append(frame, steps, std::move(state));
-  observer_.onFrame(model_, frame);
+  team_.first([&] {
+    files_->append(frame, steps, std::move(state));
+    observer_.onFrame(model_, frame);
+  });
 }
 
 void RunOutput::appendLast(const FrameRecord& frame) {
-  files_.appendLast(frame);
-  observer_.onFrame(model_, frame);
+  team_.first([&] {
+    files_->appendLast(frame);
+    observer_.onFrame(model_, frame);
+  });
+}
+
+void RunOutput::keep(int steps, SavedState state) {
+  team_.first([&] { files_->keep(steps, std::move(state)); });
+}
+
+void RunOutput::finish(const RunAccount& summary) {
+  team_.first([&] { files_->finish(summary); });
 }
 
 void RunOutput::archive(StateArchive& archive) {

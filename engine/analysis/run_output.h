@@ -1,30 +1,34 @@
 #pragma once
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/analysis/recorder.h"
 #include "engine/analysis/run.h"
 #include "engine/core/state_archive.h"
+#include "engine/core/team.h"
 #include "engine/results/run_files.h"
 #include "engine/solver/stepping.h"
 
 namespace burnish {
 
 /// What a run writes and shows under way: its result set, the rows of its history and how its steps converge.
+/// Of several ranks the first one does so, and the others wait for it.
 class RunOutput {
  public:
   /// model: in which the run begins. columns: of the history. resumes: goes on with what a stopped run left
   /// in the directory, else deletes it. countsLinear: the linear solver is one whose iterations are counted.
-  /// The observer must outlive the object.
+  /// Observer and team must outlive the object.
   RunOutput(const std::filesystem::path& directory, ModelRecord model,
-            const std::vector<std::string>& columns, bool resumes, bool countsLinear, RunObserver& observer);
+            const std::vector<std::string>& columns, bool resumes, bool countsLinear, RunObserver& observer,
+            const Team& team);
 
   const ModelRecord& model() const { return model_; }
 
-  /// Where a resumed run goes on; null for a new one.
-  const RestartRecord* restart() const { return files_.restart(); }
+  /// The state from which a resumed run goes on; none for a new one.
+  std::optional<SavedState> restart() const;
 
   /// Shows the frames that a resumed run has written before it was stopped.
   void showAgain();
@@ -49,17 +53,18 @@ class RunOutput {
   void appendLast(const FrameRecord& frame);
 
   /// Keeps a state between frames from which a stopped run goes on.
-  void keep(int steps, SavedState state) { files_.keep(steps, std::move(state)); }
+  void keep(int steps, SavedState state);
 
   /// Writes the summary: the run has ended.
-  void finish(const RunAccount& summary) { files_.finish(summary); }
+  void finish(const RunAccount& summary);
 
   void archive(StateArchive& archive);
 
  private:
   std::filesystem::path directory_;
   ModelRecord model_;
-  RunFiles files_;
+  const Team& team_;
+  std::optional<RunFiles> files_;  ///< of the first rank
   bool countsLinear_;
   RunObserver& observer_;
   double lastFrameTime_ = -std::numeric_limits<double>::infinity();

@@ -14,11 +14,13 @@ namespace {
 /// From so many displacement components in space on multigrid takes less time than sparse factors.
 constexpr int kMultigridIsFaster = 25'000;
 
-/// For solvers that use one.
+/// For solvers that use one. Several ranks have no other.
 template <int Dim>
-std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions& options, const Model<Dim>& model) {
+std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions& options, const Model<Dim>& model,
+                                      const Team& team) {
   constexpr int kCoarsest = 500;
-  const bool isOfUse = Dim == 3 && hasMultigrid() && model.numDisplacements() >= kMultigridIsFaster;
+  const bool isOfUse =
+      Dim == 3 && hasMultigrid() && (model.numDisplacements() >= kMultigridIsFaster || !team.isAlone());
   if (options.name == "direct" || (options.name == "auto" && !isOfUse)) return std::nullopt;
   return makeHierarchy(model, MergeRule{}, kCoarsest);
 }
@@ -33,11 +35,12 @@ std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model) {
 }
 
 template <int Dim>
-Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start)
+Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start,
+                            const Team& team)
     : model(std::move(itsModel)),
       terms(model->terms()),
       newton(terms, model->prescribed(), residualScales(*model), scene.solver.newton,
-             hierarchyFor(scene.solver.newton.linear, *model)),
+             hierarchyFor(scene.solver.newton.linear, *model, team), team),
       stepping(
           newton, terms, [this](double t) { return model->target(t); }, scene.solver.stepping,
           std::move(start)),

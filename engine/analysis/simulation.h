@@ -18,8 +18,9 @@ std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model);
 /// A model with everything that solves and records it: what is replaced when the body is remeshed.
 template <int Dim>
 struct Simulation {
-  /// The scene must outlive the simulation.
-  Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> model, SteppingState start);
+  /// Scene and team must outlive the simulation.
+  Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> model, SteppingState start,
+             const Team& team = alone());
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/core/shares.h"
+
 namespace burnish {
 namespace {
 
@@ -54,6 +56,24 @@ void addCosts(RunSummary& summary, Simulation<Dim>& simulation) {
 }
 
 template <int Dim>
+void describeRanks(RunSummary& summary, const Simulation<Dim>& simulation, const Team& team) {
+  if (team.isAlone()) return;
+  int spans = 0;
+  for (const auto& body : simulation.model->bodies()) {
+    spans += body.bulk->numWorkedOn();
+    summary.spans += static_cast<int>(body.quadrature->spans().size());
+  }
+  const SparseSystem& system = simulation.newton.system();
+  std::vector<double> numbers{
+      static_cast<double>(spans),
+      static_cast<double>(system.leading().nonZeros() + system.leadingElsewhere().nonZeros()),
+      team.bytesSent()};
+  gatherLists(team, numbers);
+  for (std::size_t k = 0; k < numbers.size(); k += 3)
+    summary.ranks.push_back({static_cast<int>(numbers[k]), numbers[k + 1], numbers[k + 2]});
+}
+
+template <int Dim>
 void describeEnd(RunSummary& summary, const Simulation<Dim>& simulation) {
   const Model<Dim>& model = *simulation.model;
   const SteppingState& state = simulation.stepping.state();
@@ -88,6 +108,8 @@ void describeEnd(RunSummary& summary, const Simulation<Dim>& simulation) {
 
 template void addCosts(RunSummary&, Simulation<2>&);
 template void addCosts(RunSummary&, Simulation<3>&);
+template void describeRanks(RunSummary&, const Simulation<2>&, const Team&);
+template void describeRanks(RunSummary&, const Simulation<3>&, const Team&);
 template void describeEnd(RunSummary&, const Simulation<2>&);
 template void describeEnd(RunSummary&, const Simulation<3>&);
 

@@ -12,6 +12,10 @@ void addResiduals(RunSummary& summary, const NewtonReport& report);
 template <int Dim>
 void addCosts(RunSummary& summary, Simulation<Dim>& simulation);
 
+/// Tells how several ranks have divided the work.
+template <int Dim>
+void describeRanks(RunSummary& summary, const Simulation<Dim>& simulation, const Team& team);
+
 /// Fills in the size of the problem, the steps and iterations, and what is known of the last state.
 /// summary: with the approach, whether the run is completed, and steps from t = 0 on.
 template <int Dim>

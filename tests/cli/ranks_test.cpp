@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/results/history.h"
+#include "engine/results/result_reader.h"
+#include "engine/results/run_files.h"
+#include "tests/cli/shell.h"
+
+/// Runs of several processes that mpirun has started. BURNISH_COMMAND is the program's path.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kBlock = R"yaml(
+degree: 2
+geometry: {shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 1], spans: [5, 4, 5], grading: ["s", "s", "1 - 0.3*(1 - s) - 0.7*(1 - s)^2"]}
+supports: [{face: back, fix: [x, y, z]}]
+solver: {linear: multigrid}
+output: {every: 0.5, vtu: false}
+)yaml";
+
+constexpr const char* kPulled = R"yaml(
+material: {law: neo-hookean, E: 1, nu: 0.3}
+loads: [{face: front, traction: [0.01, 0.02, "-0.1*exp(-20*(X^2 + Y^2))"], schedule: {times: [0, 1], values: [0, 1]}}]
+steps: [{until: 1, count: 2}]
+)yaml";
+
+/// A ball that is pressed into the block and dragged aside.
+constexpr const char* kDragged = R"yaml(
+material: {law: j2, E: 100, nu: 0.3, hardening: {law: linear, sigma0: 0.3, modulus: 2}}
+tools:
+  - {name: ball, shape: sphere, center: [0, 0, 0.5], radius: 0.5, motion: {times: [0, 1, 2], x: [0, 0, 0.06], z: [0, -0.05, -0.05]}}
+contact: [{tool: ball, face: front, method: integral-augmented-lagrangian, friction: 0.2}]
+steps: [{until: 1, count: 2}, {until: 2, count: 2}]
+)yaml";
+
+constexpr const char* kFreeBall = R"yaml(
+material: {law: neo-hookean, E: 1, nu: 0.3}
+tools:
+  - {name: ball, shape: sphere, center: [0, 0, 0.5], radius: 0.5, carry: {z: "-0.002 - 0.008*t"}}
+contact: [{tool: ball, face: front}]
+steps: [{until: 1, count: 2}]
+)yaml";
+
+class Ranks : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    dir = fs::temp_directory_path() / fmt::format("burnish_{}{}", test->name(), ::getpid());
+    fs::remove_all(dir);
+    fs::create_directories(dir);
+  }
+  void TearDown() override { fs::remove_all(dir); }
+
+  void write(const std::string& scene) const { std::ofstream(dir / "scene.yaml") << scene; }
+
+  /// The line that starts the program with so many processes.
+  static std::string line(int ranks, const std::string& arguments) {
+    if (ranks == 1) return fmt::format("{} {}", BURNISH_COMMAND, arguments);
+    return fmt::format("mpirun --oversubscribe --allow-run-as-root -n {} {} {}", ranks, BURNISH_COMMAND,
+                       arguments);
+  }
+  Outcome burnish(int ranks, const std::string& arguments) const {
+    return shell(dir, line(ranks, arguments));
+  }
+
+  HistoryTable history(const std::string& name) const { return readHistory(dir / name / "history.csv"); }
+
+  /// Largest difference of the histories of two runs over the largest value of its column.
+  double largestDifference(const std::string& one, const std::string& other) const {
+    const HistoryTable a = history(one), b = history(other);
+    EXPECT_EQ(a.columns, b.columns);
+    double worst = 0.0;
+    for (std::size_t c = 0; c < a.columns.size(); ++c) {
+      EXPECT_EQ(a.values[c].size(), b.values[c].size());
+      if (a.columns[c] == "newton_iterations") continue;
+      double largest = 0.0, difference = 0.0;
+      for (std::size_t k = 0; k < std::min(a.values[c].size(), b.values[c].size()); ++k) {
+        largest = std::max(largest, std::abs(a.values[c][k]));
+        difference = std::max(difference, std::abs(a.values[c][k] - b.values[c][k]));
+      }
+      // What symmetry makes vanish is rounding in both.
+      if (largest > 1e-9) worst = std::max(worst, difference / largest);
+    }
+    return worst;
+  }
+
+  /// Runs of 1, 2 and 3 processes have the same histories.
+  void expectSameResults(const std::string& scene) {
+    write(scene);
+    for (const int ranks : {1, 2, 3}) {
+      const Outcome outcome = burnish(ranks, fmt::format("run scene.yaml -o on{} --quiet", ranks));
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_LT(largestDifference("on1", fmt::format("on{}", ranks)), 1e-10) << ranks;
+    }
+    EXPECT_EQ(shell(dir, "ls on1 | sort > 1; ls on3 | sort > 3; diff 1 3").out, "");
+  }
+
+  fs::path dir;
+};
+
+TEST_F(Ranks, ElasticBlock) {
+  expectSameResults(std::string(kBlock) + kPulled);
+}
+
+TEST_F(Ranks, PlasticBlockUnderABallThatRubs) {
+  expectSameResults(std::string(kBlock) + kDragged);
+  EXPECT_GT(history("on3").column("plastic_work").back(), 0.0);
+  EXPECT_GE(history("on3").column("active_control_points").back(), 1.0);
+}
+
+TEST_F(Ranks, ToolWithAFreeDirection) {
+  expectSameResults(std::string(kBlock) + kFreeBall);
+}
+
+TEST_F(Ranks, TheSameNumberHasTheSameBits) {
+  write(std::string(kBlock) + kDragged);
+  for (const char* name : {"one", "other"})
+    ASSERT_EQ(burnish(2, fmt::format("run scene.yaml -o {} --quiet", name)).code, 0);
+  EXPECT_EQ(shell(dir, "diff -rq --exclude=summary.yaml one other").out, "");
+}
+
+TEST_F(Ranks, OnlyTheFirstOnePrints) {
+  write(std::string(kBlock) + kPulled);
+  const Outcome outcome = burnish(2, "run scene.yaml -o out --timings");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out.find("results in out"), outcome.out.rfind("results in out"));
+  EXPECT_THAT(outcome.out, HasSubstr("rank 1"));
+  EXPECT_THAT(outcome.out, HasSubstr("spans assembled"));
+}
+
+/// How often a text is in another one.
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST_F(Ranks, BadInputIsToldOnce) {
+  write(std::string(kBlock) + kPulled);
+  const auto expectRefusal = [&](const std::string& arguments, const std::string& sentence) {
+    const Outcome outcome = burnish(2, arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(count(outcome.err, "burnish: "), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(sentence));
+  };
+  expectRefusal("run nowhere.yaml -o out", "nowhere.yaml");
+  expectRefusal("run scene.yaml -o out --set material.nu=0.7", "material.nu");
+  expectRefusal("run scene.yaml -o out --set solver.linear=direct", "solver.linear: found direct");
+  expectRefusal("run scene.yaml -o out --set formulation=fbar", "formulation: found fbar");
+  expectRefusal("run scene.yaml -o /dev/null/out", "/dev/null/out");
+  expectRefusal("figures study.yaml -o out", "figures is not done by several processes");
+  EXPECT_FALSE(fs::exists(dir / "out"));
+}
+
+TEST_F(Ranks, AStoppedRunGoesOnWithOtherNumbers) {
+  write(std::string(kBlock) + kDragged);
+  ASSERT_EQ(burnish(1, "run scene.yaml -o whole --quiet").code, 0);
+  // One rank gets the signal, all halt.
+  const Outcome stopped =
+      shell(dir, line(2, "run scene.yaml -o part --quiet") +
+                     " & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; done; "
+                     "kill -TERM $(pgrep -P $mpirun | tail -n 1); wait $mpirun");
+  EXPECT_EQ(stopped.code, 143) << stopped.err;
+  EXPECT_THAT(stopped.err, HasSubstr("go on with: burnish run --resume part"));
+  ASSERT_TRUE(canBeResumed(dir / "part"));
+  fs::copy(dir / "part", dir / "again", fs::copy_options::recursive);
+  ASSERT_EQ(burnish(3, "run --resume part --quiet").code, 0);
+  ASSERT_EQ(burnish(1, "run --resume again --quiet").code, 0);
+  EXPECT_LT(largestDifference("whole", "part"), 1e-10);
+  EXPECT_LT(largestDifference("whole", "again"), 1e-10);
+}
+
+TEST_F(Ranks, OneThatIsKilledEndsAllAndWhatWasSavedIsWhole) {
+  write(std::string(kBlock) + kDragged);
+  for (const char* which : {"head", "tail"}) {
+    const Outcome killed = shell(
+        dir, line(2, "run scene.yaml -o part --quiet") +
+                 fmt::format(" & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; done; "
+                             "kill -KILL $(pgrep -P $mpirun | {} -n 1); wait $mpirun",
+                             which));
+    EXPECT_NE(killed.code, 0);
+    const ResultReader result(dir / "part");
+    ASSERT_GE(result.numFrames(), 2);
+    for (int k = 0; k < result.numFrames(); ++k) EXPECT_NO_THROW(result.frame(k));
+    EXPECT_EQ(burnish(2, "run --resume part --quiet").code, 0);
+    fs::remove_all(dir / "part");
+  }
+}
+
+TEST_F(Ranks, WhatTheFirstOneAloneFindsIsToldOnceAndEndsAll) {
+  write(std::string(kBlock) + kDragged);
+  const Outcome outcome =
+      shell(dir, line(2, "run scene.yaml -o part --quiet") +
+                     " & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; "
+                     "done; rm -f part/history.csv; wait $mpirun");
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_EQ(count(outcome.err, "part/history.csv was removed while it was being written"), 1) << outcome.err;
+}
+
+}  // namespace
+}  // namespace burnish
