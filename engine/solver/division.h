@@ -24,10 +24,10 @@ struct Division {
   }
 };
 
-/// Divides unknowns among ranks in such a way that each has as many couplings among the first `numLeading` of
-/// them as any other, as far as unknowns with the same groups, those of a node, stay together. The others go
-/// to the last rank.
-Division divideUnknowns(const std::vector<CouplingGroups>& terms, int numUnknowns, int numLeading, int rank,
-                        int ranks);
+/// Divides unknowns among ranks in such a way that each has as many couplings with free ones as any other, as
+/// far as unknowns with the same groups, those of a node, stay together. Those of the first `numLeading` that
+/// are free count; those behind go to the last rank. prescribed: one flag per unknown.
+Division divideUnknowns(const std::vector<CouplingGroups>& terms, const std::vector<bool>& prescribed,
+                        int numLeading, int rank, int ranks);
 
 }  // namespace burnish

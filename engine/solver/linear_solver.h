@@ -49,7 +49,7 @@ struct IterationCounts {
 ///
 /// whose leading block K is usually positive definite and whose border, the multipliers, has a C that is
 /// negative semidefinite: a diagonal, or sparse. Where several ranks solve them together, right-hand sides and
-/// solutions are whole on each.
+/// solutions are whole on each, and every member is to be called by all of them.
 class LinearSolver {
  public:
   LinearSolver() = default;

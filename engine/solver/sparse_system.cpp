@@ -40,7 +40,7 @@ SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<Coupl
     : prescribed_(std::move(prescribed)),
       numLeading_(numLeading),
       equations_(prescribed_.size(), -1),
-      division_(divideUnknowns(termGroups, numUnknowns(), numLeading, rank, ranks)) {
+      division_(divideUnknowns(termGroups, prescribed_, numLeading, rank, ranks)) {
   for (std::size_t i = 0; i < prescribed_.size(); ++i)
     if (!prescribed_[i]) {
       equations_[i] = static_cast<int>(free_.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
@@ -20,13 +21,18 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kBlock = R"yaml(
+/// spans: in each direction.
+std::string block(const std::string& spans) {
+  return R"yaml(
 degree: 2
-geometry: {shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 1], spans: [5, 4, 5], grading: ["s", "s", "1 - 0.3*(1 - s) - 0.7*(1 - s)^2"]}
 supports: [{face: back, fix: [x, y, z]}]
-solver: {linear: multigrid}
+solver: {linear: multigrid, tolerance: 1.0e-11}
 output: {every: 0.5, vtu: false}
-)yaml";
+geometry: {grading: ["s", "s", "1 - 0.3*(1 - s) - 0.7*(1 - s)^2"], shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 1], spans: )yaml" +
+         spans + "}\n";
+}
+
+const std::string kBlock = block("[5, 4, 5]");
 
 constexpr const char* kPulled = R"yaml(
 material: {law: neo-hookean, E: 1, nu: 0.3}
@@ -75,22 +81,25 @@ class Ranks : public testing::Test {
 
   HistoryTable history(const std::string& name) const { return readHistory(dir / name / "history.csv"); }
 
-  /// Largest difference of the histories of two runs over the largest value of its column.
+  /// Largest difference of the histories of two runs over the largest value of its column; columns x, y, z of a
+  /// vector are one.
   double largestDifference(const std::string& one, const std::string& other) const {
     const HistoryTable a = history(one), b = history(other);
     EXPECT_EQ(a.columns, b.columns);
-    double worst = 0.0;
+    std::map<std::string, double> largest, difference;
     for (std::size_t c = 0; c < a.columns.size(); ++c) {
       EXPECT_EQ(a.values[c].size(), b.values[c].size());
-      if (a.columns[c] == "newton_iterations") continue;
-      double largest = 0.0, difference = 0.0;
+      std::string name = a.columns[c];
+      if (name == "newton_iterations") continue;
+      if (name.find_last_of("xyz") == name.size() - 1) name.pop_back();
       for (std::size_t k = 0; k < std::min(a.values[c].size(), b.values[c].size()); ++k) {
-        largest = std::max(largest, std::abs(a.values[c][k]));
-        difference = std::max(difference, std::abs(a.values[c][k] - b.values[c][k]));
+        largest[name] = std::max(largest[name], std::abs(a.values[c][k]));
+        difference[name] = std::max(difference[name], std::abs(a.values[c][k] - b.values[c][k]));
       }
-      // What symmetry makes vanish is rounding in both.
-      if (largest > 1e-9) worst = std::max(worst, difference / largest);
     }
+    double worst = 0.0;
+    for (const auto& [name, size] : largest)
+      if (size > 1e-15) worst = std::max(worst, difference[name] / size);  // not what symmetry makes vanish
     return worst;
   }
 
@@ -110,28 +119,28 @@ class Ranks : public testing::Test {
 };
 
 TEST_F(Ranks, ElasticBlock) {
-  expectSameResults(std::string(kBlock) + kPulled);
+  expectSameResults(kBlock + kPulled);
 }
 
 TEST_F(Ranks, PlasticBlockUnderABallThatRubs) {
-  expectSameResults(std::string(kBlock) + kDragged);
+  expectSameResults(kBlock + kDragged);
   EXPECT_GT(history("on3").column("plastic_work").back(), 0.0);
-  EXPECT_GE(history("on3").column("active_control_points").back(), 1.0);
+  EXPECT_LT(history("on3").column("ball.fx").back(), -1e-3);
 }
 
 TEST_F(Ranks, ToolWithAFreeDirection) {
-  expectSameResults(std::string(kBlock) + kFreeBall);
+  expectSameResults(block("[7, 6, 6]") + kFreeBall);
 }
 
 TEST_F(Ranks, TheSameNumberHasTheSameBits) {
-  write(std::string(kBlock) + kDragged);
+  write(kBlock + kDragged);
   for (const char* name : {"one", "other"})
     ASSERT_EQ(burnish(2, fmt::format("run scene.yaml -o {} --quiet", name)).code, 0);
   EXPECT_EQ(shell(dir, "diff -rq --exclude=summary.yaml one other").out, "");
 }
 
 TEST_F(Ranks, OnlyTheFirstOnePrints) {
-  write(std::string(kBlock) + kPulled);
+  write(kBlock + kPulled);
   const Outcome outcome = burnish(2, "run scene.yaml -o out --timings");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out.find("results in out"), outcome.out.rfind("results in out"));
@@ -147,7 +156,7 @@ int count(const std::string& text, const std::string& part) {
 }
 
 TEST_F(Ranks, BadInputIsToldOnce) {
-  write(std::string(kBlock) + kPulled);
+  write(kBlock + kPulled);
   const auto expectRefusal = [&](const std::string& arguments, const std::string& sentence) {
     const Outcome outcome = burnish(2, arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
@@ -164,7 +173,7 @@ TEST_F(Ranks, BadInputIsToldOnce) {
 }
 
 TEST_F(Ranks, AStoppedRunGoesOnWithOtherNumbers) {
-  write(std::string(kBlock) + kDragged);
+  write(kBlock + kDragged);
   ASSERT_EQ(burnish(1, "run scene.yaml -o whole --quiet").code, 0);
   // One rank gets the signal, all halt.
   const Outcome stopped =
@@ -182,7 +191,7 @@ TEST_F(Ranks, AStoppedRunGoesOnWithOtherNumbers) {
 }
 
 TEST_F(Ranks, OneThatIsKilledEndsAllAndWhatWasSavedIsWhole) {
-  write(std::string(kBlock) + kDragged);
+  write(kBlock + kDragged);
   for (const char* which : {"head", "tail"}) {
     const Outcome killed = shell(
         dir, line(2, "run scene.yaml -o part --quiet") +
@@ -199,7 +208,7 @@ TEST_F(Ranks, OneThatIsKilledEndsAllAndWhatWasSavedIsWhole) {
 }
 
 TEST_F(Ranks, WhatTheFirstOneAloneFindsIsToldOnceAndEndsAll) {
-  write(std::string(kBlock) + kDragged);
+  write(kBlock + kDragged);
   const Outcome outcome =
       shell(dir, line(2, "run scene.yaml -o part --quiet") +
                      " & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; "
