@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/commands/picture_planes_check.h"
 #include "cli/console.h"
+#include "cli/progress.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
 #include "postproc/scene/scene_document.h"
@@ -32,14 +34,40 @@ bool isStudy(const fs::path& file) {
   return fs::is_regular_file(file, status) && ("\n" + readText(file)).find("\nruns:") != std::string::npos;
 }
 
+std::string bytesText(double bytes) {
+  return bytes < 0.95e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes);
+}
+
+std::string secondsText(double seconds) {
+  return seconds < 0.01   ? fmt::format("{:.1f} ms", 1e3 * seconds)
+         : seconds < 0.95 ? fmt::format("{:.0f} ms", 1e3 * seconds)
+         : seconds < 10.0 ? fmt::format("{:.1f} s", seconds)
+         : seconds < 60.0 ? fmt::format("{:.0f} s", seconds)
+                          : durationText(seconds);
+}
+
+/// What a run will take.
+std::string costText(const CostEstimate& cost) {
+  return fmt::format(
+      "takes about {}, and on one core {} per Newton iteration (assembly {}, contact {}, linear systems {}); "
+      "{} steps of some {} iterations: {}",
+      bytesText(cost.bytes), secondsText(cost.perIteration()), secondsText(cost.assembly),
+      secondsText(cost.contact), secondsText(cost.linearSystems), cost.steps, cost.iterationsPerStep,
+      secondsText(cost.seconds()));
+}
+
 /// What is said of a good scene. Warnings begin with who has them.
-std::string validateScene(const fs::path& file, const std::vector<std::string>& overrides,
+SceneReport validateScene(const fs::path& file, const std::vector<std::string>& overrides,
                           const std::string& who) {
   const SceneDocument document = readSceneDocument(file, overrides);
   const SceneReport report = reportOf(document.scene);
   requirePlanes(document, report.model);
   for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);
-  return report.summary;
+  return report;
+}
+
+std::string sceneText(const SceneReport& report) {
+  return fmt::format("fine ({})\n  {}", report.summary, costText(report.cost));
 }
 
 /// The same of a study: builds the models of all its runs, and throws `Error` with the faults of all.
@@ -48,25 +76,30 @@ std::string validateStudy(const fs::path& file, const std::vector<std::string>& 
     throw Error(fmt::format("{}: --set changes scenes, and this is a study; leave it out", file.string()));
   const Study study = readStudy(file);
   std::vector<std::string> faults;
+  double bytes = 0.0, seconds = 0.0;
   for (const StudyRun& run : study.runs) {
     const std::string who = fmt::format("{}: run \"{}\": ", file.string(), run.name);
     try {
-      validateScene(run.scene, run.overrides, who);
+      const CostEstimate cost = validateScene(run.scene, run.overrides, who).cost;
+      bytes = std::max(bytes, cost.bytes);
+      seconds += cost.seconds();
     } catch (const Error& error) {
       faults.push_back(who + error.what());
     }
   }
   if (!faults.empty()) throw Error(fmt::format("{}", fmt::join(faults, "\n")));
-  return fmt::format("a study of {} runs and {} figures", study.runs.size(), study.spec.figures.size());
+  return fmt::format(
+      "fine (a study of {} runs and {} figures)\n  its runs take about {} on one core, and {} each at most",
+      study.runs.size(), study.spec.figures.size(), secondsText(seconds), bytesText(bytes));
 }
 
 ExitCode validate(const ValidateArguments& arguments) {
   bool allAreGood = true;
   for (const fs::path& file : arguments.files) {
     try {
-      const std::string summary = isStudy(file) ? validateStudy(file, arguments.overrides)
-                                                : validateScene(file, arguments.overrides, "");
-      printOut("{}: fine ({})\n", file.string(), summary);
+      printOut("{}: {}\n", file.string(),
+               isStudy(file) ? validateStudy(file, arguments.overrides)
+                             : sceneText(validateScene(file, arguments.overrides, "")));
     } catch (const Error& error) {
       printError("{}\n", error.what());
       allAreGood = false;

@@ -9,6 +9,7 @@
 
 #include "engine/analysis/build_model.h"
 #include "engine/analysis/check_columns.h"
+#include "engine/analysis/cost_estimate.h"
 #include "engine/analysis/frames.h"
 #include "engine/analysis/locking.h"
 #include "engine/analysis/model.h"
@@ -103,7 +104,7 @@ SceneReport reportInDimension(const Scene& scene) {
     requireKnownColumns(scene, columns);
   }
   return {summaryOf(scene, *model), warningLines(scene, sceneWarnings(scene, *model, columns)),
-          makeModelRecord(scene, *model)};
+          makeModelRecord(scene, *model), estimateCost(scene, *model)};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/analysis/cost_estimate.h"
 #include "engine/analysis/model.h"
 #include "engine/core/input_error.h"
 #include "engine/results/result.h"
@@ -14,6 +15,7 @@ struct SceneReport {
   std::string summary;                ///< dimension, basis, unknowns, tools
   std::vector<std::string> warnings;  ///< with their places: what is probably not meant
   ModelRecord model;                  ///< as a result has it
+  CostEstimate cost;
 };
 
 /// What is probably not meant in a scene that can be computed, each with its key. columns: of its history.

@@ -14,7 +14,8 @@ namespace {
 /// From so many displacement components in space on multigrid takes less time than sparse factors.
 constexpr int kMultigridIsFaster = 25'000;
 
-/// For solvers that use one. Several ranks have no other.
+}  // namespace
+
 template <int Dim>
 std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions& options, const Model<Dim>& model,
                                       const Team& team) {
@@ -24,8 +25,6 @@ std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions& options, const 
   if (options.name == "direct" || (options.name == "auto" && !isOfUse)) return std::nullopt;
   return makeHierarchy(model, MergeRule{}, kCoarsest);
 }
-
-}  // namespace
 
 template <int Dim>
 std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model) {
@@ -82,6 +81,8 @@ std::vector<ToolPose> Simulation<Dim>::toolPoses() const {
 
 template std::vector<Projection<2>> projectionsOf(const Model<2>&);
 template std::vector<Projection<3>> projectionsOf(const Model<3>&);
+template std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions&, const Model<2>&, const Team&);
+template std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions&, const Model<3>&, const Team&);
 template struct Simulation<2>;
 template struct Simulation<3>;
 

@@ -15,6 +15,11 @@ namespace burnish {
 template <int Dim>
 std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model);
 
+/// Nested spaces for linear solvers that use them; none for sparse factors. Several ranks have no other solver.
+template <int Dim>
+std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions& options, const Model<Dim>& model,
+                                      const Team& team);
+
 /// A model with everything that solves and records it: what is replaced when the body is remeshed.
 template <int Dim>
 struct Simulation {

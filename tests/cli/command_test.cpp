@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -161,6 +162,18 @@ TEST_F(Command, ARunThatStopsExitsWith3AndKeepsItsResults) {
   EXPECT_NE(run.err.find("the run did not reach its end"), std::string::npos) << run.err;
   EXPECT_GE(ResultReader(dir / "out").numFrames(), 1);
   EXPECT_NE(burnish("info out").out.find("run         stopped at t = "), std::string::npos);
+}
+
+TEST_F(Command, ValidateTellsWhatRunsWillTake) {
+  const Outcome scene = burnish("validate scene.yaml");
+  EXPECT_EQ(scene.code, 0);
+  EXPECT_THAT(scene.out,
+              testing::MatchesRegex(
+                  "scene.yaml: fine [(].*[)]\n  takes about [0-9]+ MB, and on one core [0-9.]+ ms per "
+                  "Newton iteration .*; [0-9]+ steps of some [0-9] iterations: .*\n"));
+  write("study.yaml", "runs:\n  - {name: one, scene: scene.yaml}\n  - {name: two, scene: scene.yaml}\n");
+  const Outcome study = burnish("validate study.yaml");
+  EXPECT_THAT(study.out, testing::HasSubstr("(a study of 2 runs and 0 figures)\n  its runs take about "));
 }
 
 TEST_F(Command, ValidatesTheModelsOfAllRunsOfAStudy) {

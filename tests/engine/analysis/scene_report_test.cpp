@@ -54,6 +54,27 @@ TEST(SceneReport, SaysWhatIsComputed) {
   EXPECT_THAT(report.warnings, ElementsAre());
 }
 
+TEST(SceneReport, TellsWhatARunWillTake) {
+  const auto costOf = [](const std::vector<std::string>& overrides) {
+    return reportOf(parseScene(kPress, "test.yaml", overrides)).cost;
+  };
+  const CostEstimate cost = costOf({"geometry.spans=[40, 20]"}), fine = costOf({"geometry.spans=[160, 80]"});
+  EXPECT_EQ(cost.steps, 2);
+  EXPECT_NEAR(fine.assembly, 16.0 * cost.assembly, 1e-9 * fine.assembly);
+  EXPECT_NEAR(fine.contact, 4.0 * cost.contact, 1e-9 * fine.contact);
+  // Factors grow like n log n, their operations like n^1.5.
+  EXPECT_GT(fine.linearSystems, 16.0 * cost.linearSystems);
+  EXPECT_LT(fine.linearSystems, 64.0 * cost.linearSystems);
+  // As runs have taken.
+  EXPECT_NEAR(cost.bytes, 120e6, 0.3 * 120e6);
+  EXPECT_NEAR(fine.bytes, 460e6, 0.3 * 460e6);
+  // Friction makes the tangent unsymmetric.
+  const CostEstimate rubbed = costOf({"geometry.spans=[160, 80]", "contact[0].friction=0.3"});
+  EXPECT_GT(rubbed.linearSystems, 1.3 * fine.linearSystems);
+  EXPECT_GT(rubbed.bytes, fine.bytes);
+  EXPECT_NEAR(cost.seconds(), 2 * cost.iterationsPerStep * cost.perIteration() + cost.fieldsAndFrames, 1e-12);
+}
+
 TEST(SceneReport, PlacesWhatIsWrongWithTheModel) {
   EXPECT_EQ(errorOf(replaced(kPress, "1.5]", "1.4]")),
             "test.yaml:8:5: contact[0]: tool 'disc' overlaps face 'top' by 0.1 at the start; move it away by "

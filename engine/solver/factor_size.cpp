@@ -1,0 +1,44 @@
+#include "engine/solver/factor_size.h"
+
+#include <Eigen/CholmodSupport>
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace burnish {
+namespace {
+
+/// The upper triangle, of ones.
+Eigen::SparseMatrix<double> patternOf(const std::vector<std::vector<int>>& groups, int size) {
+  std::vector<std::vector<const std::vector<int>*>> groupsOf(static_cast<std::size_t>(size));
+  for (const auto& group : groups)
+    for (const int number : group) groupsOf[static_cast<std::size_t>(number)].push_back(&group);
+  Eigen::SparseMatrix<double> pattern(size, size);
+  std::vector<int> rows, metLast(static_cast<std::size_t>(size), -1);
+  for (int column = 0; column < size; ++column) {
+    rows = {column};
+    metLast[static_cast<std::size_t>(column)] = column;
+    for (const auto* group : groupsOf[static_cast<std::size_t>(column)])
+      for (const int row : *group)
+        if (row < column && std::exchange(metLast[static_cast<std::size_t>(row)], column) != column)
+          rows.push_back(row);
+    std::sort(rows.begin(), rows.end());
+    pattern.startVec(column);
+    for (const int row : rows) pattern.insertBack(row, column) = 1.0;
+  }
+  pattern.finalize();
+  return pattern;
+}
+
+}  // namespace
+
+FactorSize factorSize(const std::vector<std::vector<int>>& groups, int size, int blockSize) {
+  if (size == 0) return {};
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Upper> analysis;
+  analysis.cholmod().print = 0;
+  analysis.analyzePattern(patternOf(groups, size));
+  const double rows = blockSize;
+  return {rows * rows * analysis.cholmod().lnz, rows * rows * rows * analysis.cholmod().fl};
+}
+
+}  // namespace burnish

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+namespace burnish {
+
+/// What sparse factors of a symmetric matrix take.
+struct FactorSize {
+  double nonZeros = 0.0;
+  double operations = 0.0;
+};
+
+/// Of a matrix in whose groups of rows every pair is coupled, by the same ordering as that of factors. groups:
+/// of numbers from 0 to size - 1. blockSize: rows that each number stands for.
+FactorSize factorSize(const std::vector<std::vector<int>>& groups, int size, int blockSize);
+
+}  // namespace burnish
