@@ -79,6 +79,14 @@ class Ranks : public testing::Test {
     return shell(dir, line(ranks, arguments));
   }
 
+  /// Two processes compute the scene in "part"; one of them gets a signal when a step has been written.
+  Outcome signalled(const std::string& signal, int which) const {
+    return shell(dir,
+                 fmt::format("{} & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; done; "
+                             "set -- $(cat /proc/$mpirun/task/*/children); kill -{} ${}; wait $mpirun",
+                             line(2, "run scene.yaml -o part --quiet"), signal, which));
+  }
+
   HistoryTable history(const std::string& name) const { return readHistory(dir / name / "history.csv"); }
 
   /// Largest difference of the histories of two runs over the largest value of its column; columns x, y, z of a
@@ -175,11 +183,7 @@ TEST_F(Ranks, BadInputIsToldOnce) {
 TEST_F(Ranks, AStoppedRunGoesOnWithOtherNumbers) {
   write(kBlock + kDragged);
   ASSERT_EQ(burnish(1, "run scene.yaml -o whole --quiet").code, 0);
-  // One rank gets the signal, all halt.
-  const Outcome stopped =
-      shell(dir, line(2, "run scene.yaml -o part --quiet") +
-                     " & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; done; "
-                     "kill -TERM $(pgrep -P $mpirun | tail -n 1); wait $mpirun");
+  const Outcome stopped = signalled("TERM", 2);  // which halts both
   EXPECT_EQ(stopped.code, 143) << stopped.err;
   EXPECT_THAT(stopped.err, HasSubstr("go on with: burnish run --resume part"));
   ASSERT_TRUE(canBeResumed(dir / "part"));
@@ -192,12 +196,8 @@ TEST_F(Ranks, AStoppedRunGoesOnWithOtherNumbers) {
 
 TEST_F(Ranks, OneThatIsKilledEndsAllAndWhatWasSavedIsWhole) {
   write(kBlock + kDragged);
-  for (const char* which : {"head", "tail"}) {
-    const Outcome killed = shell(
-        dir, line(2, "run scene.yaml -o part --quiet") +
-                 fmt::format(" & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; done; "
-                             "kill -KILL $(pgrep -P $mpirun | {} -n 1); wait $mpirun",
-                             which));
+  for (const int which : {1, 2}) {
+    const Outcome killed = signalled("KILL", which);
     EXPECT_NE(killed.code, 0);
     const ResultReader result(dir / "part");
     ASSERT_GE(result.numFrames(), 2);
