@@ -40,8 +40,8 @@ def main():
         scene = pathlib.Path(work) / "scene.yaml"
         scene.write_text(SCENE.replace("ALL", str(spans)))
         for ranks in counts:
-            start = ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n", str(ranks)] if ranks > 1 else []
-            run = subprocess.run([*start, program, "run", scene, "-o", pathlib.Path(work) / str(ranks), "--timings",
+            start = ["mpirun", "--oversubscribe", "--bind-to", "none", "--allow-run-as-root", "-n", str(ranks)]
+            run = subprocess.run([*(start if ranks > 1 else []), program, "run", scene, "-o", pathlib.Path(work) / str(ranks), "--timings",
                                   "--threads", "1"], check=True, capture_output=True, text=True)
             summary = yaml.safe_load((pathlib.Path(work) / str(ranks) / "summary.yaml").read_text())
             of = [tuple(map(float, found)) for found in RANK.findall(run.stdout)] or [(spans**3, 1.0, 0.0)]

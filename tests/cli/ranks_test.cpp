@@ -72,8 +72,8 @@ class Ranks : public testing::Test {
   /// The line that starts the program with so many processes.
   static std::string line(int ranks, const std::string& arguments) {
     if (ranks == 1) return fmt::format("{} {}", BURNISH_COMMAND, arguments);
-    return fmt::format("mpirun --oversubscribe --allow-run-as-root -n {} {} {}", ranks, BURNISH_COMMAND,
-                       arguments);
+    return fmt::format("mpirun --oversubscribe --bind-to none --allow-run-as-root -n {} {} {}", ranks,
+                       BURNISH_COMMAND, arguments);
   }
   Outcome burnish(int ranks, const std::string& arguments) const {
     return shell(dir, line(ranks, arguments));
