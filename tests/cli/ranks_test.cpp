@@ -81,10 +81,12 @@ class Ranks : public testing::Test {
 
   /// Two processes compute the scene in "part"; one of them gets a signal when a step has been written.
   Outcome signalled(const std::string& signal, int which) const {
-    return shell(dir,
-                 fmt::format("{} & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; done; "
-                             "set -- $(cat /proc/$mpirun/task/*/children); kill -{} ${}; wait $mpirun",
-                             line(2, "run scene.yaml -o part --quiet"), signal, which));
+    return shell(
+        dir,
+        fmt::format(
+            "{} & mpirun=$!; while [ ! -e part/result/frame_000001.h5 ] && kill -0 $mpirun; do sleep 0.01; done; "
+            "set -- $(cat /proc/$mpirun/task/*/children); kill -{} ${}; wait $mpirun",
+            line(2, "run scene.yaml -o part --quiet"), signal, which));
   }
 
   HistoryTable history(const std::string& name) const { return readHistory(dir / name / "history.csv"); }
@@ -209,10 +211,10 @@ TEST_F(Ranks, OneThatIsKilledEndsAllAndWhatWasSavedIsWhole) {
 
 TEST_F(Ranks, WhatTheFirstOneAloneFindsIsToldOnceAndEndsAll) {
   write(kBlock + kDragged);
-  const Outcome outcome =
-      shell(dir, line(2, "run scene.yaml -o part --quiet") +
-                     " & mpirun=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.01; "
-                     "done; rm -f part/history.csv; wait $mpirun");
+  const Outcome outcome = shell(
+      dir, line(2, "run scene.yaml -o part --quiet") +
+               " & mpirun=$!; while [ ! -e part/result/frame_000001.h5 ] && kill -0 $mpirun; do sleep 0.01; "
+               "done; rm -f part/history.csv; wait $mpirun");
   EXPECT_EQ(outcome.code, 2) << outcome.err;
   EXPECT_EQ(count(outcome.err, "part/history.csv was removed while it was being written"), 1) << outcome.err;
 }
