@@ -16,16 +16,24 @@ import tempfile
 import yaml
 
 BYTES = {"MB": 1e6, "GB": 1e9}
-SECONDS = {"ms": 1e-3, "s": 1.0}
+SECONDS = {" ms": 1e-3, " s": 1.0}
+
+
+def duration(text):
+    """Seconds of "12 ms", "3.4 s", "1:44" or "1:02:03"."""
+    for unit, seconds in SECONDS.items():
+        if text.endswith(unit):
+            return float(text.removesuffix(unit)) * seconds
+    return sum(60.0**k * float(part) for k, part in enumerate(reversed(text.split(":"))))
 
 
 def told(program, scene):
     """Bytes, seconds per iteration and iterations per step."""
     text = subprocess.run([program, "validate", scene], check=True, capture_output=True, text=True).stdout
     size, unit = re.search(r"takes about ([\d.]+) (MB|GB)", text).groups()
-    seconds, of = re.search(r"on one core ([\d.e+]+) (ms|s) per Newton", text).groups()
+    seconds = duration(re.search(r"on one core (.+) per Newton", text).group(1))
     steps = re.search(r"steps of some ([\d.]+) iterations", text).group(1)
-    return float(size) * BYTES[unit], float(seconds) * SECONDS[of], float(steps)
+    return float(size) * BYTES[unit], seconds, float(steps)
 
 
 def measured(program, scene, directory):

@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,7 +7,7 @@
 
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
-#include "tests/cli/shell.h"
+#include "tests/cli/shell_test.h"
 
 /// The program as the user meets it: exit codes, messages, and what is left behind. BURNISH_COMMAND is its
 /// path.
@@ -30,17 +29,12 @@ steps: [{until: 2, count: 8}]
 output: {every: 0.5, vtu: false}
 )";
 
-class Command : public testing::Test {
+class Command : public ShellTest {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    dir = fs::temp_directory_path() /
-          (std::string("burnish_command_") + test->name() + std::to_string(::getpid()));
-    fs::remove_all(dir);
-    fs::create_directories(dir);
+    ShellTest::SetUp();
     write("scene.yaml", kScene);
   }
-  void TearDown() override { fs::remove_all(dir); }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(dir / name) << text; }
 
@@ -61,8 +55,6 @@ class Command : public testing::Test {
     EXPECT_EQ(outcome.out, "") << arguments;
     EXPECT_FALSE(fs::exists(dir / "out")) << arguments;
   }
-
-  fs::path dir;
 };
 
 TEST_F(Command, RunsASceneAndTellsWhatIsInIt) {

@@ -3,7 +3,6 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -16,7 +15,7 @@
 
 #include "engine/core/fingerprint.h"
 #include "engine/results/summary_file.h"
-#include "tests/cli/shell.h"
+#include "tests/cli/shell_test.h"
 
 /// `burnish figures` as the user meets it. BURNISH_COMMAND is the program.
 namespace burnish {
@@ -44,20 +43,15 @@ figures:
   - {name: stress, kind: history, runs: [stiff], y: strain_energy}
 )";
 
-class FiguresCommand : public testing::Test {
+class FiguresCommand : public ShellTest {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    dir_ = fs::temp_directory_path() /
-           (std::string("burnish_figures_") + test->name() + std::to_string(::getpid()));
-    fs::remove_all(dir_);
-    fs::create_directories(dir_);
+    ShellTest::SetUp();
     write("block.yaml", kScene);
     writeStudy("material.E=2");
   }
-  void TearDown() override { fs::remove_all(dir_); }
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(dir_ / name) << text; }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(dir / name) << text; }
 
   void writeStudy(const std::string& change) const {
     std::string text = kStudy;
@@ -66,19 +60,17 @@ class FiguresCommand : public testing::Test {
 
   std::string read(const std::string& name) const {
     std::ostringstream text;
-    text << std::ifstream(dir_ / name).rdbuf();
+    text << std::ifstream(dir / name).rdbuf();
     return text.str();
   }
 
   Outcome figures(const std::string& arguments = "") const {
-    return shell(dir_, BURNISH_COMMAND " figures study.yaml -o out " + arguments);
+    return shell(dir, BURNISH_COMMAND " figures study.yaml -o out " + arguments);
   }
 
   fs::file_time_type timeOf(const std::string& run) const {
-    return fs::last_write_time(dir_ / "out/runs" / run / "summary.yaml");
+    return fs::last_write_time(dir / "out/runs" / run / "summary.yaml");
   }
-
-  fs::path dir_;
 };
 
 TEST_F(FiguresCommand, ComputesAndDrawsEverythingOnce) {
@@ -87,8 +79,8 @@ TEST_F(FiguresCommand, ComputesAndDrawsEverythingOnce) {
   EXPECT_THAT(first.out, HasSubstr("runs: 3, of which to compute: 3; figures: 2, of which to draw: 2\n"));
   EXPECT_THAT(first.out, HasSubstr("s, 2 steps, "));
   for (const char* name : {"energy", "stress"})
-    EXPECT_TRUE(fs::exists(dir_ / "out/figures" / (std::string(name) + ".png"))) << name;
-  EXPECT_TRUE(fs::exists(dir_ / "out/study.md"));
+    EXPECT_TRUE(fs::exists(dir / "out/figures" / (std::string(name) + ".png"))) << name;
+  EXPECT_TRUE(fs::exists(dir / "out/study.md"));
   EXPECT_THAT(read("out/runs.csv"), HasSubstr("\nblock-2,completed,1,2,0,0.5,"));
 
   const auto before = timeOf("stiff");
@@ -120,8 +112,8 @@ TEST_F(FiguresCommand, ComputesOnlyWhatHasChanged) {
   EXPECT_THAT(changed.out, HasSubstr("runs: 3, of which to compute: 1;"));
   EXPECT_EQ(timeOf("block-1"), before);
 
-  fs::remove(dir_ / "out/runs/block-2/summary.yaml");  // as if it had been interrupted
-  fs::remove(dir_ / "out/figures/stress.png");
+  fs::remove(dir / "out/runs/block-2/summary.yaml");  // as if it had been interrupted
+  fs::remove(dir / "out/figures/stress.png");
   EXPECT_THAT(figures().out, HasSubstr("runs: 3, of which to compute: 1; figures: 2, of which to draw: 2\n"));
 }
 
@@ -132,9 +124,9 @@ TEST_F(FiguresCommand, AFailureDoesNotStopTheOthers) {
   EXPECT_THAT(outcome.out, HasSubstr("stiff: failed (exit code 2); out/runs/stiff/log.txt ends with\n"));
   EXPECT_THAT(outcome.out, HasSubstr("figure stress: skipped, because stiff failed\n"));
   EXPECT_THAT(read("out/runs.csv"), HasSubstr("\nstiff,failed,,"));
-  EXPECT_TRUE(fs::exists(dir_ / "out/figures/energy.png"));
-  EXPECT_FALSE(fs::exists(dir_ / "out/figures/stress.png"));
-  EXPECT_TRUE(readSummary(dir_ / "out/runs/block-2").completed);
+  EXPECT_TRUE(fs::exists(dir / "out/figures/energy.png"));
+  EXPECT_FALSE(fs::exists(dir / "out/figures/stress.png"));
+  EXPECT_TRUE(readSummary(dir / "out/runs/block-2").completed);
 }
 
 TEST_F(FiguresCommand, ARunThatStopsEarlyIsAResult) {
@@ -150,9 +142,9 @@ TEST_F(FiguresCommand, OnlyMakesAFigureAndItsRuns) {
   const Outcome outcome = figures("--only stress --jobs 1");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("runs: 1, of which to compute: 1; figures: 1, of which to draw: 1\n"));
-  EXPECT_FALSE(fs::exists(dir_ / "out/runs/block-1"));
-  EXPECT_FALSE(fs::exists(dir_ / "out/figures/energy.png"));
-  EXPECT_FALSE(fs::exists(dir_ / "out/study.md"));
+  EXPECT_FALSE(fs::exists(dir / "out/runs/block-1"));
+  EXPECT_FALSE(fs::exists(dir / "out/figures/energy.png"));
+  EXPECT_FALSE(fs::exists(dir / "out/study.md"));
 
   const Outcome unknown = figures("--only stres");
   EXPECT_EQ(unknown.code, 2);
@@ -163,18 +155,18 @@ TEST_F(FiguresCommand, DocumentAndGalleryGoWhereTheyAreWanted) {
   const Outcome outcome = figures("--document docs/blocks.md --gallery docs/pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(read("docs/blocks.md"), HasSubstr("Blocks"));
-  EXPECT_FALSE(fs::exists(dir_ / "out/study.md"));
+  EXPECT_FALSE(fs::exists(dir / "out/study.md"));
 }
 
 TEST_F(FiguresCommand, EndsItsRunsWhenItIsToldAndResumesThem) {
   writeStudy("steps[0].count=12000");
-  const std::string study = (dir_ / "study.yaml").string(), out = (dir_ / "out").string();
+  const std::string study = (dir / "study.yaml").string(), out = (dir / "out").string();
   const char* const arguments[] = {BURNISH_COMMAND, "figures", study.c_str(), "-o",
                                    out.c_str(),     "--jobs",  "1",           nullptr};
   pid_t process = 0;
   ASSERT_EQ(posix_spawn(&process, BURNISH_COMMAND, nullptr, nullptr, const_cast<char**>(arguments), environ),
             0);
-  for (int i = 0; i < 1000 && !fs::exists(dir_ / "out/runs/stiff/result/frame_000000.h5"); ++i)
+  for (int i = 0; i < 1000 && !fs::exists(dir / "out/runs/stiff/result/frame_000000.h5"); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_THAT(figures().err, HasSubstr("another burnish is at work in out"));
   ::kill(process, SIGTERM);
@@ -182,12 +174,11 @@ TEST_F(FiguresCommand, EndsItsRunsWhenItIsToldAndResumesThem) {
   ASSERT_EQ(::waitpid(process, &status, 0), process);
   EXPECT_EQ(WEXITSTATUS(status), 143);
 
-  EXPECT_FALSE(fs::exists(dir_ / "out/runs/stiff/summary.yaml"));
-  const auto begun = fs::last_write_time(dir_ / "out/runs/stiff/result.h5");
+  EXPECT_FALSE(fs::exists(dir / "out/runs/stiff/summary.yaml"));
+  const auto begun = fs::last_write_time(dir / "out/runs/stiff/result.h5");
   EXPECT_EQ(figures().code, 0) << "nothing holds the directory any more";
-  EXPECT_TRUE(fs::exists(dir_ / "out/runs/stiff/summary.yaml"));
-  EXPECT_EQ(fs::last_write_time(dir_ / "out/runs/stiff/result.h5"), begun)
-      << "it was computed from its start";
+  EXPECT_TRUE(fs::exists(dir / "out/runs/stiff/summary.yaml"));
+  EXPECT_EQ(fs::last_write_time(dir / "out/runs/stiff/result.h5"), begun) << "it was computed from its start";
 }
 
 }  // namespace

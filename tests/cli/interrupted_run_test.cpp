@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -11,7 +10,7 @@
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
 #include "engine/results/run_files.h"
-#include "tests/cli/shell.h"
+#include "tests/cli/shell_test.h"
 #include "tests/engine/scene/scene_samples.h"
 
 /// The program is killed, interrupted, or has no room left: what it leaves is whole, and what is resumed
@@ -32,19 +31,15 @@ std::string scene() {
   return text;
 }
 
-class InterruptedRun : public testing::Test {
+class InterruptedRun : public ShellTest {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    dir = fs::temp_directory_path() / fmt::format("burnish_{}{}", test->name(), ::getpid());
-    fs::remove_all(dir);
-    fs::create_directories(dir);
+    ShellTest::SetUp();
     std::ofstream(dir / "scene.yaml") << scene();
     const auto start = std::chrono::steady_clock::now();
     ASSERT_EQ(burnish("run scene.yaml -o whole --quiet").code, 0);
     wholeSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
-  void TearDown() override { fs::remove_all(dir); }
 
   Outcome burnish(const std::string& arguments) const { return shell(dir, BURNISH_COMMAND " " + arguments); }
 
@@ -65,7 +60,6 @@ class InterruptedRun : public testing::Test {
   /// What `diff` says about the files of the run and those of the one that was not interrupted.
   std::string differences() const { return shell(dir, "diff -rq --exclude=summary.yaml whole part").out; }
 
-  fs::path dir;
   double wholeSeconds = 0.0;
 };
 

@@ -1,11 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "tests/cli/shell.h"
+#include "tests/cli/shell_test.h"
 
 /// `burnish plot` as the user meets it. BURNISH_COMMAND is the program.
 namespace burnish {
@@ -15,25 +14,21 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-class PlotCommand : public testing::Test {
+class PlotCommand : public ShellTest {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    dir_ = fs::temp_directory_path() /
-           (std::string("burnish_plot_") + test->name() + std::to_string(::getpid()));
-    fs::remove_all(dir_);
+    ShellTest::SetUp();
     writeRun("coarse", "time,energy,tool.fy\n0,0,1\n1,2,1\n2,4,8\n");
     writeRun("fine", "time,energy,tool.fy\n0,0,1\n0.5,0.5,2\n1,1,3\n2,4,5\n");
   }
-  void TearDown() override { fs::remove_all(dir_); }
 
   void writeRun(const std::string& name, const std::string& history) const {
-    fs::create_directories(dir_ / name);
-    std::ofstream(dir_ / name / "history.csv") << history;
+    fs::create_directories(dir / name);
+    std::ofstream(dir / name / "history.csv") << history;
   }
 
   Outcome plot(const std::string& arguments) const {
-    return shell(dir_, BURNISH_COMMAND " plot " + arguments);
+    return shell(dir, BURNISH_COMMAND " plot " + arguments);
   }
 
   /// What --csv - prints.
@@ -54,8 +49,6 @@ class PlotCommand : public testing::Test {
     EXPECT_TRUE(outcome.err.starts_with("burnish: ")) << outcome.err;
     for (const std::string& part : parts) EXPECT_THAT(outcome.err, HasSubstr(part));
   }
-
-  fs::path dir_;
 };
 
 TEST_F(PlotCommand, PrintsTheDataThatItDraws) {
@@ -71,8 +64,8 @@ TEST_F(PlotCommand, NamesCurvesByWhatTellsThemApart) {
   EXPECT_THAT(columns("coarse fine --y energy --y tool.fy"), HasSubstr("fine: energy y,coarse: tool.fy x"));
   EXPECT_EQ(columns("coarse fine --y energy --label a --label b"), "a x,a y,b x,b y");
   EXPECT_EQ(columns("coarse --y energy --y tool.fy --label a --label b"), "a x,a y,b x,b y");
-  fs::create_directories(dir_ / "other");
-  fs::copy(dir_ / "fine", dir_ / "other/fine");
+  fs::create_directories(dir / "other");
+  fs::copy(dir / "fine", dir / "other/fine");
   EXPECT_EQ(columns("fine other/fine --y energy"), "fine x,fine y,other/fine x,other/fine y");
 }
 
@@ -82,8 +75,8 @@ TEST_F(PlotCommand, DrawsDifferencesAndTellsTheLargest) {
   EXPECT_EQ(outcome.out,
             "coarse: largest difference of energy: 1 (25 %) at time = 1\n"
             "coarse: largest difference of tool.fy: 3 (60 %) at time = 2\n");
-  EXPECT_TRUE(fs::exists(dir_ / "d.png"));
-  EXPECT_EQ(readText(dir_ / "d.csv"),
+  EXPECT_TRUE(fs::exists(dir / "d.png"));
+  EXPECT_EQ(readText(dir / "d.csv"),
             "coarse: energy x,coarse: energy y,coarse: tool.fy x,coarse: tool.fy y\n"
             "0,0,0,0\n1,1,1,-2\n2,0,2,3\n");
   outcome = plot("coarse --y energy --reference fine --difference relative --csv -");
@@ -96,17 +89,17 @@ TEST_F(PlotCommand, WritesTextThatCanBeSelected) {
       "coarse fine --y 'energy*1e-6' --y2 tool.fy --log y2 --y2-range 0.1,10 --theme dark --markers all "
       "--y2-title 'force F₁' -o c.svg && " BURNISH_COMMAND " plot coarse --y energy -o c.pdf");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const std::string svg = readText(dir_ / "c.svg");
+  const std::string svg = readText(dir / "c.svg");
   for (const char* text : {"<text", "force F₁", "fine (right)", "×10⁻⁶", "#18"})
     EXPECT_THAT(svg, HasSubstr(text));
-  EXPECT_THAT(readText(dir_ / "c.pdf"), HasSubstr("/FontFile2"));
+  EXPECT_THAT(readText(dir / "c.pdf"), HasSubstr("/FontFile2"));
 }
 
 TEST_F(PlotCommand, TellsTheSignOfToolForces) {
   writeRun("tool", "time,tool.ux,tool.uy,tool.fx,tool.fy,face.fy\n0,0,0,0,0,0\n1,0,-1,0,2,-2\n");
   const auto svgOf = [&](const std::string& arguments) {
     EXPECT_EQ(plot(arguments + " -o signed.svg").code, 0);
-    return readText(dir_ / "signed.svg");
+    return readText(dir / "signed.svg");
   };
   EXPECT_THAT(svgOf("tool --y tool.fy"), HasSubstr("tool.fy (force of the body on the tool)"));
   for (const char* other :
@@ -134,7 +127,7 @@ TEST_F(PlotCommand, RefusesWhatDoesNotFit) {
   expectRefused("coarse --y energy --y-range=-1e308,1e308 -o c.png", {"--y-range: found \"-1e308,1e308\""});
   writeRun("huge", "time,energy\n0,-1e308\n1,1e308\n");
   expectRefused("huge --y energy -o c.png", {"point 1 of \"huge\" has y = -1e+308", "up to 1e+300"});
-  for (const auto& entry : fs::directory_iterator(dir_)) EXPECT_NE(entry.path().extension(), ".png");
+  for (const auto& entry : fs::directory_iterator(dir)) EXPECT_NE(entry.path().extension(), ".png");
 }
 
 }  // namespace

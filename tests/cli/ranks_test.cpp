@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -11,7 +10,7 @@
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
 #include "engine/results/run_files.h"
-#include "tests/cli/shell.h"
+#include "tests/cli/shell_test.h"
 
 /// Runs of several processes that mpirun has started. BURNISH_COMMAND is the program's path.
 namespace burnish {
@@ -57,16 +56,8 @@ contact: [{tool: ball, face: front}]
 steps: [{until: 1, count: 2}]
 )yaml";
 
-class Ranks : public testing::Test {
+class Ranks : public ShellTest {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    dir = fs::temp_directory_path() / fmt::format("burnish_{}{}", test->name(), ::getpid());
-    fs::remove_all(dir);
-    fs::create_directories(dir);
-  }
-  void TearDown() override { fs::remove_all(dir); }
-
   void write(const std::string& scene) const { std::ofstream(dir / "scene.yaml") << scene; }
 
   /// The line that starts the program with so many processes.
@@ -124,8 +115,6 @@ class Ranks : public testing::Test {
     }
     EXPECT_EQ(shell(dir, "ls on1 | sort > 1; ls on3 | sort > 3; diff 1 3").out, "");
   }
-
-  fs::path dir;
 };
 
 TEST_F(Ranks, ElasticBlock) {

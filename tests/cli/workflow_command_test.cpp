@@ -1,13 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "postproc/text/text_file.h"
-#include "tests/cli/shell.h"
+#include "tests/cli/shell_test.h"
 
 /// What `burnish figures --workflow` writes; tests/workflow has it worked off. BURNISH_COMMAND is the program.
 namespace burnish {
@@ -36,23 +35,19 @@ figures:
   - {name: all, kind: composite, figures: [energy]}
 )";
 
-class WorkflowCommand : public testing::Test {
+class WorkflowCommand : public ShellTest {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    dir_ = fs::temp_directory_path() /
-           (std::string("burnish_workflow_") + test->name() + std::to_string(::getpid()));
-    fs::remove_all(dir_);
+    ShellTest::SetUp();
     for (const char* line : {"lines/line.txt", "lines/other.txt"})
-      writeText("0 1.2\n1 1.1\n2 1.2\n", dir_ / line);
-    writeText("x,y\n0,0\n1,1\n", dir_ / "points.csv");
-    writeText(kBlock, dir_ / "scenes/block.yaml");
-    writeText(kBlocks, dir_ / "study.yaml");
+      writeText("0 1.2\n1 1.1\n2 1.2\n", dir / line);
+    writeText("x,y\n0,0\n1,1\n", dir / "points.csv");
+    writeText(kBlock, dir / "scenes/block.yaml");
+    writeText(kBlocks, dir / "study.yaml");
   }
-  void TearDown() override { fs::remove_all(dir_); }
 
   Outcome figures(const std::string& arguments) const {
-    return shell(dir_, BURNISH_COMMAND " figures " + arguments);
+    return shell(dir, BURNISH_COMMAND " figures " + arguments);
   }
 
   /// Expects that a command is refused in one line with these words.
@@ -62,8 +57,6 @@ class WorkflowCommand : public testing::Test {
     EXPECT_THAT(outcome.err, HasSubstr(words));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
-
-  fs::path dir_;
 };
 
 TEST_F(WorkflowCommand, SaysWhatRunsAndFiguresAreMadeOf) {
@@ -71,9 +64,9 @@ TEST_F(WorkflowCommand, SaysWhatRunsAndFiguresAreMadeOf) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
             "workflow Snakefile: 3 runs, 2 figures and a document; start it with: snakemake -c2\n");
-  EXPECT_FALSE(fs::exists(dir_ / "out")) << "nothing is computed";
+  EXPECT_FALSE(fs::exists(dir / "out")) << "nothing is computed";
 
-  const std::string text = readText(dir_ / "Snakefile");
+  const std::string text = readText(dir / "Snakefile");
   EXPECT_THAT(text, HasSubstr("\nSTUDY = \"study.yaml\"\n"));
   EXPECT_THAT(
       text,
@@ -104,7 +97,7 @@ TEST_F(WorkflowCommand, GoesWhereItIsWanted) {
       "study.yaml --workflow snakemake -o 'a b/work' --results 'out of it' --document docs/d.md --gallery docs/pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("start it with: snakemake -s 'a b/work' -c2\n"));
-  const std::string text = readText(dir_ / "a b/work");
+  const std::string text = readText(dir / "a b/work");
   EXPECT_THAT(text, HasSubstr("# Written by: burnish figures study.yaml --workflow snakemake -o 'a b/work' "
                               "--results 'out of it' --document docs/d.md --gallery docs/pictures\n"));
   EXPECT_THAT(text, HasSubstr("config.get(\"results\", \"out of it\")"));
@@ -112,10 +105,10 @@ TEST_F(WorkflowCommand, GoesWhereItIsWanted) {
 }
 
 TEST_F(WorkflowCommand, WritesOverWorkflowsAlone) {
-  writeText("# mine\n", dir_ / "Snakefile");
+  writeText("# mine\n", dir / "Snakefile");
   expectRefusal("study.yaml --workflow snakemake",
                 "-o: Snakefile is there and no workflow that burnish wrote");
-  EXPECT_EQ(readText(dir_ / "Snakefile"), "# mine\n");
+  EXPECT_EQ(readText(dir / "Snakefile"), "# mine\n");
   expectRefusal("study.yaml --workflow snakemake -o scenes", "-o: scenes is there");
   for (int i = 0; i < 2; ++i)
     EXPECT_EQ(figures("study.yaml --workflow snakemake -o twice").code, 0) << "the one that it wrote before";
@@ -129,22 +122,22 @@ TEST_F(WorkflowCommand, RefusesWhatCannotBeAWorkflow) {
                 "--document: study.yaml is also read");
   expectRefusal("study.yaml --workflow snakemake --jobs 2", "--jobs");
   expectRefusal("study.yaml --results out", "--workflow");
-  fs::copy(dir_ / "study.yaml", dir_ / "{name}.yaml");
+  fs::copy(dir / "study.yaml", dir / "{name}.yaml");
   expectRefusal("'{name}.yaml' --workflow snakemake", "{name}: found a brace");
-  writeText("runs: []\n", dir_ / "none.yaml");
+  writeText("runs: []\n", dir / "none.yaml");
   expectRefusal("none.yaml --workflow snakemake", "none.yaml:1:");
-  EXPECT_FALSE(fs::exists(dir_ / "Snakefile"));
+  EXPECT_FALSE(fs::exists(dir / "Snakefile"));
 }
 
 TEST_F(WorkflowCommand, AFigureIsDrawnInPlaceOfTheOneBefore) {
   ASSERT_EQ(figures("study.yaml -o out --only energy").code, 0);
-  const std::string record = readText(dir_ / "out/drawn/energy.txt");
-  writeText("of an earlier study", dir_ / "out/figures/energy_2.png");
-  writeText(record + "figures/energy_2.png\n", dir_ / "out/drawn/energy.txt");
-  fs::remove(dir_ / "out/figures/energy.png");  // as Snakemake does
+  const std::string record = readText(dir / "out/drawn/energy.txt");
+  writeText("of an earlier study", dir / "out/figures/energy_2.png");
+  writeText(record + "figures/energy_2.png\n", dir / "out/drawn/energy.txt");
+  fs::remove(dir / "out/figures/energy.png");  // as Snakemake does
   ASSERT_EQ(figures("study.yaml -o out --only energy --draw-only").code, 0);
-  EXPECT_FALSE(fs::exists(dir_ / "out/figures/energy_2.png"));
-  EXPECT_EQ(readText(dir_ / "out/drawn/energy.txt"), record);
+  EXPECT_FALSE(fs::exists(dir / "out/figures/energy_2.png"));
+  EXPECT_EQ(readText(dir / "out/drawn/energy.txt"), record);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "tests/cli/shell.h"
+
+namespace burnish {
+
+/// A test with a directory of its own, empty at first, for lines of the shell.
+class ShellTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    dir = std::filesystem::temp_directory_path() /
+          fmt::format("burnish_{}_{}{}", test->test_suite_name(), test->name(), ::getpid());
+    std::filesystem::remove_all(dir);
+    std::filesystem::create_directories(dir);
+  }
+  void TearDown() override { std::filesystem::remove_all(dir); }
+
+  std::filesystem::path dir;
+};
+
+}  // namespace burnish
