@@ -5,15 +5,18 @@
 
 namespace burnish {
 
+void addGroupsOfEach(const CouplingGroups& groups, std::vector<GroupsOfUnknown>& lists) {
+  for (const auto& group : groups)
+    for (const int unknown : group)
+      if (static_cast<std::size_t>(unknown) < lists.size())
+        lists[static_cast<std::size_t>(unknown)].push_back(&group);
+}
+
 CouplingCounts::CouplingCounts(const std::vector<CouplingGroups>& terms, const std::vector<bool>& prescribed,
                                int numLeading) {
   const auto size = std::min(static_cast<std::size_t>(numLeading), prescribed.size());
   groupsOf_.resize(size);
-  for (const CouplingGroups& groups : terms)
-    for (const auto& group : groups)
-      for (const int unknown : group)
-        if (static_cast<std::size_t>(unknown) < size)
-          groupsOf_[static_cast<std::size_t>(unknown)].push_back(&group);
+  for (const CouplingGroups& groups : terms) addGroupsOfEach(groups, groupsOf_);
 
   std::vector<std::size_t> metLast(prescribed.size(), size);  // by which unknown
   long count = 0;

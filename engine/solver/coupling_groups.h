@@ -6,6 +6,13 @@ namespace burnish {
 /// Groups of unknowns; every pair of unknowns inside a group may be coupled.
 using CouplingGroups = std::vector<std::vector<int>>;
 
+/// The groups that one unknown is in, in their order.
+using GroupsOfUnknown = std::vector<const std::vector<int>*>;
+
+/// Appends to the list of each of the first unknowns, as many as there are lists, the groups that it is in. groups: must
+/// outlive the lists.
+void addGroupsOfEach(const CouplingGroups& groups, std::vector<GroupsOfUnknown>& lists);
+
 /// With how many others the first unknowns of a tangent are coupled.
 class CouplingCounts {
  public:
@@ -23,9 +30,7 @@ class CouplingCounts {
   bool continues(int unknown) const;
 
  private:
-  using Groups = std::vector<const std::vector<int>*>;
-
-  std::vector<Groups> groupsOf_;
+  std::vector<GroupsOfUnknown> groupsOf_;
   std::vector<long> counts_;
 };
 

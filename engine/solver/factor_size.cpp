@@ -9,10 +9,9 @@ namespace burnish {
 namespace {
 
 /// The upper triangle, of ones.
-Eigen::SparseMatrix<double> patternOf(const std::vector<std::vector<int>>& groups, int size) {
-  std::vector<std::vector<const std::vector<int>*>> groupsOf(static_cast<std::size_t>(size));
-  for (const auto& group : groups)
-    for (const int number : group) groupsOf[static_cast<std::size_t>(number)].push_back(&group);
+Eigen::SparseMatrix<double> patternOf(const CouplingGroups& groups, int size) {
+  std::vector<GroupsOfUnknown> groupsOf(static_cast<std::size_t>(size));
+  addGroupsOfEach(groups, groupsOf);
   Eigen::SparseMatrix<double> pattern(size, size);
   std::vector<int> rows, metLast(static_cast<std::size_t>(size), -1);
   for (int column = 0; column < size; ++column) {
@@ -32,7 +31,7 @@ Eigen::SparseMatrix<double> patternOf(const std::vector<std::vector<int>>& group
 
 }  // namespace
 
-FactorSize factorSize(const std::vector<std::vector<int>>& groups, int size, int blockSize) {
+FactorSize factorSize(const CouplingGroups& groups, int size, int blockSize) {
   if (size == 0) return {};
   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Upper> analysis;
   analysis.cholmod().print = 0;

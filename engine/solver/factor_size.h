@@ -1,5 +1,5 @@
 #pragma once
-#include <vector>
+#include "engine/solver/coupling_groups.h"
 
 namespace burnish {
 
@@ -11,6 +11,6 @@ struct FactorSize {
 
 /// Of a matrix in whose groups of rows every pair is coupled, by the same ordering as that of factors. groups:
 /// of numbers from 0 to size - 1. blockSize: rows that each number stands for.
-FactorSize factorSize(const std::vector<std::vector<int>>& groups, int size, int blockSize);
+FactorSize factorSize(const CouplingGroups& groups, int size, int blockSize);
 
 }  // namespace burnish
