@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "engine/analysis/simulation.h"
@@ -39,8 +40,10 @@ double linearIterations(int degree) {
 template <int Dim>
 class Estimator {
  public:
-  Estimator(const Scene& scene, const Model<Dim>& model) : scene_(scene), model_(model) {
-    for (const Term* term : model.terms()) {
+  Estimator(const Scene& scene, const Model<Dim>& model)
+      : scene_(scene), model_(model), hierarchy_(hierarchyFor(scene.solver.newton.linear, model, alone())) {
+    for (Term* term : model.terms()) {
+      if (hierarchy_) term->keepProducts();
       couplings_.push_back(term->couplings());
       isSymmetric_ &= term->hasSymmetricTangent();
     }
@@ -100,11 +103,11 @@ class Estimator {
   }
 
   void addLinearSystems() {
-    if (const auto hierarchy = hierarchyFor(scene_.solver.newton.linear, model_, alone())) {
+    if (hierarchy_) {
       addBytes(kMultigrid, 0.0);
       double rows = 0.0;  // of all levels, over those of the finest
-      for (const auto& P : hierarchy->prolongations) rows += static_cast<double>(P.rows());
-      if (rows > 0.0) rows /= static_cast<double>(hierarchy->prolongations.front().rows());
+      for (const auto& P : hierarchy_->prolongations) rows += static_cast<double>(P.rows());
+      if (rows > 0.0) rows /= static_cast<double>(hierarchy_->prolongations.front().rows());
       const double iterations = linearIterations(scene_.allBodies().front().degree);
       cost_.linearSystems = kNanosecond * nonZeros_ * (155.0 * kSetUps + 8.5 * rows * iterations) *
                             (hasContact() ? 1.0 : 1.0 / 3.0);
@@ -163,6 +166,7 @@ class Estimator {
 
   const Scene& scene_;
   const Model<Dim>& model_;
+  const std::optional<Hierarchy> hierarchy_;
   std::vector<CouplingGroups> couplings_;  ///< of all terms
   double nonZeros_ = 0.0;                  ///< of K
   bool isSymmetric_ = true;

@@ -41,6 +41,28 @@ Lists unknownsNodeByNode(const Lists& lists) {
   return unknowns;
 }
 
+template <int Dim>
+Lists nodesOfSpans(const SpanQuadrature<Dim>& quadrature) {
+  Lists nodes;
+  for (const auto& span : quadrature.spans()) nodes.push_back(span.nodes);
+  return nodes;
+}
+
+template <int Dim>
+Lists functionsOfSpans(const DilatationProjection<Dim>& projection) {
+  Lists functions;
+  for (const auto& span : projection.spans()) functions.push_back(span.functions);
+  return functions;
+}
+
+Lists spansOfFunctions(const Lists& functions, int numFunctions) {
+  Lists spans(static_cast<std::size_t>(numFunctions));
+  for (std::size_t e = 0; e < functions.size(); ++e)
+    for (const int function : functions[e])
+      spans[static_cast<std::size_t>(function)].push_back(static_cast<int>(e));
+  return spans;
+}
+
 }  // namespace
 
 /// Buffers of one thread, zero between two uses.
@@ -58,42 +80,46 @@ struct DilatationCoupling<Dim>::Workspace {
 
 template <int Dim>
 DilatationCoupling<Dim>::DilatationCoupling(const SpanQuadrature<Dim>& quadrature,
-                                            const DilatationProjection<Dim>& projection)
-    : shares_(projection.spans().size()),
+                                            const DilatationProjection<Dim>& projection,
+                                            const std::vector<DilatationShare>& shares)
+    : shares_(shares),
+      nodes_(nodesOfSpans(quadrature)),
+      functions_(functionsOfSpans(projection)),
       uses_(static_cast<std::size_t>(projection.numFunctions())),
       dependences_(static_cast<std::size_t>(quadrature.numNodes())) {
-  Lists spans(uses_.size());  // of each function of Π
-  for (int e = 0; e < static_cast<int>(shares_.size()); ++e) {
-    const auto span = static_cast<std::size_t>(e);
-    nodes_.push_back(quadrature.spans()[span].nodes);
-    functions_.push_back(projection.spans()[span].functions);
-    for (std::size_t a = 0; a < functions_[span].size(); ++a) {
-      const auto function = static_cast<std::size_t>(functions_[span][a]);
-      spans[function].push_back(e);
-      uses_[function].push_back({span, static_cast<Eigen::Index>(a)});
-    }
-  }
+  for (std::size_t e = 0; e < functions_.size(); ++e)
+    for (std::size_t a = 0; a < functions_[e].size(); ++a)
+      uses_[static_cast<std::size_t>(functions_[e][a])].push_back({e, static_cast<Eigen::Index>(a)});
+  const Lists spans = spansOfFunctions(functions_, projection.numFunctions());
   overlapping_ = unions(spans, functions_, projection.numFunctions());
   findColumns(unions(spans, nodes_, quadrature.numNodes()));
+}
+
+template <int Dim>
+CouplingGroups DilatationCoupling<Dim>::groups(const SpanQuadrature<Dim>& quadrature,
+                                               const DilatationProjection<Dim>& projection) {
+  const Lists functions = functionsOfSpans(projection);
+  const Lists nodes = unions(spansOfFunctions(functions, projection.numFunctions()), nodesOfSpans(quadrature),
+                             quadrature.numNodes());
+  return unknownsNodeByNode<Dim>(unions(functions, nodes, quadrature.numNodes()));
 }
 
 /// nodes: on which each function depends. Rows of Z and C are their unknowns, those of Y the ones of all
 /// functions that the function meets in E.
 template <int Dim>
 void DilatationCoupling<Dim>::findColumns(const std::vector<std::vector<int>>& nodes) {
-  const auto numNodes = static_cast<int>(dependences_.size());
   for (std::size_t A = 0; A < nodes.size(); ++A)
     for (std::size_t k = 0; k < nodes[A].size(); ++k)
       dependences_[static_cast<std::size_t>(nodes[A][k])].push_back({A, Dim * k});
   Z_ = C_ = RunColumns(unknownsNodeByNode<Dim>(nodes));
-  Y_ = RunColumns(unknownsNodeByNode<Dim>(unions(overlapping_, nodes, numNodes)));
-  groups_ = unknownsNodeByNode<Dim>(unions(functions_, nodes, numNodes));
+  Y_ =
+      RunColumns(unknownsNodeByNode<Dim>(unions(overlapping_, nodes, static_cast<int>(dependences_.size()))));
 }
 
 /// Sums one part of the spans' shares into the column of a function.
 template <int Dim>
-void DilatationCoupling<Dim>::gather(std::size_t function, Eigen::MatrixXd Share::*part, RunColumns& into,
-                                     Workspace& work) const {
+void DilatationCoupling<Dim>::gather(std::size_t function, Eigen::MatrixXd DilatationShare::*part,
+                                     RunColumns& into, Workspace& work) const {
   for (const auto& use : uses_[function]) {
     const auto& nodes = nodes_[use.span];
     const double* value = (shares_[use.span].*part).col(use.place).data();
@@ -141,8 +167,8 @@ void DilatationCoupling<Dim>::addTo(SparseSystem& system) {
     });
   };
   forAll(uses_.size(), [&](std::size_t A, Workspace& work) {
-    gather(A, &Share::Z, Z_, work);
-    gather(A, &Share::C, C_, work);
+    gather(A, &DilatationShare::Z, Z_, work);
+    gather(A, &DilatationShare::C, C_, work);
   });
   forAll(uses_.size(), [&](std::size_t A, Workspace& work) { multiplyByE(A, work); });
   forAll(dependences_.size(),

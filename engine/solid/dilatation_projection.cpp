@@ -57,8 +57,8 @@ DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
     Span& span = spans_[e];
     const auto& weights = quadrature.spans()[e].weights;
     const Eigen::MatrixXd weighted = span.N * weights.asDiagonal();
-    const Eigen::VectorXd share = (span.N * weights).cwiseQuotient(integrals(span.functions));
-    span.L = share.asDiagonal() * (weighted * span.N.transpose()).ldlt().solve(weighted);
+    span.averaged = (span.N * weights).cwiseQuotient(integrals(span.functions));
+    span.L = span.averaged.asDiagonal() * (weighted * span.N.transpose()).ldlt().solve(weighted);
   }
 }
 

@@ -22,6 +22,7 @@ class DilatationProjection {
     std::vector<int> functions;  ///< m
     Eigen::MatrixXd N;           ///< m x Q values
     Eigen::MatrixXd L;           ///< m x Q: share of the span's point values in the coefficients
+    Eigen::VectorXd averaged;    ///< m: weight of the span in the average that a coefficient is
   };
 
   /// The quadrature must have been made from the same body.

@@ -108,7 +108,7 @@ ProjectedTerm<Dim>::ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Materia
                                   DilatationProjection<Dim> projection)
     : BulkTerm<Dim>(quadrature, std::move(material), reference),
       projection_(std::move(projection)),
-      coupling_(quadrature, projection_),
+      shares_(quadrature.spans().size()),
       shearModulus_(shearModulus(this->material())),
       F_(static_cast<std::size_t>(quadrature.numPoints())),
       responses_(F_.size()),
@@ -121,8 +121,15 @@ ProjectedTerm<Dim>::ProjectedTerm(const SpanQuadrature<Dim>& quadrature, Materia
 template <int Dim>
 CouplingGroups ProjectedTerm<Dim>::couplings() const {
   CouplingGroups groups = BulkTerm<Dim>::couplings();
-  groups.insert(groups.end(), coupling_.groups().begin(), coupling_.groups().end());
+  if (product_) return groups;
+  const CouplingGroups wide = DilatationCoupling<Dim>::groups(this->quadrature_, projection_);
+  groups.insert(groups.end(), wide.begin(), wide.end());
   return groups;
+}
+
+template <int Dim>
+void ProjectedTerm<Dim>::keepProducts() {
+  product_.emplace(this->quadrature_, projection_, shares_, this->colours_);
 }
 
 template <int Dim>
@@ -168,7 +175,7 @@ bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, b
   this->spanSummaries_[number] = summary;
   const Eigen::MatrixXd& L = projection_.spans()[number].L;
   spanDilatations_[number] = L * dilatation;
-  if (wantTangent) multiplyTransposed(work.perPoint, L, coupling_.share(number).Z);
+  if (wantTangent) multiplyTransposed(work.perPoint, L, shares_[number].Z);
   return true;
 }
 
@@ -253,9 +260,10 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
   work.kernel.multiply();
   this->add(work.kernel, number, work.tangent, out);
   if (!wantTangent) return;
-  auto& share = coupling_.share(number);
+  DilatationShare& share = shares_[number];
   multiplyTransposed(work.perPoint, projected.N, share.C);
   share.E = projected.N * work.e.asDiagonal() * projected.N.transpose();
+  if (product_) out.system->add(out.term, number, product_->ofSpan(number));
 }
 
 template <int Dim>
@@ -278,7 +286,13 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
       assemble<K>(static_cast<std::size_t>(colour[k]), out, workspaces.local());
       return true;
     });
-  if (wantTangent) coupling_.addTo(*out.system);
+  if (wantTangent) {
+    if (product_)
+      out.system->addProduct(*product_);
+    else
+      (coupling_ ? *coupling_ : coupling_.emplace(this->quadrature_, projection_, shares_))
+          .addTo(*out.system);
+  }
   this->summarise();
   return true;
 }

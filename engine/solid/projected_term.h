@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "engine/solid/bulk_term.h"
@@ -26,6 +27,7 @@ class ProjectedTerm final : public BulkTerm<Dim> {
                 const std::optional<ReferenceState>& reference = {});
 
   CouplingGroups couplings() const override;
+  void keepProducts() override;
 
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
@@ -51,7 +53,9 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   void gatherPressure();
 
   DilatationProjection<Dim> projection_;
-  DilatationCoupling<Dim> coupling_;
+  std::vector<DilatationShare> shares_;              ///< of spans, in the last tangent
+  std::optional<DilatationCoupling<Dim>> coupling_;  ///< none before a tangent is asked for
+  std::optional<DilatationProduct<Dim>> product_;    ///< none where the tangent has all entries
   double shearModulus_;
 
   // The last evaluated state, at quadrature points, …

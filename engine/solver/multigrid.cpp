@@ -11,6 +11,9 @@ using Maker = LinearSolver*(const LinearProblem&);
 /// Factors of more unknowns than these in space do not fit into the memory of most machines.
 constexpr Eigen::Index kMostForDirect = 100'000;
 
+/// The same where entries of products are to be made, which couple some five times as many unknowns.
+constexpr Eigen::Index kMostForDirectWithProducts = 25'000;
+
 /// Multigrid, and a direct solver for what it cannot solve alone.
 class MultigridOrDirect final : public LinearSolver {
  public:
@@ -72,7 +75,9 @@ class MultigridOrDirect final : public LinearSolver {
  private:
   /// False if the matrix is too large to be factorised, divided among ranks, or singular.
   bool fallBack() {
-    if (problem_.leading > kMostForDirect || !problem_.team->isAlone()) return false;
+    if (problem_.leading > (A_->hasProducts() ? kMostForDirectWithProducts : kMostForDirect) ||
+        !problem_.team->isAlone())
+      return false;
     if (!direct_) direct_ = std::make_unique<DirectSolver>(problem_.leading, problem_.kind);
     ++fallbacks_;
     isDirect_ = direct_->factorise(*A_);

@@ -13,9 +13,13 @@
 namespace burnish {
 namespace {
 
-std::vector<CouplingGroups> couplingsOf(const std::vector<Term*>& terms) {
+/// keepsProducts: as solvers do that need no entries.
+std::vector<CouplingGroups> couplingsOf(const std::vector<Term*>& terms, bool keepsProducts) {
   std::vector<CouplingGroups> groups;
-  for (const Term* term : terms) groups.push_back(term->couplings());
+  for (Term* term : terms) {
+    if (keepsProducts) term->keepProducts();
+    groups.push_back(term->couplings());
+  }
   return groups;
 }
 
@@ -80,8 +84,8 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
       options_(std::move(options)),
       hierarchy_(std::move(hierarchy)),
       team_(team),
-      system_(prescribed, couplingsOf(terms_), numLeading(prescribed, scales_.numForces, hierarchy_),
-              team.rank(), team.size()),
+      system_(prescribed, couplingsOf(terms_, hierarchy_.has_value()),
+              numLeading(prescribed, scales_.numForces, hierarchy_), team.rank(), team.size()),
       linear_(makeLinearSolver(options_.linear,
                                {numFreeBelow(system_, scales_.numForces), tangentKind(terms_),
                                 hierarchy_ ? &*hierarchy_ : nullptr, &team, system_.leadingBegins()})),

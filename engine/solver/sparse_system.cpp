@@ -150,6 +150,7 @@ void SparseSystem::setZero() {
   K_.coeffs().setZero();
   elsewhere_.coeffs().setZero();
   rest_.coeffs().setZero();
+  products_.clear();
 }
 
 void SparseSystem::findStarts(Group& group) const {
@@ -275,7 +276,23 @@ void SparseSystem::findWhole() {
   whole_ = pattern.zeros();
 }
 
+void SparseSystem::addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  const auto leading = Eigen::Map<const Eigen::VectorXi>(free_.data(), numFreeLeading_);
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(numUnknowns()), product = all;
+  all(leading) = x;
+  for (const TangentProduct* part : products_) part->addTimes(all, product);
+  y += product(leading);
+}
+
 const SparseSystem::Matrix& SparseSystem::whole() {
+  if (products_.empty()) return wholeOfEntries();
+  wholeWithProducts_ = wholeOfEntries();
+  for (const TangentProduct* part : products_)
+    wholeWithProducts_ += part->entries(equations_, static_cast<int>(free_.size()));
+  return wholeWithProducts_;
+}
+
+const SparseSystem::Matrix& SparseSystem::wholeOfEntries() {
   assert(division_.isWhole());
   if (K_.cols() == std::ssize(free_)) return K_;
   if (wholePlaces_.empty()) findWhole();
@@ -314,6 +331,10 @@ Eigen::VectorXd SparseSystem::timesPrescribed(const Eigen::VectorXd& increments)
   Eigen::VectorXd product = Eigen::VectorXd::Zero(numUnknowns());
   for (int column = division_.first(); column < division_.end(); ++column)
     if (isPrescribed(column)) product += rest_.col(column) * increments(column);
+  if (products_.empty()) return product;
+  Eigen::VectorXd prescribed = increments;
+  prescribed(free_).setZero();
+  for (const TangentProduct* part : products_) part->addTimes(prescribed, product);
   return product;
 }
 

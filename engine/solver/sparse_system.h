@@ -7,6 +7,7 @@
 #include "engine/solver/coupling_groups.h"
 #include "engine/solver/division.h"
 #include "engine/solver/system_matrix.h"
+#include "engine/solver/tangent_product.h"
 
 namespace burnish {
 
@@ -54,6 +55,11 @@ class SparseSystem final : public SystemMatrix {
   /// pattern, and leaves zeros behind. Safe to call at the same time for different columns.
   void moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values);
 
+  /// Adds a part of K that is kept as a product, until the tangent is set to zero. It must outlive that.
+  void addProduct(const TangentProduct& product) { products_.push_back(&product); }
+  bool hasProducts() const override { return !products_.empty(); }
+  void addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;
+
   /// The free unknowns' matrix, in the order of `freeUnknowns()`.
   const Matrix& whole() override;
   const Matrix& leading() const override { return K_; }
@@ -63,10 +69,10 @@ class SparseSystem final : public SystemMatrix {
   /// Tangent times increments of the prescribed unknowns; other entries are ignored. Of this rank's columns.
   Eigen::VectorXd timesPrescribed(const Eigen::VectorXd& increments) const;
 
-  /// Absolute values of the entries, times numbers that are not negative. Of this rank's columns.
+  /// Absolute values of the entries, without those of products, times numbers that are not negative. Of this rank's columns.
   Eigen::VectorXd timesMagnitudes(const Eigen::VectorXd& magnitudes) const;
 
-  /// What follows is for a tangent that is not divided.
+  /// What follows is for a tangent that is not divided, and tells nothing of products.
 
   Eigen::Index nonZeros() const { return K_.nonZeros() + rest_.nonZeros(); }
   Entries entries() const { return {K_.coeffs(), rest_.coeffs()}; }
@@ -112,6 +118,7 @@ class SparseSystem final : public SystemMatrix {
   Group sortedGroup(const std::vector<int>& unknowns) const;
   void makePattern();
   void findWhole();
+  const Matrix& wholeOfEntries();
   void findStarts(Group& group) const;
   void add(const Group& group, const Eigen::Ref<const Eigen::MatrixXd>& K);
 
@@ -137,7 +144,9 @@ class SparseSystem final : public SystemMatrix {
   int numHere_ = 0;                         ///< entries of `K_`
   Matrix rest_;                             ///< over all unknowns, the entries that K has not
   Matrix whole_;                            ///< empty before it is asked for, and where it is K
-  std::vector<int> wholePlaces_;            ///< per entry of `whole_`, as in `Group::starts`
+  std::vector<const TangentProduct*> products_;
+  Matrix wholeWithProducts_;      ///< empty before it is asked for
+  std::vector<int> wholePlaces_;  ///< per entry of `whole_`, as in `Group::starts`
 };
 
 /// A partition of groups into classes whose members share no unknown: inside a class, groups may be assembled

@@ -24,7 +24,14 @@ class SystemMatrix {
  public:
   virtual ~SystemMatrix() = default;
 
-  /// All of A; made when it is asked for. Not of one that is divided.
+  /// Whether K is the sum of the entries below and of products, which `addProducts` multiplies by. These are
+  /// symmetric, and K is not divided.
+  virtual bool hasProducts() const { return false; }
+
+  /// Adds the products times x to y, both over the rows of K.
+  virtual void addProducts(const Eigen::VectorXd& /*x*/, Eigen::VectorXd& /*y*/) const {}
+
+  /// All of A, products included; made when it is asked for. Not of one that is divided.
   virtual const Eigen::SparseMatrix<double>& whole() = 0;
 
   /// Columns of K that are this rank's, in the rows with the same numbers: all of K if it is not divided. Its

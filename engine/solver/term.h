@@ -22,8 +22,11 @@ class Term {
  public:
   virtual ~Term() = default;
 
-  /// Groups of unknowns that the tangent couples; fixed for the life of the term.
+  /// Groups of unknowns that the tangent couples; fixed from the first call on.
   virtual CouplingGroups couplings() const = 0;
+
+  /// From now on what the term has of products (`TangentProduct`) is left to them, and not in its couplings.
+  virtual void keepProducts() {}
 
   /// From now on the columns of the tangent are divided among the ranks of a team, which must outlive the term.
   /// Every rank may leave what does not touch its unknowns to the others, and has of them what its results lack.

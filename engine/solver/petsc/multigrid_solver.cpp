@@ -110,6 +110,7 @@ class MultigridSolver::Implementation {
     // Ranks have the border's entries in their rows and columns; what is in none of them the last one has.
     ownB_ = border_.B.middleRows(first_, n_);
     ownG_ = border_.G.middleCols(first_, n_);
+    A_ = &A;
     if (K_ == nullptr) makeMatrix(A);
     isIndefinite_ = false;
     ++counts_.systems;
@@ -162,7 +163,7 @@ class MultigridSolver::Implementation {
   bool setUpCycle() {
     if (cycle_ == nullptr) makeCycle();
     noteChangedValues();
-    check(PCSetOperators(cycle_, K_, K_));
+    check(PCSetOperators(cycle_, A_->hasProducts() ? withProducts_ : K_, K_));
     ++counts_.setUps;
     isNear_ = false;
     isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
@@ -289,6 +290,9 @@ class MultigridSolver::Implementation {
   void makeMatrix(const SystemMatrix& A) {
     K_ = team_.isAlone() ? view(A.leading()) : viewParts(A);
     check(MatCreateVecs(K_, in_.place(), out_.place()));
+    check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
+                         static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, withProducts_.place()));
+    check(MatShellSetOperation(withProducts_, MATOP_MULT, reinterpret_cast<void (*)()>(multiplyByK)));
     if (kind_ != TangentKind::Symmetric) return;
     check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
     check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
@@ -298,7 +302,7 @@ class MultigridSolver::Implementation {
   void makeCycle() {
     const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
     check(PCCreate(communicator(), cycle_.place()));
-    check(PCSetOperators(cycle_, K_, K_));
+    check(PCSetOperators(cycle_, A_->hasProducts() ? withProducts_ : K_, K_));
     check(PCSetType(cycle_, PCMG));
     check(PCMGSetLevels(cycle_, levels, nullptr));
     check(PCMGSetGalerkin(cycle_, PC_MG_GALERKIN_BOTH));
@@ -359,7 +363,6 @@ class MultigridSolver::Implementation {
     petsc::Vector rhs, solution;
     check(KSPCreate(communicator(), krylov.place()));
     check(KSPSetType(krylov, KSPCG));
-    check(KSPSetOperators(krylov, K_, K_));
     check(KSPSetPC(krylov, cycle_));
     check(MatCreateVecs(K_, solution.place(), rhs.place()));
     write(rhs, [&](auto values) { values = b; });
@@ -403,6 +406,19 @@ class MultigridSolver::Implementation {
     return x;
   }
 
+  /// y = K x, products included.
+  static PetscErrorCode multiplyByK(Mat shell, Vec x, Vec y) {
+    void* context = nullptr;
+    check(MatShellGetContext(shell, &context));
+    auto& self = *static_cast<Implementation*>(context);
+    check(self.kind_ == TangentKind::Symmetric ? MatMult(self.K_, x, y) : MatMultTranspose(self.K_, x, y));
+    if (!self.A_->hasProducts()) return 0;
+    Eigen::VectorXd product = Eigen::VectorXd::Zero(self.n_);
+    read(x, [&](auto in) { self.A_->addProducts(in, product); });
+    write(y, [&](auto out) { out += product; });
+    return 0;
+  }
+
   /// y = W A x with the weights W of rows.
   static PetscErrorCode multiply(Mat whole, Vec x, Vec y) {
     void* context = nullptr;
@@ -412,8 +428,7 @@ class MultigridSolver::Implementation {
     const bool isLast = self.team_.isLast();
     read(x, [&](auto in) {
       write(self.in_, [&](auto u) { u = in.head(n); });
-      check(self.kind_ == TangentKind::Symmetric ? MatMult(self.K_, self.in_, self.out_)
-                                                 : MatMultTranspose(self.K_, self.in_, self.out_));
+      check(multiplyByK(self.withProducts_, self.in_, self.out_));
       Eigen::VectorXd lambda(m), border = self.ownG_ * in.head(n);
       if (isLast) lambda = in.tail(m);
       self.team_.share(asSpan(lambda), self.team_.size() - 1);
@@ -459,7 +474,9 @@ class MultigridSolver::Implementation {
   std::vector<PetscInt> elsewhere_;                    ///< columns of K that other ranks have
   BorderZone zone_;
   std::vector<petsc::Matrix> prolongations_;  ///< from the finest on
-  petsc::Matrix K_;                           ///< transposed
+  const SystemMatrix* A_ = nullptr;
+  petsc::Matrix K_;             ///< transposed; without products
+  petsc::Matrix withProducts_;  ///< K as it is, to multiply by
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;
   Eigen::VectorXd weights_;  ///< of rows in GMRES

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
@@ -125,6 +127,66 @@ INSTANTIATE_TEST_SUITE_P(Formulations, BulkTangent,
                            return formulation.param == Formulation::Displacement ? "Displacement"
                                                                                  : "Projected";
                          });
+
+/// A body whose first nodes are held, under a term that keeps products and one that does not.
+template <int Dim>
+void expectTheSameTangentByProducts(const Body<Dim>& body) {
+  const SpanQuadrature<Dim> quadrature(body);
+  const auto wide = makeBulkTerm(body, quadrature, metal(), Formulation::ProjectedDilatation);
+  const auto narrow = makeBulkTerm(body, quadrature, metal(), Formulation::ProjectedDilatation);
+  narrow->keepProducts();
+  const Eigen::VectorXd x = stretched(body, 0.08, 0.004);
+  std::vector<bool> held(static_cast<std::size_t>(x.size()), false);
+  std::fill_n(held.begin(), 5, true);
+  SparseSystem entries(held, {wide->couplings()}), products(held, {narrow->couplings()});
+  const auto assemble = [&](BulkTerm<Dim>& term, SparseSystem& system) {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
+    Assembly out{force, &system, 0};
+    ASSERT_TRUE(term.evaluate(0.0, x, out));
+  };
+  assemble(*wide, entries);
+  for (int times = 0; times < 2; ++times) {
+    products.setZero();
+    assemble(*narrow, products);
+  }
+  const Eigen::MatrixXd expected = entries.whole();
+  const double scale = expected.cwiseAbs().maxCoeff();
+  EXPECT_LT((Eigen::MatrixXd(products.whole()) - expected).cwiseAbs().maxCoeff(), 1e-13 * scale);
+
+  const Eigen::VectorXd direction = test::randomState(expected.cols(), 1.0, 10);
+  Eigen::VectorXd product = products.leading() * direction;
+  EXPECT_GT((product - expected * direction).norm(), 1e-3 * scale);  // the entries alone are another matrix
+  products.addProducts(direction, product);
+  EXPECT_LT((product - expected * direction).norm(), 1e-12 * scale);
+  const Eigen::VectorXd increments = test::randomState(x.size(), 1.0, 11);
+  const std::vector<int>& free = products.freeUnknowns();
+  EXPECT_LT((products.timesPrescribed(increments) - entries.timesPrescribed(increments))(free).norm(),
+            1e-12 * scale);
+  EXPECT_LT(products.nonZeros(), entries.nonZeros());
+}
+
+TEST(DilatationProduct, IsTheTangentWithoutItsEntries) {
+  expectTheSameTangentByProducts(test::ring(3));
+  expectTheSameTangentByProducts(axisymmetric(test::ring(2)));
+  expectTheSameTangentByProducts(
+      makeBody(refined(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.5, {0.0, 1.0}, {0.0, 1.0}),
+                       {KnotVector::uniform(2, 3), KnotVector::uniform(2, 4), KnotVector::uniform(2, 3)})));
+}
+
+TEST(DilatationProduct, AddsNothingWhereOneSpanHasTheWholeBody) {
+  const Body<3> body = makeBody(sphereSegment({0.0, 0.0, 0.0}, 1.0, 1.5, {0.0, 1.0}, {0.0, 1.0}));
+  const SpanQuadrature<3> quadrature(body);
+  const auto term = makeBulkTerm(body, quadrature, rubber(), Formulation::ProjectedDilatation);
+  term->keepProducts();
+  const Eigen::VectorXd x = test::randomState(3 * body.numNodes, 0.03, 12);
+  SparseSystem system(std::vector<bool>(static_cast<std::size_t>(x.size()), false), {term->couplings()});
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size()), product = force;
+  Assembly out{force, &system, 0};
+  ASSERT_TRUE(term->evaluate(0.0, x, out));
+  ASSERT_TRUE(system.hasProducts());
+  system.addProducts(x, product);
+  EXPECT_LT(product.norm(), 1e-13 * (system.leading() * x).norm());
+}
 
 TEST(DilatationProjection, KeepsSplinesOfOneDegreeLessAndAllIntegrals) {
   for (const Body<2>& body :

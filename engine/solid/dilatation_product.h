@@ -1,0 +1,49 @@
+#pragma once
+#include <Eigen/Dense>
+#include <vector>
+
+#include "engine/solid/dilatation_projection.h"
+#include "engine/solver/tangent_product.h"
+
+namespace burnish {
+
+/// What a span contributes to the part of a tangent that couples displacements through a projected volume
+/// change, Z E Zᵀ + C Zᵀ + Z Cᵀ: Z (unknowns x functions of Π) holds the derivatives of the coefficients of
+/// J̄, C what the displacements of a point meet them with, and E (functions x functions) what they meet each
+/// other with. With n functions of the body, component by component, and m functions of Π:
+struct DilatationShare {
+  Eigen::MatrixXd Z;  ///< Dim·n x m
+  Eigen::MatrixXd C;  ///< Dim·n x m
+  Eigen::MatrixXd E;  ///< m x m, symmetric
+};
+
+/// The part of that tangent which is left when each span adds to the entries of its own unknowns what it would
+/// be without the averages of Π over spans: with z = D Zᵀ for Zᵀ, D the inverse weights of the averages,
+///
+///     Z E Zᵀ + C Zᵀ + Z Cᵀ − Σ ( zᵀ E z + C z + zᵀ Cᵀ ).
+///
+/// The entries with the spans' sums alone are near the tangent: what they lack tends to zero on smooth fields,
+/// and on others the volume is stiffer in them than in the tangent.
+template <int Dim>
+class DilatationProduct final : public TangentProduct {
+ public:
+  /// colours: of spans, those of one colour without a common unknown. All must outlive the product.
+  DilatationProduct(const SpanQuadrature<Dim>& quadrature, const DilatationProjection<Dim>& projection,
+                    const std::vector<DilatationShare>& shares, const std::vector<std::vector<int>>& colours);
+
+  /// zᵀ E z + C z + zᵀ Cᵀ of a span: Dim·n x Dim·n.
+  Eigen::MatrixXd ofSpan(std::size_t e) const;
+
+  void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;
+  Eigen::SparseMatrix<double> entries(const std::vector<int>& numbers, int size) const override;
+
+ private:
+  const SpanQuadrature<Dim>& quadrature_;
+  const DilatationProjection<Dim>& projection_;
+  const std::vector<DilatationShare>& shares_;
+  const std::vector<std::vector<int>>& colours_;
+  std::vector<Eigen::Index>
+      begins_;  ///< of the functions of each span among those of all spans, and their number
+};
+
+}  // namespace burnish

@@ -1,0 +1,22 @@
+#pragma once
+#include <Eigen/Sparse>
+#include <vector>
+
+namespace burnish {
+
+/// A symmetric part of a tangent that couples so many unknowns, by narrow factors, that one multiplies by it
+/// instead of keeping its entries.
+class TangentProduct {
+ public:
+  virtual ~TangentProduct() = default;
+
+  /// Adds the product with x to y, both over all unknowns; unknowns that have no part in it may stand behind
+  /// the others.
+  virtual void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y) const = 0;
+
+  /// Its entries, for those who cannot do without: size x size, in the rows and columns with the numbers that
+  /// are given for all unknowns, where -1 leaves one out. Of the same pattern every time.
+  virtual Eigen::SparseMatrix<double> entries(const std::vector<int>& numbers, int size) const = 0;
+};
+
+}  // namespace burnish
