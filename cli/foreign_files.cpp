@@ -28,7 +28,8 @@ std::vector<fs::path> seriesFiles(const fs::path& directory) {
   std::vector<fs::path> files{directory / "frames.pvd"};
   std::error_code absent;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory / "frames", absent))
-    if (entry.path().extension() == ".vtu" || entry.path().extension() == ".vtp")
+    if (const fs::path extension = entry.path().extension();
+        extension == ".vtu" || extension == ".vtp" || extension == ".pvtu")
       files.push_back(entry.path());
   return files;
 }

@@ -31,6 +31,7 @@ struct ExportArguments {
   std::string cells = "linear";
   std::optional<std::string> parts;
   bool controlNet = false;
+  int pieces = 1;
 };
 
 constexpr std::array kCellKinds{std::pair{"linear", CellKind::Linear},
@@ -43,6 +44,7 @@ constexpr std::array kParts{std::pair{"body", ExportPart::Body}, std::pair{"tool
 
 VtuOptions optionsFrom(const ExportArguments& arguments) {
   VtuOptions options;
+  options.pieces = arguments.pieces;
   options.cells = chosen("--cells", arguments.cells, kCellKinds);
   if (arguments.parts) {
     options.parts.clear();
@@ -91,6 +93,12 @@ void addExportCommand(CLI::App& app, Action& action) {
                    "What to write, separated by commas: body, tools, contact, points (values at quadrature "
                    "points), net (control net) [body,tools,contact]")
       ->type_name("PART,...");
+  command
+      ->add_option(
+          "--pieces", arguments->pieces,
+          "About so many files for each body and frame, which a .pvtu file names: for large bodies [1]")
+      ->check(CLI::Range(1, 100'000))
+      ->type_name("N");
   command->add_flag("--control-net", arguments->controlNet, "Add the control net to the parts");
   command->callback([&action, arguments] { action = [arguments] { return exportResult(*arguments); }; });
 }

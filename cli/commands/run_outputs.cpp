@@ -71,7 +71,8 @@ void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
 void RunOutputs::onStart(const ModelRecord& model) {
   hasStarted_ = true;
   model_ = model;
-  if (document_.scene.output.vtu) vtu_.emplace(directory_, model);
+  if (document_.scene.output.vtu)
+    vtu_.emplace(directory_, model, VtuOptions{.pieces = document_.scene.output.pieces});
   std::error_code absent;
   for (const ScenePicture& picture : document_.pictures) {
     // A picture of an earlier run would pass for one of this run if this one stops before.

@@ -20,6 +20,10 @@ void describe(Visitor& v, OutputSpec& s) {
   v.field("subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
           "Cells per knot span and direction in VTU files and pictures.");
   v.field("vtu", s.vtu, {}, "Write VTU files, one per frame, and a PVD collection.");
+  v.field(
+      "pieces", s.pieces, {.atLeast = 1, .atMost = 100'000},
+      "About so many VTU files for each body and frame, and a PVTU file that names them: large bodies take less "
+      "memory so, and ParaView reads them with several processes.");
   v.field("reactions", s.reactions, {},
           "Add the force of the body on every support, and its moment about the origin, to the history: "
           "columns SUPPORT.fx, ... The summary has those of the end in any case.");

@@ -8,11 +8,13 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,7 +84,48 @@ void write(vtkDataObject& data, double time, const std::filesystem::path& file) 
   });
 }
 
+std::string arrayElement(vtkDataArray& array) {
+  std::string element = fmt::format("<PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"",
+                                    array.GetDataType() == VTK_DOUBLE ? "Float64" : "Int32",
+                                    escaped(array.GetName()), array.GetNumberOfComponents());
+  for (int c = 0; c < array.GetNumberOfComponents(); ++c)
+    if (const char* name = array.GetComponentName(c))
+      element += fmt::format(" ComponentName{}=\"{}\"", c, escaped(name));
+  return element + "/>";
+}
+
+/// Arrays of a kind, those with a meaning for VTK named once more.
+std::string arraysElement(const char* kind, vtkDataSetAttributes& arrays) {
+  std::string meanings, elements;
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+    if (vtkDataArray* array = arrays.GetAttribute(type))
+      meanings += fmt::format(" {}=\"{}\"", vtkDataSetAttributes::GetAttributeTypeAsString(type),
+                              escaped(array->GetName()));
+  for (int k = 0; k < arrays.GetNumberOfArrays(); ++k)
+    elements += fmt::format("      {}\n", arrayElement(*arrays.GetArray(k)));
+  return fmt::format("    <{}{}>\n{}    </{}>\n", kind, meanings, elements, kind);
+}
+
 }  // namespace
+
+std::string layoutOf(vtkUnstructuredGrid& grid) {
+  return arraysElement("PPointData", *grid.GetPointData()) + arraysElement("PCellData", *grid.GetCellData()) +
+         "    <PPoints>\n      <PDataArray type=\"Float64\" Name=\"Points\" "
+         "NumberOfComponents=\"3\"/>\n    </PPoints>\n";
+}
+
+void writePvtuFile(const std::string& layout, const std::vector<std::filesystem::path>& pieces,
+                   const std::filesystem::path& pvtu) {
+  std::string xml =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"2.2\" "
+      "byte_order=\"LittleEndian\" header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\">\n"
+      "  <PUnstructuredGrid GhostLevel=\"0\">\n";
+  xml += layout;
+  for (const auto& piece : pieces)
+    xml += fmt::format("    <Piece Source=\"{}\"/>\n", piece.filename().string());
+  xml += "  </PUnstructuredGrid>\n</VTKFile>\n";
+  writeFileAtomically(pvtu, std::as_bytes(std::span(xml)));
+}
 
 void writeVtkFile(vtkUnstructuredGrid& grid, double time, const std::filesystem::path& vtu) {
   if (grid.GetCellData()->GetHigherOrderDegrees() != nullptr)

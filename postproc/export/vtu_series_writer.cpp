@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 /// Every file that some choice of parts writes, also when it was not finished.
 const std::regex kOurFiles(
-    R"((body|points|net|self_contact|all|(tool|contact|body|points|net)_[\w-]+)_\d{6,}\.vt[upm](\.partial)?)");
+    R"((body|points|net|self_contact|all|(tool|contact|body|points|net)_[\w-]+)_\d{6,}(\.vt[upm]|\.pvtu|_\d+\.vtu)(\.partial)?)");
 
 /// What all file systems and URLs accept of a name.
 std::string fileStem(const std::string& name) {
@@ -87,6 +87,7 @@ VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, const VtuOp
     : runDir_(std::move(runDir)),
       model_(std::move(model)),
       cellKind_(options.cells),
+      pieces_(options.pieces),
       cells_(makeAllCells()),
       wantsContact_(options.parts.contains(ExportPart::Contact)),
       parts_(makeParts(model_, options.parts)) {
@@ -98,14 +99,20 @@ VtuSeriesWriter::VtuSeriesWriter(fs::path runDir, ModelRecord model, const VtuOp
   removeEarlierSeries();
 }
 
-VtuSeriesWriter::BodyCells VtuSeriesWriter::makeCells(const MeshRecord& mesh) const {
-  if (cellKind_ == CellKind::Lagrange) return CurvedCells(mesh, CurvedFamily::Lagrange);
-  if (cellKind_ == CellKind::Bezier) return CurvedCells(mesh, CurvedFamily::Bezier);
-  return Tessellation(mesh, model_.subdivision);
+VtuSeriesWriter::BodyCells VtuSeriesWriter::makeCells(const MeshRecord& mesh, const MeshPiece* piece) const {
+  if (cellKind_ == CellKind::Lagrange) return CurvedCells(mesh, CurvedFamily::Lagrange, piece);
+  if (cellKind_ == CellKind::Bezier) return CurvedCells(mesh, CurvedFamily::Bezier, piece);
+  return Tessellation(mesh, model_.subdivision, piece);
 }
 
 std::vector<VtuSeriesWriter::BodyCells> VtuSeriesWriter::makeAllCells() const {
   std::vector<BodyCells> all;
+  if (pieces_ > 1) {
+    // What cannot be cut is an error before anything is removed, also where cells are made later.
+    const MeshPiece first = piecesOf(model_.mesh, pieces_).front();
+    static_cast<void>(makeCells(model_.mesh, &first));
+    return all;
+  }
   if (model_.bodies.size() < 2) return {makeCells(model_.mesh)};
   for (const std::string& body : model_.bodies)
     all.push_back(makeCells(chosenBodies(model_, {}, {body}).model.mesh));
@@ -182,10 +189,26 @@ void VtuSeriesWriter::writeBodyPart(const Part& part, const ModelRecord& model,
   const fs::path path = file(part, frame.index);
   if (part.kind == ExportPart::Points) return writeVtkFile(*quadraturePoints(frame), frame.time, path);
   if (part.kind == ExportPart::Net) return writeVtkFile(*controlNet(model, frame), frame.time, path);
+  if (pieces_ > 1) return writePieces(part, model, frame);
   const BodyGrid grid{frame, model.lengthUnit};
   const BodyCells& cells = cells_[part.body.value_or(0)];
   writeVtkFile(*(frame.mesh ? std::visit(grid, makeCells(*frame.mesh)) : std::visit(grid, cells)), frame.time,
                path);
+}
+
+void VtuSeriesWriter::writePieces(const Part& part, const ModelRecord& model,
+                                  const FrameRecord& frame) const {
+  const MeshRecord& mesh = meshOf(model, frame);
+  const BodyGrid grid{frame, model.lengthUnit};
+  std::vector<fs::path> files;
+  std::string layout;
+  for (const MeshPiece& piece : piecesOf(mesh, pieces_)) {
+    const auto data = std::visit(grid, makeCells(mesh, &piece));
+    if (files.empty()) layout = layoutOf(*data);
+    files.push_back(pieceFile(part, frame.index, files.size()));
+    writeVtkFile(*data, frame.time, files.back());
+  }
+  writePvtuFile(layout, files, file(part, frame.index));
 }
 
 void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) const {
@@ -224,8 +247,12 @@ fs::path VtuSeriesWriter::blocksFile(int frame) const {
 }
 
 fs::path VtuSeriesWriter::file(const Part& part, int frame) const {
-  const char* extension = part.kind == ExportPart::Body ? "vtu" : "vtp";
+  const char* extension = part.kind != ExportPart::Body ? "vtp" : pieces_ > 1 ? "pvtu" : "vtu";
   return runDir_ / "frames" / fmt::format("{}_{:06}.{}", part.name, frame, extension);
+}
+
+fs::path VtuSeriesWriter::pieceFile(const Part& part, int frame, std::size_t piece) const {
+  return runDir_ / "frames" / fmt::format("{}_{:06}_{}.vtu", part.name, frame, piece);
 }
 
 void VtuSeriesWriter::removeEarlierSeries() const {
@@ -244,7 +271,11 @@ void VtuSeriesWriter::removeEarlierSeries() const {
 
 void VtuSeriesWriter::removeFrames(const std::map<int, Instant>& frames) const {
   for (const auto& [index, instant] : frames) {
-    for (const std::size_t part : instant.parts) removeFile(file(parts_[part], index));
+    for (const std::size_t part : instant.parts) {
+      removeFile(file(parts_[part], index));
+      for (std::size_t piece = 0; fs::exists(pieceFile(parts_[part], index, piece)); ++piece)
+        removeFile(pieceFile(parts_[part], index, piece));
+    }
     removeFile(blocksFile(index));
   }
 }

@@ -22,7 +22,8 @@ enum class CellKind {
 };
 
 enum class ExportPart {
-  Body,     ///< `body_000000.vtu`; of several bodies `body_NAME_000000.vtu` for each, and so on below
+  Body,     ///< `body_000000.vtu`; of several bodies `body_NAME_000000.vtu` for each, and so on below. In
+            ///< pieces: `body_000000_0.vtu`, … and `body_000000.pvtu`, which names them
   Tools,    ///< `tool_NAME_000000.vtp` for every tool
   Contact,  ///< `contact_NAME_000000.vtp` for every tool and pair of faces, `self_contact_000000.vtp`
   Points,   ///< `points_000000.vtp`: values at the quadrature points, not projected
@@ -32,6 +33,7 @@ enum class ExportPart {
 struct VtuOptions {
   CellKind cells = CellKind::Linear;
   std::set<ExportPart> parts{ExportPart::Body, ExportPart::Tools, ExportPart::Contact};
+  int pieces = 1;  ///< of each body: about so many files, one after the other, which takes less memory
 };
 
 /// Writes a run as VTK files in `frames/`, all at current positions, with the collection `frames.pvd` of
@@ -68,12 +70,14 @@ class VtuSeriesWriter {
 
   /// Pairs of faces are known from frames alone.
   void addPairs(const std::vector<ContactName>& contacts);
-  BodyCells makeCells(const MeshRecord& mesh) const;
+  BodyCells makeCells(const MeshRecord& mesh, const MeshPiece* piece = nullptr) const;
   std::vector<BodyCells> makeAllCells() const;
   void writePart(const Part& part, const FrameRecord& frame) const;
   void writeBodyPart(const Part& part, const ModelRecord& model, const FrameRecord& frame) const;
+  void writePieces(const Part& part, const ModelRecord& model, const FrameRecord& frame) const;
   void writeBlocks(int frame, const std::vector<std::size_t>& parts) const;
   std::filesystem::path file(const Part& part, int frame) const;
+  std::filesystem::path pieceFile(const Part& part, int frame, std::size_t piece) const;
   std::filesystem::path blocksFile(int frame) const;
   void removeEarlierSeries() const;
   void removeFrames(const std::map<int, Instant>& frames) const;
@@ -82,7 +86,8 @@ class VtuSeriesWriter {
   std::filesystem::path runDir_;
   ModelRecord model_;
   CellKind cellKind_;
-  std::vector<BodyCells> cells_;  ///< of the model's mesh, per body
+  int pieces_;
+  std::vector<BodyCells> cells_;  ///< of the model's mesh, per body; none in pieces
   bool wantsContact_;
   std::vector<Part> parts_;
   std::map<int, Instant> instants_;  ///< by index of the frame

@@ -62,8 +62,8 @@ Eigen::MatrixXd degreesOf(const CurvedCells& cells) {
 
 }  // namespace
 
-CurvedCells::CurvedCells(const MeshRecord& mesh, CurvedFamily family)
-    : family_(family), points_(mesh, meaningFor(family), checkedDegree) {
+CurvedCells::CurvedCells(const MeshRecord& mesh, CurvedFamily family, const MeshPiece* piece)
+    : family_(family), points_(mesh, meaningFor(family), checkedDegree, piece) {
   for (std::size_t i = 0; i < points_.patches().size(); ++i) {
     const PatchLattice& lattice = points_.patches()[i];
     for (int span = 0; span < lattice.spans.size(); ++span) {

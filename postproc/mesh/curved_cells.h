@@ -24,8 +24,9 @@ class CurvedCells {
   /// Highest degree of VTK's Lagrange and Bezier cells.
   static constexpr int kHighestDegree = 10;
 
-  /// Throws `Error` for a degree above `kHighestDegree` or an inconsistent mesh.
-  CurvedCells(const MeshRecord& mesh, CurvedFamily family);
+  /// piece: made alone; null: all of the mesh. Throws `Error` for a degree above `kHighestDegree` or an
+  /// inconsistent mesh.
+  CurvedCells(const MeshRecord& mesh, CurvedFamily family, const MeshPiece* piece = nullptr);
 
   CurvedFamily family() const { return family_; }
   const SpanPoints& points() const { return points_; }

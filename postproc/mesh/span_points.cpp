@@ -28,23 +28,31 @@ int PatchLattice::point(const IndexBox::Index& span, const IndexBox::Index& loca
 }
 
 SpanPoints::SpanPoints(const MeshRecord& mesh, PointMeaning meaning,
-                       const std::function<int(const DirectionRecord&)>& steps)
+                       const std::function<int(const DirectionRecord&)>& steps, const MeshPiece* piece)
     : points_(mesh.numNodes) {
   checkMesh(mesh, mesh.dim(), "mesh");
-  for (const PatchRecord& patch : mesh.patches) {
+  for (std::size_t number = 0; number < mesh.patches.size(); ++number) {
+    const PatchRecord& patch = mesh.patches[number];
+    const bool isLeftOut = piece != nullptr && piece->patch != number;
     PatchLattice lattice;
     lattice.firstPoint = points_.size();
     std::vector<PointRow> directions;
     for (std::size_t d = 0; d < patch.directions.size(); ++d) {
       const UnivariateBasis basis = basisOf(patch.directions[d]);
       lattice.steps[d] = steps(patch.directions[d]);
-      lattice.spans.extent[d] = basis.numSpans();
-      directions.push_back(meaning == PointMeaning::Value
-                               ? valuesAt(basis, subdividedSpans(basis, lattice.steps[d]))
-                               : bernsteinPoints(basis));
+      lattice.spans.extent[d] = isLeftOut ? 0 : basis.numSpans();
+      if (isLeftOut) continue;
+      PointRow row = meaning == PointMeaning::Value
+                         ? valuesAt(basis, subdividedSpans(basis, lattice.steps[d]))
+                         : bernsteinPoints(basis);
+      if (piece != nullptr && piece->direction == d) {
+        lattice.spans.extent[d] = piece->numSpans;
+        row = neighbouring(row, piece->firstSpan * lattice.steps[d], piece->numSpans * lattice.steps[d] + 1);
+      }
+      directions.push_back(std::move(row));
     }
     patches_.push_back(lattice);
-    points_.add(TensorPoints(patch, std::move(directions)));
+    if (!isLeftOut) points_.add(TensorPoints(patch, std::move(directions)));
   }
   referencePoints_ = points_.referencePoints();
 }

@@ -7,6 +7,7 @@
 
 #include "engine/results/result.h"
 #include "postproc/mesh/index_box.h"
+#include "postproc/mesh/mesh_pieces.h"
 #include "postproc/mesh/tensor_points.h"
 
 class vtkUnstructuredGrid;
@@ -35,10 +36,11 @@ struct PatchLattice {
 /// Points on a lattice over the knot spans of every patch. Patches do not share points.
 class SpanPoints {
  public:
-  /// `steps`: how many per knot span of a direction; their degree for coefficients. Throws `Error` if a
-  /// number of steps is < 1 or the mesh is inconsistent.
+  /// `steps`: how many per knot span of a direction; their degree for coefficients. piece: with points alone,
+  /// all other patches then have no spans; null: all of the mesh. Throws `Error` if a number of steps is < 1 or
+  /// the mesh is inconsistent.
   SpanPoints(const MeshRecord& mesh, PointMeaning meaning,
-             const std::function<int(const DirectionRecord&)>& steps);
+             const std::function<int(const DirectionRecord&)>& steps, const MeshPiece* piece = nullptr);
 
   int dim() const { return static_cast<int>(referencePoints_.rows()); }
   int size() const { return static_cast<int>(referencePoints_.cols()); }

@@ -37,6 +37,11 @@ int leaveOutUnneeded(PointRow& row) {
 
 }  // namespace
 
+PointRow neighbouring(const PointRow& row, int first, int count) {
+  const auto begin = row.firstFunction.begin() + first;
+  return {row.numFunctions, {begin, begin + count}, row.factors.middleCols(first, count)};
+}
+
 PointRow valuesAt(const UnivariateBasis& basis, const std::vector<double>& parameters) {
   PointRow row{basis.numFunctions(),
                {},

@@ -15,6 +15,9 @@ struct PointRow {
   Eigen::MatrixXd factors;         ///< (p+1) x points
 };
 
+/// Some neighbouring points of a row.
+PointRow neighbouring(const PointRow& row, int first, int count);
+
 /// The values of the functions at these parameters.
 PointRow valuesAt(const UnivariateBasis& basis, const std::vector<double>& parameters);
 

@@ -30,8 +30,9 @@ int addCells(const PatchLattice& lattice, int dim, std::vector<int>& corners) {
 
 }  // namespace
 
-Tessellation::Tessellation(const MeshRecord& mesh, int subdivision)
-    : points_(mesh, PointMeaning::Value, [=](const DirectionRecord&) { return subdivision; }) {
+Tessellation::Tessellation(const MeshRecord& mesh, int subdivision, const MeshPiece* piece)
+    : points_(
+          mesh, PointMeaning::Value, [=](const DirectionRecord&) { return subdivision; }, piece) {
   std::vector<int> corners;
   for (std::size_t i = 0; i < points_.patches().size(); ++i) {
     const int added = addCells(points_.patches()[i], dim(), corners);

@@ -16,8 +16,8 @@ namespace burnish {
 /// hexahedra in 3D. Cells of one patch share their points.
 class Tessellation {
  public:
-  /// Throws `Error` if `subdivision` < 1 or the mesh is inconsistent.
-  Tessellation(const MeshRecord& mesh, int subdivision);
+  /// piece: cut alone; null: all of the mesh. Throws `Error` if `subdivision` < 1 or the mesh is inconsistent.
+  Tessellation(const MeshRecord& mesh, int subdivision, const MeshPiece* piece = nullptr);
 
   int dim() const { return points_.dim(); }
   int numPoints() const { return points_.size(); }

@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLDataElement.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUtilities.h>
@@ -49,6 +50,9 @@ class VtuFiles : public testing::Test {
 
   vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::string& file) {
     return read<vtkXMLUnstructuredGridReader, vtkUnstructuredGrid>(file);
+  }
+  vtkSmartPointer<vtkUnstructuredGrid> readPieces(const std::string& file) {
+    return read<vtkXMLPUnstructuredGridReader, vtkUnstructuredGrid>(file);
   }
   vtkSmartPointer<vtkPolyData> readPolyData(const std::string& file) {
     return read<vtkXMLPolyDataReader, vtkPolyData>(file);

@@ -15,7 +15,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "postproc/export/vtu_series_writer.h"
@@ -283,6 +286,88 @@ TEST_F(VtuSeries, SeveralBodiesArePartsOfTheirOwn) {
   EXPECT_STREQ(blocks->GetMetaData(1u)->Get(vtkCompositeDataSet::NAME()), "body_stamp");
   EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(1))->GetNumberOfCells(),
             stamp->GetNumberOfCells());
+}
+
+/// Of every cell its patch, and for each of its points, in order, where it is and what it holds.
+std::multiset<std::vector<double>> contents(vtkUnstructuredGrid& grid) {
+  std::multiset<std::vector<double>> all;
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
+    std::vector<double> values{grid.GetCellData()->GetArray("patch")->GetComponent(cell, 0)};
+    for (int k = 0; k < grid.GetCell(cell)->GetNumberOfPoints(); ++k) {
+      const vtkIdType point = grid.GetCell(cell)->GetPointId(k);
+      values.insert(values.end(), grid.GetPoint(point), grid.GetPoint(point) + 3);
+      for (int a = 0; a < grid.GetPointData()->GetNumberOfArrays(); ++a) {
+        vtkDataArray* array = grid.GetPointData()->GetArray(a);
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+          values.push_back(array->GetComponent(point, c));
+      }
+    }
+    all.insert(std::move(values));
+  }
+  return all;
+}
+
+TEST_F(VtuSeries, PiecesTogetherAreTheBody) {
+  samples::Sample twoPatches = samples::twoBodies();
+  twoPatches.model.bodies.clear();
+  twoPatches.frame.fields.erase("plastic_strain");  // of one of the bodies
+  for (const samples::Sample& sample : {samples::ring(), samples::cube(), twoPatches})
+    for (const CellKind cells : {CellKind::Linear, CellKind::Lagrange, CellKind::Bezier}) {
+      VtuSeriesWriter(directory_, sample.model, {.cells = cells}).write(sample.frame);
+      const auto whole = readGrid("body_000000.vtu");
+      VtuSeriesWriter(directory_, sample.model, {.cells = cells, .pieces = 3}).write(sample.frame);
+      const auto pieces = readPieces("body_000000.pvtu");
+      EXPECT_EQ(filesIn(directory_ / "frames").count("body_000000.vtu"), 0u);
+      EXPECT_EQ(readCollection().front().file, "frames/body_000000.pvtu");
+      EXPECT_EQ(contents(*pieces), contents(*whole));
+      EXPECT_GT(pieces->GetNumberOfPoints(),
+                whole->GetNumberOfPoints());  // both pieces have those between them
+      vtkDataArray *stresses = whole->GetPointData()->GetArray(0),
+                   *found = pieces->GetPointData()->GetArray(0);
+      EXPECT_STREQ(found->GetName(), stresses->GetName());
+      EXPECT_STREQ(found->GetComponentName(1), stresses->GetComponentName(1));
+      EXPECT_EQ(pieces->GetPointData()->GetRationalWeights() != nullptr, cells == CellKind::Bezier);
+      EXPECT_EQ(pieces->GetCellData()->GetHigherOrderDegrees() != nullptr, cells != CellKind::Linear);
+    }
+}
+
+TEST_F(VtuSeries, PiecesAreSlabsOfWholeSpans) {
+  const ModelRecord model = modelOf(quarterRing());  // 3 x 4 spans
+  const auto numPieces = [&](int count) {
+    VtuSeriesWriter(directory_, model, {.pieces = count}).write(frameOf(model, 0, 0.0));
+    return filesIn(directory_ / "frames").size() - 1;
+  };
+  EXPECT_EQ(numPieces(3), 3u);
+  EXPECT_EQ(numPieces(100), 4u);
+  int cells = 0;
+  for (int piece = 0; piece < 4; ++piece) {
+    const auto grid = readGrid("body_000000_" + std::to_string(piece) + ".vtu");
+    EXPECT_EQ(grid->GetNumberOfCells(), 3 * model.subdivision * model.subdivision);
+    cells += static_cast<int>(grid->GetNumberOfCells());
+  }
+  EXPECT_EQ(readPieces("body_000000.pvtu")->GetNumberOfCells(), cells);
+  EXPECT_EQ(numPieces(1), 0u);  // a file for the body alone, and none of those before is left
+}
+
+TEST_F(VtuSeries, PiecesOfSeveralBodiesAreNamedByTheFileOfAFrame) {
+  const samples::Sample sample = samples::twoBodies();
+  VtuSeriesWriter writer(directory_, sample.model, {.parts = {ExportPart::Body}, .pieces = 2});
+  writer.write(sample.frame);
+  vtkNew<vtkXMLMultiBlockDataReader> reader;
+  reader->SetFileName((directory_ / "frames" / "all_000000.vtm").c_str());
+  reader->Update();
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
+  ASSERT_EQ(blocks->GetNumberOfBlocks(), 2u);
+  for (unsigned block = 0; block < 2; ++block) {
+    const auto alone = readPieces(block == 0 ? "body_block_000000.pvtu" : "body_stamp_000000.pvtu");
+    EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(block))->GetNumberOfCells(),
+              alone->GetNumberOfCells());
+  }
+  FrameRecord again = sample.frame;
+  again.index = 0;
+  writer.write(again);
+  EXPECT_EQ(filesIn(directory_ / "frames").size(),
+            7u);  // the blocks; of each body two pieces and what names them
 }
 
 /// The limit on the size of a file stands in for a full disk.
