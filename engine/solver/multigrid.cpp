@@ -43,7 +43,11 @@ class MultigridOrDirect final : public LinearSolver {
     return isDirect_ ? direct_->factorNonZeros() : multigrid_->factorNonZeros();
   }
   Definiteness definiteness() const override {
-    return isDirect_ ? direct_->definiteness() : multigrid_->definiteness();
+    if (isDirect_) return direct_->definiteness();
+    const Definiteness found = multigrid_->definiteness();
+    // Unstable directions are counted with the help of factors.
+    return found == Definiteness::NotDefinite && A_ != nullptr && !fitsDirect() ? Definiteness::NotKnown
+                                                                                : found;
   }
   long numIndefinite() const override {
     return indefinite_ + multigrid_->numIndefinite() + (direct_ ? direct_->numIndefinite() : 0);
@@ -73,11 +77,15 @@ class MultigridOrDirect final : public LinearSolver {
   }
 
  private:
+  /// Whether one may try to factorise the matrix.
+  bool fitsDirect() const {
+    return problem_.leading <= (A_->hasProducts() ? kMostForDirectWithProducts : kMostForDirect) &&
+           problem_.team->isAlone();
+  }
+
   /// False if the matrix is too large to be factorised, divided among ranks, or singular.
   bool fallBack() {
-    if (problem_.leading > (A_->hasProducts() ? kMostForDirectWithProducts : kMostForDirect) ||
-        !problem_.team->isAlone())
-      return false;
+    if (!fitsDirect()) return false;
     if (!direct_) direct_ = std::make_unique<DirectSolver>(problem_.leading, problem_.kind);
     ++fallbacks_;
     isDirect_ = direct_->factorise(*A_);
