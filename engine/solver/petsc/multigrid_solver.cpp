@@ -304,6 +304,7 @@ class MultigridSolver::Implementation {
     check(PCCreate(communicator(), cycle_.place()));
     check(PCSetOperators(cycle_, A_->hasProducts() ? withProducts_ : K_, K_));
     check(PCSetType(cycle_, PCMG));
+    check(PCSetUseAmat(cycle_, PETSC_FALSE));  // levels are those of the entries
     check(PCMGSetLevels(cycle_, levels, nullptr));
     check(PCMGSetGalerkin(cycle_, PC_MG_GALERKIN_BOTH));
     for (PetscInt level = 1; level < levels; ++level) {
