@@ -235,9 +235,21 @@ void VtuSeriesWriter::writeBlocks(int frame, const std::vector<std::size_t>& par
   std::string xml =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
       "  <vtkMultiBlockDataSet>\n";
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    xml += fmt::format("    <DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", k, parts_[parts[k]].name,
-                       file(parts_[parts[k]], frame).filename().string());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Part& part = parts_[parts[k]];
+    const std::vector<fs::path> pieces = pieceFiles(part, frame);
+    if (pieces.empty()) {
+      xml += fmt::format("    <DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", k, part.name,
+                         file(part, frame).filename().string());
+      continue;
+    }
+    // VTK's readers of such files do not know those that name pieces.
+    xml += fmt::format("    <Block index=\"{}\" name=\"{}\">\n", k, part.name);
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+      xml += fmt::format("      <DataSet index=\"{}\" file=\"{}\"/>\n", piece,
+                         pieces[piece].filename().string());
+    xml += "    </Block>\n";
+  }
   xml += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
   writeFileAtomically(blocksFile(frame), std::as_bytes(std::span(xml)));
 }
@@ -253,6 +265,15 @@ fs::path VtuSeriesWriter::file(const Part& part, int frame) const {
 
 fs::path VtuSeriesWriter::pieceFile(const Part& part, int frame, std::size_t piece) const {
   return runDir_ / "frames" / fmt::format("{}_{:06}_{}.vtu", part.name, frame, piece);
+}
+
+std::vector<fs::path> VtuSeriesWriter::pieceFiles(const Part& part, int frame) const {
+  std::vector<fs::path> files;
+  if (part.kind != ExportPart::Body || pieces_ == 1) return files;
+  std::error_code absent;
+  while (fs::exists(pieceFile(part, frame, files.size()), absent))
+    files.push_back(pieceFile(part, frame, files.size()));
+  return files;
 }
 
 void VtuSeriesWriter::removeEarlierSeries() const {
@@ -273,8 +294,7 @@ void VtuSeriesWriter::removeFrames(const std::map<int, Instant>& frames) const {
   for (const auto& [index, instant] : frames) {
     for (const std::size_t part : instant.parts) {
       removeFile(file(parts_[part], index));
-      for (std::size_t piece = 0; fs::exists(pieceFile(parts_[part], index, piece)); ++piece)
-        removeFile(pieceFile(parts_[part], index, piece));
+      for (const fs::path& piece : pieceFiles(parts_[part], index)) removeFile(piece);
     }
     removeFile(blocksFile(index));
   }

@@ -79,6 +79,7 @@ class VtuSeriesWriter {
   std::filesystem::path file(const Part& part, int frame) const;
   std::filesystem::path pieceFile(const Part& part, int frame, std::size_t piece) const;
   std::filesystem::path blocksFile(int frame) const;
+  std::vector<std::filesystem::path> pieceFiles(const Part& part, int frame) const;  ///< that are there
   void removeEarlierSeries() const;
   void removeFrames(const std::map<int, Instant>& frames) const;
   void writeCollection() const;

@@ -11,10 +11,12 @@
 #include <vtkPoints.h>
 #include <vtkXMLMultiBlockDataReader.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -288,7 +290,8 @@ TEST_F(VtuSeries, SeveralBodiesArePartsOfTheirOwn) {
             stamp->GetNumberOfCells());
 }
 
-/// Of every cell its patch, and for each of its points, in order, where it is and what it holds.
+/// Of every cell its patch, and for each of its points, in order, where it is and what it holds; but for
+/// rounding.
 std::multiset<std::vector<double>> contents(vtkUnstructuredGrid& grid) {
   std::multiset<std::vector<double>> all;
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
@@ -302,6 +305,7 @@ std::multiset<std::vector<double>> contents(vtkUnstructuredGrid& grid) {
           values.push_back(array->GetComponent(point, c));
       }
     }
+    for (double& value : values) value = std::round(1e8 / std::numbers::pi * value);
     all.insert(std::move(values));
   }
   return all;
@@ -319,7 +323,7 @@ TEST_F(VtuSeries, PiecesTogetherAreTheBody) {
       const auto pieces = readPieces("body_000000.pvtu");
       EXPECT_EQ(filesIn(directory_ / "frames").count("body_000000.vtu"), 0u);
       EXPECT_EQ(readCollection().front().file, "frames/body_000000.pvtu");
-      EXPECT_EQ(contents(*pieces), contents(*whole));
+      EXPECT_TRUE(contents(*pieces) == contents(*whole));
       EXPECT_GT(pieces->GetNumberOfPoints(),
                 whole->GetNumberOfPoints());  // both pieces have those between them
       vtkDataArray *stresses = whole->GetPointData()->GetArray(0),
@@ -360,8 +364,9 @@ TEST_F(VtuSeries, PiecesOfSeveralBodiesAreNamedByTheFileOfAFrame) {
   ASSERT_EQ(blocks->GetNumberOfBlocks(), 2u);
   for (unsigned block = 0; block < 2; ++block) {
     const auto alone = readPieces(block == 0 ? "body_block_000000.pvtu" : "body_stamp_000000.pvtu");
-    EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(block))->GetNumberOfCells(),
-              alone->GetNumberOfCells());
+    auto* pieces = vtkMultiBlockDataSet::SafeDownCast(blocks->GetBlock(block));
+    ASSERT_NE(pieces, nullptr);
+    EXPECT_EQ(pieces->GetNumberOfCells(), alone->GetNumberOfCells());
   }
   FrameRecord again = sample.frame;
   again.index = 0;
