@@ -83,8 +83,8 @@ class Estimator {
         const auto pairs = static_cast<double>(span.nodes.size() * span.nodes.size());
         microseconds += perPoint * points + (Dim == 2 ? 0.002 * points : 0.085) * pairs;
       }
-      const bool isProjected = scene_.allBodies()[k].formulation == Formulation::ProjectedDilatation;
-      cost_.assembly += microseconds * kMicrosecond * (isProjected ? (Dim == 2 ? 2.0 : 2.8) : 1.0);
+      const double withProjection = hierarchy_ ? 1.35 : Dim == 2 ? 2.0 : 2.8;
+      cost_.assembly += microseconds * kMicrosecond * (isProjected(k) ? withProjection : 1.0);
     }
   }
 
@@ -105,11 +105,14 @@ class Estimator {
   void addLinearSystems() {
     if (hierarchy_) {
       addBytes(kMultigrid, 0.0);
+      const double withProducts = bytesOfProducts();
+      cost_.bytes += withProducts;
       double rows = 0.0;  // of all levels, over those of the finest
       for (const auto& P : hierarchy_->prolongations) rows += static_cast<double>(P.rows());
       if (rows > 0.0) rows /= static_cast<double>(hierarchy_->prolongations.front().rows());
       const double iterations = linearIterations(scene_.allBodies().front().degree);
-      cost_.linearSystems = kNanosecond * nonZeros_ * (155.0 * kSetUps + 8.5 * rows * iterations) *
+      cost_.linearSystems = kNanosecond * nonZeros_ *
+                            (155.0 * kSetUps + (withProducts > 0.0 ? 16.0 : 8.5) * rows * iterations) *
                             (hasContact() ? 1.0 : 1.0 / 3.0);
       return;
     }
@@ -136,6 +139,23 @@ class Estimator {
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
       }
     return groups;
+  }
+
+  bool isProjected(std::size_t body) const {
+    return scene_.allBodies()[body].formulation == Formulation::ProjectedDilatation;
+  }
+
+  /// Of what F-bar keeps of spans and points for products with its tangent.
+  double bytesOfProducts() const {
+    double numbers = 0.0;
+    for (std::size_t k = 0; k < model_.bodies().size(); ++k) {
+      if (!isProjected(k)) continue;
+      const double functions = std::pow(scene_.allBodies()[k].degree, Dim);
+      for (const auto& span : model_.bodies()[k].quadrature->spans())
+        numbers += 2.0 * Dim * functions * static_cast<double>(span.nodes.size()) +
+                   (55.0 + 2.0 * functions) * static_cast<double>(span.weights.size());
+    }
+    return numbers * sizeof(double);
   }
 
   double numPoints() const {
