@@ -76,12 +76,12 @@ class Estimator {
   void addAssembly() {
     for (std::size_t k = 0; k < model_.bodies().size(); ++k) {
       const ModelBody<Dim>& body = model_.bodies()[k];
-      const double perPoint = flows(body.bulk->material()) ? (Dim == 2 ? 1.7 : 2.5) : (Dim == 2 ? 0.9 : 1.2);
+      const double perPoint = flows(body.bulk->material()) ? (Dim == 2 ? 0.9 : 2.5) : (Dim == 2 ? 0.5 : 1.2);
       double microseconds = 0.0;
       for (const auto& span : body.quadrature->spans()) {
         const auto points = static_cast<double>(span.weights.size());
         const auto pairs = static_cast<double>(span.nodes.size() * span.nodes.size());
-        microseconds += perPoint * points + (Dim == 2 ? 0.002 * points : 0.085) * pairs;
+        microseconds += perPoint * points + (Dim == 2 ? 0.0015 * points : 0.085) * pairs;
       }
       const double withProjection = hierarchy_ ? 1.35 : Dim == 2 ? 2.0 : 2.8;
       cost_.assembly += microseconds * kMicrosecond * (isProjected(k) ? withProjection : 1.0);

@@ -23,12 +23,12 @@ constexpr double kEqualStretches = 1e-6;
 
 /// Volumetric part of an elastic law.
 struct Volumetric {
+  double logJ;
   double pressure;   ///< mean Kirchhoff stress J U'
   double stiffness;  ///< its derivative with respect to ln J
   double energy;
 
-  Volumetric(ElasticLaw law, double kappa, double JMinusOne) {
-    const double logJ = std::log1p(JMinusOne);
+  Volumetric(ElasticLaw law, double kappa, double JMinusOne) : logJ(std::log1p(JMinusOne)) {
     const double halfJ2 = JMinusOne * (1.0 + 0.5 * JMinusOne);  // ½(J² − 1)
     const bool hencky = law == ElasticLaw::Hencky;
     pressure = kappa * (hencky ? logJ : halfJ2);
@@ -118,10 +118,9 @@ template <int Dim>
 bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const State& old, State& next,
                             MaterialResponse<Dim>& out) const {
   const VolumeChange volume(F - Eigen::Matrix3d::Identity());
-  const double J = volume.J();
-  if (!(J > 0.0)) return false;
+  if (!(volume.J() > 0.0)) return false;
   const Volumetric volumetric(elasticLaw_, moduli_.kappa, volume.minusOne());
-  const double radius = kRootTwoThirds * hardeningAt(hardening_, old.e_p).sigma_y * (1.0 + kYieldTolerance);
+  const double radius = kRootTwoThirds * yieldStress(old.e_p) * (1.0 + kYieldTolerance);
   next = old;
   out.plasticWork = 0.0;
 
@@ -129,7 +128,7 @@ bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const State& old, State& n
   const Eigen::Matrix3d f = F * old.F_inv;
   const Eigen::Matrix3d b = f * old.b_e * f.transpose();
   if (elasticLaw_ == ElasticLaw::NeoHookean) {
-    const SymmetricTensor<Dim> bBar = components<Dim>(b) / std::cbrt(J * J);
+    const SymmetricTensor<Dim> bBar = components<Dim>(b) * std::exp(-2.0 / 3.0 * volumetric.logJ);
     if (setNeoHookeanWithin<Dim>(radius, moduli_.mu, volumetric, bBar, out)) return isFinite(out);
   }
   const PrincipalAxes<Dim> axes(b);

@@ -7,6 +7,7 @@
 
 #include "engine/core/blas.h"
 #include "engine/solid/displacement_term.h"
+#include "engine/solid/parallel_spans.h"
 #include "engine/solid/projected_term.h"
 
 namespace burnish {
@@ -19,6 +20,29 @@ CouplingGroups spanGroups(const SpanQuadrature<Dim>& quadrature) {
   return groups;
 }
 
+/// Spans that follow each other add to the same entries of the tangent, which are at hand while they do: no cache holds
+/// all of it. A body of few spans is divided into as many batches as it has.
+std::vector<SpanBatches> colouredBatches(const CouplingGroups& groups, int numUnknowns) {
+  constexpr std::size_t kLongest = 8, kFewest = 64;
+  const std::size_t length = std::clamp<std::size_t>(groups.size() / kFewest, 1, kLongest);
+  SpanBatches batches;
+  CouplingGroups unknowns;
+  for (std::size_t e = 0; e < groups.size(); ++e) {
+    if (e % length == 0) {
+      batches.emplace_back();
+      unknowns.emplace_back();
+    }
+    batches.back().push_back(static_cast<int>(e));
+    unknowns.back().insert(unknowns.back().end(), groups[e].begin(), groups[e].end());
+  }
+  std::vector<SpanBatches> colours;
+  for (const auto& colour : colourGroups(unknowns, numUnknowns)) {
+    colours.emplace_back();
+    for (const int batch : colour) colours.back().push_back(batches[static_cast<std::size_t>(batch)]);
+  }
+  return colours;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -27,7 +51,7 @@ BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material
     : quadrature_(quadrature),
       points_(std::move(material), static_cast<std::size_t>(quadrature.numPoints())),
       groups_(spanGroups(quadrature)),
-      colours_(colourGroups(groups_, Dim * quadrature_.numNodes())),
+      colours_(colouredBatches(groups_, Dim * quadrature_.numNodes())),
       weights_(quadrature.numPoints()) {
   pinLibrariesToOneThread();
   const auto points = static_cast<std::size_t>(quadrature_.numPoints());
@@ -99,17 +123,19 @@ void BulkTerm<Dim>::divideAmong(const Team& team, const Division& division) {
     shareOfPoints_.begins.push_back(static_cast<int>(shareOfPoints_.items.size()));
   }
   // Those that are left add up in the order of all.
-  for (auto& colour : colours_)
-    std::erase_if(colour, [&](int e) {
-      const auto& unknowns = groups_[static_cast<std::size_t>(e)];
-      return std::none_of(unknowns.begin(), unknowns.end(), [&](int k) { return division.isOwn(k); });
-    });
+  for (auto& batches : colours_)
+    for (auto& batch : batches)
+      std::erase_if(batch, [&](int e) {
+        const auto& unknowns = groups_[static_cast<std::size_t>(e)];
+        return std::none_of(unknowns.begin(), unknowns.end(), [&](int k) { return division.isOwn(k); });
+      });
 }
 
 template <int Dim>
 int BulkTerm<Dim>::numWorkedOn() const {
   std::size_t count = 0;
-  for (const auto& colour : colours_) count += colour.size();
+  for (const auto& batches : colours_)
+    for (const auto& batch : batches) count += batch.size();
   return static_cast<int>(count);
 }
 
@@ -173,8 +199,8 @@ void BulkTerm<Dim>::archive(StateArchive& archive) {
 template <int Dim>
 std::vector<int> unknownsOf(const std::vector<int>& nodes) {
   std::vector<int> unknowns;
-  for (int d = 0; d < Dim; ++d)
-    for (const int node : nodes) unknowns.push_back(Dim * node + d);
+  for (const int node : nodes)
+    for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * node + d);
   return unknowns;
 }
 

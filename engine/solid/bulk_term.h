@@ -11,6 +11,7 @@
 #include "engine/material/material_points.h"
 #include "engine/solid/body.h"
 #include "engine/solid/formulation.h"
+#include "engine/solid/parallel_spans.h"
 #include "engine/solid/reference_state.h"
 #include "engine/solid/span_quadrature.h"
 #include "engine/solver/term.h"
@@ -95,22 +96,14 @@ class BulkTerm : public Term {
     return true;
   }
 
-  /// Adds forces and, if wanted, the tangent of a span. tangent: a buffer.
+  /// Adds forces and, if wanted, the tangent of a span.
   template <class Kernel>
-  void add(const Kernel& kernel, std::size_t number, Eigen::MatrixXd& tangent, Assembly& out) const {
+  void add(const Kernel& kernel, std::size_t number, Assembly& out) const {
     const auto& nodes = quadrature_.spans()[number].nodes;
     const auto n = static_cast<Eigen::Index>(nodes.size());
     for (Eigen::Index a = 0; a < n; ++a)
       out.force.segment<Dim>(Dim * nodes[static_cast<std::size_t>(a)]) += kernel.force(a);
-    if (out.system == nullptr) return;
-    tangent.resize(Dim * n, Dim * n);
-    for (int i = 0; i < Dim; ++i)
-      for (int k = i; k < Dim; ++k) {
-        const auto block = kernel.tangentBlock(i, k);
-        tangent.block(i * n, k * n, n, n) = block;
-        if (i != k) tangent.block(k * n, i * n, n, n) = block.transpose();
-      }
-    out.system->add(out.term, number, tangent);
+    if (out.system != nullptr) out.system->add(out.term, number, kernel.tangent());
   }
 
   /// To be called at the end of an evaluation in which all spans that this rank works on were admissible or not:
@@ -123,7 +116,8 @@ class BulkTerm : public Term {
   const SpanQuadrature<Dim>& quadrature_;
   MaterialPoints points_;
   CouplingGroups groups_;  ///< unknowns of each span
-  std::vector<std::vector<int>> colours_;
+  /// Batches of spans by colour: those of one colour have no unknown in common.
+  std::vector<SpanBatches> colours_;
   Eigen::VectorXd weights_;
   std::vector<Stress> stress_;
   std::vector<double> J_;
@@ -146,7 +140,7 @@ class BulkTerm : public Term {
   Shares shareOfSpans_, shareOfPoints_;  ///< empty for one rank
 };
 
-/// Displacement unknowns of nodes, component by component.
+/// Displacement unknowns of nodes, node by node.
 template <int Dim>
 std::vector<int> unknownsOf(const std::vector<int>& nodes);
 

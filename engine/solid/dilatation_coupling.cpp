@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/solid/bulk_term.h"
 #include "engine/solid/parallel_spans.h"
 
 namespace burnish {
@@ -29,15 +30,11 @@ Lists unions(const Lists& lists, const Lists& members, int limit) {
   return result;
 }
 
-/// Unknowns of lists of nodes, in the order of the nodes.
+/// Unknowns of lists of nodes.
 template <int Dim>
-Lists unknownsNodeByNode(const Lists& lists) {
+Lists unknownsOfLists(const Lists& lists) {
   Lists unknowns;
-  for (const auto& nodes : lists) {
-    auto& list = unknowns.emplace_back();
-    for (const int node : nodes)
-      for (int d = 0; d < Dim; ++d) list.push_back(Dim * node + d);
-  }
+  for (const auto& nodes : lists) unknowns.push_back(unknownsOf<Dim>(nodes));
   return unknowns;
 }
 
@@ -101,7 +98,7 @@ CouplingGroups DilatationCoupling<Dim>::groups(const SpanQuadrature<Dim>& quadra
   const Lists functions = functionsOfSpans(projection);
   const Lists nodes = unions(spansOfFunctions(functions, projection.numFunctions()), nodesOfSpans(quadrature),
                              quadrature.numNodes());
-  return unknownsNodeByNode<Dim>(unions(functions, nodes, quadrature.numNodes()));
+  return unknownsOfLists<Dim>(unions(functions, nodes, quadrature.numNodes()));
 }
 
 /// nodes: on which each function depends. Rows of Z and C are their unknowns, those of Y the ones of all
@@ -111,9 +108,8 @@ void DilatationCoupling<Dim>::findColumns(const std::vector<std::vector<int>>& n
   for (std::size_t A = 0; A < nodes.size(); ++A)
     for (std::size_t k = 0; k < nodes[A].size(); ++k)
       dependences_[static_cast<std::size_t>(nodes[A][k])].push_back({A, Dim * k});
-  Z_ = C_ = RunColumns(unknownsNodeByNode<Dim>(nodes));
-  Y_ =
-      RunColumns(unknownsNodeByNode<Dim>(unions(overlapping_, nodes, static_cast<int>(dependences_.size()))));
+  Z_ = C_ = RunColumns(unknownsOfLists<Dim>(nodes));
+  Y_ = RunColumns(unknownsOfLists<Dim>(unions(overlapping_, nodes, static_cast<int>(dependences_.size()))));
 }
 
 /// Sums one part of the spans' shares into the column of a function.
@@ -123,8 +119,8 @@ void DilatationCoupling<Dim>::gather(std::size_t function, Eigen::MatrixXd Dilat
   for (const auto& use : uses_[function]) {
     const auto& nodes = nodes_[use.span];
     const double* value = (shares_[use.span].*part).col(use.place).data();
-    for (int d = 0; d < Dim; ++d)
-      for (const int node : nodes) work.unknowns(Dim * node + d) += *value++;
+    for (const int node : nodes)
+      for (int d = 0; d < Dim; ++d) work.unknowns(Dim * node + d) += *value++;
   }
   into.take(function, work.unknowns);
 }

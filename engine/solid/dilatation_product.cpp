@@ -23,8 +23,8 @@ template <int Dim>
 DilatationProduct<Dim>::DilatationProduct(const SpanQuadrature<Dim>& quadrature,
                                           const DilatationProjection<Dim>& projection,
                                           const std::vector<DilatationShare>& shares,
-                                          const std::vector<std::vector<int>>& colours)
-    : quadrature_(quadrature), projection_(projection), shares_(shares), colours_(colours) {
+                                          const std::vector<SpanBatches>& batches)
+    : quadrature_(quadrature), projection_(projection), shares_(shares), batches_(batches) {
   Eigen::Index begin = 0;
   for (const auto& span : projection.spans()) {
     begins_.push_back(begin);
@@ -69,17 +69,16 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
   forAll(spans.size(),
          [&](std::size_t e) { partOf(met, e) = shares_[e].E * change(spans[e].functions) + partOf(Cx, e); });
   const Eigen::VectorXd answer = sumOver(met);
-  for (const auto& colour : colours_)
-    forAll(colour.size(), [&](std::size_t k) {
-      const auto e = static_cast<std::size_t>(colour[k]);
-      const auto& [Z, C, E] = shares_[e];
-      const auto& functions = spans[e].functions;
-      const Eigen::VectorXd& averaged = spans[e].averaged;
-      const Eigen::VectorXd own = partOf(Zx, e).cwiseQuotient(averaged);
-      const Eigen::VectorXd onZ = answer(functions) - (E * own + partOf(Cx, e)).cwiseQuotient(averaged);
-      const Eigen::VectorXd onC = change(functions) - own;
-      y(unknownsOf<Dim>(quadrature_.spans()[e].nodes)) += Z * onZ + C * onC;
-    });
+  parallelBatches(batches_, [&](std::size_t e) {
+    const auto& [Z, C, E] = shares_[e];
+    const auto& functions = spans[e].functions;
+    const Eigen::VectorXd& averaged = spans[e].averaged;
+    const Eigen::VectorXd own = partOf(Zx, e).cwiseQuotient(averaged);
+    const Eigen::VectorXd onZ = answer(functions) - (E * own + partOf(Cx, e)).cwiseQuotient(averaged);
+    const Eigen::VectorXd onC = change(functions) - own;
+    y(unknownsOf<Dim>(quadrature_.spans()[e].nodes)) += Z * onZ + C * onC;
+    return true;
+  });
 }
 
 template <int Dim>

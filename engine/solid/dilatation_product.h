@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/solid/dilatation_projection.h"
+#include "engine/solid/parallel_spans.h"
 #include "engine/solver/tangent_product.h"
 
 namespace burnish {
@@ -27,9 +28,9 @@ struct DilatationShare {
 template <int Dim>
 class DilatationProduct final : public TangentProduct {
  public:
-  /// colours: of spans, those of one colour without a common unknown. All must outlive the product.
+  /// batches: of spans, those of one list without a common unknown. All must outlive the product.
   DilatationProduct(const SpanQuadrature<Dim>& quadrature, const DilatationProjection<Dim>& projection,
-                    const std::vector<DilatationShare>& shares, const std::vector<std::vector<int>>& colours);
+                    const std::vector<DilatationShare>& shares, const std::vector<SpanBatches>& batches);
 
   /// zᵀ E z + C z + zᵀ Cᵀ of a span: Dim·n x Dim·n.
   Eigen::MatrixXd ofSpan(std::size_t e) const;
@@ -41,7 +42,7 @@ class DilatationProduct final : public TangentProduct {
   const SpanQuadrature<Dim>& quadrature_;
   const DilatationProjection<Dim>& projection_;
   const std::vector<DilatationShare>& shares_;
-  const std::vector<std::vector<int>>& colours_;
+  const std::vector<SpanBatches>& batches_;
   std::vector<Eigen::Index>
       begins_;  ///< of the functions of each span among those of all spans, and their number
 };

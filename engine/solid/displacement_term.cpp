@@ -17,7 +17,6 @@ struct DisplacementTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
   Eigen::MatrixXd gradients;                     // as the span asks for it
   KernelFor<K> kernel;
-  Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
 };
 
 template <int Dim>
@@ -58,7 +57,7 @@ bool DisplacementTerm<Dim>::evaluateSpan(PointsOf<Law>& points, std::size_t numb
   this->spanSummaries_[number] = summary;
 
   work.kernel.multiply();
-  this->add(work.kernel, number, work.tangent, out);
+  this->add(work.kernel, number, out);
   return true;
 }
 
@@ -66,10 +65,8 @@ template <int Dim>
 template <Kinematics K, class Law>
 bool DisplacementTerm<Dim>::evaluateAll(PointsOf<Law>& points, const Eigen::VectorXd& x, Assembly& out) {
   tbb::enumerable_thread_specific<Workspace<K>> workspaces;
-  return std::all_of(this->colours_.begin(), this->colours_.end(), [&](const auto& colour) {
-    return parallelAll(colour.size(), 8, [&](std::size_t k) {
-      return evaluateSpan<K>(points, static_cast<std::size_t>(colour[k]), x, out, workspaces.local());
-    });
+  return parallelBatches(this->colours_, [&](std::size_t span) {
+    return evaluateSpan<K>(points, span, x, out, workspaces.local());
   });
 }
 

@@ -2,8 +2,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <vector>
 
 #include "engine/core/thread_order.h"
 
@@ -24,6 +26,21 @@ bool parallelAll(std::size_t count, std::size_t grain, const F& f) {
   });
   ended.after();
   return admissible;
+}
+
+/// Batches of spans: those of one batch are worked on one after the other, batches at the same time.
+using SpanBatches = std::vector<std::vector<int>>;
+
+/// Calls f with the numbers of all spans, on all threads, those of one list of batches before those of the next one.
+/// f returns false like that of `parallelAll`; returns whether all calls returned true.
+template <class F>
+bool parallelBatches(const std::vector<SpanBatches>& lists, const F& f) {
+  return std::all_of(lists.begin(), lists.end(), [&](const SpanBatches& batches) {
+    return parallelAll(batches.size(), 1, [&](std::size_t k) {
+      return std::all_of(batches[k].begin(), batches[k].end(),
+                         [&](int e) { return f(static_cast<std::size_t>(e)); });
+    });
+  });
 }
 
 }  // namespace burnish

@@ -15,7 +15,7 @@
 namespace burnish {
 namespace {
 
-/// D : T for the gradient D of every unknown of a span, component by component: Dim·n values.
+/// D : T for the gradient D of every unknown of a span, node by node: Dim·n values.
 /// gradients: in the reference, at a point.
 template <Kinematics K, class G, class Stress, class Out>
 void contract(const G& gradients, const Eigen::Matrix3d& F, const Stress& T, Out&& out) {
@@ -25,7 +25,7 @@ void contract(const G& gradients, const Eigen::Matrix3d& F, const Stress& T, Out
     for (int j = 0; j < C; ++j)
       if (gradientPlace<K>(i, j) >= 0) components(j, i) = T(gradientPlace<K>(i, j));
   const Eigen::Matrix<double, C, kDimOf<K>> pushed = pushForward<K>(F) * components;
-  out.reshaped(gradients.rows(), kDimOf<K>).noalias() = gradients * pushed;
+  out.reshaped(kDimOf<K>, gradients.rows()).noalias() = pushed.transpose() * gradients.transpose();
 }
 
 /// F̄ from F V_e.
@@ -92,8 +92,7 @@ struct ProjectedTerm<Dim>::Workspace {
   Eigen::MatrixXd perPoint;                      // Dim·n x Q: a value of every unknown at every point
   Eigen::MatrixXd gradients;                     // as the span asks for it
   KernelFor<K> kernel;
-  Eigen::VectorXd e;        // Q: weighted factors of η²
-  Eigen::MatrixXd tangent;  // Dim·n x Dim·n, component by component
+  Eigen::VectorXd e;  // Q: weighted factors of η²
 };
 
 template <int Dim>
@@ -258,7 +257,7 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
   }
 
   work.kernel.multiply();
-  this->add(work.kernel, number, work.tangent, out);
+  this->add(work.kernel, number, out);
   if (!wantTangent) return;
   DilatationShare& share = shares_[number];
   multiplyTransposed(work.perPoint, projected.N, share.C);
@@ -281,11 +280,10 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
   });
   if (!responded) return false;
   gatherPressure();
-  for (const auto& colour : this->colours_)
-    parallelAll(colour.size(), 1, [&](std::size_t k) {
-      assemble<K>(static_cast<std::size_t>(colour[k]), out, workspaces.local());
-      return true;
-    });
+  parallelBatches(this->colours_, [&](std::size_t span) {
+    assemble<K>(span, out, workspaces.local());
+    return true;
+  });
   if (wantTangent) {
     if (product_)
       out.system->addProduct(*product_);

@@ -29,10 +29,7 @@ class SolidKernel {
   }
   void multiply() { isDense_ ? dense_.multiply() : tensor_.multiply(); }
   Eigen::Vector3d force(Eigen::Index a) const { return isDense_ ? dense_.force(a) : tensor_.force(a); }
-  Eigen::Ref<const Eigen::MatrixXd> tangentBlock(int d, int e) const {
-    if (isDense_) return dense_.tangentBlock(d, e);
-    return tensor_.tangentBlock(d, e);
-  }
+  const Eigen::MatrixXd& tangent() const { return isDense_ ? dense_.tangent() : tensor_.tangent(); }
 
  private:
   SpanKernel<Kinematics::Solid> dense_;

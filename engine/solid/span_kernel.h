@@ -1,7 +1,11 @@
 #pragma once
 #include <Eigen/Dense>
+#include <array>
+#include <cstring>
+#include <vector>
 
-#include "engine/core/blas.h"
+#include "engine/core/lanes.h"
+#include "engine/core/small_product.h"
 #include "engine/solid/kinematics.h"
 #include "engine/solid/span_quadrature.h"
 
@@ -17,8 +21,9 @@ double modulus(int i, int j, int k, int l, const Stress& tau, const Tangent& c) 
   return c(first, second) + (i == k ? tau(voigtPlace(j, l)) : 0.0);
 }
 
-/// Forces and tangent of one span, Σ_q g τ and Σ_q g (c + δτ) gᵀ, by one matrix product over all its
-/// quadrature points. Buffers keep their memory from span to span.
+/// Forces and tangent of one span, Σ_q g τ and Σ_q g (c + δτ) gᵀ, by matrix products over all its quadrature
+/// points. The current gradients g = G P are not formed: stresses and moduli are pulled back to the reference
+/// gradients G, P τ and P (c + δτ) Pᵀ. Buffers keep their memory from span to span.
 template <Kinematics K>
 class SpanKernel {
  public:
@@ -30,67 +35,123 @@ class SpanKernel {
   void start(const typename SpanQuadrature<kDim>::Span& span, const Eigen::MatrixXd& gradients,
              bool wantTangent) {
     gradients_ = &gradients;
-    const Eigen::Index n = gradients.rows(), Q = span.weights.size();
-    n_ = n;
-    stressRow_ = wantTangent ? kPairs * n : 0;
-    g_.resize(n, kC * Q);
-    h_.resize(stressRow_ + kDim, kC * Q);
+    wantTangent_ = wantTangent;
+    const Eigen::Index n = gradients.rows(), depth = kC * span.weights.size();
+    if (stress_.cols() != depth) stress_.setZero(kStressRows, depth);
+    if (!wantTangent || (tangent_.cols() == kDim * n && h_.cols() == depth)) return;
+    moduli_.resize(static_cast<std::size_t>(span.weights.size()));
+    h_.setZero(roundedToLanes(n), depth);
+    block_.resize(h_.rows(), n);
+    tangent_.resize(kDim * n, kDim * n);
   }
 
-  /// Sets the gradients at point q from the deformation gradient; to be called first.
-  void setGradients(Eigen::Index q, const Eigen::Matrix3d& F) {
-    g_.template middleCols<kC>(kC * q).noalias() =
-        gradients_->template middleCols<kC>(kC * q) * pushForward<K>(F);
-  }
+  /// Sets the gradients at point q from the deformation gradient; to be called before the stress and the
+  /// moduli of the same point are set.
+  void setGradients(Eigen::Index, const Eigen::Matrix3d& F) { pushForward_ = pushForward<K>(F); }
 
   /// Stress that makes the forces, times the weight.
   void setStress(Eigen::Index q, const Stress& weighted) {
+    Eigen::Matrix<double, kDim, kC> tau;
     for (int i = 0; i < kDim; ++i)
       for (int j = 0; j < kC; ++j)
-        h_(stressRow_ + i, kC * q + j) = gradientPlace<K>(i, j) < 0 ? 0.0 : weighted(gradientPlace<K>(i, j));
+        tau(i, j) = gradientPlace<K>(i, j) < 0 ? 0.0 : weighted(gradientPlace<K>(i, j));
+    stress_.template block<kDim, kC>(0, kC * q) = tau.lazyProduct(pushForward_.transpose());
   }
 
   /// Moduli of D : c : D + (D τ) : D + r tr(D D), with D the spatial gradient, times the weight w.
   void setModuli(Eigen::Index q, double w, const Stress& tau, const Tangent& c, double r) {
-    const auto g = g_.template middleCols<kC>(kC * q);
-    Eigen::Index pair = 0;
+    std::size_t pair = 0;
     for (int i = 0; i < kDim; ++i)
       for (int k = i; k < kDim; ++k, ++pair) {
-        Eigen::Matrix<double, kC, kC> moduli = Eigen::Matrix<double, kC, kC>::Zero();
+        Block spatial;
         for (int j = 0; j < kC; ++j)
-          for (int l = 0; l < kC; ++l) moduli(j, l) = w * modulus<K>(i, j, k, l, tau, c);
-        moduli(k, i) += w * r;
-        if (K == Kinematics::Axisymmetric && k == 0) moduli(2, 2) += w * r;
-        h_.template block<Eigen::Dynamic, kC>(pair * n_, kC * q, n_, kC).noalias() = g * moduli;
+          for (int l = 0; l < kC; ++l) spatial(j, l) = w * modulus<K>(i, j, k, l, tau, c);
+        spatial(k, i) += w * r;
+        if (K == Kinematics::Axisymmetric && k == 0) spatial(2, 2) += w * r;
+        const Block left = pushForward_.lazyProduct(spatial);
+        moduli_[static_cast<std::size_t>(q)][pair] = left.lazyProduct(pushForward_.transpose());
       }
   }
 
   /// To be called when all points are set.
-  void multiply() { multiplyTransposed(h_, g_, blocks_); }
+  void multiply() {
+    forces_.resize(kStressRows, gradients_->rows());
+    multiplyTransposedSmall(stress_, *gradients_, forces_);
+    if (!wantTangent_) return;
+    std::size_t pair = 0;
+    for (int i = 0; i < kDim; ++i)
+      for (int k = i; k < kDim; ++k, ++pair) {
+        multiplyGradients(pair);
+        multiplyTransposedSmall(h_, *gradients_, block_, i == k ? ProductPart::Lower : ProductPart::All);
+        arrange(i, k);
+      }
+  }
 
   /// Force on function a.
-  Eigen::Vector<double, kDim> force(Eigen::Index a) const {
-    return blocks_.col(a).template segment<kDim>(stressRow_);
-  }
+  Eigen::Vector<double, kDim> force(Eigen::Index a) const { return forces_.col(a).template head<kDim>(); }
 
-  /// Entry (d, e) of the tangent for all pairs of functions, n x n, d <= e; the other ones are their
-  /// transposes.
-  auto tangentBlock(int d, int e) const {
-    return blocks_.middleRows((d * kDim - d * (d - 1) / 2 + e - d) * n_, n_);
-  }
+  /// Dim·n x Dim·n, node by node.
+  const Eigen::MatrixXd& tangent() const { return tangent_; }
 
  private:
   static constexpr int kC = kColumns<K>;
   /// Pairs (i, k) of directions with i <= k.
   static constexpr int kPairs = kDim * (kDim + 1) / 2;
+  static constexpr int kStressRows = roundedToLanes(kDim);
+  using Block = Eigen::Matrix<double, kC, kC>;
+
+  /// Gradients times the moduli of a pair of directions.
+  void multiplyGradients(std::size_t pair) {
+    const Eigen::Index n = gradients_->rows(), rows = h_.rows();
+    const double* G = gradients_->data();
+    double* H = h_.data();
+    for (const auto& moduli : moduli_) {
+      const Block M = moduli[pair];
+      Eigen::Index a = 0;
+      for (; a + kLanes <= n; a += kLanes) multiplyGradients<Lanes>(G + a, n, M, H + a, rows);
+      for (; a < n; ++a) multiplyGradients<double>(G + a, n, M, H + a, rows);
+      G += kC * n;
+      H += kC * rows;
+    }
+  }
+
+  /// The same at one point, of one function, or of as many as there are lanes. Strides are those from column to
+  /// column.
+  template <class Number>
+  static void multiplyGradients(const double* G, Eigen::Index strideG, const Block& M, double* H,
+                                Eigen::Index strideH) {
+    std::array<Number, kC> g;
+    for (int j = 0; j < kC; ++j)
+      std::memcpy(&g[static_cast<std::size_t>(j)], G + strideG * j, sizeof(Number));
+    for (int l = 0; l < kC; ++l) {
+      Number sum = g[0] * M(0, l);
+      for (int j = 1; j < kC; ++j) sum += g[static_cast<std::size_t>(j)] * M(j, l);
+      std::memcpy(H + strideH * l, &sum, sizeof(Number));
+    }
+  }
+
+  /// Writes the block of a pair of directions into the tangent. Of equal directions it is known from the diagonal
+  /// on down.
+  void arrange(int i, int k) {
+    const Eigen::Index n = gradients_->rows();
+    for (Eigen::Index b = 0; b < n; ++b) {
+      const double* from = &block_(0, b);
+      double* entries = &tangent_(i, kDim * b + k);
+      double* mirrored = &tangent_(kDim * b + k, i);
+      for (Eigen::Index a = i == k ? b : 0; a < n; ++a)
+        entries[kDim * a] = mirrored[kDim * kDim * n * a] = from[a];
+    }
+  }
 
   const Eigen::MatrixXd* gradients_ = nullptr;
-  Eigen::Index n_ = 0, stressRow_ = 0;
-  Eigen::MatrixXd g_;  ///< n x columns·Q
-  /// kPairs·n + Dim rows x columns·Q: gradients times the weighted moduli, one block per pair (i, k), then
-  /// the weighted stresses. Times gᵀ: blocks of the tangent and the forces.
-  Eigen::MatrixXd h_;
-  Eigen::MatrixXd blocks_;  ///< kPairs·n + Dim x n
+  bool wantTangent_ = false;
+  Block pushForward_;       ///< P at the point that is being set
+  Eigen::MatrixXd stress_;  ///< Dim rows, and some of lanes without use, x columns·Q: weighted, P τ
+  Eigen::MatrixXd forces_;  ///< as many rows x n
+  std::vector<std::array<Block, kPairs>> moduli_;  ///< per point: weighted, P (c + δτ) Pᵀ
+  Eigen::MatrixXd h_;        ///< n rows, and some of zeros, x columns·Q: G times the moduli of a pair
+  Eigen::MatrixXd block_;    ///< as many rows x n: `h_` times Gᵀ
+  Eigen::MatrixXd tangent_;  ///< Dim·n x Dim·n
 };
 
 }  // namespace burnish

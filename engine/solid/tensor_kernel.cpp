@@ -122,7 +122,7 @@ void TensorKernel::multiply() {
   if (!wantTangent_) return;
   makeProducts();
   sumOverPoints();
-  spreadBlocks();
+  arrange();
 }
 
 /// N_a N_b at the points of one direction, pair by pair, with the derivatives in the order of `Group`.
@@ -148,38 +148,40 @@ void TensorKernel::sumOverPoints() {
   sumDirection(kAll, products_[0], sums_[2], products_[1].rows() * products_[2].rows() * kPairs, sums_[3]);
 }
 
-void TensorKernel::spreadBlocks() {
+void TensorKernel::arrange() {
   const Eigen::Index n = span_->factors.weights.size();
-  blocks_.resize(n, kPairs * n);
+  tangent_.resize(3 * n, 3 * n);
   switch (span_->factors.N[0].rows()) {
     case 3:
-      return spread<3>();
+      return arrangeFor<3>();
     case 4:
-      return spread<4>();
+      return arrangeFor<4>();
     default:
-      return spread<Eigen::Dynamic>();
+      return arrangeFor<Eigen::Dynamic>();
   }
 }
 
 template <int First>
-void TensorKernel::spread() {
+void TensorKernel::arrangeFor() {
   const auto& [N1, N2, N3] = span_->factors.N;
   const Eigen::Index n1 = First == Eigen::Dynamic ? N1.rows() : First;
   const Eigen::Index n2 = N2.rows(), n3 = N3.rows(), n = n1 * n2 * n3;
   const auto& weights = span_->factors.weights;
-  using Run = Eigen::Vector<double, First>;
   const double* from = sums_[3].data();
-  for (int pair = 0; pair < kPairs; ++pair)
-    for (Eigen::Index b3 = 0; b3 < n3; ++b3)
-      for (Eigen::Index a3 = 0; a3 < n3; ++a3)
-        for (Eigen::Index b2 = 0; b2 < n2; ++b2)
-          for (Eigen::Index a2 = 0; a2 < n2; ++a2) {
-            const Eigen::Index a = n1 * (a2 + n2 * a3), b = n1 * (b2 + n2 * b3);
-            const Run ofA = Eigen::Map<const Run>(&weights(a), n1);
-            for (Eigen::Index b1 = 0; b1 < n1; ++b1, from += n1)
-              Eigen::Map<Run>(&blocks_(a, pair * n + b + b1), n1) =
-                  weights(b + b1) * Eigen::Map<const Run>(from, n1).cwiseProduct(ofA);
-          }
+  for (int i = 0; i < 3; ++i)
+    for (int k = i; k < 3; ++k)
+      for (Eigen::Index b3 = 0; b3 < n3; ++b3)
+        for (Eigen::Index a3 = 0; a3 < n3; ++a3)
+          for (Eigen::Index b2 = 0; b2 < n2; ++b2)
+            for (Eigen::Index a2 = 0; a2 < n2; ++a2) {
+              const Eigen::Index a = n1 * (a2 + n2 * a3);
+              for (Eigen::Index b = n1 * (b2 + n2 * b3), end = b + n1; b < end; ++b, from += n1) {
+                double* entries = &tangent_(3 * a + i, 3 * b + k);
+                double* mirrored = &tangent_(3 * b + k, 3 * a + i);
+                for (Eigen::Index a1 = 0; a1 < n1; ++a1)
+                  entries[3 * a1] = mirrored[9 * n * a1] = weights(b) * (from[a1] * weights(a + a1));
+              }
+            }
 }
 
 }  // namespace burnish

@@ -38,12 +38,8 @@ class TensorKernel {
   /// Force on function a.
   Eigen::Vector3d force(Eigen::Index a) const { return forces_.row(a); }
 
-  /// Entry (d, e) of the tangent for all pairs of functions, n x n, d <= e; the other ones are their
-  /// transposes.
-  auto tangentBlock(int d, int e) const {
-    const auto n = blocks_.rows();
-    return blocks_.middleCols((d * 3 - d * (d - 1) / 2 + e - d) * n, n);
-  }
+  /// 3·n x 3·n, node by node.
+  const Eigen::MatrixXd& tangent() const { return tangent_; }
 
  private:
   /// Pairs (i, k) of directions with i <= k.
@@ -51,9 +47,9 @@ class TensorKernel {
 
   void makeProducts();
   void sumOverPoints();
-  void spreadBlocks();
+  void arrange();
   template <int First>
-  void spread();
+  void arrangeFor();
 
   const Span* span_ = nullptr;
   const Eigen::MatrixXd* gradients_ = nullptr;
@@ -66,7 +62,7 @@ class TensorKernel {
       products_;  ///< per direction (p+1)² x 4·points: pairs of univariate functions
   /// Sums over none of the directions (kPairs x 16·Q), then over one more with every stage.
   std::array<Eigen::VectorXd, 4> sums_;
-  Eigen::MatrixXd blocks_;  ///< n x kPairs·n
+  Eigen::MatrixXd tangent_;  ///< 3·n x 3·n
 };
 
 }  // namespace burnish

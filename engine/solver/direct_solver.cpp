@@ -1,6 +1,5 @@
 #include "engine/solver/direct_solver.h"
 
-#include <Eigen/CholmodSupport>
 #include <Eigen/UmfPackSupport>
 #include <cmath>
 #include <functional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/blas.h"
+#include "engine/solver/cholesky.h"
 
 namespace burnish {
 
@@ -65,41 +65,39 @@ class DirectSolver::General {
 /// CHOLMOD for the leading block, a dense Schur complement for the border.
 class DirectSolver::Definite {
  public:
-  explicit Definite(Eigen::Index leading) : n_(leading) {
-    llt_.cholmod().print = 0;  // a matrix that is not positive definite is no surprise here
-  }
+  explicit Definite(Eigen::Index leading) : n_(leading) {}
 
   /// False if K or -S is not positive definite, or if the border alone, beside K, costs more than factors of all
   /// of A do: what is known, or about twice as much as those of K.
   bool factorise(const Matrix& A, std::optional<double> costOfWhole = {}) {
     if (K_.rows() == 0) analyse(A);
-    if (!analysed_) return false;
+    if (!llt_->isAnalysed()) return false;
     for (std::size_t k = 0; k < entries_.size(); ++k) K_.valuePtr()[k] = A.valuePtr()[entries_[k]];
-    if (!findBorder(A) || costOfBorder() > costOfWhole.value_or(2.0 * llt_.cholmod().fl)) return false;
-    llt_.factorize(K_);
-    if (llt_.info() != Eigen::Success) return false;
+    if (!findBorder(A) || costOfBorder() > costOfWhole.value_or(2.0 * llt_->operations())) return false;
+    if (!llt_->factorise(K_)) return false;
     return coupled_.empty() || eliminateBorder(A);
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
     Eigen::VectorXd x(b.size());
-    x.head(n_) = llt_.solve(b.head(n_));
+    Eigen::VectorXd halfway = llt_->forward(b.head(n_));
     const auto rest = b.size() - n_;
     x.tail(rest) = b.tail(rest).cwiseQuotient(C_);
     if (!coupled_.empty()) {
-      const Eigen::VectorXd fromK = B_.transpose() * x.head(n_);
+      const Eigen::VectorXd fromK = B_.transpose() * halfway;
       Eigen::VectorXd residual = -b(coupled_);
       residual.head(numTouching_) += fromK;
       const Eigen::VectorXd border = schur_.solve(residual);
-      x.head(n_) -= KinvB_ * border.head(numTouching_);
+      halfway -= B_ * border.head(numTouching_);
       x(coupled_) = border;
     }
+    x.head(n_) = llt_->backward(halfway);
     return x;
   }
 
   Eigen::Index factorNonZeros() {
     const auto m = static_cast<Eigen::Index>(coupled_.size());
-    return static_cast<Eigen::Index>(llt_.cholmod().lnz) + numTouching_ * n_ + m * (m + 1) / 2;
+    return static_cast<Eigen::Index>(llt_->nonZeros()) + numTouching_ * n_ + m * (m + 1) / 2;
   }
 
  private:
@@ -116,8 +114,7 @@ class DirectSolver::Definite {
       }
     K_.resize(n_, n_);
     K_.setFromTriplets(triplets.begin(), triplets.end());
-    llt_.analyzePattern(K_);
-    analysed_ = llt_.info() == Eigen::Success;
+    llt_ = std::make_unique<Cholesky>(K_);
   }
 
   /// Sorts the border into unknowns that are coupled with K at present, then those that are coupled with
@@ -144,12 +141,12 @@ class DirectSolver::Definite {
     return true;
   }
 
-  /// Solving for the columns of B costs 4 lnz each, and the Schur complement of what is coupled with the
-  /// border alone a dense factorisation.
-  double costOfBorder() {
+  /// Half of a solution for each column of B costs 2 operations per non-zero, and the Schur complement of what is
+  /// coupled with the border alone a dense factorisation.
+  double costOfBorder() const {
     const auto m = static_cast<double>(coupled_.size()), touching = static_cast<double>(numTouching_);
     const double dense = (m * m * m - touching * touching * touching) / 3.0;
-    return 4.0 * llt_.cholmod().lnz * touching + dense;
+    return 2.0 * llt_->nonZeros() * touching + dense;
   }
 
   bool eliminateBorder(const Matrix& A) {
@@ -160,8 +157,8 @@ class DirectSolver::Definite {
     for (Eigen::Index j = 0; j < numTouching_; ++j)
       for (Matrix::InnerIterator entry(A, coupled_[static_cast<std::size_t>(j)]); entry; ++entry)
         if (entry.row() < n_) B_(entry.row(), j) = entry.value();
-    KinvB_ = llt_.solve(B_);
-    S.topLeftCorner(numTouching_, numTouching_).noalias() = B_.transpose() * KinvB_;
+    B_ = llt_->forward(B_);
+    S.topLeftCorner(numTouching_, numTouching_).noalias() = B_.transpose() * B_;
     placeInBorder_.assign(static_cast<std::size_t>(A.cols() - n_), -1);
     for (std::size_t j = 0; j < coupled_.size(); ++j)
       placeInBorder_[static_cast<std::size_t>(coupled_[j] - n_)] = static_cast<int>(j);
@@ -176,15 +173,14 @@ class DirectSolver::Definite {
   }
 
   Eigen::Index n_;
-  Eigen::CholmodSupernodalLLT<Matrix, Eigen::Upper> llt_;  ///< of K
-  bool analysed_ = false;                                  ///< not if CHOLMOD has run out of memory
+  std::unique_ptr<Cholesky> llt_;  ///< of K; null before the first matrix
   Matrix K_;
   std::vector<int> entries_;
   Eigen::VectorXd C_;
   std::vector<int> coupled_;        ///< columns of the border in the Schur complement, those of B first
   Eigen::Index numTouching_ = 0;    ///< columns of B
   std::vector<int> placeInBorder_;  ///< per unknown of the border: its place in `coupled_`, -1 if it has none
-  Eigen::MatrixXd B_, KinvB_;
+  Eigen::MatrixXd B_;               ///< L⁻¹ P times the columns of the border
   Eigen::LLT<Eigen::MatrixXd> schur_;  ///< of -S = Bᵀ K⁻¹ B - C
 };
 

@@ -88,6 +88,7 @@ SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) 
       runs.push_back({at(place), 0});  // also where an unknown stands in the group a second time
     ++runs.back().length;
   }
+  if (std::is_sorted(group.order.begin(), group.order.end())) group.order.clear();
   return group;
 }
 
@@ -154,10 +155,12 @@ void SparseSystem::setZero() {
 }
 
 void SparseSystem::findStarts(Group& group) const {
-  std::vector<int> unknowns(group.order.size());
-  const int* place = group.order.data();
+  std::vector<int> unknowns;
   for (const Run& run : group.runs)
-    for (int k = 0; k < run.length; ++k) unknowns[static_cast<std::size_t>(*place++)] = run.first + k;
+    for (int k = 0; k < run.length; ++k) unknowns.push_back(run.first + k);
+  const std::vector<int> ascending = unknowns;
+  for (std::size_t k = 0; k < group.order.size(); ++k)
+    unknowns[static_cast<std::size_t>(group.order[k])] = ascending[k];
   group.starts.reserve(unknowns.size() * group.runs.size());
   for (const int column : unknowns) {
     const int ofK = columnOfK(column);
@@ -208,18 +211,25 @@ void SparseSystem::add(const std::vector<int>& unknowns, const Eigen::Ref<const 
 
 void SparseSystem::add(const Group& group, const Eigen::Ref<const Eigen::MatrixXd>& K) {
   const int* start = group.starts.data();
-  for (Eigen::Index c = 0; c < K.cols(); ++c) {
-    if (c + 1 < K.cols()) fetchAhead(group, start + group.runs.size());
-    const double* column = K.col(c).data();
-    const int* row = group.order.data();
+  // valueAt: by ascending unknown.
+  const auto addToColumn = [&](const auto& valueAt) {
+    int row = 0;
     for (const Run& run : group.runs) {
       const int place = *start++;
       if (place != kNowhere) {
         double* entry = &entryAt(place);
-        for (int k = 0; k < run.length; ++k) entry[k] += column[row[k]];
+        for (int k = 0; k < run.length; ++k) entry[k] += valueAt(row + k);
       }
       row += run.length;
     }
+  };
+  for (Eigen::Index c = 0; c < K.cols(); ++c) {
+    if (c + 1 < K.cols()) fetchAhead(group, start + group.runs.size());
+    const double* column = K.col(c).data();
+    if (group.order.empty())
+      addToColumn([&](int row) { return column[row]; });
+    else
+      addToColumn([&](int row) { return column[group.order[static_cast<std::size_t>(row)]]; });
   }
 }
 

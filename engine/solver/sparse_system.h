@@ -100,7 +100,7 @@ class SparseSystem final : public SystemMatrix {
     int length;
   };
   struct Group {
-    std::vector<int> order;  ///< the group's places, by ascending unknown
+    std::vector<int> order;  ///< the group's places, by ascending unknown; empty if they ascend as they are
     std::vector<Run> runs;   ///< all unknowns, ascending
     /// Where each run starts, column by column: see `entryAt`; found when the group is first added to, as some
     /// groups never are.

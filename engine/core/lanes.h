@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+/// Numbers that are computed with at once, one in each lane of the processor's vector registers. They are copied from
+/// and to memory, and not passed by value, which without AVX is another convention for calls.
+namespace burnish {
+
+inline constexpr int kLanes = 4;
+using Lanes [[gnu::vector_size(kLanes * sizeof(double))]] = double;
+
+/// The next multiple of the number of lanes.
+constexpr std::ptrdiff_t roundedToLanes(std::ptrdiff_t n) {
+  return (n + kLanes - 1) / kLanes * kLanes;
+}
+
+/// Calls f with 0 … Count-1 as compile-time constants: what a loop fills stays in registers.
+template <int Count, class F>
+[[gnu::always_inline]] inline void unrolled(const F& f) {
+  [&]<int... K>(std::integer_sequence<int, K...>) {
+    (f(std::integral_constant<int, K>{}), ...);
+  }
+  (std::make_integer_sequence<int, Count>{});
+}
+
+}  // namespace burnish

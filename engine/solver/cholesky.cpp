@@ -1,0 +1,96 @@
+#include "engine/solver/cholesky.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <new>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace burnish {
+namespace {
+
+using Matrix = Cholesky::Matrix;
+
+/// An order of the unknowns across lines: those of a patch are numbered along lines in its first direction, and where
+/// these are the longer ones, eliminating line by line in the other direction takes few operations. The length of a
+/// line is the distance at which most columns have entries again. For a pattern without lines any order.
+std::vector<int> orderAcrossLines(const Matrix& K) {
+  std::map<int, int> counts;  // of distances between runs of entries in a column
+  for (int column = 0; column < K.cols(); ++column)
+    for (int start = -1, before = -2, k = K.outerIndexPtr()[column]; k < K.outerIndexPtr()[column + 1]; ++k) {
+      const int row = K.innerIndexPtr()[k];
+      if (row > before + 1) {
+        if (start >= 0) ++counts[row - start];
+        start = row;
+      }
+      before = row;
+    }
+  const auto most = std::max_element(counts.begin(), counts.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const int length = most == counts.end() ? 1 : most->first;
+  std::vector<int> order(static_cast<std::size_t>(K.cols()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [=](int a, int b) { return a % length < b % length; });
+  return order;
+}
+
+}  // namespace
+
+Cholesky::Cholesky(const Matrix& K) : factors_(std::make_unique<Factors>()) {
+  constexpr double kFew = 500.0;  // operations per entry of the factor, as in the plane
+  factors_->analyse(K, nullptr);
+  if (!isAnalysed() || operations() > kFew * nonZeros()) return;
+  std::vector<int> order = orderAcrossLines(K);
+  auto byLines = std::make_unique<Factors>();
+  byLines->analyse(K, order.data());
+  if (byLines->info() == Eigen::Success && byLines->operations < operations()) factors_ = std::move(byLines);
+}
+
+bool Cholesky::factorise(const Matrix& K) {
+  factors_->factorize(K);
+  return factors_->info() == Eigen::Success;
+}
+
+Eigen::MatrixXd Cholesky::forward(const Eigen::MatrixXd& B) {
+  return factors_->apply(CHOLMOD_L, factors_->apply(CHOLMOD_P, B));
+}
+
+Eigen::VectorXd Cholesky::backward(const Eigen::VectorXd& x) {
+  return factors_->apply(CHOLMOD_Pt, factors_->apply(CHOLMOD_Lt, x));
+}
+
+void Cholesky::Factors::analyse(const Matrix& K, int* order) {
+  cholmod_common& common = cholmod();
+  common.print = 0;  // a matrix that is not positive definite is no surprise here
+  // Supernodes are merged more freely than by default, though that adds zeros: see `cholmod_common`.
+  const std::array<std::size_t, 3> columns{8, 32, 64};
+  const std::array<double, 3> zeros{0.9, 0.3, 0.1};
+  std::copy(columns.begin(), columns.end(), common.nrelax);
+  std::copy(zeros.begin(), zeros.end(), common.zrelax);
+  if (order != nullptr) {
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+  }
+  cholmod_sparse A = Eigen::viewAsCholmod(K.selfadjointView<Eigen::Upper>());
+  m_cholmodFactor = cholmod_analyze_p(&A, order, nullptr, 0, &common);
+  m_isInitialized = true;
+  m_analysisIsOk = m_cholmodFactor != nullptr;
+  m_info = m_analysisIsOk ? Eigen::Success : Eigen::InvalidInput;
+  nonZeros = common.lnz;
+  operations = common.fl;
+}
+
+Eigen::MatrixXd Cholesky::Factors::apply(int which, Eigen::MatrixXd B) {
+  if (B.cols() == 0) return B;  // which CHOLMOD refuses
+  cholmod_dense given = Eigen::viewAsCholmod(B);
+  cholmod_dense* solved = cholmod_solve(which, m_cholmodFactor, &given, &cholmod());
+  if (solved == nullptr) throw std::bad_alloc();
+  B = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solved->x), B.rows(), B.cols());
+  cholmod_free_dense(&solved, &cholmod());
+  return B;
+}
+
+}  // namespace burnish
