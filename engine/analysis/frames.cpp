@@ -35,7 +35,7 @@ Fields padded(Fields fields, Eigen::Index firstPoint, Eigen::Index numPoints) {
   return fields;
 }
 
-/// Fields of all bodies, projected and at the quadrature points.
+/// Fields of all bodies, projected and at the quadrature points; of several ranks the first one has them.
 template <int Dim>
 void addAllFields(FrameRecord& frame, const Scene& scene, const Model<Dim>& model,
                   const std::vector<Projection<Dim>>& projections) {
@@ -44,10 +44,14 @@ void addAllFields(FrameRecord& frame, const Scene& scene, const Model<Dim>& mode
   for (const auto& body : model.bodies()) numPoints += body.quadrature->numPoints();
   for (std::size_t k = 0; k < model.bodies().size(); ++k) {
     const ModelBody<Dim>& body = model.bodies()[k];
-    Fields fields = quadratureFields(*body.bulk, scene.units.stress);
-    addFields(frame.fields, projected(projections[k], fields), body.name, numBodies);
-    const auto& J = body.bulk->jacobians();
+    const BulkTerm<Dim>& bulk = *body.bulk;
+    Fields fields = quadratureFields(bulk, scene.units.stress);
+    const auto& J = bulk.jacobians();
     fields["J"] = {{}, "", Eigen::Map<const Eigen::RowVectorXd>(J.data(), std::ssize(J)), {}};
+    fields = whole(bulk.portion(), std::move(fields), Receivers::First);
+    auto kept = fields.extract("J");  // at the quadrature points alone
+    addFields(frame.fields, projected(projections[k], fields), body.name, numBodies);
+    fields.insert(std::move(kept));
     addFields(frame.quadrature.fields, padded(std::move(fields), firstPoint, numPoints), body.name,
               numBodies);
     firstPoint += body.quadrature->numPoints();
@@ -175,14 +179,15 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
 template <int Dim>
 FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model,
                       const std::vector<Projection<Dim>>& projections, int index, int step, double t,
-                      const Eigen::VectorXd& x) {
+                      const Eigen::VectorXd& x, const Team& team) {
   FrameRecord frame;
   frame.index = index;
   frame.step = step;
   frame.time = t;
-  frame.displacement = Eigen::Map<const Eigen::MatrixXd>(x.data(), Dim, model.body().numNodes);
   addAllFields(frame, scene, model, projections);
+  if (!team.isFirst()) return frame;
 
+  frame.displacement = Eigen::Map<const Eigen::MatrixXd>(x.data(), Dim, model.body().numNodes);
   const auto tools = static_cast<Eigen::Index>(model.tools().size());
   frame.toolDisplacement.resize(Dim, tools);
   frame.toolAngle.resize(tools);
@@ -212,8 +217,8 @@ template MeshRecord meshRecord(const Model<3>&);
 template ModelRecord makeModelRecord(const Scene&, const Model<2>&);
 template ModelRecord makeModelRecord(const Scene&, const Model<3>&);
 template FrameRecord makeFrame(const Scene&, const Model<2>&, const std::vector<Projection<2>>&, int, int,
-                               double, const Eigen::VectorXd&);
+                               double, const Eigen::VectorXd&, const Team&);
 template FrameRecord makeFrame(const Scene&, const Model<3>&, const std::vector<Projection<3>>&, int, int,
-                               double, const Eigen::VectorXd&);
+                               double, const Eigen::VectorXd&, const Team&);
 
 }  // namespace burnish

@@ -107,9 +107,12 @@ std::unique_ptr<Measure> Measures<Dim>::make(const PercentileMeasureSpec& spec) 
   return std::make_unique<PercentileMeasure>(
       spec.share,
       [this, &bulk, field = spec.field]() -> Eigen::VectorXd {
-        return quadratureFields(bulk, scene_.units.stress).at(field).values.row(0);
+        const FieldRecord found = quadratureFields(bulk, scene_.units.stress).at(field);
+        return bulk.portion().whole(found.values, Receivers::All).row(0);
       },
-      [&bulk] { return bulk.weights(); });
+      [&bulk]() -> Eigen::VectorXd {
+        return bulk.portion().whole(bulk.weights().transpose(), Receivers::All).row(0);
+      });
 }
 
 template <int Dim>
@@ -134,9 +137,10 @@ std::vector<double> Measures<Dim>::values(const MeasuredState& state) {
 template <int Dim>
 const std::map<std::string, FieldRecord>& Measures<Dim>::fields(std::size_t body) {
   auto& fields = fields_[body];
+  const BulkTerm<Dim>& bulk = *model_.bodies()[body].bulk;
   if (fields.empty())
-    fields =
-        projected(projections_[body], quadratureFields(*model_.bodies()[body].bulk, scene_.units.stress));
+    fields = projected(projections_[body],
+                       whole(bulk.portion(), quadratureFields(bulk, scene_.units.stress), Receivers::All));
   return fields;
 }
 

@@ -42,11 +42,24 @@ Hierarchy::Prolongation ofComponents(const Hierarchy::Prolongation& nodes, const
   return result;
 }
 
+template <int Dim>
+std::vector<NodeGrid> gridsOf(const Body<Dim>& body) {
+  std::vector<NodeGrid> grids;
+  for (std::size_t p = 0; p < body.patches.size(); ++p) {
+    NodeGrid& grid = grids.emplace_back();
+    for (int d = 0; d < Dim; ++d)
+      grid.size[static_cast<std::size_t>(d)] = body.patches[p].basis().direction(d).numFunctions();
+    grid.nodes = body.nodes[p];
+    grid.width = Dim;
+  }
+  return grids;
+}
+
 }  // namespace
 
 template <int Dim>
 Hierarchy makeHierarchy(const Model<Dim>& model, const MergeRule& rule, int coarsest) {
-  Hierarchy hierarchy;
+  Hierarchy hierarchy{{}, gridsOf(model.body())};
   NestedSpaces<Dim> spaces(model.body());
   std::vector<bool> held(model.prescribed().begin(), model.prescribed().begin() + model.numDisplacements());
   while (std::count(held.begin(), held.end(), false) > coarsest && spaces.coarsen(rule)) {

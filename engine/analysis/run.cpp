@@ -201,7 +201,7 @@ class Run {
   /// The current state as the next frame.
   FrameRecord nextFrame() {
     FrameRecord frame = makeFrame(scene_, *simulation_->model, simulation_->projections, summary_.frames,
-                                  step_, state().time, state().x);
+                                  step_, state().time, state().x, team_);
     if constexpr (Dim == 2)
       if (rezoner_) frame.mesh = rezoner_->frameMesh(*simulation_, frame.displacement);
     output_.accept(frame);

@@ -145,7 +145,8 @@ void RunHistory<Dim>::addBodies(StateQuantities& next) {
     next.plasticWork += body.plasticWork;
     next.minJ = std::min(next.minJ, body.minJ);
     if (bulk.points().hasField(kPlasticStrain)) {
-      const Eigen::VectorXd strain = bulk.points().field(kPlasticStrain).row(0);
+      const Eigen::VectorXd strain =
+          bulk.portion().whole(bulk.points().field(kPlasticStrain), Receivers::All).row(0);
       body.maxPlasticStrain = strain.maxCoeff();
       next.maxPlasticStrain = std::max(next.maxPlasticStrain, body.maxPlasticStrain);
       const Stopwatch stopwatch(projectionSeconds_);
@@ -226,7 +227,9 @@ template <int Dim>
 Extremes RunHistory<Dim>::projectedVonMises() const {
   Extremes all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (std::size_t k = 0; k < model_.bodies().size(); ++k) {
-    const Eigen::MatrixXd mises = quadratureFields(*model_.bodies()[k].bulk, "").at("von_mises").values;
+    const BulkTerm<Dim>& bulk = *model_.bodies()[k].bulk;
+    const Eigen::MatrixXd mises =
+        bulk.portion().whole(quadratureFields(bulk, "").at("von_mises").values, Receivers::All);
     const Extremes found = extremes_[k](projections_[k].project(mises.transpose()).col(0));
     all = {std::min(all.min, found.min), std::max(all.max, found.max)};
   }

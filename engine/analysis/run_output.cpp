@@ -92,11 +92,15 @@ void RunOutput::appendConvergence(int number, const StepReport& step) {
 }
 
 void RunOutput::accept(const FrameRecord& frame) {
+  const std::string place = fmt::format("the frame at t = {:.6g}", frame.time);
+  std::string refusal;
   try {
-    checkFrame(frame, model_, fmt::format("the frame at t = {:.6g}", frame.time));
+    if (team_.isFirst()) checkFrame(frame, model_, place);
   } catch (const Error& error) {
-    throw RunError(error.what());
+    refusal = error.what();
   }
+  if (team_.any(!refusal.empty()))
+    throw RunError(team_.isFirst() ? refusal : fmt::format("{}: the first rank has refused it", place));
   lastFrameTime_ = frame.time;
 }
 

@@ -41,7 +41,8 @@ class RunOutput {
   /// Appends the residuals of a step; number: from t = 0 on.
   void appendConvergence(int number, const StepReport& step);
 
-  /// The next frame is this one, which is not written yet. Throws `RunError` if a value of it is not finite.
+  /// The next frame is this one, which is not written yet. Throws `RunError` if the first rank's has a value
+  /// that is not finite.
   void accept(const FrameRecord& frame);
   bool hasFrameAt(double time) const { return lastFrameTime_ == time; }
 

@@ -49,6 +49,17 @@ std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<Dim>& bulk,
   return fields;
 }
 
+std::map<std::string, FieldRecord> whole(const Portion& portion, std::map<std::string, FieldRecord> fields,
+                                         Receivers receivers) {
+  bool isHere = true;
+  for (auto& [name, field] : fields) {
+    field.values = portion.whole(std::move(field.values), receivers);
+    isHere = field.values.cols() == portion.count();
+  }
+  if (!isHere) fields.clear();
+  return fields;
+}
+
 template <int Dim>
 std::map<std::string, FieldRecord> projected(const Projection<Dim>& projection,
                                              std::map<std::string, FieldRecord> fields) {

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Fields of the accepted state at the quadrature points, points x components:
+/// Fields of the accepted state at the quadrature points of the body's portion, components x points:
 ///   stress      Cauchy σ = τ/J, components xx yy xy zz (2D) or xx yy zz xy yz zx
 ///   von_mises   from σ
 ///   pressure    −⅓ tr σ, all three normal components
@@ -16,7 +16,12 @@ namespace burnish {
 template <int Dim>
 std::map<std::string, FieldRecord> quadratureFields(const BulkTerm<Dim>& bulk, const std::string& stressUnit);
 
-/// The same fields projected: coefficients, components x nodes.
+/// Fields at all quadrature points from those of each rank's portion; to be called by all ranks. A rank that is
+/// not to have them has none.
+std::map<std::string, FieldRecord> whole(const Portion& portion, std::map<std::string, FieldRecord> fields,
+                                         Receivers receivers);
+
+/// Fields at all quadrature points projected: coefficients, components x nodes.
 template <int Dim>
 std::map<std::string, FieldRecord> projected(const Projection<Dim>& projection,
                                              std::map<std::string, FieldRecord> fields);

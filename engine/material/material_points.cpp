@@ -37,6 +37,28 @@ const double* setNumbers(State& state, const double* numbers) {
   return numbers;
 }
 
+/// The states of all points under one name, point by point.
+template <class State>
+void archiveStates(StateArchive& archive, const Portion& portion, std::vector<State>& states) {
+  std::vector<double> list;
+  State any;
+  addNumbers(any, list);
+  const Eigen::Index width = std::ssize(list);  // numbers of a state
+  list.clear();
+  for (auto& state : states) addNumbers(state, list);
+  Eigen::MatrixXd numbers = Eigen::Map<Eigen::MatrixXd>(list.data(), width, std::ssize(states));
+  if (archive.restores())
+    numbers.resize(width, portion.count());
+  else
+    numbers = portion.whole(std::move(numbers), Receivers::First);
+  Eigen::VectorXd all = numbers.reshaped();
+  archive.fixedField("history", all);
+  if (!archive.restores()) return;
+  numbers = portion.part(all.reshaped(width, portion.count()));
+  const double* next = numbers.data();
+  for (auto& state : states) next = setNumbers(state, next);
+}
+
 }  // namespace
 
 MaterialPoints::MaterialPoints(Material material, std::size_t count)
@@ -45,7 +67,8 @@ MaterialPoints::MaterialPoints(Material material, std::size_t count)
             const std::vector<typename Law::State> states(count);
             return MaterialLaws::Each<PointsOf>(PointsOf<Law>{std::move(law), states, states});
           },
-          material)) {}
+          material)),
+      portion_(static_cast<Eigen::Index>(count)) {}
 
 Material MaterialPoints::material() const {
   return visit([](const auto& points) { return Material(points.law); });
@@ -63,35 +86,17 @@ void MaterialPoints::accept() {
   visit([](auto& points) { points.accepted = points.trial; });
 }
 
-void MaterialPoints::exchangeTrial(const Team& team, const Shares& shares) {
-  visit([&]<class Law>(PointsOf<Law>& points) {
-    if constexpr (!std::is_empty_v<typename Law::State>) {
-      std::vector<double> numbers;
-      typename Law::State any;
-      addNumbers(any, numbers);
-      exchange(
-          team, shares, static_cast<int>(numbers.size()),
-          [&](int q, double* to) {
-            numbers.clear();
-            addNumbers(points.trial[static_cast<std::size_t>(q)], numbers);
-            std::copy(numbers.begin(), numbers.end(), to);
-          },
-          [&](int q, const double* from) { setNumbers(points.trial[static_cast<std::size_t>(q)], from); });
-    }
+void MaterialPoints::divide(Portion portion) {
+  portion_ = std::move(portion);
+  visit([&](auto& points) {
+    portion_.reduce(points.accepted);
+    portion_.reduce(points.trial);
   });
 }
 
 void MaterialPoints::archive(StateArchive& archive) {
   visit([&]<class Law>(PointsOf<Law>& points) {
-    if constexpr (!std::is_empty_v<typename Law::State>) {
-      std::vector<double> list;
-      for (auto& state : points.accepted) addNumbers(state, list);
-      Eigen::VectorXd numbers = Eigen::Map<Eigen::VectorXd>(list.data(), std::ssize(list));
-      archive.fixedField("history", numbers);
-      const double* next = numbers.data();
-      if (archive.restores())
-        for (auto& state : points.accepted) next = setNumbers(state, next);
-    }
+    if constexpr (!std::is_empty_v<typename Law::State>) archiveStates(archive, portion_, points.accepted);
     if constexpr (RateDependent<Law>) {
       archive.field("time", time_);
       archive.field("last_step", lastStep_);

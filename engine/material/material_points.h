@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "engine/core/shares.h"
+#include "engine/core/portion.h"
 #include "engine/core/state_archive.h"
 #include "engine/material/material.h"
 
@@ -56,16 +56,18 @@ class MaterialPoints {
 
   Material material() const;
 
+  /// From now on keeps the states of some of the points alone; what follows has those, but for the archive.
+  void divide(Portion portion);
+  const Portion& portion() const { return portion_; }
+
   /// To be called before an evaluation at the time t.
   void startEvaluation(double t);
 
   /// Makes the states of the last evaluation the accepted ones.
   void accept();
 
-  /// Has the states of the last evaluation that are other ranks'.
-  void exchangeTrial(const Team& team, const Shares& points);
-
-  /// The accepted states, and the time where the law asks for it.
+  /// The accepted states of all points, and the time where the law asks for it. To be called by all ranks that
+  /// the points are divided among; the first one saves the states.
   void archive(StateArchive& archive);
 
   /// Fields that the law makes of a state.
@@ -83,6 +85,7 @@ class MaterialPoints {
 
  private:
   MaterialLaws::Each<PointsOf> points_;
+  Portion portion_;
   double time_ = std::numeric_limits<double>::quiet_NaN();  ///< of the accepted states; none before the first
   double trialTime_ = time_;
   double lastStep_ = std::numeric_limits<double>::infinity();

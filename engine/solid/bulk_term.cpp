@@ -58,8 +58,10 @@ BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material
   stress_.assign(points, Stress::Zero());
   J_.assign(points, 1.0);
   spanSummaries_.resize(groups_.size());
-  for (const auto& span : quadrature.spans())
+  for (const auto& span : quadrature.spans()) {
     weights_.segment(span.firstPoint, span.weights.size()) = span.weights;
+    firstPoints_.push_back(span.firstPoint);
+  }
   if (!reference) return;
   assert(reference->stretch.size() == points);
   assert(reference->weights.size() == weights_.size());
@@ -105,30 +107,42 @@ double BulkTerm<Dim>::largestStretch(const Eigen::VectorXd& x) const {
 }
 
 template <int Dim>
+bool BulkTerm<Dim>::isWorkedOn(std::size_t span) const {
+  return std::any_of(groups_[span].begin(), groups_[span].end(),
+                     [&](int unknown) { return division_.isOwn(unknown); });
+}
+
+template <int Dim>
 void BulkTerm<Dim>::divideAmong(const Team& team, const Division& division) {
   team_ = &team;
   division_ = division;
   std::vector<std::vector<int>> spansOf(static_cast<std::size_t>(team.size()));
+  std::vector<int> kept, own;  // points
   for (std::size_t e = 0; e < groups_.size(); ++e) {
-    const int owner = division.ownerOf(*std::min_element(groups_[e].begin(), groups_[e].end()));
+    const int owner = division.ownerOf(groups_[e].front());
     spansOf[static_cast<std::size_t>(owner)].push_back(static_cast<int>(e));
+    firstPoints_[e] = isWorkedOn(e) ? static_cast<int>(kept.size()) : -1;
+    if (firstPoints_[e] < 0) continue;
+    const auto& span = quadrature_.spans()[e];
+    for (int q = 0; q < span.weights.size(); ++q) {
+      if (owner == team.rank()) own.push_back(static_cast<int>(kept.size()));
+      kept.push_back(span.firstPoint + q);
+    }
   }
   for (const auto& spans : spansOf) {
-    for (const int e : spans) {
-      shareOfSpans_.items.push_back(e);
-      const auto& span = quadrature_.spans()[static_cast<std::size_t>(e)];
-      for (int q = 0; q < span.weights.size(); ++q) shareOfPoints_.items.push_back(span.firstPoint + q);
-    }
+    shareOfSpans_.items.insert(shareOfSpans_.items.end(), spans.begin(), spans.end());
     shareOfSpans_.begins.push_back(static_cast<int>(shareOfSpans_.items.size()));
-    shareOfPoints_.begins.push_back(static_cast<int>(shareOfPoints_.items.size()));
   }
   // Those that are left add up in the order of all.
   for (auto& batches : colours_)
     for (auto& batch : batches)
-      std::erase_if(batch, [&](int e) {
-        const auto& unknowns = groups_[static_cast<std::size_t>(e)];
-        return std::none_of(unknowns.begin(), unknowns.end(), [&](int k) { return division.isOwn(k); });
-      });
+      std::erase_if(batch, [&](int e) { return firstPoints_[static_cast<std::size_t>(e)] < 0; });
+
+  points_.divide({team, quadrature_.numPoints(), std::move(kept), std::move(own)});
+  portion().reduce(stress_);
+  portion().reduce(J_);
+  if (!stretch_.empty()) portion().reduce(stretch_);
+  weights_ = portion().part(weights_.transpose()).transpose();
 }
 
 template <int Dim>
@@ -142,7 +156,11 @@ int BulkTerm<Dim>::numWorkedOn() const {
 template <int Dim>
 bool BulkTerm<Dim>::conclude(bool admissible, Assembly& out) {
   if (!team_->all(admissible)) return false;
-  if (!team_->isAlone()) team_->gather(asSpan(out.force), division_.begins);
+  if (!team_->isAlone()) {
+    Eigen::VectorXd ordered = out.force(division_.order);
+    team_->gather(asSpan(ordered), division_.begins);
+    out.force(division_.order) = ordered;
+  }
   exchange(
       *team_, shareOfSpans_, 3,
       [&](int e, double* to) {
@@ -152,25 +170,8 @@ bool BulkTerm<Dim>::conclude(bool admissible, Assembly& out) {
       [&](int e, const double* from) {
         spanSummaries_[static_cast<std::size_t>(e)] = {from[0], from[1], from[2]};
       });
-  if (out.system == nullptr) exchangePoints();
   summarise();
   return true;
-}
-
-template <int Dim>
-void BulkTerm<Dim>::exchangePoints() {
-  points_.exchangeTrial(*team_, shareOfPoints_);
-  exchange(
-      *team_, shareOfPoints_, kVoigt<Dim> + 1,
-      [&](int q, double* to) {
-        const auto point = static_cast<std::size_t>(q);
-        *std::copy(stress_[point].begin(), stress_[point].end(), to) = J_[point];
-      },
-      [&](int q, const double* from) {
-        const auto point = static_cast<std::size_t>(q);
-        std::copy_n(from, kVoigt<Dim>, stress_[point].begin());
-        J_[point] = from[kVoigt<Dim>];
-      });
 }
 
 template <int Dim>
@@ -185,7 +186,6 @@ void BulkTerm<Dim>::summarise() {
 
 template <int Dim>
 void BulkTerm<Dim>::accept() {
-  exchangePoints();
   points_.accept();
   plasticWork_ += summary_.plasticWorkIncrement;
 }

@@ -26,9 +26,9 @@ struct BulkSummary {
 };
 
 /// The body's resistance, total Lagrangian: history and stresses at the quadrature points, which all
-/// formulations share. Each of several ranks works on the spans that touch its unknowns, and is handed forces
-/// and sums by the others with every evaluation, histories and stresses where the tangent is not asked for and
-/// with every accepted state.
+/// formulations share. Each of several ranks works on the spans that touch its unknowns, keeps what is known of
+/// their points alone, and is handed forces and sums by the others with every evaluation. Spans next to the
+/// border of a rank's unknowns are worked on by both sides, which find the same bits.
 template <int Dim>
 class BulkTerm : public Term {
  public:
@@ -47,20 +47,24 @@ class BulkTerm : public Term {
   /// Dissipated by plastic flow up to the last accepted state.
   double plasticWork() const { return plasticWork_; }
 
-  /// The law with its accepted states, one per quadrature point.
+  /// The quadrature points that this rank works on, of all of the body.
+  const Portion& portion() const { return points_.portion(); }
+
+  /// The law with its accepted states, one per quadrature point of the portion.
   const MaterialPoints& points() const { return points_; }
 
-  /// Kirchhoff stress τ = J σ (components of `kVoigt`) and J = det F V_e at the quadrature points of the last
+  /// Kirchhoff stress τ = J σ (components of `kVoigt`) and J = det F V_e at the portion's points in the last
   /// evaluated state, with σ the Cauchy stress that the law answers.
   const std::vector<Stress>& kirchhoffStress() const { return stress_; }
   const std::vector<double>& jacobians() const { return J_; }
 
   Material material() const { return points_.material(); }
 
-  /// Weights of the quadrature points by stress-free volume.
+  /// Weights of the portion's points by stress-free volume.
   const Eigen::VectorXd& weights() const { return weights_; }
 
-  /// What goes along to a new reference configuration: the accepted state with displacements x.
+  /// What goes along to a new reference configuration: the accepted state with displacements x. This and what
+  /// follows is for a process alone.
   PointStates carried(const Eigen::VectorXd& x) const { return points_.carried(gradientsOfLaw(x)); }
 
   /// Largest principal stretch since the reference configuration, over quadrature points.
@@ -106,6 +110,9 @@ class BulkTerm : public Term {
     if (out.system != nullptr) out.system->add(out.term, number, kernel.tangent());
   }
 
+  /// Where the points of a span begin among those of the portion.
+  int firstPoint(std::size_t span) const { return firstPoints_[span]; }
+
   /// To be called at the end of an evaluation in which all spans that this rank works on were admissible or not:
   /// has of other ranks what is theirs and makes the summary of the body. Returns whether all are admissible.
   bool conclude(bool admissible, Assembly& out);
@@ -128,8 +135,8 @@ class BulkTerm : public Term {
   template <class F>
   void forEachGradient(const Eigen::VectorXd& x, const F& f) const;
 
-  /// Has trial states and stresses of other ranks.
-  void exchangePoints();
+  /// Whether a span touches an unknown that this rank answers for.
+  bool isWorkedOn(std::size_t span) const;
 
   std::vector<Eigen::Matrix3d> stretch_;  ///< V_e of the reference state; empty: one everywhere
   BulkSummary summary_;
@@ -137,7 +144,8 @@ class BulkTerm : public Term {
 
   const Team* team_ = &alone();
   Division division_;
-  Shares shareOfSpans_, shareOfPoints_;  ///< empty for one rank
+  Shares shareOfSpans_;           ///< empty for one rank
+  std::vector<int> firstPoints_;  ///< per span; -1 where it is left to other ranks
 };
 
 /// Displacement unknowns of nodes, node by node.

@@ -30,6 +30,7 @@ bool DisplacementTerm<Dim>::evaluateSpan(PointsOf<Law>& points, std::size_t numb
                                          Assembly& out, Workspace<K>& work) {
   constexpr int C = kColumns<K>;
   const auto& span = this->quadrature_.spans()[number];
+  const int firstPoint = this->firstPoint(number);
   const Eigen::Index Q = span.weights.size();
   const bool wantTangent = out.system != nullptr;
   gatherNodes<Dim>(x, span.nodes, work.u);
@@ -41,9 +42,9 @@ bool DisplacementTerm<Dim>::evaluateSpan(PointsOf<Law>& points, std::size_t numb
   for (Eigen::Index q = 0; q < Q; ++q) {
     const auto G = gradients.template middleCols<C>(C * q);
     const Eigen::Matrix3d F = deformationGradient<K>(work.u, G);
-    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    const auto point = static_cast<std::size_t>(firstPoint + q);
     const double J = volumeRatio<K>(F) * this->referenceVolumeRatio(point);
-    const double w = this->weights_(span.firstPoint + q);
+    const double w = this->weights_(firstPoint + q);
     if (!(J > 0.0) || !this->respond(points, point, w, this->elasticGradient(point, F), response, summary))
       return false;
     summary.minJ = std::min(summary.minJ, J);

@@ -2,6 +2,8 @@
 #include <Eigen/Sparse>
 #include <vector>
 
+#include "engine/solver/division.h"
+
 namespace burnish {
 
 /// Nested spaces of displacements, from the finest to the coarsest. Each matrix makes coefficients on one
@@ -10,6 +12,7 @@ struct Hierarchy {
   using Prolongation = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
   std::vector<Prolongation> prolongations;
+  std::vector<NodeGrid> grids;  ///< whose displacements the finest level has
 };
 
 }  // namespace burnish

@@ -22,7 +22,7 @@ struct LinearProblem {
   const Hierarchy* hierarchy =
       nullptr;                  ///< of the first unknowns; must outlive the solver. Null: none is known
   const Team* team = &alone();  ///< that solves the systems together; must outlive the solver
-  std::vector<int> begins{};    ///< of several ranks: where the rows of K of each begin, and their number
+  Division rows{};              ///< of several ranks: of K, whose rows are in the order of the division
 };
 
 /// How well a system is to be solved by a method that comes nearer and nearer.

@@ -32,7 +32,7 @@ TangentKind tangentKind(const std::vector<Term*>& terms) {
 /// Free unknowns with numbers below a limit.
 std::ptrdiff_t numFreeBelow(const SparseSystem& system, int limit) {
   const auto& unknowns = system.freeUnknowns();
-  return std::lower_bound(unknowns.begin(), unknowns.end(), limit) - unknowns.begin();
+  return std::count_if(unknowns.begin(), unknowns.end(), [&](int unknown) { return unknown < limit; });
 }
 
 /// Unknowns that K of the tangent is over: those of the hierarchy of meshes where there is one, else all with
@@ -44,6 +44,16 @@ int numLeading(const std::vector<bool>& prescribed, int numForces,
   int end = 0;
   for (; left > 0; ++end) left -= prescribed.at(static_cast<std::size_t>(end)) ? 0 : 1;
   return end;
+}
+
+/// The tangent of terms, divided among the ranks of the team.
+SparseSystem systemOf(const std::vector<Term*>& terms, const std::vector<bool>& prescribed, int numForces,
+                      const std::optional<Hierarchy>& hierarchy, const Team& team) {
+  const std::vector<CouplingGroups> groups = couplingsOf(terms, hierarchy.has_value());
+  const int leading = numLeading(prescribed, numForces, hierarchy);
+  if (team.isAlone()) return {prescribed, groups, leading};
+  return {prescribed, groups, leading,
+          divideUnknowns(groups, prescribed, leading, hierarchy->grids, team.rank(), team.size())};
 }
 
 /// Ranks decide alike only from the same bits: processors of different kinds may round differently.
@@ -84,11 +94,10 @@ Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualS
       options_(std::move(options)),
       hierarchy_(std::move(hierarchy)),
       team_(team),
-      system_(prescribed, couplingsOf(terms_, hierarchy_.has_value()),
-              numLeading(prescribed, scales_.numForces, hierarchy_), team.rank(), team.size()),
+      system_(systemOf(terms_, prescribed, scales_.numForces, hierarchy_, team)),
       linear_(makeLinearSolver(options_.linear,
                                {numFreeBelow(system_, scales_.numForces), tangentKind(terms_),
-                                hierarchy_ ? &*hierarchy_ : nullptr, &team, system_.leadingBegins()})),
+                                hierarchy_ ? &*hierarchy_ : nullptr, &team, system_.leadingDivision()})),
       inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);

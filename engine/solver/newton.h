@@ -62,7 +62,7 @@ enum class FirstTangent {
 class Newton {
  public:
   /// `prescribed`: one flag per unknown. hierarchy: nested spaces of the free displacement components, for
-  /// solvers that need them. team: that does this together. Terms and team must outlive the object.
+  /// solvers that need them, as several ranks do. team: that does this together. Terms and team must outlive the object.
   Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales, NewtonOptions options,
          std::optional<Hierarchy> hierarchy = {}, const Team& team = alone());
 

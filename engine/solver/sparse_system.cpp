@@ -36,33 +36,31 @@ int firstFrom(int entry, const Eigen::SparseMatrix<double>& matrix, int row, int
 }  // namespace
 
 SparseSystem::SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups,
-                           int numLeading, int rank, int ranks)
+                           int numLeading, std::optional<Division> division)
     : prescribed_(std::move(prescribed)),
       numLeading_(numLeading),
       equations_(prescribed_.size(), -1),
-      division_(divideUnknowns(termGroups, prescribed_, numLeading, rank, ranks)) {
-  for (std::size_t i = 0; i < prescribed_.size(); ++i)
-    if (!prescribed_[i]) {
-      equations_[i] = static_cast<int>(free_.size());
-      free_.push_back(static_cast<int>(i));
-    }
-  const std::vector<int> begins = leadingBegins();
-  firstEquation_ = begins[static_cast<std::size_t>(rank)];
-  numFreeLeading_ = begins.back();
+      division_(division ? std::move(*division) : undivided(numUnknowns())) {
+  for (const int unknown : division_.order) {
+    if (isPrescribed(unknown)) continue;
+    equations_[static_cast<std::size_t>(unknown)] = static_cast<int>(free_.size());
+    free_.push_back(unknown);
+    if (unknown >= numLeading_) continue;
+    ++numFreeLeading_;
+    if (division_.ownerOf(unknown) < division_.rank) ++firstEquation_;
+  }
   for (const auto& groups : termGroups) {
     auto& sorted = groups_.emplace_back();
-    for (const auto& group : groups) sorted.push_back(sortedGroup(group));
+    for (const auto& group : groups) sorted.push_back(isKept(group) ? sortedGroup(group) : Group{});
   }
   makePattern();
 }
 
-std::vector<int> SparseSystem::leadingBegins() const {
-  std::vector<int> begins;
-  for (const int unknown : division_.begins) {
-    const auto behind = std::lower_bound(free_.begin(), free_.end(), std::min(unknown, numLeading_));
-    begins.push_back(static_cast<int>(behind - free_.begin()));
-  }
-  return begins;
+Division SparseSystem::leadingDivision() const {
+  std::vector<int> owners;
+  for (int unknown = 0; unknown < std::min(numLeading_, numUnknowns()); ++unknown)
+    if (!isPrescribed(unknown)) owners.push_back(division_.ownerOf(unknown));
+  return {std::move(owners), division_.rank, division_.ranks()};
 }
 
 SparseSystem::Kind SparseSystem::kindOf(int unknown) const {
@@ -75,6 +73,12 @@ int SparseSystem::columnOfK(int unknown) const {
   return kindOf(unknown) == Kind::Own ? equationOf(unknown) - firstEquation_ : -1;
 }
 
+bool SparseSystem::isKept(const std::vector<int>& unknowns) const {
+  return std::any_of(unknowns.begin(), unknowns.end(), [&](int unknown) {
+    return division_.isOwn(unknown) || kindOf(unknown) == Kind::Border;
+  });
+}
+
 SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) const {
   const auto at = [&](int place) { return unknowns[static_cast<std::size_t>(place)]; };
   Group group;
@@ -84,7 +88,8 @@ SparseSystem::Group SparseSystem::sortedGroup(const std::vector<int>& unknowns) 
   for (const int place : group.order) {
     auto& runs = group.runs;
     if (runs.empty() || at(place) != runs.back().first + runs.back().length ||
-        kindOf(at(place)) != kindOf(runs.back().first))
+        kindOf(at(place)) != kindOf(runs.back().first) ||
+        division_.ownerOf(at(place)) != division_.ownerOf(runs.back().first))
       runs.push_back({at(place), 0});  // also where an unknown stands in the group a second time
     ++runs.back().length;
   }
@@ -136,6 +141,7 @@ void SparseSystem::makePattern() {
         ofRest.rows.push_back(row);
     }
     if (kind == Kind::Own) {
+      std::sort(elsewhere.rows.begin() + elsewhere.begins.back(), elsewhere.rows.end());
       here.endColumn();
       elsewhere.endColumn();
     }
@@ -164,8 +170,7 @@ void SparseSystem::findStarts(Group& group) const {
   group.starts.reserve(unknowns.size() * group.runs.size());
   for (const int column : unknowns) {
     const int ofK = columnOfK(column);
-    int here = ofK >= 0 ? K_.outerIndexPtr()[ofK] : 0,
-        elsewhere = ofK >= 0 ? elsewhere_.outerIndexPtr()[ofK] : 0, inRest = rest_.outerIndexPtr()[column];
+    int here = ofK >= 0 ? K_.outerIndexPtr()[ofK] : 0, inRest = rest_.outerIndexPtr()[column];
     const bool isKept = division_.isOwn(column) || kindOf(column) == Kind::Border;
     for (const Run& run : group.runs) {
       const Kind kind = kindOf(run.first);
@@ -173,8 +178,8 @@ void SparseSystem::findStarts(Group& group) const {
         here = firstFrom(here, K_, equationOf(run.first) - firstEquation_, ofK);
         group.starts.push_back(here);
       } else if (ofK >= 0 && kind == Kind::Elsewhere) {
-        elsewhere = firstFrom(elsewhere, elsewhere_, equationOf(run.first), ofK);
-        group.starts.push_back(numHere_ + elsewhere);
+        const int begin = elsewhere_.outerIndexPtr()[ofK];
+        group.starts.push_back(numHere_ + firstFrom(begin, elsewhere_, equationOf(run.first), ofK));
       } else if (isKept || kind == Kind::Border) {
         inRest = firstFrom(inRest, rest_, run.first, column);
         group.starts.push_back(~inRest);
@@ -339,7 +344,7 @@ SystemBorder SparseSystem::border() const {
 
 Eigen::VectorXd SparseSystem::timesPrescribed(const Eigen::VectorXd& increments) const {
   Eigen::VectorXd product = Eigen::VectorXd::Zero(numUnknowns());
-  for (int column = division_.first(); column < division_.end(); ++column)
+  for (const int column : division_.own())
     if (isPrescribed(column)) product += rest_.col(column) * increments(column);
   if (products_.empty()) return product;
   Eigen::VectorXd prescribed = increments;
@@ -349,8 +354,8 @@ Eigen::VectorXd SparseSystem::timesPrescribed(const Eigen::VectorXd& increments)
 }
 
 Eigen::VectorXd SparseSystem::timesMagnitudes(const Eigen::VectorXd& magnitudes) const {
-  const int first = division_.first(), columns = division_.end() - first;
-  Eigen::VectorXd product = rest_.middleCols(first, columns).cwiseAbs() * magnitudes.segment(first, columns);
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(numUnknowns());
+  for (const int column : division_.own()) product += rest_.col(column).cwiseAbs() * magnitudes(column);
   const auto here = Eigen::Map<const Eigen::VectorXi>(free_.data() + firstEquation_, K_.cols());
   product(here) += K_.cwiseAbs() * magnitudes(here);
   const auto all = Eigen::Map<const Eigen::VectorXi>(free_.data(), elsewhere_.rows());

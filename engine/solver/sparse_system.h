@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "engine/solver/coupling_groups.h"
@@ -28,18 +29,20 @@ class SparseSystem final : public SystemMatrix {
   };
 
   /// One list of groups per term. `prescribed`: one flag per unknown; numLeading: the first unknowns, those
-  /// behind them are the border; all where left out. The columns of this rank, of several, are such that all
-  /// ranks have as many entries of K.
+  /// behind them are the border; all where left out. division: of the unknowns among ranks, the border being the
+  /// last one's; none for a process alone.
   SparseSystem(std::vector<bool> prescribed, const std::vector<CouplingGroups>& termGroups,
-               int numLeading = std::numeric_limits<int>::max(), int rank = 0, int ranks = 1);
+               int numLeading = std::numeric_limits<int>::max(), std::optional<Division> division = {});
 
   const Division& division() const { return division_; }
 
-  /// Where the columns of each rank begin in K, and their number.
-  std::vector<int> leadingBegins() const;
+  /// The division of the free leading unknowns, numbered from 0 on; its order is that of the columns of K.
+  Division leadingDivision() const;
 
   int numUnknowns() const { return static_cast<int>(prescribed_.size()); }
   bool isPrescribed(int unknown) const { return prescribed_[static_cast<std::size_t>(unknown)]; }
+
+  /// In the order of linear systems: that of the division, with the border behind. Ascending for a process alone.
   const std::vector<int>& freeUnknowns() const { return free_; }
 
   void setZero();
@@ -94,7 +97,7 @@ class SparseSystem final : public SystemMatrix {
   /// What an unknown is for the tangent.
   enum class Kind { Own, Elsewhere, Border, Prescribed };
 
-  /// Consecutive unknowns of a group, of one kind: entries that follow each other in every column.
+  /// Consecutive unknowns of a group, of one kind and rank: entries that follow each other in every column.
   struct Run {
     int first;
     int length;
@@ -115,6 +118,9 @@ class SparseSystem final : public SystemMatrix {
 
   /// The number of a column among those of K that this rank has; -1 if it is none of them.
   int columnOfK(int unknown) const;
+
+  /// Whether any entry between unknowns is kept.
+  bool isKept(const std::vector<int>& unknowns) const;
   Group sortedGroup(const std::vector<int>& unknowns) const;
   void makePattern();
   void findWhole();
@@ -138,7 +144,7 @@ class SparseSystem final : public SystemMatrix {
   int numFreeLeading_ = 0;
   Division division_;
   int firstEquation_ = 0;                   ///< of this rank's columns
-  std::vector<std::vector<Group>> groups_;  ///< per term
+  std::vector<std::vector<Group>> groups_;  ///< per term; empty where nothing of them is kept
   Matrix K_;                                ///< over the free leading unknowns that are this rank's
   Matrix elsewhere_;                        ///< of the same columns, the other rows of K
   int numHere_ = 0;                         ///< entries of `K_`

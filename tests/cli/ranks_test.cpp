@@ -104,7 +104,23 @@ class Ranks : public ShellTest {
     return worst;
   }
 
-  /// Runs of 1, 2 and 3 processes have the same histories.
+  /// As `largestDifference`, of the fields of the last frames, over the largest value of each.
+  double largestDifferenceOfFields(const std::string& one, const std::string& other) const {
+    const ResultReader a(dir / one), b(dir / other);
+    const FrameRecord last = a.frame(a.numFrames() - 1), same = b.frame(b.numFrames() - 1);
+    double worst = 0.0;
+    const auto compare = [&](const auto& fields, const auto& others) {
+      EXPECT_EQ(fields.size(), others.size());
+      for (const auto& [name, field] : fields)
+        worst = std::max(worst, (field.values - others.at(name).values).cwiseAbs().maxCoeff() /
+                                    field.values.cwiseAbs().maxCoeff());
+    };
+    compare(last.fields, same.fields);
+    compare(last.quadrature.fields, same.quadrature.fields);
+    return worst;
+  }
+
+  /// Runs of 1, 2 and 3 processes have the same histories and fields.
   void expectSameResults(const std::string& scene) {
     write(scene);
     for (const int ranks : {1, 2, 3}) {
@@ -112,6 +128,7 @@ class Ranks : public ShellTest {
       ASSERT_EQ(outcome.code, 0) << outcome.err;
       EXPECT_EQ(outcome.out, "");
       EXPECT_LT(largestDifference("on1", fmt::format("on{}", ranks)), 1e-10) << ranks;
+      EXPECT_LT(largestDifferenceOfFields("on1", fmt::format("on{}", ranks)), 1e-9) << ranks;
     }
     EXPECT_EQ(shell(dir, "ls on1 | sort > 1; ls on3 | sort > 3; diff 1 3").out, "");
   }

@@ -77,16 +77,16 @@ class MultigridSolver::Implementation {
   explicit Implementation(const LinearProblem& problem) : kind_(problem.kind), team_(*problem.team) {
     const auto& prolongations = problem.hierarchy->prolongations;
     N_ = prolongations.empty() ? problem.leading : prolongations.front().rows();
-    begins_ = team_.isAlone() ? std::vector<int>{0, static_cast<int>(N_)} : problem.begins;
-    std::vector<int> begins = begins_;
-    for (const auto& P : prolongations) {
-      if (team_.isAlone()) {
-        prolongations_.push_back(view(P));
-        continue;
+    begins_ = team_.isAlone() ? std::vector<int>{0, static_cast<int>(N_)} : problem.rows.begins;
+    if (team_.isAlone()) {
+      for (const auto& P : prolongations) prolongations_.push_back(view(P));
+    } else {
+      Division rows = problem.rows;
+      for (const auto& P : prolongations) {
+        Division columns = coarseDivision(P, rows);
+        prolongations_.push_back(ownRows(P, rows, columns));
+        rows = std::move(columns);
       }
-      std::vector<int> coarse = coarseBegins(P, begins);
-      prolongations_.push_back(ownRows(P, begins, coarse));
-      begins = std::move(coarse);
     }
     const auto rank = static_cast<std::size_t>(team_.rank());
     first_ = begins_[rank];
@@ -235,39 +235,38 @@ class MultigridSolver::Implementation {
 
   MPI_Comm communicator() const { return team_.isAlone() ? PETSC_COMM_SELF : PETSC_COMM_WORLD; }
 
-  /// Where the coarse functions of each rank begin: those go with the rows that are in the middle of their own.
-  static std::vector<int> coarseBegins(const Hierarchy::Prolongation& P, const std::vector<int>& begins) {
-    std::vector<int> first(static_cast<std::size_t>(P.cols()), static_cast<int>(P.rows())),
-        last(first.size(), 0);
-    for (int row = 0; row < P.outerSize(); ++row)
+  /// Coarse functions go to the rank of the fine one that has most of them.
+  static Division coarseDivision(const Hierarchy::Prolongation& P, const Division& rows) {
+    std::vector<double> largest(static_cast<std::size_t>(P.cols()), 0.0);
+    std::vector<int> owners(largest.size(), 0);
+    for (int row = 0; row < P.rows(); ++row)
       for (Hierarchy::Prolongation::InnerIterator entry(P, row); entry; ++entry) {
         const auto column = static_cast<std::size_t>(entry.col());
-        first[column] = std::min(first[column], row);
-        last[column] = std::max(last[column], row);
+        if (entry.value() <= largest[column]) continue;
+        largest[column] = entry.value();
+        owners[column] = rows.ownerOf(row);
       }
-    std::vector<int> coarse;
-    for (const int begin : begins) {
-      int before = 0;
-      for (std::size_t column = 0; column < first.size(); ++column)
-        before += (first[column] + last[column]) / 2 < begin ? 1 : 0;
-      coarse.push_back(before);
-    }
-    coarse.back() = static_cast<int>(P.cols());
-    return coarse;
+    return {std::move(owners), rows.rank, rows.ranks()};
   }
 
-  /// This rank's rows of a prolongation, as the library has them.
-  petsc::Matrix ownRows(const Hierarchy::Prolongation& P, const std::vector<int>& rows,
-                        const std::vector<int>& columns) const {
-    const auto rank = static_cast<std::size_t>(team_.rank());
-    const int first = rows[rank], count = rows[rank + 1] - first;
-    const int* begins = P.outerIndexPtr() + first;
-    std::vector<PetscInt> starts;
-    for (int row = 0; row <= count; ++row) starts.push_back(begins[row] - begins[0]);
+  /// This rank's rows of a prolongation, as the library has them: rows and columns in the order of divisions.
+  static petsc::Matrix ownRows(const Hierarchy::Prolongation& P, const Division& rows,
+                               const Division& columns) {
+    std::vector<int> places(columns.order.size());  // of columns
+    for (std::size_t place = 0; place < places.size(); ++place)
+      places[static_cast<std::size_t>(columns.order[place])] = static_cast<int>(place);
+    const auto count = static_cast<int>(rows.own().size());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int row = 0; row < count; ++row)
+      for (Hierarchy::Prolongation::InnerIterator entry(P, rows.own()[static_cast<std::size_t>(row)]); entry;
+           ++entry)
+        entries.emplace_back(row, places[static_cast<std::size_t>(entry.col())], entry.value());
+    Hierarchy::Prolongation own(count, P.cols());
+    own.setFromTriplets(entries.begin(), entries.end());
     petsc::Matrix matrix;
-    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, count, columns[rank + 1] - columns[rank],
+    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, count, static_cast<PetscInt>(columns.own().size()),
                                     static_cast<PetscInt>(P.rows()), static_cast<PetscInt>(P.cols()),
-                                    starts.data(), P.innerIndexPtr() + begins[0], P.valuePtr() + begins[0],
+                                    own.outerIndexPtr(), own.innerIndexPtr(), own.valuePtr(),
                                     matrix.place()));
     return matrix;
   }
