@@ -158,7 +158,7 @@ struct OutputSpec {
   std::optional<double> every;  ///< a frame every so much time
   int subdivision = 4;          ///< cells per knot span and direction in VTU files and pictures
   bool vtu = true;
-  int pieces = 1;  ///< VTU files of each body and frame
+  int pieces = 1;          ///< VTU files of each body and frame
   bool reactions = false;  ///< columns of the history for the forces on supports
 };
 
