@@ -134,9 +134,9 @@ TEST_P(DividedAmong, RanksHaveTheColumnsAndForcesOfOneBitByBit) {
   EXPECT_LT((magnitudes - one.system.timesMagnitudes(sizes)).norm(), 1e-13 * magnitudes.norm());
   EXPECT_GT(spans, one.spans) << "spans at borders are assembled more than once";
   EXPECT_LT(spans, ranks * one.spans);
-  // As far as layers of nodes are not divided.
+  // As far as layers of nodes are not divided, of which blocks have two or three here.
   const double mean = std::accumulate(entries.begin(), entries.end(), 0.0) / ranks;
-  EXPECT_LT(*std::max_element(entries.begin(), entries.end()), 1.25 * mean);
+  EXPECT_LT(*std::max_element(entries.begin(), entries.end()), 1.3 * mean);
 }
 
 /// Has a term flow; returns its forces.
