@@ -1,5 +1,6 @@
 #include "engine/solver/cholesky.h"
 
+#include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -39,6 +40,16 @@ std::vector<int> orderAcrossLines(const Matrix& K) {
 
 }  // namespace
 
+struct Cholesky::Factors : Eigen::CholmodSupernodalLLT<Matrix, Eigen::Upper> {
+  double nonZeros = 0.0, operations = 0.0;
+
+  /// order: of the unknowns; null: what CHOLMOD finds.
+  void analyse(const Matrix& K, int* order);
+
+  /// Solves with one of the factors.
+  Eigen::MatrixXd apply(int which, Eigen::MatrixXd B);
+};
+
 Cholesky::Cholesky(const Matrix& K) : factors_(std::make_unique<Factors>()) {
   constexpr double kFew = 500.0;  // operations per entry of the factor, as in the plane
   factors_->analyse(K, nullptr);
@@ -47,6 +58,19 @@ Cholesky::Cholesky(const Matrix& K) : factors_(std::make_unique<Factors>()) {
   auto byLines = std::make_unique<Factors>();
   byLines->analyse(K, order.data());
   if (byLines->info() == Eigen::Success && byLines->operations < operations()) factors_ = std::move(byLines);
+}
+
+Cholesky::~Cholesky() = default;
+
+bool Cholesky::isAnalysed() const {
+  return factors_->info() == Eigen::Success;
+}
+
+double Cholesky::nonZeros() const {
+  return factors_->nonZeros;
+}
+double Cholesky::operations() const {
+  return factors_->operations;
 }
 
 bool Cholesky::factorise(const Matrix& K) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/CholmodSupport>
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 #include <memory>
@@ -15,9 +14,10 @@ class Cholesky {
   /// Analyses the pattern: in CHOLMOD's order of the unknowns, or where that takes few operations, as in the plane,
   /// line by line across a patch if this takes fewer.
   explicit Cholesky(const Matrix& K);
+  ~Cholesky();
 
   /// Not if memory has run out.
-  bool isAnalysed() const { return factors_->info() == Eigen::Success; }
+  bool isAnalysed() const;
 
   /// False if K is not positive definite.
   [[nodiscard]] bool factorise(const Matrix& K);
@@ -29,19 +29,11 @@ class Cholesky {
   Eigen::VectorXd backward(const Eigen::VectorXd& x);
 
   /// Of L, and of multiplications and additions to make it.
-  double nonZeros() const { return factors_->nonZeros; }
-  double operations() const { return factors_->operations; }
+  double nonZeros() const;
+  double operations() const;
 
  private:
-  struct Factors : Eigen::CholmodSupernodalLLT<Matrix, Eigen::Upper> {
-    double nonZeros = 0.0, operations = 0.0;
-
-    /// order: of the unknowns; null: what CHOLMOD finds.
-    void analyse(const Matrix& K, int* order);
-
-    /// Solves with one of the factors.
-    Eigen::MatrixXd apply(int which, Eigen::MatrixXd B);
-  };
+  struct Factors;
 
   std::unique_ptr<Factors> factors_;
 };
