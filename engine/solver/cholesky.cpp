@@ -43,6 +43,8 @@ std::vector<int> orderAcrossLines(const Matrix& K) {
 struct Cholesky::Factors : Eigen::CholmodSupernodalLLT<Matrix, Eigen::Upper> {
   double nonZeros = 0.0, operations = 0.0;
 
+  bool isAnalysed() const { return m_analysisIsOk != 0; }
+
   /// order: of the unknowns; null: what CHOLMOD finds.
   void analyse(const Matrix& K, int* order);
 
@@ -57,13 +59,13 @@ Cholesky::Cholesky(const Matrix& K) : factors_(std::make_unique<Factors>()) {
   std::vector<int> order = orderAcrossLines(K);
   auto byLines = std::make_unique<Factors>();
   byLines->analyse(K, order.data());
-  if (byLines->info() == Eigen::Success && byLines->operations < operations()) factors_ = std::move(byLines);
+  if (byLines->isAnalysed() && byLines->operations < operations()) factors_ = std::move(byLines);
 }
 
 Cholesky::~Cholesky() = default;
 
 bool Cholesky::isAnalysed() const {
-  return factors_->info() == Eigen::Success;
+  return factors_->isAnalysed();
 }
 
 double Cholesky::nonZeros() const {

@@ -88,6 +88,10 @@ TEST(Cholesky, SaysWhereAMatrixIsNotDefinite) {
     ASSERT_TRUE(factors.factorise(K));
     K.coeffRef(17, 17) = -1.0;
     EXPECT_FALSE(factors.factorise(K));
+    EXPECT_TRUE(factors.isAnalysed());
+    K.coeffRef(17, 17) = std::pow(2 * reach + 1, 2);
+    EXPECT_TRUE(factors.factorise(K));
+    EXPECT_LT(residual(factors, K), 1e-14);
   }
 }
 
