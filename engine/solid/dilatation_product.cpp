@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include "engine/solid/bulk_term.h"
 #include "engine/solid/parallel_spans.h"
 
 namespace burnish {
@@ -20,11 +19,11 @@ Matrix symmetricProduct(const Matrix& Z, const Matrix& C, const Matrix& E) {
 }  // namespace
 
 template <int Dim>
-DilatationProduct<Dim>::DilatationProduct(const SpanQuadrature<Dim>& quadrature,
+DilatationProduct<Dim>::DilatationProduct(const CouplingGroups& unknowns,
                                           const DilatationProjection<Dim>& projection,
                                           const std::vector<DilatationShare>& shares,
                                           const std::vector<SpanBatches>& batches)
-    : quadrature_(quadrature), projection_(projection), shares_(shares), batches_(batches) {
+    : unknowns_(unknowns), projection_(projection), shares_(shares), batches_(batches) {
   Eigen::Index begin = 0;
   for (const auto& span : projection.spans()) {
     begins_.push_back(begin);
@@ -60,7 +59,7 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
 
   Eigen::VectorXd Zx(begins_.back()), Cx(begins_.back());  // of each span
   forAll(spans.size(), [&](std::size_t e) {
-    Eigen::VectorXd ofSpan = x(unknownsOf<Dim>(quadrature_.spans()[e].nodes));
+    const Eigen::VectorXd ofSpan = x(unknowns_[e]);
     partOf(Zx, e).noalias() = shares_[e].Z.transpose() * ofSpan;
     partOf(Cx, e).noalias() = shares_[e].C.transpose() * ofSpan;
   });
@@ -76,7 +75,7 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
     const Eigen::VectorXd own = partOf(Zx, e).cwiseQuotient(averaged);
     const Eigen::VectorXd onZ = answer(functions) - (E * own + partOf(Cx, e)).cwiseQuotient(averaged);
     const Eigen::VectorXd onC = change(functions) - own;
-    y(unknownsOf<Dim>(quadrature_.spans()[e].nodes)) += Z * onZ + C * onC;
+    y(unknowns_[e]) += Z * onZ + C * onC;
     return true;
   });
 }
@@ -89,7 +88,7 @@ Eigen::SparseMatrix<double> DilatationProduct<Dim>::entries(const std::vector<in
   for (std::size_t e = 0; e < shares_.size(); ++e) {
     const DilatationShare& share = shares_[e];
     const auto& span = projection_.spans()[e];
-    const std::vector<int> unknowns = unknownsOf<Dim>(quadrature_.spans()[e].nodes);
+    const std::vector<int>& unknowns = unknowns_[e];
     const auto first = static_cast<int>(begins_[e]), m = static_cast<int>(span.functions.size());
     for (int a = 0; a < m; ++a) {
       const int function = span.functions[static_cast<std::size_t>(a)];

@@ -4,6 +4,7 @@
 
 #include "engine/solid/dilatation_projection.h"
 #include "engine/solid/parallel_spans.h"
+#include "engine/solver/coupling_groups.h"
 #include "engine/solver/tangent_product.h"
 
 namespace burnish {
@@ -28,8 +29,9 @@ struct DilatationShare {
 template <int Dim>
 class DilatationProduct final : public TangentProduct {
  public:
-  /// batches: of spans, those of one list without a common unknown. All must outlive the product.
-  DilatationProduct(const SpanQuadrature<Dim>& quadrature, const DilatationProjection<Dim>& projection,
+  /// unknowns: of each span, node by node; batches: of spans, those of one list without a common unknown. All must
+  /// outlive the product.
+  DilatationProduct(const CouplingGroups& unknowns, const DilatationProjection<Dim>& projection,
                     const std::vector<DilatationShare>& shares, const std::vector<SpanBatches>& batches);
 
   /// zᵀ E z + C z + zᵀ Cᵀ of a span: Dim·n x Dim·n.
@@ -39,7 +41,7 @@ class DilatationProduct final : public TangentProduct {
   Eigen::SparseMatrix<double> entries(const std::vector<int>& numbers, int size) const override;
 
  private:
-  const SpanQuadrature<Dim>& quadrature_;
+  const CouplingGroups& unknowns_;
   const DilatationProjection<Dim>& projection_;
   const std::vector<DilatationShare>& shares_;
   const std::vector<SpanBatches>& batches_;

@@ -128,7 +128,7 @@ CouplingGroups ProjectedTerm<Dim>::couplings() const {
 
 template <int Dim>
 void ProjectedTerm<Dim>::keepProducts() {
-  product_.emplace(this->quadrature_, projection_, shares_, this->colours_);
+  product_.emplace(this->groups_, projection_, shares_, this->colours_);
 }
 
 template <int Dim>

@@ -1,9 +1,10 @@
 #include "engine/solver/factor_size.h"
 
-#include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+
+#include "engine/solver/cholesky.h"
 
 namespace burnish {
 namespace {
@@ -33,11 +34,9 @@ Eigen::SparseMatrix<double> patternOf(const CouplingGroups& groups, int size) {
 
 FactorSize factorSize(const CouplingGroups& groups, int size, int blockSize) {
   if (size == 0) return {};
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Upper> analysis;
-  analysis.cholmod().print = 0;
-  analysis.analyzePattern(patternOf(groups, size));
+  const Cholesky analysis(patternOf(groups, size));
   const double rows = blockSize;
-  return {rows * rows * analysis.cholmod().lnz, rows * rows * rows * analysis.cholmod().fl};
+  return {rows * rows * analysis.nonZeros(), rows * rows * rows * analysis.operations()};
 }
 
 }  // namespace burnish

@@ -301,7 +301,6 @@ class MultigridSolver::Implementation {
   void makeCycle() {
     const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
     check(PCCreate(communicator(), cycle_.place()));
-    check(PCSetOperators(cycle_, A_->hasProducts() ? withProducts_ : K_, K_));
     check(PCSetType(cycle_, PCMG));
     check(PCSetUseAmat(cycle_, PETSC_FALSE));  // levels are those of the entries
     check(PCMGSetLevels(cycle_, levels, nullptr));
