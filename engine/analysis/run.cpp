@@ -312,11 +312,6 @@ void requireDivisible(const Scene& scene) {
     problems.push_back(
         {"solver.linear",
          "found direct, whose factors several processes cannot divide; allowed: multigrid, auto."});
-  for (std::size_t k = 0; k < scene.allBodies().size(); ++k)
-    if (scene.allBodies()[k].formulation == Formulation::ProjectedDilatation)
-      problems.push_back(
-          {scene.bodyKey(k, "formulation"),
-           "found fbar, whose tangent several processes cannot divide; allowed: displacement."});
   if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
 }
 

@@ -107,7 +107,7 @@ double BulkTerm<Dim>::largestStretch(const Eigen::VectorXd& x) const {
 }
 
 template <int Dim>
-bool BulkTerm<Dim>::isWorkedOn(std::size_t span) const {
+bool BulkTerm<Dim>::touchesOwn(std::size_t span) const {
   return std::any_of(groups_[span].begin(), groups_[span].end(),
                      [&](int unknown) { return division_.isOwn(unknown); });
 }
@@ -121,7 +121,7 @@ void BulkTerm<Dim>::divideAmong(const Team& team, const Division& division) {
   for (std::size_t e = 0; e < groups_.size(); ++e) {
     const int owner = division.ownerOf(groups_[e].front());
     spansOf[static_cast<std::size_t>(owner)].push_back(static_cast<int>(e));
-    firstPoints_[e] = isWorkedOn(e) ? static_cast<int>(kept.size()) : -1;
+    firstPoints_[e] = touchesOwn(e) ? static_cast<int>(kept.size()) : -1;
     if (firstPoints_[e] < 0) continue;
     const auto& span = quadrature_.spans()[e];
     for (int q = 0; q < span.weights.size(); ++q) {
@@ -146,11 +146,19 @@ void BulkTerm<Dim>::divideAmong(const Team& team, const Division& division) {
 }
 
 template <int Dim>
-int BulkTerm<Dim>::numWorkedOn() const {
-  std::size_t count = 0;
-  for (const auto& batches : colours_)
-    for (const auto& batch : batches) count += batch.size();
-  return static_cast<int>(count);
+std::vector<int> BulkTerm<Dim>::workedOn() const {
+  std::vector<int> spans;
+  for (std::size_t e = 0; e < firstPoints_.size(); ++e)
+    if (firstPoints_[e] >= 0) spans.push_back(static_cast<int>(e));
+  return spans;
+}
+
+template <int Dim>
+std::span<const int> BulkTerm<Dim>::own() const {
+  const auto rank = static_cast<std::size_t>(team_->rank());
+  return std::span(shareOfSpans_.items)
+      .subspan(static_cast<std::size_t>(shareOfSpans_.begins[rank]),
+               static_cast<std::size_t>(shareOfSpans_.begins[rank + 1] - shareOfSpans_.begins[rank]));
 }
 
 template <int Dim>

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/core/shares.h"
@@ -42,7 +43,7 @@ class BulkTerm : public Term {
   const BulkSummary& summary() const { return summary_; }
 
   /// Spans that this rank works on.
-  int numWorkedOn() const;
+  int numWorkedOn() const { return static_cast<int>(workedOn().size()); }
 
   /// Dissipated by plastic flow up to the last accepted state.
   double plasticWork() const { return plasticWork_; }
@@ -113,12 +114,16 @@ class BulkTerm : public Term {
   /// Where the points of a span begin among those of the portion.
   int firstPoint(std::size_t span) const { return firstPoints_[span]; }
 
+  /// Numbers of the spans that this rank works on, and of those among them that are its own, of no other rank.
+  std::vector<int> workedOn() const;
+  std::span<const int> own() const;
+
+  /// Whether all ranks have found their spans admissible.
+  bool allRanks(bool admissible) const { return team_->all(admissible); }
+
   /// To be called at the end of an evaluation in which all spans that this rank works on were admissible or not:
   /// has of other ranks what is theirs and makes the summary of the body. Returns whether all are admissible.
   bool conclude(bool admissible, Assembly& out);
-
-  /// Makes the summary of the body from those of the spans.
-  void summarise();
 
   const SpanQuadrature<Dim>& quadrature_;
   MaterialPoints points_;
@@ -136,7 +141,10 @@ class BulkTerm : public Term {
   void forEachGradient(const Eigen::VectorXd& x, const F& f) const;
 
   /// Whether a span touches an unknown that this rank answers for.
-  bool isWorkedOn(std::size_t span) const;
+  bool touchesOwn(std::size_t span) const;
+
+  /// Makes the summary of the body from those of the spans.
+  void summarise();
 
   std::vector<Eigen::Matrix3d> stretch_;  ///< V_e of the reference state; empty: one everywhere
   BulkSummary summary_;

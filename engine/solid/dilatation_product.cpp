@@ -42,9 +42,10 @@ Eigen::MatrixXd DilatationProduct<Dim>::ofSpan(std::size_t e) const {
 template <int Dim>
 void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
   const auto& spans = projection_.spans();
-  const auto forAll = [](std::size_t count, const auto& f) {
-    parallelAll(count, 64, [&](std::size_t i) {
-      f(i);
+  const auto& numbers = projection_.workedOn();
+  const auto forAll = [&](const auto& f) {
+    parallelAll(numbers.size(), 64, [&](std::size_t i) {
+      f(static_cast<std::size_t>(numbers[i]));
       return true;
     });
   };
@@ -52,21 +53,18 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
     return all.segment(begins_[e], begins_[e + 1] - begins_[e]);
   };
   const auto sumOver = [&](Eigen::VectorXd& all) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(projection_.numFunctions());
-    for (std::size_t e = 0; e < spans.size(); ++e) sum(spans[e].functions) += partOf(all, e);
-    return sum;
+    return projection_.sumOverSpans([&](std::size_t e) { return partOf(all, e); });
   };
 
   Eigen::VectorXd Zx(begins_.back()), Cx(begins_.back());  // of each span
-  forAll(spans.size(), [&](std::size_t e) {
+  forAll([&](std::size_t e) {
     const Eigen::VectorXd ofSpan = x(unknowns_[e]);
     partOf(Zx, e).noalias() = shares_[e].Z.transpose() * ofSpan;
     partOf(Cx, e).noalias() = shares_[e].C.transpose() * ofSpan;
   });
   const Eigen::VectorXd change = sumOver(Zx);
   Eigen::VectorXd met(begins_.back());
-  forAll(spans.size(),
-         [&](std::size_t e) { partOf(met, e) = shares_[e].E * change(spans[e].functions) + partOf(Cx, e); });
+  forAll([&](std::size_t e) { partOf(met, e) = shares_[e].E * change(spans[e].functions) + partOf(Cx, e); });
   const Eigen::VectorXd answer = sumOver(met);
   parallelBatches(batches_, [&](std::size_t e) {
     const auto& [Z, C, E] = shares_[e];

@@ -30,7 +30,7 @@ template <int Dim>
 class DilatationProduct final : public TangentProduct {
  public:
   /// unknowns: of each span, node by node; batches: of spans, those of one list without a common unknown. All must
-  /// outlive the product.
+  /// outlive the product. Of several ranks each has the shares of the spans that it works on.
   DilatationProduct(const CouplingGroups& unknowns, const DilatationProjection<Dim>& projection,
                     const std::vector<DilatationShare>& shares, const std::vector<SpanBatches>& batches);
 
@@ -46,7 +46,7 @@ class DilatationProduct final : public TangentProduct {
   const std::vector<DilatationShare>& shares_;
   const std::vector<SpanBatches>& batches_;
   std::vector<Eigen::Index>
-      begins_;  ///< of the functions of each span among those of all spans, and their number
+      begins_;  ///< of the functions of each span among those of all that are worked on, and their number
 };
 
 }  // namespace burnish

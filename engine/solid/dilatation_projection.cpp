@@ -1,5 +1,6 @@
 #include "engine/solid/dilatation_projection.h"
 
+#include <numeric>
 #include <utility>
 
 namespace burnish {
@@ -60,6 +61,22 @@ DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
     span.averaged = (span.N * weights).cwiseQuotient(integrals(span.functions));
     span.L = span.averaged.asDiagonal() * (weighted * span.N.transpose()).ldlt().solve(weighted);
   }
+  workedOn_.resize(spans_.size());
+  std::iota(workedOn_.begin(), workedOn_.end(), 0);
+  own_ = workedOn_;
+}
+
+template <int Dim>
+void DilatationProjection<Dim>::divideAmong(const Team& team, std::vector<int> workedOn, std::vector<int> own) {
+  team_ = &team;
+  workedOn_ = std::move(workedOn);
+  own_ = std::move(own);
+  std::vector<Span> kept(spans_.size());
+  for (const int e : workedOn_) {
+    const auto span = static_cast<std::size_t>(e);
+    kept[span] = std::move(spans_[span]);
+  }
+  spans_ = std::move(kept);
 }
 
 template <int Dim>
@@ -69,10 +86,9 @@ Eigen::VectorXd DilatationProjection<Dim>::project(const SpanQuadrature<Dim>& qu
     const auto& span = quadrature.spans()[e];
     return Eigen::seqN(span.firstPoint, span.weights.size());
   };
-  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(numFunctions_);
+  const Eigen::VectorXd coefficients =
+      sumOverSpans([&](std::size_t e) -> Eigen::VectorXd { return spans_[e].L * values(points(e)); });
   Eigen::VectorXd result(values.size());
-  for (std::size_t e = 0; e < spans_.size(); ++e)
-    coefficients(spans_[e].functions) += spans_[e].L * values(points(e));
   for (std::size_t e = 0; e < spans_.size(); ++e)
     result(points(e)) = spans_[e].N.transpose() * coefficients(spans_[e].functions);
   return result;

@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "engine/core/team.h"
 #include "engine/solid/span_quadrature.h"
 
 namespace burnish {
@@ -31,12 +32,34 @@ class DilatationProjection {
   const std::vector<Span>& spans() const { return spans_; }
   int numFunctions() const { return numFunctions_; }
 
-  /// Π applied to values at the quadrature points of the body.
+  /// From now on a rank of a team, which must outlive the object, works on some spans alone and forgets the others.
+  /// workedOn, own: ascending; each span is the own one of one rank, which works on it.
+  void divideAmong(const Team& team, std::vector<int> workedOn, std::vector<int> own);
+
+  /// Numbers of the spans that this rank works on.
+  const std::vector<int>& workedOn() const { return workedOn_; }
+
+  /// Values at all functions: the sums of those that spans have at theirs, share(e) of span e (m). To be called by
+  /// all ranks, and the same for all.
+  template <class F>
+  Eigen::VectorXd sumOverSpans(const F& share) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(numFunctions_);
+    for (const int e : own_) {
+      const auto span = static_cast<std::size_t>(e);
+      sum(spans_[span].functions) += share(span);
+    }
+    team_->sum(asSpan(sum));
+    return sum;
+  }
+
+  /// Π applied to values at the quadrature points of the body, for a process alone.
   Eigen::VectorXd project(const SpanQuadrature<Dim>& quadrature, const Eigen::VectorXd& values) const;
 
  private:
   std::vector<Span> spans_;
   int numFunctions_ = 0;
+  const Team* team_ = &alone();
+  std::vector<int> workedOn_, own_;
 };
 
 }  // namespace burnish

@@ -132,6 +132,17 @@ void ProjectedTerm<Dim>::keepProducts() {
 }
 
 template <int Dim>
+void ProjectedTerm<Dim>::divideAmong(const Team& team, const Division& division) {
+  BulkTerm<Dim>::divideAmong(team, division);
+  projection_.divideAmong(team, this->workedOn(), {this->own().begin(), this->own().end()});
+  if (product_) keepProducts();
+  this->portion().reduce(F_);
+  this->portion().reduce(responses_);
+  Jbar_ = this->portion().part(Jbar_.transpose()).transpose();
+  stressOnJbar_ = this->portion().part(stressOnJbar_.transpose()).transpose();
+}
+
+template <int Dim>
 std::vector<Eigen::Matrix3d> ProjectedTerm<Dim>::gradientsOfLaw(const Eigen::VectorXd& x) const {
   auto gradients = BulkTerm<Dim>::gradientsOfLaw(x);
   Eigen::VectorXd dilatations(std::ssize(gradients));
@@ -161,7 +172,7 @@ bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, b
   Eigen::VectorXd dilatation(Q);
   for (Eigen::Index q = 0; q < Q; ++q) {
     const auto G = gradients.template middleCols<C>(C * q);
-    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    const auto point = static_cast<std::size_t>(this->firstPoint(number) + q);
     F_[point] = deformationGradient<K>(work.u, G);
     const double J = volumeRatio<K>(F_[point]) * this->referenceVolumeRatio(point);
     if (!(J > 0.0)) return false;
@@ -178,35 +189,27 @@ bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, b
   return true;
 }
 
-/// J̄, one span after the other: the same sums with any number of threads.
-template <int Dim>
-void ProjectedTerm<Dim>::gatherDilatation() {
-  dilatation_.setZero();
-  for (std::size_t e = 0; e < spanDilatations_.size(); ++e)
-    dilatation_(projection_.spans()[e].functions) += spanDilatations_[e];
-}
-
 /// The law at F̄; false where J̄ is not positive or the law cannot answer.
 template <int Dim>
 template <Kinematics K, class Law>
 bool ProjectedTerm<Dim>::respondOnSpan(PointsOf<Law>& points, std::size_t number) {
-  const auto& span = this->quadrature_.spans()[number];
+  const int firstPoint = this->firstPoint(number);
   const auto& projected = projection_.spans()[number];
   const Eigen::VectorXd dilatation = projected.N.transpose() * dilatation_(projected.functions);
   for (Eigen::Index q = 0; q < dilatation.size(); ++q) {
-    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    const auto point = static_cast<std::size_t>(firstPoint + q);
     const double J = this->J_[point];
     const double Jbar = 1.0 + dilatation(q);
     if (!(Jbar > 0.0)) return false;
-    Jbar_(span.firstPoint + q) = Jbar;
+    Jbar_(firstPoint + q) = Jbar;
     Eigen::Matrix3d Fbar = this->elasticGradient(point, F_[point]);
     projectVolume(Fbar, kColumns<K>, Jbar, J);
-    if (!this->respond(points, point, this->weights_(span.firstPoint + q), Fbar, responses_[point],
+    if (!this->respond(points, point, this->weights_(firstPoint + q), Fbar, responses_[point],
                        this->spanSummaries_[number]))
       return false;
     const UnseenDilatation unseen(shearModulus_, J, Jbar);
-    this->spanSummaries_[number].strainEnergy += this->weights_(span.firstPoint + q) * unseen.energy;
-    stressOnJbar_(span.firstPoint + q) = meanStress<K>(responses_[point]) - unseen.stress;
+    this->spanSummaries_[number].strainEnergy += this->weights_(firstPoint + q) * unseen.energy;
+    stressOnJbar_(firstPoint + q) = meanStress<K>(responses_[point]) - unseen.stress;
     this->stress_[point] = (J / Jbar) * responses_[point].tau;
   }
   return true;
@@ -215,13 +218,11 @@ bool ProjectedTerm<Dim>::respondOnSpan(PointsOf<Law>& points, std::size_t number
 /// Σ N w p/J̄, the force on the coefficients of J̄.
 template <int Dim>
 void ProjectedTerm<Dim>::gatherPressure() {
-  pressure_.setZero();
   const Eigen::VectorXd weighted = this->weights_.cwiseProduct(stressOnJbar_).cwiseQuotient(Jbar_);
-  for (std::size_t e = 0; e < projection_.spans().size(); ++e) {
-    const auto& span = this->quadrature_.spans()[e];
-    const auto& projected = projection_.spans()[e];
-    pressure_(projected.functions) += projected.N * weighted.segment(span.firstPoint, span.weights.size());
-  }
+  pressure_ = projection_.sumOverSpans([&](std::size_t e) -> Eigen::VectorXd {
+    return projection_.spans()[e].N *
+           weighted.segment(this->firstPoint(e), this->quadrature_.spans()[e].weights.size());
+  });
 }
 
 template <int Dim>
@@ -229,6 +230,7 @@ template <Kinematics K>
 void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K>& work) {
   constexpr int C = kColumns<K>;
   const auto& span = this->quadrature_.spans()[number];
+  const int firstPoint = this->firstPoint(number);
   const auto& projected = projection_.spans()[number];
   const auto n = static_cast<Eigen::Index>(span.nodes.size());
   const Eigen::Index Q = span.weights.size();
@@ -240,10 +242,10 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
 
   const Eigen::VectorXd pull = projected.L.transpose() * pressure_(projected.functions);
   for (Eigen::Index q = 0; q < Q; ++q) {
-    const auto point = static_cast<std::size_t>(span.firstPoint + q);
+    const auto point = static_cast<std::size_t>(firstPoint + q);
     const auto& response = responses_[point];
-    const double w = this->weights_(span.firstPoint + q), Jbar = Jbar_(span.firstPoint + q);
-    const double p = stressOnJbar_(span.firstPoint + q);
+    const double w = this->weights_(firstPoint + q), Jbar = Jbar_(firstPoint + q);
+    const double p = stressOnJbar_(firstPoint + q);
     const double balanced = pull(q) * this->J_[point] / w;  // J̄'s stresses, back at this point
     work.kernel.setGradients(q, F_[point]);
     work.kernel.setStress(q, w * (response.tau + (balanced - p) * blockIdentity<K>()));
@@ -268,16 +270,17 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
 template <int Dim>
 template <Kinematics K>
 bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
-  const std::size_t spans = spanDilatations_.size();
+  const auto forAll = [&](const auto& f) {
+    const auto& numbers = projection_.workedOn();
+    return this->allRanks(
+        parallelAll(numbers.size(), 8, [&](std::size_t k) { return f(static_cast<std::size_t>(numbers[k])); }));
+  };
   const bool wantTangent = out.system != nullptr;
   tbb::enumerable_thread_specific<Workspace<K>> workspaces;
-  if (!parallelAll(spans, 8,
-                   [&](std::size_t e) { return measure<K>(e, x, wantTangent, workspaces.local()); }))
-    return false;
-  gatherDilatation();
-  const bool responded = this->points_.visit([&](auto& points) {
-    return parallelAll(spans, 8, [&](std::size_t e) { return respondOnSpan<K>(points, e); });
-  });
+  if (!forAll([&](std::size_t e) { return measure<K>(e, x, wantTangent, workspaces.local()); })) return false;
+  dilatation_ = projection_.sumOverSpans([&](std::size_t e) { return spanDilatations_[e]; });
+  const bool responded = this->points_.visit(
+      [&](auto& points) { return forAll([&](std::size_t e) { return respondOnSpan<K>(points, e); }); });
   if (!responded) return false;
   gatherPressure();
   parallelBatches(this->colours_, [&](std::size_t span) {
@@ -291,8 +294,7 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
       (coupling_ ? *coupling_ : coupling_.emplace(this->quadrature_, projection_, shares_))
           .addTo(*out.system);
   }
-  this->summarise();
-  return true;
+  return this->conclude(true, out);
 }
 
 template <int Dim>

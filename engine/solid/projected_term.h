@@ -28,6 +28,7 @@ class ProjectedTerm final : public BulkTerm<Dim> {
 
   CouplingGroups couplings() const override;
   void keepProducts() override;
+  void divideAmong(const Team& team, const Division& division) override;
 
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
@@ -49,7 +50,6 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   bool respondOnSpan(PointsOf<Law>& points, std::size_t number);
   template <Kinematics K>
   void assemble(std::size_t number, Assembly& out, Workspace<K>& work);
-  void gatherDilatation();
   void gatherPressure();
 
   DilatationProjection<Dim> projection_;
@@ -58,7 +58,7 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   std::optional<DilatationProduct<Dim>> product_;    ///< none where the tangent has all entries
   double shearModulus_;
 
-  // The last evaluated state, at quadrature points, …
+  // The last evaluated state, at the portion's quadrature points, …
   std::vector<Eigen::Matrix3d> F_;
   std::vector<MaterialResponse<Dim>> responses_;
   Eigen::VectorXd Jbar_;

@@ -296,7 +296,7 @@ void SparseSystem::addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y) con
   Eigen::VectorXd all = Eigen::VectorXd::Zero(numUnknowns()), product = all;
   all(leading) = x;
   for (const TangentProduct* part : products_) part->addTimes(all, product);
-  y += product(leading);
+  y += product(leading.segment(firstEquation_, K_.cols()));
 }
 
 const SparseSystem::Matrix& SparseSystem::whole() {
@@ -349,7 +349,9 @@ Eigen::VectorXd SparseSystem::timesPrescribed(const Eigen::VectorXd& increments)
   if (products_.empty()) return product;
   Eigen::VectorXd prescribed = increments;
   prescribed(free_).setZero();
-  for (const TangentProduct* part : products_) part->addTimes(prescribed, product);
+  Eigen::VectorXd ofProducts = Eigen::VectorXd::Zero(numUnknowns());
+  for (const TangentProduct* part : products_) part->addTimes(prescribed, ofProducts);
+  for (const int unknown : division_.own()) product(unknown) += ofProducts(unknown);
   return product;
 }
 

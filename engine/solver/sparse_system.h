@@ -58,7 +58,7 @@ class SparseSystem final : public SystemMatrix {
   /// pattern, and leaves zeros behind. Safe to call at the same time for different columns.
   void moveIntoColumn(int unknown, Eigen::Ref<Eigen::VectorXd> values);
 
-  /// Adds a part of K that is kept as a product, until the tangent is set to zero. It must outlive that.
+  /// Adds a part of the tangent that is kept as a product, until the tangent is set to zero. It must outlive that.
   void addProduct(const TangentProduct& product) { products_.push_back(&product); }
   bool hasProducts() const override { return !products_.empty(); }
   void addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;
@@ -69,7 +69,8 @@ class SparseSystem final : public SystemMatrix {
   const Matrix& leadingElsewhere() const override { return elsewhere_; }
   SystemBorder border() const override;
 
-  /// Tangent times increments of the prescribed unknowns; other entries are ignored. Of this rank's columns.
+  /// Tangent times increments of the prescribed unknowns; other entries are ignored. Of this rank's columns, and of
+  /// products its rows; to be called by all ranks together.
   Eigen::VectorXd timesPrescribed(const Eigen::VectorXd& increments) const;
 
   /// Absolute values of the entries, without those of products, times numbers that are not negative. Of this rank's columns.

@@ -25,10 +25,11 @@ class SystemMatrix {
   virtual ~SystemMatrix() = default;
 
   /// Whether K is the sum of the entries below and of products, which `addProducts` multiplies by. These are
-  /// symmetric, and K is not divided.
+  /// symmetric.
   virtual bool hasProducts() const { return false; }
 
-  /// Adds the products times x to y, both over the rows of K.
+  /// Adds the products times x, over the rows of K, to y, over those of this rank's columns. Of x as much is needed
+  /// as is coupled with these; to be called by all ranks together.
   virtual void addProducts(const Eigen::VectorXd& /*x*/, Eigen::VectorXd& /*y*/) const {}
 
   /// All of A, products included; made when it is asked for. Not of one that is divided.

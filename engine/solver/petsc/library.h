@@ -44,6 +44,8 @@ class Owned {
 
 using Matrix = Owned<Mat, MatDestroy>;
 using Vector = Owned<Vec, VecDestroy>;
+using Indices = Owned<IS, ISDestroy>;
+using Scatter = Owned<VecScatter, VecScatterDestroy>;
 using Solver = Owned<KSP, KSPDestroy>;
 using Preconditioner = Owned<PC, PCDestroy>;
 

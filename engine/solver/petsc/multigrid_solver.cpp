@@ -412,10 +412,30 @@ class MultigridSolver::Implementation {
     auto& self = *static_cast<Implementation*>(context);
     check(self.kind_ == TangentKind::Symmetric ? MatMult(self.K_, x, y) : MatMultTranspose(self.K_, x, y));
     if (!self.A_->hasProducts()) return 0;
-    Eigen::VectorXd product = Eigen::VectorXd::Zero(self.n_);
-    read(x, [&](auto in) { self.A_->addProducts(in, product); });
+    Eigen::VectorXd coupled = Eigen::VectorXd::Zero(self.N_), product = Eigen::VectorXd::Zero(self.n_);
+    read(x, [&](auto in) { coupled.segment(self.first_, self.n_) = in; });
+    if (!self.team_.isAlone()) self.fillFromOtherRanks(x, coupled);
+    self.A_->addProducts(coupled, product);
     write(y, [&](auto out) { out += product; });
     return 0;
+  }
+
+  /// Those numbers of a vector that other ranks have and this one's rows of K need.
+  void fillFromOtherRanks(Vec x, Eigen::VectorXd& values) {
+    PetscInt count = 0;
+    const PetscInt* numbers = nullptr;
+    check(MatGetGhosts(K_, &count, &numbers));
+    if (elsewhereOfX_ == nullptr) {
+      petsc::Indices from;
+      check(ISCreateGeneral(PETSC_COMM_SELF, count, numbers, PETSC_USE_POINTER, from.place()));
+      check(VecCreateSeq(PETSC_COMM_SELF, count, elsewhereOfX_.place()));
+      check(VecScatterCreate(x, from, elsewhereOfX_, nullptr, scatter_.place()));
+    }
+    check(VecScatterBegin(scatter_, x, elsewhereOfX_, INSERT_VALUES, SCATTER_FORWARD));
+    check(VecScatterEnd(scatter_, x, elsewhereOfX_, INSERT_VALUES, SCATTER_FORWARD));
+    read(elsewhereOfX_, [&](auto in) {
+      for (PetscInt k = 0; k < count; ++k) values(numbers[k]) = in(k);
+    });
   }
 
   /// y = W A x with the weights W of rows.
@@ -478,6 +498,8 @@ class MultigridSolver::Implementation {
   petsc::Matrix withProducts_;  ///< K as it is, to multiply by
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;
+  petsc::Vector elsewhereOfX_;  ///< see `fillFromOtherRanks`
+  petsc::Scatter scatter_;      ///< to that vector
   Eigen::VectorXd weights_;  ///< of rows in GMRES
   IterationCounts counts_;
   long numIndefinite_ = 0;

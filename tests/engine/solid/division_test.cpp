@@ -55,10 +55,10 @@ struct Block {
     return held;
   }
 
-  std::unique_ptr<BulkTerm<3>> term() const {
+  std::unique_ptr<BulkTerm<3>> term(Formulation formulation = Formulation::Displacement) const {
     return makeBulkTerm<3>(body, quadrature,
                            J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0}}),
-                           Formulation::Displacement);
+                           formulation);
   }
 
   /// Multipliers on nodes in the middle and at the end, which may be far from a rank's own.
@@ -184,6 +184,53 @@ TEST_P(DividedAmong, RanksKeepTheHistoriesOfTheirSpansAndHaveThoseOfOneTogether)
     StateArchive restored(ofOne.values());
     again->archive(restored);
     EXPECT_EQ(again->points().field("plastic_strain"), kept);
+  });
+}
+
+/// Volume changes are averaged over spans of several ranks, whose sums may be rounded otherwise.
+TEST_P(DividedAmong, ProjectedVolumeChangesAreThoseOfOne) {
+  const Block block;
+  const Eigen::VectorXd x = test::randomState(block.numUnknowns, 0.02, 3);
+  const Eigen::VectorXd sizes = Eigen::VectorXd::LinSpaced(block.numUnknowns, 0.5, 2.0);
+  struct Divided {
+    std::unique_ptr<BulkTerm<3>> term;
+    SparseSystem system;
+    Eigen::VectorXd forces;
+  };
+  const auto evaluated = [&](const Team& team) {
+    auto term = block.term(Formulation::ProjectedDilatation);
+    term->keepProducts();
+    SparseSystem system(block.held(), {term->couplings(), block.contact()}, 3 * block.body.numNodes,
+                        block.division(team.rank(), team.size()));
+    if (!team.isAlone()) term->divideAmong(team, system.division());
+    Divided all{std::move(term), std::move(system), Eigen::VectorXd::Zero(block.numUnknowns)};
+    Assembly out{all.forces, &all.system, 0};
+    EXPECT_TRUE(all.term->evaluate(1.0, x, out));
+    return all;
+  };
+  const Divided one = evaluated(alone());
+  const Eigen::Index n = one.system.leading().cols();
+  const Eigen::VectorXd direction = test::randomState(static_cast<int>(n), 1.0, 5);
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(n);
+  one.system.addProducts(direction, product);
+  const Eigen::VectorXd prescribed = one.system.timesPrescribed(sizes);
+  const double entries = Eigen::MatrixXd(one.system.leading()).norm();
+
+  test::asTeam(GetParam(), [&](const Team& team) {
+    const Divided part = evaluated(team);
+    EXPECT_LT((part.forces - one.forces).norm(), 1e-13 * one.forces.norm());
+    EXPECT_NEAR(part.term->summary().strainEnergy, one.term->summary().strainEnergy,
+                1e-13 * one.term->summary().strainEnergy);
+    EXPECT_EQ(part.term->summary().minJ, one.term->summary().minJ);
+    const Division division = part.system.leadingDivision();
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(std::ssize(division.own()));
+    part.system.addProducts(direction(division.order), own);
+    const Eigen::VectorXd ofOne = product(std::vector<int>(division.own().begin(), division.own().end()));
+    EXPECT_LT((own - ofOne).norm(), 1e-13 * entries);
+    EXPECT_GT(ofOne.norm(), 1e-3 * entries) << "else nothing was compared";
+    Eigen::VectorXd moved = part.system.timesPrescribed(sizes);
+    team.sum(asSpan(moved));
+    EXPECT_LT((moved - prescribed).norm(), 1e-12 * prescribed.norm());
   });
 }
 INSTANTIATE_TEST_SUITE_P(Ranks, DividedAmong, testing::Values(2, 3, 4));
