@@ -9,6 +9,36 @@ namespace burnish {
 using Columns = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
+namespace {
+
+/// Whether factors of a zone of so many of n unknowns are cheap beside the V-cycles that they save.
+bool isSmall(std::ptrdiff_t zone, std::ptrdiff_t n) {
+  return zone <= std::clamp<std::ptrdiff_t>(n / 4, 1'000, 10'000);
+}
+
+/// Of unknowns with a flag, those that K couples them with as well. firstColumn: of K that this rank has.
+std::vector<char> addNeighbours(const SystemMatrix& A, const std::vector<char>& flags, const Team& team,
+                                int firstColumn) {
+  std::vector<char> all = flags;
+  std::vector<double> others;
+  const auto add = [&](const Columns& part, int firstRow) {
+    for (int k = 0; k < part.cols(); ++k)
+      if (flags[static_cast<std::size_t>(firstColumn + k)] != 0)
+        for (Columns::InnerIterator entry(part, k); entry; ++entry) {
+          char& flag = all[static_cast<std::size_t>(firstRow + entry.row())];
+          if (flag == 0 && !team.isAlone()) others.push_back(static_cast<double>(firstRow + entry.row()));
+          flag = 1;
+        }
+  };
+  add(A.leading(), firstColumn);
+  add(A.leadingElsewhere(), 0);
+  gatherLists(team, others);
+  for (const double unknown : others) all[static_cast<std::size_t>(unknown)] = 1;
+  return all;
+}
+
+}  // namespace
+
 std::vector<Eigen::Triplet<double>> BorderZone::entriesOfK(const SystemMatrix& A,
                                                            const std::vector<int>& place, const Team& team,
                                                            int firstColumn) {
@@ -40,6 +70,9 @@ bool BorderZone::factorise(const SystemMatrix& A, const SystemBorder& border, co
     isInZone[static_cast<std::size_t>(B.innerIndexPtr()[k])] = 1;
   for (Eigen::Index k = 0; k < G.nonZeros(); ++k)
     isInZone[static_cast<std::size_t>(G.innerIndexPtr()[k])] = 1;
+  std::vector<char> withNeighbours = addNeighbours(A, isInZone, team, firstColumn);
+  if (isSmall(std::count(withNeighbours.begin(), withNeighbours.end(), 1), B.rows()))
+    isInZone = std::move(withNeighbours);
   unknowns_.clear();
   std::vector<int> place(isInZone.size(), -1);
   for (std::size_t i = 0; i < isInZone.size(); ++i)

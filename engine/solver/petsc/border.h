@@ -8,12 +8,14 @@
 
 namespace burnish {
 
-/// A over the border and those of the first n unknowns that are coupled with it,
+/// A over the border and a zone of the first n unknowns,
 ///
 ///     [ K_zz  B_z ]
 ///     [ G_z   C   ],
 ///
-/// whose Schur complement of K_zz stands for that of K. Of several ranks the last one has it.
+/// whose Schur complement of K_zz stands for that of K. The zone is what is coupled with the border and, unless that is
+/// too much, what K couples with it: a pressure is met by what lies below the surface. Of several ranks the last one
+/// has the factors.
 class BorderZone {
  public:
   /// firstColumn: of K that this rank has. False if it is singular.
