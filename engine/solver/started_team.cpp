@@ -45,11 +45,11 @@ int rankStarted() {
 }
 
 const Team& startedTeam() {
-  using Maker = const Team&();
+  using Maker = const Team*();
   if (numStarted() == 1) return alone();
   static auto* const make =
       reinterpret_cast<Maker*>(petscFunction("burnishTeam", "a run of several processes"));
-  const Team& team = make();
+  const Team& team = *make();
   if (team.size() != numStarted())
     throw Error(fmt::format(
         "{} processes were started together, and MPI knows of {}; start them by the mpirun of Open MPI, or by "

@@ -7,7 +7,7 @@ extern "C" burnish::LinearSolver* burnishMultigridSolver(const burnish::LinearPr
 }
 
 /// All processes that were started together, until the process ends.
-extern "C" const burnish::Team& burnishTeam() {
+extern "C" const burnish::Team* burnishTeam() {
   static const burnish::MpiTeam team;
-  return team;
+  return &team;
 }
