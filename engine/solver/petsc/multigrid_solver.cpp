@@ -22,6 +22,10 @@ constexpr int kMostWithFactors = 60, kMostWithSweeps = 500;
 /// A V-cycle of an earlier matrix is kept while a digit costs no more than this, over what it cost at first.
 constexpr double kMostOverFirst = 1.5;
 
+/// Of a V-cycle with one step of the smoother, where two are tried: iterations that a digit costs; and what is left of
+/// them where two pay.
+constexpr double kMostPerDigit = 2.0, kPaying = 0.7;
+
 /// Searches that go without incomplete factors after a search that has needed to.
 constexpr int kMostWithout = 64;
 
@@ -155,6 +159,8 @@ class MultigridSolver::Implementation {
   const IterationCounts& counts() const { return counts_; }
   void archive(StateArchive& archive) {
     archive.together("without_factors", searchesWithout_, pause_, factorises_, hasSolved_);
+    if (!archive.restores() || archive.has("smoothing"))
+      archive.together("smoothing", steps_, perDigitOfOne_, triesTwoSteps_);
   }
   long numIndefinite() const { return numIndefinite_; }
 
@@ -195,12 +201,37 @@ class MultigridSolver::Implementation {
   /// Not finite if it does not converge.
   Eigen::VectorXd solveWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
     const long before = counts_.iterations;
+    const bool isOwn = !isNear_;
     Eigen::VectorXd x = iterateWithCycle(b, accuracy);
     const double perDigit =
         static_cast<double>(counts_.iterations - before) / -std::log10(accuracy.reduction);
-    if (!isNear_) perDigitAtFirst_ = perDigit;
+    if (isOwn) perDigitAtFirst_ = perDigit;
     isNear_ = factorises_ && x.allFinite() && perDigit <= kMostOverFirst * perDigitAtFirst_;
+    if (isNear_ && isOwn) chooseSteps(perDigit);
     return x;
+  }
+
+  /// With K alone two steps take about twice the time of one, and near incompressibility half of the iterations: these
+  /// are the better ones, with fewer sums over ranks. With a border it is not the V-cycle that iterations come from.
+  void chooseSteps(double perDigit) {
+    if (border_.isCoupled() || !triesTwoSteps_) return;
+    if (steps_ == 1 && perDigit > kMostPerDigit) {
+      perDigitOfOne_ = perDigit;
+      perDigitAtFirst_ = kPaying * perDigit;
+      setSteps(2);
+    } else if (steps_ == 2 && perDigit > kPaying * perDigitOfOne_) {
+      triesTwoSteps_ = false;
+      setSteps(1);
+    }
+  }
+
+  void setSteps(int steps) {
+    steps_ = steps;
+    for (PetscInt level = 1; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
+      KSP smoother = nullptr;
+      check(PCMGGetSmoother(cycle_, level, &smoother));
+      check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, steps));
+    }
   }
 
   Eigen::VectorXd iterateWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
@@ -312,7 +343,8 @@ class MultigridSolver::Implementation {
       PC sweep = nullptr;
       check(PCMGGetSmoother(cycle_, level, &smoother));
       check(KSPSetType(smoother, KSPCHEBYSHEV));
-      check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, factorises_ ? 1 : 2));
+      check(
+          KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, factorises_ ? steps_ : 2));
       check(KSPGetPC(smoother, &sweep));
       makeSweep(sweep);
     }
@@ -500,10 +532,13 @@ class MultigridSolver::Implementation {
   petsc::Vector in_, out_;
   petsc::Vector elsewhereOfX_;  ///< see `fillFromOtherRanks`
   petsc::Scatter scatter_;      ///< to that vector
-  Eigen::VectorXd weights_;  ///< of rows in GMRES
+  Eigen::VectorXd weights_;     ///< of rows in GMRES
   IterationCounts counts_;
   long numIndefinite_ = 0;
-  bool factorises_ = true;  ///< smooths with incomplete factors, else by over-relaxation
+  bool factorises_ = true;      ///< smooths with incomplete factors, else by over-relaxation
+  int steps_ = 1;               ///< of the smoother with incomplete factors
+  double perDigitOfOne_ = 0.0;  ///< iterations with one step, where two are taken
+  bool triesTwoSteps_ = true;
   bool isIndefinite_ = false;
   bool isSetUp_ = false;  ///< the V-cycle
 
