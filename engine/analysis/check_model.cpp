@@ -26,11 +26,11 @@ void gatherInfinite(const std::string& path, const Spec& spec, const std::option
                     InputProblems& problems) {
   const std::array<std::pair<const char*, const std::optional<FormulaText>*>, kToolDofs> dofs{
       {{"x", &spec.x}, {"y", &spec.y}, {"z", &spec.z}, {turnKey, &turn}}};
-  for (const auto& [key, text] : dofs)
-    if (*text)
+  for (const auto& dof : dofs)
+    if (*dof.second)
       problems.gather([&] {
-        placed(fmt::format("{}.{}", path, key), [&] {
-          requireFinite({Formula(**text, scene.definitions)}, Eigen::Matrix3Xd::Zero(3, 1), times);
+        placed(fmt::format("{}.{}", path, dof.first), [&] {
+          requireFinite({Formula(**dof.second, scene.definitions)}, Eigen::Matrix3Xd::Zero(3, 1), times);
         });
       });
 }
