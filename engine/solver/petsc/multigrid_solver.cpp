@@ -125,6 +125,10 @@ class MultigridSolver::Implementation {
     const bool wasNear = isNear_;
     Eigen::VectorXd x = solveWithCycle(b, accuracy);
     if (!x.allFinite() && wasNear && setUpCycle()) x = solveWithCycle(b, accuracy);
+    if (!x.allFinite() && factorises_ && !team_.isAlone() && !overlaps_) {
+      setSmoother(steps_, true);
+      if (setUpCycle()) x = solveWithCycle(b, accuracy);
+    }
     if (!x.allFinite() && factorises_) {
       // Incomplete factors are of no use where shear is soft beside compression.
       searchesWithout_ = pause_ = std::clamp(2 * pause_, 1, kMostWithout);
@@ -160,7 +164,7 @@ class MultigridSolver::Implementation {
   void archive(StateArchive& archive) {
     archive.together("without_factors", searchesWithout_, pause_, factorises_, hasSolved_);
     if (!archive.restores() || archive.has("smoothing"))
-      archive.together("smoothing", steps_, perDigitOfOne_, triesTwoSteps_);
+      archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, triesTwoSteps_);
   }
   long numIndefinite() const { return numIndefinite_; }
 
@@ -194,8 +198,12 @@ class MultigridSolver::Implementation {
   void useFactors(bool factorises) {
     if (factorises == factorises_) return;
     factorises_ = factorises;
+    forgetCycle();
+  }
+
+  void forgetCycle() {
     cycle_.reset();
-    isSetUp_ = false;
+    isSetUp_ = isNear_ = false;
   }
 
   /// Not finite if it does not converge.
@@ -212,21 +220,27 @@ class MultigridSolver::Implementation {
   }
 
   /// With K alone two steps take about twice the time of one, and near incompressibility half of the iterations: these
-  /// are the better ones, with fewer sums over ranks. With a border it is not the V-cycle that iterations come from.
+  /// are the better ones, with fewer sums over ranks, where factors that overlap save as many again. With a border it is
+  /// not the V-cycle that iterations come from.
   void chooseSteps(double perDigit) {
     if (border_.isCoupled() || !triesTwoSteps_) return;
     if (steps_ == 1 && perDigit > kMostPerDigit) {
       perDigitOfOne_ = perDigit;
       perDigitAtFirst_ = kPaying * perDigit;
-      setSteps(2);
+      setSmoother(2, true);
     } else if (steps_ == 2 && perDigit > kPaying * perDigitOfOne_) {
       triesTwoSteps_ = false;
-      setSteps(1);
+      setSmoother(1, false);
     }
   }
 
-  void setSteps(int steps) {
+  void setSmoother(int steps, bool overlaps) {
     steps_ = steps;
+    if (!team_.isAlone() && overlaps != overlaps_) {
+      overlaps_ = overlaps;
+      forgetCycle();
+      return;
+    }
     for (PetscInt level = 1; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
       KSP smoother = nullptr;
       check(PCMGGetSmoother(cycle_, level, &smoother));
@@ -363,7 +377,8 @@ class MultigridSolver::Implementation {
     check(PCFactorSetMatSolverType(factors, MATSOLVERUMFPACK));
   }
 
-  /// Several ranks have factors of their own rows and columns each, and sweep over their own rows.
+  /// Several ranks have factors of their own rows and columns each, of those next to them as well where they overlap,
+  /// and sweep over their own rows.
   void makeSweep(PC sweep) const {
     if (!factorises_) return check(PCSetType(sweep, PCSOR));
     if (team_.isAlone()) {
@@ -372,7 +387,8 @@ class MultigridSolver::Implementation {
     }
     check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_type", PCICC));
     check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_factor_shift_type", "positive_definite"));
-    check(PCSetType(sweep, PCBJACOBI));
+    check(PCSetType(sweep, overlaps_ ? PCASM : PCBJACOBI));
+    if (overlaps_) check(PCASMSetType(sweep, PC_ASM_BASIC));  // symmetric
     check(PCSetOptionsPrefix(sweep, kPrefix));
     check(PCSetFromOptions(sweep));
   }
@@ -537,6 +553,7 @@ class MultigridSolver::Implementation {
   long numIndefinite_ = 0;
   bool factorises_ = true;      ///< smooths with incomplete factors, else by over-relaxation
   int steps_ = 1;               ///< of the smoother with incomplete factors
+  bool overlaps_ = false;       ///< those of several ranks
   double perDigitOfOne_ = 0.0;  ///< iterations with one step, where two are taken
   bool triesTwoSteps_ = true;
   bool isIndefinite_ = false;
