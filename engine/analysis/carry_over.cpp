@@ -5,8 +5,8 @@
 
 #include "engine/analysis/deformed_patch.h"
 #include "engine/core/state_archive.h"
-#include "engine/rezoning/curve.h"
-#include "engine/rezoning/inverse_map.h"
+#include "engine/nurbs/arc_length_curve.h"
+#include "engine/nurbs/inverse_map.h"
 #include "engine/solid/span_quadrature.h"
 
 namespace burnish {
@@ -61,7 +61,7 @@ CarryOver::CarryOver(const Simulation<2>& before, std::size_t body, const Patch<
   body_.named.body.axisymmetric = old.body.axisymmetric;
   for (const FacePair<2>& pair : model.pairs()) body_.fits.push_back(pair.fit);
   const SpanQuadrature<2> quadrature(body_.named.body, quadraturePoints);
-  const InverseMap map(deformed);
+  const InverseMap<2> map(deformed);
   const double farthest = kFarthestShare * mesh.smallestSpan;
   points_ = parametersIn(map, pointPositions(quadrature, mesh.patch), farthest);
   anchors_ = parametersIn(map, anchorPositions(mesh.patch), farthest);

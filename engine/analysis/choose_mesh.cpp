@@ -11,7 +11,7 @@
 #include "engine/analysis/contact_fit.h"
 #include "engine/analysis/settle.h"
 #include "engine/core/error.h"
-#include "engine/rezoning/curve.h"
+#include "engine/nurbs/arc_length_curve.h"
 
 namespace burnish {
 namespace {

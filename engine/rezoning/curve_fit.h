@@ -1,8 +1,8 @@
 #pragma once
 #include <Eigen/Dense>
 
+#include "engine/nurbs/arc_length_curve.h"
 #include "engine/nurbs/univariate_basis.h"
-#include "engine/rezoning/curve.h"
 
 namespace burnish {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/rezoning/curve.h"
+#include "engine/nurbs/arc_length_curve.h"
 #include "engine/rezoning/curve_fit.h"
 #include "engine/rezoning/mesh_energy.h"
 #include "engine/solid/span_quadrature.h"

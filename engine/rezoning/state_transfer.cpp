@@ -77,7 +77,7 @@ class ReducedField {
 
 }  // namespace
 
-Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& positions, double farthest) {
+Eigen::Matrix2Xd parametersIn(const InverseMap<2>& old, const Eigen::Matrix2Xd& positions, double farthest) {
   Eigen::Matrix2Xd parameters(2, positions.cols());
   Eigen::Vector2d guess = Eigen::Vector2d::Zero();
   for (Eigen::Index k = 0; k < positions.cols(); ++k) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/material/material_points.h"
-#include "engine/rezoning/inverse_map.h"
+#include "engine/nurbs/inverse_map.h"
 #include "engine/solid/reference_state.h"
 #include "engine/solid/span_quadrature.h"
 
@@ -11,7 +11,7 @@ namespace burnish {
 
 /// Parameters, in the old patch, of positions along a path through the new one, each found from the one
 /// before. Throws `Error` if a position is farther than `farthest` from the old patch.
-Eigen::Matrix2Xd parametersIn(const InverseMap& old, const Eigen::Matrix2Xd& positions, double farthest);
+Eigen::Matrix2Xd parametersIn(const InverseMap<2>& old, const Eigen::Matrix2Xd& positions, double farthest);
 
 /// Positions of the quadrature points of a body of one patch, 2 x points.
 Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch<2>& patch);

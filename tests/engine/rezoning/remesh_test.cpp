@@ -4,11 +4,10 @@
 #include <numbers>
 
 #include "engine/core/error.h"
+#include "engine/nurbs/arc_length_curve.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
-#include "engine/rezoning/curve.h"
 #include "engine/rezoning/curve_fit.h"
-#include "engine/rezoning/inverse_map.h"
 #include "engine/rezoning/mesh_energy.h"
 #include "engine/rezoning/remesh.h"
 #include "engine/rezoning/span_distribution.h"
@@ -93,17 +92,6 @@ TEST(SpanDistribution, LayersBeginAsAskedAndGrowByOneRatio) {
   EXPECT_THROW(distributeLayers(0.0, 0.1, 3), Error);
 }
 
-TEST(ArcLength, OfAQuarterOfACircle) {
-  const ArcLengthCurve curve(tracePatch(meshed(annulus({0.0, 0.0}, 1.0, 2.0, 0.0, 0.5 * kPi), 2, 2, 3), 1));
-  EXPECT_NEAR(curve.length(), kPi, 1e-10);
-  for (const double s : {0.0, 0.3, 1.1, 2.9, curve.length()}) {
-    EXPECT_NEAR(curve.lengthTo(curve.parameterAt(s)), s, 1e-10);
-    EXPECT_NEAR((curve.at(s) - 2.0 * Eigen::Vector2d(std::cos(0.5 * s), std::sin(0.5 * s))).norm(), 0.0,
-                1e-9);
-    EXPECT_NEAR(curve.tangentAt(s).dot(curve.at(s)), 0.0, 1e-9);
-  }
-}
-
 TEST(CurveFit, ReproducesStraightLinesAndConvergesOnACircle) {
   const UnivariateBasis basis = UnivariateBasis::bspline(KnotVector(2, {0, 0, 0, 0.1, 0.4, 1, 1, 1}));
   const Patch<2> slab = meshed(rectangle({0.0, 0.0}, {3.0, 1.0}), 2, 7, 2);
@@ -116,18 +104,6 @@ TEST(CurveFit, ReproducesStraightLinesAndConvergesOnACircle) {
     };
     EXPECT_GT(std::log2(errorWith(8) / errorWith(16)), degree + 0.7);
   }
-}
-
-TEST(InverseMap, FindsParametersAndEndsOnTheBoundaryFromOutside) {
-  const Patch<2> ring = meshed(annulus({0.0, 0.0}, 1.0, 2.0, 0.3, 1.2), 2, 3, 5);
-  const InverseMap map(ring);
-  for (const Eigen::Vector2d& xi :
-       {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(0.21, 0.93), Eigen::Vector2d(1.0, 0.4)})
-    EXPECT_LT((map(ring.position(xi), {0.5, 0.5}).xi - xi).norm(), 1e-10);
-  const auto outside = map(1.01 * ring.position({1.0, 0.37}), {0.9, 0.1});
-  EXPECT_EQ(outside.xi(0), 1.0);
-  EXPECT_NEAR(outside.xi(1), 0.37, 1e-9);
-  EXPECT_NEAR(outside.distance, 0.02, 1e-9);
 }
 
 TEST(MeshEnergy, LeavesARectangleAloneAndUntanglesASkewedInside) {

@@ -1,4 +1,4 @@
-#include "engine/rezoning/curve.h"
+#include "engine/nurbs/arc_length_curve.h"
 
 #include <algorithm>
 #include <cmath>
