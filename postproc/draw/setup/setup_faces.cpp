@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/scene/patch_names.h"
 #include "postproc/mesh/patch_geometry.h"
 
 namespace burnish {
@@ -42,8 +43,7 @@ SetupFaces::SetupFaces(const ModelRecord& model, const Scene& scene, int subdivi
   for (const BodySpec& body : scene.allBodies()) {
     Named& named = bodies_.emplace_back();
     named.name = body.name;
-    if (const auto* several = std::get_if<PatchesSpec>(&body.geometry.shape))
-      for (const PatchSpec& patch : several->patches) named.patchNames.push_back(patch.name);
+    named.patchNames = patchNames(body);
   }
   for (const PatchRecord& patch : model.mesh.patches)
     bodies_[static_cast<std::size_t>(patch.body)].patches.push_back(patchGeometry<2>(patch));

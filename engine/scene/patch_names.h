@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene.h"
+
+namespace burnish {
+
+/// Names of the patches of a body; none for a body of one patch.
+std::vector<std::string> patchNames(const BodySpec& body);
+
+}  // namespace burnish
