@@ -4,10 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -26,31 +24,19 @@ struct Run {
   HistoryTable history;
 };
 
-/// The name of the directory of a run, or of the file if it has another name than that of a run.
-std::string nameOf(const fs::path& history) {
-  if (history.filename() != "history.csv") return history.stem().string();
-  std::error_code status;
-  const std::string directory = fs::weakly_canonical(history, status).parent_path().filename().string();
-  return directory.empty() ? history.stem().string() : directory;
-}
+constexpr const char* kHistoryName = "history.csv";
 
 bool isSameFile(const fs::path& a, const fs::path& b) {
   std::error_code status;
   return fs::equivalent(a, b, status);
 }
 
-/// The names are those of the directories, or whole paths where directories share a name.
 std::vector<Run> readRuns(const PlotArguments& arguments) {
+  std::vector<fs::path> files;
+  for (const fs::path& path : arguments.histories) files.push_back(historyFile(path));
+  const std::vector<std::string> names = runNames(arguments.chart, files, kHistoryName, arguments.histories);
   std::vector<Run> runs;
-  std::multiset<std::string> names;
-  for (const fs::path& path : arguments.histories) {
-    runs.push_back({nameOf(historyFile(path)), readHistory(historyFile(path))});
-    names.insert(runs.back().name);
-  }
-  for (std::size_t k = 0; k < runs.size(); ++k)
-    if (names.count(runs[k].name) > 1) runs[k].name = arguments.histories[k].string();
-  if (arguments.labels.size() == runs.size())
-    for (std::size_t k = 0; k < runs.size(); ++k) runs[k].name = arguments.labels[k];
+  for (std::size_t k = 0; k < files.size(); ++k) runs.push_back({names[k], readHistory(files[k])});
   return runs;
 }
 
@@ -73,17 +59,6 @@ ChartCurve rowsOf(const HistoryTable& history, const PlotArguments& arguments, c
   return curve;
 }
 
-std::optional<std::array<double, 2>> axisRange(const char* option, const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  return rangeFromText(option, text);
-}
-
-ChartMarkers markersOf(const std::string& word) {
-  return chosen("--markers", word,
-                std::array{std::pair{"some", ChartMarkers::Some}, std::pair{"all", ChartMarkers::All},
-                           std::pair{"none", ChartMarkers::None}});
-}
-
 DifferenceKind differenceKind(const std::string& word) {
   return chosen("--difference", word,
                 std::array{std::pair{"absolute", DifferenceKind::Absolute},
@@ -93,10 +68,10 @@ DifferenceKind differenceKind(const std::string& word) {
 class ChartMaker {
  public:
   explicit ChartMaker(const PlotArguments& arguments) : arguments_(arguments), runs_(readRuns(arguments)) {
-    checkLabels();
+    checkLabels(arguments.chart, runs_.size(), numFormulas() * runs_.size(), "histories");
     if (!arguments.reference.empty()) {
       const fs::path file = historyFile(arguments.reference);
-      reference_ = Run{nameOf(file), readHistory(file)};
+      reference_ = Run{runName(file, kHistoryName), readHistory(file)};
     }
     addAxes();
     addCurves(arguments.y, false);
@@ -109,37 +84,13 @@ class ChartMaker {
  private:
   std::size_t numFormulas() const { return arguments_.y.size() + arguments_.y2.size(); }
 
-  void checkLabels() const {
-    const std::size_t found = arguments_.labels.size(), all = numFormulas() * runs_.size();
-    if (found == 0 || found == runs_.size() || found == all) return;
-    throw Error(fmt::format("--label: found {} labels for {} histories; expected one for each{}", found,
-                            runs_.size(),
-                            all == runs_.size() ? "" : fmt::format(" or for each of {} curves", all)));
-  }
-
   void addAxes() {
-    Chart& chart = made_.chart;
-    const auto isLogarithmic = [this](const char* axis) {
-      const std::vector<std::string>& found = arguments_.logarithmic;
-      return std::find(found.begin(), found.end(), axis) != found.end();
-    };
-    const bool both = isLogarithmic("xy");
-    chart.title = arguments_.title;
-    chart.x = {arguments_.xTitle.empty() ? arguments_.x : arguments_.xTitle, both || isLogarithmic("x"),
-               axisRange("--x-range", arguments_.xRange)};
-    chart.y = {axisTitle(arguments_.yTitle, arguments_.y), both || isLogarithmic("y"),
-               axisRange("--y-range", arguments_.yRange)};
-    chart.y2 = {axisTitle(arguments_.y2Title, arguments_.y2), isLogarithmic("y2"),
-                axisRange("--y2-range", arguments_.y2Range)};
-    chart.markers = markersOf(arguments_.markers);
-    PageLook look;
-    arguments_.look.readInto(look);
-    chart.theme = themeOf(look);
-    if (!arguments_.size.empty()) chart.size = sizeFromText(arguments_.size);
+    made_.chart = emptyChart(arguments_.chart, arguments_.x, axisTitle(arguments_.y));
+    made_.chart.y2 = {arguments_.y2Title.empty() ? axisTitle(arguments_.y2) : arguments_.y2Title,
+                      arguments_.chart.isLogarithmic("y2"), axisRange("--y2-range", arguments_.y2Range)};
   }
 
-  std::string axisTitle(const std::string& given, const std::vector<std::string>& formulas) const {
-    if (!given.empty()) return given;
+  std::string axisTitle(const std::vector<std::string>& formulas) const {
     const std::string title = fmt::format("{}", fmt::join(formulas, ", "));
     if (!reference_) return areToolForces(formulas) ? title + " (force of the body on the tool)" : title;
     const bool relative = differenceKind(arguments_.difference) == DifferenceKind::Relative;
@@ -187,7 +138,7 @@ class ChartMaker {
   /// What tells the curve apart from others of its axis: the run, the formula or both.
   std::string nextLabel(const Run& run, const std::string& formula) {
     const std::size_t number = numLabels_++;
-    const std::vector<std::string>& given = arguments_.labels;
+    const std::vector<std::string>& given = arguments_.chart.labels;
     if (given.size() > runs_.size()) return given[number];
     const bool axisTellsFormula = arguments_.y.size() == 1 && arguments_.y2.size() <= 1;
     if (runs_.size() == 1 && given.empty() && numFormulas() > 1) return formula;
@@ -206,7 +157,7 @@ class ChartMaker {
 
 fs::path historyFile(const fs::path& path) {
   std::error_code status;
-  return fs::is_directory(path, status) ? path / "history.csv" : path;
+  return fs::is_directory(path, status) ? path / kHistoryName : path;
 }
 
 PlottedChart chartOf(const PlotArguments& arguments) {

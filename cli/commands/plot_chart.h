@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/declared_options.h"
+#include "cli/commands/chart_options.h"
 #include "postproc/draw/chart/chart.h"
 #include "postproc/draw/chart/chart_difference.h"
-#include "postproc/draw/page/picture_look.h"
 
 namespace burnish {
 
@@ -18,12 +17,8 @@ struct PlotArguments {
   std::string where;
   std::filesystem::path reference;
   std::string difference = "absolute";
-  std::string title, xTitle, yTitle, y2Title;
-  std::vector<std::string> labels;  ///< of the histories or of all curves
-  std::vector<std::string> logarithmic;
-  std::string xRange, yRange, y2Range;
-  std::string markers = "some", size;
-  DeclaredOptions look;  ///< of a `PageLook`
+  ChartArguments chart;
+  std::string y2Title, y2Range;
 };
 
 /// DIR/history.csv for the directory of a run, else the file itself.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/arguments.h"
@@ -16,11 +17,6 @@
 namespace burnish {
 namespace {
 
-struct PlotOutputs {
-  std::filesystem::path picture;
-  std::string csv;  ///< a file, or - for standard output
-};
-
 std::string differenceText(const LargestDifference& difference, const std::string& x) {
   const CurveDifference& found = difference.found;
   const std::string share = found.referenceMagnitude > 0.0
@@ -30,27 +26,22 @@ std::string differenceText(const LargestDifference& difference, const std::strin
                      found.largest, share, x, found.largestAt);
 }
 
-ExitCode plot(const PlotArguments& arguments, const PlotOutputs& outputs) {
-  if (outputs.picture.empty() && outputs.csv.empty())
-    throw Error("-o: found no name of a chart; expected one that ends in .png, .svg or .pdf, or --csv FILE");
+ExitCode plot(const PlotArguments& arguments, const ChartOutputs& outputs) {
   std::vector<std::filesystem::path> inputs;
   for (const std::filesystem::path& path : arguments.histories) inputs.push_back(historyFile(path));
   if (!arguments.reference.empty()) inputs.push_back(historyFile(arguments.reference));
-  requireNotInput("-o", outputs.picture, inputs);
-  inputs.push_back(outputs.picture);  // not read, but not to be replaced by the data either
-  const bool printed = outputs.csv == "-";
-  if (!printed) requireNotInput("--csv", outputs.csv, inputs);
+  checkOutputs(outputs, std::move(inputs));
   const PlottedChart plotted = chartOf(arguments);
   if (!outputs.picture.empty()) {
     makeDirectoryOf(outputs.picture);
     drawChart(plotted.chart, outputs.picture);
   }
-  if (printed)
+  if (outputs.printsData())
     printText(chartDataText(plotted.chart));
   else if (!outputs.csv.empty())
     writeChartData(plotted.chart, outputs.csv);
   for (const LargestDifference& difference : plotted.differences)
-    if (printed)
+    if (outputs.printsData())
       printErrorText(differenceText(difference, arguments.x));
     else
       printText(differenceText(difference, arguments.x));
@@ -86,46 +77,15 @@ void addDataOptions(CLI::App& command, PlotArguments& arguments) {
       ->type_name("KIND");
 }
 
-void addAxisOptions(CLI::App& command, PlotArguments& arguments) {
+void addRightAxisOptions(CLI::App& command, PlotArguments& arguments) {
   CLI::Option* right = command.get_option("--y2");
-  const auto add = [&](const char* name, std::string& value, const char* help, const char* type) {
-    return command.add_option(name, value, help)->type_name(type);
-  };
-  add("--x-title", arguments.xTitle, "Title of the x axis [the formula]", "TEXT")->check(cannotBeShown);
-  add("--y-title", arguments.yTitle, "Title of the y axis [the formulas]", "TEXT")->check(cannotBeShown);
-  add("--y2-title", arguments.y2Title, "Title of the axis at the right [the formulas]", "TEXT")
+  command.add_option("--y2-title", arguments.y2Title, "Title of the axis at the right [the formulas]")
       ->check(cannotBeShown)
-      ->needs(right);
-  add("--x-range", arguments.xRange, "Ends of the x axis [round values around the data]", "LO,HI");
-  add("--y-range", arguments.yRange, "Ends of the y axis [the same]", "LO,HI");
-  add("--y2-range", arguments.y2Range, "Ends of the axis at the right [the same]", "LO,HI")->needs(right);
-  command
-      .add_option("--log", arguments.logarithmic, "Logarithmic axes: x, y, xy, y2, or several: x,y2 [none]")
-      ->delimiter(',')
-      ->expected(1)
-      ->take_all()
-      ->check(CLI::IsMember({"x", "y", "xy", "y2"}))
-      ->type_name("AXES");
-}
-
-void addDrawingOptions(CLI::App& command, PlotArguments& arguments) {
-  command.add_option("--title", arguments.title, "Title of the chart [none]")
-      ->check(cannotBeShown)
+      ->needs(right)
       ->type_name("TEXT");
-  command
-      .add_option("--label", arguments.labels,
-                  "Name in the legend, once per history or once per curve [directory, formula or both]")
-      ->expected(1)
-      ->take_all()
-      ->check(cannotBeShown)
-      ->type_name("TEXT");
-  command
-      .add_option("--markers", arguments.markers,
-                  "Points with a marker: some (all of a few), all, none [some]")
-      ->type_name("WHICH");
-  arguments.look.addTo(command, PageLook{});
-  command.add_option("--size", arguments.size, "Size in pixels, or in points for SVG and PDF [1200,900]")
-      ->type_name("W,H");
+  command.add_option("--y2-range", arguments.y2Range, "Ends of the axis at the right [round values]")
+      ->needs(right)
+      ->type_name("LO,HI");
 }
 
 }  // namespace
@@ -133,10 +93,11 @@ void addDrawingOptions(CLI::App& command, PlotArguments& arguments) {
 void addPlotCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("plot", "Draw a chart of histories");
   const auto arguments = std::make_shared<PlotArguments>();
-  const auto outputs = std::make_shared<PlotOutputs>();
+  const auto outputs = std::make_shared<ChartOutputs>();
   addDataOptions(*command, *arguments);
-  addAxisOptions(*command, *arguments);
-  addDrawingOptions(*command, *arguments);
+  addAxisOptions(*command, arguments->chart, {"the formula", "the formulas"}, {"x", "y", "xy", "y2"});
+  addRightAxisOptions(*command, *arguments);
+  addDrawingOptions(*command, arguments->chart, "directory, formula or both");
   command->add_option("--csv", outputs->csv, "Write the drawn points to this file too, or print them: -")
       ->type_name("FILE.csv|-");
   command->add_option("-o,--output", outputs->picture, "Name of the chart")->type_name("CHART.png|svg|pdf");
