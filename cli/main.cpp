@@ -34,6 +34,7 @@ ExitCode execute(int argc, char** argv) {
   addAnimateCommand(app, action);
   addSheetCommand(app, action);
   addPlotCommand(app, action);
+  addProbeCommand(app, action);
   addExportCommand(app, action);
   addInfoCommand(app, action);
   addCompareCommand(app, action);

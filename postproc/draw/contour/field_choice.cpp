@@ -78,9 +78,15 @@ std::vector<std::string> namesOf(const std::string& name, const FieldRecord& fie
   return names;
 }
 
+std::string wordsOf(const std::string& name, const std::string& component) {
+  const auto wording = wordings().find(name);
+  const std::string words = wording == wordings().end() ? name : wording->second.words;
+  return component.empty() ? words : words + " " + component;
+}
+
 RichText titleOf(const std::string& name, const std::string& component, bool magnitude) {
   const auto wording = wordings().find(name);
-  if (wording == wordings().end()) return {{component.empty() ? name : name + " " + component}};
+  if (wording == wordings().end()) return {{wordsOf(name, component)}};
   RichText symbol = wording->second.symbol;
   if (!component.empty()) symbol.push_back({component, Script::Sub});
   if (magnitude) {
@@ -108,27 +114,40 @@ std::string fieldToShow(const FrameRecord& frame) {
   return frame.fields.contains("plastic_strain") ? "plastic_strain" : "von_mises";
 }
 
-Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
+Eigen::VectorXd FieldChoice::scalars(const Eigen::MatrixXd& values) const {
   if (values.rows() > 1) return values.colwise().norm().transpose();
-  const Eigen::VectorXd scalars = values.row(0).transpose();
-  return isNonNegative ? Eigen::VectorXd(scalars.cwiseMax(0.0)) : scalars;
+  return values.row(0).transpose();
+}
+
+Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
+  const Eigen::VectorXd all = scalars(values);
+  return isNonNegative ? Eigen::VectorXd(all.cwiseMax(0.0)) : all;
 }
 
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
   const std::vector<std::string> ofContact = contactFieldsOf(frame);
   if (std::find(ofContact.begin(), ofContact.end(), name) != ofContact.end())
-    return {name, titleOf(name, "", false),   unitOfContactField(model, name),      {},
-            true, statesOfContactField(name), contactFieldFaces(model, frame, name)};
+    return {name, titleOf(name, "", false),   unitOfContactField(model, name),       {},
+            true, statesOfContactField(name), contactFieldFaces(model, frame, name), wordsOf(name, "")};
   const auto fields = allFields(frame, model.lengthUnit);
   for (const auto& [fieldName, field] : fields) {
     const auto names = namesOf(fieldName, field);
     if (std::find(names.begin(), names.end(), name) == names.end()) continue;
     if (name == fieldName)
-      return {name, titleOf(fieldName, "", isVector(field)), field.unit, field.values, isNonNegative(name)};
+      return {name,
+              titleOf(fieldName, "", isVector(field)),
+              field.unit,
+              field.values,
+              isNonNegative(name),
+              {},
+              nullptr,
+              wordsOf(fieldName, "")};
     const std::string component = name.substr(fieldName.size() + 1);
     const auto row = std::find(field.components.begin(), field.components.end(), component);
-    return {name, titleOf(fieldName, component, false), field.unit,
-            field.values.row(row - field.components.begin())};
+    return {name,       titleOf(fieldName, component, false),
+            field.unit, field.values.row(row - field.components.begin()),
+            false,      {},
+            nullptr,    wordsOf(fieldName, component)};
   }
   const auto names = fieldNames(frame);
   throw Error(fmt::format("field: found \"{}\"; available in frame {}: {}.{}", name, frame.index,

@@ -30,8 +30,12 @@ struct FieldChoice {
   std::vector<std::string> states{};             ///< what the values 0, 1, … mean; empty for quantities
   vtkSmartPointer<vtkPolyData> faces = nullptr;  ///< of a contact field: `contactFieldFaces`
 
-  /// The scalars that are drawn of values (components x points): a scalar itself, not below 0 if it cannot
-  /// be, or the magnitude of a vector.
+  std::string words{};  ///< the title without its symbol, the component behind it: "Cauchy stress xx"
+
+  /// The scalars of values (components x points): a scalar itself, or the magnitude of a vector.
+  Eigen::VectorXd scalars(const Eigen::MatrixXd& values) const;
+
+  /// Those that are drawn: not below 0 if they cannot be.
   Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values) const;
 };
 

@@ -1,0 +1,22 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "postproc/probe/probe_point.h"
+
+namespace burnish {
+
+/// What is on a path at a distance from its begin.
+using PathProbe = std::function<ProbePoint(double distance)>;
+
+/// Points at `count` (2 or more) equal distances from `begin` to `end`, and between two of them that lie in
+/// different bodies, or one outside, the last and the first one of each body. Between bodies that touch there
+/// is a point that belongs to none, so that curves are interrupted.
+std::vector<ProbePoint> samplesAlong(const PathProbe& probe, double begin, double end, int count);
+
+/// The samples with the mean values of a window along the path instead of their own: of that part of `width`
+/// around each that lies between `begin` and `end` and in bodies with the field.
+std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<ProbePoint> samples, double width,
+                                       double begin, double end);
+
+}  // namespace burnish

@@ -1,0 +1,279 @@
+#include "postproc/probe/probe.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/nurbs/arc_length_curve.h"
+#include "engine/solid/face_quadrature.h"
+#include "postproc/probe/body_locator.h"
+#include "postproc/probe/path_samples.h"
+
+namespace burnish {
+namespace {
+
+/// Of the size of a body: how far outside of it a given point may lie, as its numbers are rounded, and
+/// material outside of a mesh that was made on the way.
+constexpr double kGivenOutside = 1e-6, kMovedOutside = 1e-3;
+
+constexpr int kFaceStarts = 20;  // of the search for the nearest point of a face, per direction
+
+/// A path as a function of the distance.
+struct MeasuredPath {
+  PathProbe probe;
+  double end = 0.0;                   ///< from 0
+  std::array<double, 2> ofWindows{};  ///< what windows may cover
+};
+
+template <int Dim>
+class PathMaker {
+ public:
+  using Point = Eigen::Vector<double, Dim>;
+
+  PathMaker(const ModelRecord& model, const FrameRecord& frame, const ProbedFields& fields,
+            const ProbeOptions& options)
+      : model_(model),
+        frame_(frame),
+        fields_(fields),
+        options_(options),
+        bodies_(meshOf(model, frame), deformed() ? frame.displacement : Eigen::MatrixXd()) {}
+
+  const BodyLocator<Dim>& bodies() const { return bodies_; }
+
+  MeasuredPath operator()(const LinePath& line) const {
+    const Point begin = pointOf(line.begin, "line"), end = pointOf(line.end, "line");
+    const double length = (end - begin).norm();
+    if (!(length > 0.0))
+      throw Error(fmt::format("line: found {} twice; expected two points", pointText(begin)));
+    return {straight(begin, (end - begin) / length),
+            length,
+            {-0.5 * options_.window, length + 0.5 * options_.window}};
+  }
+
+  MeasuredPath operator()(const FacePath& path) const {
+    if constexpr (Dim == 2) {
+      const FacePlace face = facePlace(model_, frame_, path.address);
+      const ArcLengthCurve curve(trace(face));
+      if (!(curve.length() > 0.0))
+        throw Error(fmt::format("face: {} is a point; expected a face that has a length", path.address.face));
+      const auto probe = [this, face, curve](double distance) {
+        return bodies_.point(distance, onFace(face, Eigen::Vector<double, 1>(curve.parameterAt(distance))),
+                             frame_, fields_);
+      };
+      return {probe, curve.length(), {0.0, curve.length()}};
+    } else {
+      throw Error(
+          "face: a face of a body in space is an area, not a path; expected --line X,Y,Z:X,Y,Z, or --depth "
+          "FACE@X,Y,Z from a place on the face into the body");
+    }
+  }
+
+  MeasuredPath operator()(const DepthPath& path) const {
+    const FacePlace face = facePlace(model_, frame_, path.address);
+    const MeshPlace<Dim> start = onFace(face, parameters(face, path.place));
+    const Point begin = bodies_.patch(start.patch).position(start.xi), inward = -outwardNormal(face, start);
+    const PathProbe probe = straight(begin, inward, start);
+    const double whole = depthAt(probe, smallestStep(start, face));
+    if (!(whole > 0.0))
+      throw Error(fmt::format("depth: the body has no depth below {}; expected another place on face {}",
+                              pointText(begin), path.address.face));
+    return {probe, path.length ? std::min(*path.length, whole) : whole, {0.0, whole}};
+  }
+
+ private:
+  bool deformed() const { return options_.body == ProbedBody::Deformed; }
+
+  Point pointOf(const Eigen::VectorXd& point, const char* path) const {
+    if (point.size() != Dim)
+      throw Error(fmt::format("{}: found {}; the body has {} dimensions", path, pointText(point), Dim));
+    return point;
+  }
+
+  PathProbe straight(const Point& begin, const Point& direction,
+                     std::optional<MeshPlace<Dim>> near = std::nullopt) const {
+    return [this, begin, direction, near](double distance) mutable {
+      const Point position = begin + distance * direction;
+      const auto found = bodies_.find(position, near);
+      if (!found) return outside(distance, position);
+      near = found;
+      return bodies_.point(distance, *found, frame_, fields_);
+    };
+  }
+
+  /// Where there is no material, only the position in the probed body is known.
+  ProbePoint outside(double distance, const Point& position) const {
+    const Eigen::VectorXd unknown = Eigen::VectorXd::Constant(Dim, ProbePoint::kNone);
+    return {distance, ProbePoint::kOutside, deformed() ? Eigen::VectorXd(position) : unknown,
+            deformed() ? unknown : Eigen::VectorXd(position),
+            Eigen::VectorXd::Constant(std::ssize(fields_.choices()), ProbePoint::kNone)};
+  }
+
+  Patch<Dim - 1, Dim> trace(const FacePlace& face) const {
+    return tracePatch(bodies_.patch(static_cast<std::size_t>(face.patch)), face.face);
+  }
+
+  /// The place in the mesh of parameters of a face.
+  MeshPlace<Dim> onFace(const FacePlace& face, const Eigen::Vector<double, Dim - 1>& parameters) const {
+    MeshPlace<Dim> place{static_cast<std::size_t>(face.patch), {}};
+    const int across = face.face / 2;
+    for (int d = 0, k = 0; d < Dim; ++d)
+      place.xi(d) = d == across ? bodies_.patch(place.patch).basis().direction(d).parameterAt(face.face % 2)
+                                : parameters(k++);
+    return place;
+  }
+
+  /// Parameters of the face at a length along it or at its nearest point.
+  Eigen::Vector<double, Dim - 1> parameters(const FacePlace& face, const Eigen::VectorXd& place) const {
+    const Patch<Dim - 1, Dim> surface = trace(face);
+    if constexpr (Dim == 2)
+      if (place.size() == 1) {
+        const ArcLengthCurve curve(surface);
+        if (!(place(0) >= 0.0 && place(0) <= curve.length()))
+          throw Error(
+              fmt::format("depth: found the place {:.6g}; expected a length along the face, 0 to {:.6g}",
+                          place(0), curve.length()));
+        return Eigen::Vector<double, 1>(curve.parameterAt(place(0)));
+      }
+    std::vector<double> shares;
+    for (int k = 0; k <= kFaceStarts; ++k) shares.push_back(static_cast<double>(k) / kFaceStarts);
+    constexpr int kSteps = 50;
+    return closestPoint(surface, pointOf(place, "depth"), parameterGrid(surface.basis(), shares), kSteps).xi;
+  }
+
+  Point outwardNormal(const FacePlace& face, const MeshPlace<Dim>& place) const {
+    const Patch<Dim>& patch = bodies_.patch(place.patch);
+    const Eigen::Matrix<double, Dim, Dim> jacobian = patch.jacobian(place.xi);
+    Eigen::Matrix<double, Dim, Dim - 1> tangents;
+    for (int d = 0, column = 0; d < Dim; ++d)
+      if (d != face.face / 2) tangents.col(column++) = jacobian.col(d);
+    const Point area = outwardSign(patch, face.face) * areaVector<Dim>(tangents);
+    if (!(area.norm() > 0.0))
+      throw Error(fmt::format("depth: face {} has no normal at {}; expected another place",
+                              faceName(face.face), pointText(patch.position(place.xi))));
+    return area.normalized();
+  }
+
+  /// A part of the span that is next to a place of a face.
+  double smallestStep(const MeshPlace<Dim>& place, const FacePlace& face) const {
+    const Patch<Dim>& patch = bodies_.patch(place.patch);
+    const int across = face.face / 2;
+    const UnivariateBasis& basis = patch.basis().direction(across);
+    const int span = basis.findSpan(place.xi(across));
+    return 0.1 * (basis.spanEnd(span) - basis.spanBegin(span)) * patch.jacobian(place.xi).col(across).norm();
+  }
+
+  /// How far the body goes. Steps grow from the first one, which must not jump over the body, as spans do
+  /// away from a face.
+  double depthAt(const PathProbe& probe, double step) const {
+    constexpr double kGrowth = 1.1;
+    const double size = bodies_.size(), largest = size / 400.0;
+    double inside = 0.0;
+    if (probe(inside).body == ProbePoint::kOutside) return inside;
+    for (step = std::clamp(step, 1e-9 * size, largest);; step = std::min(kGrowth * step, largest)) {
+      const std::vector<ProbePoint> next = samplesAlong(probe, inside, inside + step, 2);
+      if (next.size() > 2) return next[1].at;  // behind it there are the points of the border
+      inside += step;
+    }
+  }
+
+  const ModelRecord& model_;
+  const FrameRecord& frame_;
+  const ProbedFields& fields_;
+  const ProbeOptions& options_;
+  BodyLocator<Dim> bodies_;
+};
+
+/// What a path is called in messages.
+struct PathWord {
+  const char* operator()(const LinePath&) const { return "line"; }
+  const char* operator()(const FacePath&) const { return "face"; }
+  const char* operator()(const DepthPath&) const { return "depth"; }
+};
+
+template <int Dim>
+std::vector<ProbePoint> probedPathIn(const ModelRecord& model, const FrameRecord& frame,
+                                     const ProbedFields& fields, const ProbePath& path,
+                                     const ProbeOptions& options) {
+  const PathMaker<Dim> maker(model, frame, fields, options);
+  const MeasuredPath measured = std::visit(maker, path);
+  const char* word = std::visit(PathWord{}, path);
+  std::vector<ProbePoint> points = samplesAlong(measured.probe, 0.0, measured.end, options.points);
+  if (std::ranges::all_of(points, [](const ProbePoint& p) { return p.body == ProbePoint::kOutside; }))
+    throw Error(fmt::format("{}: no point of it is in the {} body of frame {}, which lies {}", word,
+                            options.body == ProbedBody::Deformed ? "deformed" : "undeformed", frame.index,
+                            extentText(maker.bodies())));
+  for (std::size_t k = 0; k < fields.choices().size(); ++k)
+    if (std::ranges::all_of(
+            points, [k](const ProbePoint& p) { return std::isnan(p.values(static_cast<Eigen::Index>(k))); }))
+      throw Error(
+          fmt::format("{}: none of the bodies on it has the field {}", word, fields.choices()[k].name));
+  if (options.window > 0.0)
+    points = windowAverages(measured.probe, std::move(points), options.window, measured.ofWindows[0],
+                            measured.ofWindows[1]);
+  return points;
+}
+
+}  // namespace
+
+std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& frame,
+                                   const ProbedFields& fields, const ProbePath& path,
+                                   const ProbeOptions& options) {
+  return model.dim == 2 ? probedPathIn<2>(model, frame, fields, path, options)
+                        : probedPathIn<3>(model, frame, fields, path, options);
+}
+
+class MaterialPoint::Finder {
+ public:
+  virtual ~Finder() = default;
+  virtual ProbePoint in(const FrameRecord& frame, const ProbedFields& fields) const = 0;
+};
+
+template <int Dim>
+class MaterialPoint::FinderIn final : public Finder {
+ public:
+  FinderIn(const ModelRecord& model, const Eigen::VectorXd& reference)
+      : mesh_(model.mesh), bodies_(mesh_, {}), reference_(reference), found_(bodies_.nearest(reference_)) {
+    if (!(found_.distance <= kGivenOutside * bodies_.size()))
+      throw Error(fmt::format("point: {} is {:.3g} outside of the undeformed body, which lies {}",
+                              pointText(reference_), found_.distance, extentText(bodies_)));
+  }
+
+  ProbePoint in(const FrameRecord& frame, const ProbedFields& fields) const override {
+    if (!frame.mesh) return bodies_.point(frame.time, found_.place, frame, fields);
+    const BodyLocator<Dim> moved(*frame.mesh, {});
+    const auto found = moved.nearest(reference_, mesh_.patches[found_.place.patch].body);
+    ProbePoint point = moved.point(frame.time, found.place, frame, fields);
+    if (found.distance <= kMovedOutside * bodies_.size()) return point;
+    point.body = ProbePoint::kOutside;
+    point.current.setConstant(ProbePoint::kNone);
+    point.values.setConstant(ProbePoint::kNone);
+    return point;
+  }
+
+ private:
+  const MeshRecord& mesh_;
+  BodyLocator<Dim> bodies_;
+  Eigen::Vector<double, Dim> reference_;
+  typename BodyLocator<Dim>::Nearest found_;
+};
+
+MaterialPoint::MaterialPoint(const ModelRecord& model, const Eigen::VectorXd& reference) {
+  if (reference.size() != model.dim)
+    throw Error(fmt::format("point: found {}; the body has {} dimensions", pointText(reference), model.dim));
+  if (model.dim == 2)
+    finder_ = std::make_unique<FinderIn<2>>(model, reference);
+  else
+    finder_ = std::make_unique<FinderIn<3>>(model, reference);
+}
+
+MaterialPoint::~MaterialPoint() = default;
+
+ProbePoint MaterialPoint::in(const FrameRecord& frame, const ProbedFields& fields) const {
+  return finder_->in(frame, fields);
+}
+
+}  // namespace burnish

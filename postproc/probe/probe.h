@@ -1,0 +1,74 @@
+#pragma once
+#include <Eigen/Dense>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/results/result.h"
+#include "postproc/probe/face_address.h"
+#include "postproc/probe/probe_point.h"
+#include "postproc/probe/probed_fields.h"
+
+/// Exact values of fields, evaluated from their coefficients at points that are found by Newton's method.
+namespace burnish {
+
+/// The straight line between two points.
+struct LinePath {
+  Eigen::VectorXd begin, end;
+};
+
+/// All of a face of a plane body, in the direction of its parameter.
+struct FacePath {
+  FaceAddress address;
+};
+
+/// The straight line from a place on a face along the inward normal, up to where it leaves the body first.
+struct DepthPath {
+  FaceAddress address;
+  Eigen::VectorXd place;  ///< a length along the face of a plane body, or a position: the nearest point
+  std::optional<double> length{};  ///< no farther than this
+};
+
+using ProbePath = std::variant<LinePath, FacePath, DepthPath>;
+
+/// The body in which a path lies and is measured.
+enum class ProbedBody { Deformed, Undeformed };
+
+struct ProbeOptions {
+  ProbedBody body = ProbedBody::Deformed;
+  int points = 401;     ///< at equal distances
+  double window = 0.0;  ///< width of the window of averages; 0: values at points
+};
+
+/// The points of a path with the fields there. Throws `Error` for a path that does not fit the body: of another
+/// dimension, of no length, wholly outside, of a face that is none, or of an area; and if nothing on it has a
+/// field.
+std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& frame,
+                                   const ProbedFields& fields, const ProbePath& path,
+                                   const ProbeOptions& options = {});
+
+/// A point of the material over time.
+class MaterialPoint {
+ public:
+  /// reference: its position in the undeformed body. The model must outlive the object. Throws `Error` for a
+  /// position outside.
+  MaterialPoint(const ModelRecord& model, const Eigen::VectorXd& reference);
+  ~MaterialPoint();
+  MaterialPoint(const MaterialPoint&) = delete;
+  MaterialPoint& operator=(const MaterialPoint&) = delete;
+
+  /// The values in a frame, at its time. In a mesh that was made on the way the material is found as nearly as
+  /// the mesh can say, and outside of it by a thousandth of the body's size and more there is nothing.
+  ProbePoint in(const FrameRecord& frame, const ProbedFields& fields) const;
+
+ private:
+  class Finder;
+  template <int Dim>
+  class FinderIn;
+
+  std::unique_ptr<Finder> finder_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,166 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "engine/results/history.h"
+#include "tests/cli/shell_test.h"
+
+/// `burnish probe` as the user meets it. BURNISH_COMMAND is the program.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+/// A quarter of a thick-walled cylinder, whose inner pressure grows to a hundred millionth of its modulus.
+constexpr const char* kCylinder = R"(
+units: {length: mm, stress: MPa}
+degree: 3
+geometry: {shape: annulus, inner_radius: 1, outer_radius: 2, spans: [6, 6]}
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports: [{face: bottom, symmetry: true}, {face: top, symmetry: true}]
+loads: [{face: left, pressure: "1e-8*t"}]
+steps: [{until: 1, count: 4}]
+output: {every: 0.25, vtu: false}
+measures: [{name: p, kind: point, position: [0.9, 1.2], fields: [displacement, von_mises, stress]}]
+)";
+
+class ProbeCommand : public ShellTest {
+ protected:
+  void SetUp() override {
+    ShellTest::SetUp();
+    std::ofstream(dir / "scene.yaml") << kCylinder;
+    ASSERT_EQ(shell(dir, BURNISH_COMMAND " run scene.yaml -o run --quiet").code, 0);
+  }
+
+  Outcome probe(const std::string& arguments) const {
+    return shell(dir, BURNISH_COMMAND " probe " + arguments);
+  }
+
+  /// The table that a call writes.
+  HistoryTable table(const std::string& arguments) const {
+    const Outcome outcome = probe(arguments + " -o table.csv");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    return readHistory(dir / "table.csv");
+  }
+
+  /// The texts of a chart without numbers.
+  std::vector<std::string> chart(const std::string& arguments) const {
+    const Outcome outcome = probe(arguments + " -o chart.svg");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::string svg = readText(dir / "chart.svg");
+    const std::regex text(R"(<text[^>]*>\s*([A-Za-z][^<]*?)\s*</text>)");
+    std::vector<std::string> found;
+    for (std::sregex_iterator match(svg.begin(), svg.end(), text), end; match != end; ++match)
+      found.push_back((*match)[1]);
+    return found;
+  }
+
+  void expectRefused(const std::string& arguments, const std::string& part) const {
+    const Outcome outcome = probe(arguments + " -o out/refused.png");
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err, testing::StartsWith("burnish: "));
+    EXPECT_THAT(outcome.err, HasSubstr(part));
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_FALSE(fs::exists(dir / "out")) << arguments;
+  }
+};
+
+TEST_F(ProbeCommand, MeetsLamesSolutionAlongALine) {
+  const HistoryTable found = table("run --line 1,0:2,0 --field stress.xx --field stress.yy --points 21");
+  ASSERT_EQ(found.columns, (std::vector<std::string>{"distance [mm]", "x [mm]", "y [mm]", "X [mm]", "Y [mm]",
+                                                     "stress.xx [MPa]", "stress.yy [MPa]"}));
+  for (std::size_t k = 0; k < found.numRows(); ++k) {
+    const double r = found.column("X [mm]")[k];
+    if (std::isnan(r)) continue;
+    EXPECT_NEAR(found.column("stress.xx [MPa]")[k], 1e-8 / 3.0 * (1.0 - 4.0 / (r * r)), 2e-11) << r;
+    EXPECT_NEAR(found.column("stress.yy [MPa]")[k], 1e-8 / 3.0 * (1.0 + 4.0 / (r * r)), 2e-11) << r;
+  }
+}
+
+TEST_F(ProbeCommand, FollowsAPointAsTheHistoryDoes) {
+  const HistoryTable history = readHistory(dir / "run/history.csv"),
+                     found = table("run --point 0.9,1.2 --field von_mises --field stress.xy");
+  EXPECT_EQ(found.column("time"), history.column("time"));
+  for (std::size_t k = 0; k < found.numRows(); ++k) {
+    EXPECT_NEAR(found.column("von_mises [MPa]")[k], history.column("p.von_mises")[k], 1e-20);
+    EXPECT_NEAR(found.column("stress.xy [MPa]")[k], history.column("p.stress_xy")[k], 1e-20);
+    EXPECT_NEAR(found.column("x [mm]")[k], 0.9 + history.column("p.ux")[k], 1e-14);
+  }
+  EXPECT_EQ(table("run --point 0.9,1.2 --frame 1-2").numRows(), 2U);
+}
+
+TEST_F(ProbeCommand, SaysInWordsWhatAChartShows) {
+  // No legend for a single curve.
+  EXPECT_THAT(
+      chart("run --depth left@0.3 --field von_mises --window 0.1"),
+      UnorderedElementsAre("Depth below face left in mm", "von Mises stress in MPa, mean over 0.1 mm"));
+  EXPECT_THAT(chart("run --face left --reference --field stress.xx --field stress.yy"),
+              UnorderedElementsAre("Length along undeformed face left in mm", "Cauchy stress in MPa",
+                                   "Cauchy stress xx", "Cauchy stress yy"));
+  EXPECT_THAT(chart("run --point 1,1 --field displacement"),
+              UnorderedElementsAre("Time", "Displacement in mm"));
+}
+
+TEST_F(ProbeCommand, DrawsSeveralRunsAndFramesInOneChart) {
+  fs::copy(dir / "run", dir / "other", fs::copy_options::recursive);
+  EXPECT_THAT(
+      chart("run other --line 1,0:2,0 --field von_mises"),
+      UnorderedElementsAre("Distance along the line in mm", "von Mises stress in MPa", "run", "other"));
+  EXPECT_THAT(chart("run --line 1,0:2,0 --frame 1-2 --field von_mises --label a --label b"),
+              UnorderedElementsAre("Distance along the line in mm", "von Mises stress in MPa", "a", "b"));
+  EXPECT_THAT(table("run other --line 1,0:2,0 --frame 3-4 --field von_mises").columns,
+              testing::Contains("other at t = 0.75 von_mises [MPa]"));
+}
+
+TEST_F(ProbeCommand, WritesChartsAndTablesAtOnceAndPrintsThem) {
+  const Outcome outcome = probe("run --line 1,0:2,0 --points 3 -o new/a.pdf --csv -");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              testing::StartsWith("distance [mm],x [mm],y [mm],X [mm],Y [mm],von_mises [MPa]\n0,"));
+  EXPECT_TRUE(fs::exists(dir / "new/a.pdf"));
+  EXPECT_EQ(probe("run --line 1,0:2,0 -o a.png --csv b.csv").code, 0);
+  EXPECT_TRUE(fs::exists(dir / "a.png") && fs::exists(dir / "b.csv"));
+  // What it writes can be drawn again.
+  EXPECT_EQ(shell(dir, BURNISH_COMMAND " plot b.csv --x 'distance [mm]' --y 'von_mises [MPa]' -o c.png").code,
+            0);
+}
+
+TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
+  expectRefused("run", "found no place; expected one of --line, --point, --face and --depth");
+  expectRefused("run --line 1,0", "--line: found \"1,0\"; expected X0,Y0:X1,Y1, two points of the plane");
+  expectRefused("run --line 1,0:2,x", "--line: found \"1,0:2,x\"");
+  expectRefused("run --line 1,0,0:2,0,0", "--line: found \"1,0,0:2,0,0\"");
+  expectRefused("run --line 5,0:6,0", "line: no point of it is in the deformed body of frame 4, which lies");
+  expectRefused("run --point 1", "--point: found \"1\"; expected X,Y, a position in the undeformed body");
+  expectRefused("run --point 0,0", "point: (0, 0) is 1 outside of the undeformed body");
+  expectRefused("run --face inner", "the faces are left, right, bottom, top");
+  expectRefused("run --depth left",
+                "--depth: found \"left\"; expected FACE@X,Y, a position on the face, or FACE@S");
+  expectRefused("run --line 1,0:2,0 --face left", "--line excludes --face");
+  expectRefused("run --line 1,0:2,0 --length 1", "--length requires --depth");
+  expectRefused("run --point 1,1 --window 1", "excludes");
+  expectRefused("run --line 1,0:2,0 --window 0", "--window: found 0; expected a positive length");
+  expectRefused("run --line 1,0:2,0 --patch a", "--patch: names the patch of a face");
+  expectRefused("run --line 1,0:2,0 --body a", "body: found \"a\"");
+  expectRefused("run --line 1,0:2,0 --frame 9", "--frame: there is no frame 9; the result has frames 0 to 4");
+  expectRefused("run --line 1,0:2,0 --field stress",
+                "field: found \"stress\"; available in frame 4: displacement,");
+  expectRefused("run --line 1,0:2,0 --field von_mises --field displacement",
+                "von_mises has the unit MPa and displacement the unit mm; expected one unit along an axis");
+  expectRefused("run run --line 1,0:2,0 --label a --label b --label c",
+                "--label: found 3 labels for 2 results");
+  expectRefused("nothing --line 1,0:2,0", "nothing: there is no such file or directory");
+  EXPECT_EQ(probe("run --line 1,0:2,0").code, 2);
+  EXPECT_EQ(probe("run --line 1,0:2,0 -o a.gif").code, 2);
+  EXPECT_THAT(probe("run --line 1,0:2,0 -o run/result.h5").err, HasSubstr("is also read"));
+}
+
+}  // namespace
+}  // namespace burnish

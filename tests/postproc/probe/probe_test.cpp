@@ -1,0 +1,239 @@
+#include "postproc/probe/probe.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "tests/message_of.h"
+#include "tests/postproc/sample_records.h"
+
+namespace burnish {
+namespace {
+
+using samples::Sample;
+using testing::HasSubstr;
+
+constexpr double kExact = 1e-10;
+constexpr double kBorder = 1e-8;  // of the size of a body: where a path leaves it
+
+Eigen::VectorXd at(std::initializer_list<double> coordinates) {
+  return Eigen::Map<const Eigen::VectorXd>(std::data(coordinates), std::ssize(coordinates));
+}
+
+std::vector<ProbePoint> probed(const Sample& sample, const std::string& field, const ProbePath& path,
+                               const ProbeOptions& options = {}) {
+  return probedPath(sample.model, sample.frame, ProbedFields(sample.model, sample.frame, {field}), path,
+                    options);
+}
+
+std::vector<ProbePoint> inside(std::vector<ProbePoint> points) {
+  std::erase_if(points, [](const ProbePoint& point) { return point.body == ProbePoint::kOutside; });
+  return points;
+}
+
+std::string mistake(const Sample& sample, const std::string& field, const ProbePath& path) {
+  return messageOf([&] { probed(sample, field, path); });
+}
+
+TEST(ProbedLine, HasTheExactValuesOfARingAndEndsAtItsCircles) {
+  const Eigen::Vector2d direction(std::cos(0.7), std::sin(0.7));
+  const auto points = probed(samples::ring(), "von_mises", LinePath{at({0, 0}), 3.0 * direction});
+  const auto body = inside(points);
+  ASSERT_GT(body.size(), 100U);
+  for (const ProbePoint& point : body) {
+    EXPECT_NEAR(point.values(0), 100.0 * (point.current.norm() - 1.0), 100.0 * kExact);
+    EXPECT_NEAR((point.current - point.at * direction).norm(), 0.0, kBorder);
+  }
+  EXPECT_NEAR(body.front().at, 1.0, kBorder);
+  EXPECT_NEAR(body.back().at, 2.0, kBorder);
+  for (const ProbePoint& point : points)
+    if (point.at < 1.0 - kBorder || point.at > 2.0 + kBorder) {
+      EXPECT_TRUE(std::isnan(point.values(0))) << point.at;
+    }
+}
+
+TEST(ProbedLine, LiesInTheDeformedBodyOrInTheUndeformedOne) {
+  // At x = 1.5 the slab is pressed to 0.85 of its height, and the strain is y² of the undeformed one.
+  const LinePath upwards{at({1.5, -0.1}), at({1.5, 1.2})};
+  const auto deformed = inside(probed(samples::slab(), "plastic_strain", upwards));
+  EXPECT_NEAR(deformed.back().current(1), 0.85, kBorder);
+  for (const ProbePoint& point : deformed) {
+    EXPECT_NEAR(point.values(0), std::pow(point.current(1) / 0.85, 2), kExact);
+    EXPECT_NEAR(point.reference(1), point.current(1) / 0.85, kExact);
+  }
+  const auto undeformed =
+      inside(probed(samples::slab(), "plastic_strain", upwards, {.body = ProbedBody::Undeformed}));
+  EXPECT_NEAR(undeformed.back().at, 1.1, kBorder);
+  for (const ProbePoint& point : undeformed)
+    EXPECT_NEAR(point.values(0), std::pow(point.reference(1), 2), kExact);
+}
+
+TEST(ProbedLine, IsInterruptedWhereItLeavesTheBody) {
+  // The top lies at 1 - 0.6 s (1 - s), below the line between these two s.
+  const double s = 0.5 * (1.0 - std::sqrt(1.0 - 4.0 * 0.05 / 0.6));
+  const auto points = probed(samples::slab(), "plastic_strain", LinePath{at({-0.5, 0.95}), at({3.5, 0.95})});
+  std::vector<double> borders;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    if (points[k].body != points[k - 1].body) borders.push_back(points[k].at - 0.5);
+  ASSERT_EQ(borders.size(), 4U);
+  EXPECT_NEAR(borders[0], 0.0, 3.0 * kBorder);
+  EXPECT_NEAR(borders[1], 3.0 * s, 3.0 * kBorder);
+  EXPECT_NEAR(borders[2], 3.0 * (1.0 - s), 3.0 * kBorder);
+  EXPECT_NEAR(borders[3], 3.0, 3.0 * kBorder);
+}
+
+TEST(ProbedLine, GoesThroughLagrangeElementsAndSpace) {
+  for (const ProbePoint& point :
+       inside(probed(samples::square(), "pressure", LinePath{at({-1, 0.5}), at({2, 0.5})}))) {
+    const double X = point.current(0) - 0.1;
+    EXPECT_NEAR(point.values(0), 1e-5 * (X * X * X - 0.5), 1e-5 * kExact);
+  }
+  const auto diagonal =
+      inside(probed(samples::cube(), "pressure", LinePath{at({-0.5, -0.5, -0.5}), at({2, 2, 2})}));
+  EXPECT_NEAR(diagonal.front().values(0), 0.0, kBorder);
+  EXPECT_NEAR(diagonal.back().values(0), 3.0, kBorder);
+  for (const ProbePoint& point : diagonal) EXPECT_NEAR(point.values(0), point.current.sum(), kExact);
+}
+
+TEST(ProbedLine, GoesThroughTheBodiesThatHaveTheField) {
+  const Sample sample = samples::twoBodies();
+  const LinePath across{at({2.5, 0.3}), at({5, 0.3})};
+  const auto stress = inside(probed(sample, "von_mises", across));
+  for (const ProbePoint& point : stress)
+    EXPECT_NEAR(point.values(0), 10.0 * point.reference(0), 10.0 * kExact);
+  EXPECT_EQ(stress.front().body, 0);
+  EXPECT_EQ(stress.back().body, 1);
+  EXPECT_NEAR(stress.back().at, 2.0, 5.0 * kBorder);
+  for (const ProbePoint& point : inside(probed(sample, "plastic_strain", across)))
+    EXPECT_EQ(std::isnan(point.values(0)), point.body == 1);
+  EXPECT_THAT(mistake(sample, "plastic_strain", LinePath{at({3.7, 0.3}), at({4, 0.3})}),
+              HasSubstr("line: none of the bodies on it has the field plastic_strain"));
+}
+
+TEST(ProbedLine, IsInterruptedBetweenBodiesThatTouch) {
+  Sample sample = samples::twoBodies();
+  for (const int node : sample.model.mesh.patches[1].nodes) sample.frame.displacement(0, node) = -0.5;
+  const auto points = probed(sample, "von_mises", LinePath{at({2.5, 0.3}), at({3.5, 0.3})});
+  std::size_t gaps = 0;
+  for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+    if (points[k].body != ProbePoint::kOutside) continue;
+    ++gaps;
+    EXPECT_NEAR(points[k - 1].values(0), 30.0, 1e-6);
+    EXPECT_NEAR(points[k + 1].values(0), 35.0, 1e-6);
+  }
+  EXPECT_EQ(gaps, 1U);
+}
+
+TEST(ProbedFace, RunsAlongItsArc) {
+  const double length = 7.5 * (0.2 * std::sqrt(1.04) + std::asinh(0.2));  // of the parabola of the top
+  const auto deformed = probed(samples::slab(), "plastic_strain", FacePath{{"top", ""}});
+  EXPECT_NEAR(deformed.back().at, length, kExact);
+  for (const ProbePoint& point : deformed) {
+    const double s = point.reference(0) / 3.0;
+    EXPECT_NEAR(point.values(0), 4.0 * s * (1.0 - s), kExact);
+    EXPECT_NEAR(point.current(1), 1.0 - 0.6 * s * (1.0 - s), kExact);
+  }
+  const auto undeformed =
+      probed(samples::slab(), "plastic_strain", FacePath{{"top", ""}}, {.body = ProbedBody::Undeformed});
+  for (const ProbePoint& point : undeformed) EXPECT_NEAR(point.at, point.reference(0), kExact);
+  EXPECT_NEAR(undeformed.back().at, 3.0, kExact);
+}
+
+TEST(ProbedDepth, GoesAlongTheInwardNormalToTheOtherSide) {
+  const auto slab = probed(samples::slab(), "plastic_strain", DepthPath{{"top", ""}, at({1.5, 1.0})});
+  EXPECT_NEAR(slab.back().at, 0.85, kBorder);
+  for (const ProbePoint& point : slab)
+    EXPECT_NEAR(point.values(0), std::pow((0.85 - point.at) / 0.85, 2), kExact);
+
+  for (const Eigen::VectorXd& place : {at({3.0, 3.0}), at({0.5 * M_PI})}) {
+    const auto ring = probed(samples::ring(), "von_mises", DepthPath{{"right", ""}, place});
+    EXPECT_NEAR(ring.front().current(0), std::sqrt(2.0), 1e-7);
+    EXPECT_NEAR(ring.back().at, 1.0, kBorder);
+    for (const ProbePoint& point : ring) EXPECT_NEAR(point.values(0), 100.0 * (1.0 - point.at), 1e-6);
+  }
+  const auto part = probed(samples::ring(), "von_mises", DepthPath{{"left", ""}, at({0.3}), 0.25});
+  EXPECT_EQ(part.back().at, 0.25);
+  EXPECT_NEAR(part.back().values(0), 25.0, 1e-6);
+
+  const auto cube = probed(samples::cube(), "pressure", DepthPath{{"top", ""}, at({0.3, 1.0, 0.6})});
+  EXPECT_NEAR(cube.back().at, 1.0, kBorder);
+  for (const ProbePoint& point : cube) EXPECT_NEAR(point.values(0), 1.9 - point.at, 1e-9);
+}
+
+TEST(ProbeWindow, MeanOfALinearFieldIsItsMiddle) {
+  const auto linear = probed(samples::cube(), "pressure", LinePath{at({0.2, 0.2, 0.2}), at({0.8, 0.7, 0.6})},
+                             {.window = 0.3});
+  for (const ProbePoint& point : linear) EXPECT_NEAR(point.values(0), point.current.sum(), kExact);
+}
+
+TEST(ProbeWindow, CountsWhatLiesInTheBody) {
+  const auto points = probed(samples::cube(), "pressure", LinePath{at({-0.5, 0.5, 0.5}), at({1.5, 0.5, 0.5})},
+                             {.window = 0.2});
+  for (const ProbePoint& point : inside(points)) {
+    const double begin = std::max(0.0, point.current(0) - 0.1), end = std::min(1.0, point.current(0) + 0.1);
+    EXPECT_NEAR(point.values(0), 1.0 + 0.5 * (begin + end), kBorder);
+  }
+  EXPECT_NEAR(inside(points).front().values(0), 1.05, kBorder);
+  EXPECT_TRUE(std::isnan(points.front().values(0)));
+}
+
+TEST(ProbeWindow, MeanOfASquareIsThatOfItsIntegral) {
+  const double width = 0.2;
+  const auto points =
+      inside(probed(samples::slab(), "plastic_strain", LinePath{at({1.5, 0.2}), at({1.5, 0.8})},
+                    {.body = ProbedBody::Undeformed, .points = 7, .window = width}));
+  EXPECT_EQ(points.size(), 7U);
+  for (const ProbePoint& point : points)
+    EXPECT_NEAR(point.values(0), std::pow(point.reference(1), 2) + width * width / 12.0, kExact);
+}
+
+TEST(MaterialPoint, IsFollowedAlsoIntoANewMesh) {
+  const Sample first = samples::slab();
+  const MaterialPoint material(first.model, at({1.5, 0.8}));
+  for (const Sample& sample : {first, samples::meshedAnew(first, samples::slab({7, 5}))}) {
+    const ProbePoint point =
+        material.in(sample.frame, ProbedFields(first.model, sample.frame, {"plastic_strain"}));
+    EXPECT_EQ(point.at, 1.5);
+    EXPECT_NEAR(point.values(0), 0.64, kExact);
+    EXPECT_NEAR((point.current - at({1.5, 0.68})).norm(), 0.0, kExact);
+  }
+  EXPECT_THAT(
+      messageOf([&] {
+        MaterialPoint(first.model, at({1.5, 2.0}));
+      }),
+      HasSubstr("point: (1.5, 2) is 1 outside of the undeformed body, which lies between (0, 0) and (3, 1)"));
+}
+
+TEST(Probe, SaysWhatWouldBeRight) {
+  const Sample slab = samples::slab(), rubbed = samples::rubbedSlab();
+  const LinePath line{at({0, 0.5}), at({1, 0.5})};
+  EXPECT_THAT(
+      mistake(slab, "plastic_strian", line),
+      HasSubstr("field: found \"plastic_strian\"; available in frame 0: displacement, displacement.x, "
+                "displacement.y, plastic_strain. Did you mean \"plastic_strain\"?"));
+  EXPECT_THAT(mistake(rubbed, "contact_pressure", line),
+              HasSubstr("found \"contact_pressure\", which only faces in contact have; available"));
+  EXPECT_THAT(
+      mistake(slab, "plastic_strain", LinePath{at({0, 5}), at({1, 5})}),
+      HasSubstr("line: no point of it is in the deformed body of frame 0, which lies between (0, 0) and"));
+  EXPECT_THAT(mistake(slab, "plastic_strain", LinePath{at({1, 1}), at({1, 1})}),
+              HasSubstr("line: found (1, 1) twice; expected two points"));
+  EXPECT_THAT(mistake(slab, "plastic_strain", LinePath{at({1, 1, 1}), at({1, 1, 2})}),
+              HasSubstr("line: found (1, 1, 1); the body has 2 dimensions"));
+  EXPECT_THAT(
+      mistake(slab, "plastic_strain", FacePath{{"topp", ""}}),
+      HasSubstr("face: 'topp' is not a face; in 2 dimensions the faces are left, right, bottom, top"));
+  EXPECT_THAT(mistake(slab, "plastic_strain", FacePath{{"top", "p"}}),
+              HasSubstr("patch: found \"p\"; the body has one patch"));
+  EXPECT_THAT(mistake(slab, "plastic_strain", DepthPath{{"top", ""}, at({9.0})}),
+              HasSubstr("depth: found the place 9; expected a length along the face, 0 to 3.01"));
+  EXPECT_THAT(mistake(samples::cube(), "pressure", FacePath{{"top", ""}}),
+              HasSubstr("face: a face of a body in space is an area, not a path; expected --line"));
+  EXPECT_THAT(mistake(samples::twoBodies(), "von_mises", FacePath{{"top", ""}}),
+              HasSubstr("face: there are the bodies block, stamp; expected one of them, as --body block"));
+}
+
+}  // namespace
+}  // namespace burnish
