@@ -53,6 +53,11 @@ class CommonUnit {
   std::string what_, unit_;
 };
 
+/// A point is looked at over time, and so is the mean of a path.
+bool isOverTime(const ProbeArguments& arguments) {
+  return arguments.mean || !arguments.point.empty();
+}
+
 class ProbeReader {
  public:
   ProbeReader(const ProbeArguments& arguments, const std::vector<ResultReader>& results)
@@ -78,13 +83,12 @@ class ProbeReader {
     return runNames(arguments_.chart, files, modelFile({}).string(), arguments_.results);
   }
 
-  bool isHistory() const { return !arguments_.point.empty(); }
-
   void read(const ResultReader& result, const std::string& name) {
     const std::vector<double> times = result.times();
-    const std::string usual = isHistory() ? "all" : "last";
+    const bool isHistory = isOverTime(arguments_);
+    const std::string usual = isHistory ? "all" : "last";
     const std::vector<int> frames = frameIndices(arguments_.frame.empty() ? usual : arguments_.frame, times);
-    if (isHistory()) return readHistoryOf(result, name, frames);
+    if (isHistory) return readHistoryOf(result, name, frames);
     for (const int index : frames) {
       throwIfInterrupted();
       const ModelFrame shown = shownOf(result, index);
@@ -98,16 +102,21 @@ class ProbeReader {
   }
 
   void readHistoryOf(const ResultReader& result, const std::string& name, const std::vector<int>& frames) {
+    const int dim = result.model().dim;
     const ModelFrame first = shownOf(result, frames.front());
-    const MaterialPoint point(first.model, pointFromText(arguments_.point, result.model().dim));
+    std::optional<MaterialPoint> point;
+    if (!arguments_.point.empty()) point.emplace(first.model, pointFromText(arguments_.point, dim));
     ProbedRun run{name, result.model(), {}, {}};
     for (const int index : frames) {
       throwIfInterrupted();
       const ModelFrame shown = shownOf(result, index);
       const ProbedFields fields(shown.model, shown.frame, namesOf(shown.frame));
       run.fields = fields.choices();
-      run.points.push_back(point.in(shown.frame, fields));
+      run.points.push_back(point ? point->in(shown.frame, fields)
+                                 : probedMean(shown.model, shown.frame, fields, pathIn(dim), options()));
     }
+    if (std::ranges::all_of(run.points, [](const ProbePoint& p) { return p.values.array().isNaN().all(); }))
+      throw Error("no point of the path is in a body with the field in any of the frames");
     runs_.push_back(std::move(run));
   }
 
@@ -139,12 +148,26 @@ class ProbeReader {
   std::vector<ProbedRun> runs_;
 };
 
+/// "the line", "face top", ...
+std::string pathWords(const ProbeArguments& arguments) {
+  const std::string& face = arguments.face.empty() ? arguments.depth : arguments.face;
+  const std::string name = face.empty() ? "the line" : "face " + face.substr(0, face.find('@'));
+  return arguments.reference ? name + " of the undeformed body" : name;
+}
+
 std::string distanceWords(const ProbeArguments& arguments) {
-  const std::string body = arguments.reference ? "undeformed " : "";
-  if (!arguments.face.empty()) return fmt::format("Length along {}face {}", body, arguments.face);
-  if (!arguments.depth.empty())
-    return fmt::format("Depth below {}face {}", body, arguments.depth.substr(0, arguments.depth.find('@')));
-  return arguments.reference ? "Distance in the undeformed body" : "Distance along the line";
+  const char* what = !arguments.line.empty()   ? "Distance along"
+                     : !arguments.face.empty() ? "Length along"
+                                               : "Depth below";
+  return fmt::format("{} {}", what, pathWords(arguments));
+}
+
+/// What the values are means of; empty for values at points.
+std::string meanWords(const ProbeArguments& arguments, const std::string& lengthUnit) {
+  if (arguments.window)
+    return fmt::format(", mean over {}{}{}", *arguments.window, lengthUnit.empty() ? "" : " ", lengthUnit);
+  if (!arguments.mean) return "";
+  return fmt::format(", mean {} {}", arguments.depth.empty() ? "along" : "below", pathWords(arguments));
 }
 
 /// What the fields have in common, as in "Cauchy stress" of two components, else all of them.
@@ -179,13 +202,9 @@ Chart chartOf(const ProbeArguments& arguments, const std::vector<ProbedRun>& run
     length.add("the length of " + (run.name.empty() ? "the result" : run.name), run.model.lengthUnit);
     for (const FieldChoice& field : run.fields) value.add(field.name, field.unit);
   }
-  std::string yTitle = withUnit(fieldWords(runs.front().fields), value.text());
-  if (arguments.window)
-    yTitle +=
-        fmt::format(", mean over {}{}{}", *arguments.window, length.text().empty() ? "" : " ", length.text());
   Chart chart = emptyChart(
-      arguments.chart, arguments.point.empty() ? withUnit(distanceWords(arguments), length.text()) : "Time",
-      yTitle);
+      arguments.chart, isOverTime(arguments) ? "Time" : withUnit(distanceWords(arguments), length.text()),
+      withUnit(fieldWords(runs.front().fields), value.text()) + meanWords(arguments, length.text()));
   for (std::size_t field = 0; field < numFields; ++field)
     for (const ProbedRun& run : runs) {
       chart.curves.push_back(curveOf(run, field));
@@ -195,22 +214,29 @@ Chart chartOf(const ProbeArguments& arguments, const std::vector<ProbedRun>& run
   return chart;
 }
 
-/// The columns of a run: distance or time, where the material is and was, and the fields.
+/// The columns of a run: distance or time, of points where the material is and was, and the fields.
 std::vector<std::string> columnsOf(const ProbeArguments& arguments, const ProbedRun& run) {
   const std::string& unit = run.model.lengthUnit;
-  std::vector<std::string> columns{arguments.point.empty() ? labelled("distance", unit) : "time"};
+  std::vector<std::string> columns{isOverTime(arguments) ? "time" : labelled("distance", unit)};
   for (const char* axes : {"xyz", "XYZ"})
-    for (int d = 0; d < run.model.dim; ++d) columns.push_back(labelled(std::string(1, axes[d]), unit));
+    for (int d = 0; !arguments.mean && d < run.model.dim; ++d)
+      columns.push_back(labelled(std::string(1, axes[d]), unit));
   for (const FieldChoice& field : run.fields) columns.push_back(labelled(field.name, field.unit));
   if (!run.name.empty())
     for (std::string& column : columns) column = run.name + " " + column;
   return columns;
 }
 
-std::vector<std::string> cellsOf(const ProbePoint& point) {
+std::vector<std::string> cellsOf(const ProbeArguments& arguments, const ProbePoint& point) {
   std::vector<std::string> cells{fmt::format("{}", point.at)};
-  for (const Eigen::VectorXd* values : {&point.current, &point.reference, &point.values})
-    for (const double value : *values) cells.push_back(fmt::format("{}", value));
+  const auto add = [&](const Eigen::VectorXd& values) {
+    for (const double value : values) cells.push_back(fmt::format("{}", value));
+  };
+  if (!arguments.mean) {
+    add(point.current);
+    add(point.reference);
+  }
+  add(point.values);
   return cells;
 }
 
@@ -227,7 +253,7 @@ std::string tableOf(const ProbeArguments& arguments, const std::vector<ProbedRun
     std::vector<std::string> cells;
     for (const ProbedRun& run : runs) {
       const std::vector<std::string> own = row < run.points.size()
-                                               ? cellsOf(run.points[row])
+                                               ? cellsOf(arguments, run.points[row])
                                                : std::vector<std::string>(columnsOf(arguments, run).size());
       cells.insert(cells.end(), own.begin(), own.end());
     }

@@ -18,6 +18,7 @@ struct ProbeArguments {
   std::string frame;
   std::vector<std::string> bodies;
   std::string patch;
+  bool mean = false;       ///< of all of a path, over time
   bool reference = false;  ///< the path lies in the undeformed body
   int points = 401;
   std::optional<double> window, length;  ///< length: of `depth`

@@ -76,11 +76,17 @@ void addPlaces(CLI::App& command, ProbeArguments& arguments) {
       ->check(CLI::Range(2, 1'000'000))
       ->excludes(point)
       ->type_name("N");
+  CLI::Option* window =
+      command
+          .add_option(
+              "--window", arguments.window,
+              "Mean values of a window of this width along the path instead of values at points [none]")
+          ->excludes(point)
+          ->type_name("W");
   command
-      .add_option("--window", arguments.window,
-                  "Mean values of a window of this width along the path instead of values at points [none]")
+      .add_flag("--mean", arguments.mean, "The mean of all of the path over time instead of values along it")
       ->excludes(point)
-      ->type_name("W");
+      ->excludes(window);
 }
 
 void addWhat(CLI::App& command, ProbeArguments& arguments) {
@@ -94,9 +100,8 @@ void addWhat(CLI::App& command, ProbeArguments& arguments) {
       ->take_all()
       ->type_name("NAME");
   command
-      .add_option(
-          "--frame", arguments.frame,
-          "Number of the frame, last or end, or time=T; for several A-B or all [last, of a point all]")
+      .add_option("--frame", arguments.frame,
+                  "Number of the frame, last or end, or time=T; for several A-B or all [last, over time all]")
       ->type_name("N|A-B|all|last|time=T");
   command.add_option("--body", arguments.bodies, "Some of several bodies alone [all]")
       ->delimiter(',')

@@ -37,6 +37,9 @@ int patchNumber(const ModelRecord& model, const MeshRecord& mesh, const std::str
   if (found != names.end()) return static_cast<int>(found - names.begin());
   if (names.empty())
     throw Error(fmt::format("patch: found {}; the body has one patch, which needs no name", quoted(name)));
+  if (name.empty())
+    throw Error(fmt::format("face: there are the patches {}; expected one of them, as --patch {}",
+                            fmt::join(names, ", "), names.front()));
   throw Error(fmt::format("patch: found {}; the body has the patches {}.{}", quoted(name),
                           fmt::join(names, ", "), didYouMean(name, names)));
 }

@@ -109,4 +109,10 @@ std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<Probe
   return samples;
 }
 
+Eigen::VectorXd meanAlong(const PathProbe& probe, std::vector<ProbePoint> samples) {
+  const double end = samples.back().at;
+  const Eigen::ArrayX2d sum = RunningIntegral(probe, std::move(samples)).to(end);
+  return (sum.col(1) > 0.0).select(sum.col(0) / sum.col(1), ProbePoint::kNone).matrix();
+}
+
 }  // namespace burnish

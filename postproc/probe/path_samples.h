@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Dense>
 #include <functional>
 #include <vector>
 
@@ -18,5 +19,9 @@ std::vector<ProbePoint> samplesAlong(const PathProbe& probe, double begin, doubl
 /// around each that lies between `begin` and `end` and in bodies with the field.
 std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<ProbePoint> samples, double width,
                                        double begin, double end);
+
+/// Means of the fields over the parts of a path that lie in bodies with them; `kNone` without any. samples: of
+/// all of the path.
+Eigen::VectorXd meanAlong(const PathProbe& probe, std::vector<ProbePoint> samples);
 
 }  // namespace burnish

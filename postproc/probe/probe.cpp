@@ -20,7 +20,8 @@ namespace {
 /// material outside of a mesh that was made on the way.
 constexpr double kGivenOutside = 1e-6, kMovedOutside = 1e-3;
 
-constexpr int kFaceStarts = 20;  // of the search for the nearest point of a face, per direction
+constexpr double kLongestLine = 1000;  // by the size of the body; of longer ones borders would be blurred
+constexpr int kFaceStarts = 20;        // of the search for the nearest point of a face, per direction
 
 /// A path as a function of the distance.
 struct MeasuredPath {
@@ -46,9 +47,13 @@ class PathMaker {
 
   MeasuredPath operator()(const LinePath& line) const {
     const Point begin = pointOf(line.begin, "line"), end = pointOf(line.end, "line");
-    const double length = (end - begin).norm();
+    const double length = (end - begin).stableNorm();
     if (!(length > 0.0))
       throw Error(fmt::format("line: found {} twice; expected two points", pointText(begin)));
+    if (!(length <= kLongestLine * bodies_.size()))
+      throw Error(fmt::format(
+          "line: found a length of {:.6g}; expected at most {} times the size of the body, {:.6g}", length,
+          kLongestLine, bodies_.size()));
     return {straight(begin, (end - begin) / length),
             length,
             {-0.5 * options_.window, length + 0.5 * options_.window}};
@@ -217,6 +222,16 @@ std::vector<ProbePoint> probedPathIn(const ModelRecord& model, const FrameRecord
   return points;
 }
 
+template <int Dim>
+ProbePoint probedMeanIn(const ModelRecord& model, const FrameRecord& frame, const ProbedFields& fields,
+                        const ProbePath& path, const ProbeOptions& options) {
+  const PathMaker<Dim> maker(model, frame, fields, options);
+  const MeasuredPath measured = std::visit(maker, path);
+  const Eigen::VectorXd unknown = Eigen::VectorXd::Constant(Dim, ProbePoint::kNone);
+  return {frame.time, ProbePoint::kOutside, unknown, unknown,
+          meanAlong(measured.probe, samplesAlong(measured.probe, 0.0, measured.end, options.points))};
+}
+
 }  // namespace
 
 std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& frame,
@@ -224,6 +239,12 @@ std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& 
                                    const ProbeOptions& options) {
   return model.dim == 2 ? probedPathIn<2>(model, frame, fields, path, options)
                         : probedPathIn<3>(model, frame, fields, path, options);
+}
+
+ProbePoint probedMean(const ModelRecord& model, const FrameRecord& frame, const ProbedFields& fields,
+                      const ProbePath& path, const ProbeOptions& options) {
+  return model.dim == 2 ? probedMeanIn<2>(model, frame, fields, path, options)
+                        : probedMeanIn<3>(model, frame, fields, path, options);
 }
 
 class MaterialPoint::Finder {

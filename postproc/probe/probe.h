@@ -49,6 +49,11 @@ std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& 
                                    const ProbedFields& fields, const ProbePath& path,
                                    const ProbeOptions& options = {});
 
+/// The means of the fields over all of a path, at the time of the frame; `kNone` where the path is outside of
+/// the bodies that have them, and as position. Throws `Error` for a path that does not fit the body.
+ProbePoint probedMean(const ModelRecord& model, const FrameRecord& frame, const ProbedFields& fields,
+                      const ProbePath& path, const ProbeOptions& options = {});
+
 /// A point of the material over time.
 class MaterialPoint {
  public:

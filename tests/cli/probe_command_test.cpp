@@ -96,16 +96,28 @@ TEST_F(ProbeCommand, FollowsAPointAsTheHistoryDoes) {
   EXPECT_EQ(table("run --point 0.9,1.2 --frame 1-2").numRows(), 2U);
 }
 
+TEST_F(ProbeCommand, TakesMeansOverTime) {
+  // Half of the cylinder is in equilibrium: hoop stress times thickness is pressure times inner radius.
+  const HistoryTable found =
+      table("run --line 1,0:2,0 --mean --reference --field stress.yy --field stress.xx");
+  ASSERT_EQ(found.columns, (std::vector<std::string>{"time", "stress.yy [MPa]", "stress.xx [MPa]"}));
+  EXPECT_EQ(found.column("time"), (std::vector{0.0, 0.25, 0.5, 0.75, 1.0}));
+  for (std::size_t k = 0; k < found.numRows(); ++k)
+    EXPECT_NEAR(found.column("stress.yy [MPa]")[k], 1e-8 * found.column("time")[k], 1e-12);
+}
+
 TEST_F(ProbeCommand, SaysInWordsWhatAChartShows) {
   // No legend for a single curve.
   EXPECT_THAT(
       chart("run --depth left@0.3 --field von_mises --window 0.1"),
       UnorderedElementsAre("Depth below face left in mm", "von Mises stress in MPa, mean over 0.1 mm"));
   EXPECT_THAT(chart("run --face left --reference --field stress.xx --field stress.yy"),
-              UnorderedElementsAre("Length along undeformed face left in mm", "Cauchy stress in MPa",
-                                   "Cauchy stress xx", "Cauchy stress yy"));
+              UnorderedElementsAre("Length along face left of the undeformed body in mm",
+                                   "Cauchy stress in MPa", "Cauchy stress xx", "Cauchy stress yy"));
   EXPECT_THAT(chart("run --point 1,1 --field displacement"),
               UnorderedElementsAre("Time", "Displacement in mm"));
+  EXPECT_THAT(chart("run --face left --mean --field von_mises"),
+              UnorderedElementsAre("Time", "von Mises stress in MPa, mean along face left"));
 }
 
 TEST_F(ProbeCommand, DrawsSeveralRunsAndFramesInOneChart) {
@@ -147,6 +159,9 @@ TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
   expectRefused("run --line 1,0:2,0 --length 1", "--length requires --depth");
   expectRefused("run --point 1,1 --window 1", "excludes");
   expectRefused("run --line 1,0:2,0 --window 0", "--window: found 0; expected a positive length");
+  expectRefused("run --line 1,0:2,0 --window 1 --mean", "excludes");
+  expectRefused("run --line 5,0:6,0 --mean",
+                "no point of the path is in a body with the field in any of the frames");
   expectRefused("run --line 1,0:2,0 --patch a", "--patch: names the patch of a face");
   expectRefused("run --line 1,0:2,0 --body a", "body: found \"a\"");
   expectRefused("run --line 1,0:2,0 --frame 9", "--frame: there is no frame 9; the result has frames 0 to 4");

@@ -82,6 +82,7 @@ def main():
         # Charts show a text with a bar as outlines alone, which cannot be read back.
         run(burnish, "plot", out, "-o", work / "chart.svg", "--csv", work / "chart.csv",
             "--title", TITLE.replace("|", "/"), "--x-title", STRESS)
+        run(burnish, "probe", out, "--face", "top", "-o", work / "probe.svg", "--csv", work / "probe.csv")
         run(burnish, "report", out, "-o", work / "report.html")
 
         files = sorted(work.rglob("*.vt[up]")) + sorted(work.rglob("*.pvd")) + sorted(work.rglob("*.svg"))
@@ -100,7 +101,7 @@ def main():
 
         summary = yaml.safe_load((out / "summary.yaml").read_text(encoding="utf-8"))
         expect(summary["completed"] is True, "summary.yaml does not say that the run was completed")
-        for table in (out / "history.csv", out / "convergence.csv", work / "chart.csv"):
+        for table in (out / "history.csv", out / "convergence.csv", work / "chart.csv", work / "probe.csv"):
             with table.open(newline="", encoding="utf-8") as stream:
                 rows = list(csv.reader(stream, strict=True))
             expect(len({len(row) for row in rows}) == 1, f"{table.name} has rows of several lengths")

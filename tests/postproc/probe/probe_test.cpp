@@ -189,6 +189,22 @@ TEST(ProbeWindow, MeanOfASquareIsThatOfItsIntegral) {
     EXPECT_NEAR(point.values(0), std::pow(point.reference(1), 2) + width * width / 12.0, kExact);
 }
 
+TEST(ProbedMean, IsThatOfThePartsInTheBody) {
+  const Sample slab = samples::slab(), two = samples::twoBodies();
+  const ProbedFields strain(slab.model, slab.frame, {"plastic_strain"}),
+      ofTwo(two.model, two.frame, {"plastic_strain", "von_mises"});
+  const ProbePoint upwards =
+      probedMean(slab.model, slab.frame, strain, LinePath{at({1.5, -1.0}), at({1.5, 2.0})});
+  EXPECT_EQ(upwards.at, 1.5);  // the time
+  EXPECT_NEAR(upwards.values(0), 1.0 / 3.0, kBorder);
+  const ProbePoint along =
+      probedMean(slab.model, slab.frame, strain, FacePath{{"top", ""}}, {.body = ProbedBody::Undeformed});
+  EXPECT_NEAR(along.values(0), 2.0 / 3.0, kExact);
+  const ProbePoint across = probedMean(two.model, two.frame, ofTwo, LinePath{at({3.7, 0.3}), at({9.7, 0.3})});
+  EXPECT_TRUE(std::isnan(across.values(0)));
+  EXPECT_NEAR(across.values(1), 41.0, 1e-6);
+}
+
 TEST(MaterialPoint, IsFollowedAlsoIntoANewMesh) {
   const Sample first = samples::slab();
   const MaterialPoint material(first.model, at({1.5, 0.8}));
@@ -220,6 +236,9 @@ TEST(Probe, SaysWhatWouldBeRight) {
       HasSubstr("line: no point of it is in the deformed body of frame 0, which lies between (0, 0) and"));
   EXPECT_THAT(mistake(slab, "plastic_strain", LinePath{at({1, 1}), at({1, 1})}),
               HasSubstr("line: found (1, 1) twice; expected two points"));
+  EXPECT_THAT(
+      mistake(slab, "plastic_strain", LinePath{at({1, 0.5}), at({1e300, 1})}),
+      HasSubstr("line: found a length of 1e+300; expected at most 1000 times the size of the body, 3"));
   EXPECT_THAT(mistake(slab, "plastic_strain", LinePath{at({1, 1, 1}), at({1, 1, 2})}),
               HasSubstr("line: found (1, 1, 1); the body has 2 dimensions"));
   EXPECT_THAT(
