@@ -129,17 +129,6 @@ std::array<int, 2> sizeFromText(const std::string& text) {
   throw Error(fmt::format("--size: found \"{}\"; expected W,H: pixels from {}", text, pictureSizeWords()));
 }
 
-std::optional<std::vector<double>> coordinatesFromText(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0, comma = 0; comma != std::string::npos; begin = comma + 1) {
-    comma = text.find(',', begin);
-    const auto number = numberFrom<double>(std::string_view(text).substr(begin, comma - begin));
-    if (!number || !std::isfinite(*number)) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
 std::string shellWord(const std::string& word) {
   constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,9 +49,6 @@ std::array<double, 2> rangeFromText(const char* option, const std::string& text,
 
 /// `W,H` in pixels.
 std::array<int, 2> sizeFromText(const std::string& text);
-
-/// Finite numbers with commas between them, or nothing.
-std::optional<std::vector<double>> coordinatesFromText(const std::string& text);
 
 /// A word of a command line for the shell, in quotes where it needs them.
 std::string shellWord(const std::string& word);

@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,18 +9,11 @@
 
 namespace burnish {
 
-/// What `burnish probe` was asked for. Empty texts: not given.
+/// What `burnish probe` was asked for.
 struct ProbeArguments {
   std::vector<std::filesystem::path> results;
-  std::string line, point, face, depth;  ///< one of them
-  std::vector<std::string> fields;
-  std::string frame;
-  std::vector<std::string> bodies;
-  std::string patch;
-  bool mean = false;       ///< of all of a path, over time
-  bool reference = false;  ///< the path lies in the undeformed body
-  int points = 401;
-  std::optional<double> window, length;  ///< length: of `depth`
+  DeclaredOptions probe;  ///< of a `ProbeSpec`
+  std::string frame;      ///< empty: not given
   ChartArguments chart;
 };
 

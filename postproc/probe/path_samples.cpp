@@ -57,6 +57,8 @@ class RunningIntegral {
     return sums_[k] + over(k, distance);
   }
 
+  Eigen::ArrayX2d total() const { return sums_.back(); }
+
  private:
   /// From a point to a distance no farther than the next one.
   Eigen::ArrayX2d over(std::size_t k, double end) const {
@@ -110,8 +112,7 @@ std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<Probe
 }
 
 Eigen::VectorXd meanAlong(const PathProbe& probe, std::vector<ProbePoint> samples) {
-  const double end = samples.back().at;
-  const Eigen::ArrayX2d sum = RunningIntegral(probe, std::move(samples)).to(end);
+  const Eigen::ArrayX2d sum = RunningIntegral(probe, std::move(samples)).total();
   return (sum.col(1) > 0.0).select(sum.col(0) / sum.col(1), ProbePoint::kNone).matrix();
 }
 

@@ -50,10 +50,8 @@ class PathMaker {
     const double length = (end - begin).stableNorm();
     if (!(length > 0.0))
       throw Error(fmt::format("line: found {} twice; expected two points", pointText(begin)));
-    if (!(length <= kLongestLine * bodies_.size()))
-      throw Error(fmt::format(
-          "line: found a length of {:.6g}; expected at most {} times the size of the body, {:.6g}", length,
-          kLongestLine, bodies_.size()));
+    requireNotTooLong("line", length);
+    requireNotTooLong("window", options_.window);
     return {straight(begin, (end - begin) / length),
             length,
             {-0.5 * options_.window, length + 0.5 * options_.window}};
@@ -91,6 +89,13 @@ class PathMaker {
 
  private:
   bool deformed() const { return options_.body == ProbedBody::Deformed; }
+
+  void requireNotTooLong(const char* what, double length) const {
+    if (!(length <= kLongestLine * bodies_.size()))
+      throw Error(
+          fmt::format("{}: found a length of {:.6g}; expected at most {} times the size of the body, {:.6g}",
+                      what, length, kLongestLine, bodies_.size()));
+  }
 
   Point pointOf(const Eigen::VectorXd& point, const char* path) const {
     if (point.size() != Dim)

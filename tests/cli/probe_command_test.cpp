@@ -145,28 +145,38 @@ TEST_F(ProbeCommand, WritesChartsAndTablesAtOnceAndPrintsThem) {
 }
 
 TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
-  expectRefused("run", "found no place; expected one of --line, --point, --face and --depth");
-  expectRefused("run --line 1,0", "--line: found \"1,0\"; expected X0,Y0:X1,Y1, two points of the plane");
-  expectRefused("run --line 1,0:2,x", "--line: found \"1,0:2,x\"");
-  expectRefused("run --line 1,0,0:2,0,0", "--line: found \"1,0,0:2,0,0\"");
+  expectRefused("run", "found no place; expected one of line, face, depth and point");
+  expectRefused("run --line 1,0:2,0 --face left",
+                "--line: found line and face; expected one of line, face, depth");
+  expectRefused("run --line 1,0", "line: found \"1,0\"; expected X0,Y0:X1,Y1, two points of the plane");
+  expectRefused("run --line 1,0:2,x", "line: found \"1,0:2,x\"");
+  expectRefused("run --line 1,0:2,", "line: found \"1,0:2,\"");
+  expectRefused("run --line 1,0,0:2,0,0", "line: found \"1,0,0:2,0,0\"");
   expectRefused("run --line 5,0:6,0", "line: no point of it is in the deformed body of frame 4, which lies");
-  expectRefused("run --point 1", "--point: found \"1\"; expected X,Y, a position in the undeformed body");
+  expectRefused("run --point 1", "point: found \"1\"; expected X,Y, a position in the undeformed body");
   expectRefused("run --point 0,0", "point: (0, 0) is 1 outside of the undeformed body");
   expectRefused("run --face inner", "the faces are left, right, bottom, top");
   expectRefused("run --depth left",
-                "--depth: found \"left\"; expected FACE@X,Y, a position on the face, or FACE@S");
-  expectRefused("run --line 1,0:2,0 --face left", "--line excludes --face");
-  expectRefused("run --line 1,0:2,0 --length 1", "--length requires --depth");
-  expectRefused("run --point 1,1 --window 1", "excludes");
-  expectRefused("run --line 1,0:2,0 --window 0", "--window: found 0; expected a positive length");
-  expectRefused("run --line 1,0:2,0 --window 1 --mean", "excludes");
+                "depth: found \"left\"; expected FACE@X,Y, a position on the face, or FACE@S");
+  expectRefused("run --line 1,0:2,0 --length 1",
+                "--length: says how deep depth goes; expected depth beside it");
+  expectRefused("run --line 1,0:2,0 --patch a", "--patch: names the patch of a face; expected face or depth");
+  expectRefused("run --point 1,1 --reference", "--reference: says where a path lies");
+  expectRefused("run --point 1,1 --window 1", "--window: says what values along a path are means of");
+  expectRefused("run --line 1,0:2,0 --window 1 --mean",
+                "--window: says what values along a path are means of");
+  expectRefused("run --point 1,1 --mean", "--mean: is that of a path; expected no point beside it");
+  expectRefused("run --line 1,0:2,0 --window 0", "--window: found \"0\"; expected a number above 0");
+  expectRefused("run --line 1,0:2,0 --points 1",
+                "--points: found \"1\"; expected a whole number from 2 to 1000000");
   expectRefused("run --line 5,0:6,0 --mean",
                 "no point of the path is in a body with the field in any of the frames");
-  expectRefused("run --line 1,0:2,0 --patch a", "--patch: names the patch of a face");
   expectRefused("run --line 1,0:2,0 --body a", "body: found \"a\"");
   expectRefused("run --line 1,0:2,0 --frame 9", "--frame: there is no frame 9; the result has frames 0 to 4");
-  expectRefused("run --line 1,0:2,0 --field stress",
-                "field: found \"stress\"; available in frame 4: displacement,");
+  expectRefused("run --line 1,0:2,0 --field stres.xx", "--field: found \"stres.xx\"; expected");
+  expectRefused("run --line 1,0:2,0 --field stress.xz", "Did you mean \"stress.xx\"?");
+  expectRefused("run --line 1,0:2,0 --field stress.yz",
+                "field: found \"stress.yz\"; available in frame 4: displacement,");
   expectRefused("run --line 1,0:2,0 --field von_mises --field displacement",
                 "von_mises has the unit MPa and displacement the unit mm; expected one unit along an axis");
   expectRefused("run run --line 1,0:2,0 --label a --label b --label c",

@@ -6,6 +6,7 @@
 #include "postproc/study/figures/animation_figure.h"
 #include "postproc/study/figures/composite_figure.h"
 #include "postproc/study/figures/history_figure.h"
+#include "postproc/study/figures/probe_figure.h"
 #include "postproc/study/figures/refinement_figure.h"
 #include "postproc/study/figures/setup_figure.h"
 #include "postproc/study/figures/sheet_figure.h"
@@ -16,6 +17,7 @@ namespace burnish {
 /// The kinds of figures; what each has to say stands in figure.h.
 using FigureKind = std::variant<HistoryFigure,     //
                                 SurfaceFigure,     //
+                                ProbeFigure,       //
                                 RefinementFigure,  //
                                 SheetFigure,       //
                                 SetupFigure,       //

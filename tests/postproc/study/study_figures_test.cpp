@@ -17,7 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace samples;
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 std::string errorOf(const std::function<void()>& action) {
@@ -139,6 +141,31 @@ TEST_F(StudyFigures, SurfaceChartShowsTheContactAtEachTime) {
   const auto lines = std::count(second.begin(), second.end(), '\n');
   EXPECT_GT(lines, 40 * 2 / 3 - 3);
   EXPECT_LT(lines, 40 * 2 / 3 + 4);
+}
+
+TEST_F(StudyFigures, ProbeHasACurveForEachRunAndTime) {
+  ProbeFigure spec;
+  spec.runs = {"nurbs-fine", "lagrange-fine"};
+  spec.times = {1.0, 2.0};
+  spec.probe.line = "1.5,0:1.5,0.5";
+  spec.probe.points = 2;
+  spec.probe.reference = true;
+  EXPECT_THAT(draw("strain", spec), ElementsAre("strain.png", "strain.csv"));
+  const std::string table = text("strain.csv");
+  for (const char* name : {"NURBS, fine, t = 1 distance [mm]", "NURBS, fine, t = 2 plastic_strain",
+                           "Lagrange, fine, t = 2 (stopped at t = 1.4) plastic_strain"})
+    EXPECT_THAT(table, HasSubstr(name));
+  // The strain is the time times y²: a quarter at half the height, twice that at t = 2.
+  const std::string last = table.substr(table.rfind("\n0.5,") + 1);
+  EXPECT_THAT(last, HasSubstr(",0.5,0.25,0.5,"));
+  EXPECT_THAT(last, HasSubstr(",0.5,0.5,0.5,"));
+  EXPECT_THAT(last, EndsWith(",0.5,0.35\n"));
+
+  spec.times.clear();
+  spec.probe = ProbeSpec();
+  spec.probe.point = "1.5,0.5";
+  EXPECT_THAT(draw("history", spec), ElementsAre("history.png", "history.csv"));
+  EXPECT_THAT(text("history.csv"), AllOf(HasSubstr("\n2,"), EndsWith(",0.5,0.35\n")));
 }
 
 TEST_F(StudyFigures, RefinementFindsLimitAndOrder) {

@@ -181,9 +181,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "unknownOfKind", "looks: {", "look: {",
             "study.yaml:12:78: figures[0].look: found an unknown key; allowed: name, caption, kind, runs"},
-        Mistake{"kind", "kind: sheet", "kind: shet",
-                "study.yaml:13:23: figures[1].kind: found shet; allowed: history | surface | refinement | "
-                "sheet | setup | composite | animation. Did you mean \"sheet\"?"},
+        Mistake{
+            "kind", "kind: sheet", "kind: shet",
+            "study.yaml:13:23: figures[1].kind: found shet; allowed: history | surface | probe | refinement | "
+            "sheet | setup | composite | animation. Did you mean \"sheet\"?"},
         Mistake{"field", "field: von_mises", "field: mises",
                 "study.yaml:13:93: figures[1].field: found mises; allowed: displacement"},
         Mistake{"missing", "y: strain_energy, looks", "looks",
@@ -209,6 +210,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "study.yaml:7:36: runs[0].vary[1].values[1]: found 2 a second time"},
         Mistake{"figureTwice", "{name: map", "{name: energy",
                 "study.yaml:13:12: figures[1].name: found energy a second time"},
+        Mistake{"probePlaces",
+                "sheet, runs: [soft], times: [0, 1], time_labels: [start, end], field: von_mises",
+                "probe, runs: [soft], line: \"0,0:1,1\", face: top",
+                "study.yaml:13:50: figures[1].line: found line and face; expected one of line, face, depth"},
+        Mistake{"probeTimes",
+                "sheet, runs: [soft], times: [0, 1], time_labels: [start, end], field: von_mises",
+                "probe, runs: [soft], point: \"0,0\", times: [0, 1]",
+                "study.yaml:13:65: figures[1].times: found times of values over time; allowed: none."},
         Mistake{"timeLabels", "time_labels: [start, end]", "time_labels: [start]",
                 "study.yaml:13:72: figures[1].time_labels: found a list of 1; allowed: a list of 2"},
         Mistake{"captions", "captions: [a, b]", "captions: [a]",

@@ -1,0 +1,34 @@
+#include "postproc/probe/probe_spec.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace burnish {
+
+std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
+  std::vector<std::string> places;
+  for (const auto& [key, text] : {std::pair{"line", &spec.line}, std::pair{"face", &spec.face},
+                                  std::pair{"depth", &spec.depth}, std::pair{"point", &spec.point}})
+    if (!text->empty()) places.emplace_back(key);
+  std::vector<InputProblem> problems;
+  if (places.size() != 1)
+    problems.push_back(
+        {places.empty() ? "line" : places.front(),
+         fmt::format("found {}; expected one of line, face, depth and point",
+                     places.empty() ? "no place" : fmt::format("{}", fmt::join(places, " and ")))});
+  const auto require = [&](bool holds, const char* key, const char* text) {
+    if (!holds) problems.push_back({key, text});
+  };
+  require(!spec.length || !spec.depth.empty(), "length",
+          "says how deep depth goes; expected depth beside it");
+  require(spec.patch.empty() || !spec.face.empty() || !spec.depth.empty(), "patch",
+          "names the patch of a face; expected face or depth beside it");
+  require(!spec.reference || spec.point.empty(), "reference",
+          "says where a path lies; the place of a point is always in the undeformed body");
+  require(!spec.window || !spec.isOverTime(), "window",
+          "says what values along a path are means of; expected no point and no mean beside it");
+  require(!spec.mean || spec.point.empty(), "mean", "is that of a path; expected no point beside it");
+  return problems;
+}
+
+}  // namespace burnish

@@ -1,0 +1,60 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/input_error.h"
+#include "engine/schema/leaf.h"
+#include "postproc/draw/contour/picture_options.h"
+
+namespace burnish {
+
+/// What is looked at, as the options of the command and studies spell it. Empty texts: not given.
+struct ProbeSpec {
+  std::string line, face, depth, point;  ///< one of them
+  std::optional<double> length;          ///< of `depth`
+  std::string patch;                     ///< of the face
+  std::vector<std::string> bodies;       ///< all when empty
+  std::vector<std::string> fields;       ///< what one most probably wants to see when empty
+  bool reference = false;                ///< the path lies in the undeformed body
+  int points = 401;
+  std::optional<double> window;
+  bool mean = false;  ///< of all of a path
+
+  /// A point is looked at over time, and so is the mean of a path.
+  bool isOverTime() const { return mean || !point.empty(); }
+};
+
+template <class Visitor>
+void describe(Visitor& v, ProbeSpec& s) {
+  v.field("line", s.line, {},
+          "X0,Y0:X1,Y1, in space with Z: values along the straight line between two points.");
+  v.field("face", s.face, {}, "Values along a face of a plane body: left, right, bottom or top.");
+  v.field(
+      "depth", s.depth, {},
+      "FACE@S or FACE@X,Y, in space with Z: values along the inward normal of a face, from a length along "
+      "it, or from the point of it that is nearest to a position.");
+  v.field("length", s.length, {.above = 0, .unit = "length"},
+          "How deep they go; to where they leave the body when left out.");
+  v.field("point", s.point, {},
+          "X,Y, in space with Z: values over time at a point of the material, by its place in the undeformed "
+          "body.");
+  v.field("patch", s.patch, {}, "Patch of the face, in a body of several.");
+  v.field("body", s.bodies, {}, "Names of the bodies that are looked at; all when left out.");
+  v.field(
+      "field", s.fields, {.choices = bodyFields()},
+      "What is drawn, one field or several of one unit; displacement alone is its magnitude; plastic_strain "
+      "or von_mises when left out.");
+  v.field("reference", s.reference, {},
+          "The path lies in the undeformed body and is measured there, not in the deformed one.");
+  v.field("points", s.points, {.atLeast = 2, .atMost = 1e6},
+          "Points at equal distances; those where the path leaves a body are added.");
+  v.field("window", s.window, {.above = 0, .unit = "length"},
+          "Mean values of a window of this width along the path instead of values at points.");
+  v.field("mean", s.mean, {}, "The mean of all of the path over time instead of values along it.");
+}
+
+/// What keys say that cannot be, each alone or two together, by the key.
+std::vector<InputProblem> conflictsIn(const ProbeSpec& spec);
+
+}  // namespace burnish

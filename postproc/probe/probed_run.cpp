@@ -1,0 +1,191 @@
+#include "postproc/probe/probed_run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "engine/core/csv.h"
+#include "engine/core/error.h"
+#include "engine/core/interruption.h"
+#include "postproc/mesh/chosen_bodies.h"
+#include "postproc/mesh/vtk_arrays.h"
+#include "postproc/probe/path_text.h"
+#include "postproc/probe/probe.h"
+
+namespace burnish {
+namespace {
+
+std::string withUnit(const std::string& title, const std::string& unit) {
+  return unit.empty() ? title : title + " in " + unit;
+}
+
+/// The one unit of all that stand along an axis.
+class CommonUnit {
+ public:
+  void add(const std::string& what, const std::string& unit) {
+    if (!what_.empty() && unit != unit_)
+      throw Error(fmt::format("{} has the unit {} and {} the unit {}; expected one unit along an axis", what_,
+                              shown(unit_), what, shown(unit)));
+    what_ = what;
+    unit_ = unit;
+  }
+
+  const std::string& text() const { return unit_; }
+
+ private:
+  static std::string shown(const std::string& unit) { return unit.empty() ? "1" : unit; }
+
+  std::string what_, unit_;
+};
+
+ModelFrame shownOf(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
+  if (spec.bodies.empty()) return {model, frame};
+  return chosenBodies(model, frame, spec.bodies);
+}
+
+ProbedFields fieldsOf(const ModelFrame& shown, const ProbeSpec& spec) {
+  return {shown.model, shown.frame,
+          spec.fields.empty() ? std::vector{fieldToShow(shown.frame)} : spec.fields};
+}
+
+ProbeOptions optionsOf(const ProbeSpec& spec) {
+  return {spec.reference ? ProbedBody::Undeformed : ProbedBody::Deformed, spec.points,
+          spec.window.value_or(0.0)};
+}
+
+/// "the line", "face top", ...
+std::string pathWords(const ProbeSpec& spec) {
+  const std::string& face = spec.face.empty() ? spec.depth : spec.face;
+  const std::string name = face.empty() ? "the line" : "face " + face.substr(0, face.find('@'));
+  return spec.reference ? name + " of the undeformed body" : name;
+}
+
+std::string distanceWords(const ProbeSpec& spec) {
+  const char* what = !spec.line.empty()   ? "Distance along"
+                     : !spec.face.empty() ? "Length along"
+                                          : "Depth below";
+  return fmt::format("{} {}", what, pathWords(spec));
+}
+
+/// What the values are means of; empty for values at points.
+std::string meanWords(const ProbeSpec& spec, const std::string& lengthUnit) {
+  if (spec.window)
+    return fmt::format(", mean over {}{}{}", *spec.window, lengthUnit.empty() ? "" : " ", lengthUnit);
+  if (!spec.mean) return "";
+  return fmt::format(", mean {} {}", spec.depth.empty() ? "along" : "below", pathWords(spec));
+}
+
+/// What the fields have in common, as in "Cauchy stress" of two components, else all of them.
+std::string fieldWords(const std::vector<FieldChoice>& fields) {
+  std::string common = fields.front().words;
+  std::vector<std::string> all;
+  for (const FieldChoice& field : fields) {
+    all.push_back(field.words);
+    while (!common.empty() && !(field.words + " ").starts_with(common + " "))
+      common.erase(common.find(' ') == std::string::npos ? 0 : common.rfind(' '));
+  }
+  return common.empty() ? fmt::format("{}", fmt::join(all, ", ")) : common;
+}
+
+/// The columns of a run: distance or time, of points where the material is and was, and the fields.
+std::vector<std::string> columnsOf(const ProbeSpec& spec, const ProbedRun& run) {
+  const std::string& unit = run.lengthUnit;
+  std::vector<std::string> columns{spec.isOverTime() ? "time" : labelled("distance", unit)};
+  for (const char* axes : {"xyz", "XYZ"})
+    for (int d = 0; !spec.mean && d < run.dim; ++d)
+      columns.push_back(labelled(std::string(1, axes[d]), unit));
+  for (const FieldChoice& field : run.fields) columns.push_back(labelled(field.name, field.unit));
+  if (!run.name.empty())
+    for (std::string& column : columns) column = run.name + " " + column;
+  return columns;
+}
+
+std::vector<std::string> cellsOf(const ProbeSpec& spec, const ProbePoint& point) {
+  std::vector<std::string> cells{fmt::format("{}", point.at)};
+  const auto add = [&](const Eigen::VectorXd& values) {
+    for (const double value : values) cells.push_back(fmt::format("{}", value));
+  };
+  if (!spec.mean) {
+    add(point.current);
+    add(point.reference);
+  }
+  add(point.values);
+  return cells;
+}
+
+}  // namespace
+
+ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
+  const ModelFrame shown = shownOf(model, frame, spec);
+  const ProbedFields fields = fieldsOf(shown, spec);
+  return {"", model.dim, model.lengthUnit, fields.choices(),
+          probedPath(shown.model, shown.frame, fields, pathOf(spec, model.dim), optionsOf(spec))};
+}
+
+ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& frames, const ProbeSpec& spec) {
+  const ModelRecord& model = result.model();
+  const ModelFrame first = shownOf(model, result.frame(frames.front()), spec);
+  std::optional<MaterialPoint> point;
+  if (!spec.point.empty()) point.emplace(first.model, pointOf(spec, model.dim));
+  ProbedRun run{"", model.dim, model.lengthUnit, {}, {}};
+  for (const int index : frames) {
+    throwIfInterrupted();
+    const ModelFrame shown = shownOf(model, result.frame(index), spec);
+    const ProbedFields fields = fieldsOf(shown, spec);
+    run.fields = fields.choices();
+    run.points.push_back(
+        point ? point->in(shown.frame, fields)
+              : probedMean(shown.model, shown.frame, fields, pathOf(spec, model.dim), optionsOf(spec)));
+  }
+  if (std::ranges::all_of(run.points, [](const ProbePoint& p) { return p.values.array().isNaN().all(); }))
+    throw Error("no point of the path is in a body with the field in any of the frames");
+  return run;
+}
+
+ProbeTitles titlesOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) {
+  CommonUnit length, value;
+  for (const ProbedRun& run : runs) {
+    length.add("the length of " + (run.name.empty() ? "the result" : run.name), run.lengthUnit);
+    for (const FieldChoice& field : run.fields) value.add(field.name, field.unit);
+  }
+  return {spec.isOverTime() ? "Time" : withUnit(distanceWords(spec), length.text()),
+          withUnit(fieldWords(runs.front().fields), value.text()) + meanWords(spec, length.text())};
+}
+
+ChartCurve curveOf(const ProbedRun& run, std::size_t field) {
+  ChartCurve curve;
+  curve.label = run.name;
+  if (run.fields.size() > 1) curve.label += (curve.label.empty() ? "" : ": ") + run.fields[field].words;
+  for (const ProbePoint& point : run.points) {
+    curve.x.push_back(point.at);
+    curve.y.push_back(point.values(static_cast<Eigen::Index>(field)));
+  }
+  return curve;
+}
+
+std::string tableOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) {
+  std::vector<std::string> titles;
+  std::size_t rows = 0;
+  for (const ProbedRun& run : runs) {
+    const std::vector<std::string> columns = columnsOf(spec, run);
+    titles.insert(titles.end(), columns.begin(), columns.end());
+    rows = std::max(rows, run.points.size());
+  }
+  std::string text = csvRow(titles) + "\n";
+  for (std::size_t row = 0; row < rows; ++row) {
+    std::vector<std::string> cells;
+    for (const ProbedRun& run : runs) {
+      const std::vector<std::string> own = row < run.points.size()
+                                               ? cellsOf(spec, run.points[row])
+                                               : std::vector<std::string>(columnsOf(spec, run).size());
+      cells.insert(cells.end(), own.begin(), own.end());
+    }
+    text += csvRow(cells) + "\n";
+  }
+  return text;
+}
+
+}  // namespace burnish

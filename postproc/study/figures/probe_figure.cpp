@@ -1,0 +1,83 @@
+#include "postproc/study/figures/probe_figure.h"
+
+#include <numeric>
+
+#include "postproc/probe/probed_run.h"
+#include "postproc/study/run_data.h"
+#include "postproc/study/study_reporter.h"
+#include "postproc/text/text_file.h"
+
+namespace burnish {
+namespace {
+
+/// What a run has at each time, named by the run, and by the time if there are several.
+std::vector<ProbedRun> atTimes(const RunData& data, const ProbeFigure& spec) {
+  const ResultReader result = data.result();
+  const std::vector<double> times = spec.times.empty() ? std::vector{kEndOfRun} : spec.times;
+  std::vector<ProbedRun> runs;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const FrameAt at = frameAt(data, result, times[k]);
+    ProbedRun& run = runs.emplace_back(probedFrame(result.model(), at.frame, spec.probe));
+    run.name = data.run().label;
+    if (times.size() > 1) run.name += ", " + timeText(times, spec.timeLabels, k);
+    if (at.stoppedBefore) run.name = withStop(run.name, at.frame.time);
+  }
+  return runs;
+}
+
+ProbedRun overTime(const RunData& data, const ProbeFigure& spec) {
+  const ResultReader result = data.result();
+  std::vector<int> frames(static_cast<std::size_t>(result.numFrames()));
+  std::iota(frames.begin(), frames.end(), 0);
+  ProbedRun run = probedHistory(result, frames, spec.probe);
+  const auto stopped = data.stoppedAt();
+  run.name = stopped ? withStop(data.run().label, *stopped) : data.run().label;
+  return run;
+}
+
+}  // namespace
+
+Alternative ProbeFigure::about() {
+  return {"probe", "Exact values along a path in the bodies, or over time at a point of the material."};
+}
+
+void ProbeFigure::check(const std::string& path, const StudyReporter& reporter) const {
+  for (const InputProblem& problem : conflictsIn(probe))
+    reporter.report(path + "." + problem.path, problem.text);
+  reporter.requireSameLength(path + ".time_labels", timeLabels.size(), "times", times.size());
+  if (probe.isOverTime() && !times.empty())
+    reporter.report(path + ".times", "found times of values over time; allowed: none.");
+}
+
+void ProbeFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {
+  reporter.checkLooks(path, looks, reporter.runsOf(path + ".runs", runs));
+}
+
+Files ProbeFigure::draw(const FigureTask& task) const {
+  std::vector<ProbedRun> probed;
+  std::vector<std::optional<CurveStyle>> styles;
+  for (const StudyRun* run : task.study.matching(runs)) {
+    const RunData data(*run, task.studyDirectory);
+    for (ProbedRun& found : probe.isOverTime() ? std::vector{overTime(data, *this)} : atTimes(data, *this)) {
+      probed.push_back(std::move(found));
+      styles.push_back(styleOf(task.study, *run, looks));
+    }
+  }
+  // Looks tell runs apart; where a run has several curves, these have looks by their number.
+  const bool onePerRun = times.size() < 2 && probe.fields.size() < 2;
+  const ProbeTitles titles = titlesOf(probe, probed);
+  Chart chart;
+  chart.x.title = titles.x;
+  chart.y.title = titles.y;
+  for (std::size_t field = 0; field < probed.front().fields.size(); ++field)
+    for (std::size_t k = 0; k < probed.size(); ++k) {
+      chart.curves.push_back(curveOf(probed[k], field));
+      if (onePerRun) chart.curves.back().style = styles[k];
+    }
+  const Files files{task.file(".png"), task.file(".csv")};
+  drawChart(chart, files[0]);
+  writeText(tableOf(probe, probed), files[1]);
+  return files;
+}
+
+}  // namespace burnish
