@@ -281,7 +281,7 @@ class MaterialPoint::FinderIn final : public Finder {
   }
 
  private:
-  const MeshRecord& mesh_;
+  MeshRecord mesh_;
   BodyLocator<Dim> bodies_;
   Eigen::Vector<double, Dim> reference_;
   typename BodyLocator<Dim>::Nearest found_;

@@ -33,13 +33,16 @@ struct DepthPath {
 
 using ProbePath = std::variant<LinePath, FacePath, DepthPath>;
 
+/// Points of a path at equal distances, unless others are asked for.
+inline constexpr int kProbePoints = 401;
+
 /// The body in which a path lies and is measured.
 enum class ProbedBody { Deformed, Undeformed };
 
 struct ProbeOptions {
   ProbedBody body = ProbedBody::Deformed;
-  int points = 401;     ///< at equal distances
-  double window = 0.0;  ///< width of the window of averages; 0: values at points
+  int points = kProbePoints;  ///< at equal distances
+  double window = 0.0;        ///< width of the window of averages; 0: values at points
 };
 
 /// The points of a path with the fields there. Throws `Error` for a path that does not fit the body: of another
@@ -57,8 +60,7 @@ ProbePoint probedMean(const ModelRecord& model, const FrameRecord& frame, const 
 /// A point of the material over time.
 class MaterialPoint {
  public:
-  /// reference: its position in the undeformed body. The model must outlive the object. Throws `Error` for a
-  /// position outside.
+  /// reference: its position in the undeformed body. Throws `Error` for a position outside.
   MaterialPoint(const ModelRecord& model, const Eigen::VectorXd& reference);
   ~MaterialPoint();
   MaterialPoint(const MaterialPoint&) = delete;

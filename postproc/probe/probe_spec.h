@@ -6,6 +6,7 @@
 #include "engine/core/input_error.h"
 #include "engine/schema/leaf.h"
 #include "postproc/draw/contour/picture_options.h"
+#include "postproc/probe/probe.h"
 
 namespace burnish {
 
@@ -17,7 +18,7 @@ struct ProbeSpec {
   std::vector<std::string> bodies;       ///< all when empty
   std::vector<std::string> fields;       ///< what one most probably wants to see when empty
   bool reference = false;                ///< the path lies in the undeformed body
-  int points = 401;
+  int points = kProbePoints;
   std::optional<double> window;
   bool mean = false;  ///< of all of a path
 

@@ -10,7 +10,7 @@
 #include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
-#include "postproc/mesh/chosen_bodies.h"
+#include "postproc/draw/contour/shown_model.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "postproc/probe/path_text.h"
 #include "postproc/probe/probe.h"
@@ -41,14 +41,17 @@ class CommonUnit {
   std::string what_, unit_;
 };
 
-ModelFrame shownOf(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
-  if (spec.bodies.empty()) return {model, frame};
-  return chosenBodies(model, frame, spec.bodies);
+/// Calls `act` with the model and the frame of the bodies that are looked at.
+template <class Act>
+auto withChosenBodies(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec,
+                      const Act& act) {
+  PictureOptions shown;
+  shown.bodies = spec.bodies;
+  return withShownModel(model, frame, shown, act);
 }
 
-ProbedFields fieldsOf(const ModelFrame& shown, const ProbeSpec& spec) {
-  return {shown.model, shown.frame,
-          spec.fields.empty() ? std::vector{fieldToShow(shown.frame)} : spec.fields};
+ProbedFields fieldsOf(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
+  return {model, frame, spec.fields.empty() ? std::vector{fieldToShow(frame)} : spec.fields};
 }
 
 ProbeOptions optionsOf(const ProbeSpec& spec) {
@@ -119,26 +122,26 @@ std::vector<std::string> cellsOf(const ProbeSpec& spec, const ProbePoint& point)
 }  // namespace
 
 ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
-  const ModelFrame shown = shownOf(model, frame, spec);
-  const ProbedFields fields = fieldsOf(shown, spec);
-  return {"", model.dim, model.lengthUnit, fields.choices(),
-          probedPath(shown.model, shown.frame, fields, pathOf(spec, model.dim), optionsOf(spec))};
+  return withChosenBodies(model, frame, spec, [&](const ModelRecord& chosen, const FrameRecord& shown) {
+    const ProbedFields fields = fieldsOf(chosen, shown, spec);
+    return ProbedRun{"", chosen.dim, chosen.lengthUnit, fields.choices(),
+                     probedPath(chosen, shown, fields, pathOf(spec, chosen.dim), optionsOf(spec))};
+  });
 }
 
 ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& frames, const ProbeSpec& spec) {
-  const ModelRecord& model = result.model();
-  const ModelFrame first = shownOf(model, result.frame(frames.front()), spec);
+  ProbedRun run{"", result.model().dim, result.model().lengthUnit, {}, {}};
   std::optional<MaterialPoint> point;
-  if (!spec.point.empty()) point.emplace(first.model, pointOf(spec, model.dim));
-  ProbedRun run{"", model.dim, model.lengthUnit, {}, {}};
+  const auto add = [&](const ModelRecord& model, const FrameRecord& frame) {
+    const ProbedFields fields = fieldsOf(model, frame, spec);
+    if (!spec.point.empty() && !point) point.emplace(model, pointOf(spec, model.dim));
+    run.fields = fields.choices();
+    run.points.push_back(point ? point->in(frame, fields)
+                               : probedMean(model, frame, fields, pathOf(spec, model.dim), optionsOf(spec)));
+  };
   for (const int index : frames) {
     throwIfInterrupted();
-    const ModelFrame shown = shownOf(model, result.frame(index), spec);
-    const ProbedFields fields = fieldsOf(shown, spec);
-    run.fields = fields.choices();
-    run.points.push_back(
-        point ? point->in(shown.frame, fields)
-              : probedMean(shown.model, shown.frame, fields, pathOf(spec, model.dim), optionsOf(spec)));
+    withChosenBodies(result.model(), result.frame(index), spec, add);
   }
   if (std::ranges::all_of(run.points, [](const ProbePoint& p) { return p.values.array().isNaN().all(); }))
     throw Error("no point of the path is in a body with the field in any of the frames");
