@@ -36,7 +36,7 @@ void describe(Visitor& v, ProbeSpec& s) {
       "FACE@S or FACE@X,Y, in space with Z: values along the inward normal of a face, from a length along "
       "it, or from the point of it that is nearest to a position.");
   v.field("length", s.length, {.above = 0, .unit = "length"},
-          "How deep they go; to where they leave the body when left out.");
+          "How far depth goes; to where it leaves the body when left out.");
   v.field("point", s.point, {},
           "X,Y, in space with Z: values over time at a point of the material, by its place in the undeformed "
           "body.");
