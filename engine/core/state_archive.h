@@ -29,9 +29,6 @@ class StateArchive {
   bool restores() const { return restores_; }
   const SavedState& values() const { return values_; }
 
-  /// Whether there is such a value: what earlier programs have saved may lack some.
-  bool has(std::string_view name) const { return values_.contains(prefix_ + std::string(name)); }
-
   /// Restoring throws `Error` if there is no such value or it is of another kind.
   void field(std::string_view name, double& value);
   void field(std::string_view name, bool& value);

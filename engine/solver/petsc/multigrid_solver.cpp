@@ -163,8 +163,7 @@ class MultigridSolver::Implementation {
   const IterationCounts& counts() const { return counts_; }
   void archive(StateArchive& archive) {
     archive.together("without_factors", searchesWithout_, pause_, factorises_, hasSolved_);
-    if (!archive.restores() || archive.has("smoothing"))
-      archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, triesTwoSteps_);
+    archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, triesTwoSteps_);
   }
   long numIndefinite() const { return numIndefinite_; }
 
