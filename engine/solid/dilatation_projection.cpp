@@ -67,7 +67,8 @@ DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
 }
 
 template <int Dim>
-void DilatationProjection<Dim>::divideAmong(const Team& team, std::vector<int> workedOn, std::vector<int> own) {
+void DilatationProjection<Dim>::divideAmong(const Team& team, std::vector<int> workedOn,
+                                            std::vector<int> own) {
   team_ = &team;
   workedOn_ = std::move(workedOn);
   own_ = std::move(own);

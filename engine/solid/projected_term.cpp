@@ -272,8 +272,8 @@ template <Kinematics K>
 bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
   const auto forAll = [&](const auto& f) {
     const auto& numbers = projection_.workedOn();
-    return this->allRanks(
-        parallelAll(numbers.size(), 8, [&](std::size_t k) { return f(static_cast<std::size_t>(numbers[k])); }));
+    return this->allRanks(parallelAll(
+        numbers.size(), 8, [&](std::size_t k) { return f(static_cast<std::size_t>(numbers[k])); }));
   };
   const bool wantTangent = out.system != nullptr;
   tbb::enumerable_thread_specific<Workspace<K>> workspaces;

@@ -233,6 +233,7 @@ class MultigridSolver::Implementation {
     }
   }
 
+  /// Factors that overlap, or do so no longer, have to be made anew.
   void setSmoother(int steps, bool overlaps) {
     steps_ = steps;
     if (!team_.isAlone() && overlaps != overlaps_) {

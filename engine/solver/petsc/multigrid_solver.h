@@ -6,9 +6,10 @@
 namespace burnish {
 
 /// Krylov methods with multigrid for K. Levels are those of the problem's hierarchy, with coarse matrices PᵀKP
-/// (Galerkin) and a Chebyshev polynomial of incomplete Cholesky factors as smoother, or one of symmetric
-/// successive over-relaxation where these are of no use: for the rest of a search for an equilibrium in which
-/// a system was met that they do not solve, and for one, two, four, … searches behind it as they fail again.
+/// (Galerkin) and a Chebyshev polynomial of incomplete Cholesky factors as smoother, of two steps instead of one and
+/// with factors of ranks that overlap where these pay, or one of symmetric successive over-relaxation where factors
+/// are of no use: for the rest of a search for an equilibrium in which a system was met that they do not solve, and
+/// for one, two, four, … searches behind it as they fail again.
 /// The coarsest level is factorised. Within a search, factors and coarse matrices stay those of an earlier
 /// matrix for as long as iterations come on nearly as fast. Without a border that is coupled with K a symmetric
 /// matrix is left to conjugate gradients; else GMRES is preconditioned from the right with
