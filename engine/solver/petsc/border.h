@@ -18,6 +18,8 @@ namespace burnish {
 /// has the factors.
 class BorderZone {
  public:
+  BorderZone();
+
   /// firstColumn: of K that this rank has. False if it is singular.
   bool factorise(const SystemMatrix& A, const SystemBorder& border, const Team& team, int firstColumn);
 
