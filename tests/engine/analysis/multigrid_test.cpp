@@ -200,6 +200,7 @@ steps: [{until: 1, count: 5}]
             20.0);
 }
 
+/// By six digits at least, and so in more iterations than others; the first systems, before contact has settled, take most.
 TEST(Multigrid, ToolWithAFreeDirection) {
   EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + R"(
 tools:
@@ -207,7 +208,7 @@ tools:
 contact: [{tool: ball, face: front}]
 steps: [{until: 1, count: 2}]
 )"),
-            15.0);
+            20.0);
 }
 
 /// Incomplete factors are given up, and tried again: what is known of that goes on with the run.
