@@ -17,7 +17,10 @@
 #include "engine/core/error.h"
 #include "postproc/compare/comparison.h"
 #include "postproc/compare/comparison_json.h"
+#include "postproc/compare/data/compare_data.h"
+#include "postproc/compare/data/data_json.h"
 #include "postproc/compare/difference_picture.h"
+#include "postproc/compare/junit.h"
 #include "postproc/compare/report.h"
 #include "postproc/text/text_file.h"
 
@@ -32,6 +35,9 @@ struct CompareArguments {
   std::optional<double> threshold;
   fs::path difference, report;
   std::vector<std::string> accept;
+  std::optional<double> relative, absolute;
+  std::vector<std::string> tolerances, only, skip;
+  fs::path junit;
   bool json = false;
 };
 
@@ -93,7 +99,42 @@ ExitCode exitCodeOf(const std::vector<Comparison>& comparisons) {
   return code;
 }
 
-ExitCode compare(const CompareArguments& arguments) {
+JunitOutcome junitOutcome(PictureVerdict verdict) {
+  if (verdict == PictureVerdict::Unusable) return JunitOutcome::Error;
+  return verdict == PictureVerdict::Equal ? JunitOutcome::Passed : JunitOutcome::Failed;
+}
+
+JunitOutcome junitOutcome(FieldVerdict verdict) {
+  return verdict == FieldVerdict::Equal ? JunitOutcome::Passed : JunitOutcome::Failed;
+}
+
+/// One test for each picture or field.
+template <class Compared>
+void writeJunit(const CompareArguments& arguments, const std::vector<Compared>& all) {
+  if (arguments.junit.empty()) return;
+  std::vector<JunitCase> cases;
+  for (const Compared& each : all)
+    cases.push_back({each.name, junitOutcome(each.verdict), verdictName(each.verdict), each.message});
+  writeText(junitText("burnish compare " + arguments.actual.string(), cases), arguments.junit);
+}
+
+void checkJunitName(const CompareArguments& arguments) {
+  if (arguments.junit.empty()) return;
+  if (arguments.junit.extension() != ".xml")
+    throw Error(fmt::format("--junit: found \"{}\"; expected the name of a file that ends in .xml",
+                            arguments.junit.string()));
+  requireNotInput("--junit", arguments.junit, {arguments.actual, arguments.baseline});
+}
+
+/// Throws `Error` if one of these options was given; what: what they are for.
+void requireUnused(const CLI::App& command, const std::vector<const char*>& options, const char* what,
+                   const char* found) {
+  for (const char* option : options)
+    if (command.count(option) > 0)
+      throw Error(fmt::format("{}: is for {}; ACTUAL and BASELINE are {}", option, what, found));
+}
+
+ExitCode comparePicturesOf(const CompareArguments& arguments) {
   const PictureRule rule = ruleOf(arguments);
   checkDifferenceName(arguments);
   std::vector<Comparison> comparisons = comparePictures(arguments.actual, arguments.baseline, rule);
@@ -102,6 +143,7 @@ ExitCode compare(const CompareArguments& arguments) {
   fs::path page;
   if (!arguments.report.empty())
     page = writeReport(comparisons, rule, acceptCommand(arguments), arguments.report);
+  writeJunit(arguments, comparisons);
   for (const Comparison& comparison : comparisons)
     if (comparison.verdict == PictureVerdict::Unusable) printError("burnish: {}\n", comparison.message);
   if (arguments.json) {
@@ -114,16 +156,84 @@ ExitCode compare(const CompareArguments& arguments) {
   return exitCodeOf(comparisons);
 }
 
+DataRule dataRuleOf(const CompareArguments& arguments) {
+  DataRule rule{{}, {}, arguments.only, arguments.skip};
+  if (arguments.relative) rule.tolerance.relative = *arguments.relative;
+  if (arguments.absolute) rule.tolerance.absolute = *arguments.absolute;
+  requireTolerance("--relative", rule.tolerance.relative);
+  requireTolerance("--absolute", rule.tolerance.absolute);
+  for (const std::string& text : arguments.tolerances)
+    rule.fields.push_back(fieldToleranceFromText("--tolerance", text));
+  return rule;
+}
+
+ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
+  const std::vector<FieldComparison> fields =
+      compareData(kind, arguments.actual, arguments.baseline, dataRuleOf(arguments));
+  const auto equal = std::ranges::count(fields, FieldVerdict::Equal, &FieldComparison::verdict);
+  writeJunit(arguments, fields);
+  if (arguments.json) {
+    printText(fieldsText(fields));
+  } else {
+    for (const FieldComparison& field : fields)
+      if (field.verdict != FieldVerdict::Equal) printOut("{}: {}\n", field.name, field.message);
+    printOut("{} of {} fields are equal to the baseline\n", equal, fields.size());
+  }
+  return equal == std::ssize(fields) ? ExitCode::Fine : ExitCode::Different;
+}
+
+ExitCode compare(const CLI::App& command, const CompareArguments& arguments) {
+  const ComparedKind kind = kindOf(arguments.actual, arguments.baseline);
+  checkJunitName(arguments);
+  if (kind == ComparedKind::Pictures) {
+    requireUnused(command, {"--relative", "--absolute", "--tolerance", "--only", "--skip"},
+                  "results and VTK files", "pictures");
+    return comparePicturesOf(arguments);
+  }
+  requireUnused(command, {"--metric", "--threshold", "--diff", "--report", "--accept"}, "pictures",
+                "results or VTK files");
+  return compareDataOf(kind, arguments);
+}
+
+void addDataOptions(CLI::App& command, CompareArguments& arguments) {
+  const Tolerance usual;
+  command
+      .add_option("--relative", arguments.relative,
+                  fmt::format("Of data: differences that are allowed, by the largest magnitude of the field "
+                              "in the baseline [{}]",
+                              usual.relative))
+      ->type_name("R");
+  command
+      .add_option("--absolute", arguments.absolute,
+                  fmt::format("Of data: differences that are allowed in any case [{}]", usual.absolute))
+      ->type_name("A");
+  const auto addList = [&command](const char* option, std::vector<std::string>& values, const char* type,
+                                  const char* help) {
+    command.add_option(option, values, help)->expected(1)->take_all()->type_name(type);
+  };
+  addList("--tolerance", arguments.tolerances, "NAME=R[,A]",
+          "Of data: tolerances of a field (* for any part of its name), relative and absolute; may be "
+          "repeated");
+  addList("--only", arguments.only, "NAME", "Of data: compare this field (* ...) alone; may be repeated");
+  addList("--skip", arguments.skip, "NAME", "Of data: leave this field (* ...) out; may be repeated");
+  command
+      .add_option("--junit", arguments.junit, "Write a test for each picture or field as JUnit XML for CI")
+      ->type_name("FILE.xml");
+}
+
 }  // namespace
 
 void addCompareCommand(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("compare", "Compare pictures with baselines");
+  CLI::App* command = app.add_subcommand("compare", "Compare results or pictures with baselines");
   const auto arguments = std::make_shared<CompareArguments>();
   command->footer(
-      "Exit codes: 0 all pictures are equal to their baselines, 1 some are not, 2 unusable input.");
-  command->add_option("ACTUAL", arguments->actual, "A PNG picture, or a directory of such")->required();
-  command->add_option("BASELINE", arguments->baseline, "What it is to look like: a picture or a directory")
+      "Exit codes: 0 all pictures or fields are equal to their baselines, 1 some are not, 2 unusable input.");
+  command
+      ->add_option("ACTUAL", arguments->actual,
+                   "A PNG picture or a directory of such; the directory of a run or the result file in it; a "
+                   "VTU, PVTU, VTP or PVD file")
       ->required();
+  command->add_option("BASELINE", arguments->baseline, "What it is to be like, of the same kind")->required();
   command
       ->add_option("--metric", arguments->metric,
                    "ssim: structure and colours, or delta-e: colours alone, in the worst window of 13 x 13 "
@@ -149,8 +259,12 @@ void addCompareCommand(CLI::App& app, Action& action) {
       ->expected(1)
       ->take_all()
       ->type_name("NAME");
-  command->add_flag("--json", arguments->json, "Print a list of one JSON object per pair");
-  command->callback([&action, arguments] { action = [arguments] { return compare(*arguments); }; });
+  command->add_flag("--json", arguments->json,
+                    "Print a list of one JSON object per pair of pictures or field");
+  addDataOptions(*command, *arguments);
+  command->callback([&action, arguments, command] {
+    action = [arguments, command] { return compare(*command, *arguments); };
+  });
 }
 
 }  // namespace burnish

@@ -33,18 +33,23 @@ Json::Value comparisonJson(const Comparison& comparison, const PictureRule& rule
   return value;
 }
 
-std::string compactText(const Json::Value& value) {
+std::string compactText(const Json::Value& value, int digits) {
   Json::StreamWriterBuilder builder;
   builder["indentation"] = "";
-  builder["precision"] = 6;
+  builder["precision"] = digits;
   return Json::writeString(builder, value);
 }
 
-std::string comparisonsText(const std::vector<Comparison>& comparisons, const PictureRule& rule) {
+std::string listText(const std::vector<Json::Value>& values, int digits) {
   std::vector<std::string> lines;
-  for (const Comparison& comparison : comparisons)
-    lines.push_back(compactText(comparisonJson(comparison, rule)));
+  for (const Json::Value& value : values) lines.push_back(compactText(value, digits));
   return fmt::format("[\n{}\n]\n", fmt::join(lines, ",\n"));
+}
+
+std::string comparisonsText(const std::vector<Comparison>& comparisons, const PictureRule& rule) {
+  std::vector<Json::Value> values;
+  for (const Comparison& comparison : comparisons) values.push_back(comparisonJson(comparison, rule));
+  return listText(values);
 }
 
 }  // namespace burnish

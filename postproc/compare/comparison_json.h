@@ -13,7 +13,10 @@ Json::Value comparisonJson(const Comparison& comparison, const PictureRule& rule
 /// A list of objects, in as many lines.
 std::string comparisonsText(const std::vector<Comparison>& comparisons, const PictureRule& rule);
 
-/// Without blanks and line ends.
-std::string compactText(const Json::Value& value);
+/// Without blanks and line ends; numbers with so many digits.
+std::string compactText(const Json::Value& value, int digits = 6);
+
+/// A list of values, in as many lines.
+std::string listText(const std::vector<Json::Value>& values, int digits = 6);
 
 }  // namespace burnish

@@ -1,0 +1,57 @@
+#include "postproc/compare/junit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+/// A text as the value of an attribute; letters that XML does not know become blanks.
+std::string attributeText(const std::string& text) {
+  std::string result;
+  for (const char letter : text) {
+    switch (letter) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+    }
+  }
+  return result;
+}
+
+std::string caseText(const std::string& suite, const JunitCase& each) {
+  const std::string head = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", attributeText(suite),
+                                       attributeText(each.name));
+  if (each.outcome == JunitOutcome::Passed) return head + "/>\n";
+  return fmt::format("{}>\n      <{} type=\"{}\" message=\"{}\"/>\n    </testcase>\n", head,
+                     each.outcome == JunitOutcome::Failed ? "failure" : "error", attributeText(each.verdict),
+                     attributeText(each.message));
+}
+
+}  // namespace
+
+std::string junitText(const std::string& suite, const std::vector<JunitCase>& cases) {
+  const auto failures = std::ranges::count(cases, JunitOutcome::Failed, &JunitCase::outcome);
+  const auto errors = std::ranges::count(cases, JunitOutcome::Error, &JunitCase::outcome);
+  const std::string counts =
+      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", cases.size(), failures, errors);
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {}>\n  <testsuite name=\"{}\" {}>\n", counts,
+      attributeText(suite), counts);
+  for (const JunitCase& each : cases) text += caseText(suite, each);
+  return text + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace burnish
