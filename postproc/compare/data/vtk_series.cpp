@@ -20,11 +20,14 @@
 #include <vtkXMLUtilities.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <csignal>
-#include <exception>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <memory>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -131,8 +134,18 @@ std::vector<std::vector<vtkIdType>> cornersOf(vtkDataSet& data, const fs::path& 
   return corners;
 }
 
+/// Throws `Error` for a file that was cut off: its last values may be missing without a word of the reader.
+void requireEnd(const fs::path& file) {
+  constexpr std::streamoff kTail = 100;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  stream.seekg(std::max<std::streamoff>(stream.tellg() - kTail, 0));
+  const std::string tail{std::istreambuf_iterator<char>(stream), {}};
+  if (tail.find("</VTKFile>") == std::string::npos) throw cannotBeRead(file);
+}
+
 /// Reads with VTK's reader, which ends the process on some damaged files.
 DataFrame readUnguarded(const fs::path& file) {
+  requireEnd(file);
   bool isSound = true;
   vtkNew<vtkCallbackCommand> complaint;
   complaint->SetClientData(&isSound);
