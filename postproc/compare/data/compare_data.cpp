@@ -77,6 +77,7 @@ std::vector<FieldComparison> compareData(ComparedKind kind, const fs::path& actu
     add(historySeries);
   }
   requireMatches(rule, names);
+  if (all.empty()) throw Error("--only, --skip: they leave no field to compare");
   return all;
 }
 

@@ -14,8 +14,8 @@ enum class ComparedKind { Pictures, Result, VtkFile, VtkCollection };
 /// of the other one. Throws `Error` for two kinds.
 ComparedKind kindOf(const std::filesystem::path& actual, const std::filesystem::path& baseline);
 
-/// Compares two of a kind that is not pictures. Throws `Error` for what cannot be read and for patterns of the
-/// rule that match nothing.
+/// Compares two of a kind that is not pictures. Throws `Error` for what cannot be read, for patterns of the
+/// rule that match nothing, and if they leave no field.
 std::vector<FieldComparison> compareData(ComparedKind kind, const std::filesystem::path& actual,
                                          const std::filesystem::path& baseline, const DataRule& rule);
 

@@ -13,7 +13,6 @@
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -44,7 +43,6 @@ namespace fs = std::filesystem;
 vtkSmartPointer<vtkXMLReader> readerOf(const fs::path& file) {
   const std::string extension = file.extension().string();
   if (extension == ".vtu") return vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
-  if (extension == ".pvtu") return vtkSmartPointer<vtkXMLPUnstructuredGridReader>::New();
   if (extension == ".vtp") return vtkSmartPointer<vtkXMLPolyDataReader>::New();
   throw Error(
       fmt::format("{}: found the ending {}; expected .vtu, .pvtu or .vtp", file.string(), quoted(extension)));
@@ -143,8 +141,31 @@ void requireEnd(const fs::path& file) {
   if (tail.find("</VTKFile>") == std::string::npos) throw cannotBeRead(file);
 }
 
+std::string textIn(vtkXMLDataElement& element, const char* attribute) {
+  const char* text = element.GetAttribute(attribute);
+  return text ? text : "";
+}
+
+vtkSmartPointer<vtkXMLDataElement> rootOf(const fs::path& file) {
+  std::error_code status;
+  if (!fs::exists(file, status)) throw Error(fmt::format("{}: there is no such file", file.string()));
+  return vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
+}
+
+/// The files that a `.pvtu` file names. VTK's reader of it is silent about damaged ones.
+std::vector<fs::path> piecesOf(const fs::path& file) {
+  const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
+  vtkXMLDataElement* grid = root ? root->FindNestedElementWithName("PUnstructuredGrid") : nullptr;
+  std::vector<fs::path> pieces;
+  for (int k = 0; grid && k < grid->GetNumberOfNestedElements(); ++k)
+    if (vtkXMLDataElement& element = *grid->GetNestedElement(k); textIn(element, "Source") != "")
+      pieces.push_back(file.parent_path() / textIn(element, "Source"));
+  if (pieces.empty()) throw cannotBeRead(file);
+  return pieces;
+}
+
 /// Reads with VTK's reader, which ends the process on some damaged files.
-DataFrame readUnguarded(const fs::path& file) {
+DataFrame readOne(const fs::path& file) {
   requireEnd(file);
   bool isSound = true;
   vtkNew<vtkCallbackCommand> complaint;
@@ -172,7 +193,7 @@ DataFrame readUnguarded(const fs::path& file) {
   const int nowhere = ::open("/dev/null", O_WRONLY);
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, descriptor);
   try {
-    readUnguarded(file);
+    readOne(file);
   } catch (...) {
     ::_exit(1);
   }
@@ -193,17 +214,29 @@ void requireReadable(const fs::path& file) {
   if (!WIFEXITED(end) || WEXITSTATUS(end) != 0) throw cannotBeRead(file);
 }
 
-/// Reads files of a series, each of which is tried once.
+/// Reads files, each of which is tried once.
 class VtkFiles {
  public:
-  DataFrame read(const fs::path& file, const std::string& detail) {
-    if (tried_.insert(file).second) requireReadable(file);
-    DataFrame frame = readUnguarded(file);
-    for (DataPart& part : frame) part.detail = detail;
+  /// detail: of the parts; that of a piece is added.
+  DataFrame read(const fs::path& file, const std::string& detail = "") {
+    if (file.extension() != ".pvtu") return readFile(file, detail);
+    DataFrame frame;
+    int number = 0;
+    for (const fs::path& piece : piecesOf(file))
+      for (DataPart& part :
+           readFile(piece, fmt::format("{}{}piece {}", detail, detail.empty() ? "" : ", ", number++)))
+        frame.push_back(std::move(part));
     return frame;
   }
 
  private:
+  DataFrame readFile(const fs::path& file, const std::string& detail) {
+    if (tried_.insert(file).second) requireReadable(file);
+    DataFrame frame = readOne(file);
+    for (DataPart& part : frame) part.detail = detail;
+    return frame;
+  }
+
   std::set<fs::path> tried_;
 };
 
@@ -222,16 +255,9 @@ double timeIn(const char* text, const fs::path& file) {
   return time;
 }
 
-std::string textIn(vtkXMLDataElement& element, const char* attribute) {
-  const char* text = element.GetAttribute(attribute);
-  return text ? text : "";
-}
-
 /// Entries of a collection by their times, each list in the order of the file.
 std::map<double, std::vector<CollectionEntry>> entriesOf(const fs::path& file) {
-  std::error_code status;
-  if (!fs::exists(file, status)) throw Error(fmt::format("{}: there is no such file", file.string()));
-  const auto root = vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
+  const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
   vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
   if (!collection) throw Error(fmt::format("{}: found no collection of VTK files in it", file.string()));
   std::map<double, std::vector<CollectionEntry>> entries;
@@ -248,9 +274,9 @@ std::map<double, std::vector<CollectionEntry>> entriesOf(const fs::path& file) {
 }  // namespace
 
 DataSeries vtkFileSeries(const fs::path& file) {
-  requireReadable(file);
-  return {.name = "files", .times = {}, .isTimed = false, .frame = [file](std::size_t /*index*/) {
-            return readUnguarded(file);
+  const auto files = std::make_shared<VtkFiles>();
+  return {.name = "files", .times = {}, .isTimed = false, .frame = [files, file](std::size_t /*index*/) {
+            return files->read(file);
           }};
 }
 
