@@ -134,7 +134,7 @@ class SeriesComparison {
  public:
   SeriesComparison(const DataSeries& actual, const DataSeries& baseline, const DataRule& rule)
       : actual_(actual), baseline_(baseline), rule_(rule), matched_(matchTimes(actual, baseline)) {
-    note(baseline.name);
+    names_.insert(baseline.name);
   }
 
   void findScales() {
@@ -156,10 +156,7 @@ class SeriesComparison {
 
   std::vector<FieldComparison> results() {
     std::vector<FieldComparison> all;
-    const bool hasTimes = baseline_.isTimed && !(actual_.times.empty() && baseline_.times.empty());
-    const bool isLookedAt = !fields_.empty() || matched_.pairs.empty();
-    if (hasTimes && isLookedAt && isWanted(baseline_.name))
-      all.push_back(comparedTimes(baseline_.name, matched_));
+    if (areTimesCompared()) all.push_back(comparedTimes(baseline_.name, matched_));
     for (Field& field : fields_) {
       if (field.result.message.empty()) field.result.message = valuesInWords(field);
       all.push_back(std::move(field.result));
@@ -176,20 +173,16 @@ class SeriesComparison {
     std::string unit;
   };
 
-  /// Structures and times are compared with whatever is, unless they are skipped.
-  bool isWanted(const std::string& name) const {
-    DataRule unlimited = rule_;
-    unlimited.only.clear();
-    return isCompared(unlimited, name);
+  /// With whatever is compared, unless they are skipped; without a common time there is nothing else to tell.
+  bool areTimesCompared() const {
+    if (!baseline_.isTimed || (actual_.times.empty() && baseline_.times.empty())) return false;
+    if (matched_.pairs.empty()) return true;
+    return !fields_.empty() && isCompared({{}, {}, {}, rule_.skip}, baseline_.name);
   }
 
-  void note(const std::string& name) { names_.insert(name); }
-
   void noteAll(const DataFrame& frame) {
-    for (const DataPart& part : frame) {
-      note(part.name);
-      for (const DataArray& array : part.arrays) note(array.name);
-    }
+    for (const DataPart& part : frame)
+      for (const DataArray& array : part.arrays) names_.insert(array.name);
   }
 
   Field& fieldOf(const std::string& name) {
@@ -256,17 +249,16 @@ class SeriesComparison {
   bool haveSamePlaces(const DataPart& actual, const DataPart& baseline) {
     const std::string name = withDetail(baseline.name, baseline);
     if (actual.structure != baseline.structure) {
-      if (isWanted(baseline.name) && structures_.insert(actual.structure + baseline.structure).second)
+      if (structures_.insert(actual.structure + baseline.structure).second)
         state(name, FieldVerdict::MeshesDiffer,
               fmt::format("meshes differ{}: found {}; the baseline has {}; nothing on it is compared",
                           atTime(), actual.structure, baseline.structure));
       return false;
     }
     if (actual.numPlaces == baseline.numPlaces) return true;
-    if (isWanted(baseline.name))
-      state(name, FieldVerdict::SizesDiffer,
-            fmt::format("sizes differ{}: found {} {}s; the baseline has {}; nothing at them is compared",
-                        atTime(), actual.numPlaces, baseline.place, baseline.numPlaces));
+    state(name, FieldVerdict::SizesDiffer,
+          fmt::format("sizes differ{}: found {} {}s; the baseline has {}; nothing at them is compared",
+                      atTime(), actual.numPlaces, baseline.place, baseline.numPlaces));
     return false;
   }
 

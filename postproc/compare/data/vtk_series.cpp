@@ -73,9 +73,13 @@ DataArray arrayOf(vtkDataArray& array, const std::string& prefix) {
 
 /// Arrays of numbers with names; texts are left out.
 void addArrays(DataPart& part, vtkDataSetAttributes& data, const std::string& prefix) {
-  for (int k = 0; k < data.GetNumberOfArrays(); ++k)
-    if (vtkDataArray* array = data.GetArray(k); array && array->GetName())
-      if (array->GetNumberOfTuples() == part.numPlaces) part.arrays.push_back(arrayOf(*array, prefix));
+  for (int k = 0; k < data.GetNumberOfArrays(); ++k) {
+    vtkDataArray* numbers = data.GetArray(k);
+    if (!numbers || !numbers->GetName() || numbers->GetNumberOfTuples() != part.numPlaces) continue;
+    DataArray array = arrayOf(*numbers, prefix);
+    while (std::ranges::count(part.arrays, array.name, &DataArray::name)) array.name += "_2";
+    part.arrays.push_back(std::move(array));
+  }
 }
 
 DataPart pointPart(vtkDataSet& data) {

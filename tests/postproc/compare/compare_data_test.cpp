@@ -204,6 +204,18 @@ TEST_F(CompareResults, AMissingFrameAndOneMore) {
   EXPECT_THAT(findings(run, {.tolerance = {}, .fields = {}, .only = {}, .skip = {"frames"}}), IsEmpty());
 }
 
+TEST_F(CompareResults, NothingInCommonIsNeverEqual) {
+  MadeRun run;
+  run.times = {7.0};
+  const DataRule lenient{.tolerance = {}, .fields = {}, .only = {}, .skip = {"frames"}};
+  EXPECT_THAT(findings(run, lenient), isOnly("frames", "times-differ", "0 in common"));
+  run = MadeRun{};
+  run.sample = slabUnderADisc(samples::slab({10, 6}));
+  EXPECT_THAT(findings(run, {.tolerance = {}, .fields = {}, .only = {"displacement"}, .skip = {}}),
+              isOnly("mesh", "meshes-differ", "nothing on it is compared"));
+  EXPECT_THAT(findings(run, {.tolerance = {}, .fields = {}, .only = {"history*"}, .skip = {}}), IsEmpty());
+}
+
 TEST_F(CompareResults, AnotherTime) {
   MadeRun run;
   run.times = {0.0, 0.5001, 1.0};
@@ -399,6 +411,9 @@ TEST_F(CompareVtk, EveryDifferenceIsNamed) {
   grid.atPoints = {{"von_mises [GPa]", {1, 2, 3, 4}}};
   EXPECT_THAT(findings(grid),
               isOnly("von_mises", "units-differ", "found the unit GPa; the baseline has the unit MPa"));
+  grid = {};
+  grid.atPoints["points"] = {1, 2, 3, 4};
+  EXPECT_THAT(findings(grid), isOnly("points_2", "no-baseline", "it has nothing of the name"));
   grid = {};
   grid.cells[1] = {1, 2, 3};
   EXPECT_THAT(findings(grid),
