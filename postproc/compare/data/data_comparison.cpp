@@ -134,11 +134,13 @@ class SeriesComparison {
  public:
   SeriesComparison(const DataSeries& actual, const DataSeries& baseline, const DataRule& rule)
       : actual_(actual), baseline_(baseline), rule_(rule), matched_(matchTimes(actual, baseline)) {
-    names_.insert(baseline.name);
+    if (baseline.isTimed) names_.insert(baseline.name);
   }
 
   void findScales() {
-    if (matched_.pairs.empty() && !baseline_.times.empty()) noteAll(baseline_.frame(0));
+    if (matched_.pairs.empty())
+      for (const DataSeries* series : {&actual_, &baseline_})
+        if (!series->times.empty()) noteAll(series->frame(0));
     for (const auto& [a, b] : matched_.pairs)
       for (const DataPart& part : baseline_.frame(b))
         for (const DataArray& array : part.arrays) {
@@ -173,10 +175,12 @@ class SeriesComparison {
     std::string unit;
   };
 
-  /// With whatever is compared, unless they are skipped; without a common time there is nothing else to tell.
+  /// With whatever is compared, unless they are skipped; without a common time nothing else tells of it.
   bool areTimesCompared() const {
-    if (!baseline_.isTimed || (actual_.times.empty() && baseline_.times.empty())) return false;
-    if (matched_.pairs.empty()) return true;
+    if (!baseline_.isTimed) return false;
+    if (matched_.pairs.empty())
+      return std::ranges::any_of(
+          names_, [&](const std::string& name) { return name != baseline_.name && isCompared(rule_, name); });
     return !fields_.empty() && isCompared({{}, {}, {}, rule_.skip}, baseline_.name);
   }
 

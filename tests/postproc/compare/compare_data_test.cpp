@@ -254,6 +254,14 @@ TEST_F(CompareResults, AValueInAHistoryAndAMissingColumn) {
   for (std::vector<double>& row : run.rows) row.pop_back();
   EXPECT_THAT(findings(run), isOnly("history.disc.fy", "no-actual", "missing at time 0"));
   run = MadeRun{};
+  write(run, "actual");
+  fs::remove(dir_ / "actual" / "history.csv");
+  const auto without = [&](const DataRule& rule) {
+    return findingsIn(compareData(ComparedKind::Result, dir_ / "actual", dir_ / "baseline", rule));
+  };
+  EXPECT_THAT(without({}), isOnly("history", "times-differ", "missing times of the baseline: 3 (0, 0.5, 1)"));
+  EXPECT_THAT(without({.tolerance = {}, .fields = {}, .only = {"displacement"}, .skip = {}}), IsEmpty());
+  EXPECT_THAT(without({.tolerance = {}, .fields = {}, .only = {}, .skip = {"history*"}}), IsEmpty());
   run.rows.pop_back();
   EXPECT_THAT(findings(run), isOnly("history", "times-differ", "missing times of the baseline: 1 (1)"));
 }
