@@ -126,9 +126,12 @@ void checkJunitName(const CompareArguments& arguments) {
   requireNotInput("--junit", arguments.junit, {arguments.actual, arguments.baseline});
 }
 
+constexpr std::array kPictureOptions{"--metric", "--threshold", "--diff", "--report", "--accept"};
+constexpr std::array kDataOptions{"--relative", "--absolute", "--tolerance", "--only", "--skip"};
+
 /// Throws `Error` if one of these options was given; what: what they are for.
-void requireUnused(const CLI::App& command, const std::vector<const char*>& options, const char* what,
-                   const char* found) {
+template <class Options>
+void requireUnused(const CLI::App& command, const Options& options, const char* what, const char* found) {
   for (const char* option : options)
     if (command.count(option) > 0)
       throw Error(fmt::format("{}: is for {}; ACTUAL and BASELINE are {}", option, what, found));
@@ -183,15 +186,17 @@ ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
 }
 
 ExitCode compare(const CLI::App& command, const CompareArguments& arguments) {
-  const ComparedKind kind = kindOf(arguments.actual, arguments.baseline);
+  ComparedKind kind = kindOf(arguments.actual, arguments.baseline);
+  std::error_code status;
+  if (kind == ComparedKind::Result && fs::is_directory(arguments.actual, status) &&
+      std::ranges::any_of(kPictureOptions, [&](const char* option) { return command.count(option) > 0; }))
+    kind = ComparedKind::Pictures;  // those in the directories of two runs
   checkJunitName(arguments);
   if (kind == ComparedKind::Pictures) {
-    requireUnused(command, {"--relative", "--absolute", "--tolerance", "--only", "--skip"},
-                  "results and VTK files", "pictures");
+    requireUnused(command, kDataOptions, "results and VTK files", "pictures");
     return comparePicturesOf(arguments);
   }
-  requireUnused(command, {"--metric", "--threshold", "--diff", "--report", "--accept"}, "pictures",
-                "results or VTK files");
+  requireUnused(command, kPictureOptions, "pictures", "results or VTK files");
   return compareDataOf(kind, arguments);
 }
 

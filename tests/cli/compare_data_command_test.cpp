@@ -109,11 +109,22 @@ TEST_F(CompareDataCommand, JunitHasATestPerFieldOrPicture) {
               HasSubstr("<failure type=\"no-baseline\" message=\"no baseline: there is no absent.png\"/>"));
 }
 
+TEST_F(CompareDataCommand, PicturesOfRunsAreComparedWhereTheyAreMeant) {
+  ASSERT_EQ(shell(dir, BURNISH_COMMAND
+                  " render a -o a/pictures/a.png --size 300,200 && mkdir -p base b/pictures && "
+                  "cp -r a/pictures base && cp a/pictures/a.png b/pictures")
+                .code,
+            0);
+  EXPECT_THAT(compare("a base").out, HasSubstr("pictures/a.png: equal (ssim"));
+  EXPECT_THAT(compare("a b --threshold 0.1").out, HasSubstr("pictures/a.png: equal (ssim 0, threshold 0.1)"));
+  EXPECT_THAT(compare("a b").out, HasSubstr("fields are equal to the baseline"));
+}
+
 TEST_F(CompareDataCommand, UnusableInputIsRefused) {
   expectRefused("a absent", "absent: there is no such file or directory");
   expectRefused("a scene.yaml", "a is a result, scene.yaml is no data");
   expectRefused("a a/frames.pvd", "a is a result, a/frames.pvd is a collection of VTK files");
-  expectRefused("a b --threshold 0.1",
+  expectRefused("a/result.h5 b/result.h5 --threshold 0.1",
                 "--threshold: is for pictures; ACTUAL and BASELINE are results or VTK files");
   expectRefused("a.png b.png --relative 0.1",
                 "--relative: is for results and VTK files; ACTUAL and BASELINE are pictures");

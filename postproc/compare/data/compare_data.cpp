@@ -55,6 +55,9 @@ std::optional<ComparedKind> kindOfPath(const fs::path& path) {
 
 ComparedKind kindOf(const fs::path& actual, const fs::path& baseline) {
   const std::optional<ComparedKind> first = kindOfPath(actual), second = kindOfPath(baseline);
+  std::error_code status;
+  if (first != second && fs::is_directory(actual, status) && fs::is_directory(baseline, status))
+    return ComparedKind::Pictures;  // of a run, with a directory of baselines
   if (first && second && *first != *second)
     throw Error(fmt::format("{} is {}, {} is {}; expected two of a kind", actual.string(),
                             kindInWords(*first), baseline.string(), kindInWords(*second)));

@@ -487,10 +487,12 @@ TEST_F(DataFiles, KindsAreToldByPathAndNotMixed) {
   EXPECT_EQ(kindOf(dir_ / "run", dir_ / "run/result.h5"), ComparedKind::Result);
   EXPECT_EQ(kindOf(dir_ / "run", dir_ / "absent"), ComparedKind::Result);
   EXPECT_EQ(kindOf(dir_ / "pictures", dir_ / "absent"), ComparedKind::Pictures);
+  EXPECT_EQ(kindOf(dir_ / "run", dir_ / "pictures"), ComparedKind::Pictures);
+  EXPECT_EQ(kindOf(dir_ / "pictures", dir_ / "run"), ComparedKind::Pictures);
   EXPECT_EQ(kindOf("a.vtp", "b.vtu"), ComparedKind::VtkFile);
   EXPECT_EQ(kindOf("a.pvd", "b.pvd"), ComparedKind::VtkCollection);
   EXPECT_THAT(
-      messageOf([&] { kindOf(dir_ / "run", dir_ / "pictures"); }),
+      messageOf([&] { kindOf(dir_ / "run/result.h5", dir_ / "pictures"); }),
       HasSubstr("pictures is no data, but a picture or a directory of pictures; expected two of a kind"));
   EXPECT_THAT(messageOf([&] { kindOf("a.vtu", "b.pvd"); }),
               HasSubstr("a.vtu is a VTK file, b.pvd is a collection of VTK files"));
