@@ -4,31 +4,16 @@
 
 #include <algorithm>
 
+#include "postproc/text/page.h"
+
 namespace burnish {
 namespace {
 
 /// A text as the value of an attribute; letters that XML does not know become blanks.
-std::string attributeText(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-    }
-  }
-  return result;
+std::string attributeText(std::string text) {
+  std::ranges::replace_if(
+      text, [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, ' ');
+  return escaped(text);
 }
 
 std::string caseText(const std::string& suite, const JunitCase& each) {
