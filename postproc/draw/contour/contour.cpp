@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,10 +79,19 @@ double textSizeOf(const ContourOptions& options, const Theme& theme) {
   return options.scale * options.textSize.value_or(theme.textSize * textSizeFor(options.size));
 }
 
+/// The part of the range that values on either side of zero take at least where colours tell their sign.
+constexpr double kEitherSign = 0.05;
+
 ColorScale colorScaleOf(const FieldChoice& field, const ContourOptions& options,
                         const std::array<double, 2>& shown) {
   const int bands = field.states.empty() ? options.bands : static_cast<int>(field.states.size());
-  return {options.colormap, options.range ? shown : widened(shown), bands};
+  const std::array<double, 2> range = options.range ? shown : widened(shown);
+  const double least = kEitherSign * (range[1] - range[0]);
+  const bool bothSigns = field.isAboutZero && range[0] < -least && range[1] > least;
+  const std::string colormap = options.colormap != kAutomaticColormap ? options.colormap
+                               : bothSigns                            ? "coolwarm"
+                                                                      : "viridis";
+  return {colormap, range, bands, bothSigns && isDiverging(colormap) ? std::optional(0.0) : std::nullopt};
 }
 
 ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const std::array<double, 2>& values,

@@ -20,6 +20,7 @@ struct Wording {
   std::string words;
   RichText symbol;  ///< an index for the component is added
   bool isNonNegative = false;
+  bool isAboutZero = false;
 };
 
 /// A symbol as a `FieldKind` has it, whose letters behind ^ or _ are raised or lowered.
@@ -34,8 +35,8 @@ RichText symbolOf(const std::string& text) {
 std::map<std::string, Wording> allWordings() {
   std::map<std::string, Wording> table{{"displacement", {"Displacement", {{"u"}}, false}},
                                        {"von_mises", {"von Mises stress", symbolOf("σ_v"), true}},
-                                       {"stress", {"Cauchy stress", {{"σ"}}, false}},
-                                       {"pressure", {"Pressure", {{"p"}}, false}}};
+                                       {"stress", {"Cauchy stress", {{"σ"}}, false, true}},
+                                       {"pressure", {"Pressure", {{"p"}}, false, true}}};
   table["contact_pressure"] = {"Contact pressure", {{"p"}}, true};
   table["friction_traction"] = {"Traction of friction", symbolOf("t_T"), true};
   table["slip"] = {"Slip in the last step", {{"s"}}, true};
@@ -54,6 +55,11 @@ const std::map<std::string, Wording>& wordings() {
 bool isNonNegative(const std::string& name) {
   const auto wording = wordings().find(name);
   return wording != wordings().end() && wording->second.isNonNegative;
+}
+
+bool isAboutZero(const std::string& name) {
+  const auto wording = wordings().find(name);
+  return wording != wordings().end() && wording->second.isAboutZero;
 }
 
 bool isVector(const FieldRecord& field) {
@@ -127,27 +133,34 @@ Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
   const std::vector<std::string> ofContact = contactFieldsOf(frame);
   if (std::find(ofContact.begin(), ofContact.end(), name) != ofContact.end())
-    return {name, titleOf(name, "", false),   unitOfContactField(model, name),       {},
-            true, statesOfContactField(name), contactFieldFaces(model, frame, name), wordsOf(name, "")};
+    return {.name = name,
+            .title = titleOf(name, "", false),
+            .unit = unitOfContactField(model, name),
+            .coefficients = {},
+            .isNonNegative = true,
+            .states = statesOfContactField(name),
+            .faces = contactFieldFaces(model, frame, name),
+            .words = wordsOf(name, "")};
   const auto fields = allFields(frame, model.lengthUnit);
   for (const auto& [fieldName, field] : fields) {
     const auto names = namesOf(fieldName, field);
     if (std::find(names.begin(), names.end(), name) == names.end()) continue;
     if (name == fieldName)
-      return {name,
-              titleOf(fieldName, "", isVector(field)),
-              field.unit,
-              field.values,
-              isNonNegative(name),
-              {},
-              nullptr,
-              wordsOf(fieldName, "")};
+      return {.name = name,
+              .title = titleOf(fieldName, "", isVector(field)),
+              .unit = field.unit,
+              .coefficients = field.values,
+              .isNonNegative = isNonNegative(name),
+              .isAboutZero = isAboutZero(name),
+              .words = wordsOf(fieldName, "")};
     const std::string component = name.substr(fieldName.size() + 1);
     const auto row = std::find(field.components.begin(), field.components.end(), component);
-    return {name,       titleOf(fieldName, component, false),
-            field.unit, field.values.row(row - field.components.begin()),
-            false,      {},
-            nullptr,    wordsOf(fieldName, component)};
+    return {.name = name,
+            .title = titleOf(fieldName, component, false),
+            .unit = field.unit,
+            .coefficients = field.values.row(row - field.components.begin()),
+            .isAboutZero = isAboutZero(fieldName),
+            .words = wordsOf(fieldName, component)};
   }
   const auto names = fieldNames(frame);
   throw Error(fmt::format("field: found \"{}\"; available in frame {}: {}.{}", name, frame.index,

@@ -27,6 +27,7 @@ struct FieldChoice {
   Eigen::MatrixXd coefficients;  ///< one row, or the components of a vector whose magnitude is meant; of a
                                  ///< contact field none
   bool isNonNegative = false;    ///< in truth; a projection may fall below 0
+  bool isAboutZero = false;      ///< its sign means something: tension and compression
   std::vector<std::string> states{};             ///< what the values 0, 1, … mean; empty for quantities
   vtkSmartPointer<vtkPolyData> faces = nullptr;  ///< of a contact field: `contactFieldFaces`
 

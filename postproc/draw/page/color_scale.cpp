@@ -114,7 +114,22 @@ const std::vector<std::string>& colormapNames() {
   return names;
 }
 
-ColorScale::ColorScale(const std::string& colormap, const std::array<double, 2>& range, int bands)
+const std::vector<std::string>& colormapChoices() {
+  static const std::vector<std::string> choices = [] {
+    std::vector<std::string> all{kAutomaticColormap};
+    all.insert(all.end(), colormapNames().begin(), colormapNames().end());
+    return all;
+  }();
+  return choices;
+}
+
+bool isDiverging(const std::string& colormap) {
+  const auto map = colormaps().find(colormap);
+  return map != colormaps().end() && map->second.space == Colormap::Space::Diverging;
+}
+
+ColorScale::ColorScale(const std::string& colormap, const std::array<double, 2>& range, int bands,
+                       std::optional<double> middle)
     : range_(range) {
   const auto map = colormaps().find(colormap);
   if (map == colormaps().end())
@@ -126,8 +141,13 @@ ColorScale::ColorScale(const std::string& colormap, const std::array<double, 2>&
     throw Error(fmt::format("range: found {}, {}; expected {}", range[0], range[1], kDrawableRangeWords));
   const auto function = transferFunction(map->second);
   const int count = bands == 0 ? kSmoothColors : bands;
+  // The part of the map that the range takes.
+  const double half = middle ? std::max(range[1] - *middle, *middle - range[0]) : 0.0;
+  const double begin = middle ? 0.5 + 0.5 * (range[0] - *middle) / half : 0.0;
+  const double end = middle ? 0.5 + 0.5 * (range[1] - *middle) / half : 1.0;
   for (int k = 0; k < count; ++k) {
-    const double* rgb = function->GetColor(count == 1 ? 0.5 : static_cast<double>(k) / (count - 1));
+    const double place = count == 1 ? 0.5 : static_cast<double>(k) / (count - 1);
+    const double* rgb = function->GetColor(begin + (end - begin) * place);
     const auto byte = [](double x) { return static_cast<unsigned char>(std::lround(255.0 * x)); };
     colors_.push_back({byte(rgb[0]), byte(rgb[1]), byte(rgb[2])});
   }

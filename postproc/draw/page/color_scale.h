@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,27 @@ using Color = std::array<unsigned char, 3>;  ///< red, green, blue
 /// and rainbow.
 const std::vector<std::string>& colormapNames();
 
+/// Instead of a name: viridis, or coolwarm about zero for a field whose sign means something.
+inline constexpr const char* kAutomaticColormap = "auto";
+
+/// What a picture may ask for: `kAutomaticColormap` and the names.
+const std::vector<std::string>& colormapChoices();
+
+/// Whether the map has a middle that stands out, for values to either side of one.
+bool isDiverging(const std::string& colormap);
+
 inline constexpr int kMostBands = 256;
 
-/// Colours for the values of a range: the whole colour map, smooth or in equal bands. Values outside have the
-/// colours of the ends.
+/// Colours for the values of a range, smooth or in equal bands: the whole colour map, or as much of it as the
+/// range takes about the value in its middle. Values outside have the colours of the ends.
 class ColorScale {
  public:
-  /// bands: 0 for smooth colours. Throws `Error` for an unknown map, bands outside [0, `kMostBands`] and a
-  /// range that is not drawable.
-  ColorScale(const std::string& colormap, const std::array<double, 2>& range, int bands);
+  /// bands: 0 for smooth colours. middle: the value within the range that has the colour in the middle of the
+  /// map, whose ends stand for values as far to either side as the farther end of the range; when left out
+  /// the ends of the map are those of the range. Throws `Error` for an unknown map, bands outside
+  /// [0, `kMostBands`] and a range that is not drawable.
+  ColorScale(const std::string& colormap, const std::array<double, 2>& range, int bands,
+             std::optional<double> middle = {});
 
   const std::array<double, 2>& range() const { return range_; }
 

@@ -67,7 +67,9 @@ void describe(Visitor& v, PageLook& s) {
 
 template <class Visitor>
 void describe(Visitor& v, PictureDefaults& s) {
-  v.field("colormap", s.colormap, {.choices = colormapNames()}, "Colours.");
+  v.field("colormap", s.colormap, {.choices = colormapChoices()},
+          "Colours; auto is viridis, and coolwarm about zero for stress components and pressures of both "
+          "signs.");
   v.field("bands", s.bands, {.atLeast = 0, .atMost = kMostBands},
           "Number of colour bands; 0 for smooth colours.");
   v.field("isolines", s.isolines, {.atLeast = 0, .atMost = 100}, "Number of lines of equal value.");

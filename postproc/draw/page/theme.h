@@ -11,7 +11,7 @@ namespace burnish {
 /// What a contour picture shows unless it is asked for something else: the part of `PictureOptions` that a
 /// theme states.
 struct PictureDefaults {
-  std::string colormap = "viridis";
+  std::string colormap = kAutomaticColormap;
   int bands = 0;
   int isolines = 0;
   bool knots = false;

@@ -87,6 +87,28 @@ TEST_F(ContourPictures, ComponentOfATensorIsDrawnByName) {
   expectColor(picture, Eigen::Vector2d(0.3 + 0.2 * 0.4, 0.4), scale.color(-0.3e5));
 }
 
+TEST_F(ContourPictures, FieldOfBothSignsHasTheMiddleOfItsColoursAtZero) {
+  Sample sample = samples::square();
+  sample.frame.fields["stress"].values.array() += 0.25e5;  // xx from -0.75e5 to 0.25e5
+  const Picture picture = drawn(sample, small("stress.xx"));
+  const ColorScale symmetric("coolwarm", {-0.75e5, 0.75e5}, 0);
+  for (const double x : {0.1, 0.25, 0.5, 0.9})
+    expectColor(picture, Eigen::Vector2d(x + 0.2 * 0.4, 0.4), symmetric.color(0.25e5 - 1e5 * x));
+}
+
+TEST_F(ContourPictures, ZeroInTheMiddleHoldsForAMapOfOnesOwnChoice) {
+  Sample sample = samples::square();
+  sample.frame.fields["stress"].values.array() += 0.25e5;
+  ContourOptions options = small("stress.xx");
+  options.range = {-1e5, 1e4};
+  options.colormap = "coolwarm";
+  const Color neutral = ColorScale("coolwarm", {-1.0, 1.0}, 0).color(0.0);
+  expectColor(drawn(sample, options), Eigen::Vector2d(0.25 + 0.2 * 0.4, 0.4), neutral);
+  options.colormap = "viridis";
+  expectColor(drawn(sample, options), Eigen::Vector2d(0.25 + 0.2 * 0.4, 0.4),
+              ColorScale("viridis", *options.range, 0).color(0.0));
+}
+
 TEST_F(ContourPictures, VectorAloneIsItsMagnitude) {
   const Picture picture = drawn(samples::square(), small("displacement"));
   const ColorScale scale("viridis", {0.0, 0.2}, 0);

@@ -119,6 +119,15 @@ TEST(ColorScale, PerceptualMapsOnlyGetLighter) {
   }
 }
 
+TEST(ColorScale, HasTheMiddleOfTheMapAtAValue) {
+  const ColorScale whole("coolwarm", {-3.0, 3.0}, 0), part("coolwarm", {-1.0, 3.0}, 0, 0.0);
+  for (const double value : {-0.9, -0.5, 0.0, 0.7, 2.9})
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(whole.color(value)[c], part.color(value)[c], 3) << value;
+  EXPECT_EQ(part.colors().back(), whole.colors().back());
+  const Color zero = part.color(0.0);
+  EXPECT_LT(std::max({zero[0], zero[1], zero[2]}) - std::min({zero[0], zero[1], zero[2]}), 8);
+}
+
 TEST(ColorScale, EveryNamedMapExists) {
   for (const std::string& map : colormapNames())
     EXPECT_EQ(ColorScale(map, {0.0, 1.0}, 5).colors().size(), 5U) << map;

@@ -101,7 +101,7 @@ TEST_F(SpaceImage, ComponentsHaveTheirSignBeyondAMirror) {
   options.mirror = {{0, 0.0}};
   options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
   const Picture picture = drawn(quarterBlock(), options);
-  const ColorScale scale("viridis", {-1.0, 1.0}, 0);
+  const ColorScale scale("coolwarm", {-1.0, 1.0}, 0);
   for (const double x : {-0.8, -0.3, 0.4, 0.7})
     expectColor(picture, Eigen::Vector3d(x, 0.5, 0.5), scale.color(x));
 }
