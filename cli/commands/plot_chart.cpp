@@ -5,14 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "cli/arguments.h"
+#include "engine/analysis/history_columns.h"
 #include "engine/core/error.h"
 #include "engine/results/history.h"
+#include "engine/results/model_io.h"
+#include "engine/results/result_files.h"
 #include "postproc/study/evidence/expression.h"
+#include "postproc/text/units.h"
 
 namespace burnish {
 namespace {
@@ -22,6 +27,8 @@ namespace fs = std::filesystem;
 struct Run {
   std::string name;
   HistoryTable history;
+  std::optional<std::vector<std::string>> tools;  ///< their names, where the result stands beside the history
+  DerivedUnits units;
 };
 
 constexpr const char* kHistoryName = "history.csv";
@@ -31,12 +38,59 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, status);
 }
 
+/// A history with what the result beside it says of its columns. One that cannot be read only costs words.
+Run readRun(std::string name, const fs::path& file) {
+  Run run{std::move(name), readHistory(file), {}, {}};
+  std::error_code status;
+  const fs::path result = modelFile(file.parent_path());
+  if (file.filename() != kHistoryName || !fs::exists(result, status)) return run;
+  try {
+    const ModelRecord model = readModel(result).record;
+    run.tools.emplace();
+    for (const ToolRecord& tool : model.tools) run.tools->push_back(tool.name);
+    run.units = derivedUnits(model);
+  } catch (const Error&) {
+    run.tools.reset();
+  }
+  return run;
+}
+
+/// A formula in words, if it is a column that they are known of, with the unit; the kind of quantity, of
+/// which there may be several on an axis, is empty for plain numbers.
+struct Worded {
+  std::string words, kind, unit;
+};
+
+Worded worded(const Run& run, const std::string& formula) {
+  const auto& columns = run.history.columns;
+  if (std::ranges::find(columns, formula) == columns.end()) return {formula, "", ""};
+  const auto meaning = columnMeaning(formula, columns, run.tools);
+  if (!meaning) return {formula, "", ""};
+  switch (meaning->measured) {
+    case Measured::Number:
+      return {meaning->words, "", ""};
+    case Measured::Length:
+      return {meaning->words, "Length", run.units.length};
+    case Measured::Degrees:
+      return {meaning->words, "Turn", "°"};
+    case Measured::Area:
+      return {meaning->words, "Area", run.units.area};
+    case Measured::Force:
+      return {meaning->words, "Force", run.units.force};
+    case Measured::Moment:
+      return {meaning->words, "Moment", run.units.energy};
+    case Measured::Energy:
+      return {meaning->words, "Energy", run.units.energy};
+  }
+  std::abort();
+}
+
 std::vector<Run> readRuns(const PlotArguments& arguments) {
   std::vector<fs::path> files;
   for (const fs::path& path : arguments.histories) files.push_back(historyFile(path));
   const std::vector<std::string> names = runNames(arguments.chart, files, kHistoryName, arguments.histories);
   std::vector<Run> runs;
-  for (std::size_t k = 0; k < files.size(); ++k) runs.push_back({names[k], readHistory(files[k])});
+  for (std::size_t k = 0; k < files.size(); ++k) runs.push_back(readRun(names[k], files[k]));
   return runs;
 }
 
@@ -71,7 +125,7 @@ class ChartMaker {
     checkLabels(arguments.chart, runs_.size(), numFormulas() * runs_.size(), "histories");
     if (!arguments.reference.empty()) {
       const fs::path file = historyFile(arguments.reference);
-      reference_ = Run{runName(file, kHistoryName), readHistory(file)};
+      reference_ = readRun(runName(file, kHistoryName), file);
     }
     addAxes();
     addCurves(arguments.y, false);
@@ -85,43 +139,44 @@ class ChartMaker {
   std::size_t numFormulas() const { return arguments_.y.size() + arguments_.y2.size(); }
 
   void addAxes() {
-    made_.chart = emptyChart(arguments_.chart, arguments_.x, axisTitle(arguments_.y));
+    made_.chart = emptyChart(arguments_.chart, titleOf({arguments_.x}), axisTitle(arguments_.y));
     made_.chart.y2 = {arguments_.y2Title.empty() ? axisTitle(arguments_.y2) : arguments_.y2Title,
                       arguments_.chart.isLogarithmic("y2"), axisRange("--y2-range", arguments_.y2Range)};
   }
 
-  std::string axisTitle(const std::vector<std::string>& formulas) const {
-    const std::string title = fmt::format("{}", fmt::join(formulas, ", "));
-    if (!reference_) return areToolForces(formulas) ? title + " (force of the body on the tool)" : title;
-    const bool relative = differenceKind(arguments_.difference) == DifferenceKind::Relative;
-    return fmt::format("{} of {} from {}", relative ? "relative difference" : "difference", title,
-                       reference_->name);
+  /// A formula in words with its unit, as far as they are the same for all runs; of several what all of them
+  /// are, or one behind the other.
+  std::string titleOf(const std::vector<std::string>& formulas) const {
+    std::vector<Worded> all;
+    for (const std::string& formula : formulas)
+      for (const Run& run : runs_) all.push_back(worded(run, formula));
+    if (all.empty()) return "";
+    const auto haveOne = [&](std::string Worded::*member) {
+      return std::ranges::all_of(all,
+                                 [&](const Worded& each) { return each.*member == all.front().*member; });
+    };
+    const std::string unit = haveOne(&Worded::unit) ? all.front().unit : "";
+    if (haveOne(&Worded::words)) return withUnit(all.front().words, unit);
+    if (haveOne(&Worded::kind) && !all.front().kind.empty()) return withUnit(all.front().kind, unit);
+    return fmt::format("{}", fmt::join(formulas, ", "));
   }
 
-  /// Whether all are columns of forces of tools, whose sign is worth a word. Tools alone have displacements
-  /// beside their forces.
-  bool areToolForces(const std::vector<std::string>& formulas) const {
-    const auto isForce = [](const HistoryTable& history, const std::string& formula) {
-      const std::size_t dot = formula.rfind(".f");
-      if (dot == std::string::npos || dot + 3 != formula.size()) return false;
-      const auto has = [&](const std::string& column) {
-        return std::ranges::find(history.columns, column) != history.columns.end();
-      };
-      return has(formula) && has(formula.substr(0, dot) + ".u" + formula.back());
-    };
-    return !formulas.empty() && std::ranges::all_of(runs_, [&](const Run& run) {
-      return std::ranges::all_of(formulas, [&](const auto& f) { return isForce(run.history, f); });
-    });
+  std::string axisTitle(const std::vector<std::string>& formulas) const {
+    if (!reference_) return titleOf(formulas);
+    const bool relative = differenceKind(arguments_.difference) == DifferenceKind::Relative;
+    return fmt::format("{} of {} from {}", relative ? "relative difference" : "difference",
+                       fmt::join(formulas, ", "), reference_->name);
   }
 
   void addCurves(const std::vector<std::string>& formulas, bool onRight) {
     for (const std::string& formula : formulas) {
       for (const Run& run : runs_) {
-        const std::string label = nextLabel(run, formula);
+        const std::size_t number = numLabels_++;
         if (reference_ && isSameFile(run.history.path, reference_->history.path)) continue;
         ChartCurve curve = rowsOf(run.history, arguments_, formula);
         if (reference_) curve = differenceFromReference(run, formula, curve);
-        curve.label = label;
+        curve.label = labelOf(run, formula, number);
+        made_.legend.push_back(labelOf(run, worded(run, formula).words, number));
         curve.onRight = onRight;
         made_.chart.curves.push_back(std::move(curve));
       }
@@ -135,15 +190,14 @@ class ChartMaker {
     return made_.differences.back().found.curve;
   }
 
-  /// What tells the curve apart from others of its axis: the run, the formula or both.
-  std::string nextLabel(const Run& run, const std::string& formula) {
-    const std::size_t number = numLabels_++;
+  /// What tells the curve apart from others of its axis: the run, what it shows or both.
+  std::string labelOf(const Run& run, const std::string& shown, std::size_t number) const {
     const std::vector<std::string>& given = arguments_.chart.labels;
     if (given.size() > runs_.size()) return given[number];
     const bool axisTellsFormula = arguments_.y.size() == 1 && arguments_.y2.size() <= 1;
-    if (runs_.size() == 1 && given.empty() && numFormulas() > 1) return formula;
+    if (runs_.size() == 1 && given.empty() && numFormulas() > 1) return shown;
     if (axisTellsFormula) return run.name;
-    return fmt::format("{}: {}", run.name, formula);
+    return fmt::format("{}: {}", run.name, shown);
   }
 
   const PlotArguments& arguments_;

@@ -31,7 +31,8 @@ struct LargestDifference {
 };
 
 struct PlottedChart {
-  Chart chart;
+  Chart chart;                                 ///< curves are called by their formulas, as data are
+  std::vector<std::string> legend;             ///< what curves are called in the picture, in words
   std::vector<LargestDifference> differences;  ///< with a reference
 };
 

@@ -34,7 +34,11 @@ ExitCode plot(const PlotArguments& arguments, const ChartOutputs& outputs) {
   const PlottedChart plotted = chartOf(arguments);
   if (!outputs.picture.empty()) {
     makeDirectoryOf(outputs.picture);
-    drawChart(plotted.chart, outputs.picture);
+    Chart chart = plotted.chart;
+    for (std::size_t k = 0; k < chart.curves.size(); ++k) chart.curves[k].label = plotted.legend[k];
+    // What a single curve is, the axis says.
+    chart.legend = chart.curves.size() > 1 || !arguments.chart.labels.empty();
+    drawChart(chart, outputs.picture);
   }
   if (outputs.printsData())
     printText(chartDataText(plotted.chart));
@@ -79,7 +83,8 @@ void addDataOptions(CLI::App& command, PlotArguments& arguments) {
 
 void addRightAxisOptions(CLI::App& command, PlotArguments& arguments) {
   CLI::Option* right = command.get_option("--y2");
-  command.add_option("--y2-title", arguments.y2Title, "Title of the axis at the right [the formulas]")
+  command
+      .add_option("--y2-title", arguments.y2Title, "Title of the axis at the right [the formulas in words]")
       ->check(cannotBeShown)
       ->needs(right)
       ->type_name("TEXT");
@@ -95,7 +100,8 @@ void addPlotCommand(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<PlotArguments>();
   const auto outputs = std::make_shared<ChartOutputs>();
   addDataOptions(*command, *arguments);
-  addAxisOptions(*command, arguments->chart, {"the formula", "the formulas"}, {"x", "y", "xy", "y2"});
+  addAxisOptions(*command, arguments->chart, {"the formula in words", "the formulas in words"},
+                 {"x", "y", "xy", "y2"});
   addRightAxisOptions(*command, *arguments);
   addDrawingOptions(*command, arguments->chart, "directory, formula or both");
   command->add_option("--csv", outputs->csv, "Write the drawn points to this file too, or print them: -")

@@ -1,64 +1,116 @@
 #include "engine/analysis/history_columns.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <numbers>
+#include <span>
 
 namespace burnish {
 namespace {
 
+/// Words in which {} stands for the name of a tool, pair or body.
+struct ColumnWords {
+  const char* words;
+  Measured measured;
+};
+
+using enum Measured;
+
 struct Row {
   const char* name;
+  ColumnWords meaning;
   double (*value)(const HistoryRow& row);
 };
 
 constexpr Row kStep[] = {
-    {"step", [](const HistoryRow& r) { return static_cast<double>(r.step); }},
-    {"time", [](const HistoryRow& r) { return r.state.time; }},
+    {"step", {"Step", Number}, [](const HistoryRow& r) { return static_cast<double>(r.step); }},
+    {"time", {"Time", Number}, [](const HistoryRow& r) { return r.state.time; }},
 };
 
 constexpr Row kBody[] = {
-    {"strain_energy", [](const HistoryRow& r) { return r.state.strainEnergy; }},
-    {"contact_energy", [](const HistoryRow& r) { return r.state.contactEnergy; }},
-    {"external_work", [](const HistoryRow& r) { return r.state.externalWork; }},
-    {"plastic_work", [](const HistoryRow& r) { return r.state.plasticWork; }},
-    {"max_plastic_strain", [](const HistoryRow& r) { return r.state.maxPlasticStrain; }},
-    {"max_plastic_strain_projected", [](const HistoryRow& r) { return r.state.projectedPlasticStrain.max; }},
-    {"min_plastic_strain_projected", [](const HistoryRow& r) { return r.state.projectedPlasticStrain.min; }},
+    {"strain_energy", {"Strain energy", Energy}, [](const HistoryRow& r) { return r.state.strainEnergy; }},
+    {"contact_energy", {"Contact energy", Energy}, [](const HistoryRow& r) { return r.state.contactEnergy; }},
+    {"external_work",
+     {"Work of supports, tools and loads", Energy},
+     [](const HistoryRow& r) { return r.state.externalWork; }},
+    {"plastic_work", {"Plastic work", Energy}, [](const HistoryRow& r) { return r.state.plasticWork; }},
+    {"max_plastic_strain",
+     {"Largest plastic strain", Number},
+     [](const HistoryRow& r) { return r.state.maxPlasticStrain; }},
+    {"max_plastic_strain_projected",
+     {"Largest projected plastic strain", Number},
+     [](const HistoryRow& r) { return r.state.projectedPlasticStrain.max; }},
+    {"min_plastic_strain_projected",
+     {"Smallest projected plastic strain", Number},
+     [](const HistoryRow& r) { return r.state.projectedPlasticStrain.min; }},
     {"active_control_points",
+     {"Active control points", Number},
      [](const HistoryRow& r) { return static_cast<double>(r.state.activeControlPoints); }},
-    {"max_penetration", [](const HistoryRow& r) { return r.state.maxPenetration; }},
-    {"min_detJ", [](const HistoryRow& r) { return r.state.minJ; }},
-    {"newton_iterations", [](const HistoryRow& r) { return static_cast<double>(r.newtonIterations); }},
+    {"max_penetration",
+     {"Largest penetration", Length},
+     [](const HistoryRow& r) { return r.state.maxPenetration; }},
+    {"min_detJ", {"Smallest volume ratio J", Number}, [](const HistoryRow& r) { return r.state.minJ; }},
+    {"newton_iterations",
+     {"Newton iterations", Number},
+     [](const HistoryRow& r) { return static_cast<double>(r.newtonIterations); }},
 };
 
 constexpr Row kSelfContact[] = {
     {"self_active_control_points",
+     {"Active control points of self-contact", Number},
      [](const HistoryRow& r) { return static_cast<double>(r.state.selfActiveControlPoints); }},
-    {"max_self_penetration", [](const HistoryRow& r) { return r.state.maxSelfPenetration; }},
-    {"self_contact_force", [](const HistoryRow& r) { return r.state.selfForce; }},
+    {"max_self_penetration",
+     {"Largest penetration of self-contact", Length},
+     [](const HistoryRow& r) { return r.state.maxSelfPenetration; }},
+    {"self_contact_force",
+     {"Force of self-contact", Force},
+     [](const HistoryRow& r) { return r.state.selfForce; }},
 };
 
 /// Of faces that rub on themselves.
 constexpr Row kSelfFriction[] = {
-    {"self_contact.friction", [](const HistoryRow& r) { return r.state.selfTouch.friction; }},
+    {"self_contact.friction",
+     {"Friction of self-contact", Force},
+     [](const HistoryRow& r) { return r.state.selfTouch.friction; }},
     {"self_contact.sticking",
+     {"Sticking points of self-contact", Number},
      [](const HistoryRow& r) { return static_cast<double>(r.state.selfTouch.sticking); }},
     {"self_contact.slipping",
+     {"Slipping points of self-contact", Number},
      [](const HistoryRow& r) { return static_cast<double>(r.state.selfTouch.slipping); }},
-    {"self_contact.friction_work", [](const HistoryRow& r) { return r.state.selfTouch.frictionWork; }},
+    {"self_contact.friction_work",
+     {"Work of friction of self-contact", Energy},
+     [](const HistoryRow& r) { return r.state.selfTouch.frictionWork; }},
 };
 
 constexpr Row kFriction[] = {
-    {"friction_work", [](const HistoryRow& r) { return r.state.frictionWork(); }},
+    {"friction_work",
+     {"Work of friction", Energy},
+     [](const HistoryRow& r) { return r.state.frictionWork(); }},
 };
 
 constexpr Row kRezoning[] = {
-    {"rezonings", [](const HistoryRow& r) { return static_cast<double>(r.state.rezonings.count); }},
-    {"rezoning_energy_lost", [](const HistoryRow& r) { return r.state.rezonings.energyLost; }},
-    {"rezoning_gap_work", [](const HistoryRow& r) { return r.state.rezonings.gapWork; }},
-    {"rezoning_volume_drift", [](const HistoryRow& r) { return r.state.rezonings.volumeDrift; }},
-    {"rezoning_boundary_error", [](const HistoryRow& r) { return r.state.rezonings.boundaryError; }},
-    {"crosses_itself", [](const HistoryRow& r) { return r.state.crossesItself ? 1.0 : 0.0; }},
+    {"rezonings",
+     {"Remeshings", Number},
+     [](const HistoryRow& r) { return static_cast<double>(r.state.rezonings.count); }},
+    {"rezoning_energy_lost",
+     {"Energy lost in remeshing", Energy},
+     [](const HistoryRow& r) { return r.state.rezonings.energyLost; }},
+    {"rezoning_gap_work",
+     {"Work of gaps in remeshing", Energy},
+     [](const HistoryRow& r) { return r.state.rezonings.gapWork; }},
+    {"rezoning_volume_drift",
+     {"Drift of the volume in remeshing", Number},
+     [](const HistoryRow& r) { return r.state.rezonings.volumeDrift; }},
+    {"rezoning_boundary_error",
+     {"Error of the boundary in remeshing", Length},
+     [](const HistoryRow& r) { return r.state.rezonings.boundaryError; }},
+    {"crosses_itself",
+     {"Whether the boundary crosses itself", Number},
+     [](const HistoryRow& r) { return r.state.crossesItself ? 1.0 : 0.0; }},
 };
 
 /// Which bodies have a column of a tool.
@@ -66,6 +118,7 @@ enum class Where { Everywhere, InSpace, NotInAxisymmetry };
 
 struct ToolRow {
   const char* suffix;
+  ColumnWords meaning;
   Where where;
   double (*value)(const StateQuantities& state, std::size_t tool);
 };
@@ -73,52 +126,114 @@ struct ToolRow {
 using State = const StateQuantities&;
 
 constexpr ToolRow kTool[] = {
-    {".ux", Where::Everywhere, [](State s, std::size_t k) { return s.toolPoses[k].displacement(0); }},
-    {".uy", Where::Everywhere, [](State s, std::size_t k) { return s.toolPoses[k].displacement(1); }},
-    {".uz", Where::InSpace, [](State s, std::size_t k) { return s.toolPoses[k].displacement(2); }},
-    {".fx", Where::Everywhere, [](State s, std::size_t k) { return s.toolForces[k](0); }},
-    {".fy", Where::Everywhere, [](State s, std::size_t k) { return s.toolForces[k](1); }},
-    {".fz", Where::InSpace, [](State s, std::size_t k) { return s.toolForces[k](2); }},
-    {".mx", Where::InSpace, [](State s, std::size_t k) { return s.toolMoments[k](0); }},
-    {".my", Where::InSpace, [](State s, std::size_t k) { return s.toolMoments[k](1); }},
-    {".mz", Where::NotInAxisymmetry, [](State s, std::size_t k) { return s.toolMoments[k](2); }},
-    {".angle", Where::NotInAxisymmetry,
+    {".ux",
+     {"Displacement of {} in x", Length},
+     Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolPoses[k].displacement(0); }},
+    {".uy",
+     {"Displacement of {} in y", Length},
+     Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolPoses[k].displacement(1); }},
+    {".uz",
+     {"Displacement of {} in z", Length},
+     Where::InSpace,
+     [](State s, std::size_t k) { return s.toolPoses[k].displacement(2); }},
+    {".fx",
+     {"Force on {} in x", Force},
+     Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolForces[k](0); }},
+    {".fy",
+     {"Force on {} in y", Force},
+     Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolForces[k](1); }},
+    {".fz",
+     {"Force on {} in z", Force},
+     Where::InSpace,
+     [](State s, std::size_t k) { return s.toolForces[k](2); }},
+    {".mx",
+     {"Moment on {} about x", Moment},
+     Where::InSpace,
+     [](State s, std::size_t k) { return s.toolMoments[k](0); }},
+    {".my",
+     {"Moment on {} about y", Moment},
+     Where::InSpace,
+     [](State s, std::size_t k) { return s.toolMoments[k](1); }},
+    {".mz",
+     {"Moment on {} about z", Moment},
+     Where::NotInAxisymmetry,
+     [](State s, std::size_t k) { return s.toolMoments[k](2); }},
+    {".angle",
+     {"Turn of {}", Degrees},
+     Where::NotInAxisymmetry,
      [](State s, std::size_t k) { return s.toolPoses[k].angle * 180.0 / std::numbers::pi; }},
 };
 
 /// Of tools that a pair touches with the integral method.
 constexpr ToolRow kArea[] = {
-    {".contact_area", Where::Everywhere, [](State s, std::size_t k) { return s.toolTouches[k].area; }},
+    {".contact_area",
+     {"Contact area of {}", Area},
+     Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolTouches[k].area; }},
 };
 
 /// Of tools that rub.
 constexpr ToolRow kToolFriction[] = {
-    {".friction", Where::Everywhere, [](State s, std::size_t k) { return s.toolTouches[k].friction; }},
-    {".sticking", Where::Everywhere,
+    {".friction",
+     {"Friction on {}", Force},
+     Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolTouches[k].friction; }},
+    {".sticking",
+     {"Sticking points of {}", Number},
+     Where::Everywhere,
      [](State s, std::size_t k) { return static_cast<double>(s.toolTouches[k].sticking); }},
-    {".slipping", Where::Everywhere,
+    {".slipping",
+     {"Slipping points of {}", Number},
+     Where::Everywhere,
      [](State s, std::size_t k) { return static_cast<double>(s.toolTouches[k].slipping); }},
-    {".friction_work", Where::Everywhere,
+    {".friction_work",
+     {"Work of friction on {}", Energy},
+     Where::Everywhere,
      [](State s, std::size_t k) { return s.toolTouches[k].frictionWork; }},
 };
 
 struct PairRow {
   const char* suffix;
+  ColumnWords meaning;
   bool inSpace, ofFriction;
   double (*value)(const PairTouch& pair);
 };
 
 constexpr PairRow kPair[] = {
-    {".fx", false, false, [](const PairTouch& p) { return p.force(0); }},
-    {".fy", false, false, [](const PairTouch& p) { return p.force(1); }},
-    {".fz", true, false, [](const PairTouch& p) { return p.force(2); }},
-    {".pressed", false, false, [](const PairTouch& p) { return p.pressed; }},
-    {".active", false, false, [](const PairTouch& p) { return static_cast<double>(p.active); }},
-    {".penetration", false, false, [](const PairTouch& p) { return p.penetration; }},
-    {".friction", false, true, [](const PairTouch& p) { return p.friction; }},
-    {".sticking", false, true, [](const PairTouch& p) { return static_cast<double>(p.sticking); }},
-    {".slipping", false, true, [](const PairTouch& p) { return static_cast<double>(p.slipping); }},
-    {".friction_work", false, true, [](const PairTouch& p) { return p.frictionWork; }},
+    {".fx", {"Force at {} in x", Force}, false, false, [](const PairTouch& p) { return p.force(0); }},
+    {".fy", {"Force at {} in y", Force}, false, false, [](const PairTouch& p) { return p.force(1); }},
+    {".fz", {"Force at {} in z", Force}, true, false, [](const PairTouch& p) { return p.force(2); }},
+    {".pressed", {"Contact force of {}", Force}, false, false, [](const PairTouch& p) { return p.pressed; }},
+    {".active",
+     {"Active control points of {}", Number},
+     false,
+     false,
+     [](const PairTouch& p) { return static_cast<double>(p.active); }},
+    {".penetration",
+     {"Largest penetration of {}", Length},
+     false,
+     false,
+     [](const PairTouch& p) { return p.penetration; }},
+    {".friction", {"Friction of {}", Force}, false, true, [](const PairTouch& p) { return p.friction; }},
+    {".sticking",
+     {"Sticking points of {}", Number},
+     false,
+     true,
+     [](const PairTouch& p) { return static_cast<double>(p.sticking); }},
+    {".slipping",
+     {"Slipping points of {}", Number},
+     false,
+     true,
+     [](const PairTouch& p) { return static_cast<double>(p.slipping); }},
+    {".friction_work",
+     {"Work of friction of {}", Energy},
+     false,
+     true,
+     [](const PairTouch& p) { return p.frictionWork; }},
 };
 
 /// Columns of a pair of faces.
@@ -134,13 +249,15 @@ void addPair(std::vector<HistoryColumn>& columns, const std::string& name, std::
 
 struct BodyRow {
   const char* suffix;
+  ColumnWords meaning;
   double BodyQuantities::*value;
 };
 
-constexpr BodyRow kEachBody[] = {{".strain_energy", &BodyQuantities::strainEnergy},
-                                 {".plastic_work", &BodyQuantities::plasticWork},
-                                 {".max_plastic_strain", &BodyQuantities::maxPlasticStrain},
-                                 {".min_detJ", &BodyQuantities::minJ}};
+constexpr BodyRow kEachBody[] = {
+    {".strain_energy", {"Strain energy of {}", Energy}, &BodyQuantities::strainEnergy},
+    {".plastic_work", {"Plastic work in {}", Energy}, &BodyQuantities::plasticWork},
+    {".max_plastic_strain", {"Largest plastic strain of {}", Number}, &BodyQuantities::maxPlasticStrain},
+    {".min_detJ", {"Smallest volume ratio J of {}", Number}, &BodyQuantities::minJ}};
 
 /// Columns of each of several bodies.
 void addBody(std::vector<HistoryColumn>& columns, const std::string& name, std::size_t body) {
@@ -148,6 +265,17 @@ void addBody(std::vector<HistoryColumn>& columns, const std::string& name, std::
     columns.push_back({name + row.suffix, [body, value = row.value](const HistoryRow& r) {
                          return r.state.bodies[body].*value;
                        }});
+}
+
+/// What a column of a tool, pair or body means, by the rows with its suffix.
+template <class Row>
+std::optional<ColumnMeaning> ownersMeaning(const std::string& column, const std::string& owner,
+                                           std::initializer_list<std::span<const Row>> lists) {
+  for (const std::span<const Row> rows : lists)
+    for (const Row& row : rows)
+      if (column == owner + row.suffix)
+        return ColumnMeaning{fmt::format(fmt::runtime(row.meaning.words), owner), row.meaning.measured};
+  return std::nullopt;
 }
 
 template <std::size_t Count>
@@ -224,6 +352,26 @@ std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& 
   if (scene.output.reactions) addList(columns, reactions, &StateQuantities::reactions);
   addList(columns, measures, &StateQuantities::measured);
   return columns;
+}
+
+std::optional<ColumnMeaning> columnMeaning(const std::string& column, const std::vector<std::string>& columns,
+                                           const std::optional<std::vector<std::string>>& tools) {
+  for (const std::span<const Row> rows :
+       std::array<std::span<const Row>, 6>{kStep, kBody, kSelfContact, kSelfFriction, kFriction, kRezoning})
+    for (const Row& row : rows)
+      if (column == row.name) return ColumnMeaning{row.meaning.words, row.meaning.measured};
+  const std::size_t dot = column.rfind('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const std::string owner = column.substr(0, dot);
+  const auto has = [&](const char* suffix) {
+    return std::find(columns.begin(), columns.end(), owner + suffix) != columns.end();
+  };
+  const bool isTool =
+      tools ? std::find(tools->begin(), tools->end(), owner) != tools->end() : has(".ux") && has(".fx");
+  if (isTool) return ownersMeaning<ToolRow>(column, owner, {kTool, kArea, kToolFriction});
+  if (has(".pressed")) return ownersMeaning<PairRow>(column, owner, {kPair});
+  if (has(".min_detJ")) return ownersMeaning<BodyRow>(column, owner, {kEachBody});
+  return std::nullopt;
 }
 
 template std::vector<HistoryColumn> historyColumns(const Scene&, const Model<2>&,

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,21 @@ struct HistoryRow {
   int step = 0;
   int newtonIterations = 0;  ///< of this step, failed attempts included
 };
+
+/// What the numbers of a column measure; plain ones have no unit.
+enum class Measured { Number, Length, Degrees, Area, Force, Moment, Energy };
+
+/// How a column is called in words, such as "Force on die in y".
+struct ColumnMeaning {
+  std::string words;
+  Measured measured = Measured::Number;
+};
+
+/// What a column of a history means, all of whose columns are given; nothing for one that this file does not
+/// know: measures and reactions, whose names the scene gives. tools: their names; what is known of them in a
+/// history without its scene is that tools have displacements beside their forces.
+std::optional<ColumnMeaning> columnMeaning(const std::string& column, const std::vector<std::string>& columns,
+                                           const std::optional<std::vector<std::string>>& tools);
 
 /// A column of the history, as documented in docs/results.md.
 struct HistoryColumn {

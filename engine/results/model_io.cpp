@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <yaml-cpp/yaml.h>
 
 #include <array>
 #include <optional>
@@ -189,6 +190,14 @@ StoredModel readModel(const std::filesystem::path& path) {
   }
   checkModel(record, path.string());
   return model;
+}
+
+bool isAxisymmetric(const ModelRecord& model) {
+  try {
+    return YAML::Load(model.sceneYaml)["kinematics"].as<std::string>("") == "axisymmetric";
+  } catch (const YAML::Exception&) {
+    return false;  // a model without a scene that can be read
+  }
 }
 
 }  // namespace burnish

@@ -98,6 +98,9 @@ struct ModelRecord {
   int subdivision = 4;
 };
 
+/// Whether its scene says so.
+bool isAxisymmetric(const ModelRecord& model);
+
 /// One output instant. Nodes and patches are those of its mesh, see `meshOf`.
 struct FrameRecord {
   int index = 0;

@@ -1,7 +1,6 @@
 #include "postproc/mesh/mirror.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,15 +37,6 @@ Eigen::Affine3d mapOf(const MirrorPlane& plane) {
   map.linear()(plane.axis, plane.axis) = -1.0;
   map.translation()(plane.axis) = 2.0 * plane.at;
   return map;
-}
-
-/// A hollow body of revolution does not touch its axis, in which it is symmetric all the same.
-bool isAxisymmetric(const ModelRecord& model) {
-  try {
-    return YAML::Load(model.sceneYaml)["kinematics"].as<std::string>("") == "axisymmetric";
-  } catch (const YAML::Exception&) {
-    return false;  // a model without a scene that can be read
-  }
 }
 
 /// The nodes of a mesh and of its image.

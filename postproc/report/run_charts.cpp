@@ -10,6 +10,7 @@
 
 #include "postproc/text/markdown.h"
 #include "postproc/text/ticks.h"
+#include "postproc/text/units.h"
 
 namespace burnish {
 namespace {
@@ -17,13 +18,6 @@ namespace {
 constexpr std::array<int, 2> kSize{640, 400};
 constexpr std::size_t kSlowSteps = 5;
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-
-/// "TITLE in UNIT" with the unit of stress times length^power; the title alone without units.
-std::string withUnit(const std::string& title, const ModelRecord& model, int power) {
-  if (model.stressUnit.empty() || model.lengthUnit.empty()) return title;
-  return fmt::format("{} in {}·{}{}", title, model.stressUnit, model.lengthUnit,
-                     power == 1 ? "" : superscript(power));
-}
 
 /// Charts over the time of a history; what the history does not have is left out.
 class HistoryCharts {
@@ -167,16 +161,17 @@ bool hasPoints(const ChartCurve& curve) {
 std::vector<CaptionedChart> stateCharts(const RunRecord& run) {
   const ModelRecord& model = run.result.model();
   HistoryCharts charts(run.history);
-  const std::string depth = model.dim == 2 ? " (per unit of depth)" : "";
+  const std::string depth = model.dim == 2 && !isAxisymmetric(model) ? " (per unit of depth)" : "";
+  const DerivedUnits units = derivedUnits(model);
   const auto addForce = [&](const char* kind, const std::string& name) {
     charts.add(fmt::format("Force of the body on the {} “{}”{}", kind, name, depth),
-               withUnit(fmt::format("force of the body on the {}", kind), model, model.dim - 1),
+               withUnit(fmt::format("force of the body on the {}", kind), units.force),
                {{name + ".fx", "x"}, {name + ".fy", "y"}, {name + ".fz", "z"}});
   };
   for (const ToolRecord& tool : model.tools) addForce("tool", tool.name);
   if (run.account)
     for (const ReactionRecord& reaction : run.account->reactions) addForce("support", reaction.support);
-  charts.add("Energies and work" + depth, withUnit("energy", model, model.dim),
+  charts.add("Energies and work" + depth, withUnit("energy", units.energy),
              {{"strain_energy", "strain energy"},
               {"contact_energy", "contact energy"},
               {"external_work", "external work"},
@@ -185,8 +180,7 @@ std::vector<CaptionedChart> stateCharts(const RunRecord& run) {
              {{"max_plastic_strain", "largest, quadrature points"},
               {"max_plastic_strain_projected", "largest, projected"},
               {"min_plastic_strain_projected", "smallest, projected"}});
-  charts.add("Largest point-wise penetration",
-             model.lengthUnit.empty() ? "penetration" : "penetration in " + model.lengthUnit,
+  charts.add("Largest point-wise penetration", withUnit("penetration", units.length),
              {{"max_penetration", "largest penetration"}});
   charts.add("Smallest volume ratio J", "J", {{"min_detJ", "smallest J"}});
   return charts.take();

@@ -11,6 +11,7 @@ namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -95,16 +96,49 @@ TEST_F(PlotCommand, WritesTextThatCanBeSelected) {
   EXPECT_THAT(readText(dir / "c.pdf"), HasSubstr("/FontFile2"));
 }
 
-TEST_F(PlotCommand, TellsTheSignOfToolForces) {
-  writeRun("tool", "time,tool.ux,tool.uy,tool.fx,tool.fy,face.fy\n0,0,0,0,0,0\n1,0,-1,0,2,-2\n");
+/// A text of its own in an SVG file.
+auto hasText(const std::string& text) {
+  return HasSubstr("  " + text + "\n");
+}
+
+TEST_F(PlotCommand, HasWordsForColumns) {
+  writeRun("tool",
+           "time,tool.ux,tool.uy,tool.fx,tool.fy,face.fy,strain_energy\n0,0,0,0,0,0,0\n1,0,-1,0,2,-2,3\n");
   const auto svgOf = [&](const std::string& arguments) {
-    EXPECT_EQ(plot(arguments + " -o signed.svg").code, 0);
-    return readText(dir / "signed.svg");
+    EXPECT_EQ(plot(arguments + " -o worded.svg").code, 0);
+    return readText(dir / "worded.svg");
   };
-  EXPECT_THAT(svgOf("tool --y tool.fy"), HasSubstr("tool.fy (force of the body on the tool)"));
-  for (const char* other :
-       {"face.fy", "tool.uy", "'tool.fy / 2'", "tool.fy --y face.fy", "tool.fy --y-title F"})
-    EXPECT_THAT(svgOf(std::string("tool --y ") + other), Not(HasSubstr("force of the body"))) << other;
+  EXPECT_THAT(svgOf("tool --y tool.fy"),
+              AllOf(hasText("Force on tool in y"), hasText("Time"), Not(hasText("tool"))));
+  EXPECT_THAT(svgOf("tool --y tool.fy --label press"), hasText("press"));
+  EXPECT_THAT(svgOf("tool --y tool.fx --y tool.fy"),
+              AllOf(hasText("Force"), hasText("Force on tool in x"), hasText("Force on tool in y")));
+  EXPECT_THAT(svgOf("tool --y face.fy"), hasText("face.fy"));
+  EXPECT_THAT(svgOf("tool --y 'tool.fy / 2'"), hasText("tool.fy / 2"));
+  EXPECT_THAT(svgOf("tool --y tool.fy --y strain_energy"), hasText("tool.fy, strain_energy"));
+  EXPECT_THAT(svgOf("tool --y tool.fy --y-title F"), Not(HasSubstr("Force on")));
+}
+
+TEST_F(PlotCommand, HasUnitsWhereTheResultIsThere) {
+  std::ofstream(dir / "press.yaml") << "geometry: {shape: rectangle, size: [2, 1], spans: [2, 1]}\n"
+                                       "units: {length: mm, stress: MPa}\n"
+                                       "material: {law: neo-hookean, E: 1, nu: 0.3}\n"
+                                       "supports: [{face: bottom, fix: [x, y]}]\n"
+                                       "tools: [{name: die, shape: plane, origin: [0, 1], normal: [0, -1], "
+                                       "motion: {times: [0, 1], y: [0, -0.01]}}]\n"
+                                       "contact: [{tool: die, face: top}]\n"
+                                       "steps: [{until: 1, count: 1}]\n";
+  const auto svgOf = [&](const std::string& changes) {
+    const Outcome outcome = shell(dir, BURNISH_COMMAND " run press.yaml -o pressed --quiet " + changes +
+                                           " && " BURNISH_COMMAND
+                                           " plot pressed --x die.uy --y die.fy --y2 strain_energy -o p.svg");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return readText(dir / "p.svg");
+  };
+  EXPECT_THAT(svgOf(""), AllOf(hasText("Displacement of die in y [mm]"), hasText("Force on die in y [N/mm]"),
+                               hasText("Strain energy [N·mm/mm]")));
+  EXPECT_THAT(svgOf("--set kinematics=axisymmetric"),
+              AllOf(hasText("Force on die in y [N]"), hasText("Strain energy [N·mm]")));
 }
 
 TEST_F(PlotCommand, RefusesWhatDoesNotFit) {

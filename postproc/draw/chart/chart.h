@@ -48,7 +48,8 @@ struct Chart {
   std::vector<ChartCurve> curves;
   std::array<int, 2> size{1200, 900};  ///< pixels (PNG) or points (SVG, PDF)
   ChartMarkers markers = ChartMarkers::Some;
-  Theme theme;  ///< its paper, ink, font and size of texts
+  bool legend = true;  ///< of the curves with a label
+  Theme theme;         ///< its paper, ink, font and size of texts
 
   bool hasRightAxis() const;
 };

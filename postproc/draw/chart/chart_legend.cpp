@@ -47,7 +47,7 @@ ChartLegend::ChartLegend(const Chart& chart, double textSize, double widestLabel
   const TextStyle style{.size = size_, .font = chart.theme.font};
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const std::string& label = chart.curves[k].label;
-    if (label.empty()) continue;
+    if (label.empty() || !chart.legend) continue;
     const RichText side = chart.curves[k].onRight ? RichText{{" (right)"}} : RichText{};
     FittedText fitted =
         fitText({{label}}, style, widestLabel - textWidth(side, style), kSmallestLabel * size_);

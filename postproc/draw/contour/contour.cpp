@@ -87,10 +87,9 @@ ColorScale colorScaleOf(const FieldChoice& field, const ContourOptions& options,
   const int bands = field.states.empty() ? options.bands : static_cast<int>(field.states.size());
   const std::array<double, 2> range = options.range ? shown : widened(shown);
   const double least = kEitherSign * (range[1] - range[0]);
-  const bool bothSigns = field.isAboutZero && range[0] < -least && range[1] > least;
-  const std::string colormap = options.colormap != kAutomaticColormap ? options.colormap
-                               : bothSigns                            ? "coolwarm"
-                                                                      : "viridis";
+  const bool bothSigns = field.isAboutZero && std::min(-range[0], range[1]) > least;
+  std::string colormap = options.colormap;
+  if (colormap == kAutomaticColormap) colormap = bothSigns ? "coolwarm" : "viridis";
   return {colormap, range, bands, bothSigns && isDiverging(colormap) ? std::optional(0.0) : std::nullopt};
 }
 

@@ -25,6 +25,7 @@
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/recorded_shape.h"
 #include "postproc/text/ticks.h"
+#include "postproc/text/units.h"
 
 namespace burnish {
 namespace {
@@ -233,19 +234,12 @@ Vector2d SetupLayout::middleOf(std::size_t tool) const {
   return view_.pixel(boundsOf(*outlineOf(tool, Vector2d(0, 0))).center());
 }
 
-/// A stress times a power of a length.
-std::string SetupLayout::forceUnit(int lengths) const {
-  if (model_.stressUnit.empty() || model_.lengthUnit.empty()) return "";
-  const std::array powers{"", "", "²", "³"};
-  return model_.stressUnit + "·" + model_.lengthUnit + powers[static_cast<std::size_t>(lengths)];
-}
-
 std::string SetupLayout::forceText(double force) const {
-  return "F = " + number(force, forceUnit(scene_.kinematics == KinematicsChoice::Axisymmetric ? 2 : 1));
+  return "F = " + number(force, derivedUnits(model_).force);
 }
 
 std::string SetupLayout::momentText(double moment) const {
-  return "M = " + number(moment, forceUnit(scene_.kinematics == KinematicsChoice::Axisymmetric ? 3 : 2));
+  return "M = " + number(moment, derivedUnits(model_).energy);
 }
 
 /// What is to be seen of a tool: all that is not far away.

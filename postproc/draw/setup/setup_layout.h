@@ -98,7 +98,6 @@ class SetupLayout {
   };
 
   std::vector<Eigen::Vector2d> phasesOf(std::size_t tool) const;
-  std::string forceUnit(int lengths) const;
   Eigen::AlignedBox2d toolBounds(std::size_t tool, const Eigen::Vector2d& shift) const;
   Eigen::Vector2d arrowStart(const Eigen::Vector2d& at, const Eigen::Vector2d& normal,
                              const Eigen::Vector2d& phase) const;
