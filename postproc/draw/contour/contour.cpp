@@ -94,8 +94,8 @@ ColorScale colorScaleOf(const FieldChoice& field, const ContourOptions& options,
 }
 
 ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const std::array<double, 2>& values,
-                      double textSize, const Theme& theme) {
-  return {scale, {field.title, field.unit, values[0], values[1], field.states}, textSize, theme};
+                      double textSize, const Theme& theme, bool even) {
+  return {scale, {field.title, field.unit, values[0], values[1], field.states, even}, textSize, theme};
 }
 
 /// Makes one picture, part by part.
@@ -116,7 +116,7 @@ class ContourPicture {
         fieldRanges(model_, frame_, field_, subdivisionOf(model_, options_), options_.clip);
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
-    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_);
+    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales);
     const ContourLayout layout = layOutContour(
         size_, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim), parts_.axes,
         caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr, theme_);
@@ -316,7 +316,7 @@ void drawColorScale(const ModelRecord& model, const FrameRecord& frame, const Co
   const double textSize = textSizeOf(options, theme);
   const FieldChoice field = chooseField(model, frame, options.field);
   const ScalarBar bar = scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)),
-                                    values, textSize, theme);
+                                    values, textSize, theme, false);
   const int width = drawnSize(options)[0];
   const double length = kLength * width, depth = bar.depth(Overlay::Direction::Right, length);
   OffscreenCanvas canvas(width, static_cast<int>(std::ceil(depth)));

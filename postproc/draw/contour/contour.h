@@ -22,6 +22,8 @@ struct ContourOptions : PictureOptions {
   std::string doubt;       ///< the same in the lower left corner; see `doubtMarkOf`
   bool time = true;        ///< write the time of the frame
   bool colorScale = true;  ///< draw the colour scale, at the right of the body or below
+  bool evenScales =
+      false;  ///< of pictures that stand together: scales of the same place whatever their numbers
 };
 
 /// A picture in memory, RGB or, transparent, RGBA, lowest row first.

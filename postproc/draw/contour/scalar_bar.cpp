@@ -26,6 +26,9 @@ constexpr double kSmallestTitle = 0.6;
 constexpr double kArrow = 1.2;
 constexpr double kEndLine = 1.2;  // from line to line at an end
 
+// As long as most numbers are at ticks and at the ends.
+constexpr const char *kLongLabel = "−0.00", *kLongEnd = "max −0.0000";
+
 constexpr int kMostTicks = 11;
 constexpr int kEndDigits = 4;
 constexpr double kRoundOff = 1e-9;  // of the range
@@ -51,6 +54,7 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
       title_(std::move(texts.title)),
       states_(std::move(texts.states)),
       size_(textSize),
+      even_(texts.even),
       ink_(theme.ink),
       titleStyle_{textSize, theme.ink, theme.font},
       labelStyle_{kLabelSize * textSize, theme.ink, theme.font},
@@ -85,7 +89,8 @@ double ScalarBar::depth(Direction direction, double length) const {
 }
 
 double ScalarBar::longestEnd() const {
-  return std::max(textWidth(low_.extreme, endStyle_), textWidth(high_.extreme, endStyle_));
+  const double longest = std::max(textWidth(low_.extreme, endStyle_), textWidth(high_.extreme, endStyle_));
+  return even_ ? std::max(longest, textWidth({{kLongEnd}}, endStyle_)) : longest;
 }
 
 bool ScalarBar::reachesEnds(const FittedText& title, double length) const {
@@ -221,7 +226,7 @@ double ScalarBar::endAcross(bool high) const {
 }
 
 double ScalarBar::longestLabel(const Ticks& ticks) const {
-  double longest = 0.0;
+  double longest = even_ ? textWidth({{kLongLabel}}, labelStyle_) : 0.0;
   for (const std::string& label : ticks.labels)
     longest = std::max(longest, textWidth({{label}}, labelStyle_));
   for (const End& end : {low_, high_})

@@ -23,6 +23,9 @@ class ScalarBar {
 
     /// Of the values 0, 1, …, which stand beside the scale instead of round ones and the ends.
     std::vector<std::string> states{};
+
+    /// Whether to leave as much room for numbers as others would take.
+    bool even = false;
   };
 
   /// textSize: of the title, in pixels.
@@ -67,6 +70,7 @@ class ScalarBar {
   };
   End low_, high_;
   double size_;
+  bool even_;
   Color ink_;
   TextStyle titleStyle_, labelStyle_, endStyle_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour.h"
@@ -45,8 +46,10 @@ class ContourSheet {
     Files files{task_.file(".png")};
     std::vector<SheetPanel> panels;
     const FieldRange whole = sharesOneScale() ? sheetRange() : FieldRange{kEmpty, kEmpty};
+    if (chosenWindow() == SheetShare::Sheet) findSheetWindow();
     for (std::size_t row = 0; row < spec_.times.size(); ++row) {
-      const FieldRange common = spec_.scale == SheetScale::Row ? rowRange(row) : whole;
+      const FieldRange common = spec_.scale == SheetShare::Row ? rowRange(row) : whole;
+      if (chosenWindow() == SheetShare::Row) window_ = rowWindow(row);
       for (std::size_t column = 0; column < data_.size(); ++column) {
         panels.push_back(drawPanel(row, column, common.shown));
         files.push_back(panels.back().picture);
@@ -59,7 +62,7 @@ class ContourSheet {
   }
 
  private:
-  bool sharesOneScale() const { return spec_.scale == SheetScale::Sheet; }
+  bool sharesOneScale() const { return spec_.scale == SheetShare::Sheet; }
   int columns() const { return static_cast<int>(data_.size()); }
   int sheetWidth() const { return columns() * spec_.panel.size[0]; }
 
@@ -88,6 +91,26 @@ class ContourSheet {
     return range;
   }
 
+  /// Windows that are given are not shared.
+  SheetShare chosenWindow() const {
+    return spec_.windows.empty() && !spec_.panel.window ? spec_.window : SheetShare::Panel;
+  }
+
+  Eigen::AlignedBox2d rowWindow(std::size_t row) const {
+    Eigen::AlignedBox2d window;
+    for (std::size_t column = 0; column < data_.size(); ++column) {
+      const FrameRecord shown = frame(row, column).frame;
+      window.extend(contentOf(results_[column].model(), shown, panelOptions(row, column, shown)));
+    }
+    return window;
+  }
+
+  void findSheetWindow() {
+    Eigen::AlignedBox2d window;
+    for (std::size_t row = 0; row < spec_.times.size(); ++row) window.extend(rowWindow(row));
+    window_ = window;
+  }
+
   ContourOptions panelOptions(std::size_t row, std::size_t column, const FrameRecord& shown) const {
     ContourOptions options = contourOptions(spec_.panel, results_[column], shown);
     options.size = panelSize();
@@ -95,13 +118,15 @@ class ContourSheet {
     options.title = "";
     options.time = false;
     options.colorScale = !sharesOneScale();
+    options.evenScales = true;
     if (!spec_.windows.empty()) options.window = spec_.windows[row];
+    if (window_) options.window = window_;
     return options;
   }
 
   /// common: ends of a shared scale.
   ContourOptions withColors(ContourOptions options, const std::array<double, 2>& common) const {
-    if (spec_.scale == SheetScale::Panel || options.range) return options;
+    if (spec_.scale == SheetShare::Panel || options.range) return options;
     options.range = widened(common);
     options.clip.reset();  // it is in the range
     return options;
@@ -141,6 +166,7 @@ class ContourSheet {
   const SheetFigure& spec_;
   std::vector<RunData> data_;
   std::vector<ResultReader> results_;
+  std::optional<Eigen::AlignedBox2d> window_;  ///< that panels share
 };
 
 }  // namespace
@@ -166,7 +192,7 @@ void SheetFigure::checkReferences(const std::string& path, const RunReporter& re
 }
 
 std::optional<double> SheetFigure::clipOfAll() const {
-  return scale == SheetScale::Panel ? std::nullopt : panel.clip;
+  return scale == SheetShare::Panel ? std::nullopt : panel.clip;
 }
 
 Files SheetFigure::draw(const FigureTask& task) const {

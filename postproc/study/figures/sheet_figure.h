@@ -7,12 +7,13 @@
 
 namespace burnish {
 
-enum class SheetScale { Panel, Row, Sheet };
+/// The panels that share something.
+enum class SheetShare { Panel, Row, Sheet };
 
 template <>
-struct EnumNames<SheetScale> {
-  static constexpr std::array values{std::pair{"panel", SheetScale::Panel}, std::pair{"row", SheetScale::Row},
-                                     std::pair{"sheet", SheetScale::Sheet}};
+struct EnumNames<SheetShare> {
+  static constexpr std::array values{std::pair{"panel", SheetShare::Panel}, std::pair{"row", SheetShare::Row},
+                                     std::pair{"sheet", SheetShare::Sheet}};
 };
 
 /// Contour pictures in a grid: a row for each time, a column for each run.
@@ -21,7 +22,8 @@ struct SheetFigure {
   std::vector<double> times;
   std::vector<std::string> timeLabels;       ///< "{time}" in the captions; as many as times, or none
   std::vector<Eigen::AlignedBox2d> windows;  ///< of the panels at each time; as many as times, or none
-  SheetScale scale = SheetScale::Panel;
+  SheetShare window = SheetShare::Sheet;     ///< where neither `windows` nor one of `panel` is given
+  SheetShare scale = SheetShare::Panel;
   std::string panelCaption = "{letter}) {label}, {time}";
   PanelOptions panel = picturesOfSize<PanelOptions>({960, 480});
 
@@ -41,6 +43,9 @@ void describe(Visitor& v, SheetFigure& s) {
   describeSize(v, s.panel, "panel_size");
   describeTextSize(v, s.panel);
   v.field("zooms", s.windows, {}, "What is seen at each time, instead of one zoom: corners as there.");
+  v.field(
+      "window", s.window, {},
+      "What shares a window without zoom and zooms: in a sheet that does, lengths are the same in all panels.");
   v.field("scale", s.scale, {},
           "What shares a colour scale, which is drawn once below the panels where the sheet shares it.");
   v.field("panel_caption", s.panelCaption, {.longest = kLongestShownText},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "engine/core/error.h"
@@ -203,10 +204,10 @@ TEST_F(StudyFigures, SheetSharesColoursWhereItIsAskedTo) {
   spec.runs = {"nurbs-fine"};
   draw("panel", spec);  // strains at t = 2 are twice those at t = 1
   EXPECT_TRUE(bodyIsBright(figures() / "panel_a.png"));
-  spec.scale = SheetScale::Row;
+  spec.scale = SheetShare::Row;
   draw("row", spec);
   EXPECT_TRUE(bodyIsBright(figures() / "row_a.png"));
-  spec.scale = SheetScale::Sheet;
+  spec.scale = SheetShare::Sheet;
   EXPECT_THAT(draw("sheet", spec), ElementsAre("sheet.png", "sheet_a.png", "sheet_b.png", "sheet_scale.png"));
   EXPECT_FALSE(bodyIsBright(figures() / "sheet_a.png"));
   EXPECT_TRUE(bodyIsBright(figures() / "sheet_b.png"));
@@ -228,6 +229,40 @@ TEST_F(StudyFigures, SheetZoomsInAtEachTime) {
   EXPECT_EQ(text("both_d.png"), text("second_d.png"));
   EXPECT_NE(text("both_a.png"), text("whole_a.png"));
   EXPECT_NE(text("both_c.png"), text("first_c.png"));
+}
+
+/// First and last column of pixels that are not white, left of the colour scale.
+std::array<int, 2> widthOfBody(const fs::path& png) {
+  const Picture picture = readPicture(png);
+  std::array<int, 2> columns{picture.width, -1};
+  for (int x = 0; x < picture.width * 6 / 10; ++x)
+    for (int y = 0; y < picture.height; ++y)
+      if (difference(picture.at({x + 0.5, y + 0.5}), {255, 255, 255}) > 25)
+        columns = {std::min(columns[0], x), std::max(columns[1], x)};
+  return columns;
+}
+
+TEST_F(StudyFigures, SheetHasOneWindowAndOnePlaceForItsScales) {
+  const Sample sample = slab();
+  FrameRecord frame = sample.frame;
+  const fs::path run = directory_.path() / "runs/nurbs-fine";
+  const RunAccount summary = readSummary(run);
+  ResultWriter result(run, sample.model);
+  for (frame.index = 0; frame.index < 3; ++frame.index) {
+    frame.time = frame.index;  // grows upwards, and its numbers get longer
+    frame.displacement.row(1) += 0.4 * frame.time * sample.model.mesh.patches.front().points.row(1);
+    frame.fields["plastic_strain"].values *= 12.34;
+    result.append(frame);
+  }
+  writeSummary(run, summary);
+  SheetFigure spec = sheetOfFine();
+  spec.runs = {"nurbs-fine"};
+  spec.panel.tools = false;
+  draw("sheet", spec);
+  EXPECT_EQ(widthOfBody(figures() / "sheet_a.png"), widthOfBody(figures() / "sheet_b.png"));
+  spec.window = SheetShare::Panel;
+  draw("panel", spec);
+  EXPECT_NE(widthOfBody(figures() / "panel_a.png"), widthOfBody(figures() / "panel_b.png"));
 }
 
 TEST_F(StudyFigures, SheetTakesWordsForItsCaptionsFromTheRun) {
