@@ -158,6 +158,7 @@ class ReaderSource : public ForeignSource {
     for (int k = 0; information.Has(key) && k < information.Length(key); ++k)
       times_.push_back(information.Get(key)[k]);
     if (!std::is_sorted(times_.begin(), times_.end())) throw cannotBeRead(file_);
+    if (times_ == std::vector{0.0}) times_.clear();  // readers say so of files without times
   }
 
   std::vector<double> times() override { return times_; }

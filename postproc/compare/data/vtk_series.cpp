@@ -109,9 +109,10 @@ DataFrame frameOf(const std::vector<ForeignBlock>& blocks) {
 
 DataSeries foreignSeries(const fs::path& path) {
   const auto file = std::make_shared<const ForeignFile>(path);
-  const bool isTimed = !file->times().empty();
+  // The time of a file that holds one instant is no matter of its numbers.
+  const bool isTimed = file->times().size() > 1 || path.extension() == ".pvd";
   return {.name = isTimed ? "times" : "files",
-          .times = file->times(),
+          .times = isTimed ? file->times() : std::vector<double>(),
           .isTimed = isTimed,
           .frame = [file](std::size_t index) { return frameOf(file->blocks(index)); }};
 }

@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkPolyDataNormals.h>
 
 #include <algorithm>
 #include <array>
@@ -34,14 +35,21 @@ class Places {
 
   /// The number, and whether it is a new one.
   std::pair<vtkIdType, bool> number(const double* point) {
-    Key key{};
-    for (std::size_t d = 0; d < 3; ++d) key[d] = std::llround(point[d] / unit_);
-    const auto [found, isNew] = numbers_.try_emplace(key, static_cast<vtkIdType>(numbers_.size()));
+    const auto [found, isNew] = numbers_.try_emplace(keyOf(point), static_cast<vtkIdType>(numbers_.size()));
     return {found->second, isNew};
   }
 
+  bool contains(const double* point) const { return numbers_.contains(keyOf(point)); }
+
  private:
   using Key = std::array<long long, 3>;
+
+  Key keyOf(const double* point) const {
+    Key key{};
+    for (std::size_t d = 0; d < 3; ++d) key[d] = std::llround(point[d] / unit_);
+    return key;
+  }
+
   struct Hash {
     std::size_t operator()(const Key& key) const {
       std::size_t hash = 0;
@@ -128,19 +136,18 @@ vtkSmartPointer<vtkUnstructuredGrid> shownCells(
   const double length = lengthOfAll(grids);
   CellCollector collector(*grids.front(), length);
   Places ofVolumes(length);
-  const auto isOfVolumes = [&](vtkUnstructuredGrid& grid, vtkIdType cell) {
-    vtkNew<vtkIdList> ids;
-    grid.GetCellPoints(cell, ids);
-    bool all = true;
-    for (const vtkIdType id : *ids) all = !ofVolumes.number(grid.GetPoint(id)).second && all;
-    return all;
-  };
+  vtkNew<vtkIdList> ids;
   for (const int dimension : {3, 2})
     for (const auto& grid : grids)
-      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-        if (dimensionOf(*grid, cell) == dimension && !isGhost(*grid, cell) &&
-            (!isOfVolumes(*grid, cell) || dimension == 3))
-          collector.add(*grid, cell);
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
+        if (dimensionOf(*grid, cell) != dimension || isGhost(*grid, cell)) continue;
+        grid->GetCellPoints(cell, ids);
+        const auto isOfVolume = [&](vtkIdType id) { return ofVolumes.contains(grid->GetPoint(id)); };
+        if (dimension == 2 && std::all_of(ids->begin(), ids->end(), isOfVolume)) continue;
+        collector.add(*grid, cell);
+        for (vtkIdType k = 0; dimension == 3 && k < ids->GetNumberOfIds(); ++k)
+          ofVolumes.number(grid->GetPoint(ids->GetId(k)));
+      }
   const auto cells = collector.finish();
   cells->GetCellData()->RemoveArray("vtkGhostType");
   return cells;
@@ -177,8 +184,11 @@ vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells) {
   surface->SetInputData(&cells);
   surface->PassThroughCellIdsOn();
   surface->SetNonlinearSubdivisionLevel(kCurvedParts);
-  surface->Update();
-  return surface->GetOutput();
+  vtkNew<vtkPolyDataNormals> sides;  // of images in mirrors and of many files the faces turn either way
+  sides->SetInputConnection(surface->GetOutputPort());
+  sides->SplittingOff();
+  sides->Update();
+  return sides->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> withDrawnScalars(vtkPolyData& faces) {
