@@ -5,8 +5,8 @@
 #include <vtkCellTypes.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -102,7 +102,8 @@ std::string foreignText(const ForeignFile& file) {
     text += row("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
   for (const ForeignBlock& block : blocks) text += row("block", blockText(block));
   text += row("bounds", boundsText(blocks));
-  for (const ForeignField& field : foreignFieldsOf(blocks)) text += row("field", foreignFieldText(field, blocks));
+  for (const ForeignField& field : foreignFieldsOf(blocks))
+    text += row("field", foreignFieldText(field, blocks));
   return text;
 }
 

@@ -45,7 +45,8 @@ ExitCode info(const InfoArguments& arguments) {
 }  // namespace
 
 void addInfoCommand(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("info", "Tell what is in a result, a scene or a file of another program");
+  CLI::App* command =
+      app.add_subcommand("info", "Tell what is in a result, a scene or a file of another program");
   const auto arguments = std::make_shared<InfoArguments>();
   command->add_option("RESULT|SCENE|FILE", arguments->path,
                       "Directory of a run, result file (.h5), scene file, or file of another program");

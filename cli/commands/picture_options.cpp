@@ -47,8 +47,11 @@ void requireNoConflicts(const PictureOptions& options, std::optional<int> dim) {
 }
 
 void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
-  command.add_option("RESULT", arguments.result,
-                     "Directory of a run or the result file in it, or a file of another program: VTK, Exodus, CGNS, ...")->required();
+  command
+      .add_option(
+          "RESULT", arguments.result,
+          "Directory of a run or the result file in it, or a file of another program: VTK, Exodus, CGNS, ...")
+      ->required();
   command
       .add_option("--frame", arguments.frame,
                   fmt::format("Number of the frame, last or end, or time=T; for several A-B or all [{}]",

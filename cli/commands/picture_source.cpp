@@ -23,8 +23,7 @@ PictureSource sourceOfRun(const PictureArguments& arguments) {
   const auto result = std::make_shared<const ResultReader>(arguments.result);
   return {result->times(), [result, &arguments](const std::vector<int>& frames) {
             const ContourOptions options = contourOptions(arguments, *result, frames);
-            return PictureSource::Series{options.transparent,
-                                         [=](const std::vector<fs::path>& names) {
+            return PictureSource::Series{options.transparent, [=](const std::vector<fs::path>& names) {
                                            drawSeries(*result, frames, options, names);
                                          }};
           }};
@@ -57,8 +56,7 @@ PictureSource sourceOfForeign(const PictureArguments& arguments) {
   const auto file = std::make_shared<const ForeignFile>(arguments.result);
   return {instantsOf(*file), [file, &arguments](const std::vector<int>& frames) {
             const ForeignOptions options = foreignOptions(arguments, *file, frames);
-            return PictureSource::Series{options.transparent,
-                                         [=](const std::vector<fs::path>& names) {
+            return PictureSource::Series{options.transparent, [=](const std::vector<fs::path>& names) {
                                            drawForeign(*file, frames, options, names);
                                          }};
           }};
@@ -68,7 +66,8 @@ PictureSource sourceOfForeign(const PictureArguments& arguments) {
 
 PictureSource pictureSource(const PictureArguments& arguments) {
   std::error_code status;
-  const bool isForeign = !fs::is_directory(arguments.result, status) && !foreignKind(arguments.result).empty();
+  const bool isForeign =
+      !fs::is_directory(arguments.result, status) && !foreignKind(arguments.result).empty();
   return isForeign ? sourceOfForeign(arguments) : sourceOfRun(arguments);
 }
 

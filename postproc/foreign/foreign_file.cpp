@@ -93,9 +93,7 @@ void writeAll(int pipe, const void* bytes, std::size_t count) {
   ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // files are only read, perhaps while they are written
   setLimits();
   noteComplaints();
-  const TakeBytes take = [answers](const void* bytes, std::size_t count) {
-    writeAll(answers, bytes, count);
-  };
+  const TakeBytes take = [answers](const void* bytes, std::size_t count) { writeAll(answers, bytes, count); };
   const auto answer = [&](const auto& make) {
     try {
       const auto made = make();
@@ -190,8 +188,8 @@ class ForeignFile::Reader {
       if (ready < 0 && errno == EINTR) continue;
       if (ready == 0) {
         stop();
-        throw Error(fmt::format("{} is damaged, or large: its reader came to no end in {} seconds", file_.string(),
-                                kMostSeconds));
+        throw Error(fmt::format("{} is damaged, or large: its reader came to no end in {} seconds",
+                                file_.string(), kMostSeconds));
       }
       const ::ssize_t done = ::read(answers_, at, count);
       if (done < 0 && errno == EINTR) continue;
@@ -204,9 +202,9 @@ class ForeignFile::Reader {
   /// The process has gone.
   Error stopped() {
     const int end = waitForEnd();
-    return Error(fmt::format("{} is damaged: its reader stopped {}", file_.string(),
-                             WIFSIGNALED(end) ? fmt::format("with signal {}", WTERMSIG(end))
-                                              : "without having read it"));
+    return Error(fmt::format(
+        "{} is damaged: its reader stopped {}", file_.string(),
+        WIFSIGNALED(end) ? fmt::format("with signal {}", WTERMSIG(end)) : "without having read it"));
   }
 
   void stop() {

@@ -113,6 +113,7 @@ vtkSmartPointer<vtkUnstructuredGrid> gridOf(vtkDataSet& data, const fs::path& fi
     grid = append->GetOutput();
   }
   tidyArrays(*grid->GetPointData(), grid->GetNumberOfPoints());
+  if (file.extension() == ".obj") grid->GetCellData()->RemoveArray("GroupIds");  // not in the file
   tidyArrays(*grid->GetCellData(), grid->GetNumberOfCells());
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(grid);
@@ -141,7 +142,10 @@ void addBlocks(std::vector<ForeignBlock>& blocks, vtkDataObject* object, const s
     const bool isGroup = vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(k)) != nullptr;
     // Readers put blocks into groups for their kind, which is no name of a block.
     addBlocks(blocks, tree->GetBlock(k),
-              isGroup ? name : own.empty() ? fmt::format("block {}", blocks.size()) : own, file);
+              isGroup       ? name
+              : own.empty() ? fmt::format("block {}", blocks.size())
+                            : own,
+              file);
   }
 }
 
@@ -170,8 +174,8 @@ class ReaderSource : public ForeignSource {
       reader_->UpdateTimeStep(times_.at(instant));
     std::vector<ForeignBlock> blocks;
     addBlocks(blocks, reader_->GetOutputDataObject(0), "", file_);
-    if (numComplaints > 0) throw cannotBeRead(file_);
     requireAnnounced(file_, blocks);
+    if (numComplaints > 0) throw cannotBeRead(file_);
     return blocks;
   }
 
@@ -385,8 +389,8 @@ std::vector<std::string> foreignEndings() {
 std::unique_ptr<ForeignSource> openForeign(const fs::path& file) {
   const auto found = formats().find(file.extension().string());
   if (found == formats().end())
-    throw Error(fmt::format("{}: found the ending {}; expected one of a format that VTK reads",
-                            file.string(), quoted(file.extension().string())));
+    throw Error(fmt::format("{}: found the ending {}; expected one of a format that VTK reads", file.string(),
+                            quoted(file.extension().string())));
   requireThere(file);
   numComplaints = 0;
   auto source = found->second.open(file);

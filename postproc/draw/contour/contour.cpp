@@ -127,7 +127,8 @@ class ContourPicture {
 
   /// Of bodies that do not have the field.
   std::string plainNote() const {
-    return subject_.without.empty() ? "" : fmt::format("{} without values", fmt::join(subject_.without, ", "));
+    return subject_.without.empty() ? ""
+                                    : fmt::format("{} without values", fmt::join(subject_.without, ", "));
   }
 
   /// Between tools and paper, so that a body without colours is not taken for a tool.

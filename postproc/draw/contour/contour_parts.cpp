@@ -208,9 +208,10 @@ CutPlane shownPlane(const ContourOptions& options, const ContourParts& parts) {
 
 Error planeMisses(const ContourOptions& options, const ContourParts& parts, int frame) {
   const Eigen::AlignedBox3d& box = parts.box;
-  return Error(fmt::format("{}: its plane misses the body, which in frame {} reaches from ({:.6g}) to ({:.6g})",
-                           options.cut ? "cut" : "slice", frame, fmt::join(box.min().begin(), box.min().end(), ", "),
-                           fmt::join(box.max().begin(), box.max().end(), ", ")));
+  return Error(
+      fmt::format("{}: its plane misses the body, which in frame {} reaches from ({:.6g}) to ({:.6g})",
+                  options.cut ? "cut" : "slice", frame, fmt::join(box.min().begin(), box.min().end(), ", "),
+                  fmt::join(box.max().begin(), box.max().end(), ", ")));
 }
 
 int subdivisionOf(const ModelRecord& model, const ContourOptions& options) {

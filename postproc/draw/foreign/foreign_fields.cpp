@@ -48,7 +48,8 @@ void addFieldsOf(std::vector<ForeignField>& fields, vtkDataSetAttributes& data, 
     };
     if (own == "vtkGhostType" || std::ranges::any_of(fields, isSame)) continue;
     auto [name, unit] = arrayNameOf(own);
-    if (std::ranges::count(fields, name, &ForeignField::name) > 0) name = (ofCells ? "cells." : "points.") + name;
+    if (std::ranges::count(fields, name, &ForeignField::name) > 0)
+      name = (ofCells ? "cells." : "points.") + name;
     fields.push_back({own, name, unit, ofCells, componentsOfArray(array)});
   }
 }
@@ -109,10 +110,12 @@ ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const 
 std::string foreignFieldToShow(const std::vector<ForeignField>& fields) {
   for (const char* usual : {"plastic_strain", "peeq", "von_mises", "mises", "s_mises", "displacement", "u"})
     for (const ForeignField& field : fields)
-      if (inLowerCase(field.name) == usual && (field.components.empty() || field.isVector())) return field.name;
+      if (inLowerCase(field.name) == usual && (field.components.empty() || field.isVector()))
+        return field.name;
   if (fields.empty()) return "";
   const ForeignField& first = fields.front();
-  return first.components.empty() || first.isVector() ? first.name : first.name + "." + first.components.front();
+  return first.components.empty() || first.isVector() ? first.name
+                                                      : first.name + "." + first.components.front();
 }
 
 const ForeignField* displacementAmong(const std::vector<ForeignField>& fields) {

@@ -53,7 +53,8 @@ std::vector<ForeignBlock> chosenBlocks(std::vector<ForeignBlock> blocks, const F
     if (std::ranges::count(names, body) == 0)
       throw Error(fmt::format("body: found \"{}\"; the file has {}.{}", body, fmt::join(names, ", "),
                               didYouMean(body, names)));
-  std::erase_if(blocks, [&](const auto& block) { return std::ranges::count(options.bodies, block.name) == 0; });
+  std::erase_if(blocks,
+                [&](const auto& block) { return std::ranges::count(options.bodies, block.name) == 0; });
   return blocks;
 }
 
@@ -113,12 +114,14 @@ class SubjectMaker {
     ContourSubject subject;
     subject.title = file_.file().filename().string();
     if (!file_.times().empty()) subject.time = file_.times()[static_cast<std::size_t>(instant_)];
-    if (options_.addedWarp != 0.0) subject.note = fmt::format("displacements × {:.6g} added", options_.addedWarp);
+    if (options_.addedWarp != 0.0)
+      subject.note = fmt::format("displacements × {:.6g} added", options_.addedWarp);
     if (!options_.field.empty()) choose(subject.field);
     const Cells cells = collect(subject);
     if (cells.with->GetNumberOfCells() + cells.without->GetNumberOfCells() == 0)
-      throw Error(fmt::format("{}: there are no faces or volumes in it, and so nothing that a picture can show",
-                              file_.file().string()));
+      throw Error(
+          fmt::format("{}: there are no faces or volumes in it, and so nothing that a picture can show",
+                      file_.file().string()));
     const bool isFlat = (cells.with->GetNumberOfCells() == 0 || isPlane(*cells.with)) &&
                         (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
     subject.dim = isFlat ? 2 : 3;
@@ -294,8 +297,8 @@ std::string foreignFieldToShow(const ForeignFile& file, int instant) {
   return foreignFieldToShow(foreignFieldsOf(file.blocks(static_cast<std::size_t>(instant))));
 }
 
-ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file, const std::vector<int>& ofRange,
-                              const std::vector<int>& ofWindow) {
+ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
+                              const std::vector<int>& ofRange, const std::vector<int>& ofWindow) {
   std::set<int> inRange, inWindow;
   if (!options.range) inRange.insert(ofRange.begin(), ofRange.end());
   if (!options.window) inWindow.insert(ofWindow.begin(), ofWindow.end());

@@ -13,7 +13,8 @@ namespace burnish {
 /// How such a file is drawn.
 struct ForeignOptions : ContourOptions {
   using ContourOptions::ContourOptions;
-  double addedWarp = 0.0;  ///< points are moved by the file's displacements times this; the values keep theirs
+  double addedWarp =
+      0.0;  ///< points are moved by the file's displacements times this; the values keep theirs
 };
 
 /// Times of the file's instants; 0 for one without a time.
@@ -24,8 +25,8 @@ std::string foreignFieldToShow(const ForeignFile& file, int instant);
 
 /// The options with a range of colours and a window for several instants, as `withCommonView` has them. Throws
 /// `Error` as `drawForeign` does.
-ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file, const std::vector<int>& ofRange,
-                              const std::vector<int>& ofWindow);
+ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
+                              const std::vector<int>& ofRange, const std::vector<int>& ofWindow);
 
 /// Draws these instants, each into its file, as `drawSeries` does. Throws `Error` naming the file for what cannot be
 /// read or drawn, and for options that belong to runs alone.

@@ -80,7 +80,7 @@ class CellCollector {
     points_->SetDataTypeToDouble();
     cells_->SetPoints(points_);
     for (auto [to, from] : {std::pair<vtkDataSetAttributes*, vtkDataSetAttributes*>{cells_->GetPointData(),
-                                                                                     layout.GetPointData()},
+                                                                                    layout.GetPointData()},
                             {cells_->GetCellData(), layout.GetCellData()}}) {
       to->CopyAllOn();
       to->CopyAllocate(from);
@@ -94,7 +94,8 @@ class CellCollector {
       grid.GetFaceStream(cell, ids);
       vtkIdType at = 1;
       for (vtkIdType face = 0; face < ids->GetId(0); ++face)
-        for (vtkIdType last = at + ids->GetId(at) + 1; ++at < last;) ids->SetId(at, pointOf(grid, ids->GetId(at)));
+        for (vtkIdType last = at + ids->GetId(at) + 1; ++at < last;)
+          ids->SetId(at, pointOf(grid, ids->GetId(at)));
       added = cells_->InsertNextCell(VTK_POLYHEDRON, ids);
     } else {
       grid.GetCellPoints(cell, ids);
@@ -164,8 +165,8 @@ vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, c
     across = 2.0 * plane.at - across;
     image->GetPoints()->SetPoint(k, point.data());
   }
-  for (vtkDataSetAttributes* data :
-       {static_cast<vtkDataSetAttributes*>(image->GetPointData()), static_cast<vtkDataSetAttributes*>(image->GetCellData())})
+  for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(image->GetPointData()),
+                                     static_cast<vtkDataSetAttributes*>(image->GetCellData())})
     if (vtkDataArray* drawn = data->GetArray("drawn"))
       for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k)
         drawn->SetComponent(k, 0, sign * drawn->GetComponent(k, 0));

@@ -14,7 +14,8 @@ namespace burnish {
 /// The cells of several grids that can be seen: volumes, and faces that are no faces of these. Points at the same
 /// place are one, so that what is inside is found; where their values differ, as between discontinuous elements,
 /// the place has the first one.
-vtkSmartPointer<vtkUnstructuredGrid> shownCells(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids);
+vtkSmartPointer<vtkUnstructuredGrid> shownCells(
+    const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids);
 
 /// The image in a plane. sign: what becomes of the values that are drawn.
 vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, const MirrorPlane& plane,

@@ -78,8 +78,11 @@ struct Sample {
 };
 
 const std::vector<Sample>& samplesOfPrograms() {
-  static const std::vector<Sample> all{{"meshio.vtu", {49, 54}},  {"meshio.vtk", {49, 54}}, {"a.exo", {64, 27}},
-                                       {"h5py.vtkhdf", {27, 8}}, {"tri.case", {4, 2}}};
+  static const std::vector<Sample> all{{"meshio.vtu", {49, 54}},
+                                       {"meshio.vtk", {49, 54}},
+                                       {"a.exo", {64, 27}},
+                                       {"h5py.vtkhdf", {27, 8}},
+                                       {"tri.case", {4, 2}}};
   return all;
 }
 
@@ -108,7 +111,8 @@ TEST_F(ForeignFiles, HaveTheirValuesAtTheirPoints) {
   const auto distance = [](const Eigen::Vector3d& x) { return std::hypot(x(0), x(1)); };
   EXPECT_LT(largestError(sampleOf("meshio.vtu"), distance), 1e-12);
   EXPECT_LT(largestError(sampleOf("meshio.vtk"), distance), 1e-12);
-  EXPECT_LT(largestError(sampleOf("h5py.vtkhdf"), [](const Eigen::Vector3d& x) { return x(0) + x(1); }), 1e-12);
+  EXPECT_LT(largestError(sampleOf("h5py.vtkhdf"), [](const Eigen::Vector3d& x) { return x(0) + x(1); }),
+            1e-12);
 }
 
 TEST_F(ForeignFiles, FieldsHaveNamesUnitsAndComponents) {
@@ -184,7 +188,8 @@ TEST_F(ForeignFiles, ThatAnnounceMoreThanTheyHoldAreDamaged) {
 }
 
 TEST_F(ForeignFiles, ThatAreNotThereAreNamed) {
-  EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "absent.exo"); }), HasSubstr("absent.exo: there is no such file"));
+  EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "absent.exo"); }),
+              HasSubstr("absent.exo: there is no such file"));
 }
 
 /// Writes samples of VTK's own writers.
@@ -204,9 +209,12 @@ std::vector<fs::path> writtenByVtk(const fs::path& dir) {
   binary->SetFileTypeToBinary();
   vtkNew<vtkPLYWriter> ply;
   vtkNew<vtkOBJWriter> obj;
-  return {write(*grid, blocks.front().grid, "a.vtu"),     write(*plain, blocks.front().grid, "plain.vtu"),
-          write(*poly, faces, "a.vtp"),                   write(*legacy, blocks.front().grid, "a.vtk"),
-          write(*binary, blocks.front().grid, "bin.vtk"), write(*ply, faces, "a.ply"),
+  return {write(*grid, blocks.front().grid, "a.vtu"),
+          write(*plain, blocks.front().grid, "plain.vtu"),
+          write(*poly, faces, "a.vtp"),
+          write(*legacy, blocks.front().grid, "a.vtk"),
+          write(*binary, blocks.front().grid, "bin.vtk"),
+          write(*ply, faces, "a.ply"),
           write(*obj, faces, "a.obj")};
 }
 
@@ -228,7 +236,8 @@ TEST_F(ForeignFiles, DamagedInAnyWayEndInASentence) {
         bytes.resize(whole.size() * static_cast<std::size_t>(k) / 8);
       else
         for (int change = 0; change < 1 + k % 4; ++change) {
-          const std::size_t at = random() % (k % 2 == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 2000));
+          const std::size_t at =
+              random() % (k % 2 == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 2000));
           bytes[at] = static_cast<char>(random());
         }
       writeBytes(bytes, damaged);
@@ -237,7 +246,8 @@ TEST_F(ForeignFiles, DamagedInAnyWayEndInASentence) {
         for (const ForeignBlock& block : ForeignFile(damaged).blocks(0)) EXPECT_TRUE(isSound(*block.grid));
       });
       EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20)) << file << " " << k;
-      if (!message.empty()) EXPECT_THAT(message, HasSubstr("damaged")) << file << " " << k;
+      EXPECT_TRUE(message.empty() || message.find("damaged") != std::string::npos)
+          << file << " " << k << message;
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }
   }
