@@ -101,8 +101,8 @@ void writeAll(int pipe, const void* bytes, std::size_t count) {
       send(made, take);
     } catch (const std::bad_alloc&) {
       send(kMistake, take);
-      send(fmt::format("{} is damaged, or large: its reader needs more than {} GB of memory", file.string(),
-                       kMostGigabytes),
+      send(fmt::format("{}: the file is damaged, or large: its reader needs more than {} GB of memory",
+                       file.string(), kMostGigabytes),
            take);
       ::_exit(0);
     } catch (const Error& error) {
@@ -188,7 +188,7 @@ class ForeignFile::Reader {
       if (ready < 0 && errno == EINTR) continue;
       if (ready == 0) {
         stop();
-        throw Error(fmt::format("{} is damaged, or large: its reader came to no end in {} seconds",
+        throw Error(fmt::format("{}: the file is damaged, or large: its reader came to no end in {} seconds",
                                 file_.string(), kMostSeconds));
       }
       const ::ssize_t done = ::read(answers_, at, count);
