@@ -135,6 +135,10 @@ class SubjectMaker {
   void choose(FieldChoice& words) {
     choice_ = chooseForeignField(fields_, options_.field);
     const ForeignField& field = choice_->field;
+    if (field.ofCells && options_.isolines > 0)
+      throw Error(fmt::format(
+          "isolines: {} has one value per cell, between which there are no lines; draw it without",
+          field.name));
     const std::string component =
         choice_->component < 0 ? "" : field.components[static_cast<std::size_t>(choice_->component)];
     words = fieldInWords(field.name, component, choice_->component < 0 && field.isVector(), field.unit);
