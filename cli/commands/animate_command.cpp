@@ -9,10 +9,10 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/commands/picture_options.h"
+#include "cli/commands/picture_source.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
-#include "postproc/draw/contour/contour_series.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/export/video.h"
 
@@ -49,16 +49,16 @@ void write(const std::vector<fs::path>& frames, double rate, const fs::path& fil
 ExitCode animate(const AnimateArguments& arguments) {
   const SignalGuard signals(SecondSignal::Ends);
   checkName(arguments);
-  const ResultReader result(arguments.options.result);
-  const std::vector<int> frames = frameIndices(arguments.options.frame, result.times());
-  const ContourOptions options = contourOptions(arguments.options, result, frames);
-  if (options.transparent && arguments.video.extension() == ".mp4")
+  const PictureSource source = pictureSource(arguments.options);
+  const std::vector<int> frames = frameIndices(arguments.options.frame, source.times);
+  const PictureSource::Series series = source.series(frames);
+  if (series.isTransparent && arguments.video.extension() == ".mp4")
     throw Error("--transparent: an MP4 video has no alpha channel; take .png or .gif");
   makeDirectoryOf(arguments.video);
   const ScratchDirectory scratch;
   std::vector<fs::path> pictures;
   for (const int frame : frames) pictures.push_back(scratch.path() / fmt::format("{}.png", frame));
-  drawSeries(result, frames, options, pictures);
+  series.draw(pictures);
   write(pictures, arguments.framesPerSecond, arguments.video);
   printOut("{} frames in {}\n", frames.size(), arguments.video.string());
   return ExitCode::Fine;

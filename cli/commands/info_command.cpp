@@ -6,9 +6,11 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/commands/foreign_text.h"
 #include "cli/commands/info_text.h"
 #include "cli/console.h"
 #include "engine/core/error.h"
+#include "postproc/foreign/foreign_file.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/scene/scene_listing.h"
 #include "postproc/study/study_listing.h"
@@ -32,17 +34,22 @@ ExitCode info(const InfoArguments& arguments) {
   if (!fs::exists(path, status))
     throw Error(fmt::format("{}: there is no such file or directory", path.string()));
   const bool isResult = fs::is_directory(path, status) || path.extension() == ".h5";
-  printText(isResult ? resultText(ResultReader(path)) : sceneText(readSceneDocument(path).scene));
+  if (isResult)
+    printText(resultText(ResultReader(path)));
+  else
+    printText(foreignKind(path).empty() ? sceneText(readSceneDocument(path).scene)
+                                        : foreignText(ForeignFile(path)));
   return ExitCode::Fine;
 }
 
 }  // namespace
 
 void addInfoCommand(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("info", "Tell what is in a result or a scene");
+  CLI::App* command =
+      app.add_subcommand("info", "Tell what is in a result, a scene or a file of another program");
   const auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("RESULT|SCENE", arguments->path,
-                      "Directory of a run, result file (.h5), or scene file");
+  command->add_option("RESULT|SCENE|FILE", arguments->path,
+                      "Directory of a run, result file (.h5), scene file, or file of another program");
   command->add_flag("--keys", arguments->keys,
                     "List every key of a scene with its type, default and meaning");
   command->add_flag("--study-keys", arguments->studyKeys, "List every key of a study");

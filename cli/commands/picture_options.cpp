@@ -38,15 +38,6 @@ std::string fieldName(const PictureArguments& arguments, const FrameRecord& fram
   return arguments.component == "magnitude" ? field : field + "." + arguments.component;
 }
 
-/// The frames whose values the colours go through together; none: each has its own.
-std::vector<int> framesOfRange(const std::string& range, const std::vector<int>& frames, int all) {
-  if (range == "frame" || (range == "auto" && frames.size() == 1)) return {};
-  if (range == "auto") return frames;
-  std::vector<int> whole(static_cast<std::size_t>(all));
-  std::iota(whole.begin(), whole.end(), 0);
-  return whole;
-}
-
 }  // namespace
 
 void requireNoConflicts(const PictureOptions& options, std::optional<int> dim) {
@@ -56,7 +47,11 @@ void requireNoConflicts(const PictureOptions& options, std::optional<int> dim) {
 }
 
 void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
-  command.add_option("RESULT", arguments.result, "Directory of a run or the result file in it")->required();
+  command
+      .add_option(
+          "RESULT", arguments.result,
+          "Directory of a run or the result file in it, or a file of another program: VTK, Exodus, CGNS, ...")
+      ->required();
   command
       .add_option("--frame", arguments.frame,
                   fmt::format("Number of the frame, last or end, or time=T; for several A-B or all [{}]",
@@ -79,14 +74,26 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
   addPictureOptions(command, arguments.picture, PictureOptions{});
 }
 
+std::optional<std::array<double, 2>> rangeOf(const PictureArguments& arguments) {
+  const std::vector<std::string> words{"auto", "frame", "run"};
+  if (std::find(words.begin(), words.end(), arguments.range) != words.end()) return std::nullopt;
+  return rangeFromText("--range", arguments.range, words);
+}
+
+std::vector<int> framesOfRange(const std::string& range, const std::vector<int>& frames, int all) {
+  if (range == "frame" || (range == "auto" && frames.size() == 1)) return {};
+  if (range == "auto") return frames;
+  std::vector<int> whole(static_cast<std::size_t>(all));
+  std::iota(whole.begin(), whole.end(), 0);
+  return whole;
+}
+
 ContourOptions contourOptions(const PictureArguments& arguments, const ResultReader& result,
                               const std::vector<int>& frames) {
   const FrameRecord first = result.frame(frames.front());
   const int dim = result.model().dim;
   PictureOptions picture;
-  const std::vector<std::string> words{"auto", "frame", "run"};
-  if (std::find(words.begin(), words.end(), arguments.range) == words.end())
-    picture.range = rangeFromText("--range", arguments.range, words);
+  picture.range = rangeOf(arguments);
   readPicture(arguments.picture, picture, dim);
   picture.field = withShownModel(
       result.model(), first, picture,

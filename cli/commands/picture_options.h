@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -46,6 +47,12 @@ void readPicture(const DeclaredOptions& picture, Options& options, std::optional
 
 /// Adds the result and all of these options, with `frame` as it is for a default, to a command.
 void addPictureArguments(CLI::App& command, PictureArguments& arguments);
+
+/// The range that was given; nothing for one that is found. Throws `Error` that names the option.
+std::optional<std::array<double, 2>> rangeOf(const PictureArguments& arguments);
+
+/// The frames whose values the colours go through together; none: each has its own. all: their number.
+std::vector<int> framesOfRange(const std::string& range, const std::vector<int>& frames, int all);
 
 /// How these frames are drawn. Several frames share a window and, unless something else is asked for, a range
 /// of colours. Throws `Error` that names the option.

@@ -8,10 +8,10 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/commands/picture_options.h"
+#include "cli/commands/picture_source.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
-#include "postproc/draw/contour/contour_series.h"
 
 namespace burnish {
 namespace {
@@ -26,13 +26,12 @@ ExitCode render(const RenderArguments& arguments) {
   if (std::filesystem::path(arguments.picture).extension() != ".png")
     throw Error(
         fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png", arguments.picture));
-  const ResultReader result(arguments.options.result);
-  const std::vector<double> times = result.times();
-  const std::vector<int> frames = frameIndices(arguments.options.frame, times);
-  const auto names = pictureNames(arguments.picture, frames, times);
-  const ContourOptions options = contourOptions(arguments.options, result, frames);
+  const PictureSource source = pictureSource(arguments.options);
+  const std::vector<int> frames = frameIndices(arguments.options.frame, source.times);
+  const auto names = pictureNames(arguments.picture, frames, source.times);
+  const PictureSource::Series series = source.series(frames);
   for (const std::filesystem::path& name : names) makeDirectoryOf(name);
-  drawSeries(result, frames, options, names);
+  series.draw(names);
   if (names.size() > 1)
     printOut("{} pictures, {} to {}\n", names.size(), names.front().string(), names.back().string());
   return ExitCode::Fine;

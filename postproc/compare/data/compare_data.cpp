@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <optional>
 #include <system_error>
 
@@ -10,6 +9,7 @@
 #include "engine/results/result_files.h"
 #include "postproc/compare/data/run_series.h"
 #include "postproc/compare/data/vtk_series.h"
+#include "postproc/foreign/foreign_source.h"
 
 namespace burnish {
 namespace {
@@ -31,14 +31,10 @@ const char* kindInWords(ComparedKind kind) {
 }
 
 std::optional<ComparedKind> kindByEnding(const fs::path& path) {
-  static const std::map<std::string, ComparedKind> kinds{{".h5", ComparedKind::Result},
-                                                         {".vtu", ComparedKind::VtkFile},
-                                                         {".pvtu", ComparedKind::VtkFile},
-                                                         {".vtp", ComparedKind::VtkFile},
-                                                         {".pvd", ComparedKind::VtkCollection}};
-  const auto found = kinds.find(path.extension().string());
-  if (found == kinds.end()) return std::nullopt;
-  return found->second;
+  if (path.extension() == ".h5") return ComparedKind::Result;
+  if (path.extension() == ".pvd") return ComparedKind::VtkCollection;
+  if (!foreignKind(path).empty()) return ComparedKind::VtkFile;
+  return std::nullopt;
 }
 
 /// Nothing for a path that is not there and whose ending says nothing.
@@ -73,8 +69,7 @@ std::vector<FieldComparison> compareData(ComparedKind kind, const fs::path& actu
         compareSeries(seriesOf(actual), seriesOf(baseline), rule, names);
     all.insert(all.end(), found.begin(), found.end());
   };
-  if (kind == ComparedKind::VtkFile) add(vtkFileSeries);
-  if (kind == ComparedKind::VtkCollection) add(vtkCollectionSeries);
+  if (kind == ComparedKind::VtkFile || kind == ComparedKind::VtkCollection) add(foreignSeries);
   if (kind == ComparedKind::Result) {
     add(frameSeries);
     add(historySeries);

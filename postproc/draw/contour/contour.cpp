@@ -24,6 +24,7 @@
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_layout.h"
 #include "postproc/draw/contour/contour_parts.h"
+#include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_transparency.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/scalar_bar.h"
@@ -101,24 +102,22 @@ ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const s
 /// Makes one picture, part by part.
 class ContourPicture {
  public:
-  ContourPicture(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options)
-      : model_(model),
-        frame_(frame),
+  ContourPicture(const ContourSubject& subject, const ContourOptions& options)
+      : subject_(subject),
         options_(options),
         theme_(themeOf(options)),
         size_(drawnSize(options)),
         textSize_(textSizeOf(options, theme_)),
-        field_(chooseField(model, frame, options.field)),
-        parts_(contourParts(model, frame, field_, options)) {}
+        field_(subject.field),
+        parts_(subject.parts) {}
 
   ContourImage draw() const {
-    const auto [whole, unclipped] =
-        fieldRanges(model_, frame_, field_, subdivisionOf(model_, options_), options_.clip);
+    const auto& [whole, unclipped] = subject_.ranges;
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
     const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales);
     const ContourLayout layout = layOutContour(
-        size_, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim), parts_.axes,
+        size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim), parts_.axes,
         caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr, theme_);
     if (!options_.transparent) return {capture(theme_.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
@@ -127,18 +126,18 @@ class ContourPicture {
 
  private:
   ContourCaption caption(bool clipped) const {
-    return {options_.title.value_or(model_.title),
-            options_.time ? fmt::format("t = {:.6g}", frame_.time) : "",
+    return {options_.title.value_or(subject_.title),
+            options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
-                    parts_.arrows.note, sectionNote(), plainNote(), options_.note,
-                    clipped ? clipNote(*options_.clip, model_.dim) : ""}),
-            options_.doubt, model_.dim == 3};
+                    parts_.arrows.note, sectionNote(), plainNote(), subject_.note, options_.note,
+                    clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
+            options_.doubt, subject_.dim == 3};
   }
 
   /// Of bodies that do not have the field.
   std::string plainNote() const {
-    const std::vector<std::string> without = bodiesWithout(model_, frame_, options_.field);
-    return without.empty() ? "" : fmt::format("{} without values", fmt::join(without, ", "));
+    return subject_.without.empty() ? ""
+                                    : fmt::format("{} without values", fmt::join(subject_.without, ", "));
   }
 
   /// Between tools and paper, so that a body without colours is not taken for a tool.
@@ -184,7 +183,7 @@ class ContourPicture {
     FlatShapes shapes(renderer, scale);
     if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody()) drawFrame(shapes, layout.view.area);
-    if (model_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
+    if (subject_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
   }
 
   /// Whether only a part of the body is seen.
@@ -198,7 +197,7 @@ class ContourPicture {
   }
 
   /// Whether what is drawn lies in a plane.
-  bool isFlat() const { return model_.dim == 2 || options_.slice; }
+  bool isFlat() const { return subject_.dim == 2 || options_.slice; }
 
   void drawSpace(vtkRenderer& renderer, int scale, const View& view, const ColorScale& colors) const {
     const double line = scale * std::max(0.8, textSize_ / 16.0);
@@ -245,7 +244,7 @@ class ContourPicture {
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
     const Eigen::AlignedBox3d visible = visibleBox(view);
     const double stroke = textSize_ * 0.6 / view.pixelsPerLength;
-    if (model_.dim == 2) return drawPlaneTool(tool.record, visible, stroke, tool.turn);
+    if (subject_.dim == 2) return drawPlaneTool(tool.record, visible, stroke, tool.turn);
     if (options_.slice) return drawToolSection(tool.record, visible, *parts_.plane, stroke);
     return drawSpaceTool(tool.record, visible, view.towardsEye(), parts_.plane);
   }
@@ -274,7 +273,7 @@ class ContourPicture {
 
   /// A box that covers all that is seen of the body.
   Eigen::AlignedBox3d visibleBox(const View& view) const {
-    if (model_.dim == 3) return parts_.box;
+    if (subject_.dim == 3) return parts_.box;
     const Eigen::Vector2d half =
         Eigen::Vector2d(view.area.width, view.area.height) / (2.0 * view.pixelsPerLength);
     Eigen::Vector3d low(0, 0, 0), high(0, 0, 0);
@@ -283,22 +282,31 @@ class ContourPicture {
     return {low, high};
   }
 
-  const ModelRecord& model_;
-  const FrameRecord& frame_;
+  const ContourSubject& subject_;
   const ContourOptions& options_;
   Theme theme_;
   std::array<int, 2> size_;
   double textSize_;
-  FieldChoice field_;
-  ContourParts parts_;
+  const FieldChoice& field_;
+  const ContourParts& parts_;
 };
 
 }  // namespace
 
+ContourImage contourImage(const ContourSubject& subject, const ContourOptions& options) {
+  check(options, subject.dim);
+  return ContourPicture(subject, options).draw();
+}
+
 ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   check(options, model.dim);
   return withShownModel(model, frame, options, [&](const ModelRecord& shown, const FrameRecord& its) {
-    return ContourPicture(shown, its, options).draw();
+    const FieldChoice field = chooseField(shown, its, options.field);
+    const ContourParts parts = contourParts(shown, its, field, options);
+    const FieldRange ranges = fieldRanges(shown, its, field, subdivisionOf(shown, options), options.clip);
+    return contourImage({shown.dim, shown.title, its.time, field, ranges, parts,
+                         bodiesWithout(shown, its, options.field), ""},
+                        options);
   });
 }
 

@@ -70,7 +70,7 @@ class BodyCut {
         options_(options),
         parts_(parts),
         subdivision_(subdivisionOf(model, options)),
-        plane_(inside(options.cut ? *options.cut : *options.slice)) {}
+        plane_(shownPlane(options, parts)) {}
 
   void apply() {
     parts_.plane = plane_;
@@ -82,7 +82,7 @@ class BodyCut {
     }
     if (section->GetNumberOfCells() == 0 &&
         (!parts_.plainSection || parts_.plainSection->GetNumberOfCells() == 0))
-      missed();
+      throw planeMisses(options_, parts_, frame_.index);
     if (options_.knots) parts_.knots = sectionKnots();
     if (options_.slice) {
       parts_.body = section;
@@ -103,23 +103,6 @@ class BodyCut {
   }
 
  private:
-  const char* option() const { return options_.cut ? "cut" : "slice"; }
-
-  /// A plane in a face of the body has a section only on its inner side.
-  CutPlane inside(CutPlane plane) const {
-    constexpr double kNudge = 1e-6, kEdgeOn = 1e-3;
-    const Eigen::Vector3d eye = parts_.axes.row(0).cross(parts_.axes.row(1)).transpose();
-    plane.normal.normalize();
-    if (plane.normal.dot(eye) < 0.0) plane.normal = -plane.normal;
-    if (plane.normal.dot(eye) < kEdgeOn)
-      throw Error(
-          fmt::format("{}: its plane is seen edge-on; choose another direction for the eye", option()));
-    const Eigen::AlignedBox3d& box = parts_.box;
-    const double side = (box.center() - plane.point).dot(plane.normal) > 0.0 ? 1.0 : -1.0;
-    plane.point += side * kNudge * box.diagonal().norm() * plane.normal;
-    return plane;
-  }
-
   /// The tessellated volume, without values.
   vtkSmartPointer<vtkUnstructuredGrid> gridOf(const Tessellation& cells) const {
     FrameRecord shape;
@@ -140,14 +123,6 @@ class BodyCut {
     section->GetPointData()->SetNormals(
         makeArray("normals", plane_.normal.replicate(1, section->GetNumberOfPoints()), {}));
     return section;
-  }
-
-  [[noreturn]] void missed() const {
-    const Eigen::AlignedBox3d& box = parts_.box;
-    throw Error(
-        fmt::format("{}: its plane misses the body, which in frame {} reaches from ({:.6g}) to ({:.6g})",
-                    option(), frame_.index, fmt::join(box.min().begin(), box.min().end(), ", "),
-                    fmt::join(box.max().begin(), box.max().end(), ", ")));
   }
 
   /// Where the plane cuts the faces between knot spans.
@@ -216,6 +191,28 @@ Eigen::AlignedBox2d seenOf(const Eigen::Matrix2Xd& landmarks, bool asPoints, con
 }
 
 }  // namespace
+
+CutPlane shownPlane(const ContourOptions& options, const ContourParts& parts) {
+  constexpr double kNudge = 1e-6, kEdgeOn = 1e-3;
+  CutPlane plane = options.cut ? *options.cut : *options.slice;
+  const Eigen::Vector3d eye = parts.axes.row(0).cross(parts.axes.row(1)).transpose();
+  plane.normal.normalize();
+  if (plane.normal.dot(eye) < 0.0) plane.normal = -plane.normal;
+  if (plane.normal.dot(eye) < kEdgeOn)
+    throw Error(fmt::format("{}: its plane is seen edge-on; choose another direction for the eye",
+                            options.cut ? "cut" : "slice"));
+  const double side = (parts.box.center() - plane.point).dot(plane.normal) > 0.0 ? 1.0 : -1.0;
+  plane.point += side * kNudge * parts.box.diagonal().norm() * plane.normal;
+  return plane;
+}
+
+Error planeMisses(const ContourOptions& options, const ContourParts& parts, int frame) {
+  const Eigen::AlignedBox3d& box = parts.box;
+  return Error(
+      fmt::format("{}: its plane misses the body, which in frame {} reaches from ({:.6g}) to ({:.6g})",
+                  options.cut ? "cut" : "slice", frame, fmt::join(box.min().begin(), box.min().end(), ", "),
+                  fmt::join(box.max().begin(), box.max().end(), ", ")));
+}
 
 int subdivisionOf(const ModelRecord& model, const ContourOptions& options) {
   return options.subdivision.value_or(model.subdivision);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "engine/results/result.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/contour_arrows.h"
@@ -41,6 +42,13 @@ struct ContourParts {
 /// seen edge-on.
 ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                           const ContourOptions& options);
+
+/// The plane of a cut or a slice with its normal to the eye; one in a face of the body has a section on its
+/// inner side alone, and is moved there. Throws `Error` for a plane that is seen edge-on.
+CutPlane shownPlane(const ContourOptions& options, const ContourParts& parts);
+
+/// Of a plane that meets nothing of what is in the box of the parts.
+Error planeMisses(const ContourOptions& options, const ContourParts& parts, int frame);
 
 /// Cells per knot span and direction.
 int subdivisionOf(const ModelRecord& model, const ContourOptions& options);

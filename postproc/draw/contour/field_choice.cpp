@@ -130,6 +130,18 @@ Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
   return isNonNegative ? Eigen::VectorXd(all.cwiseMax(0.0)) : all;
 }
 
+FieldChoice fieldInWords(const std::string& name, const std::string& component, bool isMagnitude,
+                         const std::string& unit) {
+  return {component.empty() ? name : name + "." + component,
+          titleOf(name, component, isMagnitude),
+          unit,
+          {},
+          component.empty() && isNonNegative(name),
+          {},
+          nullptr,
+          wordsOf(name, component)};
+}
+
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
   const std::vector<std::string> ofContact = contactFieldsOf(frame);
   if (std::find(ofContact.begin(), ofContact.end(), name) != ofContact.end())

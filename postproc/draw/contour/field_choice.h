@@ -40,6 +40,10 @@ struct FieldChoice {
   Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values) const;
 };
 
+/// A field as pictures call it, without values. component: empty for a scalar, or for the magnitude of a vector.
+FieldChoice fieldInWords(const std::string& name, const std::string& component, bool isMagnitude,
+                         const std::string& unit);
+
 /// The field of a name of `fieldNames`. Throws `Error` that lists them and tells the nearest.
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name);
 

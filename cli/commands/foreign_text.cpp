@@ -1,0 +1,110 @@
+#include "cli/commands/foreign_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkCellTypes.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/shown_text.h"
+#include "postproc/draw/foreign/foreign_fields.h"
+
+namespace burnish {
+namespace {
+
+std::string row(const std::string& label, const std::string& text) {
+  return fmt::format("{:<12}{}\n", label, text);
+}
+
+/// A text of a file as a line can show it.
+std::string plain(const std::string& text) {
+  return forMessage(text, kLongestShownText);
+}
+
+/// vtkQuadraticTetra as quadratic tetra.
+std::string cellTypeInWords(int type) {
+  std::string words;
+  for (const char letter : std::string_view(vtkCellTypes::GetClassNameFromTypeId(type)).substr(3)) {
+    const bool isCapital = letter >= 'A' && letter <= 'Z';
+    if (isCapital && !words.empty()) words += ' ';
+    words += isCapital ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  return words;
+}
+
+std::string blockText(const ForeignBlock& block) {
+  std::map<std::string, vtkIdType> types;
+  for (vtkIdType cell = 0; cell < block.grid->GetNumberOfCells(); ++cell)
+    ++types[cellTypeInWords(block.grid->GetCellType(cell))];
+  std::string text = block.name.empty() ? "" : plain(block.name) + ": ";
+  text += fmt::format("{} points, {} cells", block.grid->GetNumberOfPoints(), block.grid->GetNumberOfCells());
+  std::vector<std::string> counts;
+  for (const auto& [type, count] : types) counts.push_back(fmt::format("{} {}", count, type));
+  if (!counts.empty()) text += fmt::format(" ({})", fmt::join(counts, ", "));
+  return text;
+}
+
+std::string boundsText(const std::vector<ForeignBlock>& blocks) {
+  Eigen::AlignedBox3d box;
+  for (const ForeignBlock& block : blocks) {
+    const double* b = block.grid->GetBounds();
+    if (block.grid->GetNumberOfPoints() == 0) continue;
+    box.extend(Eigen::Vector3d(b[0], b[2], b[4])).extend(Eigen::Vector3d(b[1], b[3], b[5]));
+  }
+  if (box.isEmpty()) return "nothing";
+  return fmt::format("({:.6g}) to ({:.6g})", fmt::join(box.min().begin(), box.min().end(), ", "),
+                     fmt::join(box.max().begin(), box.max().end(), ", "));
+}
+
+std::string rangeText(const ForeignChoice& choice, const std::vector<ForeignBlock>& blocks) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Eigen::Index notFinite = 0;
+  for (const ForeignBlock& block : blocks)
+    for (const double value : choice.valuesOf(block)) {
+      if (!std::isfinite(value)) {
+        ++notFinite;
+        continue;
+      }
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+  std::string text = least <= most ? fmt::format("{:.6g} to {:.6g}", least, most) : "no finite value";
+  if (notFinite > 0) text += fmt::format(", {} values not finite", notFinite);
+  return text;
+}
+
+std::string foreignFieldText(const ForeignField& field, const std::vector<ForeignBlock>& blocks) {
+  std::string text = plain(field.name);
+  if (!field.components.empty()) text += plain(fmt::format(" ({})", fmt::join(field.components, " ")));
+  if (!field.unit.empty()) text += fmt::format(" [{}]", plain(field.unit));
+  text += field.ofCells ? " of cells" : " of points";
+  if (field.components.empty() || field.isVector()) return text + ": " + rangeText({field, -1}, blocks);
+  std::vector<std::string> ranges;
+  for (std::size_t k = 0; k < field.components.size(); ++k)
+    ranges.push_back(field.components[k] + " " + rangeText({field, static_cast<int>(k)}, blocks));
+  return text + ": " + plain(fmt::format("{}", fmt::join(ranges, "; ")));
+}
+
+}  // namespace
+
+std::string foreignText(const ForeignFile& file) {
+  const std::vector<double>& times = file.times();
+  const std::vector<ForeignBlock> blocks = file.blocks(times.empty() ? 0 : times.size() - 1);
+  std::string text = row("file", file.file().string()) + row("kind", foreignKind(file.file()));
+  if (!times.empty())
+    text += row("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
+  for (const ForeignBlock& block : blocks) text += row("block", blockText(block));
+  text += row("bounds", boundsText(blocks));
+  for (const ForeignField& field : foreignFieldsOf(blocks))
+    text += row("field", foreignFieldText(field, blocks));
+  return text;
+}
+
+}  // namespace burnish

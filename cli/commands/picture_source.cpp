@@ -1,0 +1,74 @@
+#include "cli/commands/picture_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "cli/arguments.h"
+#include "engine/core/error.h"
+#include "postproc/draw/contour/contour_series.h"
+#include "postproc/draw/foreign/foreign_picture.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+PictureSource sourceOfRun(const PictureArguments& arguments) {
+  const auto result = std::make_shared<const ResultReader>(arguments.result);
+  return {result->times(), [result, &arguments](const std::vector<int>& frames) {
+            const ContourOptions options = contourOptions(arguments, *result, frames);
+            return PictureSource::Series{options.transparent, [=](const std::vector<fs::path>& names) {
+                                           drawSeries(*result, frames, options, names);
+                                         }};
+          }};
+}
+
+/// How these instants are drawn.
+ForeignOptions foreignOptions(const PictureArguments& arguments, const ForeignFile& file,
+                              const std::vector<int>& frames) {
+  PictureOptions picture;
+  picture.warp = 0.0;  // as it stands in the file, unless something is to be added
+  picture.toolOpacity = std::nan("");
+  picture.range = rangeOf(arguments);
+  readPicture(arguments.picture, picture, std::nullopt);
+  if (!std::isnan(picture.toolOpacity))
+    throw Error(fmt::format("--tool-opacity: only runs of burnish have tools; draw {} without it",
+                            file.file().string()));
+  ForeignOptions options(picture);
+  options.toolOpacity = PictureOptions().toolOpacity;
+  options.addedWarp = std::exchange(options.warp, 1.0);
+  options.field = arguments.field.empty() ? foreignFieldToShow(file, frames.front()) : arguments.field;
+  if (!arguments.component.empty() && arguments.component != "magnitude")
+    options.field += "." + arguments.component;
+  const std::vector<int> ofWindow = frames.size() > 1 ? frames : std::vector<int>();
+  return withCommonView(options, file,
+                        framesOfRange(arguments.range, frames, static_cast<int>(instantsOf(file).size())),
+                        ofWindow);
+}
+
+PictureSource sourceOfForeign(const PictureArguments& arguments) {
+  const auto file = std::make_shared<const ForeignFile>(arguments.result);
+  return {instantsOf(*file), [file, &arguments](const std::vector<int>& frames) {
+            const ForeignOptions options = foreignOptions(arguments, *file, frames);
+            return PictureSource::Series{options.transparent, [=](const std::vector<fs::path>& names) {
+                                           drawForeign(*file, frames, options, names);
+                                         }};
+          }};
+}
+
+}  // namespace
+
+PictureSource pictureSource(const PictureArguments& arguments) {
+  std::error_code status;
+  const bool isForeign =
+      !fs::is_directory(arguments.result, status) && !foreignKind(arguments.result).empty();
+  return isForeign ? sourceOfForeign(arguments) : sourceOfRun(arguments);
+}
+
+}  // namespace burnish

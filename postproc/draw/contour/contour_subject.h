@@ -1,0 +1,28 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/contour.h"
+#include "postproc/draw/contour/contour_parts.h"
+#include "postproc/draw/contour/field_choice.h"
+
+namespace burnish {
+
+/// What a contour picture is of: a frame of a run, or an instant of a file of another program.
+struct ContourSubject {
+  int dim = 3;
+  std::string title;           ///< unless the options have one
+  std::optional<double> time;  ///< none of what has no time
+  FieldChoice field;           ///< its words and what its values mean
+  FieldRange ranges;
+  ContourParts parts;
+  std::vector<std::string> without;  ///< names of bodies that do not have the field
+  std::string note;                  ///< what is to be said of it; may be empty
+};
+
+/// Draws as `contourImage` does.
+ContourImage contourImage(const ContourSubject& subject, const ContourOptions& options);
+
+}  // namespace burnish

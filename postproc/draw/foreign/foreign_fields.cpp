@@ -1,0 +1,128 @@
+#include "postproc/draw/foreign/foreign_fields.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "engine/core/error.h"
+#include "engine/core/nearest.h"
+#include "postproc/foreign/array_names.h"
+
+namespace burnish {
+namespace {
+
+std::string inLowerCase(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
+
+/// As the file names them, else as VTK orders vectors and tensors.
+std::vector<std::string> componentsOfArray(vtkDataArray& array) {
+  const int count = array.GetNumberOfComponents();
+  if (count == 1) return {};
+  std::vector<std::string> names;
+  for (int k = 0; k < count && array.GetComponentName(k); ++k)
+    names.push_back(inLowerCase(array.GetComponentName(k)));
+  if (static_cast<int>(names.size()) == count) return names;
+  if (count == 2) return {"x", "y"};
+  if (count == 3) return {"x", "y", "z"};
+  if (count == 6) return {"xx", "yy", "zz", "xy", "yz", "xz"};
+  if (count == 9) return {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
+  names.clear();
+  for (int k = 0; k < count; ++k) names.push_back(std::to_string(k));
+  return names;
+}
+
+void addFieldsOf(std::vector<ForeignField>& fields, vtkDataSetAttributes& data, bool ofCells) {
+  for (int k = 0; k < data.GetNumberOfArrays(); ++k) {
+    vtkDataArray& array = *data.GetArray(k);
+    const std::string own = array.GetName();
+    const auto isSame = [&](const ForeignField& field) {
+      return field.array == own && field.ofCells == ofCells;
+    };
+    if (own == "vtkGhostType" || std::ranges::any_of(fields, isSame)) continue;
+    auto [name, unit] = arrayNameOf(own);
+    if (std::ranges::count(fields, name, &ForeignField::name) > 0)
+      name = (ofCells ? "cells." : "points.") + name;
+    fields.push_back({own, name, unit, ofCells, componentsOfArray(array)});
+  }
+}
+
+vtkDataArray* arrayIn(const ForeignBlock& block, const ForeignField& field) {
+  vtkDataSetAttributes* data = block.grid->GetPointData();
+  if (field.ofCells) data = block.grid->GetCellData();
+  vtkDataArray* array = data->GetArray(field.array.c_str());
+  const auto count = std::max<std::size_t>(1, field.components.size());
+  return array && static_cast<std::size_t>(array->GetNumberOfComponents()) == count ? array : nullptr;
+}
+
+}  // namespace
+
+std::vector<ForeignField> foreignFieldsOf(const std::vector<ForeignBlock>& blocks) {
+  std::vector<ForeignField> fields;
+  for (const ForeignBlock& block : blocks) addFieldsOf(fields, *block.grid->GetPointData(), false);
+  for (const ForeignBlock& block : blocks) addFieldsOf(fields, *block.grid->GetCellData(), true);
+  return fields;
+}
+
+Eigen::VectorXd ForeignChoice::valuesOf(const ForeignBlock& block) const {
+  vtkDataArray* array = arrayIn(block, field);
+  if (!array) return {};
+  Eigen::VectorXd values(array->GetNumberOfTuples());
+  std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    array->GetTuple(k, tuple.data());
+    const Eigen::Map<const Eigen::VectorXd> all(tuple.data(), std::ssize(tuple));
+    values(k) = component >= 0 ? all(component) : all.size() == 1 ? all(0) : all.norm();
+  }
+  return values;
+}
+
+double ForeignChoice::signInMirror(int axis) const {
+  if (component < 0) return 1.0;
+  const std::string& name = field.components[static_cast<std::size_t>(component)];
+  return std::ranges::count(name, "xyz"[axis]) % 2 == 1 ? -1.0 : 1.0;
+}
+
+ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name) {
+  std::vector<std::string> names;
+  for (const ForeignField& field : fields) {
+    const bool hasOwn = field.components.empty() || field.isVector();
+    if (hasOwn) names.push_back(field.name);
+    if (hasOwn && name == field.name) return {field, -1};
+    for (std::size_t k = 0; k < field.components.size(); ++k) {
+      names.push_back(field.name + "." + field.components[k]);
+      if (name == names.back() || name == fmt::format("{}.{}", field.name, k))
+        return {field, static_cast<int>(k)};
+    }
+  }
+  throw Error(fmt::format("field: found \"{}\"; the file has {}.{}", name,
+                          names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                          didYouMean(name, names)));
+}
+
+std::string foreignFieldToShow(const std::vector<ForeignField>& fields) {
+  for (const char* usual : {"plastic_strain", "peeq", "von_mises", "mises", "s_mises", "displacement", "u"})
+    for (const ForeignField& field : fields)
+      if (inLowerCase(field.name) == usual && (field.components.empty() || field.isVector()))
+        return field.name;
+  if (fields.empty()) return "";
+  const ForeignField& first = fields.front();
+  return first.components.empty() || first.isVector() ? first.name
+                                                      : first.name + "." + first.components.front();
+}
+
+const ForeignField* displacementAmong(const std::vector<ForeignField>& fields) {
+  for (const char* usual : {"displacement", "displacements", "disp", "displ", "disp_", "u"})
+    for (const ForeignField& field : fields)
+      if (!field.ofCells && field.isVector() && inLowerCase(field.name) == usual) return &field;
+  return nullptr;
+}
+
+}  // namespace burnish

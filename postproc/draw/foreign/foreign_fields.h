@@ -1,0 +1,46 @@
+#pragma once
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "postproc/foreign/foreign_source.h"
+
+namespace burnish {
+
+/// An array of numbers that one or several blocks have at their points, or in their cells.
+struct ForeignField {
+  std::string array;  ///< its name in the file
+  std::string name;   ///< without the unit; `cells.NAME` if there are points with the name, too
+  std::string unit;
+  bool ofCells = false;
+  std::vector<std::string> components;  ///< x, xx, 0, ...; none of a scalar
+
+  /// Whether its length is meant by its name alone.
+  bool isVector() const { return components.size() == 2 || components.size() == 3; }
+};
+
+/// All fields, those of points first.
+std::vector<ForeignField> foreignFieldsOf(const std::vector<ForeignBlock>& blocks);
+
+/// A field of which one component, or the length of a vector, is drawn.
+struct ForeignChoice {
+  ForeignField field;
+  int component = -1;  ///< negative: a scalar itself, or the length
+
+  /// Values at the points or in the cells of a block; empty if it does not have the field.
+  Eigen::VectorXd valuesOf(const ForeignBlock& block) const;
+
+  /// What a mirror across an axis makes of a value: 1 or -1.
+  double signInMirror(int axis) const;
+};
+
+/// The field of a name: NAME, NAME.x, NAME.xx, NAME.0. Throws `Error` that lists them and tells the nearest.
+ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name);
+
+/// Where one looks first: plastic strain, von Mises stress, displacement, else the first field; empty without any.
+std::string foreignFieldToShow(const std::vector<ForeignField>& fields);
+
+/// The vector of displacements by its usual names, at points, or null.
+const ForeignField* displacementAmong(const std::vector<ForeignField>& fields);
+
+}  // namespace burnish

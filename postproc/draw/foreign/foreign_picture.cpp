@@ -1,0 +1,337 @@
+#include "postproc/draw/foreign/foreign_picture.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/core/interruption.h"
+#include "engine/core/nearest.h"
+#include "postproc/draw/contour/contour_subject.h"
+#include "postproc/draw/contour/contour_view.h"
+#include "postproc/draw/contour/shape_lines.h"
+#include "postproc/draw/foreign/foreign_fields.h"
+#include "postproc/draw/foreign/foreign_surface.h"
+#include "postproc/draw/page/png_file.h"
+#include "postproc/mesh/plane_section.h"
+#include "postproc/mesh/vtk_arrays.h"
+
+namespace burnish {
+namespace {
+
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+using Faces = vtkSmartPointer<vtkPolyData>;
+
+/// Throws `Error` for options that say something of a run alone.
+void requireForeign(const ForeignOptions& options, const std::filesystem::path& file) {
+  const auto refuse = [&](bool isGiven, const char* key, const char* why) {
+    if (isGiven) throw Error(fmt::format("{}: {}; draw {} without it", key, why, file.string()));
+  };
+  refuse(options.controlNet, "control_net", "only bodies of burnish have control points");
+  refuse(options.subdivision.has_value(), "subdivision", "only bodies of burnish have knot spans");
+  refuse(options.arrows != ArrowField::None, "vectors", "only runs of burnish have arrows");
+  refuse(options.clip.has_value(), "clip", "only fields of runs of burnish have percentiles");
+}
+
+std::vector<ForeignBlock> chosenBlocks(std::vector<ForeignBlock> blocks, const ForeignOptions& options) {
+  if (options.bodies.empty()) return blocks;
+  std::vector<std::string> names;
+  for (const ForeignBlock& block : blocks) names.push_back(block.name);
+  for (const std::string& body : options.bodies)
+    if (std::ranges::count(names, body) == 0)
+      throw Error(fmt::format("body: found \"{}\"; the file has {}.{}", body, fmt::join(names, ", "),
+                              didYouMean(body, names)));
+  std::erase_if(blocks,
+                [&](const auto& block) { return std::ranges::count(options.bodies, block.name) == 0; });
+  return blocks;
+}
+
+/// The cells of a block with nothing but what is drawn, and what shapes curved cells.
+Grid bareGrid(const ForeignBlock& block) {
+  const auto grid = Grid::New();
+  grid->CopyStructure(block.grid);
+  if (vtkDataArray* degrees = block.grid->GetCellData()->GetHigherOrderDegrees())
+    grid->GetCellData()->SetHigherOrderDegrees(degrees);
+  if (vtkDataArray* weights = block.grid->GetPointData()->GetRationalWeights())
+    grid->GetPointData()->SetRationalWeights(weights);
+  if (vtkDataArray* ghosts = block.grid->GetCellData()->GetArray("vtkGhostType"))
+    grid->GetCellData()->AddArray(ghosts);
+  return grid;
+}
+
+void setDrawn(vtkUnstructuredGrid& grid, const Eigen::VectorXd& values, bool ofCells) {
+  vtkDataSetAttributes* data = grid.GetPointData();
+  if (ofCells) data = grid.GetCellData();
+  data->AddArray(makeArray("drawn", values.transpose(), {}));
+}
+
+/// Moves points by the displacements that the block has.
+void warp(vtkUnstructuredGrid& grid, const ForeignBlock& block, const ForeignField& field, double factor) {
+  vtkDataArray* array = block.grid->GetPointData()->GetArray(field.array.c_str());
+  if (!array) return;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(grid.GetNumberOfPoints());
+  for (vtkIdType k = 0; k < grid.GetNumberOfPoints(); ++k) {
+    Eigen::Vector3d point;
+    grid.GetPoint(k, point.data());
+    for (int d = 0; d < std::min(3, array->GetNumberOfComponents()); ++d)
+      point(d) += factor * array->GetComponent(k, d);
+    points->SetPoint(k, point.data());
+  }
+  grid.SetPoints(points);
+}
+
+/// What is drawn of an instant: cells with the field, and cells without.
+struct Cells {
+  Grid with, without, undeformed;
+};
+
+class SubjectMaker {
+ public:
+  SubjectMaker(const ForeignFile& file, int instant, const ForeignOptions& options)
+      : file_(file),
+        options_(options),
+        instant_(instant),
+        blocks_(chosenBlocks(file.blocks(static_cast<std::size_t>(instant)), options)),
+        fields_(foreignFieldsOf(blocks_)) {
+    requireForeign(options, file.file());
+  }
+
+  ContourSubject make() {
+    ContourSubject subject;
+    subject.title = file_.file().filename().string();
+    if (!file_.times().empty()) subject.time = file_.times()[static_cast<std::size_t>(instant_)];
+    if (options_.addedWarp != 0.0)
+      subject.note = fmt::format("displacements × {:.6g} added", options_.addedWarp);
+    if (!options_.field.empty()) choose(subject.field);
+    const Cells cells = collect(subject);
+    if (cells.with->GetNumberOfCells() + cells.without->GetNumberOfCells() == 0)
+      throw Error(
+          fmt::format("{}: there are no faces or volumes in it, and so nothing that a picture can show",
+                      file_.file().string()));
+    const bool isFlat = (cells.with->GetNumberOfCells() == 0 || isPlane(*cells.with)) &&
+                        (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
+    subject.dim = isFlat ? 2 : 3;
+    subject.ranges.whole = rangeOf(*cells.with);
+    subject.ranges.shown = subject.ranges.whole;
+    subject.parts = partsOf(cells, subject);
+    return subject;
+  }
+
+ private:
+  void choose(FieldChoice& words) {
+    choice_ = chooseForeignField(fields_, options_.field);
+    const ForeignField& field = choice_->field;
+    if (field.ofCells && options_.isolines > 0)
+      throw Error(fmt::format(
+          "isolines: {} has one value per cell, between which there are no lines; draw it without",
+          field.name));
+    const std::string component =
+        choice_->component < 0 ? "" : field.components[static_cast<std::size_t>(choice_->component)];
+    words = fieldInWords(field.name, component, choice_->component < 0 && field.isVector(), field.unit);
+  }
+
+  Cells collect(ContourSubject& subject) {
+    const ForeignField* displacement = displacementAmong(fields_);
+    if (options_.addedWarp != 0.0 && displacement == nullptr)
+      throw Error(fmt::format("warp: {} has no vector called displacement, disp or u at its points",
+                              file_.file().string()));
+    std::vector<Grid> with, without, undeformed;
+    for (const ForeignBlock& block : blocks_) {
+      const Grid grid = bareGrid(block);
+      if (options_.addedWarp != 0.0) {
+        if (options_.undeformed) undeformed.push_back(bareGrid(block));
+        warp(*grid, block, *displacement, options_.addedWarp);
+      }
+      const Eigen::VectorXd values = choice_ ? choice_->valuesOf(block) : Eigen::VectorXd();
+      if (values.size() > 0) {
+        setDrawn(*grid, values, choice_->field.ofCells);
+        with.push_back(grid);
+      } else {
+        without.push_back(grid);
+        if (choice_) subject.without.push_back(block.name);
+      }
+    }
+    return {mirrored(shownCells(with)), mirrored(shownCells(without)), shownCells(undeformed)};
+  }
+
+  Grid mirrored(Grid cells) const {
+    for (const MirrorPlane& plane : options_.mirror)
+      cells = shownCells(
+          {cells, mirroredCells(*cells, plane, choice_ ? choice_->signInMirror(plane.axis) : 1.0)});
+    return cells;
+  }
+
+  std::array<double, 2> rangeOf(vtkUnstructuredGrid& cells) const {
+    if (cells.GetNumberOfCells() == 0) return {0.0, 1.0};
+    vtkDataArray* drawn = cells.GetPointData()->GetArray("drawn");
+    if (!drawn) drawn = cells.GetCellData()->GetArray("drawn");
+    vtkIdType notFinite = 0;
+    std::array<double, 2> range{drawn->GetComponent(0, 0), drawn->GetComponent(0, 0)};
+    for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k) {
+      const double value = drawn->GetComponent(k, 0);
+      if (!std::isfinite(value)) ++notFinite;
+      range = {std::min(range[0], value), std::max(range[1], value)};
+    }
+    if (notFinite > 0)
+      throw Error(fmt::format("field {} of {} is not finite at {} of {} places; it cannot be drawn",
+                              options_.field, file_.file().string(), notFinite, drawn->GetNumberOfTuples()));
+    return range;
+  }
+
+  ContourParts partsOf(const Cells& cells, const ContourSubject& subject) const {
+    ContourParts parts;
+    const bool alongNormal = options_.slice && options_.view.name == "auto";
+    parts.axes = alongNormal ? viewFrom(options_.slice->normal) : viewAxes(options_.view, subject.dim);
+    const Faces faces = facesOf(*cells.with, subject.dim), plain = facesOf(*cells.without, subject.dim);
+    const bool hasPlain = plain->GetNumberOfCells() > 0;
+    parts.outline = edgesOf(*faces);
+    if (hasPlain) parts.outline = together(*parts.outline, *edgesOf(*plain));
+    if (options_.knots) {
+      parts.knots = cellEdges(*faces);
+      if (hasPlain) parts.knots = together(*parts.knots, *cellEdges(*plain));
+    }
+    if (cells.undeformed->GetNumberOfCells() > 0)
+      parts.undeformed = edgesOf(*facesOf(*cells.undeformed, subject.dim));
+    parts.body = withDrawnScalars(*shaded(faces, subject.dim));
+    if (hasPlain) parts.plain = shaded(plain, subject.dim);
+    for (const Faces& part : {faces, plain})
+      if (part->GetNumberOfPoints() > 0) parts.box.extend(boxOf(*part));
+    if (options_.cut || options_.slice) cut(parts, cells, *(hasPlain ? together(*faces, *plain) : faces));
+    return parts;
+  }
+
+  /// Of a plane mesh in the plane z = 0.
+  static Faces facesOf(vtkUnstructuredGrid& cells, int dim) {
+    const Faces faces = outerFaces(cells);
+    if (dim == 3 || faces->GetNumberOfPoints() == 0) return faces;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->DeepCopy(faces->GetPoints());
+    for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k) {
+      const double* point = points->GetPoint(k);
+      points->SetPoint(k, point[0], point[1], 0.0);
+    }
+    faces->SetPoints(points);
+    return faces;
+  }
+
+  /// With normals in space, also where there is nothing.
+  static Faces shaded(const Faces& faces, int dim) {
+    if (dim == 2) return faces;
+    if (faces->GetNumberOfCells() > 0) return withNormals(*faces);
+    const auto nothing = Faces::New();
+    nothing->SetPoints(vtkNew<vtkPoints>());
+    nothing->GetPointData()->SetNormals(makeArray("normals", Eigen::MatrixXd(3, 0), {}));
+    nothing->GetPointData()->SetScalars(makeArray("drawn", Eigen::MatrixXd(1, 0), {}));
+    return nothing;
+  }
+
+  void cut(ContourParts& parts, const Cells& cells, vtkPolyData& faces) const {
+    parts.plane = shownPlane(options_, parts);
+    const Faces section = sectionWith(*cells.with, *parts.plane);
+    const Faces plainSection = sectionWith(*cells.without, *parts.plane);
+    const Faces border = sectionOf(faces, *parts.plane);
+    if (border->GetNumberOfCells() == 0) throw planeMisses(options_, parts, instant_);
+    if (options_.slice) {
+      if (section->GetNumberOfPolys() + plainSection->GetNumberOfPolys() == 0)
+        throw Error(fmt::format("slice: {} has no volumes to slice; take cut", file_.file().string()));
+      parts.body = section;
+      parts.plain = plainSection->GetNumberOfPolys() > 0 ? plainSection : nullptr;
+      parts.outline = border;
+      parts.knots = nullptr;
+      parts.undeformed = nullptr;
+      return;
+    }
+    if (parts.body->GetNumberOfPoints() > 0) parts.body = behind(*parts.body, *parts.plane);
+    if (parts.plain) parts.plain = behind(*parts.plain, *parts.plane);
+    if (section->GetNumberOfPolys() > 0) parts.section = section;
+    if (plainSection->GetNumberOfPolys() > 0) parts.plainSection = plainSection;
+    parts.outline = together(*behind(*parts.outline, *parts.plane), *border);
+    for (Faces* lines : {&parts.knots, &parts.undeformed})
+      if (*lines) *lines = behind(**lines, *parts.plane);
+  }
+
+  static Faces sectionWith(vtkUnstructuredGrid& cells, const CutPlane& plane) {
+    const auto polygons = Faces::New();
+    if (cells.GetNumberOfCells() == 0) return polygons;
+    const Faces section = sectionOf(cells, plane);
+    if (section->GetNumberOfPolys() == 0) return polygons;
+    const Faces drawn = withDrawnScalars(*section);
+    polygons->SetPoints(drawn->GetPoints());
+    polygons->SetPolys(drawn->GetPolys());
+    polygons->GetPointData()->ShallowCopy(drawn->GetPointData());
+    polygons->GetPointData()->SetNormals(
+        makeArray("normals", plane.normal.replicate(1, drawn->GetNumberOfPoints()), {}));
+    return polygons;
+  }
+
+  const ForeignFile& file_;
+  const ForeignOptions& options_;
+  int instant_;
+  std::vector<ForeignBlock> blocks_;
+  std::vector<ForeignField> fields_;
+  std::optional<ForeignChoice> choice_;
+};
+
+ContourSubject subjectOf(const ForeignFile& file, int instant, const ForeignOptions& options) {
+  return SubjectMaker(file, instant, options).make();
+}
+
+}  // namespace
+
+std::vector<double> instantsOf(const ForeignFile& file) {
+  return file.times().empty() ? std::vector<double>{0.0} : file.times();
+}
+
+std::string foreignFieldToShow(const ForeignFile& file, int instant) {
+  return foreignFieldToShow(foreignFieldsOf(file.blocks(static_cast<std::size_t>(instant))));
+}
+
+ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
+                              const std::vector<int>& ofRange, const std::vector<int>& ofWindow) {
+  std::set<int> inRange, inWindow;
+  if (!options.range) inRange.insert(ofRange.begin(), ofRange.end());
+  if (!options.window) inWindow.insert(ofWindow.begin(), ofWindow.end());
+  std::set<int> instants = inRange;
+  instants.insert(inWindow.begin(), inWindow.end());
+  std::optional<std::array<double, 2>> range;
+  Eigen::AlignedBox2d window;
+  for (const int k : instants) {
+    throwIfInterrupted();
+    const ContourSubject subject = subjectOf(file, k, options);
+    const std::array<double, 2>& own = subject.ranges.whole;
+    if (inRange.contains(k))
+      range = range ? std::array{std::min((*range)[0], own[0]), std::max((*range)[1], own[1])} : own;
+    if (inWindow.contains(k)) window.extend(contentOf(subject.parts, subject.dim));
+  }
+  if (range) options.range = widened(*range);
+  if (!inWindow.empty()) options.window = window;
+  return options;
+}
+
+void drawForeign(const ForeignFile& file, const std::vector<int>& instants, const ForeignOptions& options,
+                 const std::vector<std::filesystem::path>& names) {
+  ContourOptions own = options;
+  own.warp = 1.0;  // what is added is in the parts already
+  own.colorScale = !options.field.empty();
+  for (std::size_t k = 0; k < instants.size(); ++k) {
+    throwIfInterrupted();
+    writePng(*contourImage(subjectOf(file, instants[k], options), own).picture, names[k]);
+  }
+}
+
+}  // namespace burnish

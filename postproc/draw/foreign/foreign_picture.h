@@ -1,0 +1,36 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "postproc/draw/contour/contour.h"
+#include "postproc/foreign/foreign_file.h"
+
+/// Pictures of files of other programs.
+namespace burnish {
+
+/// How such a file is drawn.
+struct ForeignOptions : ContourOptions {
+  using ContourOptions::ContourOptions;
+  double addedWarp =
+      0.0;  ///< points are moved by the file's displacements times this; the values keep theirs
+};
+
+/// Times of the file's instants; 0 for one without a time.
+std::vector<double> instantsOf(const ForeignFile& file);
+
+/// The field that is drawn unless one is asked for; empty for a file without fields, whose shape alone is drawn.
+std::string foreignFieldToShow(const ForeignFile& file, int instant);
+
+/// The options with a range of colours and a window for several instants, as `withCommonView` has them. Throws
+/// `Error` as `drawForeign` does.
+ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
+                              const std::vector<int>& ofRange, const std::vector<int>& ofWindow);
+
+/// Draws these instants, each into its file, as `drawSeries` does. Throws `Error` naming the file for what cannot be
+/// read or drawn, and for options that belong to runs alone.
+void drawForeign(const ForeignFile& file, const std::vector<int>& instants, const ForeignOptions& options,
+                 const std::vector<std::filesystem::path>& names);
+
+}  // namespace burnish

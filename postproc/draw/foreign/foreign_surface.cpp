@@ -1,0 +1,253 @@
+#include "postproc/draw/foreign/foreign_surface.h"
+
+#include <vtkCell.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataNormals.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "postproc/mesh/poly_builder.h"
+
+namespace burnish {
+namespace {
+
+constexpr double kSamePlace = 1e-8;  // of the diagonal
+constexpr int kCurvedParts = 3;      // halvings of the faces of curved cells
+
+/// Numbers places; points nearer than `kSamePlace` have one number, but for rare neighbours.
+class Places {
+ public:
+  explicit Places(double length) : unit_(length > 0.0 ? kSamePlace * length : 1.0) {}
+
+  /// The number, and whether it is a new one.
+  std::pair<vtkIdType, bool> number(const double* point) {
+    const auto [found, isNew] = numbers_.try_emplace(keyOf(point), static_cast<vtkIdType>(numbers_.size()));
+    return {found->second, isNew};
+  }
+
+  bool contains(const double* point) const { return numbers_.contains(keyOf(point)); }
+
+ private:
+  using Key = std::array<long long, 3>;
+
+  Key keyOf(const double* point) const {
+    Key key{};
+    for (std::size_t d = 0; d < 3; ++d) key[d] = std::llround(point[d] / unit_);
+    return key;
+  }
+
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      std::size_t hash = 0;
+      for (const long long part : key)
+        hash = hash * 0x9E3779B97F4A7C15U + static_cast<std::size_t>(part) + (hash >> 29U);
+      return hash;
+    }
+  };
+
+  double unit_;
+  std::unordered_map<Key, vtkIdType, Hash> numbers_;
+};
+
+int dimensionOf(vtkUnstructuredGrid& grid, vtkIdType cell) {
+  return grid.GetCell(cell)->GetCellDimension();
+}
+
+bool isGhost(vtkUnstructuredGrid& grid, vtkIdType cell) {
+  vtkDataArray* ghosts = grid.GetCellData()->GetArray("vtkGhostType");
+  constexpr int kDuplicateOrHidden = 1 | 32;
+  return ghosts && (static_cast<int>(ghosts->GetComponent(cell, 0)) & kDuplicateOrHidden) != 0;
+}
+
+/// Puts cells of several grids together.
+class CellCollector {
+ public:
+  CellCollector(vtkUnstructuredGrid& layout, double length) : places_(length) {
+    points_->SetDataTypeToDouble();
+    cells_->SetPoints(points_);
+    for (auto [to, from] : {std::pair<vtkDataSetAttributes*, vtkDataSetAttributes*>{cells_->GetPointData(),
+                                                                                    layout.GetPointData()},
+                            {cells_->GetCellData(), layout.GetCellData()}}) {
+      to->CopyAllOn();
+      to->CopyAllocate(from);
+    }
+  }
+
+  void add(vtkUnstructuredGrid& grid, vtkIdType cell) {
+    vtkNew<vtkIdList> ids;
+    vtkIdType added = 0;
+    if (grid.GetCellType(cell) == VTK_POLYHEDRON) {
+      grid.GetFaceStream(cell, ids);
+      vtkIdType at = 1;
+      for (vtkIdType face = 0; face < ids->GetId(0); ++face)
+        for (vtkIdType last = at + ids->GetId(at) + 1; ++at < last;)
+          ids->SetId(at, pointOf(grid, ids->GetId(at)));
+      added = cells_->InsertNextCell(VTK_POLYHEDRON, ids);
+    } else {
+      grid.GetCellPoints(cell, ids);
+      for (vtkIdType& id : *ids) id = pointOf(grid, id);
+      added = cells_->InsertNextCell(grid.GetCellType(cell), ids);
+    }
+    cells_->GetCellData()->CopyData(grid.GetCellData(), cell, added);
+  }
+
+  vtkSmartPointer<vtkUnstructuredGrid> finish() const { return cells_.Get(); }
+
+ private:
+  vtkIdType pointOf(vtkUnstructuredGrid& grid, vtkIdType id) {
+    const double* point = grid.GetPoint(id);
+    const auto [number, isNew] = places_.number(point);
+    if (isNew) {
+      points_->InsertNextPoint(point);
+      cells_->GetPointData()->CopyData(grid.GetPointData(), id, number);
+    }
+    return number;
+  }
+
+  Places places_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkUnstructuredGrid> cells_;
+};
+
+double lengthOfAll(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids) {
+  double length = 0.0;
+  for (const auto& grid : grids) length = std::max(length, grid->GetLength());
+  return length;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> shownCells(
+    const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids) {
+  if (grids.empty()) return vtkSmartPointer<vtkUnstructuredGrid>::New();
+  const double length = lengthOfAll(grids);
+  CellCollector collector(*grids.front(), length);
+  Places ofVolumes(length);
+  vtkNew<vtkIdList> ids;
+  for (const int dimension : {3, 2})
+    for (const auto& grid : grids)
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
+        if (dimensionOf(*grid, cell) != dimension || isGhost(*grid, cell)) continue;
+        grid->GetCellPoints(cell, ids);
+        const auto isOfVolume = [&](vtkIdType id) { return ofVolumes.contains(grid->GetPoint(id)); };
+        if (dimension == 2 && std::all_of(ids->begin(), ids->end(), isOfVolume)) continue;
+        collector.add(*grid, cell);
+        for (vtkIdType k = 0; dimension == 3 && k < ids->GetNumberOfIds(); ++k)
+          ofVolumes.number(grid->GetPoint(ids->GetId(k)));
+      }
+  const auto cells = collector.finish();
+  cells->GetCellData()->RemoveArray("vtkGhostType");
+  return cells;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, const MirrorPlane& plane,
+                                                   double sign) {
+  const auto image = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  image->DeepCopy(&cells);
+  for (vtkIdType k = 0; k < image->GetNumberOfPoints(); ++k) {
+    std::array<double, 3> point{};
+    image->GetPoint(k, point.data());
+    double& across = point[static_cast<std::size_t>(plane.axis)];
+    across = 2.0 * plane.at - across;
+    image->GetPoints()->SetPoint(k, point.data());
+  }
+  for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(image->GetPointData()),
+                                     static_cast<vtkDataSetAttributes*>(image->GetCellData())})
+    if (vtkDataArray* drawn = data->GetArray("drawn"))
+      for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k)
+        drawn->SetComponent(k, 0, sign * drawn->GetComponent(k, 0));
+  return image;
+}
+
+bool isPlane(vtkUnstructuredGrid& cells) {
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell)
+    if (dimensionOf(cells, cell) == 3) return false;
+  const double* bounds = cells.GetBounds();
+  return bounds[5] - bounds[4] <= 1e-9 * cells.GetLength();
+}
+
+vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells) {
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(&cells);
+  surface->PassThroughCellIdsOn();
+  surface->SetNonlinearSubdivisionLevel(kCurvedParts);
+  vtkNew<vtkPolyDataNormals> sides;  // of images in mirrors and of many files the faces turn either way
+  sides->SetInputConnection(surface->GetOutputPort());
+  sides->SplittingOff();
+  sides->Update();
+  return sides->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> withDrawnScalars(vtkPolyData& faces) {
+  vtkDataArray* ofCells = faces.GetCellData()->GetArray("drawn");
+  if (!ofCells) {
+    faces.GetPointData()->SetActiveScalars("drawn");
+    return &faces;
+  }
+  const auto parted = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  parted->SetPoints(points);
+  vtkPointData& data = *parted->GetPointData();
+  data.CopyAllOn();
+  data.CopyAllocate(faces.GetPointData());
+  vtkNew<vtkDoubleArray> drawn;
+  drawn->SetName("drawn");
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> ids;
+  const vtkIdType first = faces.GetNumberOfVerts() + faces.GetNumberOfLines();
+  for (vtkIdType face = 0; face < faces.GetNumberOfPolys(); ++face) {
+    faces.GetCellPoints(first + face, ids);
+    polygons->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
+    for (const vtkIdType id : *ids) {
+      const vtkIdType own = points->InsertNextPoint(faces.GetPoint(id));
+      data.CopyData(faces.GetPointData(), id, own);
+      drawn->InsertNextValue(ofCells->GetComponent(first + face, 0));
+      polygons->InsertCellPoint(own);
+    }
+  }
+  parted->SetPolys(polygons);
+  data.SetScalars(drawn);
+  return parted;
+}
+
+vtkSmartPointer<vtkPolyData> cellEdges(vtkPolyData& faces) {
+  constexpr vtkIdType kBetween = -1, kInside = -2;  // two cells; a face of one cell, or two of its faces
+  vtkDataArray& cellOf = *faces.GetCellData()->GetArray("vtkOriginalCellIds");
+  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> edges;  // the cell of the faces at both sides
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < faces.GetNumberOfCells(); ++face) {
+    faces.GetCellPoints(face, ids);
+    const auto cell = static_cast<vtkIdType>(cellOf.GetComponent(face, 0));
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
+      const vtkIdType one = ids->GetId(k), other = ids->GetId((k + 1) % ids->GetNumberOfIds());
+      const auto [found, isNew] = edges.try_emplace({std::min(one, other), std::max(one, other)}, cell);
+      if (!isNew) found->second = found->second == cell ? kInside : kBetween;
+    }
+  }
+  PolyBuilder lines;
+  for (const auto& [edge, cell] : edges) {
+    if (cell == kInside) continue;
+    Eigen::Matrix3Xd ends(3, 2);
+    faces.GetPoint(edge.first, ends.col(0).data());
+    faces.GetPoint(edge.second, ends.col(1).data());
+    lines.addLine(lines.addPoints(ends));
+  }
+  return lines.finish();
+}
+
+}  // namespace burnish

@@ -1,0 +1,120 @@
+#include "postproc/foreign/announced_counts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require(bool holds, const fs::path& file, const char* what, std::int64_t announced, std::int64_t found) {
+  if (!holds)
+    throw Error(fmt::format("{}: the file is damaged: it announces {} {} and holds {}", file.string(),
+                            announced, what, found));
+}
+
+/// Binary: 80 bytes, the number of triangles, 50 bytes for each. In letters: facets and an end.
+void requireStl(const fs::path& file) {
+  constexpr std::int64_t kHead = 84, kTriangle = 50;
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(kHead, '\0');
+  stream.read(head.data(), kHead);
+  const bool isText = head.starts_with("solid") && head.find('\0') == std::string::npos;
+  const auto size = static_cast<std::int64_t>(fs::file_size(file));
+  if (!isText) {
+    std::uint32_t announced = 0;
+    std::memcpy(&announced, head.data() + kHead - sizeof(announced), sizeof(announced));
+    const std::int64_t found = std::max<std::int64_t>(0, size - kHead) / kTriangle;
+    return require(found >= announced && size >= kHead, file, "triangles", announced, found);
+  }
+  stream.clear();
+  stream.seekg(0);
+  std::string line;
+  std::int64_t begun = 0, ended = 0;
+  bool isEnded = false;
+  while (std::getline(stream, line)) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "facet") ++begun;
+    if (word == "endfacet") ++ended;
+    if (word == "endsolid") isEnded = true;
+  }
+  require(begun == ended, file, "triangles", begun, ended);
+  if (!isEnded) throw Error(fmt::format("{}: the file is damaged: it has no endsolid", file.string()));
+}
+
+/// The numbers behind words that begin a line of a header, each the first one.
+std::map<std::string, std::int64_t> numbersBehind(const fs::path& file, const std::vector<std::string>& words,
+                                                  std::string_view end) {
+  std::ifstream stream(file, std::ios::binary);
+  std::map<std::string, std::int64_t> numbers;
+  std::string line;
+  while (std::getline(stream, line) && !(end.size() > 0 && line.starts_with(end)))
+    for (const std::string& word : words) {
+      if (!line.starts_with(word + " ") || numbers.contains(word)) continue;
+      std::int64_t number = 0;
+      const char* first = line.data() + word.size() + 1;
+      if (std::from_chars(first, line.data() + line.size(), number).ec == std::errc()) numbers[word] = number;
+    }
+  return numbers;
+}
+
+void requireCounts(const fs::path& file, const std::vector<ForeignBlock>& blocks, std::int64_t points,
+                   std::int64_t cells) {
+  std::int64_t foundPoints = 0, foundCells = 0;
+  for (const ForeignBlock& block : blocks) {
+    foundPoints += block.grid->GetNumberOfPoints();
+    foundCells += block.grid->GetNumberOfCells();
+  }
+  require(points < 0 || points == foundPoints, file, "points", points, foundPoints);
+  require(cells < 0 || cells == foundCells, file, "cells", cells, foundCells);
+}
+
+void requirePly(const fs::path& file, const std::vector<ForeignBlock>& blocks) {
+  const auto numbers = numbersBehind(file, {"element vertex", "element face"}, "end_header");
+  const auto points = numbers.find("element vertex"), faces = numbers.find("element face");
+  requireCounts(file, blocks, points == numbers.end() ? -1 : points->second,
+                faces == numbers.end() ? -1 : faces->second);
+}
+
+/// What a file says of its cells; version 5 counts offsets, of which there is one more.
+void requireLegacy(const fs::path& file, const std::vector<ForeignBlock>& blocks) {
+  const std::vector<std::string> kinds{"CELLS", "VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS"};
+  std::vector<std::string> words = kinds;
+  words.emplace_back("POINTS");
+  const auto numbers = numbersBehind(file, words, "");
+  std::ifstream stream(file);
+  std::string version;
+  std::getline(stream, version);
+  const bool countsOffsets = version.find("Version 5") != std::string::npos;
+  std::int64_t cells = -1;
+  for (const std::string& kind : kinds)
+    if (const auto found = numbers.find(kind); found != numbers.end())
+      cells = std::max<std::int64_t>(0, cells) + found->second - (countsOffsets ? 1 : 0);
+  const auto points = numbers.find("POINTS");
+  requireCounts(file, blocks, points == numbers.end() ? -1 : points->second, cells);
+}
+
+}  // namespace
+
+void requireAnnounced(const fs::path& file, const std::vector<ForeignBlock>& blocks) {
+  const std::string ending = file.extension().string();
+  if (ending == ".stl") requireStl(file);
+  if (ending == ".ply") requirePly(file, blocks);
+  if (ending == ".vtk") requireLegacy(file, blocks);
+}
+
+}  // namespace burnish

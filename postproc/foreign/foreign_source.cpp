@@ -1,0 +1,407 @@
+#include "postproc/foreign/foreign_source.h"
+
+#include <fmt/format.h>
+#include <vtkAbstractArray.h>
+#include <vtkAppendFilter.h>
+#include <vtkCGNSReader.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkDataSetReader.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkExodusIIReader.h>
+#include <vtkGenericEnSightReader.h>
+#include <vtkHDFReader.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <vtkPLYReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLRectilinearGridReader.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUtilities.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/core/quoted.h"
+#include "postproc/foreign/announced_counts.h"
+#include "postproc/foreign/check_grid.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+int numComplaints = 0;
+
+/// Counts errors of VTK; warnings are the reader's own business.
+class ComplaintWindow : public vtkOutputWindow {
+ public:
+  static ComplaintWindow* New();
+  void DisplayText(const char* /*text*/) override {}
+  void DisplayErrorText(const char* /*text*/) override { ++numComplaints; }
+};
+vtkStandardNewMacro(ComplaintWindow);
+
+Error cannotBeRead(const fs::path& file) {
+  return Error(fmt::format("{}: this is no {} of its ending, or it is damaged", file.string(),
+                           foreignKind(file).empty() ? "file" : foreignKind(file)));
+}
+
+void requireThere(const fs::path& file) {
+  std::error_code status;
+  if (!fs::exists(file, status)) throw Error(fmt::format("{}: there is no such file", file.string()));
+  if (!fs::is_regular_file(file, status)) throw Error(fmt::format("{}: this is no file", file.string()));
+}
+
+/// Throws `Error` for a file of VTK's XML that was cut off: its last values may be missing without a word of
+/// the reader.
+void requireEnd(const fs::path& file) {
+  constexpr std::streamoff kTail = 100;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  stream.seekg(std::max<std::streamoff>(stream.tellg() - kTail, 0));
+  const std::string tail{std::istreambuf_iterator<char>(stream), {}};
+  if (tail.find("</VTKFile>") == std::string::npos) throw cannotBeRead(file);
+}
+
+/// Arrays of numbers with names, one per point or cell; names that are there twice get a number.
+void tidyArrays(vtkDataSetAttributes& data, vtkIdType count) {
+  std::set<std::string> names;
+  for (int k = data.GetNumberOfArrays() - 1; k >= 0; --k) {
+    vtkDataArray* numbers = data.GetArray(k);
+    if (!numbers || numbers->GetNumberOfTuples() != count || numbers->GetNumberOfComponents() < 1)
+      data.RemoveArray(k);
+    else if (!numbers->GetName() || *numbers->GetName() == '\0')
+      numbers->SetName(fmt::format("array {}", k).c_str());
+  }
+  for (int k = 0; k < data.GetNumberOfArrays(); ++k) {
+    std::string name = data.GetArray(k)->GetName();
+    while (!names.insert(name).second) name += "_2";
+    data.GetArray(k)->SetName(name.c_str());
+  }
+}
+
+/// Checked, as an unstructured grid, and tried with the filter on which pictures build.
+vtkSmartPointer<vtkUnstructuredGrid> gridOf(vtkDataSet& data, const fs::path& file) {
+  if (!isSound(data)) throw cannotBeRead(file);
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(&data);
+  if (!grid) {
+    vtkNew<vtkAppendFilter> append;
+    append->AddInputData(&data);
+    append->Update();
+    grid = append->GetOutput();
+  }
+  tidyArrays(*grid->GetPointData(), grid->GetNumberOfPoints());
+  if (file.extension() == ".obj") grid->GetCellData()->RemoveArray("GroupIds");  // not in the file
+  tidyArrays(*grid->GetCellData(), grid->GetNumberOfCells());
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(grid);
+  surface->Update();
+  return grid;
+}
+
+std::string nameIn(vtkInformation* information) {
+  const char* name = information && information->Has(vtkCompositeDataSet::NAME())
+                         ? information->Get(vtkCompositeDataSet::NAME())
+                         : nullptr;
+  return name ? name : "";
+}
+
+/// Data sets that are not empty, with the names of their places.
+void addBlocks(std::vector<ForeignBlock>& blocks, vtkDataObject* object, const std::string& name,
+               const fs::path& file) {
+  if (auto* data = vtkDataSet::SafeDownCast(object)) {
+    if (data->GetNumberOfPoints() > 0 || data->GetNumberOfCells() > 0)
+      blocks.push_back({name, gridOf(*data, file)});
+    return;
+  }
+  auto* tree = vtkMultiBlockDataSet::SafeDownCast(object);
+  for (unsigned k = 0; tree && k < tree->GetNumberOfBlocks(); ++k) {
+    const std::string own = nameIn(tree->HasMetaData(k) ? tree->GetMetaData(k) : nullptr);
+    const bool isGroup = vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(k)) != nullptr;
+    // Readers put blocks into groups for their kind, which is no name of a block.
+    addBlocks(blocks, tree->GetBlock(k),
+              isGroup       ? name
+              : own.empty() ? fmt::format("block {}", blocks.size())
+                            : own,
+              file);
+  }
+}
+
+/// One file read by one of VTK's readers.
+class ReaderSource : public ForeignSource {
+ public:
+  /// prepare: after the reader knows what is in the file, says that all of it is wanted.
+  ReaderSource(fs::path file, vtkSmartPointer<vtkAlgorithm> reader, const std::function<void()>& prepare)
+      : file_(std::move(file)), reader_(std::move(reader)) {
+    reader_->UpdateInformation();
+    if (prepare) prepare();
+    vtkInformation& information = *reader_->GetOutputInformation(0);
+    auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+    for (int k = 0; information.Has(key) && k < information.Length(key); ++k)
+      times_.push_back(information.Get(key)[k]);
+    if (!std::is_sorted(times_.begin(), times_.end())) throw cannotBeRead(file_);
+    if (times_ == std::vector{0.0}) times_.clear();  // readers say so of files without times
+  }
+
+  std::vector<double> times() override { return times_; }
+
+  std::vector<ForeignBlock> blocks(std::size_t instant) override {
+    if (times_.empty())
+      reader_->Update();
+    else
+      reader_->UpdateTimeStep(times_.at(instant));
+    std::vector<ForeignBlock> blocks;
+    addBlocks(blocks, reader_->GetOutputDataObject(0), "", file_);
+    requireAnnounced(file_, blocks);
+    if (numComplaints > 0) throw cannotBeRead(file_);
+    return blocks;
+  }
+
+ private:
+  fs::path file_;
+  vtkSmartPointer<vtkAlgorithm> reader_;
+  std::vector<double> times_;
+};
+
+template <class Reader>
+std::unique_ptr<ForeignSource> readWith(const fs::path& file) {
+  const auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(file.c_str());
+  return std::make_unique<ReaderSource>(file, reader, nullptr);
+}
+
+template <class Reader>
+std::unique_ptr<ForeignSource> readXmlWith(const fs::path& file) {
+  requireEnd(file);
+  return readWith<Reader>(file);
+}
+
+std::unique_ptr<ForeignSource> readLegacy(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkDataSetReader>::New();
+  reader->SetFileName(file.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+  return std::make_unique<ReaderSource>(file, reader, nullptr);
+}
+
+std::unique_ptr<ForeignSource> readExodus(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkExodusIIReader>::New();
+  reader->SetFileName(file.c_str());
+  reader->ApplyDisplacementsOff();  // a picture warps by them where it is asked to
+  reader->GenerateObjectIdCellArrayOff();
+  return std::make_unique<ReaderSource>(file, reader, [reader] {
+    reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+    reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  });
+}
+
+std::unique_ptr<ForeignSource> readCgns(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkCGNSReader>::New();
+  reader->SetFileName(file.c_str());
+  return std::make_unique<ReaderSource>(file, reader, [reader] {
+    reader->EnableAllBases();
+    reader->EnableAllFamilies();
+    reader->EnableAllPointArrays();
+    reader->EnableAllCellArrays();
+  });
+}
+
+std::unique_ptr<ForeignSource> readEnSight(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
+  reader->SetCaseFileName(fs::absolute(file).c_str());
+  reader->ReadAllVariablesOn();
+  return std::make_unique<ReaderSource>(file, reader, nullptr);
+}
+
+std::string textIn(vtkXMLDataElement& element, const char* attribute) {
+  const char* text = element.GetAttribute(attribute);
+  return text ? text : "";
+}
+
+vtkSmartPointer<vtkXMLDataElement> rootOf(const fs::path& file) {
+  return vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
+}
+
+/// The files that a `.pvtu` or `.pvtp` file names. VTK's reader of them is silent about damaged ones.
+class PieceSource : public ForeignSource {
+ public:
+  explicit PieceSource(const fs::path& file) {
+    const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
+    const char* kind = file.extension() == ".pvtu" ? "PUnstructuredGrid" : "PPolyData";
+    vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(kind) : nullptr;
+    for (int k = 0; whole && k < whole->GetNumberOfNestedElements(); ++k)
+      if (vtkXMLDataElement& element = *whole->GetNestedElement(k); textIn(element, "Source") != "")
+        pieces_.push_back(file.parent_path() / textIn(element, "Source"));
+    if (pieces_.empty()) throw cannotBeRead(file);
+  }
+
+  std::vector<ForeignBlock> blocks(std::size_t /*instant*/) override {
+    std::vector<ForeignBlock> all;
+    for (std::size_t k = 0; k < pieces_.size(); ++k)
+      for (ForeignBlock& block : openPart(pieces_[k])->blocks(0))
+        all.push_back({fmt::format("piece {}", k), block.grid});
+    return all;
+  }
+
+  /// One of the files that another one names, which itself names none.
+  static std::unique_ptr<ForeignSource> openPart(const fs::path& file) {
+    const std::string ending = file.extension().string();
+    if (ending == ".vtu" || ending == ".vtp") return openForeign(file);
+    throw Error(
+        fmt::format("{}: found the ending {}; expected .vtu, .pvtu or .vtp", file.string(), quoted(ending)));
+  }
+
+ private:
+  std::vector<fs::path> pieces_;
+};
+
+double timeIn(const char* text, const fs::path& file) {
+  const std::string_view word = text ? text : "";
+  double time = 0.0;
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), time);
+  if (status != std::errc() || end != word.data() + word.size() || !std::isfinite(time))
+    throw Error(fmt::format("{}: found the timestep {}; expected a number", file.string(),
+                            quoted(std::string(word))));
+  return time;
+}
+
+/// A ParaView collection: files by their times, those of one time in the order of the file.
+class CollectionSource : public ForeignSource {
+ public:
+  explicit CollectionSource(const fs::path& file) {
+    const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
+    vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
+    if (!collection) throw Error(fmt::format("{}: found no collection of VTK files in it", file.string()));
+    std::map<double, std::vector<Entry>> byTime;
+    for (int k = 0; k < collection->GetNumberOfNestedElements(); ++k) {
+      vtkXMLDataElement& element = *collection->GetNestedElement(k);
+      const std::string name = textIn(element, "name"), part = textIn(element, "part");
+      byTime[timeIn(element.GetAttribute("timestep"), file)].push_back(
+          {name.empty() ? "part " + part : name, file.parent_path() / textIn(element, "file")});
+    }
+    if (byTime.empty()) throw Error(fmt::format("{}: the collection is empty", file.string()));
+    for (auto& [time, entries] : byTime) {
+      times_.push_back(time);
+      entries_.push_back(std::move(entries));
+    }
+  }
+
+  std::vector<double> times() override { return times_; }
+
+  std::vector<ForeignBlock> blocks(std::size_t instant) override {
+    std::vector<ForeignBlock> all;
+    for (const Entry& entry : entries_.at(instant))
+      for (ForeignBlock& block : openEntry(entry.file)->blocks(0))
+        all.push_back({block.name.empty() ? entry.name : entry.name + ", " + block.name, block.grid});
+    return all;
+  }
+
+ private:
+  struct Entry {
+    std::string name;
+    fs::path file;
+  };
+
+  static std::unique_ptr<ForeignSource> openEntry(const fs::path& file) {
+    const bool isWhole = file.extension() == ".pvtu" || file.extension() == ".pvtp" ||
+                         file.extension() == ".vtm" || file.extension() == ".vtk";
+    return isWhole ? openForeign(file) : PieceSource::openPart(file);
+  }
+
+  std::vector<double> times_;
+  std::vector<std::vector<Entry>> entries_;
+};
+
+template <class Source>
+std::unique_ptr<ForeignSource> make(const fs::path& file) {
+  return std::make_unique<Source>(file);
+}
+
+struct ForeignFormat {
+  const char* words;
+  std::unique_ptr<ForeignSource> (*open)(const fs::path& file);
+};
+
+const std::map<std::string, ForeignFormat>& formats() {
+  static const std::map<std::string, ForeignFormat> all{
+      {".vtu", {"VTK file", readXmlWith<vtkXMLUnstructuredGridReader>}},
+      {".vtp", {"VTK file", readXmlWith<vtkXMLPolyDataReader>}},
+      {".vts", {"VTK file", readXmlWith<vtkXMLStructuredGridReader>}},
+      {".vtr", {"VTK file", readXmlWith<vtkXMLRectilinearGridReader>}},
+      {".vti", {"VTK file", readXmlWith<vtkXMLImageDataReader>}},
+      {".vtm", {"VTK file", readXmlWith<vtkXMLMultiBlockDataReader>}},
+      {".pvtu", {"VTK file", make<PieceSource>}},
+      {".pvtp", {"VTK file", make<PieceSource>}},
+      {".pvd", {"collection of VTK files", make<CollectionSource>}},
+      {".vtk", {"legacy VTK file", readLegacy}},
+      {".vtkhdf", {"VTKHDF file", readWith<vtkHDFReader>}},
+      {".stl", {"STL file", readWith<vtkSTLReader>}},
+      {".ply", {"PLY file", readWith<vtkPLYReader>}},
+      {".obj", {"OBJ file", readWith<vtkOBJReader>}},
+      {".exo", {"Exodus file", readExodus}},
+      {".ex2", {"Exodus file", readExodus}},
+      {".e", {"Exodus file", readExodus}},
+      {".cgns", {"CGNS file", readCgns}},
+      {".case", {"EnSight case", readEnSight}}};
+  return all;
+}
+
+}  // namespace
+
+std::string foreignKind(const fs::path& file) {
+  const auto found = formats().find(file.extension().string());
+  return found == formats().end() ? "" : found->second.words;
+}
+
+std::vector<std::string> foreignEndings() {
+  std::vector<std::string> endings;
+  for (const auto& [ending, format] : formats()) endings.push_back(ending);
+  return endings;
+}
+
+std::unique_ptr<ForeignSource> openForeign(const fs::path& file) {
+  const auto found = formats().find(file.extension().string());
+  if (found == formats().end())
+    throw Error(fmt::format("{}: found the ending {}; expected one of a format that VTK reads", file.string(),
+                            quoted(file.extension().string())));
+  requireThere(file);
+  numComplaints = 0;
+  auto source = found->second.open(file);
+  if (numComplaints > 0) throw cannotBeRead(file);
+  return source;
+}
+
+void noteComplaints() {
+  vtkObject::GlobalWarningDisplayOn();
+  const vtkNew<ComplaintWindow> window;
+  vtkOutputWindow::SetInstance(window);
+}
+
+}  // namespace burnish

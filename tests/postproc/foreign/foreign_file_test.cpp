@@ -1,0 +1,260 @@
+#include "postproc/foreign/foreign_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkPLYWriter.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGridWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "postproc/draw/foreign/foreign_fields.h"
+#include "postproc/draw/foreign/foreign_surface.h"
+#include "postproc/foreign/check_grid.h"
+#include "tests/message_of.h"
+
+/// Files of other programs are read as they are, and damaged ones end in one sentence.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+fs::path sampleOf(const std::string& name) {
+  return fs::path(BURNISH_SOURCE_DIR) / "tests/postproc/foreign/samples" / name;
+}
+
+std::vector<char> bytesOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void writeBytes(const std::vector<char>& bytes, const fs::path& file) {
+  std::ofstream(file, std::ios::binary).write(bytes.data(), std::ssize(bytes));
+}
+
+class ForeignFiles : public testing::Test {
+ protected:
+  ForeignFiles() { fs::create_directories(dir_); }
+  ~ForeignFiles() override { fs::remove_all(dir_); }
+
+  const fs::path dir_ = fs::temp_directory_path() / ("burnish_foreign_" + std::to_string(::getpid()));
+};
+
+struct Counts {
+  vtkIdType points = 0, cells = 0;
+  bool operator==(const Counts&) const = default;
+};
+
+Counts countsIn(const std::vector<ForeignBlock>& blocks) {
+  Counts counts;
+  for (const ForeignBlock& block : blocks) {
+    counts.points += block.grid->GetNumberOfPoints();
+    counts.cells += block.grid->GetNumberOfCells();
+  }
+  return counts;
+}
+
+struct Sample {
+  std::string name;
+  Counts counts;
+};
+
+const std::vector<Sample>& samplesOfPrograms() {
+  static const std::vector<Sample> all{{"meshio.vtu", {49, 54}},
+                                       {"meshio.vtk", {49, 54}},
+                                       {"a.exo", {64, 27}},
+                                       {"h5py.vtkhdf", {27, 8}},
+                                       {"tri.case", {4, 2}}};
+  return all;
+}
+
+TEST_F(ForeignFiles, OfOtherProgramsAreReadWhole) {
+  for (const auto& [name, counts] : samplesOfPrograms())
+    EXPECT_EQ(countsIn(ForeignFile(sampleOf(name)).blocks(0)), counts) << name;
+}
+
+/// The temperature of a file at its points.
+double largestError(const fs::path& file, double (*exact)(const Eigen::Vector3d&)) {
+  const std::vector<ForeignBlock> blocks = ForeignFile(file).blocks(0);
+  const ForeignChoice choice = chooseForeignField(foreignFieldsOf(blocks), "temperature");
+  double error = 0.0;
+  for (const ForeignBlock& block : blocks) {
+    const Eigen::VectorXd values = choice.valuesOf(block);
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      Eigen::Vector3d point;
+      block.grid->GetPoint(k, point.data());
+      error = std::max(error, std::abs(values(k) - exact(point)));
+    }
+  }
+  return error;
+}
+
+TEST_F(ForeignFiles, HaveTheirValuesAtTheirPoints) {
+  const auto distance = [](const Eigen::Vector3d& x) { return std::hypot(x(0), x(1)); };
+  EXPECT_LT(largestError(sampleOf("meshio.vtu"), distance), 1e-12);
+  EXPECT_LT(largestError(sampleOf("meshio.vtk"), distance), 1e-12);
+  EXPECT_LT(largestError(sampleOf("h5py.vtkhdf"), [](const Eigen::Vector3d& x) { return x(0) + x(1); }),
+            1e-12);
+}
+
+TEST_F(ForeignFiles, FieldsHaveNamesUnitsAndComponents) {
+  const auto fields = foreignFieldsOf(ForeignFile(sampleOf("meshio.vtu")).blocks(0));
+  EXPECT_EQ(chooseForeignField(fields, "stress.xy").component, 3);
+  EXPECT_EQ(chooseForeignField(fields, "stress.3").component, 3);
+  EXPECT_TRUE(chooseForeignField(fields, "region").field.ofCells);
+  EXPECT_THAT(messageOf([&] { chooseForeignField(fields, "temprature"); }),
+              HasSubstr("Did you mean \"temperature\"?"));
+  EXPECT_EQ(chooseForeignField(fields, "stress.xy").signInMirror(0), -1.0);
+  EXPECT_EQ(chooseForeignField(fields, "stress.xx").signInMirror(0), 1.0);
+}
+
+TEST_F(ForeignFiles, OfSolidsShowTheirOutsideAlone) {
+  const auto blocks = ForeignFile(sampleOf("h5py.vtkhdf")).blocks(0);
+  const auto cells = shownCells({blocks.front().grid});
+  EXPECT_EQ(outerFaces(*cells)->GetNumberOfCells(), 24);
+  EXPECT_FALSE(isPlane(*cells));
+}
+
+/// Cells that have points of their own each, as discontinuous elements have, still have no faces inside.
+TEST_F(ForeignFiles, OfCellsApartShowNoFacesInside) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  for (int cell = 0; cell < 2; ++cell)
+    for (int corner = 0; corner < 8; ++corner)
+      points->InsertNextPoint(cell + ((corner ^ (corner >> 1)) & 1), (corner >> 1) & 1, corner >> 2);
+  grid->SetPoints(points);
+  for (vtkIdType cell = 0; cell < 2; ++cell) {
+    std::array<vtkIdType, 8> corners{};
+    for (vtkIdType k = 0; k < 8; ++k) corners[static_cast<std::size_t>(k)] = 8 * cell + k;
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners.data());
+  }
+  EXPECT_EQ(outerFaces(*shownCells({grid.Get()}))->GetNumberOfCells(), 10);
+}
+
+/// Gmsh writes triangles and lines on the surface of its tetrahedra, too.
+TEST_F(ForeignFiles, FacesOfVolumesAreNoCellsOfTheirOwn) {
+  const auto blocks = ForeignFile(sampleOf("gmsh.vtk")).blocks(0);
+  const auto cells = shownCells({blocks.front().grid});
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    ASSERT_EQ(cells->GetCellType(cell), VTK_TETRA);
+}
+
+TEST_F(ForeignFiles, NumbersOfPointsThatAreNotThereAreNotSound) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  for (int k = 0; k < 3; ++k) points->InsertNextPoint(k, k * k, 0);
+  grid->SetPoints(points);
+  std::array<vtkIdType, 3> corners{0, 1, 2};
+  grid->InsertNextCell(VTK_TRIANGLE, 3, corners.data());
+  EXPECT_TRUE(isSound(*grid));
+  corners[2] = 3;
+  grid->InsertNextCell(VTK_TRIANGLE, 3, corners.data());
+  EXPECT_FALSE(isSound(*grid));
+}
+
+TEST_F(ForeignFiles, OfWrongSizeOfCellsAreNotSound) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  for (int k = 0; k < 3; ++k) points->InsertNextPoint(k, k * k, 0);
+  grid->SetPoints(points);
+  const std::array<vtkIdType, 3> corners{0, 1, 2};
+  grid->InsertNextCell(VTK_HEXAHEDRON, 3, corners.data());
+  EXPECT_FALSE(isSound(*grid));
+}
+
+TEST_F(ForeignFiles, ThatAnnounceMoreThanTheyHoldAreDamaged) {
+  std::vector<char> bytes = bytesOf(sampleOf("gmsh.stl"));
+  bytes.resize(bytes.size() - 70);
+  writeBytes(bytes, dir_ / "cut.stl");
+  EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "cut.stl").blocks(0); }), HasSubstr("it announces"));
+}
+
+TEST_F(ForeignFiles, ThatAreNotThereAreNamed) {
+  EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "absent.exo"); }),
+              HasSubstr("absent.exo: there is no such file"));
+}
+
+/// Writes samples of VTK's own writers.
+std::vector<fs::path> writtenByVtk(const fs::path& dir) {
+  const auto blocks = ForeignFile(sampleOf("h5py.vtkhdf")).blocks(0);
+  const auto faces = outerFaces(*blocks.front().grid);
+  const auto write = [&](auto& writer, vtkDataObject* data, const char* name) {
+    writer.SetInputDataObject(data);
+    writer.SetFileName((dir / name).c_str());
+    writer.Write();
+    return dir / name;
+  };
+  vtkNew<vtkXMLUnstructuredGridWriter> grid, plain;
+  plain->SetDataModeToAscii();
+  vtkNew<vtkXMLPolyDataWriter> poly;
+  vtkNew<vtkUnstructuredGridWriter> legacy, binary;
+  binary->SetFileTypeToBinary();
+  vtkNew<vtkPLYWriter> ply;
+  vtkNew<vtkOBJWriter> obj;
+  return {write(*grid, blocks.front().grid, "a.vtu"),
+          write(*plain, blocks.front().grid, "plain.vtu"),
+          write(*poly, faces, "a.vtp"),
+          write(*legacy, blocks.front().grid, "a.vtk"),
+          write(*binary, blocks.front().grid, "bin.vtk"),
+          write(*ply, faces, "a.ply"),
+          write(*obj, faces, "a.obj")};
+}
+
+/// Cut and changed files: a sentence that names the file, or something sound; never an end of this process.
+TEST_F(ForeignFiles, DamagedInAnyWayEndInASentence) {
+  std::vector<fs::path> files = writtenByVtk(dir_);
+  for (const Sample& sample : samplesOfPrograms()) files.push_back(sampleOf(sample.name));
+  for (const char* name : {"gmsh.vtk", "gmsh.stl"}) files.push_back(sampleOf(name));
+  fs::copy(sampleOf("tri.geo"), dir_ / "tri.geo");
+  fs::copy(sampleOf("tri.temp"), dir_ / "tri.temp");
+  unsigned seed = 12345;
+  int refused = 0, read = 0;
+  const auto random = [&seed] { return (seed = seed * 1664525U + 1013904223U) >> 8U; };
+  for (const fs::path& file : files) {
+    const std::vector<char> whole = bytesOf(file);
+    const fs::path damaged = dir_ / ("damaged" + file.extension().string());
+    for (int k = 0; k < 20; ++k) {
+      std::vector<char> bytes = whole;
+      if (k < 8)
+        bytes.resize(whole.size() * static_cast<std::size_t>(k) / 8);
+      else
+        for (int change = 0; change < 1 + k % 4; ++change) {
+          const std::size_t at =
+              random() % (k % 2 == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 2000));
+          bytes[at] = static_cast<char>(random());
+        }
+      writeBytes(bytes, damaged);
+      const auto begin = std::chrono::steady_clock::now();
+      const std::string message = messageOf([&] {
+        for (const ForeignBlock& block : ForeignFile(damaged).blocks(0)) EXPECT_TRUE(isSound(*block.grid));
+      });
+      EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20)) << file << " " << k;
+      ++(message.empty() ? read : refused);
+      EXPECT_TRUE(message.empty() || message.find("damaged") != std::string::npos)
+          << file << " " << k << message;
+      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+  }
+  EXPECT_GT(refused, read);
+}
+
+}  // namespace
+}  // namespace burnish
