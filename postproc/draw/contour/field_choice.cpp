@@ -132,14 +132,13 @@ Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
 
 FieldChoice fieldInWords(const std::string& name, const std::string& component, bool isMagnitude,
                          const std::string& unit) {
-  return {component.empty() ? name : name + "." + component,
-          titleOf(name, component, isMagnitude),
-          unit,
-          {},
-          component.empty() && isNonNegative(name),
-          {},
-          nullptr,
-          wordsOf(name, component)};
+  return {.name = component.empty() ? name : name + "." + component,
+          .title = titleOf(name, component, isMagnitude),
+          .unit = unit,
+          .coefficients = {},
+          .isNonNegative = component.empty() && isNonNegative(name),
+          .isAboutZero = isAboutZero(name),
+          .words = wordsOf(name, component)};
 }
 
 FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
