@@ -100,9 +100,10 @@ class ContourPicture {
         size_(drawnSize(options)),
         textSize_(textSizeOf(options, theme_)),
         field_(chooseField(model, frame, options.field)),
-        parts_(contourParts(model, frame, field_, options)) {}
+        parts_(contourParts(model, frame, field_, options)),
+        cutsBody_(options.window && !options.window->contains(bodiesBox(parts_))) {}
 
-  ContourImage draw() const {
+  ContourImage draw() {
     const auto [whole, unclipped] =
         fieldRanges(model_, frame_, field_, subdivisionOf(model_, options_), options_.clip);
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
@@ -111,6 +112,7 @@ class ContourPicture {
     const ContourLayout layout = layOutContour(
         size_, textSize_, options_.window ? *options_.window : contentOf(parts_, model_.dim), parts_.axes,
         caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr, theme_);
+    if (model_.dim == 2) refineForView(parts_, model_, frame_, field_, options_, layout.view, scale.range());
     if (!options_.transparent) return {capture(theme_.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
             layout.view};
@@ -174,12 +176,9 @@ class ContourPicture {
     if (!layout.doubt.text.empty()) overlay.addText(layout.doubt.text, layout.doubtAt, layout.doubt.style);
     FlatShapes shapes(renderer, scale);
     if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);
-    if (cutsBody()) drawFrame(shapes, layout.view.area);
+    if (cutsBody_) drawFrame(shapes, layout.view.area);
     if (model_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
   }
-
-  /// Whether only a part of the body is seen.
-  bool cutsBody() const { return options_.window && !options_.window->contains(bodiesBox(parts_)); }
 
   /// Round a part of the body, whose edges are not those of the body.
   void drawFrame(FlatShapes& shapes, const PixelRect& area) const {
@@ -282,6 +281,7 @@ class ContourPicture {
   double textSize_;
   FieldChoice field_;
   ContourParts parts_;
+  bool cutsBody_;  ///< only a part of the body is seen
 };
 
 }  // namespace

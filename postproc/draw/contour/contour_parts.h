@@ -42,7 +42,15 @@ struct ContourParts {
 ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                           const ContourOptions& options);
 
-/// Cells per knot span and direction.
+/// Makes what is drawn of a plane body so fine that it is exact in this view: within a quarter pixel, its colours
+/// within half of one of the steps of the range, or a tenth where bands or isolines show their borders. With
+/// `subdivision` in the options it has these cells. field, options: those of the parts, for which boxes stay
+/// as they were.
+void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRecord& frame,
+                   const FieldChoice& field, const ContourOptions& options, const View& view,
+                   const std::array<double, 2>& range);
+
+/// Cells per knot span and direction, of what does not follow from the picture.
 int subdivisionOf(const ModelRecord& model, const ContourOptions& options);
 
 /// The smallest box round a part in space, and in the picture's plane.
