@@ -5,6 +5,7 @@
 
 #include "engine/results/result.h"
 #include "postproc/mesh/patch_borders.h"
+#include "postproc/mesh/subdivision.h"
 #include "postproc/mesh/tensor_points.h"
 
 class vtkCellArray;
@@ -14,14 +15,19 @@ namespace burnish {
 
 /// What can be seen of the body, cut into quadrilaterals, `subdivision` per knot span and direction: a plane
 /// body itself, of one in space the faces that no two patches share. Patches and faces do not share points,
-/// so that edges stay sharp. The quadrilaterals go round counterclockwise for who looks at them from outside.
+/// so that edges stay sharp. The cells go round counterclockwise for who looks at them from outside.
 class BodySurface {
  public:
   /// Which faces: those that can be seen, or of a body in space those between and around its knot spans.
   enum class Faces { Outside, OfSpans };
 
-  /// Throws `Error` if `subdivision` < 1 or the mesh is inconsistent.
-  BodySurface(const MeshRecord& mesh, int subdivision, Faces faces = Faces::Outside);
+  /// The cells: quadrilaterals, or four triangles of each about the exact point in its middle. These have no
+  /// diagonal, along which a picture of a symmetric body would not be symmetric.
+  enum class Cells { Quadrilaterals, TrianglesAboutMiddles };
+
+  /// Throws `Error` if the mesh is inconsistent.
+  BodySurface(const MeshRecord& mesh, const Subdivision& subdivision, Faces faces = Faces::Outside,
+              Cells cells = Cells::Quadrilaterals);
 
   int numPoints() const { return points_.size(); }
 
@@ -37,15 +43,19 @@ class BodySurface {
 
  private:
   /// All of a plane patch, or a face.
-  void addSide(const PatchRecord& patch, const std::vector<PatchSide::End>& ends, int subdivision);
+  void addSide(const MeshRecord& mesh, const PatchSide& side, const Subdivision& subdivision);
 
-  void addFacesOfSpans(const PatchRecord& patch, int subdivision);
+  void addFacesOfSpans(const MeshRecord& mesh, std::size_t patch, const Subdivision& subdivision);
 
-  /// Adds points, which have one row and column, and the quadrilaterals between them.
-  void add(TensorPoints points, bool clockwise);
+  /// Adds points at these parameters, which have one row and column, and the cells between them.
+  void add(const PatchRecord& patch, const std::vector<std::vector<double>>& parameters, bool clockwise);
+
+  /// Numbers of the points of each cell x cells.
+  Eigen::Map<const Eigen::MatrixXi> cornersOfCells() const;
 
   PointLattices points_;
-  std::vector<int> corners_;  ///< 4 per quadrilateral
+  Cells kind_;
+  std::vector<int> corners_;  ///< 4 per quadrilateral, 3 per triangle
   vtkSmartPointer<vtkCellArray> cells_;
 };
 

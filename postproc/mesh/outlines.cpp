@@ -17,11 +17,12 @@ namespace {
 /// Where the points of a lattice lie along a direction of a patch.
 enum class Along { Begin, End, Everywhere, BetweenSpans };
 
-std::vector<double> parametersAt(const UnivariateBasis& basis, Along along, int subdivision) {
+/// everywhere: where points lie that lie everywhere.
+std::vector<double> parametersAt(const UnivariateBasis& basis, Along along, std::vector<double> everywhere) {
   const std::vector<double>& breakpoints = basis.breakpoints();
   if (along == Along::Begin) return {breakpoints.front()};
   if (along == Along::End) return {breakpoints.back()};
-  if (along == Along::Everywhere) return subdividedSpans(basis, subdivision);
+  if (along == Along::Everywhere) return everywhere;
   return {breakpoints.begin() + 1, breakpoints.end() - 1};
 }
 
@@ -37,7 +38,7 @@ std::vector<Along> placesOn(const PatchSide& side) {
 /// Draws lines on the patches of a body.
 class LineDrawer {
  public:
-  LineDrawer(const MeshRecord& mesh, const Eigen::MatrixXd& displacement, int subdivision)
+  LineDrawer(const MeshRecord& mesh, const Eigen::MatrixXd& displacement, const Subdivision& subdivision)
       : mesh_(mesh), displacement_(displacement), subdivision_(subdivision) {}
 
   void addEdge(const PatchSide& edge) { add(edge.patch, placesOn(edge)); }
@@ -60,7 +61,8 @@ class LineDrawer {
     std::vector<PointRow> directions;
     for (std::size_t d = 0; d < places.size(); ++d) {
       const UnivariateBasis basis = basisOf(patch.directions[d]);
-      const std::vector<double> parameters = parametersAt(basis, places[d], subdivision_);
+      const std::vector<double> parameters =
+          parametersAt(basis, places[d], subdivision_.parameters(number, d, basis));
       if (parameters.empty()) return;
       directions.push_back(valuesAt(basis, parameters));
     }
@@ -85,14 +87,14 @@ class LineDrawer {
 
   const MeshRecord& mesh_;
   const Eigen::MatrixXd& displacement_;
-  int subdivision_;
+  const Subdivision& subdivision_;
   PolyBuilder builder_;
 };
 
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> bodyOutline(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
-                                         int subdivision) {
+                                         const Subdivision& subdivision) {
   LineDrawer drawer(mesh, displacement, subdivision);
   const PatchBorders borders(mesh);
   for (const PatchSide& edge : borders.outline()) drawer.addEdge(edge);
@@ -100,7 +102,7 @@ vtkSmartPointer<vtkPolyData> bodyOutline(const MeshRecord& mesh, const Eigen::Ma
 }
 
 vtkSmartPointer<vtkPolyData> knotLines(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
-                                       int subdivision) {
+                                       const Subdivision& subdivision) {
   LineDrawer drawer(mesh, displacement, subdivision);
   const PatchBorders borders(mesh);
   for (const PatchSide& face : borders.surface()) drawer.addKnotLines(face);

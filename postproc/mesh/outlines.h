@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "engine/results/result.h"
+#include "postproc/mesh/subdivision.h"
 
 class vtkPolyData;
 
@@ -13,11 +14,11 @@ namespace burnish {
 /// is joined to others, see `PatchBorders`) as polylines with `subdivision` segments per knot span.
 /// displacement: dim x nodes; empty for the undeformed body.
 vtkSmartPointer<vtkPolyData> bodyOutline(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
-                                         int subdivision);
+                                         const Subdivision& subdivision);
 
 /// The lines between knot spans and between patches, without those of `bodyOutline`; of a volume, those on
 /// its surface.
 vtkSmartPointer<vtkPolyData> knotLines(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
-                                       int subdivision);
+                                       const Subdivision& subdivision);
 
 }  // namespace burnish

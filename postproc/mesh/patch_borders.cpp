@@ -35,20 +35,8 @@ std::vector<PatchSide> sidesOf(std::size_t patch, std::size_t dim, std::ptrdiff_
 }
 
 /// Sorted, each once.
-Nodes nodesOn(const MeshRecord& mesh, const PatchSide& side) {
-  const PatchRecord& patch = mesh.patches[side.patch];
-  IndexBox all, own;
-  for (std::size_t d = 0; d < side.ends.size(); ++d) {
-    all.extent[d] = basisOf(patch.directions[d]).numFunctions();
-    if (side.ends[d] == End::None) own.extent[d] = all.extent[d];
-  }
-  Nodes nodes;
-  for (int a = 0; a < own.size(); ++a) {
-    IndexBox::Index index = own.index(a);
-    for (std::size_t d = 0; d < side.ends.size(); ++d)
-      if (side.ends[d] == End::End) index[d] = all.extent[d] - 1;
-    nodes.push_back(patch.nodes[static_cast<std::size_t>(all.number(index))]);
-  }
+Nodes sortedNodesOn(const MeshRecord& mesh, const PatchSide& side) {
+  Nodes nodes = nodesOn(mesh, side);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
@@ -59,7 +47,7 @@ SidesByNodes groupedSides(const MeshRecord& mesh, std::ptrdiff_t fixed) {
   SidesByNodes groups;
   for (std::size_t p = 0; p < mesh.patches.size(); ++p)
     for (PatchSide& side : sidesOf(p, static_cast<std::size_t>(mesh.dim()), fixed)) {
-      Nodes nodes = nodesOn(mesh, side);
+      Nodes nodes = sortedNodesOn(mesh, side);
       if (nodes.size() > 1) groups[std::move(nodes)].push_back(std::move(side));
     }
   return groups;
@@ -78,10 +66,29 @@ std::vector<PatchSide> facesAt(const PatchSide& edge) {
 
 }  // namespace
 
+std::vector<int> nodesOn(const MeshRecord& mesh, const PatchSide& side) {
+  const PatchRecord& patch = mesh.patches[side.patch];
+  IndexBox all, own;
+  for (std::size_t d = 0; d < side.ends.size(); ++d) {
+    all.extent[d] = basisOf(patch.directions[d]).numFunctions();
+    if (side.ends[d] == End::None) own.extent[d] = all.extent[d];
+  }
+  Nodes nodes;
+  for (int a = 0; a < own.size(); ++a) {
+    IndexBox::Index index = own.index(a);
+    for (std::size_t d = 0; d < side.ends.size(); ++d)
+      if (side.ends[d] == End::End) index[d] = all.extent[d] - 1;
+    nodes.push_back(patch.nodes[static_cast<std::size_t>(all.number(index))]);
+  }
+  return nodes;
+}
+
 PatchBorders::PatchBorders(const MeshRecord& mesh) {
   const SidesByNodes faces = groupedSides(mesh, 1);
+  for (const auto& [nodes, sides] : faces)
+    if (sides.size() > 1) joints_.push_back(sides);
   const auto isFree = [&](const PatchSide& face) {
-    const auto group = faces.find(nodesOn(mesh, face));
+    const auto group = faces.find(sortedNodesOn(mesh, face));
     return group != faces.end() && group->second.size() == 1;
   };
   for (const auto& [nodes, edges] : groupedSides(mesh, mesh.dim() - 1)) {

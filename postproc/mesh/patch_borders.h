@@ -14,6 +14,9 @@ struct PatchSide {
   std::vector<End> ends;  ///< per direction
 };
 
+/// The nodes of a side in the order of the patch, first direction fastest.
+std::vector<int> nodesOn(const MeshRecord& mesh, const PatchSide& side);
+
 /// Which edges of the patches are edges of the body. Sides that have the same nodes are one: faces that two
 /// patches share lie inside the body, and so do the two ends of a patch that is closed to a ring.
 class PatchBorders {
@@ -27,11 +30,15 @@ class PatchBorders {
   /// The edges, each once, at which patches go over into each other; in 3D those on the surface.
   const std::vector<PatchSide>& seams() const { return seams_; }
 
+  /// The faces (in 2D the edges) at which patches, or the two ends of a ring, are joined: those in one place.
+  const std::vector<std::vector<PatchSide>>& joints() const { return joints_; }
+
   /// What can be seen of the body: in 2D the patches, in 3D the free faces.
   const std::vector<PatchSide>& surface() const { return surface_; }
 
  private:
   std::vector<PatchSide> outline_, seams_, surface_;
+  std::vector<std::vector<PatchSide>> joints_;
 };
 
 }  // namespace burnish

@@ -7,16 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
 #include "engine/core/drawable_range.h"
 #include "engine/core/error.h"
+#include "postproc/draw/contour/exact_range.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/mesh/chosen_bodies.h"
-#include "postproc/mesh/patch_geometry.h"
-#include "postproc/mesh/tensor_points.h"
 #include "postproc/mesh/tessellation.h"
 
 namespace burnish {
@@ -59,18 +57,6 @@ double quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& sizes, con
   return values(byValue.back());
 }
 
-/// A row cut into rows of `length` points or, the last one, fewer.
-std::vector<PointRow> parts(const PointRow& row, int length) {
-  std::vector<PointRow> parts;
-  const auto size = static_cast<int>(row.firstFunction.size());
-  for (int first = 0; first < size; first += length) {
-    const int count = std::min(length, size - first);
-    const auto begin = row.firstFunction.begin() + first;
-    parts.push_back({row.numFunctions, {begin, begin + count}, row.factors.middleCols(first, count)});
-  }
-  return parts;
-}
-
 /// The (100-p)th and the p-th percentile.
 std::array<double, 2> percentiles(const Tessellation& tessellation, const FieldChoice& choice, double p) {
   const Eigen::VectorXd values = choice.drawnScalars(tessellation.evaluate(choice.coefficients));
@@ -79,29 +65,6 @@ std::array<double, 2> percentiles(const Tessellation& tessellation, const FieldC
   std::stable_sort(byValue.begin(), byValue.end(), [&](int a, int b) { return values(a) < values(b); });
   const Eigen::VectorXd sizes = pointSizes(tessellation);
   return {quantile(values, sizes, byValue, 1.0 - p / 100.0), quantile(values, sizes, byValue, p / 100.0)};
-}
-
-/// Smallest and largest value at the points of a tessellation; nothing if one is not finite. Goes through a
-/// patch span by span of its last direction: a body in space has more points than memory should hold.
-std::optional<std::array<double, 2>> extremes(const MeshRecord& mesh, const FieldChoice& choice,
-                                              int subdivision) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 2> range{infinity, -infinity};
-  for (const PatchRecord& patch : mesh.patches) {
-    std::vector<PointRow> directions;
-    for (const DirectionRecord& direction : patch.directions) {
-      const UnivariateBasis basis = basisOf(direction);
-      directions.push_back(valuesAt(basis, subdividedSpans(basis, subdivision)));
-    }
-    for (const PointRow& part : parts(directions.back(), subdivision)) {
-      directions.back() = part;
-      const Eigen::MatrixXd evaluated = TensorPoints(patch, directions).evaluate(choice.coefficients);
-      if (!evaluated.allFinite()) return std::nullopt;
-      const Eigen::VectorXd values = choice.drawnScalars(evaluated);
-      range = {std::min(range[0], values.minCoeff()), std::max(range[1], values.maxCoeff())};
-    }
-  }
-  return range;
 }
 
 /// Smallest and largest value of a contact field; nothing if one is not finite. States have the same colours
@@ -141,7 +104,7 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
   const FieldMesh meshes(model, frame, field.name);
   const MeshRecord& mesh = meshes.with();
   const std::optional<std::array<double, 2>> whole =
-      field.faces ? contactExtremes(field) : extremes(mesh, field, subdivision);
+      field.faces ? contactExtremes(field) : exactRange(mesh, field);
   if (!whole)
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
                             field.name, frame.index));

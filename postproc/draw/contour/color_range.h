@@ -12,10 +12,10 @@ struct FieldChoice;
 
 inline constexpr double kLowestPercentile = 50.0;  ///< exclusive, of a `clip`
 
-/// Smallest and largest value that a picture of the field shows; with `clip` (a percentile p in (50, 100])
+/// Smallest and largest value that the field has anywhere, which a picture shows; with `clip` (a percentile p in (50, 100])
 /// the (100-p)th and the p-th percentile, each part of the body weighted by its undeformed area (2D) or
 /// volume (3D). Where those two are the same, as in a field that is constant but for a spot, the smallest and
-/// the largest value again. subdivision: cells per knot span and direction. Throws `Error` for an unknown
+/// the largest value again. subdivision: cells per knot span and direction, of which percentiles are made. Throws `Error` for an unknown
 /// field, a field that is not finite and a percentile out of range.
 std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
                                  int subdivision, std::optional<double> clip = {});

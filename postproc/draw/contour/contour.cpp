@@ -109,9 +109,10 @@ class ContourPicture {
         size_(drawnSize(options)),
         textSize_(textSizeOf(options, theme_)),
         field_(subject.field),
-        parts_(subject.parts) {}
+        parts_(subject.parts),
+        cutsBody_(options.window && !options.window->contains(bodiesBox(parts_))) {}
 
-  ContourImage draw() const {
+  ContourImage draw() {
     const auto& [whole, unclipped] = subject_.ranges;
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
@@ -119,6 +120,7 @@ class ContourPicture {
     const ContourLayout layout = layOutContour(
         size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim), parts_.axes,
         caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr, theme_);
+    if (subject_.refine) subject_.refine(parts_, layout.view, scale.range());
     if (!options_.transparent) return {capture(theme_.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
             layout.view};
@@ -182,12 +184,9 @@ class ContourPicture {
     if (!layout.doubt.text.empty()) overlay.addText(layout.doubt.text, layout.doubtAt, layout.doubt.style);
     FlatShapes shapes(renderer, scale);
     if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);
-    if (cutsBody()) drawFrame(shapes, layout.view.area);
+    if (cutsBody_) drawFrame(shapes, layout.view.area);
     if (subject_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
   }
-
-  /// Whether only a part of the body is seen.
-  bool cutsBody() const { return options_.window && !options_.window->contains(bodiesBox(parts_)); }
 
   /// Round a part of the body, whose edges are not those of the body.
   void drawFrame(FlatShapes& shapes, const PixelRect& area) const {
@@ -288,7 +287,8 @@ class ContourPicture {
   std::array<int, 2> size_;
   double textSize_;
   const FieldChoice& field_;
-  const ContourParts& parts_;
+  ContourParts parts_;
+  bool cutsBody_;  ///< only a part of the body is seen
 };
 
 }  // namespace
@@ -304,9 +304,14 @@ ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, co
     const FieldChoice field = chooseField(shown, its, options.field);
     const ContourParts parts = contourParts(shown, its, field, options);
     const FieldRange ranges = fieldRanges(shown, its, field, subdivisionOf(shown, options), options.clip);
-    return contourImage({shown.dim, shown.title, its.time, field, ranges, parts,
-                         bodiesWithout(shown, its, options.field), ""},
-                        options);
+    ContourSubject subject{
+        shown.dim, shown.title, its.time, field, ranges, parts, bodiesWithout(shown, its, options.field),
+        "",        {}};
+    if (shown.dim == 2)
+      subject.refine = [&](ContourParts& coarse, const View& view, const std::array<double, 2>& range) {
+        refineForView(coarse, shown, its, field, options, view, range);
+      };
+    return contourImage(subject, options);
   });
 }
 

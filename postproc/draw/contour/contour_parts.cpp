@@ -19,6 +19,7 @@
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
+#include "postproc/mesh/picture_subdivision.h"
 #include "postproc/mesh/plane_section.h"
 #include "postproc/mesh/recorded_shape.h"
 #include "postproc/mesh/tessellation.h"
@@ -56,6 +57,35 @@ vtkSmartPointer<vtkPolyData> makeBody(const MeshRecord& mesh, const ModelRecord&
   setValues(*body->GetPointData(), surface, frame, field, options);
   return body;
 }
+
+/// Cuts a plane body for a view.
+class ViewCells {
+ public:
+  ViewCells(const FieldChoice& field, const ContourOptions& options, const View& view,
+            const std::array<double, 2>& range)
+      : subdivision_(options.subdivision) {
+    constexpr double kPixels = 0.25, kSteps = 0.5, kStepsAtBorders = 0.1, kStepsOfRange = 256.0;
+    const Eigen::Vector2d half =
+        Eigen::Vector2d(view.area.width, view.area.height) / (2.0 * view.pixelsPerLength);
+    positions_ = {kPixels / view.pixelsPerLength, {view.center - half, view.center + half}};
+    const double steps = options.isolines > 0 || options.bands > 0 ? kStepsAtBorders : kSteps;
+    values_ = {field.coefficients, steps * (range[1] - range[0]) / kStepsOfRange, range};
+  }
+
+  Subdivision ofLines(const MeshRecord& mesh, const Eigen::MatrixXd& displacement) const {
+    return subdivision_ ? Subdivision(*subdivision_)
+                        : pictureSubdivision(mesh, displacement, positions_, nullptr);
+  }
+  Subdivision ofValues(const MeshRecord& mesh, const Eigen::MatrixXd& displacement) const {
+    return subdivision_ ? Subdivision(*subdivision_)
+                        : pictureSubdivision(mesh, displacement, positions_, &values_);
+  }
+
+ private:
+  std::optional<int> subdivision_;
+  PositionTolerance positions_;
+  ValueTolerance values_;
+};
 
 /// Cuts the parts of a picture of a body in space.
 class BodyCut {
@@ -252,6 +282,35 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
                                  arrowLength(*body, parts.axes, options));
   }
   return parts;
+}
+
+void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRecord& frame,
+                   const FieldChoice& field, const ContourOptions& options, const View& view,
+                   const std::array<double, 2>& range) {
+  const auto trianglesOf = [](const MeshRecord& mesh, const Subdivision& subdivision) {
+    return BodySurface(mesh, subdivision, BodySurface::Faces::Outside,
+                       BodySurface::Cells::TrianglesAboutMiddles);
+  };
+  const MeshRecord& mesh = meshOf(model, frame);
+  const ViewCells cells(field, options, view, range);
+  const FieldMesh meshes(model, frame, field.name);
+  if (!field.faces) {
+    const BodySurface surface = trianglesOf(meshes.with(), cells.ofValues(meshes.with(), parts.displacement));
+    parts.body = surface.displaced(parts.displacement);
+    // Colours end at 0 where a range does, and interpolation does not go round a corner at 0.
+    const Eigen::MatrixXd values = surface.evaluate(field.coefficients);
+    const Eigen::VectorXd drawn = range[0] < 0.0 ? field.drawnScalars(values) : field.scalars(values);
+    parts.body->GetPointData()->SetScalars(makeArray("drawn", drawn.transpose(), {}));
+  }
+  if (parts.plain) {
+    const MeshRecord& without = *meshes.without();
+    parts.plain =
+        trianglesOf(without, cells.ofLines(without, parts.displacement)).displaced(parts.displacement);
+  }
+  const Subdivision ofLines = cells.ofLines(mesh, parts.displacement);
+  parts.outline = bodyOutline(mesh, parts.displacement, ofLines);
+  if (parts.knots) parts.knots = knotLines(mesh, parts.displacement, ofLines);
+  if (parts.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, cells.ofLines(model.mesh, {}));
 }
 
 Eigen::AlignedBox3d boxOf(vtkPolyData& part) {

@@ -50,7 +50,15 @@ CutPlane shownPlane(const ContourOptions& options, const ContourParts& parts);
 /// Of a plane that meets nothing of what is in the box of the parts.
 Error planeMisses(const ContourOptions& options, const ContourParts& parts, int frame);
 
-/// Cells per knot span and direction.
+/// Makes what is drawn of a plane body so fine that it is exact in this view: within a quarter pixel, its colours
+/// within half of one of the steps of the range, or a tenth where bands or isolines show their borders. With
+/// `subdivision` in the options it has these cells. field, options: those of the parts, for which boxes stay
+/// as they were.
+void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRecord& frame,
+                   const FieldChoice& field, const ContourOptions& options, const View& view,
+                   const std::array<double, 2>& range);
+
+/// Cells per knot span and direction, of what does not follow from the picture.
 int subdivisionOf(const ModelRecord& model, const ContourOptions& options);
 
 /// The smallest box round a part in space, and in the picture's plane.

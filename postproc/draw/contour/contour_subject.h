@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,9 @@ struct ContourSubject {
   ContourParts parts;
   std::vector<std::string> without;  ///< names of bodies that do not have the field
   std::string note;                  ///< what is to be said of it; may be empty
+
+  /// Makes parts exact in a view, for colours over a range; none of parts that are what they are.
+  std::function<void(ContourParts& parts, const View& view, const std::array<double, 2>& range)> refine{};
 };
 
 /// Draws as `contourImage` does.

@@ -4,8 +4,9 @@
 #include <vtkCamera.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
@@ -13,7 +14,9 @@ namespace burnish {
 namespace {
 
 vtkSmartPointer<vtkActor> makeActor(vtkPolyData& data) {
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  // The card gets floats: about the middle of the part, so that it is as exact wherever it lies.
+  mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
   mapper->SetInputData(&data);
   mapper->ScalarVisibilityOff();
   const auto actor = vtkSmartPointer<vtkActor>::New();

@@ -9,14 +9,17 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <set>
 #include <sstream>
 
 #include "engine/core/error.h"
+#include "engine/results/result_reader.h"
 #include "engine/results/result_writer.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/contour_view.h"
+#include "tests/cli/shell.h"
 #include "tests/postproc/draw/contour_fixture.h"
 
 /// Contour pictures against pictures that were looked at (images/baseline) and, since a baseline may be wrong
@@ -67,6 +70,89 @@ TEST_F(ContourPictures, BandsOfARingAreCrispCircles) {
                   scale.colors()[static_cast<std::size_t>(band - 1)]);
       expectColor(picture, (edge + 1.5 * pixel) * direction, scale.colors()[static_cast<std::size_t>(band)]);
     }
+  }
+}
+
+/// Largest difference of two pictures of one size, of what `inside` says of pixels.
+int worstDifference(const Picture& a, const Picture& b,
+                    const std::function<bool(const Eigen::Vector2d&)>& inside,
+                    const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& place) {
+  int worst = 0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+      if (inside(pixel)) worst = std::max(worst, difference(a.at(pixel), b.at(place(pixel))));
+    }
+  return worst;
+}
+
+TEST_F(ContourPictures, OfAMirroredProblemAreMirrored) {
+  std::ofstream(dir / "press.yaml") << R"(geometry: {shape: rectangle, size: [2, 1], functions: [25, 13]}
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports: [{face: bottom, fix: [x, y]}]
+tools: [{name: disc, shape: cylinder, center: [1, 1.5], radius: 0.5, motion: {times: [0, 1], y: [0, -0.05]}}]
+contact: [{tool: disc, face: top}]
+steps: [{until: 1, count: 10}]
+)";
+  const Outcome run =
+      shell(dir, BURNISH_COMMAND " run press.yaml -o press --set basis=lagrange --set degree=3");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const ResultReader result(dir / "press");
+  ContourOptions options = small("von_mises");
+  options.size = {1600, 900};
+  const Picture picture = drawn({result.model(), result.frame(result.numFrames() - 1)}, options);
+  const Eigen::Vector2d low = view.pixel(Eigen::Vector2d(0.02, 0.02)),
+                        high = view.pixel(Eigen::Vector2d(1.98, 0.92));
+  const double middle = view.pixel(Eigen::Vector2d(1.0, 0.0)).x();
+  const auto isInside = [&](const Eigen::Vector2d& pixel) {
+    return (pixel.array() > low.array()).all() && (pixel.array() < high.array()).all();
+  };
+  EXPECT_LE(worstDifference(picture, picture, isInside,
+                            [&](const Eigen::Vector2d& pixel) {
+                              return Eigen::Vector2d(2.0 * middle - pixel.x(), pixel.y());
+                            }),
+            1);
+}
+
+TEST_F(ContourPictures, OfABodyFarFromTheOriginAreTheSame) {
+  Sample sample = samples::slab();
+  const Picture near = drawn(sample, small("plastic_strain"));
+  constexpr double kFar = 1024.0;
+  sample.model.mesh.patches.front().points.row(0).array() += kFar;
+  std::get<Cylinder>(sample.model.tools.front().shape).center.x() += kFar;
+  sample.model.tools.front().pivot.x() += kFar;
+  const Picture far = drawn(sample, small("plastic_strain"));
+  EXPECT_LE(worstDifference(
+                near, far, [](const Eigen::Vector2d&) { return true; },
+                [](const Eigen::Vector2d& pixel) { return pixel; }),
+            1);
+}
+
+TEST_F(ContourPictures, HaveTheExactColourInEveryPixelAtAnyZoom) {
+  Sample sample = samples::slab({2, 1});
+  sample.frame.displacement.setZero();
+  const ColorScale scale("viridis", {0.0, 1.0}, 0);
+  ContourOptions options = small("plastic_strain");
+  options.tools = false;
+  for (const double size : {1.0, 0.1, 0.01}) {
+    const Eigen::Vector2d corner(1.3 - 1.3 * size, 0.9 - 0.9 * size);
+    options.window = {corner, corner + size * Eigen::Vector2d(3.0, 1.0)};
+    const Picture picture = drawn(sample, options);
+    int worst = 0;
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x) {
+        const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+        const Eigen::Vector2d at =
+            options.window->center() + (pixel - view.area.center()) / view.pixelsPerLength;
+        const double margin = 3.0 / view.pixelsPerLength;
+        if (at.x() < margin || at.x() > 3.0 - margin || at.y() < margin || at.y() > 1.0 - margin) continue;
+        if ((pixel - view.area.center()).cwiseAbs().x() > view.area.width / 2 - 3) continue;
+        if ((pixel - view.area.center()).cwiseAbs().y() > view.area.height / 2 - 3) continue;
+        worst = std::max(
+            worst, difference(picture.at(pixel),
+                              scale.color(4.0 * at.x() / 3.0 * (1.0 - at.x() / 3.0) * at.y() * at.y())));
+      }
+    EXPECT_LE(worst, 4) << size;  // a step of the colours is up to 3 of 255
   }
 }
 

@@ -398,11 +398,11 @@ TEST(FieldRange, OfABodyInSpaceIncludesItsInside) {
   pressure.setZero();
   pressure(0, 1 + 4 * (2 + 5 * 1)) = 3.0;  // a function that vanishes on all faces
   for (const std::string field : {"pressure", "plastic_strain"}) {
-    const Eigen::MatrixXd values = Tessellation(model.mesh, 3).evaluate(frame.fields[field].values);
+    const Eigen::MatrixXd values = Tessellation(model.mesh, 24).evaluate(frame.fields[field].values);
     const double smallest = field == "plastic_strain" ? 0.0 : values.minCoeff();
     EXPECT_THAT(fieldRange(model, frame, field, 3),
-                testing::ElementsAre(testing::DoubleNear(smallest, 1e-14),
-                                     testing::DoubleNear(values.maxCoeff(), 1e-14)));
+                testing::ElementsAre(testing::DoubleNear(smallest, 2e-3),
+                                     testing::DoubleNear(values.maxCoeff(), 2e-3)));
   }
   EXPECT_GT(fieldRange(model, frame, "pressure", 3)[1], 0.5);
   EXPECT_EQ(BodySurface(model.mesh, 3).evaluate(pressure).cwiseAbs().maxCoeff(), 0.0);

@@ -1,0 +1,32 @@
+#include "postproc/mesh/subdivision.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "postproc/mesh/patch_geometry.h"
+
+namespace burnish {
+
+Subdivision::Subdivision(int perSpan) : perSpan_(perSpan) {
+  if (perSpan < 1)
+    throw Error(fmt::format("subdivision: found {}; expected at least 1 cell per knot span", perSpan));
+}
+
+std::vector<double> Subdivision::parameters(std::size_t patch, std::size_t direction,
+                                            const UnivariateBasis& basis) const {
+  if (counts_.empty()) return subdividedSpans(basis, perSpan_);
+  const std::vector<int>& counts = counts_[patch][direction];
+  std::vector<double> parameters;
+  for (int span = 0; span < basis.numSpans(); ++span) {
+    const int count = counts[static_cast<std::size_t>(span)];
+    for (int k = 0; k < count; ++k)
+      parameters.push_back(std::lerp(basis.spanBegin(span), basis.spanEnd(span),
+                                     static_cast<double>(k) / static_cast<double>(count)));
+  }
+  parameters.push_back(basis.breakpoints().back());
+  return parameters;
+}
+
+}  // namespace burnish

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "engine/nurbs/univariate_basis.h"
+
+namespace burnish {
+
+/// Into how many equal cells the knot spans of a mesh are cut: a number for all of them, or one for every
+/// patch, direction and span.
+class Subdivision {
+ public:
+  using Counts = std::vector<std::vector<std::vector<int>>>;  ///< by patch, direction and span
+
+  /// Throws `Error` for less than 1.
+  Subdivision(int perSpan);  // a number is one, so that calls read as they are meant
+  /// counts: at least 1 each, of all patches of the mesh.
+  explicit Subdivision(Counts counts) : counts_(std::move(counts)) {}
+
+  /// Where the points lie in a direction of a patch, which has this basis; both ends of the domain included.
+  std::vector<double> parameters(std::size_t patch, std::size_t direction,
+                                 const UnivariateBasis& basis) const;
+
+ private:
+  int perSpan_ = 1;
+  Counts counts_;  ///< empty: `perSpan_` everywhere
+};
+
+}  // namespace burnish

@@ -1,0 +1,172 @@
+#include "postproc/mesh/picture_subdivision.h"
+
+#include <gtest/gtest.h>
+#include <vtkCleanPolyData.h>
+#include <vtkFeatureEdges.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <functional>
+
+#include "postproc/draw/contour/color_range.h"
+#include "postproc/mesh/body_surface.h"
+#include "postproc/mesh/mirror.h"
+#include "postproc/mesh/outlines.h"
+#include "tests/engine/analysis/model_samples.h"
+#include "tests/postproc/sample_records.h"
+
+/// Pictures of plane bodies are as exact as they are to be, and the ends of their colours are those of the field.
+namespace burnish {
+namespace {
+
+using namespace samples;
+
+const Eigen::AlignedBox2d kEverything(Eigen::Vector2d(-10.0, -10.0), Eigen::Vector2d(10.0, 10.0));
+
+BodySurface trianglesOf(const MeshRecord& mesh, const Subdivision& subdivision) {
+  return {mesh, subdivision, BodySurface::Faces::Outside, BodySurface::Cells::TrianglesAboutMiddles};
+}
+
+Eigen::Vector3d placeOf(vtkPolyData& data, vtkIdType k) {
+  return Eigen::Map<const Eigen::Vector3d>(data.GetPoint(k));
+}
+
+TEST(PictureSubdivision, KeepsCurvedEdgesWithinTheTolerance) {
+  for (const Patch<2>& ring : {quarterRing(), lagrangeRing()})
+    for (const double tolerance : {0.05, 0.005, 0.0005}) {
+      const ModelRecord model = modelOf(ring);
+      const auto outline =
+          bodyOutline(model.mesh, {}, pictureSubdivision(model.mesh, {}, {tolerance, kEverything}, nullptr));
+      double worst = 0.0;
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType line = 0; line < outline->GetNumberOfCells(); ++line) {
+        outline->GetCellPoints(line, ids);
+        for (vtkIdType k = 0; k + 1 < ids->GetNumberOfIds(); ++k) {
+          const Eigen::Vector3d begin = placeOf(*outline, ids->GetId(k)),
+                                end = placeOf(*outline, ids->GetId(k + 1));
+          if (std::min(begin.norm(), end.norm()) > kOuterRadius - 1e-3)
+            worst = std::max(worst, 0.5 * (begin.norm() + end.norm() - (begin + end).norm()));
+        }
+      }
+      EXPECT_LE(worst, tolerance);
+      EXPECT_GE(worst, tolerance / 30.0);  // nor are there many more cells than needed
+    }
+}
+
+TEST(PictureSubdivision, KeepsValuesWithinTheTolerance) {
+  samples::Sample sample = slab({3, 2});
+  const Eigen::MatrixXd& strain = sample.frame.fields["plastic_strain"].values;
+  const auto exact = [](const Eigen::Vector3d& x) {
+    return 4.0 * x(0) / 3.0 * (1.0 - x(0) / 3.0) * x(1) * x(1);
+  };
+  for (const double tolerance : {0.02, 0.001}) {
+    const ValueTolerance values{strain, tolerance, {0.0, 1.0}};
+    const BodySurface surface = trianglesOf(
+        sample.model.mesh, pictureSubdivision(sample.model.mesh, {}, {1.0, kEverything}, &values));
+    const auto shape = surface.displaced({});
+    const Eigen::RowVectorXd drawn = surface.evaluate(strain);
+    double worst = 0.0;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < shape->GetNumberOfCells(); ++cell) {
+      shape->GetCellPoints(cell, ids);
+      ASSERT_EQ(ids->GetNumberOfIds(), 3);
+      for (const Eigen::Vector3d& part :
+           {Eigen::Vector3d(0.5, 0.5, 0.0), Eigen::Vector3d(0.0, 0.5, 0.5), Eigen::Vector3d(0.4, 0.3, 0.3)}) {
+        Eigen::Vector3d x = Eigen::Vector3d::Zero();
+        double value = 0.0;
+        for (int c = 0; c < 3; ++c) {
+          x += part(c) * placeOf(*shape, ids->GetId(c));
+          value += part(c) * drawn(ids->GetId(c));
+        }
+        worst = std::max(worst, std::abs(value - exact(x)));
+      }
+    }
+    EXPECT_LE(worst, tolerance);
+    EXPECT_GE(worst, tolerance / 30.0);
+  }
+}
+
+TEST(PictureSubdivision, IsOneCellWhereNothingIsSeenOrToldApart) {
+  const ModelRecord model = modelOf(quarterRing());
+  const Eigen::AlignedBox2d elsewhere(Eigen::Vector2d(5.0, 5.0), Eigen::Vector2d(6.0, 6.0));
+  const auto numCells = [&](const Subdivision& subdivision) {
+    return BodySurface(model.mesh, subdivision).displaced({})->GetNumberOfCells();
+  };
+  EXPECT_EQ(numCells(pictureSubdivision(model.mesh, {}, {1e-6, elsewhere}, nullptr)), 3 * 4);
+  ValueTolerance values{randomCoefficients(1, model.mesh.numNodes, 1), 1e-6, {2.0, 3.0}};
+  EXPECT_EQ(numCells(pictureSubdivision(model.mesh, {}, {10.0, kEverything}, &values)), 3 * 4);
+  values.range = {-1.0, 1.0};
+  EXPECT_EQ(numCells(pictureSubdivision(model.mesh, {}, {10.0, kEverything}, &values)),
+            3 * 4 * kMostCellsOfPicture * kMostCellsOfPicture);
+}
+
+TEST(PictureSubdivision, LeavesNoCracksBetweenPatches) {
+  ModelRecord model = modelOf(quarterRing());
+  FrameRecord still = frameOf(model, 0, 0.0);
+  still.displacement.setZero();
+  const ModelFrame whole = mirrored(model, still, {{0, 0.0}, {1, 0.0}});
+  const MeshRecord& mesh = whole.model.mesh;
+  ASSERT_EQ(mesh.patches.size(), 4U);
+  ValueTolerance values{Eigen::MatrixXd::Zero(1, mesh.numNodes), 0.01, {0.0, 1.0}};
+  values.coefficients(0, mesh.patches[2].nodes[7]) = 1.0;  // one patch needs many cells
+  const auto shape =
+      trianglesOf(mesh, pictureSubdivision(mesh, {}, {0.1, kEverything}, &values)).displaced({});
+  vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputData(shape);
+  joined->SetTolerance(1e-9);
+  vtkNew<vtkFeatureEdges> border;
+  border->SetInputConnection(joined->GetOutputPort());
+  border->FeatureEdgesOff();
+  border->Update();
+  vtkPolyData& edges = *border->GetOutput();
+  ASSERT_GT(edges.GetNumberOfPoints(), 0);
+  for (vtkIdType k = 0; k < edges.GetNumberOfPoints(); ++k) {
+    const double radius = placeOf(edges, k).norm();
+    EXPECT_LT(std::min(std::abs(radius - kInnerRadius), std::abs(radius - kOuterRadius)), 1e-6);
+  }
+}
+
+/// Coefficients on a square of one knot span of degree 2.
+struct Square {
+  ModelRecord model = modelOf(
+      refined(rectangle({0.0, 0.0}, {1.0, 1.0}), {KnotVector::uniform(2, 1), KnotVector::uniform(2, 1)}));
+  FrameRecord frame = frameOf(model, 0, 0.0);
+};
+
+TEST(FieldRange, IsThatOfTheFieldWhereverItsExtremesLie) {
+  Square square;
+  Eigen::MatrixXd& stress = square.frame.fields["stress"].values;
+  for (int a = 0; a < 9; ++a) stress(0, a) = std::array{0.0, 1.0, 0.4}[static_cast<std::size_t>(a % 3)];
+  for (const int cells : {1, 4}) {  // 2 x - 1.6 x² is largest at x = 5/8
+    const auto range = fieldRange(square.model, square.frame, "stress.xx", cells);
+    EXPECT_EQ(range[0], 0.0);
+    EXPECT_NEAR(range[1], 0.625, 1e-6);
+  }
+}
+
+TEST(FieldRange, OfAMagnitudeMayBeNothingWithinASpan) {
+  Square square;
+  square.frame.displacement = square.model.mesh.patches.front().points.colwise() - Eigen::Vector2d(0.3, 0.6);
+  const auto range = fieldRange(square.model, square.frame, "displacement", 4);
+  EXPECT_NEAR(range[0], 0.0, 1e-6);
+  EXPECT_NEAR(range[1], std::hypot(0.7, 0.6), 1e-12);
+}
+
+TEST(FieldRange, OfARationalFieldIsNeverExceededBySamples) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const ModelRecord model = modelOf(quarterRing());
+    const FrameRecord frame = frameOf(model, static_cast<int>(seed), 0.0);
+    const Eigen::MatrixXd samples = BodySurface(model.mesh, 60).evaluate(frame.fields.at("pressure").values);
+    const auto range = fieldRange(model, frame, "pressure", 1);
+    const double tolerance = 1e-6 * (range[1] - range[0]);
+    EXPECT_LE(range[0], samples.minCoeff() + tolerance);
+    EXPECT_GE(range[1], samples.maxCoeff() - tolerance);
+    EXPECT_NEAR(range[0], samples.minCoeff(), 1e-3);
+    EXPECT_NEAR(range[1], samples.maxCoeff(), 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace burnish
