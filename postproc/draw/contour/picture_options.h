@@ -83,7 +83,7 @@ struct PictureOptions : PageLook, PictureDefaults {
   bool controlNet = false;         ///< draw the control points and the lines between them
   double toolOpacity = 0.3;        ///< of the tools in space, 1: hides what is behind
   double warp = 1.0;               ///< factor on the displacements of body and tools; values keep theirs
-  std::optional<int> subdivision;  ///< cells per knot span and direction, instead of the model's
+  std::optional<int> subdivision;  ///< cells per knot span and direction; see `refineForView`
   ViewName view;                   ///< auto of a slice: along its normal
   std::optional<Eigen::AlignedBox2d> window;  ///< of the view's plane, that must be seen; see `contentOf`
   std::optional<CutPlane> cut;                ///< in space: what is on the eye's side of it is left out
@@ -160,8 +160,8 @@ void describeParts(Visitor& v, PictureOptions& s) {
           "Of the tools in space; 1 hides what is behind.");
   v.field("warp", s.warp, {}, "Factor on the displacements of body and tools; values keep theirs.");
   v.field("subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
-          "Cells per knot span and direction: more for smoother lines; those of the scene's output when left "
-          "out.");
+          "Cells per knot span and direction, instead of what an exact picture of a plane body takes; in space "
+          "those of the scene's output when left out.");
 }
 
 /// From where the body is seen, and how much of it.
