@@ -159,9 +159,10 @@ void describeParts(Visitor& v, PictureOptions& s) {
   v.field("tool_opacity", s.toolOpacity, {.above = 0, .atMost = 1},
           "Of the tools in space; 1 hides what is behind.");
   v.field("warp", s.warp, {}, "Factor on the displacements of body and tools; values keep theirs.");
-  v.field("subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
-          "Cells per knot span and direction, instead of what an exact picture of a plane body takes; in space "
-          "those of the scene's output when left out.");
+  v.field(
+      "subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
+      "Cells per knot span and direction, instead of what an exact picture of a plane body takes; in space "
+      "those of the scene's output when left out.");
 }
 
 /// From where the body is seen, and how much of it.
