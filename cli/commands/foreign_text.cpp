@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <vtkCellType.h>
 #include <vtkCellTypes.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -28,10 +29,16 @@ std::string plain(const std::string& text) {
   return forMessage(text, kLongestShownText);
 }
 
-/// vtkQuadraticTetra as quadratic tetra.
+/// vtkQuadraticTetra as quadratic tetra. VTK 9.1 has the names of curved triangles and quadrilaterals in each other's
+/// places.
 std::string cellTypeInWords(int type) {
   std::string words;
-  for (const char letter : std::string_view(vtkCellTypes::GetClassNameFromTypeId(type)).substr(3)) {
+  const std::map<int, int> swapped{{VTK_LAGRANGE_TRIANGLE, VTK_LAGRANGE_QUADRILATERAL},
+                                   {VTK_LAGRANGE_QUADRILATERAL, VTK_LAGRANGE_TRIANGLE},
+                                   {VTK_BEZIER_TRIANGLE, VTK_BEZIER_QUADRILATERAL},
+                                   {VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE}};
+  const int named = swapped.contains(type) ? swapped.at(type) : type;
+  for (const char letter : std::string_view(vtkCellTypes::GetClassNameFromTypeId(named)).substr(3)) {
     const bool isCapital = letter >= 'A' && letter <= 'Z';
     if (isCapital && !words.empty()) words += ' ';
     words += isCapital ? static_cast<char>(letter - 'A' + 'a') : letter;

@@ -1,6 +1,7 @@
 #include "cli/commands/picture_source.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +67,15 @@ PictureSource sourceOfForeign(const PictureArguments& arguments) {
 
 PictureSource pictureSource(const PictureArguments& arguments) {
   std::error_code status;
-  const bool isForeign =
-      !fs::is_directory(arguments.result, status) && !foreignKind(arguments.result).empty();
-  return isForeign ? sourceOfForeign(arguments) : sourceOfRun(arguments);
+  if (fs::is_directory(arguments.result, status)) return sourceOfRun(arguments);
+  if (!foreignKind(arguments.result).empty()) return sourceOfForeign(arguments);
+  const fs::path file = arguments.result;
+  if (fs::is_regular_file(file, status) && file.extension() != ".h5")
+    throw Error(fmt::format(
+        "{}: found a file with the ending \"{}\"; expected the directory of a run, its .h5 file, or a "
+        "file of another program: {}",
+        file.string(), file.extension().string(), fmt::join(foreignEndings(), ", ")));
+  return sourceOfRun(arguments);
 }
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include "postproc/foreign/foreign_source.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vtkAbstractArray.h>
 #include <vtkAppendFilter.h>
 #include <vtkCGNSReader.h>
@@ -33,6 +34,9 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUtilities.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -52,6 +56,13 @@ namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// In lower case, as some programs write it in capitals.
+std::string endingOf(const fs::path& file) {
+  std::string ending = file.extension().string();
+  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return ending;
+}
 
 int numComplaints = 0;
 
@@ -254,7 +265,7 @@ class PieceSource : public ForeignSource {
  public:
   explicit PieceSource(const fs::path& file) {
     const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
-    const char* kind = file.extension() == ".pvtu" ? "PUnstructuredGrid" : "PPolyData";
+    const char* kind = endingOf(file) == ".pvtu" ? "PUnstructuredGrid" : "PPolyData";
     vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(kind) : nullptr;
     for (int k = 0; whole && k < whole->GetNumberOfNestedElements(); ++k)
       if (vtkXMLDataElement& element = *whole->GetNestedElement(k); textIn(element, "Source") != "")
@@ -272,10 +283,9 @@ class PieceSource : public ForeignSource {
 
   /// One of the files that another one names, which itself names none.
   static std::unique_ptr<ForeignSource> openPart(const fs::path& file) {
-    const std::string ending = file.extension().string();
+    const std::string ending = endingOf(file);
     if (ending == ".vtu" || ending == ".vtp") return openForeign(file);
-    throw Error(
-        fmt::format("{}: found the ending {}; expected .vtu, .pvtu or .vtp", file.string(), quoted(ending)));
+    throw Error(fmt::format("{}: found the ending {}; expected .vtu or .vtp", file.string(), quoted(ending)));
   }
 
  private:
@@ -304,7 +314,8 @@ class CollectionSource : public ForeignSource {
       vtkXMLDataElement& element = *collection->GetNestedElement(k);
       const std::string name = textIn(element, "name"), part = textIn(element, "part");
       byTime[timeIn(element.GetAttribute("timestep"), file)].push_back(
-          {name.empty() ? "part " + part : name, file.parent_path() / textIn(element, "file")});
+          {name.empty() && !part.empty() ? "part " + part : name,
+           file.parent_path() / textIn(element, "file")});
     }
     if (byTime.empty()) throw Error(fmt::format("{}: the collection is empty", file.string()));
     for (auto& [time, entries] : byTime) {
@@ -319,7 +330,10 @@ class CollectionSource : public ForeignSource {
     std::vector<ForeignBlock> all;
     for (const Entry& entry : entries_.at(instant))
       for (ForeignBlock& block : openEntry(entry.file)->blocks(0))
-        all.push_back({block.name.empty() ? entry.name : entry.name + ", " + block.name, block.grid});
+        all.push_back({block.name.empty()   ? entry.name
+                       : entry.name.empty() ? block.name
+                                            : entry.name + ", " + block.name,
+                       block.grid});
     return all;
   }
 
@@ -329,10 +343,13 @@ class CollectionSource : public ForeignSource {
     fs::path file;
   };
 
+  /// What has no times of its own.
   static std::unique_ptr<ForeignSource> openEntry(const fs::path& file) {
-    const bool isWhole = file.extension() == ".pvtu" || file.extension() == ".pvtp" ||
-                         file.extension() == ".vtm" || file.extension() == ".vtk";
-    return isWhole ? openForeign(file) : PieceSource::openPart(file);
+    constexpr std::array kEndings{".vtu", ".vtp", ".vts", ".vtr", ".vti", ".pvtu", ".pvtp", ".vtm", ".vtk"};
+    const std::string ending = endingOf(file);
+    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return openForeign(file);
+    throw Error(fmt::format("{}: found the ending {}; expected {}", file.string(), quoted(ending),
+                            fmt::join(kEndings, ", ")));
   }
 
   std::vector<double> times_;
@@ -376,7 +393,7 @@ const std::map<std::string, ForeignFormat>& formats() {
 }  // namespace
 
 std::string foreignKind(const fs::path& file) {
-  const auto found = formats().find(file.extension().string());
+  const auto found = formats().find(endingOf(file));
   return found == formats().end() ? "" : found->second.words;
 }
 
@@ -387,7 +404,7 @@ std::vector<std::string> foreignEndings() {
 }
 
 std::unique_ptr<ForeignSource> openForeign(const fs::path& file) {
-  const auto found = formats().find(file.extension().string());
+  const auto found = formats().find(endingOf(file));
   if (found == formats().end())
     throw Error(fmt::format("{}: found the ending {}; expected one of a format that VTK reads", file.string(),
                             quoted(file.extension().string())));

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <utility>
 
 #include "tests/cli/shell.h"
 #include "tests/postproc/picture.h"
@@ -61,6 +63,55 @@ TEST_F(ForeignCommand, CellsHaveTheirColoursInTheirPlaces) {
   EXPECT_GT(ofLast, 50);
   EXPECT_LE(lastOfFirst + 1, firstOfLast);
   EXPECT_GE(lastOfFirst + 3, firstOfLast);
+}
+
+/// Two squares side by side, each with its own value at all its points.
+TEST_F(ForeignCommand, BlocksKeepTheirValuesWhereTheyMeet) {
+  for (const int k : {0, 1})
+    std::ofstream(dir_ / ("part" + std::to_string(k) + ".vtk"))
+        << "# vtk DataFile Version 3.0\npart\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
+        << k << " 0 0 " << k + 1 << " 0 0 " << k + 1 << " 1 0 " << k << " 1 0\n"
+        << "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n9\nPOINT_DATA 4\nSCALARS stress double 1\n"
+        << "LOOKUP_TABLE default\n"
+        << k << ' ' << k << ' ' << k << ' ' << k << '\n';
+  std::ofstream(dir_ / "both.pvd") << "<VTKFile type=\"Collection\"><Collection>"
+                                      "<DataSet timestep=\"0\" file=\"part0.vtk\"/>"
+                                      "<DataSet timestep=\"0\" file=\"part1.vtk\"/></Collection></VTKFile>";
+  const auto drawn = burnish("render both.pvd --field stress --size 400,300 -o both.png");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  const Picture picture = readPicture(dir_ / "both.png");
+  int ofFirst = 0, ofLast = 0, between = 0;
+  for (int x = 10; x < 290; ++x) {
+    const Color& color = picture.at({x + 0.5, picture.height / 2 + 0.5});
+    if (difference(color, {68, 1, 84}) <= 2) ++ofFirst;
+    if (difference(color, {253, 231, 37}) <= 2) ++ofLast;
+    if (difference(color, {33, 145, 140}) <= 60) ++between;
+  }
+  EXPECT_GT(ofFirst, 50);
+  EXPECT_GT(ofLast, 50);
+  EXPECT_LE(between, 1);
+}
+
+TEST_F(ForeignCommand, WhatCannotBeSeenIsToldInASentence) {
+  const std::string head =
+      "# vtk DataFile Version 3.0\npart\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n";
+  std::ofstream(dir_ / "nowhere.vtu")
+      << R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="3" NumberOfCells="1">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 nan 0</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">5</DataArray></Cells>
+</Piece></UnstructuredGrid></VTKFile>)";
+  std::ofstream(dir_ / "point.vtk") << head << "1 1 0 1 1 0 1 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n";
+  std::ofstream(dir_ / "notes.txt") << "no mesh";
+  for (const auto& [file, sentence] :
+       {std::pair{"nowhere.vtu", "not finite"}, std::pair{"point.vtk", "at one place"},
+        std::pair{"notes.txt", "found a file with the ending \".txt\"; expected the directory of a run"}}) {
+    const auto drawn = burnish(std::string("render ") + file + " -o a.png");
+    EXPECT_EQ(drawn.code, 2) << file;
+    EXPECT_THAT(drawn.err, HasSubstr(sentence));
+    EXPECT_FALSE(fs::exists(dir_ / "a.png"));
+  }
 }
 
 TEST_F(ForeignCommand, EveryFormatMakesAPicture) {

@@ -86,7 +86,9 @@ constexpr double kEitherSign = 0.05;
 ColorScale colorScaleOf(const FieldChoice& field, const ContourOptions& options,
                         const std::array<double, 2>& shown) {
   const int bands = field.states.empty() ? options.bands : static_cast<int>(field.states.size());
-  const std::array<double, 2> range = options.range ? shown : widened(shown);
+  std::array<double, 2> range = options.range ? shown : widened(shown);
+  // Before anything is loaded colours are those of later on.
+  if (field.isAboutZero && !options.range && shown[0] == 0.0 && shown[1] == 0.0) range[0] = -range[1];
   const double least = kEitherSign * (range[1] - range[0]);
   const bool bothSigns = field.isAboutZero && std::min(-range[0], range[1]) > least;
   std::string colormap = options.colormap;

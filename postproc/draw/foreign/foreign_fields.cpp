@@ -46,7 +46,9 @@ void addFieldsOf(std::vector<ForeignField>& fields, vtkDataSetAttributes& data, 
     const auto isSame = [&](const ForeignField& field) {
       return field.array == own && field.ofCells == ofCells;
     };
-    if (own == "vtkGhostType" || std::ranges::any_of(fields, isSame)) continue;
+    // What belongs to the cells themselves.
+    const bool isOfVtk = own == "vtkGhostType" || own == "RationalWeights" || own == "HigherOrderDegrees";
+    if (isOfVtk || std::ranges::any_of(fields, isSame)) continue;
     auto [name, unit] = arrayNameOf(own);
     if (std::ranges::count(fields, name, &ForeignField::name) > 0)
       name = (ofCells ? "cells." : "points.") + name;
@@ -87,7 +89,8 @@ Eigen::VectorXd ForeignChoice::valuesOf(const ForeignBlock& block) const {
 double ForeignChoice::signInMirror(int axis) const {
   if (component < 0) return 1.0;
   const std::string& name = field.components[static_cast<std::size_t>(component)];
-  return std::ranges::count(name, "xyz"[axis]) % 2 == 1 ? -1.0 : 1.0;
+  const bool isOfAxes = name.size() <= 2 && name.find_first_not_of("xyz") == std::string::npos;
+  return isOfAxes && std::ranges::count(name, "xyz"[axis]) % 2 == 1 ? -1.0 : 1.0;
 }
 
 ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name) {
@@ -95,7 +98,7 @@ ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const 
   for (const ForeignField& field : fields) {
     const bool hasOwn = field.components.empty() || field.isVector();
     if (hasOwn) names.push_back(field.name);
-    if (hasOwn && name == field.name) return {field, -1};
+    if (hasOwn && (name == field.name || name == field.array)) return {field, -1};
     for (std::size_t k = 0; k < field.components.size(); ++k) {
       names.push_back(field.name + "." + field.components[k]);
       if (name == names.back() || name == fmt::format("{}.{}", field.name, k))

@@ -8,6 +8,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -122,6 +123,10 @@ class SubjectMaker {
       throw Error(
           fmt::format("{}: there are no faces or volumes in it, and so nothing that a picture can show",
                       file_.file().string()));
+    if (choice_ && cells.with->GetNumberOfCells() == 0)
+      throw Error(fmt::format("field: {} of {} is on no faces or volumes; a picture cannot show it",
+                              options_.field, file_.file().string()));
+    requireExtent({cells.with, cells.without});
     const bool isFlat = (cells.with->GetNumberOfCells() == 0 || isPlane(*cells.with)) &&
                         (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
     subject.dim = isFlat ? 2 : 3;
@@ -147,8 +152,9 @@ class SubjectMaker {
   Cells collect(ContourSubject& subject) {
     const ForeignField* displacement = displacementAmong(fields_);
     if (options_.addedWarp != 0.0 && displacement == nullptr)
-      throw Error(fmt::format("warp: {} has no vector called displacement, disp or u at its points",
-                              file_.file().string()));
+      throw Error(fmt::format(
+          "warp: {} has no vector called displacement, displacements, disp, displ or u at its points",
+          file_.file().string()));
     std::vector<Grid> with, without, undeformed;
     for (const ForeignBlock& block : blocks_) {
       const Grid grid = bareGrid(block);
@@ -168,6 +174,20 @@ class SubjectMaker {
     return {mirrored(shownCells(with)), mirrored(shownCells(without)), shownCells(undeformed)};
   }
 
+  void requireExtent(const std::vector<Grid>& grids) const {
+    double length = 0.0;
+    for (const Grid& grid : grids) {
+      for (vtkIdType k = 0; k < grid->GetNumberOfPoints(); ++k)
+        if (!Eigen::Map<const Eigen::Vector3d>(grid->GetPoint(k)).allFinite())
+          throw Error(fmt::format("{}: some of its points are not finite; it cannot be drawn",
+                                  file_.file().string()));
+      if (grid->GetNumberOfPoints() > 0) length = std::max(length, grid->GetLength());
+    }
+    if (length == 0.0)
+      throw Error(fmt::format("{}: all its points are at one place; a picture cannot show it",
+                              file_.file().string()));
+  }
+
   Grid mirrored(Grid cells) const {
     for (const MirrorPlane& plane : options_.mirror)
       cells = shownCells(
@@ -175,10 +195,14 @@ class SubjectMaker {
     return cells;
   }
 
+  /// Of curved cells that of the parts that are drawn: coefficients at their points need be no values.
   std::array<double, 2> rangeOf(vtkUnstructuredGrid& cells) const {
     if (cells.GetNumberOfCells() == 0) return {0.0, 1.0};
-    vtkDataArray* drawn = cells.GetPointData()->GetArray("drawn");
-    if (!drawn) drawn = cells.GetCellData()->GetArray("drawn");
+    vtkSmartPointer<vtkPointSet> shown(&cells);
+    for (vtkIdType cell = 0; cell < cells.GetNumberOfCells() && shown == &cells; ++cell)
+      if (!cells.GetCell(cell)->IsLinear()) shown = outerFaces(cells);
+    vtkDataArray* drawn = shown->GetPointData()->GetArray("drawn");
+    if (!drawn) drawn = shown->GetCellData()->GetArray("drawn");
     vtkIdType notFinite = 0;
     std::array<double, 2> range{drawn->GetComponent(0, 0), drawn->GetComponent(0, 0)};
     for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k) {

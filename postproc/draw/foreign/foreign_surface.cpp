@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -38,8 +39,6 @@ class Places {
     const auto [found, isNew] = numbers_.try_emplace(keyOf(point), static_cast<vtkIdType>(numbers_.size()));
     return {found->second, isNew};
   }
-
-  bool contains(const double* point) const { return numbers_.contains(keyOf(point)); }
 
  private:
   using Key = std::array<long long, 3>;
@@ -108,17 +107,33 @@ class CellCollector {
   vtkSmartPointer<vtkUnstructuredGrid> finish() const { return cells_.Get(); }
 
  private:
+  /// A point of a grid at a place.
+  struct Copy {
+    const vtkUnstructuredGrid* grid;
+    double drawn;  ///< 0 where nothing is drawn of points
+    vtkIdType number;
+  };
+
   vtkIdType pointOf(vtkUnstructuredGrid& grid, vtkIdType id) {
     const double* point = grid.GetPoint(id);
-    const auto [number, isNew] = places_.number(point);
-    if (isNew) {
-      points_->InsertNextPoint(point);
-      cells_->GetPointData()->CopyData(grid.GetPointData(), id, number);
-    }
+    const auto place = static_cast<std::size_t>(places_.number(point).first);
+    if (place >= copies_.size()) copies_.resize(place + 1);
+    vtkDataArray* values = grid.GetPointData()->GetArray("drawn");
+    const double drawn = values ? values->GetComponent(id, 0) : 0.0;
+    const auto isSame = [&](const Copy& copy) {
+      constexpr double kRounding = 1e-9;
+      return copy.grid == &grid || std::abs(copy.drawn - drawn) <= kRounding * std::abs(drawn);
+    };
+    const auto found = std::find_if(copies_[place].begin(), copies_[place].end(), isSame);
+    if (found != copies_[place].end()) return found->number;
+    const vtkIdType number = points_->InsertNextPoint(point);
+    cells_->GetPointData()->CopyData(grid.GetPointData(), id, number);
+    copies_[place].push_back({&grid, drawn, number});
     return number;
   }
 
   Places places_;
+  std::vector<std::vector<Copy>> copies_;  ///< by place
   vtkNew<vtkPoints> points_;
   vtkNew<vtkUnstructuredGrid> cells_;
 };
@@ -136,18 +151,31 @@ vtkSmartPointer<vtkUnstructuredGrid> shownCells(
   if (grids.empty()) return vtkSmartPointer<vtkUnstructuredGrid>::New();
   const double length = lengthOfAll(grids);
   CellCollector collector(*grids.front(), length);
-  Places ofVolumes(length);
+  Places places(length);
+  const auto placesOf = [&](vtkUnstructuredGrid& grid, vtkIdList& points) {
+    std::vector<vtkIdType> found;
+    for (const vtkIdType id : points) found.push_back(places.number(grid.GetPoint(id)).first);
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  std::set<std::vector<vtkIdType>> facesOfVolumes;  // filled where there are faces to be held against them
+  const bool hasFaces = std::any_of(grids.begin(), grids.end(), [](const auto& grid) {
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+      if (dimensionOf(*grid, cell) == 2) return true;
+    return false;
+  });
   vtkNew<vtkIdList> ids;
   for (const int dimension : {3, 2})
     for (const auto& grid : grids)
       for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
         if (dimensionOf(*grid, cell) != dimension || isGhost(*grid, cell)) continue;
         grid->GetCellPoints(cell, ids);
-        const auto isOfVolume = [&](vtkIdType id) { return ofVolumes.contains(grid->GetPoint(id)); };
-        if (dimension == 2 && std::all_of(ids->begin(), ids->end(), isOfVolume)) continue;
+        if (dimension == 2 && facesOfVolumes.contains(placesOf(*grid, *ids))) continue;
         collector.add(*grid, cell);
-        for (vtkIdType k = 0; dimension == 3 && k < ids->GetNumberOfIds(); ++k)
-          ofVolumes.number(grid->GetPoint(ids->GetId(k)));
+        if (dimension == 2 || !hasFaces) continue;
+        vtkCell& volume = *grid->GetCell(cell);
+        for (int face = 0; face < volume.GetNumberOfFaces(); ++face)
+          facesOfVolumes.insert(placesOf(*grid, *volume.GetFace(face)->GetPointIds()));
       }
   const auto cells = collector.finish();
   cells->GetCellData()->RemoveArray("vtkGhostType");

@@ -12,8 +12,8 @@
 namespace burnish {
 
 /// The cells of several grids that can be seen: volumes, and faces that are no faces of these. Points at the same
-/// place are one, so that what is inside is found; where their values differ, as between discontinuous elements,
-/// the place has the first one.
+/// place are one, so that what is inside is found, but for those of two grids whose values differ; where values differ
+/// within a grid, as between discontinuous elements, the place has the first one.
 vtkSmartPointer<vtkUnstructuredGrid> shownCells(
     const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids);
 

@@ -182,6 +182,13 @@ TEST_F(ContourPictures, FieldOfBothSignsHasTheMiddleOfItsColoursAtZero) {
     expectColor(picture, Eigen::Vector2d(x + 0.2 * 0.4, 0.4), symmetric.color(0.25e5 - 1e5 * x));
 }
 
+TEST_F(ContourPictures, StressBeforeAnythingIsLoadedHasTheColourOfZero) {
+  Sample sample = samples::square();
+  sample.frame.fields["stress"].values.setZero();
+  expectColor(drawn(sample, small("stress.xx")), Eigen::Vector2d(0.3 + 0.2 * 0.4, 0.4),
+              ColorScale("coolwarm", {-1.0, 1.0}, 0).color(0.0));
+}
+
 TEST_F(ContourPictures, ZeroInTheMiddleHoldsForAMapOfOnesOwnChoice) {
   Sample sample = samples::square();
   sample.frame.fields["stress"].values.array() += 0.25e5;

@@ -124,6 +124,10 @@ TEST_F(ForeignFiles, FieldsHaveNamesUnitsAndComponents) {
               HasSubstr("Did you mean \"temperature\"?"));
   EXPECT_EQ(chooseForeignField(fields, "stress.xy").signInMirror(0), -1.0);
   EXPECT_EQ(chooseForeignField(fields, "stress.xx").signInMirror(0), 1.0);
+  ForeignField named;
+  named.components = {"axial", "yx"};
+  EXPECT_EQ((ForeignChoice{named, 0}.signInMirror(0)), 1.0);
+  EXPECT_EQ((ForeignChoice{named, 1}.signInMirror(0)), -1.0);
 }
 
 TEST_F(ForeignFiles, OfSolidsShowTheirOutsideAlone) {
