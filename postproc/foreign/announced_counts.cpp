@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
+#include "postproc/foreign/lower_case.h"
 
 namespace burnish {
 namespace {
@@ -31,7 +32,7 @@ void requireStl(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string head(kHead, '\0');
   stream.read(head.data(), kHead);
-  const bool isText = head.starts_with("solid") && head.find('\0') == std::string::npos;
+  const bool isText = inLowerCase(head.substr(0, 5)) == "solid" && head.find('\0') == std::string::npos;
   const auto size = static_cast<std::int64_t>(fs::file_size(file));
   if (!isText) {
     std::uint32_t announced = 0;
@@ -48,6 +49,7 @@ void requireStl(const fs::path& file) {
     std::istringstream words(line);
     std::string word;
     words >> word;
+    word = inLowerCase(word);
     if (word == "facet") ++begun;
     if (word == "endfacet") ++ended;
     if (word == "endsolid") isEnded = true;

@@ -36,7 +36,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -51,6 +50,7 @@
 #include "engine/core/quoted.h"
 #include "postproc/foreign/announced_counts.h"
 #include "postproc/foreign/check_grid.h"
+#include "postproc/foreign/lower_case.h"
 
 namespace burnish {
 namespace {
@@ -59,9 +59,7 @@ namespace fs = std::filesystem;
 
 /// In lower case, as some programs write it in capitals.
 std::string endingOf(const fs::path& file) {
-  std::string ending = file.extension().string();
-  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return ending;
+  return inLowerCase(file.extension().string());
 }
 
 int numComplaints = 0;

@@ -8,19 +8,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "postproc/foreign/array_names.h"
+#include "postproc/foreign/lower_case.h"
 
 namespace burnish {
 namespace {
-
-std::string inLowerCase(std::string text) {
-  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
 
 /// As the file names them, else as VTK orders vectors and tensors.
 std::vector<std::string> componentsOfArray(vtkDataArray& array) {
@@ -93,7 +88,8 @@ double ForeignChoice::signInMirror(int axis) const {
   return isOfAxes && std::ranges::count(name, "xyz"[axis]) % 2 == 1 ? -1.0 : 1.0;
 }
 
-ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name) {
+ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name,
+                                 const std::string& where) {
   std::vector<std::string> names;
   for (const ForeignField& field : fields) {
     const bool hasOwn = field.components.empty() || field.isVector();
@@ -105,7 +101,7 @@ ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const 
         return {field, static_cast<int>(k)};
     }
   }
-  throw Error(fmt::format("field: found \"{}\"; the file has {}.{}", name,
+  throw Error(fmt::format("field: found \"{}\"; {} has {}.{}", name, where,
                           names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
                           didYouMean(name, names)));
 }

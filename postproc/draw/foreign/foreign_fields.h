@@ -34,8 +34,10 @@ struct ForeignChoice {
   double signInMirror(int axis) const;
 };
 
-/// The field of a name: NAME, NAME.x, NAME.xx, NAME.0. Throws `Error` that lists them and tells the nearest.
-ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name);
+/// The field of a name: NAME, NAME.x, NAME.xx, NAME.0. Throws `Error` that lists them and tells the nearest. where:
+/// what has these fields.
+ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name,
+                                 const std::string& where = "the file");
 
 /// Where one looks first: plastic strain, von Mises stress, displacement, else the first field; empty without any.
 std::string foreignFieldToShow(const std::vector<ForeignField>& fields);

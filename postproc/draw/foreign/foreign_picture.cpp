@@ -138,7 +138,11 @@ class SubjectMaker {
 
  private:
   void choose(FieldChoice& words) {
-    choice_ = chooseForeignField(fields_, options_.field);
+    const std::vector<double>& times = file_.times();
+    choice_ = chooseForeignField(fields_, options_.field,
+                                 times.size() < 2 ? "the file"
+                                                  : fmt::format("frame {} (t = {:.6g})", instant_,
+                                                                times[static_cast<std::size_t>(instant_)]));
     const ForeignField& field = choice_->field;
     if (field.ofCells && options_.isolines > 0)
       throw Error(fmt::format(

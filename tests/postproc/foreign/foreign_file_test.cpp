@@ -191,6 +191,13 @@ TEST_F(ForeignFiles, ThatAnnounceMoreThanTheyHoldAreDamaged) {
   EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "cut.stl").blocks(0); }), HasSubstr("it announces"));
 }
 
+TEST_F(ForeignFiles, OfTrianglesMayBeWrittenInCapitals) {
+  std::ofstream(dir_ / "CAPITALS.STL")
+      << "SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\n"
+         "VERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID A\n";
+  EXPECT_EQ(ForeignFile(dir_ / "CAPITALS.STL").blocks(0).front().grid->GetNumberOfCells(), 1);
+}
+
 TEST_F(ForeignFiles, ThatAreNotThereAreNamed) {
   EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "absent.exo"); }),
               HasSubstr("absent.exo: there is no such file"));

@@ -1,0 +1,13 @@
+#pragma once
+#include <cctype>
+#include <string>
+
+namespace burnish {
+
+/// For words that programs write in capitals or not; letters beyond ASCII stay.
+inline std::string inLowerCase(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
+
+}  // namespace burnish
