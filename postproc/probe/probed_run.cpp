@@ -14,13 +14,10 @@
 #include "postproc/mesh/vtk_arrays.h"
 #include "postproc/probe/path_text.h"
 #include "postproc/probe/probe.h"
+#include "postproc/text/units.h"
 
 namespace burnish {
 namespace {
-
-std::string withUnit(const std::string& title, const std::string& unit) {
-  return unit.empty() ? title : title + " in " + unit;
-}
 
 /// The one unit of all that stand along an axis.
 class CommonUnit {
@@ -155,7 +152,7 @@ ProbeTitles titlesOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) 
     for (const FieldChoice& field : run.fields) value.add(field.name, field.unit);
   }
   return {spec.isOverTime() ? "Time" : withUnit(distanceWords(spec), length.text()),
-          withUnit(fieldWords(runs.front().fields), value.text()) + meanWords(spec, length.text())};
+          withUnit(fieldWords(runs.front().fields) + meanWords(spec, length.text()), value.text())};
 }
 
 ChartCurve curveOf(const ProbedRun& run, std::size_t field) {

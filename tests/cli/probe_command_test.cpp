@@ -108,25 +108,23 @@ TEST_F(ProbeCommand, TakesMeansOverTime) {
 
 TEST_F(ProbeCommand, SaysInWordsWhatAChartShows) {
   // No legend for a single curve.
-  EXPECT_THAT(
-      chart("run --depth left@0.3 --field von_mises --window 0.1"),
-      UnorderedElementsAre("Depth below face left in mm", "von Mises stress in MPa, mean over 0.1 mm"));
+  EXPECT_THAT(chart("run --depth left@0.3 --field von_mises --window 0.1"),
+              UnorderedElementsAre("Depth below face left [mm]", "von Mises stress, mean over 0.1 mm [MPa]"));
   EXPECT_THAT(chart("run --face left --reference --field stress.xx --field stress.yy"),
-              UnorderedElementsAre("Length along face left of the undeformed body in mm",
-                                   "Cauchy stress in MPa", "Cauchy stress xx", "Cauchy stress yy"));
+              UnorderedElementsAre("Length along face left of the undeformed body [mm]",
+                                   "Cauchy stress [MPa]", "Cauchy stress xx", "Cauchy stress yy"));
   EXPECT_THAT(chart("run --point 1,1 --field displacement"),
-              UnorderedElementsAre("Time", "Displacement in mm"));
+              UnorderedElementsAre("Time", "Displacement [mm]"));
   EXPECT_THAT(chart("run --face left --mean --field von_mises"),
-              UnorderedElementsAre("Time", "von Mises stress in MPa, mean along face left"));
+              UnorderedElementsAre("Time", "von Mises stress, mean along face left [MPa]"));
 }
 
 TEST_F(ProbeCommand, DrawsSeveralRunsAndFramesInOneChart) {
   fs::copy(dir / "run", dir / "other", fs::copy_options::recursive);
-  EXPECT_THAT(
-      chart("run other --line 1,0:2,0 --field von_mises"),
-      UnorderedElementsAre("Distance along the line in mm", "von Mises stress in MPa", "run", "other"));
+  EXPECT_THAT(chart("run other --line 1,0:2,0 --field von_mises"),
+              UnorderedElementsAre("Distance along the line [mm]", "von Mises stress [MPa]", "run", "other"));
   EXPECT_THAT(chart("run --line 1,0:2,0 --frame 1-2 --field von_mises --label a --label b"),
-              UnorderedElementsAre("Distance along the line in mm", "von Mises stress in MPa", "a", "b"));
+              UnorderedElementsAre("Distance along the line [mm]", "von Mises stress [MPa]", "a", "b"));
   EXPECT_THAT(table("run other --line 1,0:2,0 --frame 3-4 --field von_mises").columns,
               testing::Contains("other at t = 0.75 von_mises [MPa]"));
 }
