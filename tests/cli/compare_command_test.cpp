@@ -7,7 +7,7 @@
 
 #include "postproc/compare/picture.h"
 #include "tests/cli/browser.h"
-#include "tests/cli/shell.h"
+#include "tests/cli/shell_test.h"
 #include "tests/postproc/spoiled_pictures.h"
 
 /// `burnish compare` as the user meets it, its report in a browser, and image tests in a project of the
@@ -42,10 +42,7 @@ class CompareCommand : public testing::Test {
   }
 
   void expectRefused(const std::string& arguments, const std::string& part) const {
-    const Outcome outcome = compare(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_THAT(outcome.err, testing::AllOf(testing::StartsWith("burnish: "), HasSubstr(part)));
-    EXPECT_EQ(outcome.out, "") << arguments;
+    expectRefusal(compare(arguments), arguments, part);
   }
 
   const fs::path images = fs::path(BURNISH_SOURCE_DIR) / "images" / "baseline";

@@ -37,10 +37,7 @@ class CompareDataCommand : public ShellTest {
   }
 
   void expectRefused(const std::string& arguments, const std::string& part) const {
-    const Outcome outcome = compare(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_THAT(outcome.err, testing::AllOf(testing::StartsWith("burnish: "), HasSubstr(part)));
-    EXPECT_EQ(outcome.out, "") << arguments;
+    expectRefusal(compare(arguments), arguments, part);
   }
 };
 
