@@ -14,20 +14,11 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/core/shown_text.h"
+#include "cli/commands/info_line.h"
 #include "postproc/draw/foreign/foreign_fields.h"
 
 namespace burnish {
 namespace {
-
-std::string row(const std::string& label, const std::string& text) {
-  return fmt::format("{:<12}{}\n", label, text);
-}
-
-/// A text of a file as a line can show it.
-std::string plain(const std::string& text) {
-  return forMessage(text, kLongestShownText);
-}
 
 /// vtkQuadraticTetra as quadratic tetra. VTK 9.1 has the names of curved triangles and quadrilaterals in each other's
 /// places.
@@ -50,7 +41,7 @@ std::string blockText(const ForeignBlock& block) {
   std::map<std::string, vtkIdType> types;
   for (vtkIdType cell = 0; cell < block.grid->GetNumberOfCells(); ++cell)
     ++types[cellTypeInWords(block.grid->GetCellType(cell))];
-  std::string text = block.name.empty() ? "" : plain(block.name) + ": ";
+  std::string text = block.name.empty() ? "" : infoWords(block.name) + ": ";
   text += fmt::format("{} points, {} cells", block.grid->GetNumberOfPoints(), block.grid->GetNumberOfCells());
   std::vector<std::string> counts;
   for (const auto& [type, count] : types) counts.push_back(fmt::format("{} {}", count, type));
@@ -88,15 +79,15 @@ std::string rangeText(const ForeignChoice& choice, const std::vector<ForeignBloc
 }
 
 std::string foreignFieldText(const ForeignField& field, const std::vector<ForeignBlock>& blocks) {
-  std::string text = plain(field.name);
-  if (!field.components.empty()) text += plain(fmt::format(" ({})", fmt::join(field.components, " ")));
-  if (!field.unit.empty()) text += fmt::format(" [{}]", plain(field.unit));
+  std::string text = infoWords(field.name);
+  if (!field.components.empty()) text += infoWords(fmt::format(" ({})", fmt::join(field.components, " ")));
+  if (!field.unit.empty()) text += fmt::format(" [{}]", infoWords(field.unit));
   text += field.ofCells ? " of cells" : " of points";
   if (field.components.empty() || field.isVector()) return text + ": " + rangeText({field, -1}, blocks);
   std::vector<std::string> ranges;
   for (std::size_t k = 0; k < field.components.size(); ++k)
     ranges.push_back(field.components[k] + " " + rangeText({field, static_cast<int>(k)}, blocks));
-  return text + ": " + plain(fmt::format("{}", fmt::join(ranges, "; ")));
+  return text + ": " + infoWords(fmt::format("{}", fmt::join(ranges, "; ")));
 }
 
 }  // namespace
@@ -104,13 +95,13 @@ std::string foreignFieldText(const ForeignField& field, const std::vector<Foreig
 std::string foreignText(const ForeignFile& file) {
   const std::vector<double>& times = file.times();
   const std::vector<ForeignBlock> blocks = file.blocks(times.empty() ? 0 : times.size() - 1);
-  std::string text = row("file", file.file().string()) + row("kind", foreignKind(file.file()));
+  std::string text = infoLine("file", file.file().string()) + infoLine("kind", foreignKind(file.file()));
   if (!times.empty())
-    text += row("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
-  for (const ForeignBlock& block : blocks) text += row("block", blockText(block));
-  text += row("bounds", boundsText(blocks));
+    text += infoLine("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
+  for (const ForeignBlock& block : blocks) text += infoLine("block", blockText(block));
+  text += infoLine("bounds", boundsText(blocks));
   for (const ForeignField& field : foreignFieldsOf(blocks))
-    text += row("field", foreignFieldText(field, blocks));
+    text += infoLine("field", foreignFieldText(field, blocks));
   return text;
 }
 

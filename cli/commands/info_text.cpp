@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "cli/commands/info_line.h"
 #include "engine/core/error.h"
-#include "engine/core/shown_text.h"
 #include "engine/results/history.h"
 #include "engine/results/run_files.h"
 #include "engine/results/summary_file.h"
@@ -16,15 +16,6 @@
 
 namespace burnish {
 namespace {
-
-std::string line(const std::string& label, const std::string& text) {
-  return fmt::format("{:<12}{}\n", label, text);
-}
-
-/// A text of a result, which may be older than what a scene allows.
-std::string shown(const std::string& text) {
-  return forMessage(text, kLongestShownText);
-}
 
 std::string patchText(const PatchRecord& patch) {
   std::vector<int> degrees;
@@ -46,8 +37,9 @@ std::string patchesText(const MeshRecord& mesh, const std::vector<std::string>& 
   std::string text;
   for (const PatchRecord& patch : mesh.patches) {
     const std::string body =
-        bodies.empty() ? "" : fmt::format("body {}: ", shown(bodies[static_cast<std::size_t>(patch.body)]));
-    text += line("patch", body + patchText(patch));
+        bodies.empty() ? ""
+                       : fmt::format("body {}: ", infoWords(bodies[static_cast<std::size_t>(patch.body)]));
+    text += infoLine("patch", body + patchText(patch));
   }
   return text;
 }
@@ -56,30 +48,31 @@ std::string patchesText(const MeshRecord& mesh, const std::vector<std::string>& 
 std::string ofBody(const ModelRecord& model, const PatchRecord& patch) {
   return model.bodies.empty()
              ? ""
-             : fmt::format(" of body {}", shown(model.bodies[static_cast<std::size_t>(patch.body)]));
+             : fmt::format(" of body {}", infoWords(model.bodies[static_cast<std::size_t>(patch.body)]));
 }
 
 std::string fieldText(const std::string& name, const FieldRecord& field) {
   std::string text = name;
   if (!field.components.empty()) text += fmt::format(" ({})", fmt::join(field.components, " "));
-  if (!field.unit.empty()) text += fmt::format(" [{}]", shown(field.unit));
+  if (!field.unit.empty()) text += fmt::format(" [{}]", infoWords(field.unit));
   if (!field.bodies.empty()) text += fmt::format(", of {} alone", fmt::join(field.bodies, ", "));
   return text;
 }
 
 std::string framesText(const ResultReader& result) {
   const std::vector<double> times = result.times();
-  if (times.empty()) return line("frames", "none yet");
+  if (times.empty()) return infoLine("frames", "none yet");
   std::string text =
-      line("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
+      infoLine("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
   const FrameRecord last = result.frame(result.numFrames() - 1);
   if (last.mesh)
-    text += line("last mesh", fmt::format("{} nodes", last.mesh->numNodes)) +
+    text += infoLine("last mesh", fmt::format("{} nodes", last.mesh->numNodes)) +
             patchesText(*last.mesh, result.model().bodies);
-  for (const auto& [name, field] : last.fields) text += line("field", fieldText(name, field));
+  for (const auto& [name, field] : last.fields) text += infoLine("field", fieldText(name, field));
   for (const ContactRecord& contact : last.contact) {
     const auto& patch = meshOf(result.model(), last).patches[static_cast<std::size_t>(contact.patch)];
-    text += line("contact", fmt::format("{} on {}{}, {} control points",
+    text +=
+        infoLine("contact", fmt::format("{} on {}{}, {} control points",
                                         !contact.pair.empty()  ? contact.pair
                                         : contact.tool.empty() ? "self"
                                                                : contact.tool,
@@ -91,16 +84,16 @@ std::string framesText(const ResultReader& result) {
 std::string historyText(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return "";
   const HistoryTable history = readHistory(file);
-  return line("history", fmt::format("{} rows: {}", history.numRows(), fmt::join(history.columns, ", ")));
+  return infoLine("history", fmt::format("{} rows: {}", history.numRows(), fmt::join(history.columns, ", ")));
 }
 
 std::string summaryText(const RunAccount& summary) {
   std::string text =
-      line("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
-  for (const std::string& warning : summary.warnings) text += line("warning", warning);
-  for (const std::string& warning : warningsOf(summary)) text += line("warning", warning);
+      infoLine("run", summary.completed ? "has come to its end" : "stopped " + summary.stoppedBecause);
+  for (const std::string& warning : summary.warnings) text += infoLine("warning", warning);
+  for (const std::string& warning : warningsOf(summary)) text += infoLine("warning", warning);
   for (const ReactionRecord& reaction : summary.reactions)
-    text += line("support", fmt::format("{}: {}", reaction.support, reactionText(reaction)));
+    text += infoLine("support", fmt::format("{}: {}", reaction.support, reactionText(reaction)));
   return text;
 }
 
@@ -110,12 +103,13 @@ std::string runText(const std::filesystem::path& directory) {
     try {
       return summaryText(readSummary(directory));
     } catch (const Error& error) {
-      return line("run", error.what());
+      return infoLine("run", error.what());
     }
   }
   if (canBeResumed(directory))
-    return line("run", fmt::format("not at its end; if it does not go on any more: burnish run --resume {}",
-                                   directory.string()));
+    return infoLine("run",
+                    fmt::format("not at its end; if it does not go on any more: burnish run --resume {}",
+                                directory.string()));
   return "";
 }
 
@@ -123,13 +117,13 @@ std::string runText(const std::filesystem::path& directory) {
 
 std::string resultText(const ResultReader& result) {
   const ModelRecord& model = result.model();
-  std::string text = line("result", result.file().string());
-  text += line("title", shown(model.title));
-  text += line("written by", model.program);
-  text += line("model", fmt::format("{} dimensions, {} nodes", model.dim, model.mesh.numNodes));
+  std::string text = infoLine("result", result.file().string());
+  text += infoLine("title", infoWords(model.title));
+  text += infoLine("written by", model.program);
+  text += infoLine("model", fmt::format("{} dimensions, {} nodes", model.dim, model.mesh.numNodes));
   text += patchesText(model.mesh, model.bodies);
   for (const ToolRecord& tool : model.tools)
-    text += line("tool", fmt::format("{}: {}", shown(tool.name), shapeText(tool.shape)));
+    text += infoLine("tool", fmt::format("{}: {}", infoWords(tool.name), shapeText(tool.shape)));
   text += framesText(result);
   const std::filesystem::path directory = result.file().parent_path();
   text += historyText(directory / "history.csv");
