@@ -138,8 +138,13 @@ class ForeignFile::Reader {
   const fs::path& file() const { return file_; }
   const std::vector<double>& times() const { return times_; }
 
-  std::vector<ForeignBlock> blocks(std::size_t instant) {
-    return ask<std::vector<ForeignBlock>>(static_cast<std::int64_t>(instant), receiveBlocks);
+  const std::vector<ForeignBlock>& blocks(std::size_t instant) {
+    if (instant != last_) {
+      last_.reset();
+      blocks_ = ask<std::vector<ForeignBlock>>(static_cast<std::int64_t>(instant), receiveBlocks);
+      last_ = instant;
+    }
+    return blocks_;
   }
 
  private:
@@ -228,6 +233,8 @@ class ForeignFile::Reader {
   int questions_ = -1, answers_ = -1;
   Clock::time_point deadline_;
   std::vector<double> times_;
+  std::optional<std::size_t> last_;  ///< the instant of the blocks
+  std::vector<ForeignBlock> blocks_;
 };
 
 ForeignFile::ForeignFile(const fs::path& file) : reader_(std::make_unique<Reader>(file)) {}

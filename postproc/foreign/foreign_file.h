@@ -25,8 +25,8 @@ class ForeignFile {
   /// Ascending; empty for one instant without a time.
   const std::vector<double>& times() const;
 
-  /// What is there at an instant, 0 without times; sound as `isSound` has it. Throws `Error` as the constructor
-  /// does, and `Interrupted`.
+  /// What is there at an instant, 0 without times; sound as `isSound` has it, and not to be changed: the last one is
+  /// kept. Throws `Error` as the constructor does, and `Interrupted`.
   std::vector<ForeignBlock> blocks(std::size_t instant) const;
 
  private:

@@ -47,8 +47,8 @@ FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const
   });
 }
 
-ContourOptions withCommonView(ContourOptions options, const ResultReader& result,
-                              const std::vector<int>& ofRange, const std::vector<int>& ofWindow) {
+void shareView(ContourOptions& options, const std::vector<int>& ofRange, const std::vector<int>& ofWindow,
+               const std::function<FrameView(int frame, bool inRange, bool inWindow)>& look) {
   std::set<int> inRange, inWindow;
   if (!options.range) inRange.insert(ofRange.begin(), ofRange.end());
   if (!options.window) inWindow.insert(ofWindow.begin(), ofWindow.end());
@@ -58,34 +58,50 @@ ContourOptions withCommonView(ContourOptions options, const ResultReader& result
   Eigen::AlignedBox2d window;
   for (const int k : frames) {
     throwIfInterrupted();
-    withShownModel(result.model(), result.frame(k), options,
-                   [&](const ModelRecord& model, const FrameRecord& frame) {
-                     const FieldChoice field = chooseField(model, frame, options.field);
-                     if (inRange.contains(k))
-                       range = joined(range, rangesOf(model, frame, field, options).shown);
-                     if (inWindow.contains(k))
-                       window.extend(contentOf(contourParts(model, frame, field, options), model.dim));
-                   });
+    const FrameView view = look(k, inRange.contains(k), inWindow.contains(k));
+    if (inRange.contains(k)) range = joined(range, view.shown);
+    if (inWindow.contains(k)) window.extend(view.content);
   }
   if (range) {
     options.range = widened(*range);
     options.clip.reset();  // it is in the range
   }
   if (!inWindow.empty()) options.window = window;
+}
+
+ContourOptions withCommonView(ContourOptions options, const ResultReader& result,
+                              const std::vector<int>& ofRange, const std::vector<int>& ofWindow) {
+  shareView(options, ofRange, ofWindow, [&](int k, bool inRange, bool inWindow) {
+    return withShownModel(result.model(), result.frame(k), options,
+                          [&](const ModelRecord& model, const FrameRecord& frame) {
+                            const FieldChoice field = chooseField(model, frame, options.field);
+                            FrameView view;
+                            if (inRange) view.shown = rangesOf(model, frame, field, options).shown;
+                            if (inWindow)
+                              view.content = contentOf(contourParts(model, frame, field, options), model.dim);
+                            return view;
+                          });
+  });
   return options;
 }
 
-void drawSeries(const ResultReader& result, const std::vector<int>& frames, const ContourOptions& options,
-                const std::vector<std::filesystem::path>& names) {
+void drawInTurn(const std::vector<std::filesystem::path>& names,
+                const std::function<ContourImage(std::size_t number)>& draw) {
   vtkSmartPointer<vtkImageData> picture;  // outlives its writing
   std::future<void> writing;
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    const ContourImage next = contourImage(result.model(), result.frame(frames[k]), options);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const ContourImage next = draw(k);
     if (writing.valid()) writing.get();
     picture = next.picture;
     writing = std::async(std::launch::async, [&picture, &name = names[k]] { writePng(*picture, name); });
   }
   if (writing.valid()) writing.get();
+}
+
+void drawSeries(const ResultReader& result, const std::vector<int>& frames, const ContourOptions& options,
+                const std::vector<std::filesystem::path>& names) {
+  drawInTurn(names,
+             [&](std::size_t k) { return contourImage(result.model(), result.frame(frames[k]), options); });
 }
 
 }  // namespace burnish

@@ -1,5 +1,9 @@
 #pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "engine/results/result_reader.h"
@@ -16,6 +20,22 @@ ContourOptions contourOptions(const PictureOptions& picture, const ResultReader&
 /// The range of values and of colours of one frame that is drawn like this.
 FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
 
+/// What one of several frames needs of what they share.
+struct FrameView {
+  std::array<double, 2> shown{};  ///< its range of colours
+  Eigen::AlignedBox2d content;    ///< what must be seen of it
+};
+
+/// Gives options a range of colours and a window for several frames, unless they have one: those that hold all
+/// of the frames `ofRange`, and of the frames `ofWindow`. look: called once for each, tells what is asked for.
+/// Throws `Interrupted`.
+void shareView(ContourOptions& options, const std::vector<int>& ofRange, const std::vector<int>& ofWindow,
+               const std::function<FrameView(int frame, bool inRange, bool inWindow)>& look);
+
+/// Draws pictures into their files, one after the other. A picture is written while the next one is drawn.
+void drawInTurn(const std::vector<std::filesystem::path>& names,
+                const std::function<ContourImage(std::size_t number)>& draw);
+
 /// The options with a range of colours and a window for several frames, unless they have one. The range goes
 /// from the smallest to the largest value that one of the frames `ofRange` shows, or that `clip` leaves of
 /// it; in the window, all of the frames `ofWindow` are seen whole. Each frame is read once. Throws `Error` as
@@ -23,8 +43,8 @@ FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const
 ContourOptions withCommonView(ContourOptions options, const ResultReader& result,
                               const std::vector<int>& ofRange, const std::vector<int>& ofWindow);
 
-/// Draws these frames as `drawContour` does, each into its file, one after the other. A picture is written
-/// while the next one is drawn. names: one per frame. Throws `Error` as `drawContour` does.
+/// Draws these frames as `drawContour` does, each into its file. names: one per frame. Throws `Error` as
+/// `drawContour` does.
 void drawSeries(const ResultReader& result, const std::vector<int>& frames, const ContourOptions& options,
                 const std::vector<std::filesystem::path>& names);
 

@@ -14,18 +14,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/nearest.h"
+#include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/foreign/foreign_fields.h"
 #include "postproc/draw/foreign/foreign_surface.h"
-#include "postproc/draw/page/png_file.h"
 #include "postproc/mesh/plane_section.h"
 #include "postproc/mesh/vtk_arrays.h"
 
@@ -331,23 +330,10 @@ std::string foreignFieldToShow(const ForeignFile& file, int instant) {
 
 ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
                               const std::vector<int>& ofRange, const std::vector<int>& ofWindow) {
-  std::set<int> inRange, inWindow;
-  if (!options.range) inRange.insert(ofRange.begin(), ofRange.end());
-  if (!options.window) inWindow.insert(ofWindow.begin(), ofWindow.end());
-  std::set<int> instants = inRange;
-  instants.insert(inWindow.begin(), inWindow.end());
-  std::optional<std::array<double, 2>> range;
-  Eigen::AlignedBox2d window;
-  for (const int k : instants) {
-    throwIfInterrupted();
+  shareView(options, ofRange, ofWindow, [&](int k, bool /*inRange*/, bool /*inWindow*/) {
     const ContourSubject subject = subjectOf(file, k, options);
-    const std::array<double, 2>& own = subject.ranges.whole;
-    if (inRange.contains(k))
-      range = range ? std::array{std::min((*range)[0], own[0]), std::max((*range)[1], own[1])} : own;
-    if (inWindow.contains(k)) window.extend(contentOf(subject.parts, subject.dim));
-  }
-  if (range) options.range = widened(*range);
-  if (!inWindow.empty()) options.window = window;
+    return FrameView{subject.ranges.whole, contentOf(subject.parts, subject.dim)};
+  });
   return options;
 }
 
@@ -356,10 +342,10 @@ void drawForeign(const ForeignFile& file, const std::vector<int>& instants, cons
   ContourOptions own = options;
   own.warp = 1.0;  // what is added is in the parts already
   own.colorScale = !options.field.empty();
-  for (std::size_t k = 0; k < instants.size(); ++k) {
+  drawInTurn(names, [&](std::size_t k) {
     throwIfInterrupted();
-    writePng(*contourImage(subjectOf(file, instants[k], options), own).picture, names[k]);
-  }
+    return contourImage(subjectOf(file, instants[k], options), own);
+  });
 }
 
 }  // namespace burnish
