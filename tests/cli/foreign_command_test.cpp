@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/cli/shell.h"
 #include "tests/postproc/picture.h"
@@ -90,6 +92,37 @@ TEST_F(ForeignCommand, BlocksKeepTheirValuesWhereTheyMeet) {
   EXPECT_GT(ofFirst, 50);
   EXPECT_GT(ofLast, 50);
   EXPECT_LE(between, 1);
+}
+
+/// Three cells in a row with a value each, the largest in the middle.
+TEST_F(ForeignCommand, ExtremesOfCellsAreMarkedInTheirMiddles) {
+  std::ofstream(dir_ / "row.vtk")
+      << "# vtk DataFile Version 3.0\nrow\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 2 1\n"
+         "ORIGIN 0 0 0\nSPACING 1 1 1\nCELL_DATA 3\nSCALARS stress double 1\nLOOKUP_TABLE default\n1 5 3\n";
+  const auto drawn =
+      burnish("render row.vtk --field stress --size 800,300 --no-knots --mark-extremes -o a.png");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  const Picture picture = readPicture(dir_ / "a.png");
+  constexpr Color kWhite{255, 255, 255}, kSmallest{68, 1, 84}, kLargest{253, 231, 37};
+  std::map<bool, std::vector<Eigen::Vector2d>>
+      signs;  // pixels of white, by whether they are in the cell of 5
+  for (int y = 0; y < picture.height; ++y) {
+    const auto at = [&](int x) { return picture.at({x + 0.5, y + 0.5}); };
+    for (int x = 20; x + 20 < picture.width; ++x)
+      for (const Color& cell : {kSmallest, kLargest})
+        if (difference(at(x), kWhite) <= 2 && difference(at(x - 20), cell) <= 2 &&
+            difference(at(x + 20), cell) <= 2)
+          signs[cell == kLargest].emplace_back(x, y);
+  }
+  ASSERT_EQ(signs.size(), 2U);
+  const auto middle = [](const std::vector<Eigen::Vector2d>& pixels) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& pixel : pixels) sum += pixel;
+    return Eigen::Vector2d(sum / static_cast<double>(pixels.size()));
+  };
+  const Eigen::Vector2d apart = middle(signs[true]) - middle(signs[false]);  // by one cell
+  EXPECT_NEAR(apart.x(), 225.0, 1.0);
+  EXPECT_NEAR(apart.y(), 0.0, 3.0);
 }
 
 TEST_F(ForeignCommand, WhatCannotBeSeenIsToldInASentence) {

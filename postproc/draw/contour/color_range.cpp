@@ -103,8 +103,11 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
                     *clip, kLowestPercentile));
   const FieldMesh meshes(model, frame, field.name);
   const MeshRecord& mesh = meshes.with();
-  const std::optional<std::array<double, 2>> whole =
-      field.faces ? contactExtremes(field) : exactRange(mesh, field);
+  const auto ofBodies = [&]() -> std::optional<std::array<double, 2>> {
+    const auto range = exactRange(mesh, field);
+    return range ? std::optional(range->values) : std::nullopt;
+  };
+  const std::optional<std::array<double, 2>> whole = field.faces ? contactExtremes(field) : ofBodies();
   if (!whole)
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
                             field.name, frame.index));

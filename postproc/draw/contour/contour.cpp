@@ -26,6 +26,7 @@
 #include "postproc/draw/contour/contour_parts.h"
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_transparency.h"
+#include "postproc/draw/contour/extreme_marks.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/scalar_bar.h"
 #include "postproc/draw/contour/shape_lines.h"
@@ -97,8 +98,9 @@ ColorScale colorScaleOf(const FieldChoice& field, const ContourOptions& options,
 }
 
 ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const std::array<double, 2>& values,
-                      double textSize, const Theme& theme, bool even) {
-  return {scale, {field.title, field.unit, values[0], values[1], field.states, even}, textSize, theme};
+                      double textSize, const Theme& theme, bool even, bool marked) {
+  return {
+      scale, {field.title, field.unit, values[0], values[1], field.states, even, marked}, textSize, theme};
 }
 
 /// Makes one picture, part by part.
@@ -118,7 +120,8 @@ class ContourPicture {
     const auto& [whole, unclipped] = subject_.ranges;
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
-    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales);
+    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales,
+                                      parts_.extremes.has_value());
     const ContourLayout layout = layOutContour(
         size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim), parts_.axes,
         caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr, theme_);
@@ -133,9 +136,16 @@ class ContourPicture {
     return {options_.title.value_or(subject_.title),
             options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
-                    parts_.arrows.note, sectionNote(), plainNote(), subject_.note, options_.note,
-                    clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
+                    parts_.arrows.note, sectionNote(), extremesNote(), plainNote(), subject_.note,
+                    options_.note, clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
             options_.doubt, subject_.dim == 3};
+  }
+
+  std::string extremesNote() const {
+    if (!parts_.extremes) return "";
+    return extremeNote(
+        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, subject_.dim,
+        lengthOf(parts_));
   }
 
   /// Of bodies that do not have the field.
@@ -239,7 +249,36 @@ class ContourPicture {
       if (drawing.lines) add(lineActor(*drawing.lines, theme_.outline, 1.2 * line, 1.0), kToolLines);
     }
     if (parts_.arrows.areas) drawArrows(renderer, line, eye);
+    if (parts_.extremes) drawExtremes(renderer, line, view);
     aim(renderer, view, size_, 10.0 * lengthOf(parts_));
+  }
+
+  /// Whether a place of the bodies is in the window, and in the part that a cut or a slice leaves.
+  bool isSeen(const Eigen::Vector3d& place) const {
+    if (options_.window && !options_.window->contains(parts_.axes * place)) return false;
+    if (!parts_.plane) return true;
+    const double before = (place - parts_.plane->point).dot(parts_.plane->normal.normalized());
+    const double slack = 1e-5 * parts_.box.diagonal().norm();
+    return options_.slice ? std::abs(before) <= slack : before <= slack;
+  }
+
+  /// In front of everything; in space those that are behind something are pale.
+  void drawExtremes(vtkRenderer& renderer, double line, const View& view) const {
+    constexpr double kSide = 0.9, kPale = 0.4, kInFront = 2.1;
+    const double side = kSide * textSize_ / view.pixelsPerLength;
+    const ExtremeMarks marks = extremeMarks(
+        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, parts_.axes, side);
+    const auto add = [&](vtkPolyData& shape, bool isArea, double opacity, double nearness) {
+      const auto actor =
+          isArea ? plainActor(shape, kWhite, false, opacity) : lineActor(shape, kBlack, line, opacity);
+      const Eigen::Vector3d shift = nearness * view.towardsEye();
+      actor->SetPosition(shift.x(), shift.y(), shift.z());
+      renderer.AddActor(actor);
+    };
+    const double front = kInFront * lengthOf(parts_), above = isFlat() ? front : side;
+    add(*marks.areas, true, 1.0, above);
+    add(*marks.edges, false, 1.0, above + 0.05 * side);
+    if (!isFlat()) add(*marks.edges, false, kPale, front);
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
@@ -331,7 +370,7 @@ void drawColorScale(const ModelRecord& model, const FrameRecord& frame, const Co
   const double textSize = textSizeOf(options, theme);
   const FieldChoice field = chooseField(model, frame, options.field);
   const ScalarBar bar = scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)),
-                                    values, textSize, theme, false);
+                                    values, textSize, theme, false, false);
   const int width = drawnSize(options)[0];
   const double length = kLength * width, depth = bar.depth(Overlay::Direction::Right, length);
   OffscreenCanvas canvas(width, static_cast<int>(std::ceil(depth)));

@@ -9,6 +9,7 @@
 #include "engine/results/result.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/contour_arrows.h"
+#include "postproc/draw/contour/extreme_marks.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/page/view.h"
 
@@ -36,6 +37,7 @@ struct ContourParts {
   vtkSmartPointer<vtkPolyData> knots, undeformed, net;  ///< null where they are not shown
   std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye
   ContourArrows arrows;
+  std::optional<ExtremePlaces> extremes;  ///< to be marked
 };
 
 /// field: that of the options, in this model and frame. Throws `Error` for a plane that misses the body or is

@@ -20,6 +20,8 @@ constexpr int kMostHalvings = 20000;
 struct SpanPart {
   Eigen::MatrixXd homogeneous;  ///< Bernstein coefficients times their weights, the weights in the last row
   IndexBox box;                 ///< of the coefficients
+  std::size_t patch = 0;
+  std::array<std::array<double, 2>, 3> parameters{};  ///< from where to where, in each direction of the patch
 
   Eigen::MatrixXd coefficients() const {
     return homogeneous.topRows(homogeneous.rows() - 1).array().rowwise() /
@@ -27,13 +29,18 @@ struct SpanPart {
   }
 };
 
-/// The coefficients that are values of the field: in the corners.
+/// The coefficients that are values of the field, in the corners, with their places.
 template <class Act>
-void forCorners(const IndexBox& box, const Act& act) {
+void forCorners(const SpanPart& span, const Act& act) {
   for (int corner = 0; corner < 8; ++corner) {
     IndexBox::Index index{};
-    for (std::size_t d = 0; d < 3; ++d) index[d] = (corner >> d & 1) * (box.extent[d] - 1);
-    act(box.number(index));
+    FieldPlace place{span.patch, {}};
+    for (std::size_t d = 0; d < 3; ++d) {
+      const int end = corner >> d & 1;
+      index[d] = end * (span.box.extent[d] - 1);
+      place.parameters[d] = span.parameters[d][static_cast<std::size_t>(end)];
+    }
+    act(span.box.number(index), place);
   }
 }
 
@@ -54,6 +61,8 @@ std::array<SpanPart, 2> halves(const SpanPart& span, std::size_t direction) {
       lower.col(at(k)) = upper.col(at(0));
     }
   }
+  const auto& [begin, end] = span.parameters[direction];
+  result[0].parameters[direction][1] = result[1].parameters[direction][0] = 0.5 * (begin + end);
   return result;
 }
 
@@ -63,7 +72,11 @@ class ExtremeSearch {
   ExtremeSearch(const FieldChoice& field, double sign) : field_(field), sign_(sign) {}
 
   /// Takes the value of a place into account.
-  void offer(double value) { best_ = std::max(best_, sign_ * value); }
+  void offer(double value, const FieldPlace& place) {
+    if (sign_ * value <= best_) return;
+    best_ = sign_ * value;
+    place_ = place;
+  }
 
   /// Adds a span whose corners have been offered.
   void add(SpanPart span) {
@@ -72,19 +85,23 @@ class ExtremeSearch {
   }
 
   /// tolerance: of the value.
-  double find(double tolerance) {
+  void find(double tolerance) {
     for (int k = 0; k < kMostHalvings && !parts_.empty(); ++k) {
       const Part part = parts_.top();
       if (part.most <= best_ + tolerance) break;
       parts_.pop();
       for (SpanPart& half : halves(part.span, longest(part.span))) {
         const Eigen::MatrixXd coefficients = half.coefficients();
-        forCorners(half.box, [&](int k2) { offer(field_.drawnScalars(coefficients.col(k2))(0)); });
+        forCorners(half, [&](int corner, const FieldPlace& place) {
+          offer(field_.drawnScalars(coefficients.col(corner))(0), place);
+        });
         add(std::move(half));
       }
     }
-    return sign_ * best_;
   }
+
+  double value() const { return sign_ * best_; }
+  const FieldPlace& place() const { return place_; }
 
  private:
   struct Part {
@@ -119,19 +136,23 @@ class ExtremeSearch {
   const FieldChoice& field_;
   double sign_;
   double best_ = -std::numeric_limits<double>::infinity();
+  FieldPlace place_;
   std::priority_queue<Part> parts_;
 };
 
 /// Calls `act` with every knot span, one layer of the last direction after the other: all coefficients of a
 /// body in space would be more than memory should hold.
 template <class Act>
-void forSpans(const PatchRecord& patch, const Eigen::MatrixXd& field, const Act& act) {
+void forSpans(const MeshRecord& mesh, std::size_t number, const Eigen::MatrixXd& field, const Act& act) {
+  const PatchRecord& patch = mesh.patches[number];
   std::vector<PointRow> rows;
   std::vector<int> degrees;
+  std::vector<std::vector<double>> breakpoints;
   for (const DirectionRecord& direction : patch.directions) {
     const UnivariateBasis basis = basisOf(direction);
     rows.push_back(bernsteinPoints(basis));
     degrees.push_back(basis.degree());
+    breakpoints.push_back(basis.breakpoints());
   }
   const PointRow last = rows.back();
   const int height = degrees.back();
@@ -148,29 +169,33 @@ void forSpans(const PatchRecord& patch, const Eigen::MatrixXd& field, const Act&
     }
     std::vector<int> columns(static_cast<std::size_t>(own.size()));
     for (int span = 0; span < spans.size(); ++span) {
-      const IndexBox::Index at = spans.index(span);
+      IndexBox::Index at = spans.index(span);
       for (int a = 0; a < own.size(); ++a) {
         IndexBox::Index index = own.index(a);
         for (std::size_t d = 0; d < degrees.size(); ++d) index[d] += at[d] * degrees[d];
         columns[static_cast<std::size_t>(a)] = points.box().number(index);
       }
-      act(SpanPart{all(Eigen::all, columns), own});
+      SpanPart part{all(Eigen::all, columns), own, number, {}};
+      at[degrees.size() - 1] = layer / height;
+      for (std::size_t d = 0; d < degrees.size(); ++d) {
+        const auto first = static_cast<std::size_t>(at[d]);
+        part.parameters[d] = {breakpoints[d][first], breakpoints[d][first + 1]};
+      }
+      act(std::move(part));
     }
   }
 }
 
 }  // namespace
 
-std::optional<std::array<double, 2>> exactRange(const MeshRecord& mesh, const FieldChoice& field) {
+std::optional<ExactRange> exactRange(const MeshRecord& mesh, const FieldChoice& field) {
   constexpr double kTolerance = 1e-6;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   ExtremeSearch smallest(field, -1.0), largest(field, 1.0);
-  std::array<double, 2> corners{infinity, -infinity};
   bool isFinite = true;
   // All corners first, so that few spans need to be kept.
   for (const bool keep : {false, true})
-    for (const PatchRecord& patch : mesh.patches)
-      forSpans(patch, field.coefficients, [&](SpanPart span) {
+    for (std::size_t number = 0; number < mesh.patches.size(); ++number)
+      forSpans(mesh, number, field.coefficients, [&](SpanPart span) {
         if (keep) {
           smallest.add(span);
           largest.add(std::move(span));
@@ -178,16 +203,27 @@ std::optional<std::array<double, 2>> exactRange(const MeshRecord& mesh, const Fi
         }
         isFinite = isFinite && span.homogeneous.allFinite();
         const Eigen::MatrixXd coefficients = span.coefficients();
-        forCorners(span.box, [&](int k) {
-          const double value = field.drawnScalars(coefficients.col(k))(0);
-          smallest.offer(value);
-          largest.offer(value);
-          corners = {std::min(corners[0], value), std::max(corners[1], value)};
+        forCorners(span, [&](int corner, const FieldPlace& place) {
+          const double value = field.drawnScalars(coefficients.col(corner))(0);
+          smallest.offer(value, place);
+          largest.offer(value, place);
         });
       });
   if (!isFinite) return std::nullopt;
-  const double tolerance = kTolerance * (corners[1] - corners[0]);
-  return std::array{smallest.find(tolerance), largest.find(tolerance)};
+  const double tolerance = kTolerance * (largest.value() - smallest.value());
+  smallest.find(tolerance);
+  largest.find(tolerance);
+  return ExactRange{{smallest.value(), largest.value()}, {smallest.place(), largest.place()}};
+}
+
+Eigen::VectorXd positionOf(const FieldPlace& place, const MeshRecord& mesh,
+                           const Eigen::MatrixXd& displacement) {
+  const PatchRecord& patch = mesh.patches[place.patch];
+  std::vector<PointRow> rows;
+  for (std::size_t d = 0; d < patch.directions.size(); ++d)
+    rows.push_back(valuesAt(basisOf(patch.directions[d]), {place.parameters[d]}));
+  const TensorPoints point(patch, rows);
+  return point.referencePoints() + point.evaluate(displacement);
 }
 
 }  // namespace burnish

@@ -80,6 +80,7 @@ struct PictureOptions : PageLook, PictureDefaults {
   /// Instead of a range: the colours end at this percentile p and at the (100-p)th; see `fieldRange`.
   std::optional<double> clip;
   ArrowField arrows = ArrowField::None;
+  bool markExtremes = false;       ///< signs where the field is smallest and largest
   bool controlNet = false;         ///< draw the control points and the lines between them
   double toolOpacity = 0.3;        ///< of the tools in space, 1: hides what is behind
   double warp = 1.0;               ///< factor on the displacements of body and tools; values keep theirs
@@ -155,6 +156,7 @@ void describeParts(Visitor& v, PictureOptions& s) {
           "Percentile of the values at which the colours end; single peaks then do not hide the rest.");
   v.field("vectors", s.arrows, {},
           "Draw arrows: displacement, or traction, what tools do to the body where they touch it.");
+  v.field("mark_extremes", s.markExtremes, {}, "Mark where the field is smallest and where it is largest.");
   v.field("control_net", s.controlNet, {}, "Draw the control points and the lines between them.");
   v.field("tool_opacity", s.toolOpacity, {.above = 0, .atMost = 1},
           "Of the tools in space; 1 hides what is behind.");

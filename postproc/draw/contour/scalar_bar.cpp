@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "postproc/draw/contour/extreme_marks.h"
+
 namespace burnish {
 namespace {
 
@@ -69,13 +71,14 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
   const double spread = texts.largest - texts.smallest,
                seen = spread > 0.0 ? std::min(spread, extent) : extent;
   const double smallestStep = std::pow(10.0, std::floor(std::log10(kVisible * seen)));
-  const auto text = [&](const char* before, double value) {
+  const auto text = [&](const std::string& before, double value) {
     return RichText{
         {before + numberText(std::round(value / smallestStep) * smallestStep / power, kEndDigits)}};
   };
-  low_ = {text("min ", texts.smallest), text("≤ ", scale_.range()[0]),
+  const auto sign = [&](const char* ofPlace) { return std::string(texts.marked ? ofPlace : ""); };
+  low_ = {text(sign(kSmallestSign) + "min ", texts.smallest), text("≤ ", scale_.range()[0]),
           texts.smallest < scale_.range()[0] - slack};
-  high_ = {text("max ", texts.largest), text("≥ ", scale_.range()[1]),
+  high_ = {text(sign(kLargestSign) + "max ", texts.largest), text("≥ ", scale_.range()[1]),
            texts.largest > scale_.range()[1] + slack};
 }
 

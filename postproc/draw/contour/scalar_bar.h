@@ -26,6 +26,9 @@ class ScalarBar {
 
     /// Whether to leave as much room for numbers as others would take.
     bool even = false;
+
+    /// Whether the two values have the signs that mark their places.
+    bool marked = false;
   };
 
   /// textSize: of the title, in pixels.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -129,9 +130,11 @@ class SubjectMaker {
     const bool isFlat = (cells.with->GetNumberOfCells() == 0 || isPlane(*cells.with)) &&
                         (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
     subject.dim = isFlat ? 2 : 3;
-    subject.ranges.whole = rangeOf(*cells.with);
+    const vtkSmartPointer<vtkPointSet> places = placesOf(*cells.with);
+    subject.ranges.whole = rangeOf(*places);
     subject.ranges.shown = subject.ranges.whole;
     subject.parts = partsOf(cells, subject);
+    if (options_.markExtremes) subject.parts.extremes = extremesOf(*places, subject.dim);
     return subject;
   }
 
@@ -198,14 +201,23 @@ class SubjectMaker {
     return cells;
   }
 
-  /// Of curved cells that of the parts that are drawn: coefficients at their points need be no values.
-  std::array<double, 2> rangeOf(vtkUnstructuredGrid& cells) const {
-    if (cells.GetNumberOfCells() == 0) return {0.0, 1.0};
-    vtkSmartPointer<vtkPointSet> shown(&cells);
-    for (vtkIdType cell = 0; cell < cells.GetNumberOfCells() && shown == &cells; ++cell)
-      if (!cells.GetCell(cell)->IsLinear()) shown = outerFaces(cells);
-    vtkDataArray* drawn = shown->GetPointData()->GetArray("drawn");
-    if (!drawn) drawn = shown->GetCellData()->GetArray("drawn");
+  /// What has the values: the cells, or of curved ones the parts that are drawn, since coefficients at their points
+  /// need be no values.
+  static vtkSmartPointer<vtkPointSet> placesOf(vtkUnstructuredGrid& cells) {
+    for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell)
+      if (!cells.GetCell(cell)->IsLinear()) return outerFaces(cells);
+    return &cells;
+  }
+
+  /// What is drawn at points or, if these have nothing, of cells; null without a field.
+  static vtkDataArray* drawnOf(vtkPointSet& places) {
+    vtkDataArray* ofPoints = places.GetPointData()->GetArray("drawn");
+    return ofPoints ? ofPoints : places.GetCellData()->GetArray("drawn");
+  }
+
+  std::array<double, 2> rangeOf(vtkPointSet& places) const {
+    if (places.GetNumberOfCells() == 0) return {0.0, 1.0};
+    vtkDataArray* drawn = drawnOf(places);
     vtkIdType notFinite = 0;
     std::array<double, 2> range{drawn->GetComponent(0, 0), drawn->GetComponent(0, 0)};
     for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k) {
@@ -217,6 +229,30 @@ class SubjectMaker {
       throw Error(fmt::format("field {} of {} is not finite at {} of {} places; it cannot be drawn",
                               options_.field, file_.file().string(), notFinite, drawn->GetNumberOfTuples()));
     return range;
+  }
+
+  static Eigen::Vector3d middleOf(vtkCell& cell) {
+    const double* bounds = cell.GetBounds();
+    return 0.5 * Eigen::Vector3d(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
+  }
+
+  /// Points, or middles of cells.
+  static std::optional<ExtremePlaces> extremesOf(vtkPointSet& places, int dim) {
+    vtkDataArray* drawn = drawnOf(places);
+    const auto tuples = drawn ? extremeTuples(*drawn) : std::nullopt;
+    if (!tuples) return std::nullopt;
+    const bool ofCells = places.GetPointData()->GetArray("drawn") == nullptr;
+    ExtremePlaces result;
+    for (std::size_t end = 0; end < 2; ++end) {
+      Eigen::Vector3d place;
+      if (ofCells)
+        place = middleOf(*places.GetCell((*tuples)[end]));
+      else
+        places.GetPoint((*tuples)[end], place.data());
+      if (dim == 2) place.z() = 0.0;
+      result.positions[end] = result.drawn[end] = place;
+    }
+    return result;
   }
 
   ContourParts partsOf(const Cells& cells, const ContourSubject& subject) const {

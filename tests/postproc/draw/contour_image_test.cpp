@@ -311,6 +311,37 @@ TEST_F(ContourPictures, IsolinesLieWhereTheFieldHasTheirValues) {
     }
 }
 
+TEST_F(ContourPictures, ExtremesAreMarkedWhereTheyAre) {
+  constexpr Color kWhite{255, 255, 255};
+  ContourOptions options = small("plastic_strain");  // 4 s (1 - s) t²: largest at s = 1/2, t = 1
+  options.size = {800, 600};
+  options.tools = false;
+  options.markExtremes = true;
+  const Eigen::Vector2d top(1.5, 0.85);
+  expectBaseline(samples::slab(), options, "extremes");
+  for (const double warp : {1.0, 0.0}) {
+    options.warp = warp;
+    const Eigen::Vector2d place(1.5, 1.0 - 0.15 * warp);
+    expectColor(drawn(samples::slab(), options), place, kWhite);
+    options.markExtremes = false;
+    EXPECT_GT(difference(drawn(samples::slab(), options).at(view.pixel(place - Eigen::Vector2d(0.0, 0.01))),
+                         kWhite),
+              40);
+    options.markExtremes = true;
+  }
+  options.warp = 1.0;
+  options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1.45, 1.0));
+  const Picture beside = drawn(samples::slab(), options);
+  EXPECT_GT(difference(beside.at(view.pixel(top - Eigen::Vector2d(0.06, 0.01))), kWhite), 40);
+}
+
+TEST_F(ContourPictures, ExtremesInsideABodyInSpaceArePale) {
+  ContourOptions options = small("pressure");
+  options.size = {800, 600};
+  options.markExtremes = true;
+  expectBaseline(samples::cube(), options, "extremes_cube");
+}
+
 TEST_F(ContourPictures, WarpMovesTheBodyAndKeepsItsValues) {
   ContourOptions options = small("plastic_strain");
   options.warp = 3.0;

@@ -11,6 +11,8 @@
 #include <functional>
 
 #include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/exact_range.h"
+#include "postproc/draw/contour/field_choice.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/mirror.h"
 #include "postproc/mesh/outlines.h"
@@ -152,6 +154,46 @@ TEST(FieldRange, OfAMagnitudeMayBeNothingWithinASpan) {
   const auto range = fieldRange(square.model, square.frame, "displacement", 4);
   EXPECT_NEAR(range[0], 0.0, 1e-6);
   EXPECT_NEAR(range[1], std::hypot(0.7, 0.6), 1e-12);
+}
+
+TEST(ExactRange, TellsWhereTheExtremesAre) {
+  Square square;
+  const MeshRecord& mesh = square.model.mesh;
+  square.frame.displacement = mesh.patches.front().points.colwise() - Eigen::Vector2d(0.3, 0.6);
+  const auto range = exactRange(mesh, chooseField(square.model, square.frame, "displacement"));
+  ASSERT_TRUE(range);
+  const Eigen::MatrixXd still = Eigen::MatrixXd::Zero(2, mesh.numNodes);
+  EXPECT_LT((positionOf(range->places[0], mesh, still) - Eigen::Vector2d(0.3, 0.6)).norm(), 1e-6);
+  EXPECT_LT((positionOf(range->places[1], mesh, still) - Eigen::Vector2d(1.0, 0.0)).norm(), 1e-15);
+  EXPECT_LT(
+      (positionOf(range->places[1], mesh, square.frame.displacement) - Eigen::Vector2d(1.7, -0.6)).norm(),
+      1e-15);
+}
+
+TEST(ExactRange, TellsThePlaceWithinAnyPatchAndSpan) {
+  const ModelRecord model = modelOf(quarterRing());
+  FrameRecord still = frameOf(model, 0, 0.0);
+  still.displacement.setZero();
+  const ModelFrame whole = mirrored(model, still, {{0, 0.0}, {1, 0.0}});
+  const MeshRecord& mesh = whole.model.mesh;
+  FieldChoice choice = chooseField(whole.model, whole.frame, "pressure");
+  Eigen::MatrixXd& field = choice.coefficients;
+  field.resize(1, mesh.numNodes);  // the part of the position along (3, 4) / 5
+  for (const PatchRecord& patch : mesh.patches)
+    for (std::size_t a = 0; a < patch.nodes.size(); ++a)
+      field(0, patch.nodes[a]) =
+          patch.points.col(static_cast<Eigen::Index>(a)).dot(Eigen::Vector2d(0.6, 0.8));
+  const auto range = exactRange(mesh, choice);
+  ASSERT_TRUE(range);
+  for (const std::size_t end : {0U, 1U}) {
+    const double sign = end == 0 ? -1.0 : 1.0;
+    EXPECT_NEAR(range->values[end], sign * kOuterRadius, 1e-6 * kOuterRadius);
+    // At a maximum a value within 1e-6 leaves the place its root.
+    EXPECT_LT((positionOf(range->places[end], mesh, whole.frame.displacement) -
+               sign * kOuterRadius * Eigen::Vector2d(0.6, 0.8))
+                  .norm(),
+              4e-3 * kOuterRadius);
+  }
 }
 
 TEST(FieldRange, OfARationalFieldIsNeverExceededBySamples) {

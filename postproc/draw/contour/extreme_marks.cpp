@@ -1,0 +1,106 @@
+#include "postproc/draw/contour/extreme_marks.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <vector>
+
+#include "postproc/draw/contour/exact_range.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/mesh/chosen_bodies.h"
+#include "postproc/mesh/poly_builder.h"
+#include "postproc/text/ticks.h"
+
+namespace burnish {
+namespace {
+
+Eigen::Vector3d pointInSpace(const Eigen::VectorXd& point) {
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  result.head(point.size()) = point;
+  return result;
+}
+
+/// Contact faces stand where they are.
+std::optional<ExtremePlaces> placesOnFaces(vtkPolyData& faces) {
+  const auto tuples = extremeTuples(*faces.GetPointData()->GetScalars());
+  if (!tuples) return std::nullopt;
+  ExtremePlaces places;
+  for (std::size_t end = 0; end < 2; ++end)
+    places.positions[end] = Eigen::Map<const Eigen::Vector3d>(faces.GetPoint((*tuples)[end]));
+  places.drawn = places.positions;
+  return places;
+}
+
+/// A number without digits that say nothing beside a step, which is a power of ten.
+std::string rounded(double value, double step) {
+  return numberText(std::round(value / step) * step, 8);
+}
+
+}  // namespace
+
+std::optional<ExtremePlaces> extremePlaces(const ModelRecord& model, const FrameRecord& frame,
+                                           const FieldChoice& field,
+                                           const Eigen::MatrixXd& drawnDisplacement) {
+  if (!field.states.empty()) return std::nullopt;
+  if (field.faces) return placesOnFaces(*field.faces);
+  const FieldMesh meshes(model, frame, field.name);
+  const auto range = exactRange(meshes.with(), field);
+  if (!range || range->values[0] == range->values[1]) return std::nullopt;
+  ExtremePlaces places;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const FieldPlace& place = range->places[end];
+    places.positions[end] = pointInSpace(positionOf(place, meshes.with(), frame.displacement));
+    places.drawn[end] = pointInSpace(positionOf(place, meshes.with(), drawnDisplacement));
+  }
+  return places;
+}
+
+std::optional<std::array<int, 2>> extremeTuples(vtkDataArray& scalars) {
+  std::array<int, 2> tuples{0, 0};
+  const auto value = [&](int tuple) { return scalars.GetComponent(tuple, 0); };
+  for (int k = 1; k < scalars.GetNumberOfTuples(); ++k) {
+    if (value(k) < value(tuples[0])) tuples[0] = k;
+    if (value(k) > value(tuples[1])) tuples[1] = k;
+  }
+  if (tuples[0] == tuples[1]) return std::nullopt;
+  return tuples;
+}
+
+ExtremeMarks extremeMarks(const ExtremePlaces& places,
+                          const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen,
+                          const ViewAxes& axes, double side) {
+  const double height = std::sqrt(0.75) * side;
+  PolyBuilder areas, edges;
+  for (const std::size_t end : {0U, 1U}) {
+    const Eigen::Vector3d& place = places.drawn[end];
+    if (!isSeen(place)) continue;
+    const Eigen::Vector3d right = 0.5 * side * axes.row(0).transpose();
+    const Eigen::Vector3d up = (end == 0 ? -height : height) / 3.0 * axes.row(1).transpose();
+    Eigen::Matrix3Xd corners(3, 3);
+    corners << place + 2.0 * up, place - right - up, place + right - up;
+    areas.addPolygon(areas.addPoints(corners));
+    std::vector<vtkIdType> ring = edges.addPoints(corners);
+    ring.insert(ring.end(), {ring[0], ring[1]});  // once round, and the first corner joined
+    edges.addLine(ring);
+  }
+  return {areas.finish(), edges.finish()};
+}
+
+std::string extremeNote(const ExtremePlaces& places,
+                        const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen, int dim,
+                        double length) {
+  constexpr double kResolution = 1e-3;
+  const double step = std::pow(10.0, std::floor(std::log10(kResolution * length)));
+  const auto text = [&](std::size_t end, const char* sign, const char* name) {
+    std::vector<std::string> numbers;
+    for (int d = 0; d < dim; ++d) numbers.push_back(rounded(places.positions[end](d), step));
+    return fmt::format("{}{} at ({})", isSeen(places.drawn[end]) ? sign : "", name, fmt::join(numbers, ", "));
+  };
+  return text(1, kLargestSign, "max") + ", " + text(0, kSmallestSign, "min");
+}
+
+}  // namespace burnish
