@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,10 +16,12 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "engine/core/error.h"
+#include "postproc/compare/annotations.h"
 #include "postproc/compare/comparison.h"
 #include "postproc/compare/comparison_json.h"
 #include "postproc/compare/data/compare_data.h"
 #include "postproc/compare/data/data_json.h"
+#include "postproc/compare/data/data_report.h"
 #include "postproc/compare/difference_picture.h"
 #include "postproc/compare/junit.h"
 #include "postproc/compare/report.h"
@@ -37,8 +40,9 @@ struct CompareArguments {
   std::vector<std::string> accept;
   std::optional<double> relative, absolute;
   std::vector<std::string> tolerances, only, skip;
-  fs::path junit;
-  bool json = false;
+  fs::path junit, codeQuality;
+  std::string annotations;
+  bool update = false, json = false;
 };
 
 constexpr std::array kMetrics{std::pair{"ssim", Metric::Ssim}, std::pair{"delta-e", Metric::DeltaE}};
@@ -57,11 +61,14 @@ void checkDifferenceName(const CompareArguments& arguments) {
   if (arguments.difference.extension() != ".png")
     throw Error(fmt::format("--diff: found \"{}\"; expected the name of a picture that ends in .png",
                             arguments.difference.string()));
+  requireNotInput("--diff", arguments.difference, {arguments.actual, arguments.baseline});
+}
+
+void requireSinglePictures(const CompareArguments& arguments) {
   std::error_code status;
-  if (fs::is_directory(arguments.actual, status))
+  if (!arguments.difference.empty() && fs::is_directory(arguments.actual, status))
     throw Error(fmt::format("--diff: {} is a directory; expected two pictures, or --report instead",
                             arguments.actual.string()));
-  requireNotInput("--diff", arguments.difference, {arguments.actual, arguments.baseline});
 }
 
 /// This call, for the page to complete with the names of pictures.
@@ -99,34 +106,50 @@ ExitCode exitCodeOf(const std::vector<Comparison>& comparisons) {
   return code;
 }
 
-JunitOutcome junitOutcome(PictureVerdict verdict) {
-  if (verdict == PictureVerdict::Unusable) return JunitOutcome::Error;
-  return verdict == PictureVerdict::Equal ? JunitOutcome::Passed : JunitOutcome::Failed;
+CaseOutcome caseOutcome(PictureVerdict verdict) {
+  if (verdict == PictureVerdict::Unusable) return CaseOutcome::Error;
+  return verdict == PictureVerdict::Equal ? CaseOutcome::Passed : CaseOutcome::Failed;
 }
 
-JunitOutcome junitOutcome(FieldVerdict verdict) {
-  return verdict == FieldVerdict::Equal ? JunitOutcome::Passed : JunitOutcome::Failed;
+CaseOutcome caseOutcome(FieldVerdict verdict) {
+  if (verdict == FieldVerdict::Unusable) return CaseOutcome::Error;
+  return verdict == FieldVerdict::Equal ? CaseOutcome::Passed : CaseOutcome::Failed;
 }
 
-/// One test for each picture or field.
 template <class Compared>
-void writeJunit(const CompareArguments& arguments, const std::vector<Compared>& all) {
-  if (arguments.junit.empty()) return;
-  std::vector<JunitCase> cases;
-  for (const Compared& each : all)
-    cases.push_back({each.name, junitOutcome(each.verdict), verdictName(each.verdict), each.message});
-  writeText(junitText("burnish compare " + arguments.actual.string(), cases), arguments.junit);
+ComparedCase caseOf(const std::string& name, const Compared& each) {
+  return {name, caseOutcome(each.verdict), verdictName(each.verdict), each.message};
 }
 
-void checkJunitName(const CompareArguments& arguments) {
-  if (arguments.junit.empty()) return;
-  if (arguments.junit.extension() != ".xml")
-    throw Error(fmt::format("--junit: found \"{}\"; expected the name of a file that ends in .xml",
-                            arguments.junit.string()));
-  requireNotInput("--junit", arguments.junit, {arguments.actual, arguments.baseline});
+/// Files for CI services, with a test or an issue for each picture or field.
+void writeCases(const CompareArguments& arguments, const std::vector<ComparedCase>& cases) {
+  if (!arguments.junit.empty())
+    writeText(junitText("burnish compare " + arguments.actual.string(), cases), arguments.junit);
+  if (!arguments.codeQuality.empty())
+    writeText(codeQualityText(cases, arguments.baseline.generic_string()), arguments.codeQuality);
+  if (!arguments.annotations.empty()) printText(githubAnnotations(cases));
 }
 
-constexpr std::array kPictureOptions{"--metric", "--threshold", "--diff", "--report", "--accept"};
+void checkFileName(const CompareArguments& arguments, const char* option, const fs::path& file,
+                   const char* ending) {
+  if (file.empty()) return;
+  if (file.extension() != ending)
+    throw Error(fmt::format("{}: found \"{}\"; expected the name of a file that ends in {}", option,
+                            file.string(), ending));
+  requireNotInput(option, file, {arguments.actual, arguments.baseline});
+}
+
+void checkOutputs(const CompareArguments& arguments) {
+  checkFileName(arguments, "--junit", arguments.junit, ".xml");
+  checkFileName(arguments, "--code-quality", arguments.codeQuality, ".json");
+  checkDifferenceName(arguments);
+  if (arguments.annotations.empty()) return;
+  chosen("--annotations", arguments.annotations, std::array{std::pair{"github", true}});
+  if (arguments.json)
+    throw Error("--annotations: found beside --json; both print on standard output: give one of them");
+}
+
+constexpr std::array kPictureOptions{"--metric", "--threshold", "--accept"};
 constexpr std::array kDataOptions{"--relative", "--absolute", "--tolerance", "--only", "--skip"};
 
 /// Throws `Error` if one of these options was given; what: what they are for.
@@ -139,14 +162,17 @@ void requireUnused(const CLI::App& command, const Options& options, const char* 
 
 ExitCode comparePicturesOf(const CompareArguments& arguments) {
   const PictureRule rule = ruleOf(arguments);
-  checkDifferenceName(arguments);
+  requireSinglePictures(arguments);
   std::vector<Comparison> comparisons = comparePictures(arguments.actual, arguments.baseline, rule);
-  const std::vector<std::string> accepted = acceptActual(comparisons, arguments.accept, rule);
+  std::vector<std::string> accepted = acceptActual(comparisons, arguments.accept, rule);
   if (!arguments.difference.empty()) writeDifference(comparisons.front(), arguments.difference);
   fs::path page;
   if (!arguments.report.empty())
     page = writeReport(comparisons, rule, acceptCommand(arguments), arguments.report);
-  writeJunit(arguments, comparisons);
+  if (arguments.update) accepted = acceptActual(comparisons, {"*"}, rule);  // the page shows what was before
+  std::vector<ComparedCase> cases;
+  for (const Comparison& comparison : comparisons) cases.push_back(caseOf(comparison.name, comparison));
+  writeCases(arguments, cases);
   for (const Comparison& comparison : comparisons)
     if (comparison.verdict == PictureVerdict::Unusable) printError("burnish: {}\n", comparison.message);
   if (arguments.json) {
@@ -157,6 +183,16 @@ ExitCode comparePicturesOf(const CompareArguments& arguments) {
   print(comparisons);
   if (!page.empty()) printOut("report: {}\n", page.string());
   return exitCodeOf(comparisons);
+}
+
+/// By what was compared, for the head of the page.
+std::string dataReportNote(const CompareArguments& arguments) {
+  const Tolerance usual;
+  std::string note =
+      fmt::format("Tolerances: {} of the largest magnitude", arguments.relative.value_or(usual.relative));
+  if (arguments.absolute) note += fmt::format(", {}", *arguments.absolute);
+  if (!arguments.tolerances.empty()) note += fmt::format(", {}", fmt::join(arguments.tolerances, ", "));
+  return note + ".";
 }
 
 DataRule dataRuleOf(const CompareArguments& arguments) {
@@ -170,28 +206,54 @@ DataRule dataRuleOf(const CompareArguments& arguments) {
   return rule;
 }
 
+ExitCode exitCodeOf(const std::vector<ComparedCase>& cases) {
+  const auto has = [&](CaseOutcome outcome) {
+    return std::ranges::count(cases, outcome, &ComparedCase::outcome) > 0;
+  };
+  if (has(CaseOutcome::Error)) return ExitCode::BadInput;
+  return has(CaseOutcome::Failed) ? ExitCode::Different : ExitCode::Fine;
+}
+
 ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
-  const std::vector<FieldComparison> fields =
-      compareData(kind, arguments.actual, arguments.baseline, dataRuleOf(arguments));
-  const auto equal = std::ranges::count(fields, FieldVerdict::Equal, &FieldComparison::verdict);
-  writeJunit(arguments, fields);
+  const DataRule rule = dataRuleOf(arguments);
+  std::vector<ResultComparison> comparisons =
+      compareData(kind, arguments.actual, arguments.baseline, rule, arguments.update);
+  if (!arguments.difference.empty()) drawWorst(comparisons, arguments.difference);
+  fs::path page;
+  if (!arguments.report.empty())
+    page = writeDataReport(comparisons, dataReportNote(arguments), arguments.report);
+  const int updated = arguments.update ? makeBaseline(comparisons, rule) : 0;
+  std::vector<ComparedCase> cases;
+  for (const auto& [pair, fields] : comparisons)
+    for (const FieldComparison& field : fields) cases.push_back(caseOf(fullName(pair, field), field));
+  writeCases(arguments, cases);
   if (arguments.json) {
-    printText(fieldsText(fields));
-  } else {
-    for (const FieldComparison& field : fields)
-      if (field.verdict != FieldVerdict::Equal) printOut("{}: {}\n", field.name, field.message);
-    printOut("{} of {} fields are equal to the baseline\n", equal, fields.size());
+    printText(fieldsText(comparisons));
+    return exitCodeOf(cases);
   }
-  return equal == std::ssize(fields) ? ExitCode::Fine : ExitCode::Different;
+  for (const ComparedCase& each : cases) {
+    if (each.outcome == CaseOutcome::Failed && arguments.annotations.empty())
+      printOut("{}: {}\n", each.name, each.message);
+    if (each.outcome == CaseOutcome::Error) printError("burnish: {}: {}\n", each.name, each.message);
+  }
+  const auto equal = std::ranges::count(cases, CaseOutcome::Passed, &ComparedCase::outcome);
+  if (arguments.update) printOut("new baselines: {}\n", updated);
+  printOut("{} of {} fields{} are equal to the baseline\n", equal, cases.size(),
+           kind == ComparedKind::Directory ? fmt::format(" of {} results", comparisons.size()) : "");
+  if (!page.empty()) printOut("report: {}\n", page.string());
+  return exitCodeOf(cases);
 }
 
 ExitCode compare(const CLI::App& command, const CompareArguments& arguments) {
+  if (arguments.update && !arguments.accept.empty())
+    throw Error("--update: found beside --accept; it accepts everything: give one of them");
   ComparedKind kind = kindOf(arguments.actual, arguments.baseline);
   std::error_code status;
-  if (kind == ComparedKind::Result && fs::is_directory(arguments.actual, status) &&
+  if ((kind == ComparedKind::Result || kind == ComparedKind::Directory) &&
+      fs::is_directory(arguments.actual, status) &&
       std::ranges::any_of(kPictureOptions, [&](const char* option) { return command.count(option) > 0; }))
-    kind = ComparedKind::Pictures;  // those in the directories of two runs
-  checkJunitName(arguments);
+    kind = ComparedKind::Pictures;  // those in the directories of runs
+  checkOutputs(arguments);
   if (kind == ComparedKind::Pictures) {
     requireUnused(command, kDataOptions, "results and VTK files", "pictures");
     return comparePicturesOf(arguments);
@@ -236,7 +298,7 @@ void addCompareCommand(CLI::App& app, Action& action) {
   command
       ->add_option("ACTUAL", arguments->actual,
                    "A PNG picture or a directory of such; the directory of a run or the result file in it; a "
-                   "VTU, PVTU, VTP or PVD file")
+                   "file of another program; or a directory of such results")
       ->required();
   command->add_option("BASELINE", arguments->baseline, "What it is to be like, of the same kind")->required();
   command
@@ -250,12 +312,16 @@ void addCompareCommand(CLI::App& app, Action& action) {
                                PictureRule{}.threshold))
       ->type_name("T");
   command
-      ->add_option("--diff", arguments->difference,
-                   "Write a picture of the difference; for single pictures of the same size")
+      ->add_option(
+          "--diff", arguments->difference,
+          "Write a picture of the difference: of two pictures of the same size, or of the field that "
+          "differs most, at its worst place")
       ->type_name("DIFF.png");
   command
-      ->add_option("--report", arguments->report,
-                   "Write the page index.html into this directory, which shows every pair")
+      ->add_option(
+          "--report", arguments->report,
+          "Write the page index.html into this directory, which shows every pair of pictures, or every "
+          "field, with pictures of those that differ")
       ->type_name("DIR");
   command
       ->add_option("--accept", arguments->accept,
@@ -264,6 +330,16 @@ void addCompareCommand(CLI::App& app, Action& action) {
       ->expected(1)
       ->take_all()
       ->type_name("NAME");
+  command->add_flag("--update", arguments->update,
+                    "Make all that differs the new baselines; the page of --report shows what was before");
+  command
+      ->add_option("--annotations", arguments->annotations,
+                   "github: print what differs as GitHub Actions shows it at a change")
+      ->type_name("SERVICE");
+  command
+      ->add_option("--code-quality", arguments->codeQuality,
+                   "Write what differs as a code quality report, which GitLab shows at a merge request")
+      ->type_name("FILE.json");
   command->add_flag("--json", arguments->json,
                     "Print a list of one JSON object per pair of pictures or field");
   addDataOptions(*command, *arguments);

@@ -1,8 +1,8 @@
 #include "postproc/compare/report.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <string_view>
-#include <system_error>
 
 #include "engine/core/error.h"
 #include "engine/core/version.h"
@@ -33,25 +33,14 @@ Json::Value differenceJson(const Comparison& comparison) {
       encodePng(differencePicture(readPicture(comparison.actual), readPicture(comparison.baseline))));
 }
 
-Json::Value pageData(const std::vector<Comparison>& comparisons, const PictureRule& rule,
-                     const std::string& acceptCommand) {
-  Json::Value data;
-  data["program"] = programName();
-  data["command"] = acceptCommand;
-  data["pairs"] = Json::arrayValue;
-  std::vector<const Comparison*> sorted;
-  for (const Comparison& comparison : comparisons) sorted.push_back(&comparison);
-  std::stable_partition(sorted.begin(), sorted.end(),
-                        [](const Comparison* each) { return each->verdict != PictureVerdict::Equal; });
-  for (const Comparison* comparison : sorted) {
-    Json::Value pair = comparisonJson(*comparison, rule);
-    pair["acceptable"] = isAcceptable(comparison->verdict);
-    pair["baseline"] = fileJson(comparison->baseline);
-    pair["actual"] = fileJson(comparison->actual);
-    pair["difference"] = differenceJson(*comparison);
-    data["pairs"].append(pair);
-  }
-  return data;
+Json::Value pairJson(const Comparison& comparison, const PictureRule& rule) {
+  Json::Value pair = comparisonJson(comparison, rule);
+  pair["comparable"] = isMeasured(comparison);
+  pair["acceptable"] = isAcceptable(comparison.verdict);
+  pair["baseline"] = fileJson(comparison.baseline);
+  pair["actual"] = fileJson(comparison.actual);
+  pair["difference"] = differenceJson(comparison);
+  return pair;
 }
 
 /// Text that cannot end the script element that it stands in.
@@ -62,15 +51,34 @@ std::string inScript(std::string json) {
 
 }  // namespace
 
-fs::path writeReport(const std::vector<Comparison>& comparisons, const PictureRule& rule,
-                     const std::string& acceptCommand, const fs::path& directory) {
+fs::path writeReport(const ReportPage& page, const fs::path& directory) {
+  Json::Value data;
+  data["program"] = programName();
+  data["title"] = page.title;
+  data["what"] = page.what;
+  data["rule"] = page.rule;
+  data["command"] = page.acceptCommand;
+  data["pairs"] = Json::arrayValue;
+  for (const bool equal : {false, true})
+    for (const Json::Value& pair : page.pairs)
+      if ((pair["verdict"] == "equal") == equal) data["pairs"].append(pair);
   std::string body = kComparePage;
   constexpr std::string_view place = "/*data*/";
-  body.replace(body.find(place), place.size(),
-               inScript(compactText(pageData(comparisons, rule, acceptCommand))));
+  body.replace(body.find(place), place.size(), inScript(compactText(data)));
   const fs::path file = directory / "index.html";
-  writeText(htmlText({"Image regression", kCompareStyle, body, kCompareScript, kCompareScriptHash}), file);
+  writeText(htmlText({page.title, kCompareStyle, body, kCompareScript, kCompareScriptHash}), file);
   return file;
+}
+
+fs::path writeReport(const std::vector<Comparison>& comparisons, const PictureRule& rule,
+                     const std::string& acceptCommand, const fs::path& directory) {
+  ReportPage page{"Image regression",
+                  "pictures",
+                  fmt::format("Metric {}, threshold {}.", metricName(rule.metric), rule.threshold),
+                  acceptCommand,
+                  {}};
+  for (const Comparison& comparison : comparisons) page.pairs.push_back(pairJson(comparison, rule));
+  return writeReport(page, directory);
 }
 
 }  // namespace burnish

@@ -1,4 +1,6 @@
 #pragma once
+#include <json/value.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -7,9 +9,22 @@
 
 namespace burnish {
 
+/// What a page of pairs shows.
+struct ReportPage {
+  std::string title, what;    ///< "Image regression", "pictures"
+  std::string rule;           ///< by which they were compared: a sentence
+  std::string acceptCommand;  ///< which the page completes with the names of the pairs that are chosen there
+
+  /// Objects: `name`, `verdict`, `message`, `acceptable`, the pictures `baseline`, `actual` and `difference` as
+  /// addresses (`pngUri`) or null, and whether the first two are `comparable`, being of one size.
+  std::vector<Json::Value> pairs;
+};
+
 /// Writes DIRECTORY/index.html, one page that shows every pair, failures first, and needs nothing else: no
-/// network, no other file. `acceptCommand` is the command line that the page completes with the names of the
-/// pictures that are chosen there. Returns the page's name. Throws `Error` if it cannot be written.
+/// network, no other file. Returns its name. Throws `Error` if it cannot be written.
+std::filesystem::path writeReport(const ReportPage& page, const std::filesystem::path& directory);
+
+/// The same of pictures.
 std::filesystem::path writeReport(const std::vector<Comparison>& comparisons, const PictureRule& rule,
                                   const std::string& acceptCommand, const std::filesystem::path& directory);
 

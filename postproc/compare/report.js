@@ -16,7 +16,8 @@ function picture(pair, kind) {
 
 function sideBySide(pair) {
   const sides = element("div", {className: "sides"});
-  for (const kind of ["baseline", "actual", "difference"])
+  const kinds = ["baseline", "actual", "difference"];
+  for (const kind of kinds.filter((kind) => kind !== "difference" || pair.difference || !pair.comparable))
     sides.append(element("figure", {}, element("figcaption", {textContent: kind}), picture(pair, kind)));
   return [sides];
 }
@@ -66,8 +67,8 @@ function addModes(article, pair) {
     article.querySelector(".view").replaceChildren(...modes[name](pair));
     for (const button of buttons.children) button.setAttribute("aria-pressed", button.textContent === name);
   };
-  if (pair.difference)  // there are two pictures of the same size
-    for (const name of Object.keys(modes))
+  if (pair.baseline && pair.actual && pair.comparable)
+    for (const name of Object.keys(modes).filter((name) => name !== "Difference" || pair.difference))
       buttons.append(element("button", {type: "button", textContent: name, onclick: () => show(name)}));
   show("Side by side");
 }
@@ -80,7 +81,7 @@ function card(pair) {
   article.querySelector(".message").textContent = pair.message;
   article.querySelector(".choose").hidden = !pair.acceptable;
   article.querySelector(".chosen").addEventListener("change", showCommand);
-  addModes(article, pair);
+  if (pair.baseline || pair.actual) addModes(article, pair);
   return article;
 }
 
@@ -112,9 +113,10 @@ const cards = data.pairs.map(card);
 const failures = data.pairs.filter((pair) => pair.verdict !== "equal").length;
 byId("pairs").replaceChildren(...cards);
 byId("summary").textContent =
-  `${failures === 0 ? "No" : failures} of ${data.pairs.length} pictures failed. Metric ${data.pairs[0].metric}, ` +
-  `threshold ${data.pairs[0].threshold}. Written by ${data.program}.`;
-document.title = `${failures === 0 ? "Passed" : failures + " failed"}: image regression`;
+  `${failures === 0 ? "No" : failures} of ${data.pairs.length} ${data.what} failed. ${data.rule} ` +
+  `Written by ${data.program}.`;
+byId("title").textContent = data.title;
+document.title = `${failures === 0 ? "Passed" : failures + " failed"}: ${data.title.toLowerCase()}`;
 byId("filter").addEventListener("submit", (event) => event.preventDefault());
 byId("name").addEventListener("input", applyFilter);
 byId("verdict").addEventListener("input", applyFilter);

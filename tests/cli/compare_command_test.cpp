@@ -114,6 +114,14 @@ TEST_F(CompareCommand, AcceptedPicturesAreBaselines) {
   EXPECT_EQ(compare("actual new").code, 0);
 }
 
+TEST_F(CompareCommand, UpdateAcceptsAllAndShowsWhatWasBefore) {
+  const Outcome outcome = compare("actual baseline --update --report page");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("slab.png: accepted as the new baseline"));
+  EXPECT_EQ(readText(dir / "actual/slab.png"), readText(dir / "baseline/slab.png"));
+  EXPECT_THAT(readText(dir / "page/index.html"), HasSubstr("\"verdict\":\"different\""));
+}
+
 TEST_F(CompareCommand, DifferenceIsDrawn) {
   EXPECT_EQ(compare("actual/slab.png baseline/slab.png --diff made/diff.png").code, 1);
   const Picture shown = readPicture(dir / "made/diff.png");

@@ -106,6 +106,35 @@ TEST_F(CompareDataCommand, JunitHasATestPerFieldOrPicture) {
               HasSubstr("<failure type=\"no-baseline\" message=\"no baseline: there is no absent.png\"/>"));
 }
 
+TEST_F(CompareDataCommand, DirectoriesOfResultsAreComparedAtOnce) {
+  ASSERT_EQ(
+      shell(dir, "mkdir new old && cp -r a old/one && cp -r b new/one && cp -r a old/two && cp -r a new/two")
+          .code,
+      0);
+  Outcome outcome = compare("new old --report page --diff worst.png");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("one: displacement: different: "));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("two: ")));
+  EXPECT_THAT(outcome.out,
+              HasSubstr(" fields of 2 results are equal to the baseline\nreport: page/index.html\n"));
+  EXPECT_THAT(readText(dir / "page/index.html"), HasSubstr("\"name\":\"one: displacement\""));
+  EXPECT_TRUE(readText(dir / "worst.png").starts_with("\x89PNG"));
+  outcome = compare("new old --annotations github --code-quality made/q.json");
+  EXPECT_THAT(outcome.out, testing::StartsWith("::error title=one%3A "));
+  EXPECT_THAT(readText(dir / "made/q.json"), HasSubstr("\"path\":\"old\""));
+  outcome = compare("new old --json");
+  EXPECT_THAT(outcome.out, HasSubstr("\"result\":\"two\""));
+
+  outcome = compare("new old --update --report page");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::StartsWith("new baselines: 1\n"));
+  EXPECT_THAT(readText(dir / "page/index.html"), HasSubstr("\"verdict\":\"different\""));
+  EXPECT_EQ(compare("new old").code, 0);
+  EXPECT_EQ(compare("new/one old/one --relative 0").code, 0);
+  EXPECT_EQ(compare("new first --update").code, 0) << "a new directory";
+  EXPECT_EQ(compare("new first").code, 0);
+}
+
 TEST_F(CompareDataCommand, PicturesOfRunsAreComparedWhereTheyAreMeant) {
   ASSERT_EQ(shell(dir, BURNISH_COMMAND
                   " render a -o a/pictures/a.png --size 300,200 && mkdir -p base b/pictures && "
@@ -130,6 +159,12 @@ TEST_F(CompareDataCommand, UnusableInputIsRefused) {
   expectRefused("a b --tolerance stres=1", "--tolerance: found no field \"stres\". Did you mean \"stress\"?");
   expectRefused("a b --junit b/history.csv",
                 "--junit: found \"b/history.csv\"; expected the name of a file that ends in .xml");
+  expectRefused("a b --annotations gitlab", "--annotations: found \"gitlab\"; expected github");
+  expectRefused("a b --annotations github --json", "--annotations: found beside --json");
+  expectRefused("a b --code-quality q.xml", "expected the name of a file that ends in .json");
+  expectRefused("a b --diff worst.jpg", "expected the name of a picture that ends in .png");
+  expectRefused("b/frames.pvd a/frames.pvd --update", "--update: b/frames.pvd names other files");
+  expectRefused("a b --update --accept '*'", "--update: found beside --accept");
   expectRefused("a b --skip '*'", "--only, --skip: they leave no field to compare");
   writeText("no data", dir / "c.vtu");
   expectRefused("c.vtu a/frames/body_000000.vtu", "c.vtu: this is no VTK file");

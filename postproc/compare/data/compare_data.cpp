@@ -2,81 +2,144 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
+#include <array>
 #include <system_error>
 
 #include "engine/core/error.h"
 #include "engine/results/result_files.h"
+#include "engine/results/result_reader.h"
 #include "postproc/compare/data/run_series.h"
 #include "postproc/compare/data/vtk_series.h"
-#include "postproc/foreign/foreign_source.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
 
-const char* kindInWords(ComparedKind kind) {
-  switch (kind) {
-    case ComparedKind::Result:
-      return "a result";
-    case ComparedKind::VtkFile:
-      return "a VTK file";
-    case ComparedKind::VtkCollection:
-      return "a collection of VTK files";
-    case ComparedKind::Pictures:
-      break;
+/// Adds the names of all fields there are.
+std::vector<FieldComparison> comparePair(const DataPair& pair, const DataRule& rule,
+                                         std::vector<std::string>& names) {
+  std::vector<FieldComparison> all;
+  const auto add = [&](const auto& seriesOf) {
+    const std::vector<FieldComparison> found =
+        compareSeries(seriesOf(pair.actual), seriesOf(pair.baseline), rule, names);
+    all.insert(all.end(), found.begin(), found.end());
+  };
+  if (pair.kind == ComparedKind::Result) {
+    add(frameSeries);
+    add(historySeries);
+  } else {
+    add(foreignSeries);
   }
-  return "no data, but a picture or a directory of pictures";
+  return all;
 }
 
-std::optional<ComparedKind> kindByEnding(const fs::path& path) {
-  if (path.extension() == ".h5") return ComparedKind::Result;
-  if (path.extension() == ".pvd") return ComparedKind::VtkCollection;
-  if (!foreignKind(path).empty()) return ComparedKind::VtkFile;
-  return std::nullopt;
+/// The model file of a result that was given as a directory or as this file.
+fs::path modelFileOf(const fs::path& path) {
+  return path.extension() == ".h5" ? path : modelFile(path);
 }
 
-/// Nothing for a path that is not there and whose ending says nothing.
-std::optional<ComparedKind> kindOfPath(const fs::path& path) {
+/// Whether there is something to compare at one of the paths of a pair.
+bool isThere(const DataPair& pair, const fs::path& path) {
   std::error_code status;
-  if (fs::is_directory(path, status))
-    return fs::exists(modelFile(path), status) ? ComparedKind::Result : ComparedKind::Pictures;
-  if (const std::optional<ComparedKind> kind = kindByEnding(path)) return kind;
-  if (fs::exists(path, status)) return ComparedKind::Pictures;
-  return std::nullopt;
+  return fs::exists(pair.kind == ComparedKind::Result ? modelFileOf(path) : path, status);
+}
+
+/// What stands for the fields of a pair that has none to compare.
+FieldComparison wholeVerdict(FieldVerdict verdict, const std::string& message) {
+  FieldComparison whole;
+  whole.name = "result";
+  whole.verdict = verdict;
+  whole.message = message;
+  return whole;
+}
+
+/// Of a pair below two directories.
+std::vector<FieldComparison> compareMember(const DataPair& pair, const DataRule& rule,
+                                           std::vector<std::string>& names) {
+  if (!isThere(pair, pair.actual))
+    return {wholeVerdict(FieldVerdict::NoActual,
+                         fmt::format("missing: there is a baseline, but no {}", pair.actual.string()))};
+  if (!isThere(pair, pair.baseline))
+    return {wholeVerdict(FieldVerdict::NoBaseline,
+                         fmt::format("no baseline: there is no {}", pair.baseline.string()))};
+  try {
+    return comparePair(pair, rule, names);
+  } catch (const Error& error) {
+    return {wholeVerdict(FieldVerdict::Unusable, error.what())};
+  }
+}
+
+bool isToBeUpdated(const ResultComparison& comparison) {
+  const auto has = [&](FieldVerdict verdict) {
+    return std::ranges::count(comparison.fields, verdict, &FieldComparison::verdict) > 0;
+  };
+  return !has(FieldVerdict::Unusable) && isThere(comparison.pair, comparison.pair.actual) &&
+         std::ranges::any_of(comparison.fields, [](const FieldComparison& field) {
+           return field.verdict != FieldVerdict::Equal;
+         });
+}
+
+/// The model comes last, so that at no moment it has the frames of another result.
+void copyResult(const fs::path& from, const fs::path& to) {
+  const fs::path source = modelFileOf(from), target = modelFileOf(to);
+  const int frames = ResultReader(source).numFrames();
+  removeResult(target);
+  for (int k = 0; k < frames; ++k) writeText(readText(frameFile(source, k)), frameFile(target, k));
+  std::error_code status;
+  if (source.filename() == "result.h5")
+    for (const char* table : {"history.csv", "convergence.csv", "summary.yaml"})
+      if (fs::exists(source.parent_path() / table, status))
+        writeText(readText(source.parent_path() / table), target.parent_path() / table);
+  writeText(readText(source), target);
+}
+
+/// Throws `Error` for a file that names others, which a copy of it would not have.
+void requireWhole(const fs::path& file) {
+  constexpr std::array kNamesOthers{".pvd", ".pvtu", ".vtm", ".case"};
+  if (std::ranges::count(kNamesOthers, file.extension()) > 0)
+    throw Error(fmt::format("--update: {} names other files; copy it together with them", file.string()));
 }
 
 }  // namespace
 
-ComparedKind kindOf(const fs::path& actual, const fs::path& baseline) {
-  const std::optional<ComparedKind> first = kindOfPath(actual), second = kindOfPath(baseline);
-  std::error_code status;
-  if (first != second && fs::is_directory(actual, status) && fs::is_directory(baseline, status))
-    return ComparedKind::Pictures;  // of a run, with a directory of baselines
-  if (first && second && *first != *second)
-    throw Error(fmt::format("{} is {}, {} is {}; expected two of a kind", actual.string(),
-                            kindInWords(*first), baseline.string(), kindInWords(*second)));
-  return first.value_or(second.value_or(ComparedKind::Pictures));
+std::string fullName(const DataPair& pair, const FieldComparison& field) {
+  return pair.name.empty() ? field.name : pair.name + ": " + field.name;
 }
 
-std::vector<FieldComparison> compareData(ComparedKind kind, const fs::path& actual, const fs::path& baseline,
-                                         const DataRule& rule) {
+std::vector<ResultComparison> compareData(ComparedKind kind, const fs::path& actual, const fs::path& baseline,
+                                          const DataRule& rule, bool mayLackBaseline) {
   std::vector<std::string> names;
-  std::vector<FieldComparison> all;
-  const auto add = [&](const auto& seriesOf) {
-    const std::vector<FieldComparison> found =
-        compareSeries(seriesOf(actual), seriesOf(baseline), rule, names);
-    all.insert(all.end(), found.begin(), found.end());
-  };
-  if (kind == ComparedKind::VtkFile || kind == ComparedKind::VtkCollection) add(foreignSeries);
-  if (kind == ComparedKind::Result) {
-    add(frameSeries);
-    add(historySeries);
+  std::vector<ResultComparison> all;
+  bool hasFields = false;
+  for (const DataPair& pair : dataPairs(kind, actual, baseline)) {
+    const bool isMember = !pair.name.empty() || (mayLackBaseline && !isThere(pair, pair.baseline));
+    all.push_back({pair, isMember ? compareMember(pair, rule, names) : comparePair(pair, rule, names)});
+    hasFields = hasFields || !all.back().fields.empty();
   }
-  requireMatches(rule, names);
-  if (all.empty()) throw Error("--only, --skip: they leave no field to compare");
+  if (!names.empty()) requireMatches(rule, names);
+  if (!hasFields) throw Error("--only, --skip: they leave no field to compare");
   return all;
+}
+
+int makeBaseline(std::vector<ResultComparison>& comparisons, const DataRule& rule) {
+  std::vector<ResultComparison*> changed;
+  for (ResultComparison& comparison : comparisons)
+    if (isToBeUpdated(comparison)) changed.push_back(&comparison);
+  for (const ResultComparison* comparison : changed)
+    if (comparison->pair.kind != ComparedKind::Result) requireWhole(comparison->pair.actual);
+  for (ResultComparison* comparison : changed) {
+    const auto& [name, kind, actual, baseline] = comparison->pair;
+    if (kind == ComparedKind::Result)
+      copyResult(actual, baseline);
+    else
+      writeText(readText(actual), baseline);
+    std::vector<std::string> names;
+    comparison->fields = comparePair(comparison->pair, rule, names);
+  }
+  return static_cast<int>(changed.size());
 }
 
 }  // namespace burnish

@@ -1,22 +1,32 @@
 #pragma once
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "postproc/compare/data/data_comparison.h"
+#include "postproc/compare/data/data_pairs.h"
 
 namespace burnish {
 
-/// What can be compared: pictures, which `comparePictures` knows, and data.
-enum class ComparedKind { Pictures, Result, VtkFile, VtkCollection };
+/// What became of the fields of one pair.
+struct ResultComparison {
+  DataPair pair;
+  std::vector<FieldComparison> fields;
+};
 
-/// What two paths are, by directory and ending: a directory with `result.h5` or a `.h5` file is a result;
-/// every other directory, and what has another ending, is of pictures. Two directories of which one is none of a
-/// run are of pictures, and a path that is not there is of the kind of the other one. Throws `Error` for two kinds.
-ComparedKind kindOf(const std::filesystem::path& actual, const std::filesystem::path& baseline);
+/// The name of a field, behind that of the pair if it has one: "press: stress".
+std::string fullName(const DataPair& pair, const FieldComparison& field);
 
-/// Compares two of a kind that is not pictures. Throws `Error` for what cannot be read, for patterns of the
-/// rule that match nothing, and if they leave no field.
-std::vector<FieldComparison> compareData(ComparedKind kind, const std::filesystem::path& actual,
-                                         const std::filesystem::path& baseline, const DataRule& rule);
+/// Compares two of a kind that is not pictures, or what is below two directories pair by pair: of these what cannot
+/// be read is a verdict. Throws `Error` for two that cannot be read, a missing baseline among them unless
+/// `mayLackBaseline`, for patterns of the rule that match nothing, and if they leave no field.
+std::vector<ResultComparison> compareData(ComparedKind kind, const std::filesystem::path& actual,
+                                          const std::filesystem::path& baseline, const DataRule& rule,
+                                          bool mayLackBaseline = false);
+
+/// Makes the actual data of the pairs that differ the baseline, and compares these again. Returns how many there
+/// were. Pairs of which one is missing at `actual` or cannot be read stay as they are. Throws `Error` for
+/// files that name others, with nothing written, and for files that cannot be written.
+int makeBaseline(std::vector<ResultComparison>& comparisons, const DataRule& rule);
 
 }  // namespace burnish

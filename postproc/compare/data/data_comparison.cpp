@@ -288,6 +288,7 @@ class SeriesComparison {
     const Tolerance tolerance = baseline.isExact ? Tolerance{0.0, 0.0} : toleranceOf(rule_, baseline.name);
     FieldComparison& result = field.result;
     field.unit = baseline.unit;
+    result.array = baseline.name;
     result.allowed = std::max(tolerance.absolute, tolerance.relative * scales_.at(result.name));
     for (Eigen::Index place = 0; place < baseline.values.cols(); ++place)
       for (Eigen::Index k = 0; k < baseline.values.rows(); ++k) {
@@ -352,7 +353,8 @@ std::string verdictName(FieldVerdict verdict) {
       {FieldVerdict::MeshesDiffer, "meshes-differ"},
       {FieldVerdict::TimesDiffer, "times-differ"},
       {FieldVerdict::NoBaseline, "no-baseline"},
-      {FieldVerdict::NoActual, "no-actual"}};
+      {FieldVerdict::NoActual, "no-actual"},
+      {FieldVerdict::Unusable, "unusable"}};
   return names.at(verdict);
 }
 

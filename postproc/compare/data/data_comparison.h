@@ -18,7 +18,8 @@ enum class FieldVerdict {
   MeshesDiffer,
   TimesDiffer,
   NoBaseline,
-  NoActual
+  NoActual,
+  Unusable
 };
 
 /// "equal", "different", "not-a-number", "units-differ", ...
@@ -38,7 +39,8 @@ struct WorstPlace {
 
 /// What became of one field, over all times.
 struct FieldComparison {
-  std::string name{};
+  std::string name{};   ///< with what tells it from others of its array: "stress (body)"
+  std::string array{};  ///< without: "stress"; of fields whose values were compared
   FieldVerdict verdict = FieldVerdict::Equal;
   double allowed = 0.0;               ///< difference, from the tolerance
   long long differing = 0;            ///< values that differ by more

@@ -18,8 +18,9 @@ Json::Value textJson(const std::string& text) {
   return text.empty() ? Json::Value() : Json::Value(text);
 }
 
-Json::Value fieldJson(const FieldComparison& field) {
+Json::Value fieldJson(const DataPair& pair, const FieldComparison& field) {
   Json::Value value;
+  value["result"] = textJson(pair.name);
   value["name"] = field.name;
   value["verdict"] = verdictName(field.verdict);
   value["message"] = field.message;
@@ -45,10 +46,11 @@ Json::Value fieldJson(const FieldComparison& field) {
 
 }  // namespace
 
-std::string fieldsText(const std::vector<FieldComparison>& fields) {
+std::string fieldsText(const std::vector<ResultComparison>& comparisons) {
   constexpr int kAllDigits = 17;
   std::vector<Json::Value> values;
-  for (const FieldComparison& field : fields) values.push_back(fieldJson(field));
+  for (const auto& [pair, fields] : comparisons)
+    for (const FieldComparison& field : fields) values.push_back(fieldJson(pair, field));
   return listText(values, kAllDigits);
 }
 

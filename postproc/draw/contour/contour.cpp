@@ -26,8 +26,8 @@
 #include "postproc/draw/contour/contour_parts.h"
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_transparency.h"
-#include "postproc/draw/contour/extreme_marks.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/contour/scalar_bar.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/contour/shown_model.h"
@@ -249,7 +249,7 @@ class ContourPicture {
       if (drawing.lines) add(lineActor(*drawing.lines, theme_.outline, 1.2 * line, 1.0), kToolLines);
     }
     if (parts_.arrows.areas) drawArrows(renderer, line, eye);
-    if (parts_.extremes) drawExtremes(renderer, line, view);
+    drawMarks(renderer, line, view);
     aim(renderer, view, size_, 10.0 * lengthOf(parts_));
   }
 
@@ -263,22 +263,30 @@ class ContourPicture {
   }
 
   /// In front of everything; in space those that are behind something are pale.
-  void drawExtremes(vtkRenderer& renderer, double line, const View& view) const {
-    constexpr double kSide = 0.9, kPale = 0.4, kInFront = 2.1;
+  void drawMarks(vtkRenderer& renderer, double line, const View& view) const {
+    constexpr double kSide = 0.9, kRing = 1.4, kPale = 0.4, kInFront = 2.1;
     const double side = kSide * textSize_ / view.pixelsPerLength;
-    const ExtremeMarks marks = extremeMarks(
-        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, parts_.axes, side);
-    const auto add = [&](vtkPolyData& shape, bool isArea, double opacity, double nearness) {
-      const auto actor =
-          isArea ? plainActor(shape, kWhite, false, opacity) : lineActor(shape, kBlack, line, opacity);
+    const double front = kInFront * lengthOf(parts_), above = isFlat() ? front : side;
+    const auto add = [&](const vtkSmartPointer<vtkActor>& actor, double nearness) {
       const Eigen::Vector3d shift = nearness * view.towardsEye();
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
     };
-    const double front = kInFront * lengthOf(parts_), above = isFlat() ? front : side;
-    add(*marks.areas, true, 1.0, above);
-    add(*marks.edges, false, 1.0, above + 0.05 * side);
-    if (!isFlat()) add(*marks.edges, false, kPale, front);
+    const auto addEdges = [&](vtkPolyData& edges) {
+      add(lineActor(edges, kBlack, line, 1.0), above + 0.1 * side);
+      if (!isFlat()) add(lineActor(edges, kBlack, line, kPale), front);
+    };
+    if (parts_.extremes) {
+      const ExtremeMarks marks = extremeMarks(
+          *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, parts_.axes, side);
+      add(plainActor(*marks.areas, kWhite, false, 1.0), above);
+      addEdges(*marks.edges);
+    }
+    if (parts_.mark) {
+      const auto ring = ringMark(*parts_.mark, parts_.axes, kRing * side);
+      add(lineActor(*ring, kWhite, 3.0 * line, 1.0), above);
+      addEdges(*ring);
+    }
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "engine/results/result.h"
@@ -18,10 +19,11 @@ struct ContourOptions : PictureOptions {
   ContourOptions() = default;
   ContourOptions(const PictureOptions& options) : PictureOptions(options) {}
 
-  std::string note;        ///< small text below the body; may be empty
-  std::string doubt;       ///< the same in the lower left corner; see `doubtMarkOf`
-  bool time = true;        ///< write the time of the frame
-  bool colorScale = true;  ///< draw the colour scale, at the right of the body or below
+  std::string note;                     ///< small text below the body; may be empty
+  std::string doubt;                    ///< the same in the lower left corner; see `doubtMarkOf`
+  bool time = true;                     ///< write the time of the frame
+  bool colorScale = true;               ///< draw the colour scale, at the right of the body or below
+  std::optional<Eigen::Vector3d> mark;  ///< a place with a ring round it
   bool evenScales =
       false;  ///< of pictures that stand together: scales of the same place whatever their numbers
 };

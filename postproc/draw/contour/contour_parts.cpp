@@ -36,7 +36,7 @@ constexpr double kArrowLength = 0.07;
 constexpr double kToolReach = 0.4, kToolCut = 0.2;
 
 // Parts of the diagonal, for the dots of the control net and for the signs at extremes.
-constexpr double kDotRoom = 0.005, kSignRoom = 0.01;
+constexpr double kDotRoom = 0.005, kSignRoom = 0.015;
 
 /// Gives points what is drawn at them. mesh: knows their number and how to evaluate there.
 template <class Mesh>
@@ -282,6 +282,7 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
     parts.arrows = contourArrows(options.arrows, model, frame, *body, parts.axes,
                                  arrowLength(*body, parts.axes, options));
   }
+  parts.mark = options.mark;
   if (options.markExtremes) parts.extremes = extremePlaces(model, frame, field, parts.displacement);
   return parts;
 }
@@ -342,7 +343,7 @@ Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
   Eigen::AlignedBox2d box = bodiesBox(parts);
   if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes));
   if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes)), kDotRoom);
-  if (parts.extremes) box = grown(box, kSignRoom);
+  if (parts.extremes || parts.mark) box = grown(box, kSignRoom);
   if (parts.arrows.edges) box.extend(boxOf(*parts.arrows.edges, parts.axes));
   const Eigen::AlignedBox2d near = grown(box, kToolReach), cut = grown(box, kToolCut);
   for (const ShownTool& tool : parts.tools) {

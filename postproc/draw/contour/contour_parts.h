@@ -9,8 +9,8 @@
 #include "engine/results/result.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/contour_arrows.h"
-#include "postproc/draw/contour/extreme_marks.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/page/view.h"
 
 class vtkPolyData;
@@ -38,6 +38,7 @@ struct ContourParts {
   std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye
   ContourArrows arrows;
   std::optional<ExtremePlaces> extremes;  ///< to be marked
+  std::optional<Eigen::Vector3d> mark;    ///< a place to be marked
 };
 
 /// field: that of the options, in this model and frame. Throws `Error` for a plane that misses the body or is

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "postproc/draw/contour/extreme_marks.h"
+#include "postproc/draw/contour/place_marks.h"
 
 namespace burnish {
 namespace {

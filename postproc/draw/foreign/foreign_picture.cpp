@@ -134,6 +134,7 @@ class SubjectMaker {
     subject.ranges.whole = rangeOf(*places);
     subject.ranges.shown = subject.ranges.whole;
     subject.parts = partsOf(cells, subject);
+    subject.parts.mark = options_.mark;
     if (options_.markExtremes) subject.parts.extremes = extremesOf(*places, subject.dim);
     return subject;
   }

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <json/reader.h>
 #include <unistd.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -18,8 +19,12 @@
 #include "engine/core/error.h"
 #include "engine/results/history.h"
 #include "engine/results/result_writer.h"
+#include "postproc/compare/annotations.h"
 #include "postproc/compare/data/compare_data.h"
+#include "postproc/compare/data/data_report.h"
+#include "postproc/compare/data/worst_pictures.h"
 #include "postproc/compare/junit.h"
+#include "postproc/compare/picture.h"
 #include "postproc/export/vtk_file.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "postproc/text/text_file.h"
@@ -42,11 +47,12 @@ struct Finding {
   std::string name, verdict, message;
 };
 
-std::vector<Finding> findingsIn(const std::vector<FieldComparison>& fields) {
+std::vector<Finding> findingsIn(const std::vector<ResultComparison>& comparisons) {
   std::vector<Finding> findings;
-  for (const FieldComparison& field : fields)
-    if (field.verdict != FieldVerdict::Equal)
-      findings.push_back({field.name, verdictName(field.verdict), field.message});
+  for (const auto& [pair, fields] : comparisons)
+    for (const FieldComparison& field : fields)
+      if (field.verdict != FieldVerdict::Equal)
+        findings.push_back({fullName(pair, field), verdictName(field.verdict), field.message});
   return findings;
 }
 
@@ -117,8 +123,10 @@ class CompareResults : public DataFiles {
 
 TEST_F(CompareResults, EqualOnesAreEqualInEveryField) {
   write(MadeRun{}, "actual");
-  const auto fields = compareData(ComparedKind::Result, dir_ / "actual", dir_ / "baseline", {});
-  EXPECT_THAT(namesIn(findingsIn(fields)), IsEmpty());
+  const auto comparisons = compareData(ComparedKind::Result, dir_ / "actual", dir_ / "baseline", {});
+  EXPECT_THAT(namesIn(findingsIn(comparisons)), IsEmpty());
+  ASSERT_EQ(comparisons.size(), 1U);
+  const std::vector<FieldComparison>& fields = comparisons.front().fields;
   std::set<std::string> names;
   for (const FieldComparison& field : fields) names.insert(field.name);
   EXPECT_EQ(names.size(), fields.size());
@@ -126,6 +134,103 @@ TEST_F(CompareResults, EqualOnesAreEqualInEveryField) {
                            "plastic_strain", "contact.quadrature_friction (disc on top)",
                            "tool.displacement (disc)", "history", "history.disc.fy"})
     EXPECT_TRUE(names.contains(name)) << name;
+}
+
+TEST_F(CompareResults, SeveralBelowDirectoriesAreComparedPairByPair) {
+  write(MadeRun{}, "new/same");
+  write(MadeRun{}, "old/same");
+  MadeRun changed;
+  changed.spoil = [](FrameRecord& frame) { frame.fields.at("plastic_strain").values(0, 20) = 7; };
+  write(changed, "new/deep/changed");
+  write(MadeRun{}, "old/deep/changed");
+  write(MadeRun{}, "new/added");
+  write(MadeRun{}, "old/gone");
+  write(MadeRun{}, "new/broken");
+  write(MadeRun{}, "old/broken");
+  writeText("no result", dir_ / "new/broken/result/frame_000001.h5");
+  writeText("no mesh", dir_ / "new/same/frames/body.vtu");  // a run is compared as a whole
+  const auto found = [&](auto... also) {
+    return compareData(ComparedKind::Directory, dir_ / "new", dir_ / "old", {}, also...);
+  };
+  auto comparisons = found();
+  const auto is = [](const char* name, const char* verdict) {
+    return testing::AllOf(testing::Field(&Finding::name, name), testing::Field(&Finding::verdict, verdict));
+  };
+  EXPECT_THAT(findingsIn(comparisons),
+              ElementsAre(is("added: result", "no-baseline"), is("broken: result", "unusable"),
+                          is("deep/changed: plastic_strain", "different"), is("gone: result", "no-actual")));
+  EXPECT_EQ(makeBaseline(comparisons, {}), 2);
+  for (const auto& again : {comparisons, found()})
+    EXPECT_THAT(findingsIn(again),
+                ElementsAre(is("broken: result", "unusable"), is("gone: result", "no-actual")));
+}
+
+TEST_F(CompareResults, NewBaselineHasNothingOfTheOldOne) {
+  MadeRun shorter;
+  shorter.times.pop_back();
+  write(shorter, "actual");
+  auto comparisons = compareData(ComparedKind::Result, dir_ / "actual", dir_ / "baseline", {});
+  EXPECT_EQ(makeBaseline(comparisons, {}), 1);
+  EXPECT_THAT(findingsIn(comparisons), IsEmpty());
+  EXPECT_FALSE(fs::exists(dir_ / "baseline/result/frame_000002.h5"));
+  comparisons = compareData(ComparedKind::Result, dir_ / "actual", dir_ / "first", {}, true);
+  EXPECT_THAT(findingsIn(comparisons), isOnly("result", "no-baseline", "first"));
+  EXPECT_EQ(makeBaseline(comparisons, {}), 1);
+  EXPECT_THAT(findingsIn(compareData(ComparedKind::Result, dir_ / "actual", dir_ / "first", {})), IsEmpty());
+}
+
+TEST_F(CompareResults, WorstPlaceIsDrawnOnBothSidesAndAsADifference) {
+  MadeRun run;
+  run.spoil = [](FrameRecord& frame) {
+    frame.fields.at("plastic_strain").values(0, 20) += 0.5;
+    frame.displacement(1, 30) += 0.01;
+  };
+  run.rows.back().back() += 1.0;
+  write(run, "actual");
+  const auto comparisons = compareData(ComparedKind::Result, dir_ / "actual", dir_ / "baseline", {});
+  const auto worst = worstFields(comparisons, 9);
+  ASSERT_GE(worst.size(), 3U);
+  EXPECT_EQ(worst.front().field->name, "plastic_strain");
+  EXPECT_TRUE(worst.back().field->name.starts_with("history."));
+  EXPECT_EQ(worstFields(comparisons, 1).size(), 1U);
+  const std::vector<FieldPictures> pictures = worstPictures(worst);
+  for (const auto* one : {&pictures.front(), &pictures.back()})
+    for (const auto picture : {&FieldPictures::baseline, &FieldPictures::actual, &FieldPictures::difference})
+      EXPECT_TRUE(((*one).*picture).starts_with("\x89PNG"));
+  EXPECT_NE(pictures.front().baseline, pictures.front().actual);
+
+  // The difference is red round the control point that differs, and pale elsewhere.
+  drawWorst(comparisons, dir_ / "worst.png");
+  EXPECT_EQ(readText(dir_ / "worst.png"), pictures.front().difference);
+  const Picture drawn = readPicture(dir_ / "worst.png");
+  int red = 0, blue = 0;
+  for (int y = 0; y < drawn.height; ++y)
+    for (int x = 0; x < drawn.width * 2 / 3; ++x) {
+      const Color& color = drawn.at({x + 0.5, y + 0.5});
+      if (color[0] > color[2] + 60) ++red;
+      if (color[2] > color[0] + 60) ++blue;
+    }
+  EXPECT_GT(red, 200);
+  EXPECT_EQ(blue, 0);
+}
+
+TEST(Annotations, TellServicesWhatFailed) {
+  const std::vector<ComparedCase> cases{{"a", CaseOutcome::Passed, "equal", "equal"},
+                                        {"b: c,d", CaseOutcome::Failed, "different", "50 % of\nall: 3, 4"},
+                                        {"e", CaseOutcome::Error, "unusable", "damaged"}};
+  EXPECT_EQ(githubAnnotations(cases),
+            "::error title=b%3A c%2Cd::50 %25 of%0Aall: 3, 4\n::error title=e::damaged\n");
+  Json::Value issues;
+  ASSERT_TRUE(Json::Reader().parse(codeQualityText(cases, "base/press"), issues));
+  ASSERT_EQ(issues.size(), 2U);
+  EXPECT_EQ(issues[0]["description"], "b: c,d: 50 % of\nall: 3, 4");
+  EXPECT_EQ(issues[0]["location"]["path"], "base/press");
+  EXPECT_EQ(issues[0]["location"]["lines"]["begin"], 1);
+  EXPECT_EQ(issues[0]["severity"], "major");
+  EXPECT_EQ(issues[1]["severity"], "critical");
+  EXPECT_NE(issues[0]["fingerprint"], issues[1]["fingerprint"]);
+  ASSERT_TRUE(Json::Reader().parse(codeQualityText({}, "base"), issues));
+  EXPECT_EQ(issues.size(), 0U);
 }
 
 TEST_F(CompareResults, OneValueOfAField) {
@@ -483,6 +588,17 @@ TEST_F(DataFiles, KindsAreToldByPathAndNotMixed) {
   fs::create_directories(dir_ / "run");
   fs::create_directories(dir_ / "pictures");
   writeText("", dir_ / "run/result.h5");
+  writeText("", dir_ / "pictures/a.png");
+  writeText("", dir_ / "runs/a/result.h5");
+  writeText("", dir_ / "runs/figure.png");
+  writeText("", dir_ / "meshes/a/b.vtu");
+  writeText("", dir_ / "drawn/b.vtu");
+  writeText("", dir_ / "drawn/b.png");
+  EXPECT_EQ(kindOf(dir_ / "runs", dir_ / "absent"), ComparedKind::Directory);
+  EXPECT_EQ(kindOf(dir_ / "meshes", dir_ / "meshes"), ComparedKind::Directory);
+  EXPECT_EQ(kindOf(dir_ / "drawn", dir_ / "drawn"), ComparedKind::Pictures);
+  EXPECT_THAT(messageOf([&] { kindOf(dir_ / "run", dir_ / "runs"); }),
+              HasSubstr("runs is a directory of results; expected two of a kind"));
   EXPECT_EQ(kindOf(dir_ / "run", dir_ / "run"), ComparedKind::Result);
   EXPECT_EQ(kindOf(dir_ / "run", dir_ / "run/result.h5"), ComparedKind::Result);
   EXPECT_EQ(kindOf(dir_ / "run", dir_ / "absent"), ComparedKind::Result);
@@ -499,9 +615,9 @@ TEST_F(DataFiles, KindsAreToldByPathAndNotMixed) {
 }
 
 TEST(Junit, TellsTestsFailuresAndErrors) {
-  EXPECT_EQ(junitText("a & b", {{"one", JunitOutcome::Passed, "equal", "equal"},
-                                {"two <x>", JunitOutcome::Failed, "different", "found \"1\""},
-                                {"three", JunitOutcome::Error, "unusable", "line\nend"}}),
+  EXPECT_EQ(junitText("a & b", {{"one", CaseOutcome::Passed, "equal", "equal"},
+                                {"two <x>", CaseOutcome::Failed, "different", "found \"1\""},
+                                {"three", CaseOutcome::Error, "unusable", "line\nend"}}),
             R"(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites tests="3" failures="1" errors="1">
   <testsuite name="a &amp; b" tests="3" failures="1" errors="1">

@@ -42,6 +42,9 @@ ExtremeMarks extremeMarks(const ExtremePlaces& places,
                           const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen,
                           const ViewAxes& axes, double side);
 
+/// A ring round a place in the plane of a view.
+vtkSmartPointer<vtkPolyData> ringMark(const Eigen::Vector3d& place, const ViewAxes& axes, double diameter);
+
 /// "△ max at (1, 0.5), ▽ min at (0, 0)", without a sign for what is not seen. length: of the body, by which
 /// coordinates are rounded.
 std::string extremeNote(const ExtremePlaces& places,

@@ -1,4 +1,4 @@
-#include "postproc/draw/contour/extreme_marks.h"
+#include "postproc/draw/contour/place_marks.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,6 +7,7 @@
 #include <vtkPolyData.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "postproc/draw/contour/exact_range.h"
@@ -88,6 +89,19 @@ ExtremeMarks extremeMarks(const ExtremePlaces& places,
     edges.addLine(ring);
   }
   return {areas.finish(), edges.finish()};
+}
+
+vtkSmartPointer<vtkPolyData> ringMark(const Eigen::Vector3d& place, const ViewAxes& axes, double diameter) {
+  constexpr int kCorners = 48;
+  Eigen::Matrix3Xd corners(3, kCorners + 1);
+  for (int k = 0; k <= kCorners; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / kCorners;
+    corners.col(k) =
+        place + 0.5 * diameter * (axes.transpose() * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  PolyBuilder ring;
+  ring.addLine(ring.addPoints(corners));
+  return ring.finish();
 }
 
 std::string extremeNote(const ExtremePlaces& places,

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "postproc/compare/data/compare_data.h"
+
+namespace burnish {
+
+/// Pictures of a field on both sides, as bytes of PNG files; empty for what cannot be drawn.
+struct FieldPictures {
+  std::string baseline, actual, difference;
+};
+
+/// A field that differs at a place.
+struct WorstField {
+  const DataPair* pair;
+  const FieldComparison* field;
+};
+
+/// The fields whose values differ, at most so many: those of bodies first, and of these those whose difference is
+/// the largest part of what is allowed.
+std::vector<WorstField> worstFields(const std::vector<ResultComparison>& comparisons, std::size_t most);
+
+/// Draws fields at the times at which they differ most, with a ring round the place: baseline and actual data
+/// with the same colours and the same window; of the coefficients of a run also their difference, on the
+/// deformed baseline, and of a column of a history charts.
+std::vector<FieldPictures> worstPictures(const std::vector<WorstField>& fields);
+
+}  // namespace burnish
