@@ -156,6 +156,43 @@ TEST_F(ContourPictures, HaveTheExactColourInEveryPixelAtAnyZoom) {
   }
 }
 
+/// A part of a large picture, and a small picture of this part alone at the same scale.
+TEST_F(ContourPictures, ZoomedAreTheSameAsPartsOfLargerOnes) {
+  ContourOptions options = small("plastic_strain");
+  options.title = "";
+  options.time = options.colorScale = options.tools = options.undeformed = false;
+  options.knots = true;
+  options.textSize = 12.0;
+  options.range = {0.0, 1.0};
+  options.size = {3200, 1600};
+  const Picture whole = drawn(samples::slab({2, 1}), options);
+  const View wholeView = view;
+  const double margin = options.size[0] - 3.0 * view.pixelsPerLength;  // it is as wide as the body
+
+  options.size = {600, 400};
+  const Eigen::Vector2d half((options.size[0] - margin) / (2.0 * view.pixelsPerLength), 0.1);
+  const auto shiftAt = [&](const Eigen::Vector2d& middle) {  // from a pixel of the part to that of the whole
+    options.window = {middle - half, middle + half};
+    drawn(samples::slab({2, 1}), options);
+    return Eigen::Vector2d(wholeView.pixel(middle) - view.pixel(middle));
+  };
+  Eigen::Vector2d middle(0.9, 0.5);
+  const Eigen::Vector2d shift = shiftAt(middle).array().floor();
+  middle += (shift - shiftAt(middle)) / wholeView.pixelsPerLength;
+  ASSERT_LT((shiftAt(middle) - shift).norm(), 1e-6);
+  ASSERT_NEAR(view.pixelsPerLength, wholeView.pixelsPerLength, 1e-9);
+  const Picture part = drawn(samples::slab({2, 1}), options);
+  const auto isWithin = [&](const Eigen::Vector2d& pixel) {
+    return ((pixel - view.area.center()).cwiseAbs().array() <
+            Eigen::Array2d(view.area.width, view.area.height) / 2.0 - 2.0)
+        .all();
+  };
+  // A step of the colours is up to 3 of 255, and the steps may lie a pixel aside.
+  EXPECT_LE(worstDifference(part, whole, isWithin,
+                            [&](const Eigen::Vector2d& pixel) { return Eigen::Vector2d(pixel + shift); }),
+            3);
+}
+
 TEST_F(ContourPictures, ShearedSquareOfLagrangeElementsUnderAPlate) {
   ContourOptions options = small("pressure");
   options.colormap = "coolwarm";
