@@ -97,7 +97,8 @@ std::string foreignText(const ForeignFile& file) {
   const std::vector<ForeignBlock> blocks = file.blocks(times.empty() ? 0 : times.size() - 1);
   std::string text = infoLine("file", file.file().string()) + infoLine("kind", foreignKind(file.file()));
   if (!times.empty())
-    text += infoLine("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
+    text += infoLine("frames",
+                     fmt::format("{}, t = {:.9g} to {:.9g}", times.size(), times.front(), times.back()));
   for (const ForeignBlock& block : blocks) text += infoLine("block", blockText(block));
   text += infoLine("bounds", boundsText(blocks));
   for (const ForeignField& field : foreignFieldsOf(blocks))

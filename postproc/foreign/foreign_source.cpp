@@ -63,19 +63,33 @@ std::string endingOf(const fs::path& file) {
 }
 
 int numComplaints = 0;
+std::string firstComplaint;
+
+/// What VTK says, without the place in its source; of letters of the file among it those alone that can be shown.
+std::string complaintIn(const std::string& text) {
+  constexpr std::size_t kLongest = 160;
+  const std::size_t place = text.find("): ");
+  std::string words = place == std::string::npos ? text : text.substr(place + 3);
+  words.erase(std::min(words.find('\n'), words.size()));
+  std::erase_if(words, [](unsigned char letter) { return letter < ' ' || letter > '~'; });
+  return words.substr(0, kLongest);
+}
 
 /// Counts errors of VTK; warnings are the reader's own business.
 class ComplaintWindow : public vtkOutputWindow {
  public:
   static ComplaintWindow* New();
   void DisplayText(const char* /*text*/) override {}
-  void DisplayErrorText(const char* /*text*/) override { ++numComplaints; }
+  void DisplayErrorText(const char* text) override {
+    if (++numComplaints == 1) firstComplaint = complaintIn(text);
+  }
 };
 vtkStandardNewMacro(ComplaintWindow);
 
 Error cannotBeRead(const fs::path& file) {
-  return Error(fmt::format("{}: this is no {} of its ending, or it is damaged", file.string(),
-                           foreignKind(file).empty() ? "file" : foreignKind(file)));
+  const std::string kind = foreignKind(file).empty() ? "file" : foreignKind(file);
+  return Error(fmt::format("{}: this is no {} of its ending, or it is damaged{}", file.string(), kind,
+                           firstComplaint.empty() ? "" : "; its reader says: " + firstComplaint));
 }
 
 void requireThere(const fs::path& file) {
@@ -183,8 +197,8 @@ class ReaderSource : public ForeignSource {
       reader_->UpdateTimeStep(times_.at(instant));
     std::vector<ForeignBlock> blocks;
     addBlocks(blocks, reader_->GetOutputDataObject(0), "", file_);
-    requireAnnounced(file_, blocks);
     if (numComplaints > 0) throw cannotBeRead(file_);
+    requireAnnounced(file_, blocks);
     return blocks;
   }
 
@@ -408,6 +422,7 @@ std::unique_ptr<ForeignSource> openForeign(const fs::path& file) {
                             quoted(file.extension().string())));
   requireThere(file);
   numComplaints = 0;
+  firstComplaint.clear();
   auto source = found->second.open(file);
   if (numComplaints > 0) throw cannotBeRead(file);
   return source;

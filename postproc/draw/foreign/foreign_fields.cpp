@@ -42,7 +42,8 @@ void addFieldsOf(std::vector<ForeignField>& fields, vtkDataSetAttributes& data, 
       return field.array == own && field.ofCells == ofCells;
     };
     // What belongs to the cells themselves.
-    const bool isOfVtk = own == "vtkGhostType" || own == "RationalWeights" || own == "HigherOrderDegrees";
+    const bool isOfVtk = own == "vtkGhostType" || own.starts_with("vtkOriginal") ||
+                         own == "RationalWeights" || own == "HigherOrderDegrees";
     if (isOfVtk || std::ranges::any_of(fields, isSame)) continue;
     auto [name, unit] = arrayNameOf(own);
     if (std::ranges::count(fields, name, &ForeignField::name) > 0)

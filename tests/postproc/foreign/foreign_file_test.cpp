@@ -78,23 +78,30 @@ struct Sample {
 };
 
 const std::vector<Sample>& samplesOfPrograms() {
-  static const std::vector<Sample> all{{"meshio.vtu", {49, 54}},
-                                       {"meshio.vtk", {49, 54}},
-                                       {"a.exo", {64, 27}},
-                                       {"h5py.vtkhdf", {27, 8}},
-                                       {"tri.case", {4, 2}}};
+  static const std::vector<Sample> all{
+      {"meshio.vtu", {49, 54}},   {"meshio.vtk", {49, 54}},  {"a.exo", {64, 27}},
+      {"h5py.vtkhdf", {27, 8}},   {"dealii.vtu", {512, 32}}, {"getfem.vtu", {91, 18}},
+      {"paraview.ex2", {47, 14}}, {"cgns.cgns", {12, 2}},    {"tri.case", {4, 2}}};
+  return all;
+}
+
+/// With further files that they name.
+const std::vector<Sample>& collectionsOfPrograms() {
+  static const std::vector<Sample> all{{"fenicsx.pvd", {28, 18}}, {"openfoam.vtm", {98, 36}}};
   return all;
 }
 
 TEST_F(ForeignFiles, OfOtherProgramsAreReadWhole) {
-  for (const auto& [name, counts] : samplesOfPrograms())
-    EXPECT_EQ(countsIn(ForeignFile(sampleOf(name)).blocks(0)), counts) << name;
+  for (const auto* samples : {&samplesOfPrograms(), &collectionsOfPrograms()})
+    for (const auto& [name, counts] : *samples)
+      EXPECT_EQ(countsIn(ForeignFile(sampleOf(name)).blocks(0)), counts) << name;
 }
 
-/// The temperature of a file at its points.
-double largestError(const fs::path& file, double (*exact)(const Eigen::Vector3d&)) {
+/// Of a scalar of a file at its points.
+double largestError(const fs::path& file, double (*exact)(const Eigen::Vector3d&),
+                    const std::string& field = "temperature") {
   const std::vector<ForeignBlock> blocks = ForeignFile(file).blocks(0);
-  const ForeignChoice choice = chooseForeignField(foreignFieldsOf(blocks), "temperature");
+  const ForeignChoice choice = chooseForeignField(foreignFieldsOf(blocks), field);
   double error = 0.0;
   for (const ForeignBlock& block : blocks) {
     const Eigen::VectorXd values = choice.valuesOf(block);
@@ -111,8 +118,18 @@ TEST_F(ForeignFiles, HaveTheirValuesAtTheirPoints) {
   const auto distance = [](const Eigen::Vector3d& x) { return std::hypot(x(0), x(1)); };
   EXPECT_LT(largestError(sampleOf("meshio.vtu"), distance), 1e-12);
   EXPECT_LT(largestError(sampleOf("meshio.vtk"), distance), 1e-12);
+  const auto square = [](const Eigen::Vector3d& x) { return x(0) * x(0) + x(1); };
+  EXPECT_LT(largestError(sampleOf("cgns.cgns"), square, "Temperature"), 1e-12);
   EXPECT_LT(largestError(sampleOf("h5py.vtkhdf"), [](const Eigen::Vector3d& x) { return x(0) + x(1); }),
             1e-12);
+}
+
+TEST_F(ForeignFiles, WhatTheReaderSaysStandsInTheSentence) {
+  std::ofstream(dir_ / "narrow.vtk")
+      << "# vtk DataFile Version 5.1\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 0 1 0\n"
+         "CELLS 2 3\nOFFSETS vtktypeint32\n0 3\nCONNECTIVITY vtktypeint32\n0 1 2\nCELL_TYPES 1\n5\n";
+  EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "narrow.vtk").blocks(0); }),
+              HasSubstr("or it is damaged; its reader says: Unsupported data type: vtktypeint32"));
 }
 
 TEST_F(ForeignFiles, FieldsHaveNamesUnitsAndComponents) {
