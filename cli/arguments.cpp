@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/core/drawable_range.h"
+#include "engine/core/same_time.h"
 #include "engine/scene/end_of_run.h"
 #include "postproc/draw/page/picture_size.h"
 
@@ -46,7 +47,7 @@ int frameAtTime(double time, const std::vector<double>& times) {
     return std::abs(a - time) < std::abs(b - time);
   });
   const auto index = static_cast<int>(nearest - times.begin());
-  if (std::abs(*nearest - time) <= 1e-9 * std::max(1.0, std::abs(time))) return index;
+  if (isSameTime(*nearest, time)) return index;
   throw Error(fmt::format("--frame: there is no frame at t = {}; the nearest is frame {} at t = {}", time,
                           index, *nearest));
 }

@@ -75,11 +75,9 @@ ProbedChart probedChart(const ProbeArguments& arguments, const std::vector<Resul
   checkLabels(arguments.chart, results.size(), numCurves, "results");
   const ProbeTitles titles = titlesOf(spec, runs);
   Chart chart = emptyChart(arguments.chart, titles.x, titles.y);
-  for (std::size_t field = 0; field < numFields; ++field)
-    for (const ProbedRun& run : runs) {
-      chart.curves.push_back(curveOf(run, field));
-      if (labels.size() == numCurves) chart.curves.back().label = labels[chart.curves.size() - 1];
-    }
+  chart.curves = curvesOf(runs);
+  if (labels.size() == numCurves)
+    for (std::size_t k = 0; k < numCurves; ++k) chart.curves[k].label = labels[k];
   return {std::move(chart), tableOf(spec, runs)};
 }
 

@@ -114,9 +114,9 @@ RunSummary compute(const Scene& scene, const RunArguments& arguments, const Sign
 /// Tells which pictures are missing, why, and how to draw them.
 void reportMissing(const RunOutputs& outputs) {
   int interrupted = 0;
-  for (const auto& [file, reason, command] : outputs.missing()) {
+  for (const auto& [what, file, reason, command] : outputs.missing()) {
     if (!reason.empty())
-      printError("burnish: the picture {} was not drawn: {}; the results are there, this draws it: {}\n",
+      printError("burnish: the {} {} was not drawn: {}; the results are there, this draws it: {}\n", what,
                  file.string(), reason, command);
     else if (interrupted++ == 0)
       printError(

@@ -3,31 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <system_error>
 #include <utility>
 
 #include "cli/arguments.h"
-#include "cli/commands/picture_planes_check.h"
+#include "cli/commands/document_places_check.h"
 #include "cli/console.h"
 #include "cli/declared_options.h"
 #include "cli/foreign_files.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
+#include "engine/core/same_time.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/page/doubt_mark.h"
+#include "postproc/probe/probed_run.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool sameTime(double a, double b) {
-  return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b));
-}
 
 /// The call that draws a picture of a scene from the results.
 std::string renderCommand(const ScenePicture& picture, std::optional<double> time, const fs::path& directory,
@@ -38,6 +35,16 @@ std::string renderCommand(const ScenePicture& picture, std::optional<double> tim
   return fmt::format("burnish render {} --field {}{}{}{} -o {}", shellWord(directory.string()),
                      shellWord(picture.field), frame, range,
                      optionsText(static_cast<const PictureOptions&>(picture)), shellWord(file.string()));
+}
+
+/// The call that draws the chart of a probe from the results.
+std::string probeCommand(const SceneProbe& probe, const fs::path& directory, const fs::path& file) {
+  std::string frames;
+  if (probe.times.size() == 1) frames = fmt::format(" --frame time={}", probe.times.front());
+  if (probe.times.size() > 1)
+    frames = fmt::format(" --frame time={}-time={}", probe.times.front(), probe.times.back());
+  return fmt::format("burnish probe {}{}{} -o {}", shellWord(directory.string()),
+                     optionsText(static_cast<const ProbeSpec&>(probe)), frames, shellWord(file.string()));
 }
 
 }  // namespace
@@ -57,11 +64,15 @@ void RunOutputs::requireNoForeignFiles() const {
     files.push_back(pictureFile(picture, std::nullopt));
     for (const double time : picture.times) files.push_back(pictureFile(picture, time));
   }
+  for (const SceneProbe& probe : document_.probes) {
+    files.push_back(probeFile(probe));
+    files.push_back(probeFile(probe).replace_extension(".csv"));
+  }
   requireAbsent(files);
 }
 
 void RunOutputs::onModel(const ModelRecord& model) {
-  requirePlanes(document_, model);
+  requirePlaces(document_, model);
 }
 
 void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
@@ -79,6 +90,10 @@ void RunOutputs::onStart(const ModelRecord& model) {
     fs::remove(pictureFile(picture, std::nullopt), absent);
     for (const double time : picture.times) fs::remove(pictureFile(picture, time), absent);
   }
+  for (const SceneProbe& probe : document_.probes) {
+    fs::remove(probeFile(probe), absent);
+    fs::remove(probeFile(probe).replace_extension(".csv"), absent);
+  }
 }
 
 void RunOutputs::onStep(const RunProgress& progress) {
@@ -93,14 +108,14 @@ void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
 
 bool RunOutputs::isDue(double time) const {
   return std::ranges::any_of(document_.pictures, [time](const ScenePicture& picture) {
-    return std::ranges::any_of(picture.times, [time](double wanted) { return sameTime(time, wanted); });
+    return std::ranges::any_of(picture.times, [time](double wanted) { return isSameTime(time, wanted); });
   });
 }
 
 void RunOutputs::drawDue(const FrameRecord& frame) {
   for (const ScenePicture& picture : document_.pictures)
     for (const double time : picture.times)
-      if (sameTime(frame.time, time)) draw(picture, time, frame);
+      if (isSameTime(frame.time, time)) draw(picture, time, frame);
 }
 
 ContourOptions RunOutputs::marked(const ScenePicture& picture) const {
@@ -126,6 +141,11 @@ void RunOutputs::finish(bool isDoubtful) {
   if (isDoubtful_) drawMarked();
   for (const ScenePicture& picture : document_.pictures)
     if (picture.times.empty()) draw(picture, std::nullopt, *lastFrame_);
+  for (const SceneProbe& probe : document_.probes) draw(probe);
+}
+
+fs::path RunOutputs::probeFile(const SceneProbe& probe) const {
+  return directory_ / "probes" / (probe.name + ".png");
 }
 
 fs::path RunOutputs::pictureFile(const ScenePicture& picture, std::optional<double> time) const {
@@ -135,13 +155,26 @@ fs::path RunOutputs::pictureFile(const ScenePicture& picture, std::optional<doub
 
 void RunOutputs::draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame) {
   const fs::path file = pictureFile(picture, time);
-  const auto note = [&](const char* reason) {
-    missing_.push_back({file, reason, renderCommand(picture, time, directory_, file)});
-  };
+  make("picture", file, renderCommand(picture, time, directory_, file),
+       [&] { drawContour(model_, frame, marked(picture), file); });
+}
+
+void RunOutputs::draw(const SceneProbe& probe) {
+  const fs::path file = probeFile(probe);
+  make("chart", file, probeCommand(probe, directory_, file), [&] {
+    const std::vector<ProbedRun> probed = probedRuns(ResultReader(directory_), probe, probe.times);
+    writeText(tableOf(probe, probed), fs::path(file).replace_extension(".csv"));
+    drawChart(chartOf(probe, probed), file);
+  });
+}
+
+void RunOutputs::make(const char* what, const fs::path& file, const std::string& command,
+                      const std::function<void()>& act) {
+  const auto note = [&](const char* reason) { missing_.push_back({what, file, reason, command}); };
   if (interruption() != 0) return note("");
   try {
     makeDirectory(file.parent_path());
-    drawContour(model_, frame, marked(picture), file);
+    act();
     pictures_.push_back(file);
   } catch (const Interrupted&) {
     note("");

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace burnish {
 
-/// What a run leaves beside its results while it goes on: progress, VTU files, and the pictures of the scene.
+/// What a run leaves beside its results: progress, VTU files, and the pictures and probes of the scene.
 class RunOutputs : public RunObserver {
  public:
   /// The document must outlive the object.
@@ -30,7 +31,7 @@ class RunOutputs : public RunObserver {
   void onFrame(const ModelRecord& model, const FrameRecord& frame) override;
 
   /// Draws the pictures of the end of the run from its last frame; where the run doubts its results, with a
-  /// mark, and those of times before once more.
+  /// mark, and those of times before once more; then the charts of the probes.
   void finish(bool isDoubtful);
 
   /// Whether the run has begun to write.
@@ -39,8 +40,9 @@ class RunOutputs : public RunObserver {
   /// Pictures drawn so far.
   const std::vector<std::filesystem::path>& pictures() const { return pictures_; }
 
-  /// A picture that was not drawn.
+  /// A picture or chart that was not drawn.
   struct Missing {
+    std::string what;  ///< "picture", "chart"
     std::filesystem::path file;
     std::string reason;   ///< empty: interrupted
     std::string command;  ///< that draws it from the results
@@ -48,10 +50,18 @@ class RunOutputs : public RunObserver {
   const std::vector<Missing>& missing() const { return missing_; }
 
  private:
+  /// A chart; its table has the ending .csv.
+  std::filesystem::path probeFile(const SceneProbe& probe) const;
   std::filesystem::path pictureFile(const ScenePicture& picture, std::optional<double> time) const;
 
-  /// A picture of the frame, or of the last one without a time. What goes wrong costs this picture only.
+  /// A picture of the frame, or of the last one without a time.
   void draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame);
+
+  void draw(const SceneProbe& probe);
+
+  /// Makes a picture or a chart; what goes wrong costs this one only. command: that makes it from the results.
+  void make(const char* what, const std::filesystem::path& file, const std::string& command,
+            const std::function<void()>& act);
 
   /// How a picture is drawn, with a mark once the run doubts its results.
   ContourOptions marked(const ScenePicture& picture) const;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/commands/picture_planes_check.h"
+#include "cli/commands/document_places_check.h"
 #include "cli/console.h"
 #include "cli/progress.h"
 #include "engine/analysis/scene_report.h"
@@ -61,7 +61,7 @@ SceneReport validateScene(const fs::path& file, const std::vector<std::string>& 
                           const std::string& who) {
   const SceneDocument document = readSceneDocument(file, overrides);
   const SceneReport report = reportOf(document.scene);
-  requirePlanes(document, report.model);
+  requirePlaces(document, report.model);
   for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);
   return report;
 }

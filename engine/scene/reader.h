@@ -9,7 +9,7 @@ namespace burnish {
 
 /// Keys of a scene's file that the engine leaves to others, see `SceneDocument`.
 inline std::vector<std::string> keysOfDocuments() {
-  return {"pictures", "variants", "checks", "charts"};
+  return {"pictures", "probes", "variants", "checks", "charts"};
 }
 
 /// Reads and checks what the engine needs of a scene. `overrides` are "path.to[1].key=value" each, the value

@@ -75,13 +75,22 @@ std::string complaintIn(const std::string& text) {
   return words.substr(0, kLongest);
 }
 
+/// What the reader said, behind a sentence of what is wrong.
+std::string complaintText() {
+  return firstComplaint.empty() ? "" : "; its reader says: " + firstComplaint;
+}
+
 /// Counts errors of VTK; warnings are the reader's own business.
 class ComplaintWindow : public vtkOutputWindow {
  public:
   static ComplaintWindow* New();
   void DisplayText(const char* /*text*/) override {}
   void DisplayErrorText(const char* text) override {
-    if (++numComplaints == 1) firstComplaint = complaintIn(text);
+    ++numComplaints;
+    // That the pipeline failed is said of every reader.
+    if (firstComplaint.empty() &&
+        std::string_view(text).find("returned failure for request") == std::string_view::npos)
+      firstComplaint = complaintIn(text);
   }
 };
 vtkStandardNewMacro(ComplaintWindow);
@@ -89,7 +98,7 @@ vtkStandardNewMacro(ComplaintWindow);
 Error cannotBeRead(const fs::path& file) {
   const std::string kind = foreignKind(file).empty() ? "file" : foreignKind(file);
   return Error(fmt::format("{}: this is no {} of its ending, or it is damaged{}", file.string(), kind,
-                           firstComplaint.empty() ? "" : "; its reader says: " + firstComplaint));
+                           complaintText()));
 }
 
 void requireThere(const fs::path& file) {
@@ -197,8 +206,12 @@ class ReaderSource : public ForeignSource {
       reader_->UpdateTimeStep(times_.at(instant));
     std::vector<ForeignBlock> blocks;
     addBlocks(blocks, reader_->GetOutputDataObject(0), "", file_);
+    try {
+      requireAnnounced(file_, blocks);
+    } catch (const Error& error) {
+      throw Error(error.what() + complaintText());
+    }
     if (numComplaints > 0) throw cannotBeRead(file_);
-    requireAnnounced(file_, blocks);
     return blocks;
   }
 

@@ -4,14 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
+#include "engine/core/same_time.h"
 #include "postproc/draw/contour/shown_model.h"
 #include "postproc/mesh/vtk_arrays.h"
+#include "postproc/probe/face_address.h"
 #include "postproc/probe/path_text.h"
 #include "postproc/probe/probe.h"
 #include "postproc/text/units.h"
@@ -116,7 +120,30 @@ std::vector<std::string> cellsOf(const ProbeSpec& spec, const ProbePoint& point)
   return cells;
 }
 
+ChartCurve curveOf(const ProbedRun& run, std::size_t field) {
+  ChartCurve curve;
+  curve.label = run.name;
+  if (run.fields.size() > 1) curve.label += (curve.label.empty() ? "" : ": ") + run.fields[field].words;
+  for (const ProbePoint& point : run.points) {
+    curve.x.push_back(point.at);
+    curve.y.push_back(point.values(static_cast<Eigen::Index>(field)));
+  }
+  return curve;
+}
+
 }  // namespace
+
+void requirePlace(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
+  withChosenBodies(model, frame, spec, [&](const ModelRecord& chosen, const FrameRecord& shown) {
+    if (!spec.point.empty()) {
+      const MaterialPoint point(chosen, pointOf(spec, chosen.dim));
+      return;
+    }
+    const ProbePath path = pathOf(spec, chosen.dim);
+    if (const auto* face = std::get_if<FacePath>(&path)) facePlace(chosen, shown, face->address);
+    if (const auto* depth = std::get_if<DepthPath>(&path)) facePlace(chosen, shown, depth->address);
+  });
+}
 
 ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
   return withChosenBodies(model, frame, spec, [&](const ModelRecord& chosen, const FrameRecord& shown) {
@@ -145,6 +172,25 @@ ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& fram
   return run;
 }
 
+std::vector<ProbedRun> probedRuns(const ResultReader& result, const ProbeSpec& spec,
+                                  const std::vector<double>& times) {
+  const std::vector<double> all = result.times();
+  if (all.empty()) throw Error(fmt::format("{} has no frames yet", result.file().string()));
+  std::vector<int> frames(all.size());
+  std::iota(frames.begin(), frames.end(), 0);
+  if (spec.isOverTime()) return {probedHistory(result, frames, spec)};
+  std::vector<ProbedRun> runs;
+  for (const double time : times.empty() ? std::vector{all.back()} : times) {
+    throwIfInterrupted();
+    const auto frame = std::ranges::find_if(all, [&](double own) { return isSameTime(own, time); });
+    if (frame == all.end())
+      throw Error(fmt::format("{} has no frame of the time {}", result.file().string(), time));
+    runs.push_back(probedFrame(result.model(), result.frame(static_cast<int>(frame - all.begin())), spec));
+    if (times.size() > 1) runs.back().name = fmt::format("t = {:.6g}", time);
+  }
+  return runs;
+}
+
 ProbeTitles titlesOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) {
   CommonUnit length, value;
   for (const ProbedRun& run : runs) {
@@ -155,15 +201,20 @@ ProbeTitles titlesOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) 
           withUnit(fieldWords(runs.front().fields) + meanWords(spec, length.text()), value.text())};
 }
 
-ChartCurve curveOf(const ProbedRun& run, std::size_t field) {
-  ChartCurve curve;
-  curve.label = run.name;
-  if (run.fields.size() > 1) curve.label += (curve.label.empty() ? "" : ": ") + run.fields[field].words;
-  for (const ProbePoint& point : run.points) {
-    curve.x.push_back(point.at);
-    curve.y.push_back(point.values(static_cast<Eigen::Index>(field)));
-  }
-  return curve;
+std::vector<ChartCurve> curvesOf(const std::vector<ProbedRun>& runs) {
+  std::vector<ChartCurve> curves;
+  for (std::size_t field = 0; field < runs.front().fields.size(); ++field)
+    for (const ProbedRun& run : runs) curves.push_back(curveOf(run, field));
+  return curves;
+}
+
+Chart chartOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) {
+  const ProbeTitles titles = titlesOf(spec, runs);
+  Chart chart;
+  chart.x.title = titles.x;
+  chart.y.title = titles.y;
+  chart.curves = curvesOf(runs);
+  return chart;
 }
 
 std::string tableOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) {

@@ -19,6 +19,10 @@ struct ProbedRun {
   std::vector<ProbePoint> points;
 };
 
+/// Throws `Error` that begins with a key of the spec for a place that no frame of this model can have: of another
+/// dimension, on a face or patch that it does not have, or a point outside. frame: any of them.
+void requirePlace(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec);
+
 /// The values along the path in a frame of a result. Throws `Error` for what the spec asks for and the frame
 /// does not have.
 ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec);
@@ -26,6 +30,11 @@ ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const 
 /// The values at the point, or the means of the path, in these frames (one or more). Throws `Error` as above,
 /// and if there is no value in any of them.
 ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& frames, const ProbeSpec& spec);
+
+/// The same of a whole result: over time in all of its frames, or else in those of these times, the last one if there
+/// is none, each named by its time if there are several. Throws `Error` for a time without a frame, too.
+std::vector<ProbedRun> probedRuns(const ResultReader& result, const ProbeSpec& spec,
+                                  const std::vector<double>& times);
 
 /// Titles of the axes of a chart.
 struct ProbeTitles {
@@ -35,8 +44,12 @@ struct ProbeTitles {
 /// Throws `Error` if lengths or fields of the runs have several units.
 ProbeTitles titlesOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs);
 
-/// The curve of a field, by its number, named by the run, the field or both, where there are several.
-ChartCurve curveOf(const ProbedRun& run, std::size_t field);
+/// A curve for each field and run, first those of the first field, named by the run, the field or both, where
+/// there are several.
+std::vector<ChartCurve> curvesOf(const std::vector<ProbedRun>& runs);
+
+/// They as a chart. Throws `Error` as `titlesOf` does.
+Chart chartOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs);
 
 /// The runs side by side as CSV: distance or time, the positions of the material now and at the start, and the
 /// fields; of means no positions.

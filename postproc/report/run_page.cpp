@@ -6,15 +6,19 @@
 #include <array>
 #include <utility>
 
+#include "engine/core/error.h"
+#include "engine/core/interruption.h"
 #include "engine/core/version.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/export/scratch_directory.h"
+#include "postproc/probe/probed_run.h"
 #include "postproc/report/frame_pictures.h"
 #include "postproc/report/html_parts.h"
 #include "postproc/report/run_facts.h"
 #include "postproc/report/run_record.h"
 #include "postproc/report/run_warnings.h"
+#include "postproc/scene/scene_document.h"
 #include "postproc/text/account_text.h"
 #include "postproc/text/markdown.h"
 
@@ -22,6 +26,7 @@ namespace burnish {
 namespace {
 
 constexpr std::array<int, 2> kPictureSize{960, 480};
+constexpr std::array<int, 2> kProbeSize{640, 400};
 constexpr double kTextSize = 18.0;
 
 ContourOptions pictureOptions(const RunRecord& run, const ReportOptions& report,
@@ -64,6 +69,23 @@ std::string pictures(const RunRecord& run, const ReportOptions& report) {
       most, last, images, scaleNote(report.picture.clip, run.result.model().dim));
 }
 
+/// Charts of the probes of the scene; one that cannot be made says why.
+std::string probes(const RunRecord& run, const std::vector<SceneProbe>& specs) {
+  std::vector<CaptionedChart> charts;
+  std::string html;
+  for (const SceneProbe& spec : specs) {
+    try {
+      charts.push_back({spec.name, chartOf(spec, probedRuns(run.result, spec, spec.times))});
+      charts.back().chart.size = kProbeSize;
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const Error& error) {
+      html += fmt::format("<p>{}: {}.</p>\n", escaped(spec.name), escaped(error.what()));
+    }
+  }
+  return htmlCharts(charts) + html;
+}
+
 /// Seconds by part of the program, with a bar for the share.
 std::string timings(const RunRecord& run) {
   const double total = run.account ? run.account->timings.total : 0.0;
@@ -90,17 +112,18 @@ HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& op
   const std::string title = model.title.empty() ? run.name : model.title;
   std::string body = fmt::format("<header>\n<h1>{}</h1>\n<p>Report of the run {} by {}.</p>\n",
                                  escaped(title), escaped(run.name), escaped(programName()));
-  body += htmlContents({{"warnings", "Warnings"},
-                        {"summary", "Summary"},
-                        {"pictures", "Pictures"},
-                        {"charts", "Charts"},
-                        {"convergence", "Convergence"},
-                        {"timings", "Timings"},
-                        {"settings", "Settings"}});
+  const std::vector<SceneProbe> specs = readResultDocument(directory).probes;
+  std::vector<std::pair<std::string, std::string>> parts{
+      {"warnings", "Warnings"}, {"summary", "Summary"},  {"pictures", "Pictures"},
+      {"probes", "Probes"},     {"charts", "Charts"},    {"convergence", "Convergence"},
+      {"timings", "Timings"},   {"settings", "Settings"}};
+  if (specs.empty()) std::erase(parts, std::pair<std::string, std::string>("probes", "Probes"));
+  body += htmlContents(parts);
   body += "</header>\n<main>\n";
   body += htmlCard("warnings", "Warnings", htmlWarnings(warnings), warnings.empty() ? "good" : "bad");
   body += htmlCard("summary", "Summary", htmlFacts(runFacts(run)));
   body += htmlCard("pictures", "Pictures", pictures(run, options));
+  if (!specs.empty()) body += htmlCard("probes", "Probes", probes(run, specs));
   body += htmlCard("charts", "Charts", htmlCharts(stateCharts(run)));
   body += htmlCard("convergence", "Convergence", htmlCharts(convergenceCharts(run)));
   body += htmlCard("timings", "Timings", timings(run));

@@ -36,12 +36,13 @@ void checkOptions(const CheckContext& c, const std::string& path, const PictureO
     if (const std::string key = path + "." + problem.path; c.clean(key)) c.report(key, problem.text);
 }
 
-void checkPictureBodies(const CheckContext& c, const std::string& path, const PictureOptions& picture) {
+/// chosen: names of bodies.
+void checkBodyNames(const CheckContext& c, const std::string& path, const std::vector<std::string>& chosen) {
   if (!c.bodiesAreRead()) return;
   std::vector<std::string> names;
   for (const BodySpec& body : c.scene.bodies) names.push_back(body.name);
-  for (std::size_t k = 0; k < picture.bodies.size(); ++k) {
-    const std::string& name = picture.bodies[k];
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const std::string& name = chosen[k];
     if (const std::string key = fmt::format("{}.body[{}]", path, k);
         c.clean(key) && std::find(names.begin(), names.end(), name) == names.end())
       c.report(key, fmt::format("found {}; allowed: {}.{}", name,
@@ -49,6 +50,15 @@ void checkPictureBodies(const CheckContext& c, const std::string& path, const Pi
                                               : fmt::format("{}", fmt::join(names, " | ")),
                                 didYouMean(name, names)));
   }
+}
+
+void requireNew(const CheckContext& c, const std::string& path, const std::string& name,
+                std::set<std::string>& names) {
+  if (names.insert(name).second) return;
+  c.report(path,
+           fmt::format(
+               "found the file name {} a second time; allowed: a name of its own for each entry (name: ...).",
+               name));
 }
 
 }  // namespace
@@ -61,15 +71,25 @@ void checkPictures(const DocumentContext& c) {
     checkField(c, path + ".field", picture.field);
     if (c.clean("steps")) checkTimes(c, path + ".times", picture.times);
     checkOptions(c, path, picture);
-    checkPictureBodies(c, path, picture);
-    if (!c.clean(path)) continue;
-    const std::string name = picture.name.value_or(picture.field);
-    if (!names.insert(name).second)
-      c.report(
-          path,
-          fmt::format(
-              "found the file name {} a second time; allowed: a name of its own for each entry (name: ...).",
-              name));
+    checkBodyNames(c, path, picture.bodies);
+    if (c.clean(path)) requireNew(c, path, picture.name.value_or(picture.field), names);
+  }
+}
+
+void checkProbes(const DocumentContext& c) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < c.document.probes.size(); ++i) {
+    const SceneProbe& probe = c.document.probes[i];
+    const std::string path = fmt::format("probes[{}]", i);
+    for (std::size_t k = 0; k < probe.fields.size(); ++k)
+      checkField(c, fmt::format("{}.field[{}]", path, k), probe.fields[k]);
+    if (c.clean("steps")) checkTimes(c, path + ".times", probe.times);
+    for (const InputProblem& problem : conflictsIn(probe))
+      if (const std::string key = path + "." + problem.path; c.clean(key)) c.report(key, problem.text);
+    if (probe.isOverTime() && !probe.times.empty() && c.clean(path + ".times"))
+      c.report(path + ".times", "found times of values over time; allowed: none.");
+    checkBodyNames(c, path, probe.bodies);
+    if (c.clean(path)) requireNew(c, path, probe.name, names);
   }
 }
 

@@ -12,6 +12,9 @@ struct DocumentContext : CheckContext {
 /// Pictures.
 void checkPictures(const DocumentContext& context);
 
+/// Probes.
+void checkProbes(const DocumentContext& context);
+
 /// Variants and checks.
 void checkChecks(const DocumentContext& context);
 

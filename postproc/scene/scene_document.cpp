@@ -21,6 +21,8 @@ Wanted wantedBy(const SceneDocument& document) {
   wanted.onlyWarns = isChangedByVariants(document);
   for (const ScenePicture& picture : document.pictures)
     wanted.frames.insert(wanted.frames.end(), picture.times.begin(), picture.times.end());
+  for (const SceneProbe& probe : document.probes)
+    wanted.frames.insert(wanted.frames.end(), probe.times.begin(), probe.times.end());
   for (std::size_t k = 0; k < document.checks.size(); ++k)
     wanted.quantities.push_back({fmt::format("checks[{}].quantity", k), document.checks[k].quantity.formula});
   for (std::size_t k = 0; k < document.charts.size(); ++k) {
@@ -45,6 +47,7 @@ SceneDocument parseSceneDocument(const std::string& yaml, const std::string& nam
   reading.check(document.scene);
   const DocumentContext context{{document.scene, reading.root(), reading.errors()}, document};
   checkPictures(context);
+  checkProbes(context);
   checkChecks(context);
   reading.finish(document.scene, yamlOf(document));
   document.scene.wanted = wantedBy(document);

@@ -6,6 +6,7 @@
 
 #include "engine/scene/scene.h"
 #include "postproc/draw/contour/picture_options.h"
+#include "postproc/probe/probe_spec.h"
 #include "postproc/scene/scene_checks.h"
 
 namespace burnish {
@@ -16,12 +17,19 @@ struct ScenePicture : PictureOptions {
   std::vector<double> times;        ///< one picture for each; the last frame when empty
 };
 
-/// What a scene's file says: the scene that the engine computes, the pictures to be drawn of its results, and
-/// what `burnish verify` makes of it. `scene.resolvedYaml` is the whole document, and `scene.wanted` says
+/// Values along a path or over time, of a scene.
+struct SceneProbe : ProbeSpec {
+  std::string name;           ///< file name stem
+  std::vector<double> times;  ///< a curve for each; the last frame when empty
+};
+
+/// What a scene's file says: the scene that the engine computes, the pictures and charts to be drawn of its results,
+/// and what `burnish verify` makes of it. `scene.resolvedYaml` is the whole document, and `scene.wanted` says
 /// what the document needs of a run.
 struct SceneDocument {
   Scene scene;
   std::vector<ScenePicture> pictures;
+  std::vector<SceneProbe> probes;
   std::optional<VariantsSpec> variants;
   std::vector<CheckSpec> checks;
   std::vector<CurveChartSpec> charts;

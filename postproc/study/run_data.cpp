@@ -10,6 +10,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/core/same_time.h"
 
 namespace burnish {
 namespace {
@@ -50,9 +51,7 @@ std::string stoppedText(double time) {
 
 FrameAt frameAt(const RunData& data, const ResultReader& result, double time) {
   const std::vector<double> times = result.times();
-  const double tolerance = 1e-9 * std::max(1.0, std::abs(time));
-  const auto found =
-      std::find_if(times.begin(), times.end(), [&](double t) { return std::abs(t - time) <= tolerance; });
+  const auto found = std::ranges::find_if(times, [&](double t) { return isSameTime(t, time); });
   if (found != times.end()) return {result.frame(static_cast<int>(found - times.begin()))};
   const auto stopped = data.stoppedAt();
   if (time == kEndOfRun && !times.empty())

@@ -142,6 +142,59 @@ TEST_F(ProbeCommand, WritesChartsAndTablesAtOnceAndPrintsThem) {
             0);
 }
 
+constexpr const char* kProbes = R"(probes:
+  - {name: radius, line: "1,0:2,0", field: [stress.xx, stress.yy], times: [0.5, 1], points: 11}
+  - {name: place, point: "0.9,1.2", field: [von_mises]}
+)";
+
+TEST_F(ProbeCommand, ScenesHaveTheSameAtTheEndOfTheirRuns) {
+  std::ofstream(dir / "probed.yaml") << kCylinder << kProbes;
+  const Outcome run = shell(dir, BURNISH_COMMAND " run probed.yaml -o probed --quiet");
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const auto& [name, options] :
+       {std::pair{"radius", "--line 1,0:2,0 --field stress.xx --field stress.yy --points 11 --frame 2-4"},
+        std::pair{"place", "--point 0.9,1.2 --field von_mises"}}) {
+    ASSERT_EQ(probe(std::string("probed ") + options + " -o own.csv").code, 0);
+    const HistoryTable ofScene = readHistory(dir / "probed/probes" / (std::string(name) + ".csv")),
+                       own = readHistory(dir / "own.csv");
+    for (std::size_t column = 0; column < ofScene.columns.size(); ++column)
+      EXPECT_EQ(ofScene.values[column], own.column(ofScene.columns[column])) << ofScene.columns[column];
+    EXPECT_TRUE(readText(dir / "probed/probes" / (std::string(name) + ".png")).starts_with("\x89PNG"));
+  }
+  ASSERT_EQ(shell(dir, BURNISH_COMMAND " report probed").code, 0);
+  const std::string page = readText(dir / "probed/report.html");
+  EXPECT_THAT(page, HasSubstr("<h2>Probes</h2>"));
+  EXPECT_THAT(page, HasSubstr("Distance along the line [mm]"));
+  EXPECT_THAT(readText(dir / "probed/report.html"), testing::Not(HasSubstr("outside of")));
+  ASSERT_EQ(shell(dir, BURNISH_COMMAND " report run").code, 0);
+  EXPECT_THAT(readText(dir / "run/report.html"), testing::Not(HasSubstr("Probes")));
+}
+
+TEST_F(ProbeCommand, ScenesAreToldOfProbesThatCannotBe) {
+  const auto refusal = [&](const std::string& text, const std::string& other) {
+    std::string probes = kProbes;
+    probes.replace(probes.find(text), text.size(), other);
+    std::ofstream(dir / "wrong.yaml") << kCylinder << probes;
+    const Outcome checked = shell(dir, BURNISH_COMMAND " validate wrong.yaml");
+    EXPECT_EQ(checked.code, 2);
+    return checked.err;
+  };
+  EXPECT_THAT(refusal("1,0:2,0", "1,0:2"), HasSubstr("wrong.yaml:11:27: probes[0].line: found \"1,0:2\""));
+  EXPECT_THAT(refusal("\"1,0:2,0\"", "\"1,0:2,0\", depth: left@0"),
+              HasSubstr("probes[0].line: found line and depth; expected one of"));
+  EXPECT_THAT(refusal("line: \"1,0:2,0\"", "depth: inside@0"),
+              HasSubstr("probes[0].depth: 'inside' is not a face"));
+  EXPECT_THAT(refusal("0.9,1.2", "0.1,0.1"), HasSubstr("probes[1].point: (0.1, 0.1) is "));
+  EXPECT_THAT(refusal("[0.5, 1]", "[0.5, 2]"),
+              HasSubstr("probes[0].times[1]: found 2; allowed: a time up to"));
+  EXPECT_THAT(refusal("[von_mises]", "[von_mises], times: [1]"),
+              HasSubstr("probes[1].times: found times of values over time"));
+  EXPECT_THAT(refusal("[von_mises]", "[plastic_strain]"),
+              HasSubstr("probes[1].field[0]: found plastic_strain"));
+  EXPECT_THAT(refusal("name: place", "name: radius"), HasSubstr("found the file name radius a second time"));
+  EXPECT_THAT(refusal("[von_mises]", "[von_mises], body: [hub]"), HasSubstr("probes[1].body[0]: found hub"));
+}
+
 TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
   expectRefused("run", "found no place; expected one of line, face, depth and point");
   expectRefused("run --line 1,0:2,0 --face left",

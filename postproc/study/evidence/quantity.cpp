@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/core/same_time.h"
 #include "postproc/study/evidence/expression.h"
 #include "postproc/study/evidence/reductions.h"
 
@@ -45,8 +46,7 @@ std::size_t rowAt(double time, const std::vector<double>& times) {
   const auto nearest = std::min_element(times.begin(), times.end(), [=](double a, double b) {
     return std::abs(a - time) < std::abs(b - time);
   });
-  if (std::abs(*nearest - time) <= 1e-9 * std::max(1.0, std::abs(time)))
-    return static_cast<std::size_t>(nearest - times.begin());
+  if (isSameTime(*nearest, time)) return static_cast<std::size_t>(nearest - times.begin());
   throw Error(fmt::format("there is no row at t = {}; the nearest one is at t = {}", time, *nearest));
 }
 

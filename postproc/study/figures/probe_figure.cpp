@@ -65,15 +65,9 @@ Files ProbeFigure::draw(const FigureTask& task) const {
   }
   // Looks tell runs apart; where a run has several curves, these have looks by their number.
   const bool onePerRun = times.size() < 2 && probe.fields.size() < 2;
-  const ProbeTitles titles = titlesOf(probe, probed);
-  Chart chart;
-  chart.x.title = titles.x;
-  chart.y.title = titles.y;
-  for (std::size_t field = 0; field < probed.front().fields.size(); ++field)
-    for (std::size_t k = 0; k < probed.size(); ++k) {
-      chart.curves.push_back(curveOf(probed[k], field));
-      if (onePerRun) chart.curves.back().style = styles[k];
-    }
+  Chart chart = chartOf(probe, probed);
+  if (onePerRun)
+    for (std::size_t k = 0; k < chart.curves.size(); ++k) chart.curves[k].style = styles[k];
   const Files files{task.file(".png"), task.file(".csv")};
   drawChart(chart, files[0]);
   writeText(tableOf(probe, probed), files[1]);

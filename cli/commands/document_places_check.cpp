@@ -1,4 +1,4 @@
-#include "cli/commands/picture_planes_check.h"
+#include "cli/commands/document_places_check.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include "engine/core/input_error.h"
 #include "engine/scene/scene_places.h"
 #include "postproc/mesh/mirror.h"
+#include "postproc/probe/probed_run.h"
 
 namespace burnish {
 namespace {
@@ -24,7 +25,7 @@ FrameRecord frameAtRest(const ModelRecord& model) {
 
 }  // namespace
 
-void requirePlanes(const SceneDocument& document, const ModelRecord& model) {
+void requirePlaces(const SceneDocument& document, const ModelRecord& model) {
   const FrameRecord frame = frameAtRest(model);
   std::vector<InputProblem> problems;
   for (std::size_t k = 0; k < document.pictures.size(); ++k) {
@@ -40,6 +41,17 @@ void requirePlanes(const SceneDocument& document, const ModelRecord& model) {
       const std::string text = error.what();  // begins with the key
       problems.push_back(
           {path + "." + key, text.starts_with(key + ": ") ? text.substr(key.size() + 2) : text});
+    }
+  }
+  for (std::size_t k = 0; k < document.probes.size(); ++k) {
+    try {
+      requirePlace(model, frame, document.probes[k]);
+    } catch (const Error& error) {
+      const std::string text = error.what();  // begins with the key
+      const std::size_t end = text.find(": ");
+      std::string key = text.substr(0, end);
+      if (key == "face" && document.probes[k].face.empty()) key = "depth";
+      problems.push_back({fmt::format("probes[{}].{}", k, key), text.substr(end + 2)});
     }
   }
   if (!problems.empty()) throw Error(textWithPlaces(document.scene, problems));

@@ -6,7 +6,7 @@
 namespace burnish {
 
 /// Throws `Error` with places in the scene's file if the planes of its pictures are none of symmetry or miss
-/// the undeformed body.
-void requirePlanes(const SceneDocument& document, const ModelRecord& model);
+/// the undeformed body, or if the places of its probes are none of the body.
+void requirePlaces(const SceneDocument& document, const ModelRecord& model);
 
 }  // namespace burnish
