@@ -93,7 +93,9 @@ ContourOptions contourOptions(const PictureArguments& arguments, const ResultRea
   const FrameRecord first = result.frame(frames.front());
   const int dim = result.model().dim;
   PictureOptions picture;
+  picture.size = arguments.usualSize;
   picture.range = rangeOf(arguments);
+  arguments.picture.readInto(static_cast<PrintOptions&>(picture));
   readPicture(arguments.picture, picture, dim);
   picture.field = withShownModel(
       result.model(), first, picture,

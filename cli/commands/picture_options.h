@@ -22,6 +22,7 @@ struct PictureArguments {
   std::string frame = "last";
   std::string field, component;
   std::string range = "auto";
+  std::array<int, 2> usualSize = PictureOptions().size;  ///< where none is given
   DeclaredOptions picture;
 };
 

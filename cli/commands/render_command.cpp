@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
+#include "postproc/draw/page/print_file.h"
 
 namespace burnish {
 namespace {
@@ -21,11 +22,22 @@ struct RenderArguments {
   std::string picture;
 };
 
-ExitCode render(const RenderArguments& arguments) {
-  const SignalGuard signals(SecondSignal::Ends);
+/// Throws `Error` for other endings than those of pictures, and for options that are those of the others.
+void checkOutput(const RenderArguments& arguments) {
+  if (isPrintFile(arguments.picture)) return;
   if (std::filesystem::path(arguments.picture).extension() != ".png")
-    throw Error(
-        fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png", arguments.picture));
+    throw Error(fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png, .pdf or .svg",
+                            arguments.picture));
+  PrintOptions print;
+  arguments.options.picture.readInto(print);
+  if (print.dpi)
+    throw Error("--dpi: a PNG has pixels and no inches; take --size or --scale, or a .pdf or .svg");
+}
+
+ExitCode render(RenderArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
+  checkOutput(arguments);
+  if (isPrintFile(arguments.picture)) arguments.options.usualSize = kPrintSize;
   const PictureSource source = pictureSource(arguments.options);
   const std::vector<int> frames = frameIndices(arguments.options.frame, source.times);
   const auto names = pictureNames(arguments.picture, frames, source.times);
@@ -43,10 +55,12 @@ void addRenderCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("render", "Draw contour pictures of frames");
   const auto arguments = std::make_shared<RenderArguments>();
   addPictureArguments(*command, arguments->options);
+  arguments->options.picture.addTo(*command, PrintOptions{});
   command
       ->add_option("-o,--output", arguments->picture,
-                   "Name of the picture; for several frames with {frame} or {frame:04} or {time} in it")
-      ->type_name("PICTURE.png")
+                   "Name of the picture, .png, or .pdf or .svg for print, where sizes are in points and the usual "
+                   "one is 482,271; for several frames with {frame} or {frame:04} or {time} in it")
+      ->type_name("PICTURE.png|pdf|svg")
       ->required();
   command->callback([&action, arguments] { action = [arguments] { return render(*arguments); }; });
 }

@@ -69,6 +69,15 @@ std::string pictures(const RunRecord& run, const ReportOptions& report) {
       most, last, images, scaleNote(report.picture.clip, run.result.model().dim));
 }
 
+/// None of a result without a scene that this program reads.
+std::vector<SceneProbe> probesOf(const std::filesystem::path& directory) {
+  try {
+    return readResultDocument(directory).probes;
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 /// Charts of the probes of the scene; one that cannot be made says why.
 std::string probes(const RunRecord& run, const std::vector<SceneProbe>& specs) {
   std::vector<CaptionedChart> charts;
@@ -112,7 +121,7 @@ HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& op
   const std::string title = model.title.empty() ? run.name : model.title;
   std::string body = fmt::format("<header>\n<h1>{}</h1>\n<p>Report of the run {} by {}.</p>\n",
                                  escaped(title), escaped(run.name), escaped(programName()));
-  const std::vector<SceneProbe> specs = readResultDocument(directory).probes;
+  const std::vector<SceneProbe> specs = probesOf(directory);
   std::vector<std::pair<std::string, std::string>> parts{
       {"warnings", "Warnings"}, {"summary", "Summary"},  {"pictures", "Pictures"},
       {"probes", "Probes"},     {"charts", "Charts"},    {"convergence", "Convergence"},

@@ -27,6 +27,7 @@
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_transparency.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/page_lines.h"
 #include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/contour/scalar_bar.h"
 #include "postproc/draw/contour/shape_lines.h"
@@ -35,7 +36,10 @@
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/draw/page/flat_shapes.h"
 #include "postproc/draw/page/overlay.h"
+#include "postproc/draw/page/painted_sketch.h"
+#include "postproc/draw/page/picture_size.h"
 #include "postproc/draw/page/png_file.h"
+#include "postproc/draw/page/print_file.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
@@ -43,6 +47,13 @@ namespace {
 
 /// Width of contact faces in the plane, over that of outlines.
 constexpr double kFaceWidth = 6.0;
+
+/// Width of the edges of arrows, over that of outlines.
+constexpr double kArrowEdge = 0.5;
+
+constexpr double kPointsPerInch = 72.0;
+
+constexpr double kHalo = 3.0;  // width of what is white below a line, over its own
 
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
@@ -103,6 +114,12 @@ ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const s
       scale, {field.title, field.unit, values[0], values[1], field.states, even, marked}, textSize, theme};
 }
 
+/// A contour picture for print.
+struct ContourPage {
+  PrintPage page;
+  View view;
+};
+
 /// Makes one picture, part by part.
 class ContourPicture {
  public:
@@ -117,24 +134,88 @@ class ContourPicture {
         cutsBody_(options.window && !options.window->contains(bodiesBox(parts_))) {}
 
   ContourImage draw() {
+    const Plan plan = makePlan();
+    const View& view = plan.layout.view;
+    if (subject_.refine) subject_.refine(parts_, view, plan.scale.range());
+    return {onPaper([&](const Color& paper) { return capture(paper, plan); }), view};
+  }
+
+  /// The same for print: the field as an image, what is drawn over it as vectors.
+  ContourPage page() {
+    const Plan plan = makePlan();
+    const View& view = plan.layout.view;
+    const std::array<int, 2> pixels = pixelsFor(view.area);
+    View printed = view;
+    printed.area = {0.0, 0.0, static_cast<double>(pixels[0]), static_cast<double>(pixels[1])};
+    printed.pixelsPerLength *= pixels[0] / view.area.width;
+    if (subject_.refine) subject_.refine(parts_, printed, plan.scale.range());
+
+    PrintPage page{{static_cast<double>(size_[0]), static_cast<double>(size_[1])}, title(), {}};
+    std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
+    if (!options_.transparent && theme_.paper != kWhite) shapes.emplace_back(wholePage());
+    shapes.emplace_back(PageImage{
+        view.area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, plan); })});
+    for (const PageSketch& over : {spaceLines(plan), texts(plan.layout, plan.bar)})
+      shapes.insert(shapes.end(), over.shapes.begin(), over.shapes.end());
+    return {std::move(page), view};
+  }
+
+ private:
+  /// What a picture shows where.
+  struct Plan {
+    ColorScale scale;
+    ScalarBar bar;
+    ContourLayout layout;
+    std::vector<ToolDrawing> tools{};
+  };
+
+  Plan makePlan() const {
     const auto& [whole, unclipped] = subject_.ranges;
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
     const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales,
                                       parts_.extremes.has_value());
-    const ContourLayout layout = layOutContour(
-        size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim), parts_.axes,
-        caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr, theme_);
-    if (subject_.refine) subject_.refine(parts_, layout.view, scale.range());
-    if (!options_.transparent) return {capture(theme_.paper, layout, bar, scale), layout.view};
-    return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
-            layout.view};
+    Plan plan{
+        scale, bar,
+        layOutContour(size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim),
+                      parts_.axes, caption(options_.clip && shown != whole),
+                      options_.colorScale ? &bar : nullptr, theme_)};
+    for (const ShownTool& tool : parts_.tools) plan.tools.push_back(drawTool(tool, plan.layout.view));
+    return plan;
   }
 
- private:
+  /// What `draw` draws on a paper, or without paper.
+  template <class Draw>
+  vtkSmartPointer<vtkImageData> onPaper(const Draw& draw) const {
+    return options_.transparent ? withoutPaper(*draw(kWhite), *draw(kBlack)) : draw(theme_.paper);
+  }
+
+  double dotsPerPoint() const { return options_.dpi.value_or(kPrintDpi) / kPointsPerInch; }
+
+  /// Of the image in a part of a page.
+  std::array<int, 2> pixelsFor(const PixelRect& area) const {
+    const double largest = std::max(area.width, area.height), dots = dotsPerPoint();
+    if (dots * largest > kLargestSide)
+      throw Error(fmt::format(
+          "dpi: {:.6g} dots per inch make an image of {:.0f} x {:.0f} pixels; expected up to {} x {}: take up to "
+          "{:.0f}, or a smaller picture",
+          dots * kPointsPerInch, dots * area.width, dots * area.height, kLargestSide, kLargestSide,
+          std::floor(kPointsPerInch * kLargestSide / largest)));
+    const auto count = [&](double length) {
+      return std::max(1, static_cast<int>(std::lround(dots * length)));
+    };
+    return {count(area.width), count(area.height)};
+  }
+
+  PageArea wholePage() const {
+    const double width = size_[0], height = size_[1];
+    return {{{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}}, theme_.paper};
+  }
+
+  std::string title() const { return options_.title.value_or(subject_.title); }
+
   ContourCaption caption(bool clipped) const {
-    return {options_.title.value_or(subject_.title),
-            options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
+    return {title(), options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
                     parts_.arrows.note, sectionNote(), extremesNote(), plainNote(), subject_.note,
                     options_.note, clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
@@ -171,22 +252,65 @@ class ContourPicture {
                        fmt::join(normal, ", "));
   }
 
-  vtkSmartPointer<vtkImageData> capture(const Color& background, const ContourLayout& layout,
-                                        const ScalarBar& bar, const ColorScale& scale) const {
+  vtkSmartPointer<vtkImageData> capture(const Color& background, const Plan& plan) const {
+    const ContourLayout& layout = plan.layout;
     OffscreenCanvas canvas(size_[0], size_[1]);
     vtkNew<vtkRenderer> paper, space;
     canvas.window().SetNumberOfLayers(2);
     canvas.window().AddRenderer(paper);
     canvas.window().AddRenderer(space);
     paper->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
-    drawTexts(*paper, canvas.supersampling(), layout, bar);
+    paint(texts(layout, plan.bar), *paper, canvas.supersampling());
     space->SetLayer(1);
-    drawSpace(*space, canvas.supersampling(), layout.view, scale);
+    drawSpace(*space, canvas.supersampling(), plan, Shown::Everything);
+    aim(*space, layout.view, size_, 10.0 * lengthOf(parts_));
     return canvas.capture();
   }
 
-  void drawTexts(vtkRenderer& renderer, int scale, const ContourLayout& layout, const ScalarBar& bar) const {
-    Overlay overlay(renderer, scale);
+  /// The image of space alone, in the pixels of print.
+  vtkSmartPointer<vtkImageData> captureSpace(const Color& background, const View& printed,
+                                             const Plan& plan) const {
+    const std::array<int, 2> pixels{static_cast<int>(printed.area.width),
+                                    static_cast<int>(printed.area.height)};
+    OffscreenCanvas canvas(pixels[0], pixels[1]);
+    vtkNew<vtkRenderer> space;
+    canvas.window().AddRenderer(space);
+    space->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
+    drawSpace(*space, canvas.supersampling() * dotsPerPoint(), plan,
+              isFlat() ? Shown::Areas : Shown::Everything);
+    aim(*space, printed, pixels, 10.0 * lengthOf(parts_));
+    return canvas.capture();
+  }
+
+  /// What lies over the areas of a plane picture. In space lines are hidden by what stands before them, so that
+  /// they belong to the image.
+  PageSketch spaceLines(const Plan& plan) const {
+    PageSketch sketch;
+    if (!isFlat()) return sketch;
+    const View& view = plan.layout.view;
+    std::vector<SpaceLines> all = bodyLines(plan);
+    for (const ToolDrawing& tool : plan.tools)
+      if (tool.lines) all.push_back(toolLines(tool));
+    for (const SpaceLines& part : all)
+      sketch.shapes.emplace_back(part.isDots
+                                     ? pageDots(*part.lines, view, part.color, part.width)
+                                     : pageLines(*part.lines, view, part.color, part.width, part.opacity));
+    if (isOfContact())
+      for (PageLines& piece : coloredPageLines(*parts_.body, view, plan.scale, kFaceWidth * lineWidth()))
+        sketch.shapes.emplace_back(std::move(piece));
+    if (parts_.arrows.areas)
+      addPageAreas(sketch, *parts_.arrows.edges, view, kWhite, kBlack, kArrowEdge * lineWidth());
+    if (parts_.extremes) addPageAreas(sketch, *extremesIn(view).edges, view, kWhite, kBlack, lineWidth());
+    if (parts_.mark)
+      for (const auto& [color, width] : {std::pair(kWhite, kHalo), std::pair(kBlack, 1.0)})
+        sketch.shapes.emplace_back(pageLines(*ringIn(view), view, color, width * lineWidth(), 1.0));
+    return sketch;
+  }
+
+  /// All that is no picture of space: texts, the colour scale, the frame, the axes.
+  PageSketch texts(const ContourLayout& layout, const ScalarBar& bar) const {
+    PageSketch sketch;
+    Overlay overlay(sketch);
     if (!layout.title.text.empty()) overlay.addText(layout.title.text, layout.titleAt, layout.title.style);
     if (!layout.time.text.empty()) overlay.addText(layout.time.text, layout.timeAt, layout.time.style);
     if (!layout.note.text.empty())
@@ -194,10 +318,11 @@ class ContourPicture {
           layout.note.text, layout.noteAt, layout.note.style,
           layout.barDirection == Overlay::Direction::Up ? Overlay::Anchor::End : Overlay::Anchor::Middle);
     if (!layout.doubt.text.empty()) overlay.addText(layout.doubt.text, layout.doubtAt, layout.doubt.style);
-    FlatShapes shapes(renderer, scale);
+    FlatShapes shapes(sketch);
     if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody_) drawFrame(shapes, layout.view.area);
     if (subject_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
+    return sketch;
   }
 
   /// Round a part of the body, whose edges are not those of the body.
@@ -210,47 +335,85 @@ class ContourPicture {
   /// Whether what is drawn lies in a plane.
   bool isFlat() const { return subject_.dim == 2 || options_.slice; }
 
-  void drawSpace(vtkRenderer& renderer, int scale, const View& view, const ColorScale& colors) const {
-    const double line = scale * std::max(0.8, textSize_ / 16.0);
+  bool isOfContact() const { return field_.faces != nullptr; }
+
+  /// Of outlines, in pixels of the picture.
+  double lineWidth() const { return std::max(0.8, textSize_ / 16.0); }
+
+  /// Lines of one look.
+  struct SpaceLines {
+    vtkSmartPointer<vtkPolyData> lines;
+    Color color;
+    double width;  ///< in pixels of the picture
+    Layer layer;
+    double opacity = 1.0;
+    bool isDots = false;  ///< its points alone, as wide as this
+  };
+
+  /// From the back to the front, without tools.
+  std::vector<SpaceLines> bodyLines(const Plan& plan) const {
+    const double line = lineWidth();
+    std::vector<SpaceLines> all;
+    for (const auto& part : {parts_.body, parts_.section})
+      if (part && options_.isolines > 0)
+        all.push_back({isolines(*part, plan.scale.range()), theme_.outline, 0.7 * line, kIsolines});
+    if (parts_.knots) all.push_back({parts_.knots, theme_.knots, 0.5 * line, kKnots, 0.5});
+    if (parts_.net) {
+      all.push_back({parts_.net, theme_.controlNet, 0.6 * line, kNet});
+      all.push_back({parts_.net, theme_.controlNet, 4.0 * line, kNet, 1.0, true});
+    }
+    if (parts_.undeformed)
+      all.push_back({parts_.undeformed, theme_.undeformed, 0.8 * line, isFlat() ? kUndeformed : kBehindBody});
+    all.push_back({parts_.outline, theme_.outline, line, kBodyOutline});
+    for (const auto& part : {parts_.body, parts_.plain})
+      if (part && !isFlat() && !(isOfContact() && part == parts_.body))
+        all.push_back(
+            {silhouetteOf(*part, plan.layout.view.towardsEye()), theme_.outline, line, kBodyOutline});
+    return all;
+  }
+
+  SpaceLines toolLines(const ToolDrawing& drawing) const {
+    return {drawing.lines, theme_.outline, 1.2 * lineWidth(), kToolLines};
+  }
+
+  /// What of space is drawn: of a plane picture its areas alone, where lines become vectors.
+  enum class Shown { Everything, Areas };
+
+  /// scale: pixels of the drawing per pixel of the picture.
+  void drawSpace(vtkRenderer& renderer, double scale, const Plan& plan, Shown what) const {
     const double depth = lengthOf(parts_) / (isFlat() ? 100.0 : 1000.0);
-    const Eigen::Vector3d eye = view.towardsEye();
+    const Eigen::Vector3d eye = plan.layout.view.towardsEye();
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, Layer layer) {
       const Eigen::Vector3d shift = static_cast<double>(layer) * depth * eye;
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
     };
-    const auto colored = contourActor(*parts_.body, colors, !isFlat());
-    const bool ofContact = field_.faces != nullptr;
-    if (ofContact) colored->GetProperty()->SetLineWidth(static_cast<float>(kFaceWidth * line));
-    add(colored, !ofContact ? kBody : isFlat() ? kContactFaces : kIsolines);
-    if (parts_.section) add(contourActor(*parts_.section, colors, false), kBody);
+    const auto addLines = [&](const SpaceLines& part) {
+      if (what == Shown::Areas) return;
+      const double width = scale * part.width;
+      add(part.isDots ? pointActor(*part.lines, part.color, width)
+                      : lineActor(*part.lines, part.color, width, part.opacity),
+          part.layer);
+    };
+    if (!isOfContact() || !isFlat() || what == Shown::Everything) {
+      const auto colored = contourActor(*parts_.body, plan.scale, !isFlat());
+      if (isOfContact())
+        colored->GetProperty()->SetLineWidth(static_cast<float>(kFaceWidth * scale * lineWidth()));
+      add(colored, !isOfContact() ? kBody : isFlat() ? kContactFaces : kIsolines);
+    }
+    if (parts_.section) add(contourActor(*parts_.section, plan.scale, false), kBody);
     if (parts_.plain) add(plainActor(*parts_.plain, plainColor(), !isFlat(), 1.0), kBody);
     if (parts_.plainSection) add(plainActor(*parts_.plainSection, plainColor(), false, 1.0), kBody);
-    for (const auto& part : {parts_.body, parts_.section})
-      if (part && options_.isolines > 0)
-        add(lineActor(*isolines(*part, colors.range()), theme_.outline, 0.7 * line, 1.0), kIsolines);
-    if (parts_.knots) add(lineActor(*parts_.knots, theme_.knots, 0.5 * line, 0.5), kKnots);
-    if (parts_.net) {
-      add(lineActor(*parts_.net, theme_.controlNet, 0.6 * line, 1.0), kNet);
-      add(pointActor(*parts_.net, theme_.controlNet, 4.0 * line), kNet);
-    }
-    if (parts_.undeformed)
-      add(lineActor(*parts_.undeformed, theme_.undeformed, 0.8 * line, 1.0),
-          isFlat() ? kUndeformed : kBehindBody);
-    add(lineActor(*parts_.outline, theme_.outline, line, 1.0), kBodyOutline);
-    for (const auto& part : {parts_.body, parts_.plain})
-      if (part && !isFlat() && !(ofContact && part == parts_.body))
-        add(lineActor(*silhouetteOf(*part, eye), theme_.outline, line, 1.0), kBodyOutline);
-    for (const ShownTool& tool : parts_.tools) {
-      const ToolDrawing drawing = drawTool(tool, view);
+    for (const SpaceLines& part : bodyLines(plan)) addLines(part);
+    for (const ToolDrawing& drawing : plan.tools) {
       if (drawing.area) add(plainActor(*drawing.area, theme_.tool, false, 1.0), kToolFill);
       if (drawing.surface)
         add(plainActor(*drawing.surface, theme_.tool, true, options_.toolOpacity), kToolFill);
-      if (drawing.lines) add(lineActor(*drawing.lines, theme_.outline, 1.2 * line, 1.0), kToolLines);
+      if (drawing.lines) addLines(toolLines(drawing));
     }
-    if (parts_.arrows.areas) drawArrows(renderer, line, eye);
-    drawMarks(renderer, line, view);
-    aim(renderer, view, size_, 10.0 * lengthOf(parts_));
+    if (what == Shown::Areas) return;
+    if (parts_.arrows.areas) drawArrows(renderer, scale * lineWidth(), eye);
+    drawMarks(renderer, scale * lineWidth(), plan.layout.view);
   }
 
   /// Whether a place of the bodies is in the window, and in the part that a cut or a slice leaves.
@@ -262,10 +425,23 @@ class ContourPicture {
     return options_.slice ? std::abs(before) <= slack : before <= slack;
   }
 
+  /// Of signs at places, as a length.
+  double markSize(const View& view) const { return 0.9 * textSize_ / view.pixelsPerLength; }
+
+  ExtremeMarks extremesIn(const View& view) const {
+    return extremeMarks(
+        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, parts_.axes,
+        markSize(view));
+  }
+
+  vtkSmartPointer<vtkPolyData> ringIn(const View& view) const {
+    return ringMark(*parts_.mark, parts_.axes, 1.4 * markSize(view));
+  }
+
   /// In front of everything; in space those that are behind something are pale.
   void drawMarks(vtkRenderer& renderer, double line, const View& view) const {
-    constexpr double kSide = 0.9, kRing = 1.4, kPale = 0.4, kInFront = 2.1;
-    const double side = kSide * textSize_ / view.pixelsPerLength;
+    constexpr double kPale = 0.4, kInFront = 2.1;
+    const double side = markSize(view);
     const double front = kInFront * lengthOf(parts_), above = isFlat() ? front : side;
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, double nearness) {
       const Eigen::Vector3d shift = nearness * view.towardsEye();
@@ -277,14 +453,13 @@ class ContourPicture {
       if (!isFlat()) add(lineActor(edges, kBlack, line, kPale), front);
     };
     if (parts_.extremes) {
-      const ExtremeMarks marks = extremeMarks(
-          *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, parts_.axes, side);
+      const ExtremeMarks marks = extremesIn(view);
       add(plainActor(*marks.areas, kWhite, false, 1.0), above);
       addEdges(*marks.edges);
     }
     if (parts_.mark) {
-      const auto ring = ringMark(*parts_.mark, parts_.axes, kRing * side);
-      add(lineActor(*ring, kWhite, 3.0 * line, 1.0), above);
+      const auto ring = ringIn(view);
+      add(lineActor(*ring, kWhite, kHalo * line, 1.0), above);
       addEdges(*ring);
     }
   }
@@ -300,7 +475,7 @@ class ContourPicture {
   /// In front of everything: white with a dark edge, which is seen on every colour.
   void drawArrows(vtkRenderer& renderer, double line, const Eigen::Vector3d& eye) const {
     const auto areas = plainActor(*parts_.arrows.areas, kWhite, false, 1.0);
-    const auto edges = lineActor(*parts_.arrows.edges, kBlack, 0.5 * line, 1.0);
+    const auto edges = lineActor(*parts_.arrows.edges, kBlack, kArrowEdge * line, 1.0);
     double nearness = isFlat() ? static_cast<double>(kArrows) / 100.0 : 2.0;
     for (const auto& actor : {areas, edges}) {
       const Eigen::Vector3d shift = nearness * lengthOf(parts_) * eye;
@@ -347,7 +522,25 @@ ContourImage contourImage(const ContourSubject& subject, const ContourOptions& o
   return ContourPicture(subject, options).draw();
 }
 
-ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+View drawContour(const ContourSubject& subject, const ContourOptions& options,
+                 const std::filesystem::path& file) {
+  if (!isPrintFile(file)) {
+    const ContourImage image = contourImage(subject, options);
+    writePng(*image.picture, file);
+    return image.view;
+  }
+  check(options, subject.dim);
+  const ContourPage printed = ContourPicture(subject, options).page();
+  writePrint(printed.page, file);
+  return printed.view;
+}
+
+namespace {
+
+/// Makes something of what a picture of a frame is of.
+template <class Make>
+auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+               const Make& make) {
   check(options, model.dim);
   return withShownModel(model, frame, options, [&](const ModelRecord& shown, const FrameRecord& its) {
     const FieldChoice field = chooseField(shown, its, options.field);
@@ -360,15 +553,21 @@ ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, co
       subject.refine = [&](ContourParts& coarse, const View& view, const std::array<double, 2>& range) {
         refineForView(coarse, shown, its, field, options, view, range);
       };
-    return contourImage(subject, options);
+    return make(subject);
   });
 }
 
+}  // namespace
+
+ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+  return ofSubject(model, frame, options,
+                   [&](const ContourSubject& subject) { return contourImage(subject, options); });
+}
+
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
-                 const std::filesystem::path& png) {
-  const ContourImage image = contourImage(model, frame, options);
-  writePng(*image.picture, png);
-  return image.view;
+                 const std::filesystem::path& file) {
+  return ofSubject(model, frame, options,
+                   [&](const ContourSubject& subject) { return drawContour(subject, options, file); });
 }
 
 void drawColorScale(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
@@ -385,9 +584,11 @@ void drawColorScale(const ModelRecord& model, const FrameRecord& frame, const Co
   vtkNew<vtkRenderer> paper;
   canvas.window().AddRenderer(paper);
   paper->SetBackground(theme.paper[0] / 255.0, theme.paper[1] / 255.0, theme.paper[2] / 255.0);
-  Overlay overlay(*paper, canvas.supersampling());
-  FlatShapes shapes(*paper, canvas.supersampling());
+  PageSketch sketch;
+  Overlay overlay(sketch);
+  FlatShapes shapes(sketch);
   bar.draw(overlay, shapes, {(width - length) / 2.0, 0.0, length, depth}, Overlay::Direction::Right);
+  paint(sketch, *paper, canvas.supersampling());
   writePng(*canvas.capture(), png);
 }
 

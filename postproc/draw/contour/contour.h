@@ -37,12 +37,14 @@ struct ContourImage {
 /// Draws as `drawContour`, into memory.
 ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
 
-/// Draws a field on the deformed body, the tools, a colour scale and a caption into a PNG file, which appears
-/// under its name only when it is complete. Returns how positions became pixels. Throws `Error` for an
+/// Draws a field on the deformed body, the tools, a colour scale and a caption into a file, which appears under
+/// its name only when it is complete: PNG, or for print PDF or SVG, by its ending. For print pixels are points of
+/// 1/72 inch; areas of space, and all that is drawn of a body in space, are an image of `dpi`, and the rest is
+/// vectors and text. Returns how positions became pixels. Throws `Error` for an
 /// unknown field, option values out of range or that exclude each other, a plane that is none of symmetry or
 /// misses the body, a field that is not finite, a missing font and a file that cannot be written.
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
-                 const std::filesystem::path& png);
+                 const std::filesystem::path& file);
 
 /// Draws nothing but the colour scale that pictures of a range share, across in the middle of a picture as wide
 /// as `options.size` and as high as it needs. options: of one of the pictures. values: the smallest and the

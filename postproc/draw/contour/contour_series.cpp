@@ -13,6 +13,7 @@
 #include "postproc/draw/contour/shown_model.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/png_file.h"
+#include "postproc/draw/page/print_file.h"
 
 namespace burnish {
 namespace {
@@ -100,6 +101,11 @@ void drawInTurn(const std::vector<std::filesystem::path>& names,
 
 void drawSeries(const ResultReader& result, const std::vector<int>& frames, const ContourOptions& options,
                 const std::vector<std::filesystem::path>& names) {
+  if (isPrintFile(names.front())) {
+    for (std::size_t k = 0; k < names.size(); ++k)
+      drawContour(result.model(), result.frame(frames[k]), options, names[k]);
+    return;
+  }
   drawInTurn(names,
              [&](std::size_t k) { return contourImage(result.model(), result.frame(frames[k]), options); });
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -29,5 +30,9 @@ struct ContourSubject {
 
 /// Draws as `contourImage` does.
 ContourImage contourImage(const ContourSubject& subject, const ContourOptions& options);
+
+/// Draws as `drawContour` does.
+View drawContour(const ContourSubject& subject, const ContourOptions& options,
+                 const std::filesystem::path& file);
 
 }  // namespace burnish

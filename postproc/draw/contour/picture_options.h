@@ -74,7 +74,24 @@ struct Spelling<std::vector<MirrorPlane>> {
   static std::vector<std::string> candidates() { return {}; }
 };
 
-struct PictureOptions : PageLook, PictureDefaults {
+/// Of the images in files for print.
+inline constexpr int kPrintDpi = 600;
+
+/// Size in points of a picture for print: 170 mm wide.
+inline constexpr std::array<int, 2> kPrintSize{482, 271};
+
+/// What a picture for print has beside the others.
+struct PrintOptions {
+  std::optional<int> dpi;  ///< dots per inch of what is no vector; `kPrintDpi` when left out
+};
+
+template <class Visitor>
+void describe(Visitor& v, PrintOptions& s) {
+  v.field("dpi", s.dpi, {.atLeast = 72, .atMost = 2400},
+          "Dots per inch of the image in a PDF or SVG, 600 when left out; texts and lines are vectors.");
+}
+
+struct PictureOptions : PageLook, PictureDefaults, PrintOptions {
   std::string field;  ///< `plastic_strain`, `stress.xx`, …; a vector alone: magnitude
   std::optional<std::array<double, 2>> range;  ///< ends of the colour scale; smallest and largest value shown
   /// Instead of a range: the colours end at this percentile p and at the (100-p)th; see `fieldRange`.

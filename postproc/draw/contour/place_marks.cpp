@@ -84,9 +84,10 @@ ExtremeMarks extremeMarks(const ExtremePlaces& places,
     Eigen::Matrix3Xd corners(3, 3);
     corners << place + 2.0 * up, place - right - up, place + right - up;
     areas.addPolygon(areas.addPoints(corners));
-    std::vector<vtkIdType> ring = edges.addPoints(corners);
-    ring.insert(ring.end(), {ring[0], ring[1]});  // once round, and the first corner joined
-    edges.addLine(ring);
+    Eigen::Matrix3Xd ring(3, 5);  // closed within a side, so that all corners are joined
+    ring << corners.rightCols(2).rowwise().mean(), corners.col(2), corners.leftCols(2),
+        corners.rightCols(2).rowwise().mean();
+    edges.addLine(edges.addPoints(ring));
   }
   return {areas.finish(), edges.finish()};
 }

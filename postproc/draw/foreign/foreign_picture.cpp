@@ -26,6 +26,7 @@
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/foreign/foreign_fields.h"
 #include "postproc/draw/foreign/foreign_surface.h"
+#include "postproc/draw/page/print_file.h"
 #include "postproc/mesh/plane_section.h"
 #include "postproc/mesh/vtk_arrays.h"
 
@@ -379,6 +380,11 @@ void drawForeign(const ForeignFile& file, const std::vector<int>& instants, cons
   ContourOptions own = options;
   own.warp = 1.0;  // what is added is in the parts already
   own.colorScale = !options.field.empty();
+  if (isPrintFile(names.front())) {
+    for (std::size_t k = 0; k < names.size(); ++k)
+      drawContour(subjectOf(file, instants[k], options), own, names[k]);
+    return;
+  }
   drawInTurn(names, [&](std::size_t k) {
     throwIfInterrupted();
     return contourImage(subjectOf(file, instants[k], options), own);

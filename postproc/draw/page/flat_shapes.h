@@ -1,21 +1,15 @@
 #pragma once
-#include <Eigen/Dense>
-#include <vector>
-
-#include "postproc/draw/page/color_scale.h"
-
-class vtkPolyData;
-class vtkRenderer;
+#include "postproc/draw/page/page_sketch.h"
 
 namespace burnish {
 
-/// Lines and areas in pixels (see PixelRect), in a renderer that is `scale` times larger. What is added later
-/// lies over what was added before.
+/// Puts lines and areas in pixels (see PixelRect) on a sketch. What is added later lies over what was added
+/// before.
 class FlatShapes {
  public:
-  using Points = std::vector<Eigen::Vector2d>;
+  using Points = PagePoints;
 
-  FlatShapes(vtkRenderer& renderer, int scale) : renderer_(renderer), scale_(scale) {}
+  explicit FlatShapes(PageSketch& sketch) : sketch_(sketch) {}
 
   void addConvexPolygon(const Points& corners, const Color& color);
 
@@ -25,10 +19,7 @@ class FlatShapes {
   void addSegments(const Points& points, double width, const Color& color);
 
  private:
-  void add(vtkPolyData& shape, const Points& points, double width, const Color& color);
-
-  vtkRenderer& renderer_;
-  int scale_;
+  PageSketch& sketch_;
 };
 
 }  // namespace burnish

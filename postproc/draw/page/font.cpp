@@ -124,8 +124,10 @@ FacePtr openFace(const std::string& file) {
 }
 
 LoadedFont load(const std::string& name) {
-  LoadedFont loaded{{.file = fileOf(name)}, {nullptr, FT_Done_Face}};
+  LoadedFont loaded{{}, {nullptr, FT_Done_Face}};
+  loaded.font.file = fileOf(name);
   loaded.face = openFace(loaded.font.file);
+  loaded.font.family = loaded.face->family_name ? loaded.face->family_name : "";
   loaded.font.capitals = reachOf(loaded.face.get(), "H").second;
   // The letters by which VTK finds the lower edge of a line.
   loaded.font.descent = -reachOf(loaded.face.get(), "_/7Agfy").first;

@@ -10,6 +10,7 @@ inline constexpr const char* kDefaultFont = "DejaVu Sans";
 /// A scalable font, and what laying out its texts must know: parts of the font size.
 struct Font {
   std::string file;
+  std::string family;
   double capitals = 0.0;  ///< height of the capitals
   double descent = 0.0;   ///< how far letters reach below the line
 };

@@ -74,7 +74,7 @@ void readPng(const std::filesystem::path& file, bool keepsAlpha,
     throw Error(fmt::format("{}: the PNG picture is damaged ({})", file.string(), image.message));
 }
 
-void writePng(vtkImageData& picture, const std::filesystem::path& file) {
+std::string pngBytes(vtkImageData& picture) {
   std::vector<png_bytep> rows;  // the highest one first
   for (int row = picture.GetDimensions()[1] - 1; row >= 0; --row)
     rows.push_back(static_cast<png_bytep>(picture.GetScalarPointer(0, row, 0)));
@@ -83,7 +83,12 @@ void writePng(vtkImageData& picture, const std::filesystem::path& file) {
   png_infop info = png_create_info_struct(png);
   const bool fine = encode(png, info, picture, rows.data(), &bytes);
   png_destroy_write_struct(&png, &info);
-  if (!fine) throw Error(fmt::format("cannot write {}: libpng refuses the picture", file.string()));
+  if (!fine) throw Error("libpng refuses the picture");
+  return bytes;
+}
+
+void writePng(vtkImageData& picture, const std::filesystem::path& file) {
+  const std::string bytes = pngBytes(picture);
   writeFileAtomically(file, std::as_bytes(std::span(bytes)));
 }
 

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <string>
 
 class vtkImageData;
 
@@ -19,6 +20,9 @@ struct PngSize {
 /// file if it is missing, no PNG, damaged, or above 2^28 pixels, the last before any room is asked for.
 void readPng(const std::filesystem::path& file, bool keepsAlpha,
              const std::function<std::byte*(const PngSize&)>& place);
+
+/// A picture of bytes (grey, RGB or RGBA) as the contents of a PNG.
+std::string pngBytes(vtkImageData& picture);
 
 /// Writes a picture of bytes (grey, RGB or RGBA) as PNG; the file appears under its name only when it is
 /// complete. Throws `Error` naming the file.

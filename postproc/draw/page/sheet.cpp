@@ -16,6 +16,7 @@
 
 #include "engine/core/error.h"
 #include "postproc/draw/page/overlay.h"
+#include "postproc/draw/page/painted_sketch.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
@@ -148,7 +149,8 @@ vtkSmartPointer<vtkImageData> drawCaptions(const Sheet& sheet, const Color& grou
   vtkNew<vtkRenderer> paper;
   canvas.window().AddRenderer(paper);
   paper->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
-  Overlay overlay(*paper, canvas.supersampling());
+  PageSketch sketch;
+  Overlay overlay(sketch);
   const double size = sheet.style.size;
   for (const Tile& tile : sheet.tiles) {
     double baseline = tile.bottom - kAboveCaption * size - capitalHeight(sheet.style);
@@ -159,6 +161,7 @@ vtkSmartPointer<vtkImageData> drawCaptions(const Sheet& sheet, const Color& grou
       baseline -= kLine * size;
     }
   }
+  paint(sketch, *paper, canvas.supersampling());
   return canvas.capture();
 }
 

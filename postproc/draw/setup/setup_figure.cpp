@@ -14,6 +14,7 @@
 #include "engine/core/error.h"
 #include "postproc/draw/contour/space_actors.h"
 #include "postproc/draw/contour/tool_drawing.h"
+#include "postproc/draw/page/painted_sketch.h"
 #include "postproc/draw/page/picture_size.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/setup/setup_layout.h"
@@ -52,13 +53,15 @@ class SetupPicture {
     canvas.window().AddRenderer(space);
     space->SetBackground(1.0, 1.0, 1.0);
     drawSpace(*space, canvas.supersampling());
-    SetupSymbols symbols(*space, canvas.supersampling(), size_, layout_.textSize());
+    PageSketch sketch;
+    SetupSymbols symbols(sketch, size_, layout_.textSize());
     if (const auto axis = layout_.axis()) symbols.addAxisLine((*axis)[0], (*axis)[1], "axis");
     drawMeasures(symbols);
     for (const SupportSpec& support : scene().supports) drawSupport(symbols, support);
     for (const LoadSpec& load : scene().loads) drawLoad(symbols, load);
     for (std::size_t k = 0; k < scene().tools.size(); ++k) drawToolTexts(symbols, k);
     drawMotions(symbols);
+    paint(sketch, *space, canvas.supersampling());
     writePng(*canvas.capture(), png);
   }
 

@@ -79,10 +79,10 @@ Vector2d turned(const Vector2d& v) {
 
 }  // namespace
 
-SetupSymbols::SetupSymbols(vtkRenderer& renderer, int scale, const std::array<int, 2>& size, double textSize)
+SetupSymbols::SetupSymbols(PageSketch& sketch, const std::array<int, 2>& size, double textSize)
     : size_(size[0], size[1]),
-      shapes_(renderer, scale),
-      overlay_(renderer, scale),
+      shapes_(sketch),
+      overlay_(sketch),
       text_{textSize, kInk},
       thin_(std::max(0.8, kThin * textSize)),
       thick_(std::max(1.2, kThick * textSize)) {}

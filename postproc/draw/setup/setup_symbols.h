@@ -23,7 +23,7 @@ class SetupSymbols {
   static constexpr double kShortestMotion = 2.2;
 
   /// size: of the picture, in which all texts of loads stay.
-  SetupSymbols(vtkRenderer& renderer, int scale, const std::array<int, 2>& size, double textSize);
+  SetupSymbols(PageSketch& sketch, const std::array<int, 2>& size, double textSize);
 
   double textSize() const { return text_.size; }
 

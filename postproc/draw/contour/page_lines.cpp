@@ -1,0 +1,106 @@
+#include "postproc/draw/contour/page_lines.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCleanPolyData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStripper.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace burnish {
+namespace {
+
+/// Points closer than this part of a set's diagonal are one.
+constexpr double kSamePoint = 1e-9;
+
+Eigen::Vector2d onPage(vtkPolyData& data, vtkIdType point, const View& view) {
+  return view.pixel(Eigen::Map<const Eigen::Vector3d>(data.GetPoint(point)));
+}
+
+/// The points of each line.
+std::vector<std::vector<vtkIdType>> pointsOfLines(vtkPolyData& lines) {
+  std::vector<std::vector<vtkIdType>> result;
+  const auto next = vtk::TakeSmartPointer(lines.GetLines()->NewIterator());
+  for (next->GoToFirstCell(); !next->IsDoneWithTraversal(); next->GoToNextCell()) {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    next->GetCurrentCell(count, points);
+    result.emplace_back(points, points + count);
+  }
+  return result;
+}
+
+std::vector<PagePoints> placed(vtkPolyData& lines, const View& view) {
+  std::vector<PagePoints> result;
+  for (const std::vector<vtkIdType>& line : pointsOfLines(lines)) {
+    result.emplace_back();
+    for (const vtkIdType point : line) result.back().push_back(onPage(lines, point, view));
+  }
+  return result;
+}
+
+/// The lines in as few pieces as there can be.
+vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines) {
+  vtkNew<vtkPolyData> alone;  // polygons beside them would become strips
+  alone->SetPoints(lines.GetPoints());
+  alone->SetLines(lines.GetLines());
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(alone);
+  clean->SetTolerance(kSamePoint);
+  vtkNew<vtkStripper> strip;
+  strip->SetInputConnection(clean->GetOutputPort());
+  strip->JoinContiguousSegmentsOn();
+  strip->SetMaximumLength(std::numeric_limits<int>::max());
+  strip->Update();
+  return strip->GetOutput();
+}
+
+}  // namespace
+
+PageLines pageLines(vtkPolyData& lines, const View& view, const Color& color, double width, double opacity) {
+  return {placed(*inFewPieces(lines), view), width, color, opacity, true, view.area};
+}
+
+PageLines pageDots(vtkPolyData& points, const View& view, const Color& color, double diameter) {
+  PageLines dots{{}, diameter, color, 1.0, true, view.area};
+  for (vtkIdType k = 0; k < points.GetNumberOfPoints(); ++k) {
+    const Eigen::Vector2d at = onPage(points, k, view);
+    dots.lines.push_back({at, at});
+  }
+  return dots;
+}
+
+std::vector<PageLines> coloredPageLines(vtkPolyData& lines, const View& view, const ColorScale& scale,
+                                        double width) {
+  std::vector<PageLines> pieces;
+  vtkDataArray& values = *lines.GetPointData()->GetScalars();
+  for (const std::vector<vtkIdType>& line : pointsOfLines(lines)) {
+    const std::size_t before = pieces.size();
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const double value = (values.GetComponent(line[k], 0) + values.GetComponent(line[k + 1], 0)) / 2.0;
+      const Color color = scale.color(value);
+      if (pieces.size() == before || pieces.back().color != color) {
+        // Below the begin of the next piece, so that nothing shines through between two.
+        if (pieces.size() > before) pieces.back().lines.front().push_back(onPage(lines, line[k + 1], view));
+        pieces.push_back({{{onPage(lines, line[k], view)}}, width, color, 1.0, false, view.area});
+      }
+      pieces.back().lines.front().push_back(onPage(lines, line[k + 1], view));
+    }
+  }
+  return pieces;
+}
+
+void addPageAreas(PageSketch& sketch, vtkPolyData& edges, const View& view, const Color& area,
+                  const Color& edge, double width) {
+  for (const PagePoints& arrow : placed(edges, view)) {
+    sketch.shapes.emplace_back(PageArea{arrow, area, view.area});
+    sketch.shapes.emplace_back(PageLines{{arrow}, width, edge, 1.0, true, view.area});
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+#include <vtkImageData.h>
+
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "postproc/draw/page/picture_look.h"
+#include "postproc/draw/page/png_file.h"
+#include "postproc/draw/page/print_file.h"
+#include "postproc/text/page.h"
+
+namespace burnish {
+namespace {
+
+/// A length in points, of which a thousandth is less than any printer has.
+std::string length(double value) {
+  return fmt::format("{}", std::round(1000.0 * value) / 1000.0 + 0.0);
+}
+
+/// Writes a sketch as elements of SVG, whose y goes down.
+class SvgPainter {
+ public:
+  explicit SvgPainter(double height) : height_(height) {}
+
+  const std::string& text() const { return text_; }
+
+  void operator()(const PageLines& lines) {
+    std::string path;
+    for (const PagePoints& line : lines.lines) path += pathOf(line);
+    open(lines.within);
+    text_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", path,
+                         Spelling<Color>::write(lines.color), length(lines.width));
+    if (lines.opacity < 1.0) text_ += fmt::format(" stroke-opacity=\"{}\"", lines.opacity);
+    if (lines.round) text_ += " stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+    text_ += "/>\n";
+    close(lines.within);
+  }
+
+  void operator()(const PageArea& area) {
+    open(area.within);
+    text_ += fmt::format("<path d=\"{}Z\" fill=\"{}\"/>\n", pathOf(area.corners), Spelling<Color>::write(area.color));
+    close(area.within);
+  }
+
+  void operator()(const PageStripes& stripes) {
+    for (const auto& [rect, color] : overlapping(stripes))
+      text_ += fmt::format("<rect {} fill=\"{}\"/>\n", rectText(rect), Spelling<Color>::write(color));
+  }
+
+  void operator()(const PageText& text) {
+    constexpr std::array anchors{"start", "middle", "end"};
+    const std::string at = fmt::format("{},{}", length(text.at.x()), length(height_ - text.at.y()));
+    text_ += fmt::format(
+        "<text transform=\"translate({}){}\" text-anchor=\"{}\" font-family=\"{}\" font-size=\"{}\" "
+        "fill=\"{}\" xml:space=\"preserve\">",
+        at, text.direction == TextDirection::Up ? " rotate(-90)" : "",
+        anchors[static_cast<std::size_t>(text.anchor)], families(text.style.font), length(text.style.size),
+        Spelling<Color>::write(text.style.color));
+    double lift = 0.0;
+    for (const TextPiece& piece : textPieces(text.text, text.style)) {
+      const std::string letters = escaped(piece.piece.text);
+      if (piece.lift == lift && piece.size == text.style.size)
+        text_ += letters;
+      else
+        text_ += fmt::format("<tspan dy=\"{}\" font-size=\"{}\">{}</tspan>", length(lift - piece.lift),
+                             length(piece.size), letters);
+      lift = piece.lift;
+    }
+    text_ += "</text>\n";
+  }
+
+  void operator()(const PageImage& image) {
+    text_ += fmt::format(
+        "<image {} preserveAspectRatio=\"none\" style=\"image-rendering:optimizeSpeed;image-rendering:"
+        "pixelated\" xlink:href=\"{}\"/>\n",
+        rectText(image.rect), pngUri(pngBytes(*image.pixels)));
+  }
+
+ private:
+  /// The font, that which has the letters it lacks, and any.
+  static std::string families(const std::string& font) {
+    std::string names;
+    std::set<std::string> known;
+    for (const std::string& family : {fontNamed(font).family, std::string(kDefaultFont)})
+      if (!family.empty() && known.insert(family).second) names += "'" + family + "', ";
+    return escaped(names + "sans-serif");
+  }
+
+  std::string rectText(const PixelRect& rect) const {
+    return fmt::format("x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"", length(rect.x),
+                       length(height_ - rect.top()), length(rect.width), length(rect.height));
+  }
+
+  std::string pathOf(const PagePoints& points) const {
+    std::string path;
+    for (const Eigen::Vector2d& p : points)
+      path += fmt::format("{}{},{}", path.empty() ? 'M' : 'L', length(p.x()), length(height_ - p.y()));
+    if (points.size() > 2 && points.front() == points.back()) path += 'Z';
+    return path;
+  }
+
+  void open(const std::optional<PixelRect>& within) {
+    if (!within) return;
+    ++clips_;
+    text_ += fmt::format(
+        "<clipPath id=\"within{0}\"><rect {1}/></clipPath>\n<g clip-path=\"url(#within{0})\">\n", clips_,
+        rectText(*within));
+  }
+
+  void close(const std::optional<PixelRect>& within) {
+    if (within) text_ += "</g>\n";
+  }
+
+  double height_;
+  std::string text_;
+  int clips_ = 0;
+};
+
+}  // namespace
+
+std::string svgText(const PrintPage& page) {
+  SvgPainter painter(page.size[1]);
+  for (const PageSketch::Shape& shape : page.sketch.shapes) std::visit(painter, shape);
+  const std::string width = length(page.size[0]), height = length(page.size[1]);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0}pt\" height=\"{1}pt\" "
+      "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n{3}</svg>\n",
+      width, height, escaped(page.title), painter.text());
+}
+
+}  // namespace burnish
