@@ -45,9 +45,8 @@ constexpr double kFaceWidth = 6.0;
 
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
-/// Order in which things lie over each other in a 2D picture.
+/// Order in which things lie over each other in a flat picture; in space where they lie at the same place.
 enum Layer {
-  kBehindBody = -1,
   kToolFill,
   kBody,
   kIsolines,
@@ -202,10 +201,9 @@ class ContourPicture {
 
   void drawSpace(vtkRenderer& renderer, int scale, const View& view, const ColorScale& colors) const {
     const double line = scale * std::max(0.8, textSize_ / 16.0);
-    const double depth = lengthOf(parts_) / (isFlat() ? 100.0 : 1000.0);
     const Eigen::Vector3d eye = view.towardsEye();
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, Layer layer) {
-      const Eigen::Vector3d shift = static_cast<double>(layer) * depth * eye;
+      const Eigen::Vector3d shift = liftOf(layer, view) * eye;
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
     };
@@ -225,8 +223,7 @@ class ContourPicture {
       add(pointActor(*parts_.net, theme_.controlNet, 4.0 * line), kNet);
     }
     if (parts_.undeformed)
-      add(lineActor(*parts_.undeformed, theme_.undeformed, 0.8 * line, 1.0),
-          isFlat() ? kUndeformed : kBehindBody);
+      add(lineActor(*parts_.undeformed, theme_.undeformed, 0.8 * line, 1.0), kUndeformed);
     add(lineActor(*parts_.outline, theme_.outline, line, 1.0), kBodyOutline);
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(ofContact && part == parts_.body))
@@ -239,7 +236,17 @@ class ContourPicture {
       if (drawing.lines) add(lineActor(*drawing.lines, theme_.outline, 1.2 * line, 1.0), kToolLines);
     }
     if (parts_.arrows.areas) drawArrows(renderer, line, eye);
+    if (!isFlat() && options_.toolOpacity < 1.0) peel(renderer);
     aim(renderer, view, size_, 10.0 * lengthOf(parts_));
+  }
+
+  /// How far towards the eye a layer is moved. In space lines come out of the facets on which they lie, but not
+  /// through what is before them.
+  double liftOf(Layer layer, const View& view) const {
+    constexpr double kPixelsPerLayer = 0.5;
+    const auto order = static_cast<double>(layer);
+    if (isFlat()) return order * lengthOf(parts_) / 100.0;
+    return kPixelsPerLayer * std::max(0.0, order - static_cast<double>(kBody)) / view.pixelsPerLength;
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
