@@ -6,7 +6,9 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -17,19 +19,28 @@
 namespace burnish {
 namespace {
 
-/// Unit normals at the points: those of the cells around, weighted by their areas. Zero where all of them have
-/// shrunk to a line. corners: of quadrilaterals or triangles.
-Eigen::Matrix3Xd normalsOf(const Eigen::Matrix3Xd& x, const Eigen::Map<const Eigen::MatrixXi>& corners) {
-  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, x.cols());
-  const Eigen::Index last = corners.rows() - 1;  // of a triangle the diagonals are two sides
-  for (const auto& cell : corners.colwise()) {
-    const Eigen::Vector3d diagonal1 = x.col(cell(2)) - x.col(cell(0)),
-                          diagonal2 = x.col(cell(last)) - x.col(cell(1));
-    const Eigen::Vector3d normal = diagonal1.cross(diagonal2);
-    for (const int point : cell) normals.col(point) += normal;
+/// Normals of length 1; of length 0 where the tangents are parallel or there are none.
+Eigen::Matrix3Xd normalsFrom(const Eigen::Matrix3Xd& tangents1, const Eigen::Matrix3Xd& tangents2) {
+  constexpr double kParallel = 1e-8;
+  Eigen::Matrix3Xd normals(3, tangents1.cols());
+  const double longest = std::sqrt(std::max(tangents1.colwise().squaredNorm().maxCoeff(),
+                                            tangents2.colwise().squaredNorm().maxCoeff()));
+  for (Eigen::Index k = 0; k < normals.cols(); ++k) {
+    const Eigen::Vector3d t1 = tangents1.col(k), t2 = tangents2.col(k), across = t1.cross(t2);
+    const double length = across.norm();
+    normals.col(k).setZero();
+    if (length > kParallel * t1.norm() * t2.norm() && std::min(t1.norm(), t2.norm()) > kParallel * longest)
+      normals.col(k) = across / length;
   }
-  normals.colwise().normalize();
   return normals;
+}
+
+/// Whether functions have kinks between spans.
+bool hasCreases(const UnivariateBasis& basis) {
+  const int last = basis.numSpans() - 1;
+  for (int span = 0; span < last; ++span)
+    if (basis.firstFunction(span + 1) == basis.firstFunction(span) + basis.degree()) return true;
+  return false;
 }
 
 /// The points of a patch whose parameters are all combinations of these, given per direction.
@@ -81,6 +92,10 @@ void BodySurface::addSide(const MeshRecord& mesh, const PatchSide& side, const S
     clockwise = atEnd == (d == 1);
   }
   add(patch, parameters, clockwise);
+  if (mesh.dim() < 3) return;
+  tangents_.push_back(tangentsAt(patch, parameters, clockwise));
+  if (kind_ == Cells::TrianglesAboutMiddles)
+    tangents_.push_back(tangentsAt(patch, middlesOf(parameters), clockwise));
 }
 
 void BodySurface::addFacesOfSpans(const MeshRecord& mesh, std::size_t number,
@@ -125,6 +140,58 @@ void BodySurface::add(const PatchRecord& patch, const std::vector<std::vector<do
   if (aboutMiddles) points_.add(pointsAt(patch, middlesOf(parameters)));
 }
 
+BodySurface::Tangents BodySurface::tangentsAt(const PatchRecord& patch,
+                                              const std::vector<std::vector<double>>& parameters,
+                                              bool clockwise) {
+  std::vector<std::vector<PointRow>> rows(1);  // of the directions, for every combination of sides
+  std::vector<std::size_t> along;
+  std::vector<PointRow> inside;
+  for (std::size_t d = 0; d < parameters.size(); ++d) {
+    const UnivariateBasis basis = basisOf(patch.directions[d]);
+    std::vector<SpanSide> sides{SpanSide::Behind};
+    std::vector<double> within = parameters[d];
+    if (within.size() > 1) {
+      constexpr double kTrifle = 1e-6;
+      along.push_back(d);
+      const double middle = std::midpoint(within.front(), within.back());
+      for (double& xi : within) xi = std::lerp(xi, middle, kTrifle);
+      if (hasCreases(basis)) sides.push_back(SpanSide::Before);
+    }
+    inside.push_back(slopesAt(basis, within, SpanSide::Behind));
+    std::vector<std::vector<PointRow>> combined;
+    for (const std::vector<PointRow>& row : rows)
+      for (const SpanSide side : sides) {
+        combined.push_back(row);
+        combined.back().push_back(slopesAt(basis, parameters[d], side));
+      }
+    rows = std::move(combined);
+  }
+  std::array directions{along[0], along[1]};
+  if (clockwise) std::swap(directions[0], directions[1]);
+  std::vector<TensorPoints> sides;
+  for (std::vector<PointRow>& row : rows) sides.emplace_back(patch, std::move(row));
+  return {directions, std::move(sides), TensorPoints(patch, std::move(inside))};
+}
+
+Eigen::Matrix3Xd BodySurface::normals(const Eigen::MatrixXd& displacement) const {
+  Eigen::Matrix3Xd normals(3, points_.size());
+  Eigen::Index first = 0;
+  for (const auto& [directions, sides, inside] : tangents_) {
+    const auto normalsOf = [&, &along = directions](const TensorPoints& points) {
+      return normalsFrom(points.tangents(along[0], displacement), points.tangents(along[1], displacement));
+    };
+    Eigen::Matrix3Xd ofFace = normalsOf(sides.front());
+    for (std::size_t k = 1; k < sides.size(); ++k) ofFace += normalsOf(sides[k]);
+    if ((ofFace.colwise().squaredNorm().array() == 0.0).any()) {
+      const Eigen::Matrix3Xd nearby = normalsOf(inside);
+      for (Eigen::Index k = 0; k < ofFace.cols(); ++k)
+        if (ofFace.col(k).isZero(0.0)) ofFace.col(k) = nearby.col(k);
+    }
+    for (const auto& normal : ofFace.colwise()) normals.col(first++) = normal.normalized();
+  }
+  return normals;
+}
+
 Eigen::Map<const Eigen::MatrixXi> BodySurface::cornersOfCells() const {
   const Eigen::Index perCell = kind_ == Cells::TrianglesAboutMiddles ? 3 : 4;
   return {corners_.data(), perCell, std::ssize(corners_) / perCell};
@@ -135,8 +202,8 @@ vtkSmartPointer<vtkPolyData> BodySurface::displaced(const Eigen::MatrixXd& displ
   const auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(makePoints(x));
   surface->SetPolys(cells_);
-  if (x.rows() == 3)
-    surface->GetPointData()->SetNormals(makeArray("normals", normalsOf(x, cornersOfCells()), {}));
+  if (!tangents_.empty())
+    surface->GetPointData()->SetNormals(makeArray("normals", normals(displacement), {}));
   return surface;
 }
 

@@ -2,6 +2,9 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Dense>
+#include <array>
+#include <cstddef>
+#include <vector>
 
 #include "engine/results/result.h"
 #include "postproc/mesh/patch_borders.h"
@@ -37,11 +40,19 @@ class BodySurface {
     return points_.evaluate(coefficients);
   }
 
-  /// The displaced surface in double precision, in space with normals at its points. displacement: dim x
-  /// nodes. Throws `Error` if it does not fit.
+  /// The displaced surface in double precision; faces of a body in space that can be seen have the exact outward
+  /// normals at their points, at a crease between spans their mean. displacement: dim x nodes. Throws `Error` if
+  /// it does not fit.
   vtkSmartPointer<vtkPolyData> displaced(const Eigen::MatrixXd& displacement) const;
 
  private:
+  /// What the tangents at the points of a face in space follow from.
+  struct Tangents {
+    std::array<std::size_t, 2> directions;  ///< of the patch, so that their cross product points outwards
+    std::vector<TensorPoints> sides;        ///< the same points as ends of the spans before and behind them
+    TensorPoints inside;  ///< a trifle further in, where no edge has shrunk to a point
+  };
+
   /// All of a plane patch, or a face.
   void addSide(const MeshRecord& mesh, const PatchSide& side, const Subdivision& subdivision);
 
@@ -50,10 +61,17 @@ class BodySurface {
   /// Adds points at these parameters, which have one row and column, and the cells between them.
   void add(const PatchRecord& patch, const std::vector<std::vector<double>>& parameters, bool clockwise);
 
+  static Tangents tangentsAt(const PatchRecord& patch, const std::vector<std::vector<double>>& parameters,
+                             bool clockwise);
+
+  /// Unit vectors, 3 x points.
+  Eigen::Matrix3Xd normals(const Eigen::MatrixXd& displacement) const;
+
   /// Numbers of the points of each cell x cells.
   Eigen::Map<const Eigen::MatrixXi> cornersOfCells() const;
 
   PointLattices points_;
+  std::vector<Tangents> tangents_;  ///< of the lattices of faces in space that can be seen
   Cells kind_;
   std::vector<int> corners_;  ///< 4 per quadrilateral, 3 per triangle
   vtkSmartPointer<vtkCellArray> cells_;

@@ -60,7 +60,7 @@ Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::AlignedBox3d
 
 /// The surface of a tool. In 2D one polyline: a plane is a segment that passes the whole of `box`, a cylinder
 /// or a sphere a closed circle whose points in their order are also its polygon; of other shapes segments.
-/// In 3D polygons, planes and cylinders cut off a little outside the box.
+/// In 3D polygons, planes and cylinders cut off a little outside the box; a sphere has its normals.
 vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box);
 
 }  // namespace burnish

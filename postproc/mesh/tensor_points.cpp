@@ -11,8 +11,10 @@ namespace burnish {
 namespace {
 
 /// Replaces the functions of a direction by its points. q: a column per function, what varies faster than
-/// this direction in it; the functions of slower directions follow. Returns the same with points.
-Eigen::MatrixXd replaced(const Eigen::MatrixXd& q, const PointRow& direction) {
+/// this direction in it; the functions of slower directions follow. factors: of the direction, or its slopes.
+/// Returns the same with points.
+Eigen::MatrixXd replaced(const Eigen::MatrixXd& q, const PointRow& direction,
+                         const Eigen::MatrixXd& factors) {
   const auto numPoints = static_cast<Eigen::Index>(direction.firstFunction.size());
   const Eigen::Index slower = q.cols() / direction.numFunctions;
   Eigen::MatrixXd result(q.rows(), numPoints * slower);
@@ -20,8 +22,7 @@ Eigen::MatrixXd replaced(const Eigen::MatrixXd& q, const PointRow& direction) {
     for (Eigen::Index i = 0; i < numPoints; ++i) {
       const int first = direction.firstFunction[static_cast<std::size_t>(i)];
       result.col(s * numPoints + i).noalias() =
-          q.middleCols(s * direction.numFunctions + first, direction.factors.rows()) *
-          direction.factors.col(i);
+          q.middleCols(s * direction.numFunctions + first, factors.rows()) * factors.col(i);
     }
   return result;
 }
@@ -39,7 +40,9 @@ int leaveOutUnneeded(PointRow& row) {
 
 PointRow neighbouring(const PointRow& row, int first, int count) {
   const auto begin = row.firstFunction.begin() + first;
-  return {row.numFunctions, {begin, begin + count}, row.factors.middleCols(first, count)};
+  PointRow part{row.numFunctions, {begin, begin + count}, row.factors.middleCols(first, count)};
+  if (row.slopes.size() > 0) part.slopes = row.slopes.middleCols(first, count);
+  return part;
 }
 
 PointRow valuesAt(const UnivariateBasis& basis, const std::vector<double>& parameters) {
@@ -51,6 +54,22 @@ PointRow valuesAt(const UnivariateBasis& basis, const std::vector<double>& param
     const int span = basis.findSpan(xi);
     row.firstFunction.push_back(basis.firstFunction(span));
     row.factors.col(i) = basis.evaluate(span, xi, 0);
+  }
+  return row;
+}
+
+PointRow slopesAt(const UnivariateBasis& basis, const std::vector<double>& parameters, SpanSide side) {
+  const auto count = static_cast<Eigen::Index>(parameters.size());
+  PointRow row{basis.numFunctions(), {}, Eigen::MatrixXd(basis.degree() + 1, count),
+               Eigen::MatrixXd(basis.degree() + 1, count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double xi = parameters[static_cast<std::size_t>(i)];
+    int span = basis.findSpan(xi);
+    if (side == SpanSide::Before && span > 0 && xi == basis.spanBegin(span)) --span;
+    const Eigen::MatrixXd functions = basis.evaluate(span, xi, 1);
+    row.firstFunction.push_back(basis.firstFunction(span));
+    row.factors.col(i) = functions.col(0);
+    row.slopes.col(i) = functions.col(1);
   }
   return row;
 }
@@ -102,10 +121,19 @@ Eigen::MatrixXd TensorPoints::rational(const Eigen::MatrixXd& q) const {
   return result;
 }
 
-Eigen::MatrixXd TensorPoints::polynomial(Eigen::MatrixXd q) const {
+Eigen::MatrixXd TensorPoints::tangents(std::size_t direction, const Eigen::MatrixXd& displacement) const {
+  Eigen::MatrixXd q = patchPoints_;
+  if (displacement.size() > 0) q += displacement(Eigen::all, nodes_);
+  if (equalWeights_) return functionWeights_(0) * polynomial(q, direction);
+  const Eigen::RowVectorXd slopeOfWeight = polynomial(functionWeights_.transpose(), direction);
+  return polynomial(q * functionWeights_.asDiagonal(), direction) - rational(q) * slopeOfWeight.asDiagonal();
+}
+
+Eigen::MatrixXd TensorPoints::polynomial(Eigen::MatrixXd q, std::optional<std::size_t> slope) const {
   const Eigen::Index components = q.rows();
-  for (const PointRow& direction : directions_) {
-    q = replaced(q, direction);
+  for (std::size_t d = 0; d < directions_.size(); ++d) {
+    const PointRow& direction = directions_[d];
+    q = replaced(q, direction, slope == d ? direction.slopes : direction.factors);
     const auto numPoints = static_cast<Eigen::Index>(direction.firstFunction.size());
     q.resize(q.rows() * numPoints, q.cols() / numPoints);  // the same numbers in the same order
   }

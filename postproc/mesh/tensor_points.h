@@ -1,5 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "engine/nurbs/univariate_basis.h"
@@ -13,13 +15,21 @@ struct PointRow {
   int numFunctions = 0;            ///< of the direction
   std::vector<int> firstFunction;  ///< of the span of each point
   Eigen::MatrixXd factors;         ///< (p+1) x points
+  Eigen::MatrixXd slopes{};        ///< their derivatives by the parameter; empty where nobody asks for tangents
 };
+
+/// Where a parameter between two spans belongs: the functions of both have the same values there, but not
+/// always the same derivatives.
+enum class SpanSide { Before, Behind };
 
 /// Some neighbouring points of a row.
 PointRow neighbouring(const PointRow& row, int first, int count);
 
 /// The values of the functions at these parameters.
 PointRow valuesAt(const UnivariateBasis& basis, const std::vector<double>& parameters);
+
+/// The values and slopes of the functions at these parameters, in the span before or behind each.
+PointRow slopesAt(const UnivariateBasis& basis, const std::vector<double>& parameters, SpanSide side);
 
 /// Of which functions the Bernstein coefficients of all spans are made: p points per span, and one more.
 PointRow bernsteinPoints(const UnivariateBasis& basis);
@@ -41,14 +51,18 @@ class TensorPoints {
   /// What they hold of the reference positions, dim x points.
   Eigen::MatrixXd referencePoints() const { return rational(patchPoints_); }
 
+  /// The directions (components x points) in which the positions go with a direction of the patch whose row has
+  /// slopes: derivatives times the weight Σ N_A w_A. displacement: dim x nodes; empty: undeformed.
+  Eigen::MatrixXd tangents(std::size_t direction, const Eigen::MatrixXd& displacement) const;
+
   /// Σ N_A w_A of each point.
   const Eigen::VectorXd& weights() const { return weights_; }
 
  private:
   /// Σ R_A q_A, q: components x functions.
   Eigen::MatrixXd rational(const Eigen::MatrixXd& q) const;
-  /// Σ N_A q_A.
-  Eigen::MatrixXd polynomial(Eigen::MatrixXd q) const;
+  /// Σ N_A q_A; by the parameter of a direction, if one is given.
+  Eigen::MatrixXd polynomial(Eigen::MatrixXd q, std::optional<std::size_t> slope = {}) const;
 
   std::vector<PointRow> directions_;
   IndexBox points_;

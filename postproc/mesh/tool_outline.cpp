@@ -1,3 +1,5 @@
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
 
@@ -10,6 +12,7 @@
 
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/recorded_shape.h"
+#include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
 namespace {
@@ -132,6 +135,10 @@ struct SpatialOutline {
     const auto surface = vtkSmartPointer<vtkPolyData>::New();
     surface->SetPoints(source->GetOutput()->GetPoints());
     surface->SetPolys(source->GetOutput()->GetPolys());
+    Eigen::Matrix3Xd normals(3, surface->GetNumberOfPoints());
+    for (Eigen::Index k = 0; k < normals.cols(); ++k)
+      normals.col(k) = (Eigen::Vector3d(surface->GetPoint(k)) - center).normalized();
+    surface->GetPointData()->SetNormals(makeArray("normals", normals, {}));
     return surface;
   }
 

@@ -57,9 +57,8 @@ constexpr double kHalo = 3.0;  // width of what is white below a line, over its 
 
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
-/// Order in which things lie over each other in a 2D picture.
+/// Order in which things lie over each other in a flat picture; in space where they lie at the same place.
 enum Layer {
-  kBehindBody = -1,
   kToolFill,
   kBody,
   kIsolines,
@@ -362,8 +361,7 @@ class ContourPicture {
       all.push_back({parts_.net, theme_.controlNet, 0.6 * line, kNet});
       all.push_back({parts_.net, theme_.controlNet, 4.0 * line, kNet, 1.0, true});
     }
-    if (parts_.undeformed)
-      all.push_back({parts_.undeformed, theme_.undeformed, 0.8 * line, isFlat() ? kUndeformed : kBehindBody});
+    if (parts_.undeformed) all.push_back({parts_.undeformed, theme_.undeformed, 0.8 * line, kUndeformed});
     all.push_back({parts_.outline, theme_.outline, line, kBodyOutline});
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(isOfContact() && part == parts_.body))
@@ -381,10 +379,10 @@ class ContourPicture {
 
   /// scale: pixels of the drawing per pixel of the picture.
   void drawSpace(vtkRenderer& renderer, double scale, const Plan& plan, Shown what) const {
-    const double depth = lengthOf(parts_) / (isFlat() ? 100.0 : 1000.0);
-    const Eigen::Vector3d eye = plan.layout.view.towardsEye();
+    const View& view = plan.layout.view;
+    const Eigen::Vector3d eye = view.towardsEye();
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, Layer layer) {
-      const Eigen::Vector3d shift = static_cast<double>(layer) * depth * eye;
+      const Eigen::Vector3d shift = liftOf(layer, view) * eye;
       actor->SetPosition(shift.x(), shift.y(), shift.z());
       renderer.AddActor(actor);
     };
@@ -413,7 +411,8 @@ class ContourPicture {
     }
     if (what == Shown::Areas) return;
     if (parts_.arrows.areas) drawArrows(renderer, scale * lineWidth(), eye);
-    drawMarks(renderer, scale * lineWidth(), plan.layout.view);
+    drawMarks(renderer, scale * lineWidth(), view);
+    if (!isFlat() && options_.toolOpacity < 1.0) peel(renderer);
   }
 
   /// Whether a place of the bodies is in the window, and in the part that a cut or a slice leaves.
@@ -462,6 +461,15 @@ class ContourPicture {
       add(lineActor(*ring, kWhite, kHalo * line, 1.0), above);
       addEdges(*ring);
     }
+  }
+
+  /// How far towards the eye a layer is moved. In space lines come out of the facets on which they lie, but not
+  /// through what is before them.
+  double liftOf(Layer layer, const View& view) const {
+    constexpr double kPixelsPerLayer = 0.5;
+    const auto order = static_cast<double>(layer);
+    if (isFlat()) return order * lengthOf(parts_) / 100.0;
+    return kPixelsPerLayer * std::max(0.0, order - static_cast<double>(kBody)) / view.pixelsPerLength;
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {

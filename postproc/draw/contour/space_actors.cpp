@@ -1,5 +1,6 @@
 #include "postproc/draw/contour/space_actors.h"
 
+#include <fmt/format.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkLookupTable.h>
@@ -9,6 +10,7 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
 
 namespace burnish {
 namespace {
@@ -30,10 +32,35 @@ void paint(vtkActor& actor, const Color& color, double opacity) {
   actor.GetProperty()->SetOpacity(opacity);
 }
 
-void shade(vtkActor& actor) {
-  actor.GetProperty()->LightingOn();
-  actor.GetProperty()->SetAmbient(0.6);
-  actor.GetProperty()->SetDiffuse(0.4);
+/// Light of lamps that go with the eye, the brightest above it: x to the right, y up, z to the eye. A face that looks
+/// at the eye has its own colour. Computed here and not by VTK, whose sums cannot be limited: colours of a scale must
+/// neither become others nor too dark to be read from it. White light, nothing shines.
+constexpr const char* kLight = R"(
+  vec3 n = normalVCVSOutput;
+  float lamps = 0.9 * max(0.0, dot(n, vec3(0.1116, 0.7660, 0.6330))) +
+    0.3 * max(0.0, dot(n, vec3(0.0, -0.9659, 0.2588))) + 0.3 * max(0.0, n.z) +
+    0.26 * (max(0.0, dot(n, vec3(0.9397, 0.0, -0.3420))) + max(0.0, dot(n, vec3(-0.9397, 0.0, -0.3420))));
+  float light = (0.45 + 0.6 * lamps) / 1.018;
+)";
+
+/// Between which a surface is lit.
+struct LightRange {
+  double least, most;
+};
+constexpr LightRange kFieldLight{0.6, 1.0}, kPlainLight{0.0, 1.15};
+
+void shade(vtkActor& actor, const LightRange& range) {
+  vtkProperty& property = *actor.GetProperty();
+  property.LightingOn();
+  property.SetInterpolationToPhong();
+  property.SetAmbient(1.0);
+  property.SetDiffuse(0.0);
+  vtkShaderProperty& shaders = *actor.GetShaderProperty();
+  shaders.AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true,
+      fmt::format("//VTK::Light::Impl\n{}  gl_FragData[0].rgb *= clamp(light, {:.4f}, {:.4f});\n", kLight,
+                  range.least, range.most),
+      false);
 }
 
 }  // namespace
@@ -41,7 +68,7 @@ void shade(vtkActor& actor) {
 vtkSmartPointer<vtkActor> plainActor(vtkPolyData& surface, const Color& color, bool shaded, double opacity) {
   const auto actor = makeActor(surface);
   paint(*actor, color, opacity);
-  if (shaded) shade(*actor);
+  if (shaded) shade(*actor, kPlainLight);
   return actor;
 }
 
@@ -54,7 +81,7 @@ vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& s
   mapper.InterpolateScalarsBeforeMappingOn();
   mapper.SetLookupTable(scale.table());
   mapper.UseLookupTableScalarRangeOn();
-  if (shaded) shade(*actor);
+  if (shaded) shade(*actor, kFieldLight);
   return actor;
 }
 
@@ -72,6 +99,12 @@ vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, do
   actor->GetProperty()->RenderPointsAsSpheresOn();
   actor->GetProperty()->SetPointSize(static_cast<float>(diameter));
   return actor;
+}
+
+void peel(vtkRenderer& renderer) {
+  renderer.SetUseDepthPeeling(1);
+  renderer.SetMaximumNumberOfPeels(4);
+  renderer.SetOcclusionRatio(0.0);
 }
 
 void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance) {

@@ -25,6 +25,10 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, doub
 /// The points as round dots. diameter: in pixels of the window.
 vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter);
 
+/// Lets a renderer draw what one can see through layer by layer, from front to back, so that it looks the same in
+/// whatever order it is added.
+void peel(vtkRenderer& renderer);
+
 /// Lets a renderer show a view in its part of a picture of this size (pixels), when all actors have been
 /// added. distance: of the eye, large enough to have everything in front of it.
 void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance);

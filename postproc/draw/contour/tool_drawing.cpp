@@ -1,6 +1,7 @@
 #include "postproc/draw/contour/tool_drawing.h"
 
 #include <vtkCellArray.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <cmath>
@@ -111,7 +112,7 @@ ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& vis
                           const Eigen::Vector3d& towardsEye, const std::optional<CutPlane>& cut) {
   const auto shape = withoutSeams(*toolOutline(tool, 3, visible));
   ToolDrawing drawing;
-  drawing.surface = withNormals(*shape);
+  drawing.surface = shape->GetPointData()->GetNormals() ? shape : withNormals(*shape);
   drawing.lines = together(*edgesOf(*shape), *silhouetteOf(*drawing.surface, towardsEye));
   if (!cut) return drawing;
   const auto section = sectionOf(*shape, *cut);

@@ -265,9 +265,54 @@ TEST(BodySurface, NormalsOfATubeAreRadialAndItsEdgesSharp) {
     EXPECT_NEAR(normal.norm(), 1.0, 1e-14);
     if (radial.norm() < 2.0 - 1e-12 || normal.dot(radial) < 1.0) continue;
     ++outside;
-    EXPECT_GT(normal.dot(radial) / 2.0, 1.0 - 1e-4);
+    EXPECT_LT((normal - radial / 2.0).norm(), 1e-12);
   }
   EXPECT_EQ(outside, 61 * 41);
+}
+
+TEST(BodySurface, NormalsGoWithTheDeformation) {
+  const ModelRecord model = modelOf(tubePart());
+  Eigen::Matrix3d F;
+  F << 1.2, 0.3, 0.0, -0.1, 0.8, 0.2, 0.4, 0.0, 1.1;
+  Eigen::MatrixXd displacement(3, model.mesh.numNodes);
+  for (const PatchRecord& patch : model.mesh.patches)
+    displacement(Eigen::all, patch.nodes) = (F - Eigen::Matrix3d::Identity()) * patch.points;
+  const BodySurface surface(model.mesh, 3);
+  const auto before = surface.displaced({}), after = surface.displaced(displacement);
+  for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i) {
+    const Eigen::Vector3d N(before->GetPointData()->GetNormals()->GetTuple3(i));
+    const Eigen::Vector3d n(after->GetPointData()->GetNormals()->GetTuple3(i));
+    EXPECT_LT((n - (F.inverse().transpose() * N).normalized()).norm(), 1e-12);
+  }
+}
+
+/// Where an edge of a patch has shrunk to a point, and at creases between linear spans.
+TEST(BodySurface, HasNormalsWhereTangentsHaveNone) {
+  const KnotVector knots = KnotVector::uniform(1, 2);
+  ModelRecord model = modelOf(refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), {knots, knots, knots}));
+  PatchRecord& patch = model.mesh.patches.front();
+  // A prism of which the edge x = y = 1 is that of y = 0 too, with a roof over its middle x = 1/2.
+  for (Eigen::Index k = 0; k < patch.points.cols(); ++k) {
+    const double x = patch.points(0, k);
+    patch.points(1, k) *= 1.0 - x;
+    if (patch.points(2, k) == 1.0) patch.points(2, k) += 0.5 - std::abs(x - 0.5);
+  }
+  const auto surface = BodySurface(model.mesh, 1).displaced({});
+  int atTip = 0, onRidge = 0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    const Eigen::Vector3d normal(surface->GetPointData()->GetNormals()->GetTuple3(i));
+    const Eigen::Vector3d x = pointOf(*surface, i);
+    if (normal.z() < 0.5) continue;
+    if (x.x() == 1.0) {
+      ++atTip;
+      EXPECT_LT((normal - Eigen::Vector3d(1.0, 0.0, 1.0).normalized()).norm(), 1e-5);
+    } else if (x.x() == 0.5) {
+      ++onRidge;
+      EXPECT_LT((normal - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+    }
+  }
+  EXPECT_EQ(atTip, 3);
+  EXPECT_EQ(onRidge, 3);
 }
 
 TEST(BodySurface, OfJoinedPatchesHasNoFacesInside) {
