@@ -128,8 +128,9 @@ TEST_F(ForeignFiles, WhatTheReaderSaysStandsInTheSentence) {
   std::ofstream(dir_ / "narrow.vtk")
       << "# vtk DataFile Version 5.1\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 0 1 0\n"
          "CELLS 2 3\nOFFSETS vtktypeint32\n0 3\nCONNECTIVITY vtktypeint32\n0 1 2\nCELL_TYPES 1\n5\n";
-  EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "narrow.vtk").blocks(0); }),
-              HasSubstr("it announces 1 cells and holds 0; its reader says: Unsupported data type: vtktypeint32"));
+  EXPECT_THAT(
+      messageOf([&] { ForeignFile(dir_ / "narrow.vtk").blocks(0); }),
+      HasSubstr("it announces 1 cells and holds 0; its reader says: Unsupported data type: vtktypeint32"));
 }
 
 TEST_F(ForeignFiles, FieldsHaveNamesUnitsAndComponents) {
