@@ -27,6 +27,7 @@
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_transparency.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/occlusion.h"
 #include "postproc/draw/contour/scalar_bar.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/contour/shown_model.h"
@@ -122,6 +123,11 @@ class ContourPicture {
         size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim), parts_.axes,
         caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr, theme_);
     if (subject_.refine) subject_.refine(parts_, layout.view, scale.range());
+    for (const ShownTool& tool : parts_.tools) tools_.push_back(drawTool(tool, layout.view));
+    if (options_.occlusion && !isFlat()) {
+      setSky(parts_, tools_, options_.toolOpacity);
+      shadow_ = groundShadow(parts_, tools_, options_.toolOpacity);
+    }
     if (!options_.transparent) return {capture(theme_.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
             layout.view};
@@ -168,10 +174,22 @@ class ContourPicture {
     canvas.window().AddRenderer(paper);
     canvas.window().AddRenderer(space);
     paper->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
+    if (shadow_ && !cutsBody_) {
+      paper->AddActor(shadowActor(*shadow_));
+      aim(*paper, wholePicture(layout.view), size_, 10.0 * lengthOf(parts_));
+    }
     drawTexts(*paper, canvas.supersampling(), layout, bar);
     space->SetLayer(1);
     drawSpace(*space, canvas.supersampling(), layout.view, scale);
     return canvas.capture();
+  }
+
+  /// The same projection, to the edges of the picture: a shadow fades out beside the body.
+  View wholePicture(View view) const {
+    const PixelRect all{0.0, 0.0, static_cast<double>(size_[0]), static_cast<double>(size_[1])};
+    view.center += (all.center() - view.area.center()) / view.pixelsPerLength;
+    view.area = all;
+    return view;
   }
 
   void drawTexts(vtkRenderer& renderer, int scale, const ContourLayout& layout, const ScalarBar& bar) const {
@@ -228,15 +246,15 @@ class ContourPicture {
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(ofContact && part == parts_.body))
         add(lineActor(*silhouetteOf(*part, eye), theme_.outline, line, 1.0), kBodyOutline);
-    for (const ShownTool& tool : parts_.tools) {
-      const ToolDrawing drawing = drawTool(tool, view);
+    for (const ToolDrawing& drawing : tools_) {
       if (drawing.area) add(plainActor(*drawing.area, theme_.tool, false, 1.0), kToolFill);
       if (drawing.surface)
         add(plainActor(*drawing.surface, theme_.tool, true, options_.toolOpacity), kToolFill);
       if (drawing.lines) add(lineActor(*drawing.lines, theme_.outline, 1.2 * line, 1.0), kToolLines);
     }
     if (parts_.arrows.areas) drawArrows(renderer, line, eye);
-    if (!isFlat() && options_.toolOpacity < 1.0) peel(renderer);
+    if (shadow_ && cutsBody_) renderer.AddActor(shadowActor(*shadow_));
+    if (!isFlat()) peel(renderer);
     aim(renderer, view, size_, 10.0 * lengthOf(parts_));
   }
 
@@ -297,7 +315,9 @@ class ContourPicture {
   double textSize_;
   const FieldChoice& field_;
   ContourParts parts_;
-  bool cutsBody_;  ///< only a part of the body is seen
+  std::vector<ToolDrawing> tools_;
+  vtkSmartPointer<vtkPolyData> shadow_;  ///< on the ground; null without
+  bool cutsBody_;                        ///< only a part of the body is seen
 };
 
 }  // namespace
