@@ -23,8 +23,8 @@ namespace {
 Eigen::Matrix3Xd normalsFrom(const Eigen::Matrix3Xd& tangents1, const Eigen::Matrix3Xd& tangents2) {
   constexpr double kParallel = 1e-8;
   Eigen::Matrix3Xd normals(3, tangents1.cols());
-  const double longest = std::sqrt(std::max(tangents1.colwise().squaredNorm().maxCoeff(),
-                                            tangents2.colwise().squaredNorm().maxCoeff()));
+  const double longest = std::sqrt(
+      std::max(tangents1.colwise().squaredNorm().maxCoeff(), tangents2.colwise().squaredNorm().maxCoeff()));
   for (Eigen::Index k = 0; k < normals.cols(); ++k) {
     const Eigen::Vector3d t1 = tangents1.col(k), t2 = tangents2.col(k), across = t1.cross(t2);
     const double length = across.norm();

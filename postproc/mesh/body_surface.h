@@ -50,7 +50,7 @@ class BodySurface {
   struct Tangents {
     std::array<std::size_t, 2> directions;  ///< of the patch, so that their cross product points outwards
     std::vector<TensorPoints> sides;        ///< the same points as ends of the spans before and behind them
-    TensorPoints inside;  ///< a trifle further in, where no edge has shrunk to a point
+    TensorPoints inside;                    ///< a trifle further in, where no edge has shrunk to a point
   };
 
   /// All of a plane patch, or a face.

@@ -60,7 +60,9 @@ PointRow valuesAt(const UnivariateBasis& basis, const std::vector<double>& param
 
 PointRow slopesAt(const UnivariateBasis& basis, const std::vector<double>& parameters, SpanSide side) {
   const auto count = static_cast<Eigen::Index>(parameters.size());
-  PointRow row{basis.numFunctions(), {}, Eigen::MatrixXd(basis.degree() + 1, count),
+  PointRow row{basis.numFunctions(),
+               {},
+               Eigen::MatrixXd(basis.degree() + 1, count),
                Eigen::MatrixXd(basis.degree() + 1, count)};
   for (Eigen::Index i = 0; i < count; ++i) {
     const double xi = parameters[static_cast<std::size_t>(i)];

@@ -15,7 +15,7 @@ struct PointRow {
   int numFunctions = 0;            ///< of the direction
   std::vector<int> firstFunction;  ///< of the span of each point
   Eigen::MatrixXd factors;         ///< (p+1) x points
-  Eigen::MatrixXd slopes{};        ///< their derivatives by the parameter; empty where nobody asks for tangents
+  Eigen::MatrixXd slopes{};  ///< their derivatives by the parameter; empty where nobody asks for tangents
 };
 
 /// Where a parameter between two spans belongs: the functions of both have the same values there, but not

@@ -27,6 +27,7 @@
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_transparency.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/occlusion.h"
 #include "postproc/draw/contour/page_lines.h"
 #include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/contour/scalar_bar.h"
@@ -136,6 +137,7 @@ class ContourPicture {
     const Plan plan = makePlan();
     const View& view = plan.layout.view;
     if (subject_.refine) subject_.refine(parts_, view, plan.scale.range());
+    light(plan);
     return {onPaper([&](const Color& paper) { return capture(paper, plan); }), view};
   }
 
@@ -143,17 +145,21 @@ class ContourPicture {
   ContourPage page() {
     const Plan plan = makePlan();
     const View& view = plan.layout.view;
-    const std::array<int, 2> pixels = pixelsFor(view.area);
+    light(plan);
+    const PixelRect area = shadow_ && !cutsBody_ ? wholePicture(view, size_).area : view.area;
+    const std::array<int, 2> pixels = pixelsFor(area);
+    const double scale = pixels[0] / area.width;
     View printed = view;
-    printed.area = {0.0, 0.0, static_cast<double>(pixels[0]), static_cast<double>(pixels[1])};
-    printed.pixelsPerLength *= pixels[0] / view.area.width;
+    printed.area = {scale * (view.area.x - area.x), scale * (view.area.y - area.y), scale * view.area.width,
+                    scale * view.area.height};
+    printed.pixelsPerLength *= scale;
     if (subject_.refine) subject_.refine(parts_, printed, plan.scale.range());
 
     PrintPage page{{static_cast<double>(size_[0]), static_cast<double>(size_[1])}, title(), {}};
     std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
     if (!options_.transparent && theme_.paper != kWhite) shapes.emplace_back(wholePage());
     shapes.emplace_back(PageImage{
-        view.area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, plan); })});
+        area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, pixels, plan); })});
     for (const PageSketch& over : {spaceLines(plan), texts(plan.layout, plan.bar)})
       shapes.insert(shapes.end(), over.shapes.begin(), over.shapes.end());
     return {std::move(page), view};
@@ -181,6 +187,13 @@ class ContourPicture {
                       options_.colorScale ? &bar : nullptr, theme_)};
     for (const ShownTool& tool : parts_.tools) plan.tools.push_back(drawTool(tool, plan.layout.view));
     return plan;
+  }
+
+  /// What light falls on bodies in space.
+  void light(const Plan& plan) {
+    if (!options_.occlusion || isFlat()) return;
+    setSky(parts_, plan.tools, options_.toolOpacity);
+    shadow_ = groundShadow(parts_, plan.tools, options_.toolOpacity);
   }
 
   /// What `draw` draws on a paper, or without paper.
@@ -255,26 +268,41 @@ class ContourPicture {
     const ContourLayout& layout = plan.layout;
     OffscreenCanvas canvas(size_[0], size_[1]);
     vtkNew<vtkRenderer> paper, space;
-    canvas.window().SetNumberOfLayers(2);
-    canvas.window().AddRenderer(paper);
-    canvas.window().AddRenderer(space);
-    paper->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
+    addLayers(canvas, background, *paper, *space, layout.view, size_);
     paint(texts(layout, plan.bar), *paper, canvas.supersampling());
-    space->SetLayer(1);
     drawSpace(*space, canvas.supersampling(), plan, Shown::Everything);
     aim(*space, layout.view, size_, 10.0 * lengthOf(parts_));
     return canvas.capture();
   }
 
+  /// The paper below and space above it; the shadow on the ground fades out beside the body, where space ends, unless
+  /// the picture is of a part of the body.
+  void addLayers(OffscreenCanvas& canvas, const Color& background, vtkRenderer& paper, vtkRenderer& space,
+                 const View& view, const std::array<int, 2>& pixels) const {
+    canvas.window().SetNumberOfLayers(2);
+    canvas.window().AddRenderer(&paper);
+    canvas.window().AddRenderer(&space);
+    space.SetLayer(1);
+    paper.SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
+    if (!shadow_) return;
+    (cutsBody_ ? space : paper).AddActor(shadowActor(*shadow_));
+    if (!cutsBody_) aim(paper, wholePicture(view, pixels), pixels, 10.0 * lengthOf(parts_));
+  }
+
+  /// The same projection, to the edges of a picture of this size.
+  static View wholePicture(View view, const std::array<int, 2>& size) {
+    const PixelRect all{0.0, 0.0, static_cast<double>(size[0]), static_cast<double>(size[1])};
+    view.center += (all.center() - view.area.center()) / view.pixelsPerLength;
+    view.area = all;
+    return view;
+  }
+
   /// The image of space alone, in the pixels of print.
   vtkSmartPointer<vtkImageData> captureSpace(const Color& background, const View& printed,
-                                             const Plan& plan) const {
-    const std::array<int, 2> pixels{static_cast<int>(printed.area.width),
-                                    static_cast<int>(printed.area.height)};
+                                             const std::array<int, 2>& pixels, const Plan& plan) const {
     OffscreenCanvas canvas(pixels[0], pixels[1]);
-    vtkNew<vtkRenderer> space;
-    canvas.window().AddRenderer(space);
-    space->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
+    vtkNew<vtkRenderer> paper, space;
+    addLayers(canvas, background, *paper, *space, printed, pixels);
     drawSpace(*space, canvas.supersampling() * dotsPerPoint(), plan,
               isFlat() ? Shown::Areas : Shown::Everything);
     aim(*space, printed, pixels, 10.0 * lengthOf(parts_));
@@ -412,7 +440,7 @@ class ContourPicture {
     if (what == Shown::Areas) return;
     if (parts_.arrows.areas) drawArrows(renderer, scale * lineWidth(), eye);
     drawMarks(renderer, scale * lineWidth(), view);
-    if (!isFlat() && options_.toolOpacity < 1.0) peel(renderer);
+    if (!isFlat()) peel(renderer);
   }
 
   /// Whether a place of the bodies is in the window, and in the part that a cut or a slice leaves.
@@ -520,7 +548,8 @@ class ContourPicture {
   double textSize_;
   const FieldChoice& field_;
   ContourParts parts_;
-  bool cutsBody_;  ///< only a part of the body is seen
+  vtkSmartPointer<vtkPolyData> shadow_;  ///< on the ground; null without
+  bool cutsBody_;                        ///< only a part of the body is seen
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -49,17 +50,29 @@ struct LightRange {
 };
 constexpr LightRange kFieldLight{0.6, 1.0}, kPlainLight{0.0, 1.15};
 
-void shade(vtkActor& actor, const LightRange& range) {
+void shade(vtkActor& actor, vtkPolyData& surface, const LightRange& range) {
   vtkProperty& property = *actor.GetProperty();
   property.LightingOn();
   property.SetInterpolationToPhong();
   property.SetAmbient(1.0);
   property.SetDiffuse(0.0);
   vtkShaderProperty& shaders = *actor.GetShaderProperty();
+  const bool hasSky = surface.GetPointData()->HasArray(kSky) != 0;
+  if (hasSky) {
+    vtkOpenGLPolyDataMapper::SafeDownCast(actor.GetMapper())
+        ->MapDataArrayToVertexAttribute("skyMC", kSky, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    shaders.AddVertexShaderReplacement(
+        "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nin float skyMC;\nout float skyVCVSOutput;\n", false);
+    shaders.AddVertexShaderReplacement("//VTK::Normal::Impl", true,
+                                       "//VTK::Normal::Impl\n  skyVCVSOutput = skyMC;\n", false);
+    shaders.AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
+                                         "//VTK::Normal::Dec\nin float skyVCVSOutput;\n", false);
+  }
   shaders.AddFragmentShaderReplacement(
       "//VTK::Light::Impl", true,
-      fmt::format("//VTK::Light::Impl\n{}  gl_FragData[0].rgb *= clamp(light, {:.4f}, {:.4f});\n", kLight,
-                  range.least, range.most),
+      fmt::format(
+          "//VTK::Light::Impl\n{}  gl_FragData[0].rgb *= clamp({}min(light, {:.4f}), {:.4f}, {:.4f});\n",
+          kLight, hasSky ? "skyVCVSOutput * " : "", range.most, range.least, range.most),
       false);
 }
 
@@ -68,7 +81,7 @@ void shade(vtkActor& actor, const LightRange& range) {
 vtkSmartPointer<vtkActor> plainActor(vtkPolyData& surface, const Color& color, bool shaded, double opacity) {
   const auto actor = makeActor(surface);
   paint(*actor, color, opacity);
-  if (shaded) shade(*actor, kPlainLight);
+  if (shaded) shade(*actor, surface, kPlainLight);
   return actor;
 }
 
@@ -81,7 +94,16 @@ vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& s
   mapper.InterpolateScalarsBeforeMappingOn();
   mapper.SetLookupTable(scale.table());
   mapper.UseLookupTableScalarRangeOn();
-  if (shaded) shade(*actor, kFieldLight);
+  if (shaded) shade(*actor, surface, kFieldLight);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> shadowActor(vtkPolyData& surface) {
+  const auto actor = makeActor(surface);
+  actor->GetMapper()->ScalarVisibilityOn();
+  actor->GetMapper()->SetScalarModeToUsePointData();
+  actor->GetMapper()->SetColorModeToDirectScalars();
+  actor->ForceTranslucentOn();
   return actor;
 }
 

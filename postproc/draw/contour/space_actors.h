@@ -13,11 +13,17 @@ class vtkRenderer;
 /// Actors of the part of a picture that shows space.
 namespace burnish {
 
+/// Point data of surfaces: which share of the light around comes to a point; all of it without.
+inline constexpr const char* kSky = "sky";
+
 /// A surface in one colour; `shaded` where its shape must be seen; opacity: 1 hides what is behind.
 vtkSmartPointer<vtkActor> plainActor(vtkPolyData& surface, const Color& color, bool shaded, double opacity);
 
 /// A surface whose colours are looked up pixel by pixel from its point scalars.
 vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& scale, bool shaded);
+
+/// A surface whose points have colours of their own, RGBA, without light.
+vtkSmartPointer<vtkActor> shadowActor(vtkPolyData& surface);
 
 /// Lines. width: in pixels of the window.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);

@@ -76,6 +76,8 @@ void describe(Visitor& v, PictureDefaults& s) {
   v.field("knots", s.knots, {}, "Draw the knot lines.");
   v.field("undeformed", s.undeformed, {}, "Draw the outline of the undeformed body.");
   v.field("tools", s.tools, {}, "Draw the tools.");
+  v.field("occlusion", s.occlusion, {},
+          "In space, darken what lies close to something else, and the ground below; colours stay readable.");
   v.field("doubt_marks", s.doubtMarks, {}, "Mark the picture if the run doubts its results.");
 }
 

@@ -17,6 +17,7 @@ struct PictureDefaults {
   bool knots = false;
   bool undeformed = true;
   bool tools = true;
+  bool occlusion = true;
   bool doubtMarks = true;
 
   bool operator==(const PictureDefaults&) const = default;

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -118,6 +119,54 @@ TEST_F(SpaceImage, ToolLetsTheBodyShineThroughUnlessItIsOpaque) {
   };
   EXPECT_LE(spread(solid), 2);
   EXPECT_GE(spread(through), 40);
+}
+
+/// The block shades nothing of itself but stands on the ground; a ball near it takes light from its upper face.
+TEST_F(SpaceImage, OcclusionDarkensTheGroundAndWhatIsNear) {
+  Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  options.toolOpacity = 1.0;
+  options.occlusion = false;
+  const Picture without = drawn(sample, options);
+  options.occlusion = true;
+  const Picture with = drawn(sample, options);
+  const Color paper = options.theme.paper;
+  const Eigen::Vector3d ground(0.4, 0.0, 1.15), front(0.4, 0.5, 1.0), nearBall(0.85, 1.0, 0.6);
+  EXPECT_EQ(without.at(view.pixel(ground)), paper);
+  EXPECT_LT(with.at(view.pixel(ground))[0], paper[0] - 15);
+  EXPECT_EQ(with.at(view.pixel(front)), without.at(view.pixel(front)));
+  const Color lit = without.at(view.pixel(nearBall)), dim = with.at(view.pixel(nearBall));
+  EXPECT_LT(dim[1], lit[1] - 10);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_GE(dim[c], std::floor(0.55 * lit[c])) << "colours stay readable";
+  // From below nothing stands on a ground.
+  options.view.name = "1,-1,1";
+  drawn(sample, options);
+  EXPECT_EQ(readPicture(dir / "drawn.png").at({20.0, 150.0}), paper);
+}
+
+/// Lines lie on the facets whose borders they are, and no facet hides a part of them.
+TEST_F(SpaceImage, EdgesAreUnbroken) {
+  Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  options.tools = false;
+  options.undeformed = true;
+  const Picture picture = drawn(sample, options);
+  const auto darkestNear = [&](const Eigen::Vector2d& pixel) {
+    int darkest = 255;
+    for (const double x : {-1.0, 0.0, 1.0})
+      for (const double y : {-1.0, 0.0, 1.0}) {
+        const Color found = picture.at(pixel + Eigen::Vector2d(x, y));
+        darkest = std::min<int>(darkest, *std::max_element(found.begin(), found.end()));
+      }
+    return darkest;
+  };
+  const auto expectLine = [&](const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
+    for (double s = 0.02; s < 0.99; s += 0.01)
+      EXPECT_LT(darkestNear(view.pixel(begin + s * (end - begin))), 110) << s;
+  };
+  expectLine({0.0, 1.0, 1.0}, {1.0, 1.0, 1.0});
+  expectLine({1.0, 1.0, 0.0}, {1.0, 1.0, 1.0});
+  expectLine({1.0, 0.0, 1.0}, {1.0, 1.0, 1.0});
 }
 
 TEST_F(SpaceImage, MistakesAreTold) {

@@ -1,0 +1,42 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Dense>
+#include <memory>
+#include <vector>
+
+class vtkPolyData;
+
+namespace burnish {
+
+/// How much of the sky is seen from points of surfaces: ambient occlusion. It is the share of rays that get away,
+/// cosine-weighted over the half space of the normal and the same for all points, so that there is no noise.
+class FreeSky {
+ public:
+  using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+  /// bodies: polygons that stop all rays; tools: that stop a share `toolOpacity`. reach: of the rays. Throws `Error`
+  /// where there is not enough memory.
+  FreeSky(const Surfaces& bodies, const Surfaces& tools, double toolOpacity, double reach);
+  ~FreeSky();
+  FreeSky(const FreeSky&) = delete;
+  FreeSky& operator=(const FreeSky&) = delete;
+
+  /// Where rays begin, measured along the normals from the points.
+  struct Start {
+    double amongBodies = 0.0;
+    double amongTools = 0.0;  ///< below 0, so that a tool that reaches a little into a body closes its sky
+  };
+
+  /// Shares at points with unit normals, 3 x points each: 1 where nothing is near, 0 where all is closed. Does not
+  /// depend on the number of threads.
+  Eigen::VectorXd sharesAt(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& normals,
+                           const Start& start) const;
+
+ private:
+  class Occluders;
+  std::unique_ptr<Occluders> bodies_, tools_;
+  double toolOpacity_, reach_;
+};
+
+}  // namespace burnish

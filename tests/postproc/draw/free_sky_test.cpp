@@ -1,0 +1,101 @@
+#include "postproc/draw/contour/free_sky.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "postproc/mesh/body_surface.h"
+#include "postproc/mesh/poly_builder.h"
+#include "tests/postproc/sample_records.h"
+
+namespace burnish {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kFar = 1e3;
+
+/// Of 256 rays: the worst of those points of a picture that were held against 4096 rays.
+constexpr double kRayTolerance = 0.02;
+
+vtkSmartPointer<vtkPolyData> polygon(const Eigen::Matrix3Xd& corners) {
+  PolyBuilder builder;
+  builder.addPolygon(builder.addPoints(corners));
+  return builder.finish();
+}
+
+/// Upright in the plane x = 0, so long that it has no ends.
+vtkSmartPointer<vtkPolyData> wall(double height) {
+  Eigen::Matrix<double, 3, 4> corners;
+  corners << 0, 0, 0, 0, -500, 500, 500, -500, 0, 0, height, height;
+  return polygon(corners);
+}
+
+double shareAt(const FreeSky& sky, const Vector3d& point, const Vector3d& normal) {
+  return sky.sharesAt(point, normal, {})(0);
+}
+
+TEST(FreeSky, IsHalfInACorner) {
+  const FreeSky sky({wall(200.0)}, {}, 1.0, kFar);
+  EXPECT_NEAR(shareAt(sky, {0.01, 0.0, 0.0}, Vector3d::UnitZ()), 0.5, kRayTolerance);
+}
+
+TEST(FreeSky, BesideAWallIsThatOfTheFormFactor) {
+  const FreeSky sky({wall(1.0)}, {}, 1.0, kFar);
+  for (const double d : {0.2, 0.5, 1.0, 2.0, 5.0})
+    EXPECT_NEAR(shareAt(sky, {d, 0.0, 0.0}, Vector3d::UnitZ()), 1.0 - 0.5 * (1.0 - d / std::hypot(d, 1.0)),
+                kRayTolerance)
+        << d;
+}
+
+TEST(FreeSky, UnderADiscIsThatOfTheFormFactor) {
+  Eigen::Matrix3Xd circle(3, 720);
+  for (Eigen::Index k = 0; k < circle.cols(); ++k) {
+    const double angle = std::numbers::pi * static_cast<double>(k) / 360.0;
+    circle.col(k) << 0.7 * std::cos(angle), 0.7 * std::sin(angle), 1.0;
+  }
+  const double covered = 0.49 / 1.49;
+  const FreeSky solid({polygon(circle)}, {}, 1.0, kFar), translucent({}, {polygon(circle)}, 0.3, kFar),
+      shortRays({polygon(circle)}, {}, 1.0, 0.9);
+  EXPECT_NEAR(shareAt(solid, Vector3d::Zero(), Vector3d::UnitZ()), 1.0 - covered, kRayTolerance);
+  EXPECT_NEAR(shareAt(translucent, Vector3d::Zero(), Vector3d::UnitZ()), 1.0 - 0.3 * covered, kRayTolerance);
+  EXPECT_EQ(shareAt(shortRays, Vector3d::Zero(), Vector3d::UnitZ()), 1.0);
+  EXPECT_EQ(shareAt(solid, Vector3d::Zero(), -Vector3d::UnitZ()), 1.0);
+}
+
+TEST(FreeSky, RaysThatBeginBelowMeetAToolThatIsPressedIn) {
+  const auto tool = polygon(Eigen::Matrix<double, 3, 4>{
+      {-9.0, 9.0, 9.0, -9.0}, {-9.0, -9.0, 9.0, 9.0}, {-0.01, -0.01, -0.01, -0.01}});
+  const FreeSky sky({}, {tool}, 1.0, 1.0);
+  const Vector3d point = Vector3d::Zero(), up = Vector3d::UnitZ();
+  EXPECT_EQ(sky.sharesAt(point, up, {})(0), 1.0);
+  EXPECT_EQ(sky.sharesAt(point, up, {0.0, -0.02})(0), 0.0);
+}
+
+TEST(FreeSky, OfAConvexBodyIsAllOfIt) {
+  const auto body = BodySurface(samples::cube().model.mesh, 4).displaced({});
+  const FreeSky sky({body}, {}, 1.0, 1.0);
+  for (vtkIdType k = 0; k < body->GetNumberOfPoints(); ++k) {
+    const Vector3d x(body->GetPoint(k)), n(body->GetPointData()->GetNormals()->GetTuple3(k));
+    EXPECT_EQ(sky.sharesAt(x, n, {1e-3, 0.0})(0), 1.0);
+  }
+}
+
+TEST(FreeSky, DoesNotDependOnThreads) {
+  const FreeSky sky({wall(1.0)}, {wall(2.0)}, 0.4, kFar);
+  Eigen::Matrix3Xd points(3, 1000);
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+    points.col(k) << 0.01 * static_cast<double>(k + 1), 0.0, 0.1;
+  const Eigen::Matrix3Xd up = Vector3d::UnitZ().replicate(1, points.cols());
+  const Eigen::VectorXd many = sky.sharesAt(points, up, {});
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(sky.sharesAt(points, up, {}), many);
+}
+
+}  // namespace
+}  // namespace burnish
