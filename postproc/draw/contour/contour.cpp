@@ -170,11 +170,11 @@ class ContourPicture {
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
     const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales);
-    Plan plan{scale, bar,
-              layOutContour(size_, textSize_,
-                            options_.window ? *options_.window : contentOf(parts_, subject_.dim), parts_.axes,
-                            caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr,
-                            theme_)};
+    Plan plan{
+        scale, bar,
+        layOutContour(size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim),
+                      parts_.axes, caption(options_.clip && shown != whole),
+                      options_.colorScale ? &bar : nullptr, theme_)};
     for (const ShownTool& tool : parts_.tools) plan.tools.push_back(drawTool(tool, plan.layout.view));
     return plan;
   }
@@ -196,7 +196,9 @@ class ContourPicture {
           "{:.0f}, or a smaller picture",
           dots * kPointsPerInch, dots * area.width, dots * area.height, kLargestSide, kLargestSide,
           std::floor(kPointsPerInch * kLargestSide / largest)));
-    const auto count = [&](double length) { return std::max(1, static_cast<int>(std::lround(dots * length))); };
+    const auto count = [&](double length) {
+      return std::max(1, static_cast<int>(std::lround(dots * length)));
+    };
     return {count(area.width), count(area.height)};
   }
 
@@ -208,8 +210,7 @@ class ContourPicture {
   std::string title() const { return options_.title.value_or(subject_.title); }
 
   ContourCaption caption(bool clipped) const {
-    return {title(),
-            options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
+    return {title(), options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
                     parts_.arrows.note, sectionNote(), plainNote(), subject_.note, options_.note,
                     clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
@@ -279,8 +280,9 @@ class ContourPicture {
     for (const ToolDrawing& tool : plan.tools)
       if (tool.lines) all.push_back(toolLines(tool));
     for (const SpaceLines& part : all)
-      sketch.shapes.emplace_back(part.isDots ? pageDots(*part.lines, view, part.color, part.width)
-                                             : pageLines(*part.lines, view, part.color, part.width, part.opacity));
+      sketch.shapes.emplace_back(part.isDots
+                                     ? pageDots(*part.lines, view, part.color, part.width)
+                                     : pageLines(*part.lines, view, part.color, part.width, part.opacity));
     if (isOfContact())
       for (PageLines& piece : coloredPageLines(*parts_.body, view, plan.scale, kFaceWidth * lineWidth()))
         sketch.shapes.emplace_back(std::move(piece));
@@ -345,12 +347,12 @@ class ContourPicture {
       all.push_back({parts_.net, theme_.controlNet, 4.0 * line, kNet, 1.0, true});
     }
     if (parts_.undeformed)
-      all.push_back(
-          {parts_.undeformed, theme_.undeformed, 0.8 * line, isFlat() ? kUndeformed : kBehindBody});
+      all.push_back({parts_.undeformed, theme_.undeformed, 0.8 * line, isFlat() ? kUndeformed : kBehindBody});
     all.push_back({parts_.outline, theme_.outline, line, kBodyOutline});
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(isOfContact() && part == parts_.body))
-        all.push_back({silhouetteOf(*part, plan.layout.view.towardsEye()), theme_.outline, line, kBodyOutline});
+        all.push_back(
+            {silhouetteOf(*part, plan.layout.view.towardsEye()), theme_.outline, line, kBodyOutline});
     return all;
   }
 
