@@ -152,7 +152,6 @@ TEST_F(Print, SamePictureHasSameBytes) {
 /// Antialiasing is another, and letters stand between pixels: squares of some pixels are compared.
 TEST_F(Print, ShowsWhatThePictureShows) {
   options.size = {800, 600};
-  options.knots = true;
   options.isolines = 5;
   options.arrows = ArrowField::Displacement;
   for (const bool inSpace : {false, true}) {
