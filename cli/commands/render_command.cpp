@@ -26,8 +26,9 @@ struct RenderArguments {
 void checkOutput(const RenderArguments& arguments) {
   if (isPrintFile(arguments.picture)) return;
   if (std::filesystem::path(arguments.picture).extension() != ".png")
-    throw Error(fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png, .pdf or .svg",
-                            arguments.picture));
+    throw Error(
+        fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png, .pdf or .svg",
+                    arguments.picture));
   PrintOptions print;
   arguments.options.picture.readInto(print);
   if (print.dpi)
@@ -57,9 +58,10 @@ void addRenderCommand(CLI::App& app, Action& action) {
   addPictureArguments(*command, arguments->options);
   arguments->options.picture.addTo(*command, PrintOptions{});
   command
-      ->add_option("-o,--output", arguments->picture,
-                   "Name of the picture, .png, or .pdf or .svg for print, where sizes are in points and the usual "
-                   "one is 482,271; for several frames with {frame} or {frame:04} or {time} in it")
+      ->add_option(
+          "-o,--output", arguments->picture,
+          "Name of the picture, .png, or .pdf or .svg for print, where sizes are in points and the usual "
+          "one is 482,271; for several frames with {frame} or {frame:04} or {time} in it")
       ->type_name("PICTURE.png|pdf|svg")
       ->required();
   command->callback([&action, arguments] { action = [arguments] { return render(*arguments); }; });

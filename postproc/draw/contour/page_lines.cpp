@@ -10,6 +10,7 @@
 #include <vtkStripper.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace burnish {
@@ -77,19 +78,27 @@ PageLines pageDots(vtkPolyData& points, const View& view, const Color& color, do
 
 std::vector<PageLines> coloredPageLines(vtkPolyData& lines, const View& view, const ColorScale& scale,
                                         double width) {
+  constexpr double kStepsOfRange = 256.0;
+  const double step = (scale.range()[1] - scale.range()[0]) / kStepsOfRange;
   std::vector<PageLines> pieces;
   vtkDataArray& values = *lines.GetPointData()->GetScalars();
   for (const std::vector<vtkIdType>& line : pointsOfLines(lines)) {
     const std::size_t before = pieces.size();
-    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      const double value = (values.GetComponent(line[k], 0) + values.GetComponent(line[k + 1], 0)) / 2.0;
-      const Color color = scale.color(value);
+    const auto add = [&](const Eigen::Vector2d& begin, const Eigen::Vector2d& end, const Color& color) {
       if (pieces.size() == before || pieces.back().color != color) {
         // Below the begin of the next piece, so that nothing shines through between two.
-        if (pieces.size() > before) pieces.back().lines.front().push_back(onPage(lines, line[k + 1], view));
-        pieces.push_back({{{onPage(lines, line[k], view)}}, width, color, 1.0, false, view.area});
+        if (pieces.size() > before) pieces.back().lines.front().push_back(end);
+        pieces.push_back({{{begin}}, width, color, 1.0, false, view.area});
       }
-      pieces.back().lines.front().push_back(onPage(lines, line[k + 1], view));
+      pieces.back().lines.front().push_back(end);
+    };
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const double from = values.GetComponent(line[k], 0), to = values.GetComponent(line[k + 1], 0);
+      const Eigen::Vector2d begin = onPage(lines, line[k], view), end = onPage(lines, line[k + 1], view);
+      const double parts = std::clamp(std::ceil(std::abs(to - from) / step), 1.0, kStepsOfRange);
+      for (double part = 0.0; part < parts; ++part)
+        add(begin + part / parts * (end - begin), begin + (part + 1.0) / parts * (end - begin),
+            scale.color(std::lerp(from, to, (part + 0.5) / parts)));
     }
   }
   return pieces;

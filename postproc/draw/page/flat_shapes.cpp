@@ -14,8 +14,7 @@ void FlatShapes::addPolyline(const Points& points, double width, const Color& co
 
 void FlatShapes::addSegments(const Points& points, double width, const Color& color) {
   PageLines segments{{}, width, color};
-  for (std::size_t k = 0; k + 1 < points.size(); k += 2)
-    segments.lines.push_back({points[k], points[k + 1]});
+  for (std::size_t k = 0; k + 1 < points.size(); k += 2) segments.lines.push_back({points[k], points[k + 1]});
   sketch_.shapes.emplace_back(std::move(segments));
 }
 

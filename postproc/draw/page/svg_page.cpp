@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <vtkImageData.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -42,7 +44,8 @@ class SvgPainter {
 
   void operator()(const PageArea& area) {
     open(area.within);
-    text_ += fmt::format("<path d=\"{}Z\" fill=\"{}\"/>\n", pathOf(area.corners), Spelling<Color>::write(area.color));
+    text_ += fmt::format("<path d=\"{}Z\" fill=\"{}\"/>\n", pathOf(area.corners),
+                         Spelling<Color>::write(area.color));
     close(area.within);
   }
 
@@ -105,10 +108,13 @@ class SvgPainter {
 
   void open(const std::optional<PixelRect>& within) {
     if (!within) return;
-    ++clips_;
-    text_ += fmt::format(
-        "<clipPath id=\"within{0}\"><rect {1}/></clipPath>\n<g clip-path=\"url(#within{0})\">\n", clips_,
-        rectText(*within));
+    const auto known = std::find(clips_.begin(), clips_.end(), *within);
+    const auto number = std::distance(clips_.begin(), known);
+    if (known == clips_.end()) {
+      text_ += fmt::format("<clipPath id=\"within{}\"><rect {}/></clipPath>\n", number, rectText(*within));
+      clips_.push_back(*within);
+    }
+    text_ += fmt::format("<g clip-path=\"url(#within{})\">\n", number);
   }
 
   void close(const std::optional<PixelRect>& within) {
@@ -117,7 +123,7 @@ class SvgPainter {
 
   double height_;
   std::string text_;
-  int clips_ = 0;
+  std::vector<PixelRect> clips_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@ struct PixelRect {
   double right() const { return x + width; }
   double top() const { return y + height; }
   Eigen::Vector2d center() const { return {x + width / 2, y + height / 2}; }
+  bool operator==(const PixelRect&) const = default;
 };
 
 /// Unit vectors of space that go right and up in a picture.

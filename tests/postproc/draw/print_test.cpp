@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "postproc/compare/metric.h"
+#include "postproc/text/text_file.h"
+#include "tests/cli/shell.h"
+#include "tests/message_of.h"
+#include "tests/postproc/draw/contour_fixture.h"
+
+/// Contour pictures for print, read by the programs that readers of PDF and SVG are made of.
+namespace burnish {
+namespace {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::Each;
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+
+class Print : public ContourPictures {
+ protected:
+  void SetUp() override {
+    ContourPictures::SetUp();
+    options = small("plastic_strain");
+    options.dpi = 150;
+  }
+
+  std::string print(const samples::Sample& sample, const char* name) {
+    view = drawContour(sample.model, sample.frame, options, dir / name);
+    return readText(dir / name);
+  }
+
+  /// What a program prints of a file.
+  std::string told(const std::string& line) const {
+    const Outcome outcome = shell(dir, line);
+    EXPECT_EQ(outcome.code, 0) << line << ": " << outcome.err;
+    return outcome.out;
+  }
+
+  /// The text of the slab as PDF, as programs that search it read it.
+  std::string textOf(const samples::Sample& sample) {
+    print(sample, "a.pdf");
+    return told("pdftotext -layout a.pdf -");
+  }
+
+  /// The page in one pixel for each of its points.
+  Picture rasterised(const samples::Sample& sample) {
+    print(sample, "a.pdf");
+    told("pdftoppm -r 72 -png -singlefile a.pdf page");
+    return readPicture(dir / "page.png");
+  }
+
+  ContourOptions options;
+};
+
+/// The lines of a text that begin with one of its letters or digits in a table of poppler's.
+std::vector<std::string> rowsOf(const std::string& table) {
+  std::vector<std::string> rows;
+  std::size_t begin = table.find("---");
+  begin = table.find('\n', begin) + 1;
+  for (std::size_t end = table.find('\n', begin); end != std::string::npos; end = table.find('\n', begin)) {
+    rows.push_back(table.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return rows;
+}
+
+/// The colours of a picture in the mean over squares of `side` pixels.
+std::vector<std::array<double, 3>> means(const Picture& picture, int side) {
+  const int columns = picture.width / side, rows = picture.height / side;
+  std::vector<std::array<double, 3>> sums(static_cast<std::size_t>(columns * rows));
+  for (int j = 0; j < rows * side; ++j)
+    for (int i = 0; i < columns * side; ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        sums[static_cast<std::size_t>(j / side * columns + i / side)][c] +=
+            picture.at({i + 0.5, j + 0.5})[c] / static_cast<double>(side * side);
+  return sums;
+}
+
+/// Mean over the pictures of what their squares differ by in the channel where they differ most, of 255.
+double meanDifference(const Picture& a, const Picture& b, int side) {
+  const auto first = means(a, side), second = means(b, side);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    double largest = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(first[k][c] - second[k][c]));
+    sum += largest;
+  }
+  return sum / static_cast<double>(first.size());
+}
+
+TEST_F(Print, TextsAreFoundInAnyScript) {
+  options.title = "Größe Ω, Напряжение σ₁₂";
+  options.note = "measured & computed";
+  options.size = {500, 300};
+  EXPECT_THAT(
+      textOf(samples::slab()),
+      AllOf(HasSubstr("Größe Ω, Напряжение σ₁₂"), HasSubstr("measured & computed"), HasSubstr("t = 1.5"),
+            HasSubstr("Equivalent plastic strain"), HasSubstr("ε̄"), HasSubstr("max 1"), HasSubstr("0.6")));
+  EXPECT_THAT(told("pdfinfo a.pdf"), HasSubstr("Größe Ω, Напряжение σ₁₂"));
+}
+
+TEST_F(Print, AxesAreNamedInText) {
+  options.field = "pressure";
+  EXPECT_THAT(textOf(samples::cube()), AllOf(ContainsRegex("\\by\\b"), ContainsRegex("\\bz\\b")));
+}
+
+TEST_F(Print, FontsAreEmbedded) {
+  options.title = "Ω и я";
+  print(samples::slab(), "a.pdf");
+  const std::vector<std::string> fonts = rowsOf(told("pdffonts a.pdf"));
+  EXPECT_THAT(fonts, Each(ContainsRegex("DejaVuSans.* yes yes yes ")));
+  EXPECT_FALSE(fonts.empty());
+}
+
+TEST_F(Print, HasOneImageOfTheWantedResolution) {
+  for (const int dpi : {72, 150, 600}) {
+    options.dpi = dpi;
+    print(samples::slab(), "a.pdf");
+    EXPECT_THAT(rowsOf(told("pdfimages -list a.pdf")),
+                testing::ElementsAre(ContainsRegex(fmt::format(" {} +{} ", dpi, dpi))));
+    EXPECT_THAT(told("pdfinfo a.pdf"), HasSubstr("400 x 300 pts"));
+  }
+}
+
+TEST_F(Print, ImageOfAPictureWithoutPaperIsTransparent) {
+  options.transparent = true;
+  print(samples::slab(), "a.pdf");
+  EXPECT_THAT(told("pdfimages -list a.pdf"), HasSubstr("smask"));
+}
+
+TEST_F(Print, SamePictureHasSameBytes) {
+  for (const char* name : {"a.pdf", "a.svg"}) {
+    const std::string first = print(samples::slab(), name);
+    EXPECT_EQ(print(samples::slab(), name), first) << name;
+    EXPECT_THAT(first, Not(ContainsRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}|CreationDate"))) << name;
+  }
+}
+
+/// Antialiasing is another, and letters stand between pixels: squares of some pixels are compared.
+TEST_F(Print, ShowsWhatThePictureShows) {
+  options.size = {800, 600};
+  options.isolines = 5;
+  options.arrows = ArrowField::Displacement;
+  for (const bool inSpace : {false, true}) {
+    const samples::Sample sample = inSpace ? samples::cube() : samples::slab();
+    if (inSpace) options.field = "pressure";
+    const Picture page = rasterised(sample), picture = drawn(sample, options);
+    ASSERT_EQ(page.width, picture.width);
+    ASSERT_EQ(page.height, picture.height);
+    EXPECT_LE(meanDifference(page, picture, 1), 4.0);
+    EXPECT_LE(meanDifference(page, picture, 4), 1.5);
+  }
+}
+
+TEST_F(Print, ShowsPressedFacesOverTheBody) {
+  options.field = "contact_pressure";
+  options.size = {800, 600};
+  EXPECT_LE(meanDifference(rasterised(samples::rubbedSlab()), drawn(samples::rubbedSlab(), options), 4), 1.0);
+}
+
+TEST_F(Print, OutlinesAreVectorsWhereTheBodyIs) {
+  const samples::Sample sample = samples::slab();
+  const std::string svg = print(sample, "a.svg");
+  for (const double x : {0.0, 3.0})
+    for (const double y : {0.0, 1.0}) {  // the corners do not move
+      const Eigen::Vector2d at = view.pixel(Eigen::Vector2d(x, y));
+      const auto shown = [](double value) { return fmt::format("{}", std::round(1e3 * value) / 1e3); };
+      EXPECT_THAT(svg, HasSubstr(shown(at.x()) + "," + shown(300.0 - at.y()))) << x << ", " << y;
+    }
+}
+
+TEST_F(Print, SvgIsXmlWithTexts) {
+  options.title = "a & \"b\" < Ω";
+  options.knots = true;
+  options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.5, 0.2), Eigen::Vector2d(2.0, 1.2));
+  print(samples::slab(), "a.svg");
+  const std::string parts = told(
+      "python3 -c \"import xml.etree.ElementTree as E; r = E.parse('a.svg').getroot(); "
+      "n = '{http://www.w3.org/2000/svg}'; "
+      "print(*(''.join(t.itertext()) for t in r.iter(n + 'text')), sep='\\n'); "
+      "print(len(list(r.iter(n + 'path'))), 'paths', len(list(r.iter(n + 'image'))), 'image')\"");
+  EXPECT_THAT(parts, AllOf(HasSubstr("a & \"b\" < Ω\n"), HasSubstr("t = 1.5\n"), HasSubstr("0.4\n"),
+                           HasSubstr("paths 1 image")));
+  EXPECT_THAT(readText(dir / "a.svg"), HasSubstr("'DejaVu Sans', sans-serif"));
+}
+
+TEST_F(Print, ImagesThatCannotBeDrawnAreRefused) {
+  options.size = {8000, 4000};
+  EXPECT_THAT(messageOf([&] { print(samples::slab(), "a.pdf"); }), HasSubstr("dpi: "));
+  options.size = {400, 300};
+  options.dpi = 2400;
+  EXPECT_THAT(messageOf([&] { print(samples::slab(), "a.pdf"); }),
+              AllOf(HasSubstr("dpi: 2400 dots per inch make an image of "), HasSubstr("take up to ")));
+  EXPECT_FALSE(std::filesystem::exists(dir / "a.pdf"));
+}
+
+TEST_F(Print, FileThatCannotBeWrittenIsNamed) {
+  EXPECT_THAT(messageOf([&] { print(samples::slab(), "absent/a.pdf"); }), HasSubstr("absent/a.pdf"));
+}
+
+}  // namespace
+}  // namespace burnish
