@@ -54,20 +54,13 @@ Json::Value pageData(const std::vector<Comparison>& comparisons, const PictureRu
   return data;
 }
 
-/// Text that cannot end the script element that it stands in.
-std::string inScript(std::string json) {
-  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
-  return json;
-}
-
 }  // namespace
 
 fs::path writeReport(const std::vector<Comparison>& comparisons, const PictureRule& rule,
                      const std::string& acceptCommand, const fs::path& directory) {
   std::string body = kComparePage;
   constexpr std::string_view place = "/*data*/";
-  body.replace(body.find(place), place.size(),
-               inScript(compactText(pageData(comparisons, rule, acceptCommand))));
+  body.replace(body.find(place), place.size(), scriptText(pageData(comparisons, rule, acceptCommand)));
   const fs::path file = directory / "index.html";
   writeText(htmlText({"Image regression", kCompareStyle, body, kCompareScript, kCompareScriptHash}), file);
   return file;

@@ -10,7 +10,7 @@
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/export/scratch_directory.h"
-#include "postproc/report/frame_pictures.h"
+#include "postproc/draw/contour/frame_pictures.h"
 #include "postproc/report/html_parts.h"
 #include "postproc/report/run_facts.h"
 #include "postproc/report/run_record.h"

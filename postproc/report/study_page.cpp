@@ -14,7 +14,7 @@
 #include "engine/core/version.h"
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/export/scratch_directory.h"
-#include "postproc/report/frame_pictures.h"
+#include "postproc/draw/contour/frame_pictures.h"
 #include "postproc/report/html_parts.h"
 #include "postproc/report/run_facts.h"
 #include "postproc/report/run_record.h"
