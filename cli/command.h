@@ -34,6 +34,7 @@ void addExportCommand(CLI::App& app, Action& action);
 void addInfoCommand(CLI::App& app, Action& action);
 void addCompareCommand(CLI::App& app, Action& action);
 void addReportCommand(CLI::App& app, Action& action);
+void addViewCommand(CLI::App& app, Action& action);
 void addFiguresCommand(CLI::App& app, Action& action);
 void addVerifyCommand(CLI::App& app, Action& action);
 void addSchemaCommand(CLI::App& app, Action& action);

@@ -39,6 +39,7 @@ ExitCode execute(int argc, char** argv) {
   addInfoCommand(app, action);
   addCompareCommand(app, action);
   addReportCommand(app, action);
+  addViewCommand(app, action);
   addFiguresCommand(app, action);
   addVerifyCommand(app, action);
   addSchemaCommand(app, action);

@@ -33,13 +33,6 @@ Json::Value comparisonJson(const Comparison& comparison, const PictureRule& rule
   return value;
 }
 
-std::string compactText(const Json::Value& value, int digits) {
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = "";
-  builder["precision"] = digits;
-  return Json::writeString(builder, value);
-}
-
 std::string listText(const std::vector<Json::Value>& values, int digits) {
   std::vector<std::string> lines;
   for (const Json::Value& value : values) lines.push_back(compactText(value, digits));

@@ -2,6 +2,7 @@
 #include <json/value.h>
 
 #include "postproc/compare/comparison.h"
+#include "postproc/text/json_text.h"
 
 namespace burnish {
 
@@ -12,9 +13,6 @@ Json::Value comparisonJson(const Comparison& comparison, const PictureRule& rule
 
 /// A list of objects, in as many lines.
 std::string comparisonsText(const std::vector<Comparison>& comparisons, const PictureRule& rule);
-
-/// Without blanks and line ends; numbers with so many digits.
-std::string compactText(const Json::Value& value, int digits = 6);
 
 /// A list of values, in as many lines.
 std::string listText(const std::vector<Json::Value>& values, int digits = 6);

@@ -43,12 +43,6 @@ Json::Value pairJson(const Comparison& comparison, const PictureRule& rule) {
   return pair;
 }
 
-/// Text that cannot end the script element that it stands in.
-std::string inScript(std::string json) {
-  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
-  return json;
-}
-
 }  // namespace
 
 fs::path writeReport(const ReportPage& page, const fs::path& directory) {
@@ -64,7 +58,7 @@ fs::path writeReport(const ReportPage& page, const fs::path& directory) {
       if ((pair["verdict"] == "equal") == equal) data["pairs"].append(pair);
   std::string body = kComparePage;
   constexpr std::string_view place = "/*data*/";
-  body.replace(body.find(place), place.size(), inScript(compactText(data)));
+  body.replace(body.find(place), place.size(), scriptText(data));
   const fs::path file = directory / "index.html";
   writeText(htmlText({page.title, kCompareStyle, body, kCompareScript, kCompareScriptHash}), file);
   return file;

@@ -66,20 +66,27 @@ std::vector<PatchSide> facesAt(const PatchSide& edge) {
 
 }  // namespace
 
-std::vector<int> nodesOn(const MeshRecord& mesh, const PatchSide& side) {
-  const PatchRecord& patch = mesh.patches[side.patch];
+std::vector<int> functionsOn(const PatchRecord& patch, const PatchSide& side) {
   IndexBox all, own;
   for (std::size_t d = 0; d < side.ends.size(); ++d) {
     all.extent[d] = basisOf(patch.directions[d]).numFunctions();
     if (side.ends[d] == End::None) own.extent[d] = all.extent[d];
   }
-  Nodes nodes;
+  std::vector<int> functions;
   for (int a = 0; a < own.size(); ++a) {
     IndexBox::Index index = own.index(a);
     for (std::size_t d = 0; d < side.ends.size(); ++d)
       if (side.ends[d] == End::End) index[d] = all.extent[d] - 1;
-    nodes.push_back(patch.nodes[static_cast<std::size_t>(all.number(index))]);
+    functions.push_back(all.number(index));
   }
+  return functions;
+}
+
+std::vector<int> nodesOn(const MeshRecord& mesh, const PatchSide& side) {
+  const PatchRecord& patch = mesh.patches[side.patch];
+  Nodes nodes;
+  for (const int function : functionsOn(patch, side))
+    nodes.push_back(patch.nodes[static_cast<std::size_t>(function)]);
   return nodes;
 }
 

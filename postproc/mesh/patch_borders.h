@@ -14,6 +14,9 @@ struct PatchSide {
   std::vector<End> ends;  ///< per direction
 };
 
+/// The functions of a patch that do not vanish on a side, in its order, first direction fastest.
+std::vector<int> functionsOn(const PatchRecord& patch, const PatchSide& side);
+
 /// The nodes of a side in the order of the patch, first direction fastest.
 std::vector<int> nodesOn(const MeshRecord& mesh, const PatchSide& side);
 

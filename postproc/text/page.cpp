@@ -8,8 +8,6 @@
 
 namespace burnish {
 
-namespace {
-
 std::string base64(std::string_view bytes) {
   std::string encoded((bytes.size() + 2) / 3 * 4 + 4, '\0');
   const unsigned long length = vtkBase64Utilities::Encode(
@@ -19,31 +17,31 @@ std::string base64(std::string_view bytes) {
   return encoded;
 }
 
-/// What the policy of a page says of its script.
-std::string sourceOf(const HtmlPage& page) {
-  if (page.script.empty()) return "'none'";
+std::string sourceOfHash(const std::string& hash) {
   std::string bytes;
-  for (std::size_t k = 0; k + 1 < page.scriptHash.size(); k += 2)
-    bytes += static_cast<char>(std::stoi(page.scriptHash.substr(k, 2), nullptr, 16));
+  for (std::size_t k = 0; k + 1 < hash.size(); k += 2)
+    bytes += static_cast<char>(std::stoi(hash.substr(k, 2), nullptr, 16));
   return "'sha256-" + base64(bytes) + "'";
 }
 
-}  // namespace
+std::string filled(std::string_view text,
+                   const std::vector<std::pair<std::string_view, std::string>>& marks) {
+  std::string result;
+  for (const auto& [mark, replacement] : marks) {
+    const std::size_t at = text.find(mark);
+    result.append(text.substr(0, at)).append(replacement);
+    text.remove_prefix(at + mark.size());
+  }
+  return result.append(text);
+}
 
 std::string htmlText(const HtmlPage& page) {
-  std::string_view rest = kCommonPage;
-  std::string text;
-  const auto replace = [&](std::string_view mark, const std::string& replacement) {
-    const std::size_t at = rest.find(mark);
-    text.append(rest.substr(0, at)).append(replacement);
-    rest.remove_prefix(at + mark.size());
-  };
-  replace("/*script-source*/", sourceOf(page));
-  replace("/*title*/", escaped(page.title));
-  replace("/*style*/", kCommonStyle + page.style);
-  replace("/*body*/", page.body);
-  replace("/*script*/", page.script);
-  return text.append(rest);
+  return filled(kCommonPage,
+                {{"/*script-source*/", page.script.empty() ? "'none'" : sourceOfHash(page.scriptHash)},
+                 {"/*title*/", escaped(page.title)},
+                 {"/*style*/", kCommonStyle + page.style},
+                 {"/*body*/", page.body},
+                 {"/*script*/", page.script}});
 }
 
 std::string escaped(const std::string& text) {

@@ -1,5 +1,8 @@
 #pragma once
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burnish {
 
@@ -12,6 +15,15 @@ struct HtmlPage {
 };
 
 std::string htmlText(const HtmlPage& page);
+
+/// A text with its marks replaced; each stands in it once, in this order.
+std::string filled(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& marks);
+
+/// What a policy says of a script or a style with this hash (SHA-256 in hexadecimal digits): 'sha256-...'.
+std::string sourceOfHash(const std::string& hash);
+
+/// Bytes in letters.
+std::string base64(std::string_view bytes);
 
 /// Plain text for elements and quoted attributes.
 std::string escaped(const std::string& text);

@@ -27,6 +27,7 @@
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_transparency.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/field_colors.h"
 #include "postproc/draw/contour/occlusion.h"
 #include "postproc/draw/contour/page_lines.h"
 #include "postproc/draw/contour/place_marks.h"
@@ -90,22 +91,6 @@ std::string joined(const std::vector<std::string>& notes) {
 /// Of ordinary text, in pixels of what is drawn.
 double textSizeOf(const ContourOptions& options, const Theme& theme) {
   return options.scale * options.textSize.value_or(theme.textSize * textSizeFor(options.size));
-}
-
-/// The part of the range that values on either side of zero take at least where colours tell their sign.
-constexpr double kEitherSign = 0.05;
-
-ColorScale colorScaleOf(const FieldChoice& field, const ContourOptions& options,
-                        const std::array<double, 2>& shown) {
-  const int bands = field.states.empty() ? options.bands : static_cast<int>(field.states.size());
-  std::array<double, 2> range = options.range ? shown : widened(shown);
-  // Before anything is loaded colours are those of later on.
-  if (field.isAboutZero && !options.range && shown[0] == 0.0 && shown[1] == 0.0) range[0] = -range[1];
-  const double least = kEitherSign * (range[1] - range[0]);
-  const bool bothSigns = field.isAboutZero && std::min(-range[0], range[1]) > least;
-  std::string colormap = options.colormap;
-  if (colormap == kAutomaticColormap) colormap = bothSigns ? "coolwarm" : "viridis";
-  return {colormap, range, bands, bothSigns && isDiverging(colormap) ? std::optional(0.0) : std::nullopt};
 }
 
 ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const std::array<double, 2>& values,

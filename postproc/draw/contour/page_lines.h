@@ -20,6 +20,6 @@ std::vector<PageLines> coloredPageLines(vtkPolyData& lines, const View& view, co
 
 /// Adds an area, an arrow or a sign, for each closed line round one.
 void addPageAreas(PageSketch& sketch, vtkPolyData& edges, const View& view, const Color& area,
-                   const Color& edge, double width);
+                  const Color& edge, double width);
 
 }  // namespace burnish

@@ -165,19 +165,31 @@ void describeRange(Visitor& v, PictureOptions& s) {
           "Smallest and greatest value of the colours; automatic when left out.");
 }
 
-/// What is drawn of the body and the tools.
+/// Which bodies are drawn, and where their colours end.
 template <class Visitor>
-void describeParts(Visitor& v, PictureOptions& s) {
+void describeBodies(Visitor& v, PictureOptions& s) {
   v.field("body", s.bodies, {}, "Names of the bodies that are drawn; all when left out.");
   v.field("clip", s.clip, {.above = kLowestPercentile, .atMost = 100},
           "Percentile of the values at which the colours end; single peaks then do not hide the rest.");
+}
+
+/// How tools and displacements are drawn.
+template <class Visitor>
+void describeMotion(Visitor& v, PictureOptions& s) {
+  v.field("tool_opacity", s.toolOpacity, {.above = 0, .atMost = 1},
+          "Of the tools in space; 1 hides what is behind.");
+  v.field("warp", s.warp, {}, "Factor on the displacements of body and tools; values keep theirs.");
+}
+
+/// What is drawn of the body and the tools.
+template <class Visitor>
+void describeParts(Visitor& v, PictureOptions& s) {
+  describeBodies(v, s);
   v.field("vectors", s.arrows, {},
           "Draw arrows: displacement, or traction, what tools do to the body where they touch it.");
   v.field("mark_extremes", s.markExtremes, {}, "Mark where the field is smallest and where it is largest.");
   v.field("control_net", s.controlNet, {}, "Draw the control points and the lines between them.");
-  v.field("tool_opacity", s.toolOpacity, {.above = 0, .atMost = 1},
-          "Of the tools in space; 1 hides what is behind.");
-  v.field("warp", s.warp, {}, "Factor on the displacements of body and tools; values keep theirs.");
+  describeMotion(v, s);
   v.field(
       "subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
       "Cells per knot span and direction, instead of what an exact picture of a plane body takes; in space "
@@ -186,20 +198,31 @@ void describeParts(Visitor& v, PictureOptions& s) {
 
 /// From where the body is seen, and how much of it.
 template <class Visitor>
-void describeView(Visitor& v, PictureOptions& s) {
+void describeEye(Visitor& v, PictureOptions& s) {
   v.field("view", s.view, {},
           "auto, iso, xy, xz or yz, or X,Y,Z: the direction towards the eye; auto shows a plane body in its "
           "plane.");
   v.field("zoom", s.window, {},
           "X0,Y0,X1,Y1: corners of what is seen, in the plane of the view: coordinates of a plane body; "
           "everything when left out.");
+}
+
+template <class Visitor>
+void describeMirror(Visitor& v, PictureOptions& s) {
+  v.field("mirror", s.mirror, {},
+          "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are "
+          "drawn too. Of an axisymmetric body, x is the axis.");
+}
+
+/// The same with planes that cut and mirror.
+template <class Visitor>
+void describeView(Visitor& v, PictureOptions& s) {
+  describeEye(v, s);
   v.field("cut", s.cut, {},
           "Plane, x=V, y=V or z=V, or X,Y,Z,NX,NY,NZ: a point and a normal; what is on the eye's side of it "
           "is left out (3D).");
   v.field("slice", s.slice, {}, "Plane, given like that of cut; only the section is drawn (3D).");
-  v.field("mirror", s.mirror, {},
-          "Planes of symmetry, x, or x,z=V where one is not at 0; the images of the body beyond them are "
-          "drawn too. Of an axisymmetric body, x is the axis.");
+  describeMirror(v, s);
 }
 
 /// How the picture looks. The theme is read first: what the picture does not state is the theme's.

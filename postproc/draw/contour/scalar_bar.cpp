@@ -31,7 +31,6 @@ constexpr double kEndLine = 1.2;  // from line to line at an end
 // As long as most numbers are at ticks and at the ends.
 constexpr const char *kLongLabel = "−0.00", *kLongEnd = "max −0.0000";
 
-constexpr int kMostTicks = 11;
 constexpr int kEndDigits = 4;
 constexpr double kRoundOff = 1e-9;  // of the range
 constexpr double kVisible = 1e-3;   // of the range

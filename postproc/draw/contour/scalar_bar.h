@@ -41,7 +41,16 @@ class ScalarBar {
   /// be of the same renderer.
   void draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& space, Direction direction) const;
 
+  /// What stands beside it, for those who draw it elsewhere: the title with its unit, the marks, and the
+  /// smallest and largest value of the field (empty texts for states).
+  const RichText& title() const { return title_; }
+  Ticks marks() const { return ticks(kMostTicks); }
+  const RichText& smallest() const { return low_.extreme; }
+  const RichText& largest() const { return high_.extreme; }
+
  private:
+  static constexpr int kMostTicks = 11;
+
   void drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const;
   void drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const;
   void drawEndAcross(Overlay& overlay, const PixelRect& bar, bool high, double edge) const;

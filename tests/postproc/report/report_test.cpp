@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "engine/core/error.h"
-#include "postproc/report/frame_pictures.h"
+#include "postproc/draw/contour/frame_pictures.h"
 #include "postproc/report/html_parts.h"
 #include "postproc/report/report.h"
 #include "postproc/report/run_charts.h"

@@ -1,4 +1,4 @@
-#include "postproc/report/frame_pictures.h"
+#include "postproc/draw/contour/frame_pictures.h"
 
 #include <algorithm>
 

@@ -1,0 +1,14 @@
+#pragma once
+#include <json/value.h>
+
+#include <string>
+
+namespace burnish {
+
+/// Without blanks and line ends; numbers with so many digits.
+std::string compactText(const Json::Value& value, int digits = 6);
+
+/// The same for a script element of a page, which it cannot end.
+std::string scriptText(const Json::Value& value, int digits = 6);
+
+}  // namespace burnish

@@ -1,0 +1,40 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/results/result_reader.h"
+#include "postproc/draw/contour/picture_options.h"
+
+namespace burnish {
+
+/// What a page shows at first, and from where; the person in front of it changes most of it.
+struct ViewOptions : PictureOptions {
+  double maxSize = 15.0;  ///< of the page, in MB (10^6 bytes)
+};
+
+template <class Visitor>
+void describe(Visitor& v, ViewOptions& s) {
+  describeRange(v, s);
+  describeBodies(v, s);
+  describeMotion(v, s);
+  describeEye(v, s);
+  describeMirror(v, s);
+  describe(v, static_cast<PictureDefaults&>(s));
+  v.field("title", s.title, {.longest = kLongestShownText},
+          "Title of the page, empty for none; that of the scene when left out.");
+  v.field("max_size", s.maxSize, {.above = 0, .atMost = 1000}, "Largest size of the page, in MB.");
+}
+
+/// Writes a page that shows the bodies of these frames (ascending, at least one) with these fields, drawn from
+/// their control coefficients by the reader's graphics card; without one it has a picture of the last frame. It
+/// is one file that asks nothing of the network. fields: names as `PictureOptions::field` has them, the first
+/// is shown at first; without any, those that are there of plastic strain, von Mises stress and displacement.
+/// Colours of a field go over all of these frames. Returns the size in bytes. Throws `Error` for an unknown
+/// field and one of contact, values that are not finite, a page above `maxSize`, and a file that cannot be
+/// written.
+std::size_t writeView(const ResultReader& result, const std::vector<int>& frames,
+                      const std::vector<std::string>& fields, const ViewOptions& options,
+                      const std::filesystem::path& html);
+
+}  // namespace burnish

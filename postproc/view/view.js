@@ -1,0 +1,947 @@
+"use strict";
+// Bodies as rational Bezier spans that the graphics card evaluates: positions at vertices, the field at every pixel.
+const data = JSON.parse(document.getElementById("data").textContent);
+const byId = (id) => document.getElementById(id);
+const solid = data.dim === 3;
+const canvas = byId("space");
+const gl = canvas.getContext("webgl2", {antialias: true, stencil: true, alpha: false});
+const texelsPerRow = 2048;
+const mostCells = 64;            // of a span and direction
+const pixelTolerance = 0.25;
+const playMilliseconds = 100;
+const bandChoices = [5, 8, 10, 12, 16, 20];
+const darkness = matchMedia("(prefers-color-scheme: dark)");
+
+// ---- Numbers
+
+const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+const floats = (text) => new Float32Array(bytes(text).buffer);
+const integers = (text) => new Int32Array(bytes(text).buffer);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const scaled = (a, s) => a.map((x) => x * s);
+const plus = (a, b) => a.map((x, k) => x + b[k]);
+const minus = (a, b) => a.map((x, k) => x - b[k]);
+const unit = (a) => scaled(a, 1 / Math.hypot(...a));
+const clamp = (x, low, high) => Math.min(high, Math.max(low, x));
+
+/** A vector turned about a unit axis. */
+function turned(v, axis, angle) {
+  const c = Math.cos(angle), s = Math.sin(angle);
+  return plus(plus(scaled(v, c), scaled(cross(axis, v), s)), scaled(axis, dot(axis, v) * (1 - c)));
+}
+
+const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16) / 255);
+const theme = () => (darkness.matches ? data.dark : data.light);
+const middle = (a, b) => a.map((x, k) => (x + b[k]) / 2);
+
+// ---- What is shown, and from where
+
+const boxMiddle = middle(data.box.slice(0, 3), data.box.slice(3));
+const boxSize = Math.hypot(...minus(data.box.slice(3), data.box.slice(0, 3)));
+const state = {
+  frame: data.frames.length - 1, field: 0, bands: data.show.bands, isolines: data.show.isolines, knots: data.show.knots,
+  undeformed: data.show.undeformed, tools: data.show.tools, light: true, cut: "", cutPlace: 0.5, playing: false,
+  zoom: 1, center: [0, 0], right: [1, 0, 0], up: [0, 1, 0],
+};
+const eye = () => cross(state.right, state.up);
+const projected = (x) => [dot(state.right, x), dot(state.up, x)];
+
+function resetView() {
+  state.right = data.axes.slice(0, 3);
+  state.up = data.axes.slice(3);
+  const [x0, y0, x1, y1] = data.window;
+  state.center = minus([(x0 + x1) / 2, (y0 + y1) / 2], projected(data.origin));
+  state.zoom = 1;
+}
+
+/** Pixels of the style sheet per length. */
+function pixelsPerLength() {
+  const [x0, y0, x1, y1] = data.window, room = 0.95;
+  return state.zoom * room * Math.min(canvas.clientWidth / (x1 - x0), canvas.clientHeight / (y1 - y0));
+}
+
+/** The axis of space about which the body is turned sideways: the one that goes up at first, or nearly. */
+const upright = (() => {
+  const up = data.axes.slice(3).map(Math.abs), axis = up.indexOf(Math.max(...up));
+  return [0, 1, 2].map((k) => (k === axis ? Math.sign(data.axes[3 + k]) : 0));
+})();
+
+/** Turns about the middle of the bodies, which stays where it is seen. */
+function turn(sideways, over) {
+  if (!solid) return;
+  const before = projected(boxMiddle);
+  for (const [axis, angle] of [[upright, -sideways], [state.right, -over]]) {
+    const fixed = unit(axis);
+    state.right = unit(turned(state.right, fixed, angle));
+    state.up = unit(turned(state.up, fixed, angle));
+  }
+  state.up = unit(minus(state.up, scaled(state.right, dot(state.up, state.right))));
+  state.center = plus(state.center, minus(projected(boxMiddle), before));
+}
+
+/** In pixels to the right and down. */
+function shift(x, y) {
+  const length = 1 / pixelsPerLength();
+  state.center = plus(state.center, [-x * length, y * length]);
+}
+
+/** About a place in pixels from the middle of the canvas, to the right and down. */
+function zoomBy(factor, x = 0, y = 0) {
+  const next = clamp(state.zoom * factor, 0.05, 5000);
+  shift(-x, -y);
+  state.zoom = next;
+  shift(x, y);
+}
+
+/** What is cut away lies before this plane, {normal, offset}; nothing without a cut. */
+function cutPlane() {
+  if (!solid || !state.cut) return null;
+  const k = "xyz".indexOf(state.cut), side = eye()[k] < 0 ? -1 : 1;
+  const place = data.box[k] + state.cutPlace * (data.box[k + 3] - data.box[k]);
+  return {normal: [0, 1, 2].map((d) => (d === k ? side : 0)), offset: side * place};
+}
+
+// ---- Bodies
+
+/** Coefficients of a face (components x points of its lattice), times their weights, with the weights behind. */
+function lattice(face, values, components) {
+  const [u, v] = face.rows, size = components + 1, functions = u.functions;
+  const half = new Float64Array(size * u.first.length * v.functions);
+  const control = new Float64Array(size);
+  for (let j = 0; j < v.functions; ++j)
+    for (let i = 0; i < u.first.length; ++i)
+      for (let a = 0; a <= u.p; ++a) {
+        const k = j * functions + u.first[i] + a, factor = u.factors[i * (u.p + 1) + a];
+        const weight = face.weights ? face.weights[k] : 1, node = face.nodes[k];
+        for (let c = 0; c < components; ++c) control[c] = weight * values[node * components + c];
+        control[components] = weight;
+        for (let c = 0; c < size; ++c) half[(j * u.first.length + i) * size + c] += factor * control[c];
+      }
+  const row = u.first.length * size;
+  const result = new Float64Array(row * v.first.length);
+  for (let j = 0; j < v.first.length; ++j)
+    for (let a = 0; a <= v.p; ++a) {
+      const factor = v.factors[j * (v.p + 1) + a], from = (v.first[j] + a) * row;
+      for (let k = 0; k < row; ++k) result[j * row + k] += factor * half[from + k];
+    }
+  return result;
+}
+
+/** Largest length of vectors of three numbers, of a list of coefficients in rows. */
+function largest(rows, columns, at) {
+  let most = 0;
+  for (let j = 0; j < rows; ++j)
+    for (let i = 0; i < columns; ++i) most = Math.max(most, Math.hypot(...at(i, j)));
+  return most;
+}
+
+/**
+ * Middle and radius of a span's coefficients, and M such that n x n cells of it are off by M / (4 n²) at most:
+ * from bounds of the second derivatives of the rational span.
+ */
+function measured(points, first, stride, p, q) {
+  const at = (i, j) => (first + j * stride + i) * 4;
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  let least = Infinity;
+  for (let j = 0; j <= q; ++j)
+    for (let i = 0; i <= p; ++i) {
+      const k = at(i, j), w = points[k + 3];
+      least = Math.min(least, w);
+      for (let c = 0; c < 3; ++c) {
+        low[c] = Math.min(low[c], points[k + c] / w);
+        high[c] = Math.max(high[c], points[k + c] / w);
+      }
+    }
+  const center = middle(low, high), radius = Math.hypot(...minus(high, low)) / 2;
+  const A = (i, j) => [0, 1, 2].map((c) => points[at(i, j) + c] - points[at(i, j) + 3] * center[c]);
+  const W = (i, j) => [points[at(i, j) + 3]];
+  const u = (f) => (i, j) => minus(f(i + 1, j), f(i, j)), v = (f) => (i, j) => minus(f(i, j + 1), f(i, j));
+  const bounds = (f) => ({
+    u: p * largest(q + 1, p, u(f)), v: q * largest(q, p + 1, v(f)), uv: p * q * largest(q, p, u(v(f))),
+    uu: p * (p - 1) * largest(q + 1, p - 1, u(u(f))), vv: q * (q - 1) * largest(q - 1, p + 1, v(v(f))),
+  });
+  const a = bounds(A), w = bounds(W);
+  const fu = (a.u + w.u * radius) / least, fv = (a.v + w.v * radius) / least;
+  const uu = (a.uu + 2 * w.u * fu + w.uu * radius) / least, vv = (a.vv + 2 * w.v * fv + w.vv * radius) / least;
+  const uv = (a.uv + w.u * fv + w.v * fu + w.uv * radius) / least;
+  return {center, radius, second: Math.max(uu, vv) + uv};
+}
+
+for (const mesh of data.meshes)
+  for (const face of mesh.faces) {
+    face.nodes = integers(face.nodes);
+    face.weights = face.weights && floats(face.weights);
+    for (const row of face.rows) {
+      row.first = integers(row.first);
+      row.factors = floats(row.factors);
+    }
+  }
+
+/** Positions of a mesh as rows of a texture, its spans, and those of its edges. */
+function body(mesh, positionsText) {
+  const values = floats(positionsText), lattices = mesh.faces.map((face) => lattice(face, values, data.dim));
+  const count = lattices.reduce((sum, each) => sum + each.length / (data.dim + 1), 0);
+  const points = new Float32Array(4 * texelsPerRow * Math.ceil(count / texelsPerRow));
+  const spans = [], edges = [];
+  let first = 0;
+  mesh.faces.forEach((face, f) => {
+    const from = lattices[f], size = data.dim + 1, [u, v] = face.rows, stride = u.first.length;
+    for (let k = 0; k < from.length / size; ++k) {
+      for (let c = 0; c < data.dim; ++c) points[4 * (first + k) + c] = from[k * size + c];
+      points[4 * (first + k) + 3] = from[k * size + data.dim];
+    }
+    const columns = (stride - 1) / u.p, rows = (v.first.length - 1) / v.p, sides = [];
+    for (let k = 0; k + 1 < mesh.edges.length; k += 2) if (mesh.edges[k] === f) sides.push(mesh.edges[k + 1]);
+    for (let j = 0; j < rows; ++j)
+      for (let i = 0; i < columns; ++i) {
+        const place = first + j * v.p * stride + i * u.p;
+        const span = {place, stride, p: u.p, q: v.p, body: face.body, ...measured(points, place, stride, u.p, v.p)};
+        spans.push(span);
+        for (const side of sides)
+          if ([i === 0, i === columns - 1, j === 0, j === rows - 1][side]) edges.push({span, side});
+      }
+    first += from.length / size;
+  });
+  return {mesh, points, spans, edges};
+}
+
+/** Values of a field on a body as rows of a texture. */
+function fieldTexels(mesh, valuesText, components) {
+  const values = floats(valuesText), lattices = mesh.faces.map((face) => lattice(face, values, components));
+  const count = lattices.reduce((sum, each) => sum + each.length / (components + 1), 0);
+  const texels = new Float32Array(4 * texelsPerRow * Math.ceil(count / texelsPerRow));
+  let texel = 0;
+  for (const from of lattices)
+    for (let k = 0; k < from.length; k += components + 1, ++texel) {
+      for (let c = 0; c < components; ++c) texels[4 * texel + c] = from[k + c];
+      texels[4 * texel + 3] = from[k + components];
+    }
+  return texels;
+}
+
+// ---- The graphics card
+
+const header = "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D;\n";
+
+/** Sums over the (p+1) x (q+1) coefficients of a span. */
+const evaluation = (p, q) => `
+#define P ${p}
+#define Q ${q}
+vec4 texel(sampler2D map, float place) {
+  int k = int(place + 0.5);
+  return texelFetch(map, ivec2(k % ${texelsPerRow}, k / ${texelsPerRow}), 0);
+}
+${["P", "Q"].map((d) => `
+void bernstein${d}(float t, out float b[${d} + 1]) {
+  b[0] = 1.0;
+  for (int k = 1; k <= ${d}; ++k) {
+    float last = 0.0;
+    for (int i = 0; i < k; ++i) { float x = b[i]; b[i] = last + (1.0 - t) * x; last = t * x; }
+    b[k] = last;
+  }
+}
+void slope${d}(float t, out float d[${d} + 1]) {
+  float b[${d} + 1];
+  b[0] = 1.0;
+  for (int k = 1; k < ${d}; ++k) {
+    float last = 0.0;
+    for (int i = 0; i < k; ++i) { float x = b[i]; b[i] = last + (1.0 - t) * x; last = t * x; }
+    b[k] = last;
+  }
+  for (int i = 0; i <= ${d}; ++i) d[i] = float(${d}) * ((i > 0 ? b[i - 1] : 0.0) - (i < ${d} ? b[i] : 0.0));
+}`).join("")}
+vec4 sum(sampler2D map, vec2 place, float a[P + 1], float b[Q + 1]) {
+  vec4 r = vec4(0);
+  for (int j = 0; j <= Q; ++j) {
+    vec4 row = vec4(0);
+    for (int i = 0; i <= P; ++i) row += a[i] * texel(map, place.x + float(j) * place.y + float(i));
+    r += b[j] * row;
+  }
+  return r;
+}
+vec4 at(sampler2D map, vec2 place, vec2 uv) {
+  float a[P + 1], b[Q + 1];
+  bernsteinP(uv.x, a);
+  bernsteinQ(uv.y, b);
+  return sum(map, place, a, b);
+}`;
+
+const surfaceVertex = (p, q) => header + evaluation(p, q) + `
+uniform sampler2D points;
+uniform mat4 view;
+layout(location = 0) in vec2 uv;
+layout(location = 1) in vec2 place;
+out vec2 UV;
+out vec3 X;
+out vec3 N;
+flat out vec2 PLACE;
+void main() {
+  vec4 h = at(points, place, uv);
+  X = h.xyz / h.w;
+  UV = uv;
+  PLACE = place;
+  ${solid ? `vec2 inside = clamp(uv, 0.001, 0.999);  // a face may have collapsed to a point at its side
+  float a[P + 1], b[Q + 1], du[P + 1], dv[Q + 1];
+  bernsteinP(inside.x, a);
+  bernsteinQ(inside.y, b);
+  slopeP(inside.x, du);
+  slopeQ(inside.y, dv);
+  vec4 f = sum(points, place, a, b), fu = sum(points, place, du, b), fv = sum(points, place, a, dv);
+  vec3 n = cross(fu.xyz * f.w - f.xyz * fu.w, fv.xyz * f.w - f.xyz * fv.w);
+  float size = length(n);
+  N = size > 0.0 ? n / size : vec3(0);` : "N = vec3(0, 0, 1);"}
+  gl_Position = view * vec4(X, 1);
+}`;
+
+const clipping = `
+uniform vec4 cut;  // normal and offset
+void clip(vec3 x) { if (dot(cut.xyz, x) > cut.w) discard; }`;
+
+const surfaceFragment = (p, q) => header + evaluation(p, q) + clipping + `
+uniform sampler2D values, colors;
+uniform vec2 range;
+uniform int count, components, light, plain;
+uniform float lines, isolines, nonNegative;
+uniform vec3 eye, knotColor, outlineColor, plainColor;
+in vec2 UV;
+in vec3 X;
+in vec3 N;
+flat in vec2 PLACE;
+out vec4 color;
+void main() {
+  clip(X);
+  vec4 h = at(values, PLACE, UV);
+  vec3 f = h.xyz / h.w;
+  float value = components == 1 ? f.x : components == 2 ? length(f.xy) : length(f);
+  if (nonNegative > 0.0) value = max(value, 0.0);
+  float place = (value - range.x) / (range.y - range.x);
+  vec3 c = texelFetch(colors, ivec2(clamp(int(floor(place * float(count))), 0, count - 1), 0), 0).rgb;
+  if (plain == 1) c = plainColor;
+  if (isolines > 0.0 && plain == 0) {
+    float g = place * (isolines + 1.0), line = round(g);
+    if (line >= 1.0 && line <= isolines)
+      c = mix(outlineColor, c, clamp(abs(g - line) / max(fwidth(g), 1e-9) - 0.35 * lines + 0.5, 0.0, 1.0));
+  }
+  if (knotColor.r >= 0.0) {
+    vec2 d = min(UV, 1.0 - UV) / fwidth(UV);
+    c = mix(c, knotColor, 0.5 * clamp(0.25 * lines + 0.5 - min(d.x, d.y), 0.0, 1.0));
+  }
+  if (light == 1) {
+    float facing = abs(dot(normalize(N), eye));
+    c *= 0.6 + 0.4 * facing;
+    c = mix(outlineColor, c, smoothstep(0.4 * lines, 1.4 * lines, facing / max(fwidth(facing), 1e-4)));
+  }
+  color = vec4(c, 1);
+}`;
+
+/** A point moved across a line in pixels; `nearer` lifts lines off the surface that they lie on. */
+const widening = `
+uniform mat4 view;
+uniform vec2 pixels;
+uniform float width, nearer;
+vec4 widened(vec4 at, vec4 before, vec4 after, float side) {
+  vec2 along = (after.xy - before.xy) * pixels;
+  float size = length(along);
+  along = size > 0.0 ? along / size : vec2(1, 0);
+  at.xy += side * 0.5 * width * vec2(-along.y, along.x) / pixels * 2.0;
+  at.z -= nearer;
+  return at;
+}`;
+
+const edgeVertex = (p, q) => header + evaluation(p, q) + widening + `
+uniform sampler2D points;
+uniform float cell;
+layout(location = 0) in vec2 along;  // place on the edge, side of the line
+layout(location = 1) in vec3 edge;   // first coefficient, row length, side of the span
+out vec3 X;
+vec3 point(float t) {
+  vec2 uv = edge.z < 1.5 ? vec2(edge.z, t) : vec2(t, edge.z - 2.0);
+  vec4 h = at(points, edge.xy, uv);
+  return h.xyz / h.w;
+}
+void main() {
+  X = point(along.x);
+  vec4 before = view * vec4(point(max(along.x - cell, 0.0)), 1), after = view * vec4(point(min(along.x + cell, 1.0)), 1);
+  gl_Position = widened(view * vec4(X, 1), before, after, along.y);
+}`;
+
+const segmentVertex = header + widening + `
+uniform mat4 motion;
+layout(location = 0) in vec2 along;
+layout(location = 1) in vec3 begin;
+layout(location = 2) in vec3 end;
+out vec3 X;
+void main() {
+  vec4 a = motion * vec4(begin, 1), b = motion * vec4(end, 1);
+  X = mix(a, b, along.x).xyz;
+  gl_Position = widened(view * vec4(X, 1), view * a, view * b, along.y);
+}`;
+
+const plainVertex = header + `
+uniform mat4 view, motion;
+layout(location = 0) in vec3 point;
+layout(location = 1) in vec3 normal;
+out vec3 X;
+out vec3 N;
+void main() {
+  vec4 x = motion * vec4(point, 1);
+  X = x.xyz;
+  N = mat3(motion) * normal;
+  gl_Position = view * x;
+}`;
+
+const plainFragment = header + clipping + `
+uniform vec4 paint;
+uniform vec3 eye;
+uniform int light;
+in vec3 X;
+in vec3 N;
+out vec4 color;
+void main() {
+  clip(X);
+  float shade = light == 1 ? 0.6 + 0.4 * abs(dot(normalize(N), eye)) : 1.0;
+  color = vec4(paint.rgb * shade, paint.a);
+}`;
+
+const lineFragment = header + clipping + `
+uniform vec4 paint;
+in vec3 X;
+out vec4 color;
+void main() { clip(X); color = paint; }`;
+
+/** Hatched, as sections are. */
+const capFragment = header + `
+uniform vec4 paint;
+uniform vec3 hatch;
+uniform float lines;
+out vec4 color;
+void main() {
+  float d = abs(mod(gl_FragCoord.x + gl_FragCoord.y, 12.0 * lines) - 6.0 * lines);
+  color = vec4(mix(hatch, paint.rgb, clamp(d - 0.5 * lines + 0.5, 0.55, 1.0)), 1);
+}`;
+
+const programs = new Map();
+
+/** The program of two shaders with the places of its uniforms, made once. */
+function program(name, vertex, fragment) {
+  if (programs.has(name)) return programs.get(name);
+  const handle = gl.createProgram();
+  for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.attachShader(handle, shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost())
+      throw new Error(`${name}: ${gl.getShaderInfoLog(shader)}`);
+  }
+  gl.linkProgram(handle);
+  if (!gl.getProgramParameter(handle, gl.LINK_STATUS) && !gl.isContextLost())
+    throw new Error(`${name}: ${gl.getProgramInfoLog(handle)}`);
+  const places = new Map();
+  const place = (key) => {
+    if (!places.has(key)) places.set(key, gl.getUniformLocation(handle, key));
+    return places.get(key);
+  };
+  const made = {
+    /** Sets uniforms: matrices, vectors and numbers as floats, `{integer}` as one. */
+    use(values) {
+      gl.useProgram(handle);
+      for (const [key, value] of Object.entries(values))
+        if (typeof value === "number") gl.uniform1f(place(key), value);
+        else if ("integer" in value) gl.uniform1i(place(key), value.integer);
+        else if (value.length === 16) gl.uniformMatrix4fv(place(key), false, value);
+        else gl[`uniform${value.length}fv`](place(key), value);
+    },
+  };
+  programs.set(name, made);
+  return made;
+}
+
+function buffer(values, kind = gl.ARRAY_BUFFER) {
+  const made = gl.createBuffer();
+  gl.bindBuffer(kind, made);
+  gl.bufferData(kind, values, gl.STATIC_DRAW);
+  return made;
+}
+
+/** Points an attribute to a buffer; `perInstance`: 1 for one entry per instance. */
+function attribute(location, values, size, perInstance = 0) {
+  gl.bindBuffer(gl.ARRAY_BUFFER, values);
+  gl.enableVertexAttribArray(location);
+  gl.vertexAttribPointer(location, size, gl.FLOAT, false, 0, 0);
+  gl.vertexAttribDivisor(location, perInstance);
+}
+
+const grids = new Map();
+
+/** n x m cells of the unit square as triangles; a line has m = 1 and its sides at -1 and 1. */
+function grid(n, m, isLine) {
+  const key = `${n} ${m} ${isLine}`;
+  if (grids.has(key)) return grids.get(key);
+  const points = [], triangles = [];
+  for (let j = 0; j <= m; ++j)
+    for (let i = 0; i <= n; ++i) points.push(i / n, isLine ? 2 * j - 1 : j / m);
+  for (let j = 0; j < m; ++j)
+    for (let i = 0; i < n; ++i) {
+      const a = j * (n + 1) + i, b = a + n + 1;
+      triangles.push(a, a + 1, b + 1, a, b + 1, b);
+    }
+  const made = {points: buffer(new Float32Array(points)), count: triangles.length, triangles: gl.createBuffer()};
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, made.triangles);
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(triangles), gl.STATIC_DRAW);
+  grids.set(key, made);
+  return made;
+}
+
+let instances;
+
+/** Draws a grid once for each entry of `list`, of so many numbers. */
+function drawInstances(shape, list, sizes) {
+  const size = sizes.reduce((sum, each) => sum + each, 0), count = list.length / size;
+  if (count === 0) return;
+  gl.bindBuffer(gl.ARRAY_BUFFER, instances);
+  gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(list), gl.DYNAMIC_DRAW);
+  let offset = 0;
+  sizes.forEach((each, k) => {
+    gl.enableVertexAttribArray(k + 1);
+    gl.vertexAttribPointer(k + 1, each, gl.FLOAT, false, 4 * size, 4 * offset);
+    gl.vertexAttribDivisor(k + 1, 1);
+    offset += each;
+  });
+  attribute(0, shape.points, 2);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, shape.triangles);
+  gl.drawElementsInstanced(gl.TRIANGLES, shape.count, gl.UNSIGNED_SHORT, 0, count);
+  for (let k = 0; k < sizes.length; ++k) gl.disableVertexAttribArray(k + 1);
+}
+
+/** A texture that is read texel by texel, in a unit of its own. */
+function texture(number, format, width, height, kind, layout, values) {
+  const made = gl.createTexture();
+  gl.activeTexture(gl.TEXTURE0 + number);
+  gl.bindTexture(gl.TEXTURE_2D, made);
+  gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, layout, kind, values);
+  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+  return made;
+}
+
+const texelTexture = (number, texels) =>
+  texture(number, gl.RGBA32F, texelsPerRow, texels.length / 4 / texelsPerRow, gl.FLOAT, gl.RGBA, texels);
+
+const units = {points: 0, values: 1, colors: 2, undeformed: 3};
+
+/** What the card has of the frame, the field and the colours that are shown. */
+const loaded = {};
+
+function load() {
+  const record = data.frames[state.frame];
+  if (loaded.frame !== state.frame) {
+    gl.deleteTexture(loaded.points);
+    loaded.body = body(data.meshes[record.mesh], record.positions);
+    loaded.points = texelTexture(units.points, loaded.body.points);
+  }
+  if (loaded.frame !== state.frame || loaded.field !== state.field) {
+    gl.deleteTexture(loaded.values);
+    const texels = fieldTexels(loaded.body.mesh, record.fields[state.field].values, data.fields[state.field].components);
+    loaded.values = texelTexture(units.values, texels);
+  }
+  if (loaded.field !== state.field || loaded.bands !== state.bands) {
+    gl.deleteTexture(loaded.colors);
+    const colors = fieldColors();
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    loaded.colors = texture(units.colors, gl.RGB8, colors.length / 3, 1, gl.UNSIGNED_BYTE, gl.RGB, colors);
+    loaded.colorCount = colors.length / 3;
+  }
+  Object.assign(loaded, {frame: state.frame, field: state.field, bands: state.bands});
+  if (!loaded.undeformed) {
+    loaded.undeformed = body(data.meshes[data.undeformed.mesh], data.undeformed.positions);
+    texelTexture(units.undeformed, loaded.undeformed.points);
+  }
+}
+
+/** The colours of the field from the lowest to the highest value: smooth, or the bands' own. */
+function fieldColors() {
+  const smooth = bytes(data.fields[state.field].colors), count = smooth.length / 3;
+  if (!state.bands) return smooth;
+  const colors = new Uint8Array(3 * state.bands);
+  for (let k = 0; k < state.bands; ++k) {
+    const place = (state.bands === 1 ? 0.5 : k / (state.bands - 1)) * (count - 1);
+    const from = Math.min(Math.floor(place), count - 2), share = place - from;
+    for (let c = 0; c < 3; ++c)
+      colors[3 * k + c] = Math.round((1 - share) * smooth[3 * from + c] + share * smooth[3 * from + 3 + c]);
+  }
+  return colors;
+}
+
+// ---- Tools
+
+/** What moves a tool from its reference position to where it stands in the frame, a matrix by columns. */
+function toolMatrix(tool, motion) {
+  const columns = [0, 1, 2].map((k) => turned([0, 1, 2].map((d) => (d === k ? 1 : 0)), tool.axis, motion[3]));
+  const center = [0, 1, 2].map((d) => columns.reduce((sum, column, k) => sum + column[d] * tool.pivot[k], 0));
+  const way = minus(plus(tool.pivot, motion.slice(0, 3)), center);
+  return new Float32Array([...columns.flatMap((column) => [...column, 0]), ...way, 1]);
+}
+
+const identity = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+
+function loadTools() {
+  for (const tools of data.tools)
+    for (const tool of tools) {
+      for (const part of [tool.area, tool.lines].filter((each) => each && each.triangles)) {
+        part.pointBuffer = buffer(floats(part.points));
+        part.normalBuffer = part.normals && buffer(floats(part.normals));
+        const triangles = integers(part.triangles);
+        part.count = triangles.length;
+        part.triangleBuffer = gl.createBuffer();
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, part.triangleBuffer);
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(triangles), gl.STATIC_DRAW);
+      }
+      if (!tool.lines || !tool.lines.segments) continue;
+      const points = floats(tool.lines.points);
+      tool.segments = [...integers(tool.lines.segments)].flatMap((k) => [...points.subarray(3 * k, 3 * k + 3)]);
+    }
+}
+
+/** Calls `act` with every tool and its matrix in the frame. */
+function forTools(act) {
+  if (!state.tools) return;
+  const record = data.frames[state.frame];
+  data.tools[record.tools].forEach((tool, k) => act(tool, toolMatrix(tool, record.motion.slice(4 * k, 4 * k + 4))));
+}
+
+function drawToolAreas(common, paint) {
+  forTools((tool, motion) => {
+    if (!tool.area || !tool.area.triangles) return;
+    program("plain", plainVertex, plainFragment).use({
+      ...common, motion, paint, light: {integer: solid && tool.area.normalBuffer ? 1 : 0}});
+    attribute(0, tool.area.pointBuffer, 3);
+    if (tool.area.normalBuffer) attribute(1, tool.area.normalBuffer, 3);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, tool.area.triangleBuffer);
+    gl.drawElements(gl.TRIANGLES, tool.area.count, gl.UNSIGNED_INT, 0);
+    gl.disableVertexAttribArray(1);
+  });
+}
+
+function drawToolLines(common) {
+  forTools((tool, motion) => {
+    if (!tool.segments) return;
+    program("segments", segmentVertex, lineFragment).use({
+      ...common, motion, paint: [...rgb(theme().outline), 1], width: 1.2 * common.lines});
+    drawInstances(grid(1, 1, true), tool.segments, [3, 3]);
+  });
+}
+
+// ---- Drawing
+
+/** Lists of entries of the same degrees. */
+function byDegrees(list, spanOf) {
+  const groups = new Map();
+  for (const each of list) {
+    const span = spanOf(each), key = `${span.p} ${span.q}`;
+    if (!groups.has(key)) groups.set(key, {p: span.p, q: span.q, list: []});
+    groups.get(key).list.push(each);
+  }
+  return [...groups.values()];
+}
+
+function drawEdges(shape, unit, visible, cells, common, paint, width) {
+  for (const {p, q, list} of byDegrees(shape.edges.filter(({span}) => visible(span)), ({span}) => span)) {
+    program(`edges ${p} ${q}`, edgeVertex(p, q), lineFragment).use({
+      ...common, points: {integer: unit}, paint, width, cell: 1 / cells});
+    drawInstances(grid(cells, 1, true), list.flatMap(({span, side}) => [span.place, span.stride, side]), [2 + 1]);
+  }
+}
+
+/** All of the surface that is visible, in colours. */
+function drawSurface(spans, cells, common) {
+  const field = data.fields[state.field], without = data.frames[state.frame].fields[state.field].without;
+  const plainColor = middle(rgb(theme().tool), rgb(theme().paper));
+  for (const plain of [0, 1])
+    for (const {p, q, list} of byDegrees(spans.filter((span) => without.includes(span.body) === Boolean(plain)), (s) => s)) {
+      program(`surface ${p} ${q}`, surfaceVertex(p, q), surfaceFragment(p, q)).use({
+        ...common, points: {integer: units.points}, values: {integer: units.values}, colors: {integer: units.colors},
+        range: field.range, count: {integer: loaded.colorCount}, components: {integer: field.components},
+        light: {integer: solid && state.light ? 1 : 0}, plain: {integer: plain}, isolines: state.isolines,
+        nonNegative: field.nonNegative ? 1 : 0, knotColor: state.knots ? rgb(theme().knots) : [-1, -1, -1],
+        outlineColor: rgb(theme().outline), plainColor});
+      drawInstances(grid(cells, cells, false), list.flatMap((span) => [span.place, span.stride]), [2]);
+    }
+}
+
+/** Closes what a plane has opened: inside, a ray meets the surface behind the plane an odd number of times. */
+function drawCap(plane, spans, cells, common) {
+  gl.enable(gl.STENCIL_TEST);
+  gl.disable(gl.DEPTH_TEST);
+  gl.colorMask(false, false, false, false);
+  gl.stencilFunc(gl.ALWAYS, 0, 1);
+  gl.stencilOp(gl.KEEP, gl.KEEP, gl.INVERT);
+  drawSurface(spans, cells, common);
+  gl.colorMask(true, true, true, true);
+  gl.enable(gl.DEPTH_TEST);
+  gl.stencilFunc(gl.EQUAL, 1, 1);
+  gl.stencilOp(gl.KEEP, gl.KEEP, gl.KEEP);
+  const a = plane.normal.map((x, k) => (plane.normal[(k + 1) % 3] !== 0 ? boxSize : 0)), b = cross(plane.normal, a);
+  const middleOfCut = plus(boxMiddle, scaled(plane.normal, plane.offset - dot(plane.normal, boxMiddle)));
+  const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].flatMap(([s, t]) => plus(middleOfCut, plus(scaled(a, s), scaled(b, t))));
+  program("cap", plainVertex, capFragment).use({
+    ...common, motion: identity, paint: [...middle(rgb(theme().tool), rgb(theme().paper)), 1], hatch: rgb(theme().soft)});
+  const points = buffer(new Float32Array(corners));
+  attribute(0, points, 3);
+  gl.drawArrays(gl.TRIANGLE_FAN, 0, 4);
+  gl.deleteBuffer(points);
+  gl.disable(gl.STENCIL_TEST);
+}
+
+function draw() {
+  load();
+  const ratio = devicePixelRatio, width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
+  const scale = pixelsPerLength() * ratio, towards = eye(), depth = 6 * boxSize;
+  const view = new Float32Array(16);
+  [[state.right, 2 * scale / width, state.center[0]], [state.up, 2 * scale / height, state.center[1]],
+    [towards, -1 / depth, dot(towards, boxMiddle)]].forEach(([axis, factor, center], row) => {
+    for (let k = 0; k < 3; ++k) view[4 * k + row] = factor * axis[k];
+    view[12 + row] = -factor * center;
+  });
+  view[15] = 1;
+  const visible = ({center, radius}) => {
+    const [x, y] = minus(projected(center), state.center), reach = radius + 4 / scale;
+    return Math.abs(x) <= width / 2 / scale + reach && Math.abs(y) <= height / 2 / scale + reach;
+  };
+  const cellsOf = (spans) => {
+    const second = spans.reduce((most, span) => Math.max(most, span.second), 0);
+    return clamp(Math.ceil(Math.sqrt(second * scale / (4 * pixelTolerance))), solid ? 4 : 1, mostCells);
+  };
+  const spans = loaded.body.spans.filter(visible), cells = cellsOf(spans);
+  const plane = cutPlane(), lines = ratio * 1.25;
+  const common = {view, lines, pixels: [width, height], eye: towards, nearer: solid ? 3 / scale / depth : 0,
+    cut: plane ? [...plane.normal, plane.offset] : [0, 0, 0, 1]};
+  const outline = [...rgb(theme().outline), 1];
+  const drawUndeformed = () => {
+    if (state.undeformed)
+      drawEdges(loaded.undeformed, units.undeformed, visible, cellsOf(loaded.undeformed.spans.filter(visible)),
+        {...common, nearer: 0}, [...rgb(theme().undeformed), 1], 0.8 * lines);
+  };
+  gl.viewport(0, 0, width, height);
+  gl.clearColor(...rgb(theme().paper), 1);
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
+  gl[solid ? "enable" : "disable"](gl.DEPTH_TEST);
+  gl.depthFunc(gl.LEQUAL);
+  if (!solid) drawToolAreas(common, [...rgb(theme().tool), 1]);
+  drawSurface(spans, cells, common);
+  if (plane) drawCap(plane, spans, cells, common);
+  drawUndeformed();
+  drawEdges(loaded.body, units.points, visible, cells, common, outline, lines);
+  drawToolLines(common);
+  if (solid) drawToolGlass(common);
+  return {cells, spans: spans.length};
+}
+
+/** Tools in space: what is behind them shows through, their far sides first. */
+function drawToolGlass(common) {
+  const paint = [...rgb(theme().tool), data.toolOpacity];
+  if (data.toolOpacity >= 1) return drawToolAreas(common, paint);
+  gl.enable(gl.BLEND);
+  gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+  gl.depthMask(false);
+  gl.enable(gl.CULL_FACE);
+  for (const side of [gl.FRONT, gl.BACK]) {
+    gl.cullFace(side);
+    drawToolAreas(common, paint);
+  }
+  gl.disable(gl.CULL_FACE);
+  gl.depthMask(true);
+  gl.disable(gl.BLEND);
+}
+
+// ---- The page around it
+
+function element(tag, properties = {}, ...children) {
+  const node = Object.assign(document.createElement(tag), properties);
+  node.append(...children);
+  return node;
+}
+
+const rich = (pieces) => pieces.map(([text, script]) => (script ? element(script === 1 ? "sub" : "sup", {}, text) : text));
+
+function showScale() {
+  const field = data.fields[state.field], record = data.frames[state.frame].fields[state.field];
+  const colors = fieldColors(), count = colors.length / 3, ramp = byId("colors");
+  ramp.height = count;
+  const painter = ramp.getContext("2d"), rows = painter.createImageData(1, count);
+  for (let k = 0; k < count; ++k) rows.data.set([...colors.subarray(3 * k, 3 * k + 3), 255], 4 * (count - 1 - k));
+  painter.putImageData(rows, 0, 0);
+  byId("largest").replaceChildren(...rich(record.largest));
+  byId("smallest").replaceChildren(...rich(record.smallest));
+  byId("field-title").replaceChildren(...rich(field.title));
+  byId("ticks").replaceChildren(...field.ticks.map((value, k) => {
+    const tick = element("span", {}, field.labels[k]);
+    tick.style.bottom = `${100 * (value - field.range[0]) / (field.range[1] - field.range[0])}%`;
+    return tick;
+  }));
+}
+
+function showState() {
+  const record = data.frames[state.frame], field = data.fields[state.field];
+  byId("when").textContent = `t = ${record.time}, frame ${state.frame + 1} of ${data.frames.length}` +
+    (data.doubt ? `; ${data.doubt}` : "");
+  byId("frame").value = state.frame;
+  byId("frame").setAttribute("aria-valuetext", `t = ${record.time}`);
+  byId("field").value = state.field;
+  byId("bands").value = state.bands;
+  byId("cut").value = state.cut;
+  byId("cut-place").value = state.cutPlace;
+  byId("cut-place").disabled = !state.cut;
+  for (const key of ["knots", "undeformed", "tools", "light"]) byId(key).checked = state[key];
+  byId("play").textContent = state.playing ? "Pause" : "Play";
+  byId("play").setAttribute("aria-pressed", state.playing);
+  canvas.setAttribute("aria-label", `${data.title}: ${field.words}, t = ${record.time}`);
+  showScale();
+}
+
+let drawing = 0;
+
+function update() {
+  showState();
+  if (!drawing) drawing = requestAnimationFrame(() => { drawing = 0; draw(); });
+}
+
+const change = (values) => { Object.assign(state, values); update(); };
+const toFrame = (frame) => change({frame: clamp(frame, 0, data.frames.length - 1)});
+
+let player = 0;
+
+function play() {
+  state.playing = !state.playing && data.frames.length > 1;
+  clearInterval(player);
+  if (state.playing)
+    player = setInterval(() => change({frame: (state.frame + 1) % data.frames.length}), playMilliseconds);
+  update();
+}
+
+const nextOf = (list, value) => list[(list.indexOf(value) + 1) % list.length];
+const step = 0.1, way = 40;  // radians; pixels
+const arrow = (x, y) => (event) => (solid && !event.shiftKey ? turn(step * x, -step * y) : shift(-way * x, way * y));
+
+/** Keys with what they do and, for help, their words. */
+const keys = [
+  [["ArrowLeft"], arrow(-1, 0), ""],
+  [["ArrowRight"], arrow(1, 0), ""],
+  [["ArrowUp"], arrow(0, 1), ""],
+  [["ArrowDown"], arrow(0, -1), solid ? "arrows turn, with Shift they move" : "arrows move"],
+  [["+", "="], () => zoomBy(1.2), ""],
+  [["-"], () => zoomBy(1 / 1.2), "+ − zoom"],
+  [["0"], resetView, "0 shows everything"],
+  [[" "], play, "space plays"],
+  [[","], () => toFrame(state.frame - 1), ""],
+  [["."], () => toFrame(state.frame + 1), ", . go from frame to frame"],
+  [["f"], () => change({field: (state.field + 1) % data.fields.length}), "f field"],
+  [["b"], () => change({bands: nextOf([0, ...bandChoices], state.bands)}), "b bands"],
+  [["k"], () => change({knots: !state.knots}), "k knot lines"],
+  [["u"], () => change({undeformed: !state.undeformed}), "u undeformed body"],
+  [["t"], () => change({tools: !state.tools}), "t tools"],
+  ...(solid ? [
+    [["l"], () => change({light: !state.light}), "l light"],
+    ...["x", "y", "z"].map((axis) => [[axis], () => change({cut: state.cut === axis ? "" : axis}), axis === "z" ? "x y z cut" : ""]),
+    [["["], () => change({cutPlace: clamp(state.cutPlace - 0.02, 0, 1)}), ""],
+    [["]"], () => change({cutPlace: clamp(state.cutPlace + 0.02, 0, 1)}), "[ ] move the cut"],
+  ] : []),
+];
+
+function onKey(event) {
+  if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest("input, select, button, summary")) return;
+  const found = keys.find(([names]) => names.includes(event.key));
+  if (!found) return;
+  event.preventDefault();
+  found[1](event);
+  update();
+}
+
+// Pointers that are down, by their number: where they were last.
+const pointers = new Map();
+
+function onMove(event) {
+  const last = pointers.get(event.pointerId);
+  if (!last) return;
+  const now = [event.clientX, event.clientY], [x, y] = minus(now, last);
+  const other = [...pointers].find(([id]) => id !== event.pointerId);
+  if (other) {
+    const apart = (point) => Math.max(1, Math.hypot(...minus(point, other[1])));
+    const [cx, cy] = fromMiddle(middle(now, other[1]));
+    shift(x / 2, y / 2);
+    zoomBy(apart(now) / apart(last), cx, cy);
+  } else if (solid && !event.shiftKey && event.buttons === 1) {
+    turn(0.01 * x, 0.01 * y);
+  } else {
+    shift(x, y);
+  }
+  pointers.set(event.pointerId, now);
+  update();
+}
+
+function fromMiddle([x, y]) {
+  const box = canvas.getBoundingClientRect();
+  return [x - box.left - box.width / 2, y - box.top - box.height / 2];
+}
+
+function onWheel(event) {
+  event.preventDefault();
+  zoomBy(Math.exp(-0.001 * event.deltaY * (event.deltaMode === 1 ? 30 : 1)), ...fromMiddle([event.clientX, event.clientY]));
+  update();
+}
+
+function listen() {
+  const on = (id, kind, act) => byId(id).addEventListener(kind, act);
+  on("frame", "input", () => toFrame(Number(byId("frame").value)));
+  on("play", "click", play);
+  on("field", "change", () => change({field: Number(byId("field").value)}));
+  on("bands", "change", () => change({bands: Number(byId("bands").value)}));
+  on("cut", "change", () => change({cut: byId("cut").value}));
+  on("cut-place", "input", () => change({cutPlace: Number(byId("cut-place").value)}));
+  for (const key of ["knots", "undeformed", "tools", "light"]) on(key, "change", () => change({[key]: byId(key).checked}));
+  on("home", "click", () => { resetView(); update(); });
+  on("controls", "submit", (event) => event.preventDefault());
+  document.addEventListener("keydown", onKey);
+  canvas.addEventListener("pointerdown", (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    pointers.set(event.pointerId, [event.clientX, event.clientY]);
+  });
+  for (const kind of ["pointerup", "pointercancel"]) canvas.addEventListener(kind, (event) => pointers.delete(event.pointerId));
+  canvas.addEventListener("pointermove", onMove);
+  canvas.addEventListener("wheel", onWheel, {passive: false});
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  canvas.addEventListener("webglcontextlost", showFallback);
+  darkness.addEventListener("change", update);
+  new ResizeObserver(update).observe(canvas);
+}
+
+/** A picture instead of all that needs a graphics card. */
+function showFallback() {
+  byId("fallback").hidden = false;
+  for (const id of ["space", "scale", "controls"]) byId(id).hidden = true;
+  clearInterval(player);
+}
+
+function start() {
+  document.body.classList.toggle("flat", !solid);
+  byId("title").textContent = data.title;
+  byId("picture").alt = `${data.title}: ${data.fields[0].words}`;
+  byId("frame").max = data.frames.length - 1;
+  for (const id of ["frame", "play"]) byId(id).hidden = data.frames.length < 2;
+  data.fields.forEach((field, k) => byId("field").append(element("option", {value: k}, field.words)));
+  for (const count of new Set([...bandChoices, ...(data.show.bands ? [data.show.bands] : [])].sort((a, b) => a - b)))
+    byId("bands").append(element("option", {value: count}, count));
+  byId("keys").textContent = `${keys.map((key) => key[2]).filter(Boolean).join("; ")}. Mouse and fingers: ` +
+    `${solid ? "drag to turn, with Shift, the right button or two fingers to move" : "drag to move"}; wheel or two fingers to zoom.`;
+  resetView();
+  showState();
+  if (!gl) return showFallback();
+  instances = gl.createBuffer();
+  loadTools();
+  listen();
+  draw();
+}
+
+start();
