@@ -479,10 +479,10 @@ class ContourPicture {
   /// How far towards the eye a layer is moved. In space lines come out of the facets on which they lie, but not
   /// through what is before them, and a tool lies over the facets of what it touches.
   double liftOf(Layer layer, const View& view) const {
-    constexpr double kPixelsPerLayer = 0.5, kPixelsOfTool = 2.0;
+    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.004;
     const auto order = static_cast<double>(layer);
     if (isFlat()) return order * lengthOf(parts_) / 100.0;
-    if (layer == kToolFill) return kPixelsOfTool / view.pixelsPerLength;
+    if (layer == kToolFill) return kLiftOfTool * lengthOf(parts_);
     return kPixelsPerLayer * std::max(0.0, order - static_cast<double>(kBody)) / view.pixelsPerLength;
   }
 
