@@ -36,6 +36,19 @@ void checkOptions(const CheckContext& c, const std::string& path, const PictureO
     if (const std::string key = path + "." + problem.path; c.clean(key)) c.report(key, problem.text);
 }
 
+/// The same of a picture for print.
+void checkPrint(const CheckContext& c, const std::string& path, const ScenePicture& picture) {
+  const std::string key = path + ".dpi";
+  if (!picture.isForPrint()) {
+    if (picture.dpi && c.clean(key))
+      c.report(key,
+               "found beside format: png, which has pixels and no inches; leave it out, or take pdf or svg.");
+    return;
+  }
+  for (const InputProblem& problem : printConflictsIn(picture))
+    if (c.clean(key) && c.clean(path + ".size")) c.report(key, problem.text);
+}
+
 void checkPictureBodies(const CheckContext& c, const std::string& path, const PictureOptions& picture) {
   if (!c.bodiesAreRead()) return;
   std::vector<std::string> names;
@@ -61,6 +74,7 @@ void checkPictures(const DocumentContext& c) {
     checkField(c, path + ".field", picture.field);
     if (c.clean("steps")) checkTimes(c, path + ".times", picture.times);
     checkOptions(c, path, picture);
+    checkPrint(c, path, picture);
     checkPictureBodies(c, path, picture);
     if (!c.clean(path)) continue;
     const std::string name = picture.name.value_or(picture.field);
