@@ -176,9 +176,8 @@ class OptionSpeller {
 std::string optionsText(const OptionSpeller& wanted, const OptionSpeller& fresh);
 
 template <class T>
-std::string optionsText(T value) {
+std::string optionsText(T value, T usual = {}) {
   OptionSpeller wanted, fresh;
-  T usual{};
   describe(wanted, value);
   describe(fresh, usual);
   return optionsText(wanted, fresh);

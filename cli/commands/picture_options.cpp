@@ -38,12 +38,22 @@ std::string fieldName(const PictureArguments& arguments, const FrameRecord& fram
   return arguments.component == "magnitude" ? field : field + "." + arguments.component;
 }
 
+void throwFirst(const std::vector<InputProblem>& problems) {
+  if (!problems.empty())
+    throw Error(fmt::format("{}: {}", optionName(problems.front().path), problems.front().text));
+}
+
 }  // namespace
 
 void requireNoConflicts(const PictureOptions& options, std::optional<int> dim) {
-  const std::vector<InputProblem> problems = conflictsIn(options, dim);
-  if (!problems.empty())
-    throw Error(fmt::format("{}: {}", optionName(problems.front().path), problems.front().text));
+  throwFirst(conflictsIn(options, dim));
+}
+
+void readPicture(const PictureArguments& arguments, PictureOptions& options, std::optional<int> dim) {
+  if (arguments.isForPrint) options.size = kPrintSize;
+  arguments.picture.readInto(static_cast<PrintOptions&>(options));
+  readPicture(arguments.picture, options, dim);
+  if (arguments.isForPrint) throwFirst(printConflictsIn(options));
 }
 
 void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
@@ -93,10 +103,8 @@ ContourOptions contourOptions(const PictureArguments& arguments, const ResultRea
   const FrameRecord first = result.frame(frames.front());
   const int dim = result.model().dim;
   PictureOptions picture;
-  picture.size = arguments.usualSize;
   picture.range = rangeOf(arguments);
-  arguments.picture.readInto(static_cast<PrintOptions&>(picture));
-  readPicture(arguments.picture, picture, dim);
+  readPicture(arguments, picture, dim);
   picture.field = withShownModel(
       result.model(), first, picture,
       [&](const ModelRecord&, const FrameRecord& shown) { return fieldName(arguments, shown); });

@@ -22,7 +22,7 @@ struct PictureArguments {
   std::string frame = "last";
   std::string field, component;
   std::string range = "auto";
-  std::array<int, 2> usualSize = PictureOptions().size;  ///< where none is given
+  bool isForPrint = false;  ///< becomes a PDF or SVG
   DeclaredOptions picture;
 };
 
@@ -45,6 +45,10 @@ void readPicture(const DeclaredOptions& picture, Options& options, std::optional
   picture.readInto(options);
   requireNoConflicts(options, dim);
 }
+
+/// Replaces what was given, of a picture for print also what these have beside others. Throws `Error` that names
+/// the option.
+void readPicture(const PictureArguments& arguments, PictureOptions& options, std::optional<int> dim);
 
 /// Adds the result and all of these options, with `frame` as it is for a default, to a command.
 void addPictureArguments(CLI::App& command, PictureArguments& arguments);

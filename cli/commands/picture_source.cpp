@@ -34,12 +34,10 @@ PictureSource sourceOfRun(const PictureArguments& arguments) {
 ForeignOptions foreignOptions(const PictureArguments& arguments, const ForeignFile& file,
                               const std::vector<int>& frames) {
   PictureOptions picture;
-  picture.size = arguments.usualSize;
-  arguments.picture.readInto(static_cast<PrintOptions&>(picture));
   picture.warp = 0.0;  // as it stands in the file, unless something is to be added
   picture.toolOpacity = std::nan("");
   picture.range = rangeOf(arguments);
-  readPicture(arguments.picture, picture, std::nullopt);
+  readPicture(arguments, picture, std::nullopt);
   if (!std::isnan(picture.toolOpacity))
     throw Error(fmt::format("--tool-opacity: only runs of burnish have tools; draw {} without it",
                             file.file().string()));

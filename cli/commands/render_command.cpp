@@ -38,7 +38,7 @@ void checkOutput(const RenderArguments& arguments) {
 ExitCode render(RenderArguments& arguments) {
   const SignalGuard signals(SecondSignal::Ends);
   checkOutput(arguments);
-  if (isPrintFile(arguments.picture)) arguments.options.usualSize = kPrintSize;
+  arguments.options.isForPrint = isPrintFile(arguments.picture);
   const PictureSource source = pictureSource(arguments.options);
   const std::vector<int> frames = frameIndices(arguments.options.frame, source.times);
   const auto names = pictureNames(arguments.picture, frames, source.times);

@@ -16,6 +16,7 @@
 #include "engine/core/interruption.h"
 #include "engine/core/same_time.h"
 #include "engine/results/result_reader.h"
+#include "engine/schema/leaf.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/probe/probed_run.h"
@@ -32,9 +33,12 @@ std::string renderCommand(const ScenePicture& picture, std::optional<double> tim
   const std::string frame = time ? fmt::format(" --frame time={}", *time) : "";
   const std::string range =
       picture.range ? fmt::format(" --range {},{}", (*picture.range)[0], (*picture.range)[1]) : "";
-  return fmt::format("burnish render {} --field {}{}{}{} -o {}", shellWord(directory.string()),
-                     shellWord(picture.field), frame, range,
-                     optionsText(static_cast<const PictureOptions&>(picture)), shellWord(file.string()));
+  const std::string dpi = picture.dpi ? fmt::format(" --dpi {}", *picture.dpi) : "";
+  const std::string options =
+      optionsText(static_cast<const PictureOptions&>(picture),
+                  picturesOfSize(picture.isForPrint() ? kPrintSize : PictureOptions().size));
+  return fmt::format("burnish render {} --field {}{}{}{}{} -o {}", shellWord(directory.string()),
+                     shellWord(picture.field), frame, range, dpi, options, shellWord(file.string()));
 }
 
 /// The call that draws the chart of a probe from the results.
@@ -150,7 +154,9 @@ fs::path RunOutputs::probeFile(const SceneProbe& probe) const {
 
 fs::path RunOutputs::pictureFile(const ScenePicture& picture, std::optional<double> time) const {
   const std::string stem = picture.name.value_or(picture.field);
-  return directory_ / "pictures" / (time ? fmt::format("{}_t{}.png", stem, *time) : stem + ".png");
+  const std::string ending = enumNames<PictureFormat>()[static_cast<std::size_t>(picture.format)];
+  return directory_ / "pictures" /
+         (time ? fmt::format("{}_t{}.{}", stem, *time, ending) : fmt::format("{}.{}", stem, ending));
 }
 
 void RunOutputs::draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame) {

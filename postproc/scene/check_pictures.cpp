@@ -36,6 +36,19 @@ void checkOptions(const CheckContext& c, const std::string& path, const PictureO
     if (const std::string key = path + "." + problem.path; c.clean(key)) c.report(key, problem.text);
 }
 
+/// The same of a picture for print.
+void checkPrint(const CheckContext& c, const std::string& path, const ScenePicture& picture) {
+  const std::string key = path + ".dpi";
+  if (!picture.isForPrint()) {
+    if (picture.dpi && c.clean(key))
+      c.report(key,
+               "found beside format: png, which has pixels and no inches; leave it out, or take pdf or svg.");
+    return;
+  }
+  for (const InputProblem& problem : printConflictsIn(picture))
+    if (c.clean(key) && c.clean(path + ".size")) c.report(key, problem.text);
+}
+
 /// chosen: names of bodies.
 void checkBodyNames(const CheckContext& c, const std::string& path, const std::vector<std::string>& chosen) {
   if (!c.bodiesAreRead()) return;
@@ -71,6 +84,7 @@ void checkPictures(const DocumentContext& c) {
     checkField(c, path + ".field", picture.field);
     if (c.clean("steps")) checkTimes(c, path + ".times", picture.times);
     checkOptions(c, path, picture);
+    checkPrint(c, path, picture);
     checkBodyNames(c, path, picture.bodies);
     if (c.clean(path)) requireNew(c, path, picture.name.value_or(picture.field), names);
   }

@@ -11,10 +11,23 @@
 
 namespace burnish {
 
+/// The ending of a picture's file.
+enum class PictureFormat { Png, Pdf, Svg };
+
+template <>
+struct EnumNames<PictureFormat> {
+  static constexpr std::array values{std::pair{"png", PictureFormat::Png},
+                                     std::pair{"pdf", PictureFormat::Pdf},
+                                     std::pair{"svg", PictureFormat::Svg}};
+};
+
 /// A contour picture of a scene.
 struct ScenePicture : PictureOptions {
   std::optional<std::string> name;  ///< file name stem; the field's name when left out
   std::vector<double> times;        ///< one picture for each; the last frame when empty
+  PictureFormat format = PictureFormat::Png;
+
+  bool isForPrint() const { return format != PictureFormat::Png; }
 };
 
 /// Values along a path or over time, of a scene.

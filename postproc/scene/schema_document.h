@@ -12,6 +12,12 @@ void describe(Visitor& v, ScenePicture& s) {
           "Beginning of the file name; the field's name when left out.");
   v.field("times", s.times, {.atLeast = 0, .increasing = true, .unit = "time"},
           "One picture for each; the end of the run when left out.");
+  v.field(
+      "format", s.format, {},
+      "png, or for print pdf or svg: size and text_size are in points then, the size 482, 271 when left out.");
+  describe(v, static_cast<PrintOptions&>(s));
+  if constexpr (Fills<Visitor>)
+    if (s.isForPrint()) s.size = kPrintSize;
   describeRange(v, s);
   describe(v, static_cast<PictureOptions&>(s));
 }

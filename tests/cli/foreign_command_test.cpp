@@ -152,6 +152,12 @@ TEST_F(ForeignCommand, WhatCannotBeSeenIsToldInASentence) {
   }
 }
 
+TEST_F(ForeignCommand, PageForPrintHasItsTexts) {
+  ASSERT_EQ(burnish("render " + sample("meshio.vtu") + " --field temperature --dpi 100 -o a.pdf").code, 0);
+  EXPECT_THAT(shell(dir_, "pdftotext a.pdf -").out,
+              AllOf(HasSubstr("temperature"), HasSubstr("max 2.42"), HasSubstr("min 1")));
+}
+
 TEST_F(ForeignCommand, EveryFormatMakesAPicture) {
   for (const char* name :
        {"meshio.vtu", "meshio.vtk", "gmsh.vtk", "gmsh.stl", "h5py.vtkhdf", "a.exo", "tri.case", "dealii.vtu",

@@ -189,6 +189,20 @@ TEST_F(RenderCommand, DoubtfulResultsAreMarkedUnlessToldOtherwise) {
   removeSummary(dir() / "run");
 }
 
+TEST_F(RenderCommand, PagesForPrintAreAsLargeAsAPrintedPageUnlessToldOtherwise) {
+  EXPECT_EQ(burnish("render run --dpi 150 --frame all -o 'p{frame}.pdf'").out,
+            "5 pictures, p0.pdf to p4.pdf\n");
+  EXPECT_THAT(shell(dir(), "pdfinfo p4.pdf").out, HasSubstr("482 x 271 pts"));
+  EXPECT_THAT(shell(dir(), "pdftotext p0.pdf -").out, HasSubstr("max 0\n"));
+  EXPECT_THAT(shell(dir(), "pdftotext p4.pdf -").out, HasSubstr("max 1\n"));
+  EXPECT_EQ(burnish("render run --size 300,200 -o p.svg").code, 0);
+  EXPECT_THAT(readText(dir() / "p.svg"),
+              HasSubstr("width=\"300pt\" height=\"200pt\" viewBox=\"0 0 300 200\""));
+  expectRefused("render run --dpi 300 -o refused.png", "--dpi: a PNG has pixels");
+  expectRefused("render run --size 1600,900 -o refused.pdf", "dpi up to 360, or a smaller size");
+  expectRefused("render run -o refused.eps", "ends in .png, .pdf or .svg");
+}
+
 TEST_F(RenderCommand, AnswersWithTheNearestValidValue) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"--range rnu", "Did you mean \"run\"?"},

@@ -39,7 +39,6 @@
 #include "postproc/draw/page/flat_shapes.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/painted_sketch.h"
-#include "postproc/draw/page/picture_size.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
 #include "postproc/offscreen/offscreen_canvas.h"
@@ -52,8 +51,6 @@ constexpr double kFaceWidth = 6.0;
 
 /// Width of the edges of arrows, over that of outlines.
 constexpr double kArrowEdge = 0.5;
-
-constexpr double kPointsPerInch = 72.0;
 
 constexpr double kHalo = 3.0;  // width of what is white below a line, over its own
 
@@ -74,10 +71,14 @@ enum Layer {
 };
 
 /// Throws `Error` for the first thing that is wrong.
-void check(const PictureOptions& options, int dim) {
-  std::vector<InputProblem> problems = conflictsIn(options, dim);
-  if (problems.empty()) problems = ruleProblems(options);
+void throwFirst(const std::vector<InputProblem>& problems) {
   if (!problems.empty()) throw Error(fmt::format("{}: {}", problems.front().path, problems.front().text));
+}
+
+void check(const PictureOptions& options, int dim) {
+  throwFirst(conflictsIn(options, dim));
+  throwFirst(ruleProblems(options));
+  throwFirst(ruleProblems<PrintOptions>(options));
 }
 
 /// The notes that there are, in one line.
@@ -187,19 +188,10 @@ class ContourPicture {
     return options_.transparent ? withoutPaper(*draw(kWhite), *draw(kBlack)) : draw(theme_.paper);
   }
 
-  double dotsPerPoint() const { return options_.dpi.value_or(kPrintDpi) / kPointsPerInch; }
-
   /// Of the image in a part of a page.
   std::array<int, 2> pixelsFor(const PixelRect& area) const {
-    const double largest = std::max(area.width, area.height), dots = dotsPerPoint();
-    if (dots * largest > kLargestSide)
-      throw Error(fmt::format(
-          "dpi: {:.6g} dots per inch make an image of {:.0f} x {:.0f} pixels; expected up to {} x {}: take up to "
-          "{:.0f}, or a smaller picture",
-          dots * kPointsPerInch, dots * area.width, dots * area.height, kLargestSide, kLargestSide,
-          std::floor(kPointsPerInch * kLargestSide / largest)));
     const auto count = [&](double length) {
-      return std::max(1, static_cast<int>(std::lround(dots * length)));
+      return std::max(1, static_cast<int>(std::lround(dotsPerPoint(options_) * length)));
     };
     return {count(area.width), count(area.height)};
   }
@@ -288,7 +280,7 @@ class ContourPicture {
     OffscreenCanvas canvas(pixels[0], pixels[1]);
     vtkNew<vtkRenderer> paper, space;
     addLayers(canvas, background, *paper, *space, printed, pixels);
-    drawSpace(*space, canvas.supersampling() * dotsPerPoint(), plan,
+    drawSpace(*space, canvas.supersampling() * dotsPerPoint(options_), plan,
               isFlat() ? Shown::Areas : Shown::Everything);
     aim(*space, printed, pixels, 10.0 * lengthOf(parts_));
     return canvas.capture();
@@ -553,6 +545,7 @@ View drawContour(const ContourSubject& subject, const ContourOptions& options,
     return image.view;
   }
   check(options, subject.dim);
+  throwFirst(printConflictsIn(options));
   const ContourPage printed = ContourPicture(subject, options).page();
   writePrint(printed.page, file);
   return printed.view;

@@ -13,6 +13,8 @@
 namespace burnish {
 namespace {
 
+constexpr double kPointsPerInch = 72.0;
+
 /// So many finite numbers with commas between them, or nothing.
 template <int Count>
 std::optional<Eigen::Vector<double, Count>> numbersFrom(std::string_view text) {
@@ -166,6 +168,22 @@ Theme themeOf(const PictureOptions& options) {
 std::array<int, 2> drawnSize(const PictureOptions& options) {
   const auto scaled = [&](int side) { return static_cast<int>(std::lround(options.scale * side)); };
   return {scaled(options.size[0]), scaled(options.size[1])};
+}
+
+double dotsPerPoint(const PrintOptions& options) {
+  return options.dpi.value_or(kPrintDpi) / kPointsPerInch;
+}
+
+std::vector<InputProblem> printConflictsIn(const PictureOptions& options) {
+  const auto [width, height] = drawnSize(options);
+  const double dots = dotsPerPoint(options);
+  const int largest = std::max(width, height);
+  if (dots * largest <= kLargestSide) return {};
+  return {{"dpi",
+           fmt::format("found {}, which makes {:.0f} x {:.0f} pixels of {} x {} points; expected up to {} x "
+                       "{}: dpi up to {:.0f}, or a smaller size",
+                       options.dpi.value_or(kPrintDpi), dots * width, dots * height, width, height,
+                       kLargestSide, kLargestSide, std::floor(kPointsPerInch * kLargestSide / largest))}};
 }
 
 std::vector<InputProblem> conflictsIn(const PictureOptions& options, std::optional<int> dim) {

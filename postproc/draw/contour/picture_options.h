@@ -91,6 +91,9 @@ void describe(Visitor& v, PrintOptions& s) {
           "Dots per inch of the image in a PDF or SVG, 600 when left out; texts and lines are vectors.");
 }
 
+/// Pixels of the image per point of the page.
+double dotsPerPoint(const PrintOptions& options);
+
 struct PictureOptions : PageLook, PictureDefaults, PrintOptions {
   std::string field;  ///< `plastic_strain`, `stress.xx`, …; a vector alone: magnitude
   std::optional<std::array<double, 2>> range;  ///< ends of the colour scale; smallest and largest value shown
@@ -129,6 +132,9 @@ Theme themeOf(const PictureOptions& options);
 
 /// Width and height in pixels of what is drawn: the size times the scale.
 std::array<int, 2> drawnSize(const PictureOptions& options);
+
+/// What is wrong with options for print: an image of more pixels than a picture may have. The path is the key.
+std::vector<InputProblem> printConflictsIn(const PictureOptions& options);
 
 /// What options say that cannot be, each alone or two together, in a body of `dim` dimensions where these are
 /// known: paths are keys. What the rules of single values say is left out.

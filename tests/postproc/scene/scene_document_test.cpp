@@ -129,6 +129,21 @@ TEST(SceneDocument, ThemeFilesOfPicturesAreRelativeToTheScene) {
   std::filesystem::remove_all(directory);
 }
 
+TEST(SceneDocument, PicturesForPrintHaveSizesOfPaper) {
+  const SceneDocument document = parseSceneDocument(
+      replaced(
+          block, "{field: von_mises,",
+          "{field: pressure, format: svg, size: [400, 300]}\n  - {field: von_mises, format: pdf, dpi: 300,"),
+      "test.yaml");
+  for (const SceneDocument& read :
+       {document, parseSceneDocument(document.scene.resolvedYaml, "again.yaml")}) {
+    EXPECT_EQ(read.pictures[0].size, (std::array<int, 2>{400, 300}));
+    EXPECT_EQ(read.pictures[1].size, kPrintSize);
+    EXPECT_EQ(read.pictures[1].format, PictureFormat::Pdf);
+    EXPECT_EQ(read.pictures[1].dpi, 300);
+  }
+}
+
 TEST(SceneDocument, NamesAllKeysThatTheEngineLeavesToOthers) {
   std::vector<std::string> keys, engine;
   for (const Declaration& declaration : sceneDeclarations()) keys.push_back(declaration.key);
