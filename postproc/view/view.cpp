@@ -33,6 +33,7 @@ namespace {
 
 using Range = std::array<double, 2>;
 
+/// Of the picture for those without WebGL.
 constexpr std::array<int, 2> kFallbackSize{1280, 720};
 constexpr double kMegabyte = 1e6;
 constexpr int kDigits = 17;
@@ -155,6 +156,7 @@ class PageData {
     picture.clip.reset();  // it is in the range
     picture.window = options_.window.value_or(window_);
     picture.size = kFallbackSize;
+    picture.title = "";  // the page has it
     return picture;
   }
 
