@@ -310,6 +310,11 @@ std::vector<std::string> usualFields(const ResultReader& result, int frame) {
   return fields;
 }
 
+/// What a window of the browser is called: the title, or the name of the run.
+std::string nameOf(const std::string& title, const ResultReader& result) {
+  return title.empty() ? std::filesystem::absolute(result.file()).parent_path().filename().string() : title;
+}
+
 }  // namespace
 
 std::size_t writeView(const ResultReader& result, const std::vector<int>& frames,
@@ -323,7 +328,7 @@ std::size_t writeView(const ResultReader& result, const std::vector<int>& frames
   const Json::Value json = data.json();
   const std::string text = filled(kViewPage, {{"/*style-source*/", sourceOfHash(kViewStyleHash)},
                                               {"/*script-source*/", sourceOfHash(kViewScriptHash)},
-                                              {"/*title*/", escaped(json["title"].asString())},
+                                              {"/*title*/", escaped(nameOf(json["title"].asString(), result))},
                                               {"/*style*/", kViewStyle},
                                               {"/*picture*/", pngUri(picture)},
                                               {"/*data*/", scriptText(json, kDigits)},
