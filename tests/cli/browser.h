@@ -29,7 +29,7 @@ inline Outcome usePage(const std::filesystem::path& dir, const std::filesystem::
   Outcome outcome = shell(dir, "timeout 100 " BURNISH_CHROMIUM
                                " --headless --no-sandbox --disable-gpu --enable-logging=stderr"
                                " --virtual-time-budget=1000000 --user-data-dir=profile --dump-dom " +
-                               flags + " used.html");
+                                   flags + " used.html");
   outcome.out.erase(0, std::min(outcome.out.rfind("<pre>"), outcome.out.size()));
   return outcome;
 }
