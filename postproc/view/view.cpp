@@ -33,6 +33,7 @@ namespace {
 
 using Range = std::array<double, 2>;
 
+/// Of the picture for those without WebGL.
 constexpr std::array<int, 2> kFallbackSize{1280, 720};
 constexpr double kMegabyte = 1e6;
 constexpr int kDigits = 17;
@@ -105,6 +106,9 @@ class PageData {
                    [&](const ModelRecord& shown, const FrameRecord& its) { add(shown, its); });
   }
 
+  /// Bytes that the page has at least.
+  std::size_t size() const { return size_; }
+
   /// Everything but the picture for those without WebGL.
   Json::Value json() const {
     const ModelRecord& model = result_.model();
@@ -155,6 +159,7 @@ class PageData {
     picture.clip.reset();  // it is in the range
     picture.window = options_.window.value_or(window_);
     picture.size = kFallbackSize;
+    picture.title = "";  // the page has it
     return picture;
   }
 
@@ -169,7 +174,7 @@ class PageData {
     json["number"] = frame.index;
     json["step"] = frame.step;
     json["time"] = fmt::format("{:.6g}", frame.time);
-    const std::size_t number = numberOf(mesh);
+    const std::size_t number = frame.mesh ? numberOf(mesh) : meshOfModel_;
     json["mesh"] = static_cast<int>(number);
     json["positions"] =
         positionsText(controlPoints(meshes_[number], mesh, options_.warp * frame.displacement));
@@ -178,7 +183,11 @@ class PageData {
     const Eigen::MatrixXd motion = toolMotion(model, frame, options_.warp);
     json["motion"] = numbersJson(motion.reshaped());
     turns_ = turns_ || (frame.toolAngle.array() != 0.0).any();
-    for (ViewField& field : fields_) add(field, model, frame, meshes_[number].nodes);
+    size_ += json["positions"].asString().size();
+    for (ViewField& field : fields_) {
+      add(field, model, frame, meshes_[number].nodes);
+      size_ += field.frames.back().values.size();
+    }
     frames_.append(json);
   }
 
@@ -188,9 +197,9 @@ class PageData {
     for (const PatchRecord& patch : model.mesh.patches)
       for (const auto& point : patch.points.colwise()) box.extend(inSpace(point));
     origin_ = box.center();
-    const std::size_t number = numberOf(model.mesh);
-    undeformed_["mesh"] = static_cast<int>(number);
-    undeformed_["positions"] = positionsText(controlPoints(meshes_[number], model.mesh, {}));
+    meshOfModel_ = numberOf(model.mesh);
+    undeformed_["mesh"] = static_cast<int>(meshOfModel_);
+    undeformed_["positions"] = positionsText(controlPoints(meshes_[meshOfModel_], model.mesh, {}));
   }
 
   static Eigen::Vector3d inSpace(const Eigen::VectorXd& point) {
@@ -291,7 +300,9 @@ class PageData {
   std::vector<ViewField> fields_;
   std::vector<ViewMesh> meshes_;
   std::vector<std::vector<ToolRecord>> tools_;  ///< frames with another number of images have others
+  std::size_t meshOfModel_ = 0;
   Json::Value undeformed_, frames_ = Json::arrayValue;
+  std::size_t size_ = 0;  ///< of the numbers of the frames
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   Eigen::AlignedBox3d box_;
   Eigen::AlignedBox2d window_;
@@ -308,30 +319,43 @@ std::vector<std::string> usualFields(const ResultReader& result, int frame) {
   return fields;
 }
 
+/// What a window of the browser is called: the title, or the name of the run.
+std::string nameOf(const std::string& title, const ResultReader& result) {
+  return title.empty() ? std::filesystem::absolute(result.file()).parent_path().filename().string() : title;
+}
+
+void requireSize(std::size_t bytes, const ViewOptions& options, const std::filesystem::path& html) {
+  const double size = static_cast<double>(bytes) / kMegabyte;
+  if (size > options.maxSize)
+    throw Error(
+        fmt::format("{}: the page would have {:.3g} MB or more, above --max-size {:.6g}; take fewer frames "
+                    "(--frames) or fields (--field), or allow more",
+                    html.string(), size, options.maxSize));
+}
+
 }  // namespace
 
 std::size_t writeView(const ResultReader& result, const std::vector<int>& frames,
                       const std::vector<std::string>& fields, const ViewOptions& options,
                       const std::filesystem::path& html) {
   PageData data(result, fields.empty() ? usualFields(result, frames.back()) : fields, options);
-  for (const int frame : frames) data.add(frame);
+  for (const int frame : frames) {
+    data.add(frame);
+    requireSize(data.size(), options, html);
+  }
   const ScratchDirectory scratch;
   const std::string picture =
       framePicture(result, result.frame(frames.back()), data.pictureOptions(), scratch.path());
   const Json::Value json = data.json();
-  const std::string text = filled(kViewPage, {{"/*style-source*/", sourceOfHash(kViewStyleHash)},
-                                              {"/*script-source*/", sourceOfHash(kViewScriptHash)},
-                                              {"/*title*/", escaped(json["title"].asString())},
-                                              {"/*style*/", kViewStyle},
-                                              {"/*picture*/", pngUri(picture)},
-                                              {"/*data*/", scriptText(json, kDigits)},
-                                              {"/*script*/", kViewScript}});
-  const double size = static_cast<double>(text.size()) / kMegabyte;
-  if (size > options.maxSize)
-    throw Error(fmt::format(
-        "{}: the page would have {:.1f} MB, above --max-size {:.6g}; take fewer frames (--frames) "
-        "or fewer fields, or allow more",
-        html.string(), size, options.maxSize));
+  const std::string text =
+      filled(kViewPage, {{"/*style-source*/", sourceOfHash(kViewStyleHash)},
+                         {"/*script-source*/", sourceOfHash(kViewScriptHash)},
+                         {"/*title*/", escaped(nameOf(json["title"].asString(), result))},
+                         {"/*style*/", kViewStyle},
+                         {"/*picture*/", pngUri(picture)},
+                         {"/*data*/", scriptText(json, kDigits)},
+                         {"/*script*/", kViewScript}});
+  requireSize(text.size(), options, html);
   writeText(text, html);
   return text.size();
 }

@@ -332,6 +332,10 @@ void main() {
     c *= 0.6 + 0.4 * facing;
     c = mix(outlineColor, c, smoothstep(0.4 * lines, 1.4 * lines, facing / max(fwidth(facing), 1e-4)));
   }
+  if (cut.xyz != vec3(0)) {
+    float before = cut.w - dot(cut.xyz, X);
+    c = mix(outlineColor, c, clamp(before / max(fwidth(before), 1e-9) - lines + 0.5, 0.0, 1.0));
+  }
   color = vec4(c, 1);
 }`;
 
@@ -380,6 +384,7 @@ void main() {
 
 const plainVertex = header + `
 uniform mat4 view, motion;
+uniform float farther;  // a surface behind what it touches
 layout(location = 0) in vec3 point;
 layout(location = 1) in vec3 normal;
 out vec3 X;
@@ -389,6 +394,7 @@ void main() {
   X = x.xyz;
   N = mat3(motion) * normal;
   gl_Position = view * x;
+  gl_Position.z += farther;
 }`;
 
 const plainFragment = header + clipping + `
@@ -685,7 +691,7 @@ function drawCap(plane, spans, cells, common) {
   const middleOfCut = plus(boxMiddle, scaled(plane.normal, plane.offset - dot(plane.normal, boxMiddle)));
   const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].flatMap(([s, t]) => plus(middleOfCut, plus(scaled(a, s), scaled(b, t))));
   program("cap", plainVertex, capFragment).use({
-    ...common, motion: identity, paint: [...middle(rgb(theme().tool), rgb(theme().paper)), 1], hatch: rgb(theme().soft)});
+    ...common, farther: 0, motion: identity, paint: [...middle(rgb(theme().tool), rgb(theme().paper)), 1], hatch: rgb(theme().soft)});
   const points = buffer(new Float32Array(corners));
   attribute(0, points, 3);
   gl.drawArrays(gl.TRIANGLE_FAN, 0, 4);
@@ -717,12 +723,13 @@ function draw() {
   const spans = loaded.body.spans.filter(visible), cells = cellsOf(spans);
   const plane = cutPlane(), lines = ratio * 1.25;
   const common = {view, lines, pixels: [width, height], eye: towards, nearer: solid ? 3 / scale / depth : 0,
+    farther: solid ? 0.003 * boxSize / depth : 0,
     cut: plane ? [...plane.normal, plane.offset] : [0, 0, 0, 1]};
   const outline = [...rgb(theme().outline), 1];
   const drawUndeformed = () => {
     if (state.undeformed)
       drawEdges(loaded.undeformed, units.undeformed, visible, cellsOf(loaded.undeformed.spans.filter(visible)),
-        {...common, nearer: 0}, [...rgb(theme().undeformed), 1], 0.8 * lines);
+        {...common, nearer: -common.nearer}, [...rgb(theme().undeformed), 1], 0.8 * lines);
   };
   gl.viewport(0, 0, width, height);
   gl.clearColor(...rgb(theme().paper), 1);
@@ -790,6 +797,10 @@ function showState() {
   byId("frame").value = state.frame;
   byId("frame").setAttribute("aria-valuetext", `t = ${record.time}`);
   byId("field").value = state.field;
+  if (state.bands && !bandChoices.includes(state.bands)) {
+    bandChoices.push(state.bands);
+    byId("bands").append(element("option", {value: state.bands}, state.bands));
+  }
   byId("bands").value = state.bands;
   byId("cut").value = state.cut;
   byId("cut-place").value = state.cutPlace;
@@ -917,6 +928,22 @@ function listen() {
   new ResizeObserver(update).observe(canvas);
 }
 
+/** What the address asks for behind its #, such as frame=3&field=von_mises&cut=z. */
+function readAddress() {
+  const asked = new URLSearchParams(location.hash.slice(1));
+  const field = data.fields.findIndex(({name}) => name === asked.get("field"));
+  if (field >= 0) state.field = field;
+  if (asked.has("frame")) state.frame = clamp(Math.round(Number(asked.get("frame"))) - 1 || 0, 0, data.frames.length - 1);
+  for (const key of ["knots", "undeformed", "tools", "light"]) if (asked.has(key)) state[key] = asked.get(key) !== "off";
+  for (const [key, most] of [["bands", 256], ["isolines", 100]])
+    if (asked.has(key)) state[key] = clamp(Math.round(Number(asked.get(key))) || 0, 0, most);
+  if (solid && ["x", "y", "z"].includes(asked.get("cut"))) state.cut = asked.get("cut");
+  if (asked.has("place")) state.cutPlace = clamp(Number(asked.get("place")) || 0, 0, 1);
+  const [sideways, over] = (asked.get("turn") || "").split(",").map((degrees) => Number(degrees) * Math.PI / 180);
+  if (Number.isFinite(sideways) && Number.isFinite(over)) turn(sideways, over);
+  zoomBy(Number(asked.get("zoom")) || 1);
+}
+
 /** A picture instead of all that needs a graphics card. */
 function showFallback() {
   byId("fallback").hidden = false;
@@ -931,16 +958,16 @@ function start() {
   byId("frame").max = data.frames.length - 1;
   for (const id of ["frame", "play"]) byId(id).hidden = data.frames.length < 2;
   data.fields.forEach((field, k) => byId("field").append(element("option", {value: k}, field.words)));
-  for (const count of new Set([...bandChoices, ...(data.show.bands ? [data.show.bands] : [])].sort((a, b) => a - b)))
-    byId("bands").append(element("option", {value: count}, count));
+  for (const count of bandChoices) byId("bands").append(element("option", {value: count}, count));
   byId("keys").textContent = `${keys.map((key) => key[2]).filter(Boolean).join("; ")}. Mouse and fingers: ` +
     `${solid ? "drag to turn, with Shift, the right button or two fingers to move" : "drag to move"}; wheel or two fingers to zoom.`;
   resetView();
-  showState();
   if (!gl) return showFallback();
   instances = gl.createBuffer();
   loadTools();
   listen();
+  readAddress();
+  showState();
   draw();
 }
 

@@ -18,7 +18,7 @@ namespace burnish {
 namespace {
 
 /// Length of a hatch as a part of the diagonal of the box.
-constexpr double kStroke = 0.01;
+constexpr double kStroke = 0.004;
 
 /// Points with triangles, segments and, where there are any, normals; null without points.
 Json::Value partJson(vtkPolyData* part, const Eigen::Vector3d& origin) {

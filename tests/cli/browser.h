@@ -16,9 +16,9 @@ inline bool haveBrowser() {
 /// Opens a page with a script (HTML) behind it, which its policy then lets in, that uses the page as a person
 /// does and writes what it finds into a last <pre>, whose text is `out`. `err` has a line with CONSOLE for
 /// each error or warning of the page. Its time, of which there are 1000 s, runs through the page's timers while
-/// pictures are being decoded, which takes real time.
+/// pictures are being decoded, which takes real time. flags: more of the browser's.
 inline Outcome usePage(const std::filesystem::path& dir, const std::filesystem::path& page,
-                       const std::string& script) {
+                       const std::string& script, const std::string& flags = "") {
   std::string html = readText(page) + script;
   const auto replace = [&html](const std::string& part, const std::string& replacement) {
     html.replace(html.rfind(part), part.size(), replacement);
@@ -28,7 +28,8 @@ inline Outcome usePage(const std::filesystem::path& dir, const std::filesystem::
   writeText(html, dir / "used.html");
   Outcome outcome = shell(dir, "timeout 100 " BURNISH_CHROMIUM
                                " --headless --no-sandbox --disable-gpu --enable-logging=stderr"
-                               " --virtual-time-budget=1000000 --user-data-dir=profile --dump-dom used.html");
+                               " --virtual-time-budget=1000000 --user-data-dir=profile --dump-dom " +
+                                   flags + " used.html");
   outcome.out.erase(0, std::min(outcome.out.rfind("<pre>"), outcome.out.size()));
   return outcome;
 }
