@@ -125,8 +125,9 @@ class ContourPicture {
     if (subject_.refine) subject_.refine(parts_, layout.view, scale.range());
     for (const ShownTool& tool : parts_.tools) tools_.push_back(drawTool(tool, layout.view));
     if (options_.occlusion && !isFlat()) {
-      setSky(parts_, tools_, options_.toolOpacity);
-      shadow_ = groundShadow(parts_, tools_, options_.toolOpacity);
+      const Occlusion occlusion(parts_, tools_, options_.toolOpacity);
+      occlusion.setSky();
+      shadow_ = occlusion.groundShadow();
     }
     if (!options_.transparent) return {capture(theme_.paper, layout, bar, scale), layout.view};
     return {withoutPaper(*capture(kWhite, layout, bar, scale), *capture(kBlack, layout, bar, scale)),
