@@ -44,6 +44,9 @@ namespace {
 /// Width of contact faces in the plane, over that of outlines.
 constexpr double kFaceWidth = 6.0;
 
+/// Length of a dash with its gap, in heights of the text.
+constexpr double kDash = 0.5;
+
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
 /// Order in which things lie over each other in a flat picture; in space where they lie at the same place.
@@ -252,6 +255,16 @@ class ContourPicture {
       if (drawing.surface)
         add(plainActor(*drawing.surface, theme_.tool, true, options_.toolOpacity), kToolFill);
       if (drawing.lines) add(lineActor(*drawing.lines, theme_.outline, 1.2 * line, 1.0), kToolLines);
+    }
+    if (options_.hiddenLines == HiddenLines::Dashed && !isFlat()) {
+      const double dash = kDash * textSize_;
+      const auto addHidden = [&](vtkPolyData& lines, double width) {
+        if (lines.GetNumberOfLines() > 0)
+          renderer.AddActor(dashedActor(*withWayAlong(lines, view), theme_.outline, width, dash));
+      };
+      addHidden(*parts_.outline, line);
+      for (const ToolDrawing& drawing : tools_)
+        if (drawing.lines) addHidden(*drawing.lines, 1.2 * line);
     }
     if (parts_.arrows.areas) drawArrows(renderer, line, eye);
     if (shadow_ && cutsBody_) renderer.AddActor(shadowActor(*shadow_));

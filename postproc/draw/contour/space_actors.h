@@ -28,6 +28,10 @@ vtkSmartPointer<vtkActor> shadowActor(vtkPolyData& surface);
 /// Lines. width: in pixels of the window.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);
 
+/// Lines with `kWayAlong`, in front of everything, dashed and pale: over what is seen of them anyway they change
+/// nothing. dash: length of a dash with its gap, in pixels of the view.
+vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, double width, double dash);
+
 /// The points as round dots. diameter: in pixels of the window.
 vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter);
 
