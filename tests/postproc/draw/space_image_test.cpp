@@ -170,6 +170,29 @@ TEST_F(SpaceImage, EdgesAreUnbroken) {
   expectLine({1.0, 0.0, 1.0}, {1.0, 1.0, 1.0});
 }
 
+/// On a saddle, whose facets are not plane.
+TEST_F(SpaceImage, KnotLinesAreUnbroken) {
+  Sample sample = samples::cube();
+  const auto height = [](double x, double z) { return 0.6 * (std::pow(x - 0.5, 2) - std::pow(z - 0.5, 2)); };
+  const Eigen::MatrixXd& points = sample.model.mesh.patches.front().points;
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+    sample.frame.displacement(1, k) = height(points(0, k), points(2, k));
+  ContourOptions options = small("pressure");
+  options.tools = false;
+  options.undeformed = false;
+  const Picture without = drawn(sample, options);
+  options.knots = true;
+  const Picture with = drawn(sample, options);
+  for (double z = 0.05; z < 0.95; z += 0.01) {
+    const Eigen::Vector2d pixel = view.pixel(Eigen::Vector3d(1.0 / 3.0, 1.0 + height(1.0 / 3.0, z), z));
+    int most = 0;
+    for (double dy = -3.0; dy <= 3.0; ++dy)
+      most = std::max(most, difference(with.at(pixel + Eigen::Vector2d(0.0, dy)),
+                                       without.at(pixel + Eigen::Vector2d(0.0, dy))));
+    EXPECT_GT(most, 12) << z;
+  }
+}
+
 TEST_F(SpaceImage, HiddenLinesAreDashedAndLeaveTheOthersAlone) {
   Sample sample = samples::cube();
   ContourOptions options = small("pressure");
