@@ -197,6 +197,12 @@ Eigen::Map<const Eigen::MatrixXi> BodySurface::cornersOfCells() const {
   return {corners_.data(), perCell, std::ssize(corners_) / perCell};
 }
 
+std::vector<IndexBox> BodySurface::lattices() const {
+  std::vector<IndexBox> boxes;
+  for (const TensorPoints& points : points_.lattices()) boxes.push_back(points.box());
+  return boxes;
+}
+
 vtkSmartPointer<vtkPolyData> BodySurface::displaced(const Eigen::MatrixXd& displacement) const {
   const Eigen::MatrixXd x = points_.positions(displacement);
   const auto surface = vtkSmartPointer<vtkPolyData>::New();

@@ -34,6 +34,9 @@ class BodySurface {
 
   int numPoints() const { return points_.size(); }
 
+  /// How the points lie, in their order: rows and columns of a plane patch or a face, and those of the middles.
+  std::vector<IndexBox> lattices() const;
+
   /// Values at the points (components x points) of a field with these coefficients (components x nodes).
   /// Throws `Error` if the number of nodes does not fit.
   Eigen::MatrixXd evaluate(const Eigen::MatrixXd& coefficients) const {

@@ -54,6 +54,9 @@ constexpr double kArrowEdge = 0.5;
 
 constexpr double kHalo = 3.0;  // width of what is white below a line, over its own
 
+/// Length of a dash with its gap, in heights of the text.
+constexpr double kDash = 0.5;
+
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
 /// Order in which things lie over each other in a flat picture; in space where they lie at the same place.
@@ -178,8 +181,9 @@ class ContourPicture {
   /// What light falls on bodies in space.
   void light(const Plan& plan) {
     if (!options_.occlusion || isFlat()) return;
-    setSky(parts_, plan.tools, options_.toolOpacity);
-    shadow_ = groundShadow(parts_, plan.tools, options_.toolOpacity);
+    const Occlusion occlusion(parts_, plan.tools, options_.toolOpacity);
+    occlusion.setSky();
+    shadow_ = occlusion.groundShadow();
   }
 
   /// What `draw` draws on a paper, or without paper.
@@ -415,9 +419,18 @@ class ContourPicture {
       if (drawing.lines) addLines(toolLines(drawing));
     }
     if (what == Shown::Areas) return;
+    if (options_.hiddenLines == HiddenLines::Dashed && !isFlat()) {
+      const double dash = kDash * textSize_;
+      const auto addHidden = [&](vtkPolyData& lines, double width) {
+        if (lines.GetNumberOfLines() > 0)
+          renderer.AddActor(dashedActor(*withWayAlong(lines, view), theme_.outline, width, dash));
+      };
+      addHidden(*parts_.outline, scale * lineWidth());
+      for (const ToolDrawing& drawing : plan.tools)
+        if (drawing.lines) addHidden(*drawing.lines, 1.2 * scale * lineWidth());
+    }
     if (parts_.arrows.areas) drawArrows(renderer, scale * lineWidth(), eye);
     drawMarks(renderer, scale * lineWidth(), view);
-    if (!isFlat()) peel(renderer);
   }
 
   /// Whether a place of the bodies is in the window, and in the part that a cut or a slice leaves.

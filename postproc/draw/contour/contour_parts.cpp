@@ -48,15 +48,15 @@ void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame,
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
 }
 
-/// What has colours. mesh: of the bodies that have the field.
-vtkSmartPointer<vtkPolyData> makeBody(const MeshRecord& mesh, const ModelRecord& model,
-                                      const FrameRecord& frame, const FieldChoice& field,
-                                      const ContourOptions& options) {
-  if (field.faces) return field.faces;
+/// Makes what has colours. mesh: of the bodies that have the field.
+void makeBody(ContourParts& parts, const MeshRecord& mesh, const ModelRecord& model, const FrameRecord& frame,
+              const FieldChoice& field, const ContourOptions& options) {
+  parts.body = field.faces;
+  if (parts.body) return;
   const BodySurface surface(mesh, subdivisionOf(model, options));
-  const auto body = surface.displaced(options.warp * frame.displacement);
-  setValues(*body->GetPointData(), surface, frame, field, options);
-  return body;
+  parts.body = surface.displaced(parts.displacement);
+  parts.bodyLattices = surface.lattices();
+  setValues(*parts.body->GetPointData(), surface, frame, field, options);
 }
 
 /// Cuts a plane body for a view.
@@ -105,6 +105,8 @@ class BodyCut {
 
   void apply() {
     parts_.plane = plane_;
+    parts_.bodyLattices.clear();
+    parts_.plainLattices.clear();
     const auto section = sectionWithValues();
     auto border = sectionOf(*parts_.body, plane_);
     if (parts_.plain) {
@@ -259,10 +261,12 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.displacement = options.warp * frame.displacement;
   if (options.tools) parts.tools = shownTools(model, frame, options.warp);
   const FieldMesh meshes(model, frame, field.name);
-  parts.body = makeBody(meshes.with(), model, frame, field, options);
+  makeBody(parts, meshes.with(), model, frame, field, options);
   parts.box = boxOf(*parts.body);
   if (meshes.without() != nullptr) {
-    parts.plain = BodySurface(*meshes.without(), subdivision).displaced(parts.displacement);
+    const BodySurface plain(*meshes.without(), subdivision);
+    parts.plain = plain.displaced(parts.displacement);
+    parts.plainLattices = plain.lattices();
     parts.box.extend(boxOf(*parts.plain));
   }
   parts.outline = bodyOutline(mesh, parts.displacement, subdivision);

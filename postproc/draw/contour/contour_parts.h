@@ -12,6 +12,7 @@
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/page/view.h"
+#include "postproc/mesh/index_box.h"
 
 class vtkPolyData;
 
@@ -33,6 +34,9 @@ struct ContourParts {
                                                      ///< contact faces where these are a contact field
   vtkSmartPointer<vtkPolyData> section;              ///< the same, of a cut; null without one
   vtkSmartPointer<vtkPolyData> plain, plainSection;  ///< of bodies that do not have the field; null without
+  std::vector<IndexBox> bodyLattices,
+      plainLattices;  ///< how the points of `body` and `plain` lie in space; none
+                      ///< where they are cut or of no patches
   vtkSmartPointer<vtkPolyData> outline;
   vtkSmartPointer<vtkPolyData> knots, undeformed, net;  ///< null where they are not shown
   std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye

@@ -50,7 +50,8 @@ class FreeSky::Occluders {
  public:
   explicit Occluders(const Surfaces& surfaces)
       : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // no ray gets through between two triangles
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
     std::vector<float> points;
     std::vector<unsigned> corners;
     for (const auto& surface : surfaces) append(*surface, points, corners);
@@ -115,34 +116,33 @@ class FreeSky::Occluders {
   bool isEmpty_ = true;
 };
 
-FreeSky::FreeSky(const Surfaces& bodies, const Surfaces& tools, double toolOpacity, double reach)
+FreeSky::FreeSky(const Surfaces& bodies, const Surfaces& tools, double toolOpacity)
     : bodies_(std::make_unique<Occluders>(bodies)),
       tools_(std::make_unique<Occluders>(tools)),
-      toolOpacity_(toolOpacity),
-      reach_(reach) {}
+      toolOpacity_(toolOpacity) {}
 
 FreeSky::~FreeSky() = default;
 
 Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& normals,
-                                  const Start& start) const {
+                                  const Rays& rays) const {
   Eigen::VectorXd shares(points.cols());
   if (points.cols() == 0) return shares;
-  const Eigen::Index rays = std::clamp(kRaysOfPicture / points.cols(), kFewestRaysOfPoint, kRaysOfPoint);
-  const Eigen::Matrix3Xd directions = spiral(rays);
-  const auto reach = static_cast<float>(reach_);
+  const Eigen::Index count = std::clamp(kRaysOfPicture / points.cols(), kFewestRaysOfPoint, kRaysOfPoint);
+  const Eigen::Matrix3Xd directions = spiral(count);
+  const auto reach = static_cast<float>(rays.reach);
   tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, points.cols(), 64), [&](const auto& range) {
     for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
       const Eigen::Vector3d x = points.col(i), n = normals.col(i);
-      const Eigen::Vector3f amongBodies = (x + start.amongBodies * n).cast<float>(),
-                            amongTools = (x + start.amongTools * n).cast<float>();
+      const Eigen::Vector3f amongBodies = (x + rays.amongBodies * n).cast<float>(),
+                            amongTools = (x + rays.amongTools * n).cast<float>();
       const Eigen::Matrix3d frame = frameOf(n);
       double sum = 0.0;
-      for (Eigen::Index k = 0; k < rays; ++k) {
+      for (Eigen::Index k = 0; k < count; ++k) {
         const Eigen::Vector3f direction = (frame * directions.col(k)).cast<float>();
         if (bodies_->stop(amongBodies, direction, reach)) continue;
         sum += tools_->stop(amongTools, direction, reach) ? 1.0 - toolOpacity_ : 1.0;
       }
-      shares(i) = sum / static_cast<double>(rays);
+      shares(i) = sum / static_cast<double>(count);
     }
   });
   return shares;

@@ -15,15 +15,16 @@ class FreeSky {
  public:
   using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>;
 
-  /// bodies: polygons that stop all rays; tools: that stop a share `toolOpacity`. reach: of the rays. Throws `Error`
+  /// bodies: polygons that stop all rays; tools: that stop a share `toolOpacity`. Throws `Error`
   /// where there is not enough memory.
-  FreeSky(const Surfaces& bodies, const Surfaces& tools, double toolOpacity, double reach);
+  FreeSky(const Surfaces& bodies, const Surfaces& tools, double toolOpacity);
   ~FreeSky();
   FreeSky(const FreeSky&) = delete;
   FreeSky& operator=(const FreeSky&) = delete;
 
-  /// Where rays begin, measured along the normals from the points.
-  struct Start {
+  /// How long rays are, and where they begin, measured along the normals from the points.
+  struct Rays {
+    double reach;
     double amongBodies = 0.0;
     double amongTools = 0.0;  ///< below 0, so that a tool that reaches a little into a body closes its sky
   };
@@ -31,12 +32,12 @@ class FreeSky {
   /// Shares at points with unit normals, 3 x points each: 1 where nothing is near, 0 where all is closed. Does not
   /// depend on the number of threads.
   Eigen::VectorXd sharesAt(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& normals,
-                           const Start& start) const;
+                           const Rays& rays) const;
 
  private:
   class Occluders;
   std::unique_ptr<Occluders> bodies_, tools_;
-  double toolOpacity_, reach_;
+  double toolOpacity_;
 };
 
 }  // namespace burnish

@@ -6,24 +6,16 @@
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
-#include "postproc/draw/contour/free_sky.h"
 #include "postproc/draw/contour/space_actors.h"
 #include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
 namespace {
-
-FreeSky skyOf(const ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity,
-              double reach) {
-  FreeSky::Surfaces bodies, toolSurfaces;
-  for (const auto& part : {parts.body, parts.section, parts.plain, parts.plainSection})
-    if (part) bodies.push_back(part);
-  for (const ToolDrawing& tool : tools)
-    if (tool.surface) toolSurfaces.push_back(tool.surface);
-  return {bodies, toolSurfaces, toolOpacity, reach};
-}
 
 Eigen::Matrix3Xd tuplesOf(vtkDataArray& array) {
   Eigen::Matrix3Xd tuples(3, array.GetNumberOfTuples());
@@ -31,47 +23,156 @@ Eigen::Matrix3Xd tuplesOf(vtkDataArray& array) {
   return tuples;
 }
 
-}  // namespace
+/// Some rows and columns of a lattice on a surface, as far apart as what changes slowly there allows. What is known
+/// at their points goes linearly between them.
+class CoarseLattice {
+ public:
+  /// x: points of the surface. first: number of the first one of the lattice. Lines are at most `distance` apart
+  /// where those of the lattice are.
+  CoarseLattice(const Eigen::Matrix3Xd& x, Eigen::Index first, const IndexBox& box, double distance)
+      : first_(first) {
+    Eigen::Index step = 1;
+    for (const int extent : box.extent) {
+      if (extent > 1 && numDirections_ < 2) {
+        steps_[numDirections_] = step;
+        extents_[numDirections_++] = extent;
+      }
+      step *= extent;
+    }
+    for (std::size_t d = 0; d < 2; ++d) chosen_[d] = linesOf(x, d, distance);
+  }
 
-void setSky(const ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity) {
-  constexpr double kReach = 0.25, kStart = 1.0 / 2000.0, kPressedIn = 0.01;  // of the bodies
-  const double length = lengthOf(parts);
-  const FreeSky sky = skyOf(parts, tools, toolOpacity, kReach * length);
-  const auto set = [&](vtkPolyData* surface, const FreeSky::Start& start) {
-    if (!surface || !surface->GetPointData()->GetNormals()) return;
-    const Eigen::VectorXd shares = sky.sharesAt(tuplesOf(*surface->GetPoints()->GetData()),
-                                                tuplesOf(*surface->GetPointData()->GetNormals()), start);
-    surface->GetPointData()->AddArray(makeArray(kSky, shares.transpose(), {}));
-  };
-  for (const auto& body : {parts.body, parts.plain}) set(body, {kStart * length, -kPressedIn * length});
-  for (const ToolDrawing& tool : tools) set(tool.surface, {-kPressedIn * length, kStart * length});
+  /// Numbers of its points.
+  std::vector<Eigen::Index> points() const {
+    std::vector<Eigen::Index> numbers;
+    for (const Eigen::Index j : chosen_[1])
+      for (const Eigen::Index i : chosen_[0]) numbers.push_back(numberOf(i, j));
+    return numbers;
+  }
+
+  /// Fills values at all points of the lattice from those at `points`.
+  void spread(const double* coarse, Eigen::VectorXd& values) const {
+    const std::size_t row = chosen_[0].size();
+    for (std::size_t b = 0; b + 1 < chosen_[1].size(); ++b)
+      for (std::size_t a = 0; a + 1 < row; ++a) {
+        const double* corner = coarse + b * row + a;
+        const Eigen::Index i0 = chosen_[0][a], i1 = chosen_[0][a + 1], j0 = chosen_[1][b],
+                           j1 = chosen_[1][b + 1];
+        for (Eigen::Index j = j0; j <= j1; ++j)
+          for (Eigen::Index i = i0; i <= i1; ++i) {
+            const double s = static_cast<double>(i - i0) / static_cast<double>(i1 - i0),
+                         t = static_cast<double>(j - j0) / static_cast<double>(j1 - j0);
+            values(numberOf(i, j)) =
+                std::lerp(std::lerp(corner[0], corner[1], s), std::lerp(corner[row], corner[row + 1], s), t);
+          }
+      }
+  }
+
+ private:
+  Eigen::Index numberOf(Eigen::Index i, Eigen::Index j) const {
+    return first_ + i * steps_[0] + j * steps_[1];
+  }
+
+  /// The first and the last line, and as few between as the distance allows.
+  std::vector<Eigen::Index> linesOf(const Eigen::Matrix3Xd& x, std::size_t direction, double distance) const {
+    std::vector<Eigen::Index> lines{0};
+    double way = 0.0;
+    for (Eigen::Index i = 0; i + 1 < extents_[direction]; ++i) {
+      double widest = 0.0;
+      for (Eigen::Index j = 0; j < extents_[1 - direction]; ++j) {
+        const Eigen::Index here = direction == 0 ? numberOf(i, j) : numberOf(j, i);
+        widest = std::max(widest, (x.col(here + steps_[direction]) - x.col(here)).norm());
+      }
+      if (i > lines.back() && way + widest > distance) {
+        lines.push_back(i);
+        way = 0.0;
+      }
+      way += widest;
+    }
+    lines.push_back(extents_[direction] - 1);
+    return lines;
+  }
+
+  Eigen::Index first_;
+  std::size_t numDirections_ = 0;
+  std::array<Eigen::Index, 2> extents_{1, 1}, steps_{0, 0};
+  std::array<std::vector<Eigen::Index>, 2> chosen_;
+};
+
+FreeSky skyOf(const ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity) {
+  FreeSky::Surfaces bodies, surfaces;
+  for (const auto& part : {parts.body, parts.section, parts.plain, parts.plainSection})
+    if (part) bodies.push_back(part);
+  for (const ToolDrawing& tool : tools)
+    if (tool.surface) surfaces.push_back(tool.surface);
+  return {bodies, surfaces, toolOpacity};
 }
 
-vtkSmartPointer<vtkPolyData> groundShadow(const ContourParts& parts, const std::vector<ToolDrawing>& tools,
-                                          double toolOpacity) {
+/// lattices: how the points of the surface lie; none where nothing is known of it. distance: at which shares are
+/// computed at least.
+void setSkyOf(vtkPolyData* surface, const std::vector<IndexBox>& lattices, const FreeSky& sky,
+              const FreeSky::Rays& rays, double distance) {
+  if (!surface || !surface->GetPointData()->GetNormals()) return;
+  const Eigen::Matrix3Xd x = tuplesOf(*surface->GetPoints()->GetData()),
+                         normals = tuplesOf(*surface->GetPointData()->GetNormals());
+  Eigen::VectorXd shares(x.cols());
+  if (lattices.empty()) {
+    shares = sky.sharesAt(x, normals, rays);
+  } else {
+    std::vector<CoarseLattice> coarse;
+    std::vector<Eigen::Index> points;
+    Eigen::Index first = 0;
+    for (const IndexBox& box : lattices) {
+      coarse.emplace_back(x, first, box, distance);
+      const std::vector<Eigen::Index> added = coarse.back().points();
+      points.insert(points.end(), added.begin(), added.end());
+      first += box.size();
+    }
+    const Eigen::VectorXd known = sky.sharesAt(x(Eigen::all, points), normals(Eigen::all, points), rays);
+    const double* next = known.data();
+    for (const CoarseLattice& lattice : coarse) {
+      lattice.spread(next, shares);
+      next += lattice.points().size();
+    }
+  }
+  surface->GetPointData()->AddArray(makeArray(kSky, shares.transpose(), {}));
+}
+
+}  // namespace
+
+Occlusion::Occlusion(const ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity)
+    : parts_(parts), tools_(tools), length_(lengthOf(parts)), sky_(skyOf(parts, tools, toolOpacity)) {}
+
+void Occlusion::setSky() const {
+  constexpr double kReach = 0.25, kStart = 1.0 / 2000.0, kPressedIn = 0.01, kDistance = 1.0 / 70.0;
+  const double start = kStart * length_, pressedIn = -kPressedIn * length_, distance = kDistance * length_;
+  const FreeSky::Rays ofBodies{kReach * length_, start, pressedIn},
+      ofTools{kReach * length_, pressedIn, start};
+  setSkyOf(parts_.body, parts_.bodyLattices, sky_, ofBodies, distance);
+  setSkyOf(parts_.plain, parts_.plainLattices, sky_, ofBodies, distance);
+  for (const ToolDrawing& tool : tools_) setSkyOf(tool.surface, {}, sky_, ofTools, distance);
+}
+
+vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   constexpr double kLowestEye = 0.05, kReach = 0.5, kDarkest = 0.55, kNear = 0.01;
   constexpr int kCells = 100;
-  const Eigen::Vector3d eye = parts.axes.row(0).cross(parts.axes.row(1)).transpose();
+  const Eigen::Vector3d eye = parts_.axes.row(0).cross(parts_.axes.row(1)).transpose();
   if (eye.y() < kLowestEye) return nullptr;
-  const double length = lengthOf(parts), reach = kReach * length;
-  const double height = parts.box.min().y();
-  for (const ToolDrawing& tool : tools)
-    if (tool.surface && boxOf(*tool.surface).min().y() < height + kNear * length) return nullptr;
-  Eigen::AlignedBox3d box = parts.box;
-  box.min() -= Eigen::Vector3d::Constant(reach);
-  box.max() += Eigen::Vector3d::Constant(reach);
+  const double reach = kReach * length_, height = parts_.box.min().y();
+  for (const ToolDrawing& tool : tools_)
+    if (tool.surface && boxOf(*tool.surface).min().y() < height + kNear * length_) return nullptr;
+  const Eigen::Vector3d low = parts_.box.min().array() - reach, high = parts_.box.max().array() + reach;
   vtkNew<vtkPlaneSource> plane;
   plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  plane->SetOrigin(box.min().x(), height, box.min().z());
-  plane->SetPoint1(box.min().x(), height, box.max().z());
-  plane->SetPoint2(box.max().x(), height, box.min().z());
+  plane->SetOrigin(low.x(), height, low.z());
+  plane->SetPoint1(low.x(), height, high.z());
+  plane->SetPoint2(high.x(), height, low.z());
   plane->SetResolution(kCells, kCells);
   plane->Update();
-  const vtkSmartPointer<vtkPolyData> ground = plane->GetOutput();
+  vtkSmartPointer<vtkPolyData> ground = plane->GetOutput();
   const Eigen::Matrix3Xd points = tuplesOf(*ground->GetPoints()->GetData());
   const Eigen::VectorXd shares =
-      skyOf(parts, tools, toolOpacity, reach)
-          .sharesAt(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()), {});
+      sky_.sharesAt(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()), {reach});
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(4);
   for (const double share : shares)

@@ -83,6 +83,8 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
     problems.push_back(
         {"view", fmt::format("found \"{}\"; a plane body is only seen in its plane: auto or xy.",
                              options.view.name)});
+  if (options.hiddenLines != HiddenLines::Off && dim == 2)
+    problems.push_back({"hidden_lines", "a plane body hides none of its lines; draw it without."});
   if (options.arrows == ArrowField::Traction && options.warp != 1.0)
     problems.push_back(
         {"warp", "contact tractions belong to the true displacements; draw them without a warp."});

@@ -31,6 +31,15 @@ struct EnumNames<ArrowField> {
                                      std::pair{"traction", ArrowField::Traction}};
 };
 
+/// What is drawn of the edges behind surfaces.
+enum class HiddenLines { Off, Dashed };
+
+template <>
+struct EnumNames<HiddenLines> {
+  static constexpr std::array values{std::pair{"off", HiddenLines::Off},
+                                     std::pair{"dashed", HiddenLines::Dashed}};
+};
+
 /// A name of `viewNames`, or a direction "X,Y,Z" towards the eye.
 struct ViewName {
   std::string name = "auto";
@@ -100,9 +109,10 @@ struct PictureOptions : PageLook, PictureDefaults, PrintOptions {
   /// Instead of a range: the colours end at this percentile p and at the (100-p)th; see `fieldRange`.
   std::optional<double> clip;
   ArrowField arrows = ArrowField::None;
-  bool markExtremes = false;       ///< signs where the field is smallest and largest
-  bool controlNet = false;         ///< draw the control points and the lines between them
-  double toolOpacity = 0.3;        ///< of the tools in space, 1: hides what is behind
+  bool markExtremes = false;                   ///< signs where the field is smallest and largest
+  bool controlNet = false;                     ///< draw the control points and the lines between them
+  double toolOpacity = 0.3;                    ///< of the tools in space, 1: hides what is behind
+  HiddenLines hiddenLines = HiddenLines::Off;  ///< edges of body and tools that surfaces hide
   double warp = 1.0;               ///< factor on the displacements of body and tools; values keep theirs
   std::optional<int> subdivision;  ///< cells per knot span and direction; see `refineForView`
   ViewName view;                   ///< auto of a slice: along its normal
@@ -196,6 +206,8 @@ void describeParts(Visitor& v, PictureOptions& s) {
   v.field("mark_extremes", s.markExtremes, {}, "Mark where the field is smallest and where it is largest.");
   v.field("control_net", s.controlNet, {}, "Draw the control points and the lines between them.");
   describeMotion(v, s);
+  v.field("hidden_lines", s.hiddenLines, {},
+          "Edges of body and tools that lie behind surfaces: off, or dashed (3D).");
   v.field(
       "subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
       "Cells per knot span and direction, instead of what an exact picture of a plane body takes; in space "

@@ -1,14 +1,20 @@
 #include "postproc/draw/contour/shape_lines.h"
 
+#include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
 #include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkFeatureEdges.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
+#include <vtkStripper.h>
 
+#include <vector>
+
+#include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
@@ -45,6 +51,32 @@ vtkSmartPointer<vtkPolyData> silhouetteOf(vtkPolyData& surface, const Eigen::Vec
   turn->SetValue(0, 0.0);
   turn->Update();
   return turn->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> withWayAlong(vtkPolyData& lines, const View& view) {
+  vtkNew<vtkStripper> joined;
+  joined->SetInputData(&lines);
+  joined->JoinContiguousSegmentsOn();
+  joined->Update();
+  vtkPolyData& shapes = *joined->GetOutput();
+  PolyBuilder builder;
+  std::vector<double> ways;
+  vtkNew<vtkIdList> ids;
+  vtkCellArray& cells = *shapes.GetLines();
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
+    cells.GetCellAtId(cell, ids);
+    Eigen::Matrix3Xd points(3, ids->GetNumberOfIds());
+    for (Eigen::Index k = 0; k < points.cols(); ++k) {
+      shapes.GetPoint(ids->GetId(k), points.col(k).data());
+      const double way = k == 0 ? 0.0 : (view.pixel(points.col(k)) - view.pixel(points.col(k - 1))).norm();
+      ways.push_back(k == 0 ? 0.0 : ways.back() + way);
+    }
+    builder.addLine(builder.addPoints(points));
+  }
+  const auto result = builder.finish();
+  result->GetPointData()->AddArray(
+      makeArray(kWayAlong, Eigen::Map<const Eigen::RowVectorXd>(ways.data(), std::ssize(ways)), {}));
+  return result;
 }
 
 vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData& surface) {

@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 
+#include "postproc/draw/page/view.h"
+
 class vtkPolyData;
 
 /// Lines that show the shape of a surface in space.
@@ -16,6 +18,11 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData& surface);
 
 /// Where a surface with normals turns away from the eye.
 vtkSmartPointer<vtkPolyData> silhouetteOf(vtkPolyData& surface, const Eigen::Vector3d& towardsEye);
+
+/// Lines with the point data `kWayAlong`: how far one has come along each, in pixels of a view. Segments that follow
+/// one another are one line.
+inline constexpr const char* kWayAlong = "way_along";
+vtkSmartPointer<vtkPolyData> withWayAlong(vtkPolyData& lines, const View& view);
 
 /// The border of a surface and its sharp edges.
 vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData& surface);

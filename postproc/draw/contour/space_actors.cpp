@@ -13,6 +13,8 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 
+#include "postproc/draw/contour/shape_lines.h"
+
 namespace burnish {
 namespace {
 
@@ -114,6 +116,28 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, doub
   return actor;
 }
 
+vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, double width, double dash) {
+  constexpr double kPaleness = 0.45, kGap = 0.45;
+  const auto actor = lineActor(lines, color, width, kPaleness);
+  vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper())
+      ->MapDataArrayToVertexAttribute("wayMC", kWayAlong, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  vtkShaderProperty& shaders = *actor->GetShaderProperty();
+  shaders.AddVertexShaderReplacement(
+      "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nin float wayMC;\nout float wayVCVSOutput;\n", false);
+  shaders.AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
+                                     "//VTK::PositionVC::Impl\n  wayVCVSOutput = wayMC;\n"
+                                     "  gl_Position.z = 1e-4 * gl_Position.z - 0.999 * gl_Position.w;\n",
+                                     false);
+  shaders.AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
+                                       "//VTK::Normal::Dec\nin float wayVCVSOutput;\n", false);
+  shaders.AddFragmentShaderReplacement(
+      "//VTK::Color::Impl", true,
+      fmt::format("//VTK::Color::Impl\n  if (mod(wayVCVSOutput, {:.4f}) > {:.4f}) discard;\n", dash,
+                  (1.0 - kGap) * dash),
+      false);
+  return actor;
+}
+
 vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter) {
   const auto actor = makeActor(points);
   paint(*actor, color, 1.0);
@@ -121,12 +145,6 @@ vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, do
   actor->GetProperty()->RenderPointsAsSpheresOn();
   actor->GetProperty()->SetPointSize(static_cast<float>(diameter));
   return actor;
-}
-
-void peel(vtkRenderer& renderer) {
-  renderer.SetUseDepthPeeling(1);
-  renderer.SetMaximumNumberOfPeels(4);
-  renderer.SetOcclusionRatio(0.0);
 }
 
 void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance) {

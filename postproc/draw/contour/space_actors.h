@@ -28,12 +28,12 @@ vtkSmartPointer<vtkActor> shadowActor(vtkPolyData& surface);
 /// Lines. width: in pixels of the window.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);
 
+/// Lines with `kWayAlong`, in front of everything, dashed and pale: over what is seen of them anyway they change
+/// nothing. dash: length of a dash with its gap, in pixels of the view.
+vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, double width, double dash);
+
 /// The points as round dots. diameter: in pixels of the window.
 vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter);
-
-/// Lets a renderer draw what one can see through layer by layer, from front to back, so that it looks the same in
-/// whatever order it is added.
-void peel(vtkRenderer& renderer);
 
 /// Lets a renderer show a view in its part of a picture of this size (pixels), when all actors have been
 /// added. distance: of the eye, large enough to have everything in front of it.

@@ -37,16 +37,16 @@ vtkSmartPointer<vtkPolyData> wall(double height) {
 }
 
 double shareAt(const FreeSky& sky, const Vector3d& point, const Vector3d& normal) {
-  return sky.sharesAt(point, normal, {})(0);
+  return sky.sharesAt(point, normal, {kFar})(0);
 }
 
 TEST(FreeSky, IsHalfInACorner) {
-  const FreeSky sky({wall(200.0)}, {}, 1.0, kFar);
+  const FreeSky sky({wall(200.0)}, {}, 1.0);
   EXPECT_NEAR(shareAt(sky, {0.01, 0.0, 0.0}, Vector3d::UnitZ()), 0.5, kRayTolerance);
 }
 
 TEST(FreeSky, BesideAWallIsThatOfTheFormFactor) {
-  const FreeSky sky({wall(1.0)}, {}, 1.0, kFar);
+  const FreeSky sky({wall(1.0)}, {}, 1.0);
   for (const double d : {0.2, 0.5, 1.0, 2.0, 5.0})
     EXPECT_NEAR(shareAt(sky, {d, 0.0, 0.0}, Vector3d::UnitZ()), 1.0 - 0.5 * (1.0 - d / std::hypot(d, 1.0)),
                 kRayTolerance)
@@ -60,41 +60,40 @@ TEST(FreeSky, UnderADiscIsThatOfTheFormFactor) {
     circle.col(k) << 0.7 * std::cos(angle), 0.7 * std::sin(angle), 1.0;
   }
   const double covered = 0.49 / 1.49;
-  const FreeSky solid({polygon(circle)}, {}, 1.0, kFar), translucent({}, {polygon(circle)}, 0.3, kFar),
-      shortRays({polygon(circle)}, {}, 1.0, 0.9);
+  const FreeSky solid({polygon(circle)}, {}, 1.0), translucent({}, {polygon(circle)}, 0.3);
   EXPECT_NEAR(shareAt(solid, Vector3d::Zero(), Vector3d::UnitZ()), 1.0 - covered, kRayTolerance);
   EXPECT_NEAR(shareAt(translucent, Vector3d::Zero(), Vector3d::UnitZ()), 1.0 - 0.3 * covered, kRayTolerance);
-  EXPECT_EQ(shareAt(shortRays, Vector3d::Zero(), Vector3d::UnitZ()), 1.0);
+  EXPECT_EQ(solid.sharesAt(Vector3d::Zero(), Vector3d::UnitZ(), {0.9})(0), 1.0);
   EXPECT_EQ(shareAt(solid, Vector3d::Zero(), -Vector3d::UnitZ()), 1.0);
 }
 
 TEST(FreeSky, RaysThatBeginBelowMeetAToolThatIsPressedIn) {
   const auto tool = polygon(Eigen::Matrix<double, 3, 4>{
       {-9.0, 9.0, 9.0, -9.0}, {-9.0, -9.0, 9.0, 9.0}, {-0.01, -0.01, -0.01, -0.01}});
-  const FreeSky sky({}, {tool}, 1.0, 1.0);
+  const FreeSky sky({}, {tool}, 1.0);
   const Vector3d point = Vector3d::Zero(), up = Vector3d::UnitZ();
-  EXPECT_EQ(sky.sharesAt(point, up, {})(0), 1.0);
-  EXPECT_EQ(sky.sharesAt(point, up, {0.0, -0.02})(0), 0.0);
+  EXPECT_EQ(sky.sharesAt(point, up, {1.0})(0), 1.0);
+  EXPECT_EQ(sky.sharesAt(point, up, {1.0, 0.0, -0.02})(0), 0.0);
 }
 
 TEST(FreeSky, OfAConvexBodyIsAllOfIt) {
   const auto body = BodySurface(samples::cube().model.mesh, 4).displaced({});
-  const FreeSky sky({body}, {}, 1.0, 1.0);
+  const FreeSky sky({body}, {}, 1.0);
   for (vtkIdType k = 0; k < body->GetNumberOfPoints(); ++k) {
     const Vector3d x(body->GetPoint(k)), n(body->GetPointData()->GetNormals()->GetTuple3(k));
-    EXPECT_EQ(sky.sharesAt(x, n, {1e-3, 0.0})(0), 1.0);
+    EXPECT_EQ(sky.sharesAt(x, n, {1.0, 1e-3, 0.0})(0), 1.0);
   }
 }
 
 TEST(FreeSky, DoesNotDependOnThreads) {
-  const FreeSky sky({wall(1.0)}, {wall(2.0)}, 0.4, kFar);
+  const FreeSky sky({wall(1.0)}, {wall(2.0)}, 0.4);
   Eigen::Matrix3Xd points(3, 1000);
   for (Eigen::Index k = 0; k < points.cols(); ++k)
     points.col(k) << 0.01 * static_cast<double>(k + 1), 0.0, 0.1;
   const Eigen::Matrix3Xd up = Vector3d::UnitZ().replicate(1, points.cols());
-  const Eigen::VectorXd many = sky.sharesAt(points, up, {});
+  const Eigen::VectorXd many = sky.sharesAt(points, up, {kFar});
   const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(sky.sharesAt(points, up, {}), many);
+  EXPECT_EQ(sky.sharesAt(points, up, {kFar}), many);
 }
 
 }  // namespace

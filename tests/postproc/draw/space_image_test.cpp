@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "postproc/draw/contour/contour_view.h"
+#include "postproc/offscreen/offscreen_canvas.h"
 #include "tests/postproc/draw/contour_fixture.h"
 
 /// Cuts, slices and mirrors of a body in space, and tools of every shape, as those of contour_image_test.cpp.
@@ -169,6 +170,70 @@ TEST_F(SpaceImage, EdgesAreUnbroken) {
   expectLine({1.0, 0.0, 1.0}, {1.0, 1.0, 1.0});
 }
 
+/// On a saddle, whose facets are not plane.
+TEST_F(SpaceImage, KnotLinesAreUnbroken) {
+  Sample sample = samples::cube();
+  const auto height = [](double x, double z) { return 0.6 * (std::pow(x - 0.5, 2) - std::pow(z - 0.5, 2)); };
+  const Eigen::MatrixXd& points = sample.model.mesh.patches.front().points;
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+    sample.frame.displacement(1, k) = height(points(0, k), points(2, k));
+  ContourOptions options = small("pressure");
+  options.tools = false;
+  options.undeformed = false;
+  const Picture without = drawn(sample, options);
+  options.knots = true;
+  const Picture with = drawn(sample, options);
+  for (double z = 0.05; z < 0.95; z += 0.01) {
+    const Eigen::Vector2d pixel = view.pixel(Eigen::Vector3d(1.0 / 3.0, 1.0 + height(1.0 / 3.0, z), z));
+    int most = 0;
+    for (double dy = -3.0; dy <= 3.0; ++dy)
+      most = std::max(most, difference(with.at(pixel + Eigen::Vector2d(0.0, dy)),
+                                       without.at(pixel + Eigen::Vector2d(0.0, dy))));
+    EXPECT_GT(most, 12) << z;
+  }
+}
+
+TEST_F(SpaceImage, HiddenLinesAreDashedAndLeaveTheOthersAlone) {
+  Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  options.tools = false;
+  const Picture without = drawn(sample, options);
+  options.hiddenLines = HiddenLines::Dashed;
+  const Picture with = drawn(sample, options);
+  const auto changed = [&](const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
+    int count = 0;
+    for (double s = 0.05; s < 0.95; s += 0.01) {
+      const Eigen::Vector2d pixel = view.pixel(begin + s * (end - begin));
+      int most = 0;
+      for (const double x : {-1.0, 0.0, 1.0})
+        most = std::max(most, difference(with.at(pixel + Eigen::Vector2d(x, 0.0)),
+                                         without.at(pixel + Eigen::Vector2d(x, 0.0))));
+      if (most > 20) ++count;
+    }
+    return count;
+  };
+  const int dashes = changed({0.0, 0.0, 0.0}, {0.0, 0.99, 0.0});
+  EXPECT_GT(dashes, 35);
+  EXPECT_LT(dashes, 80);
+  EXPECT_EQ(changed({1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}), 0);
+}
+
+/// Light, shade, layers and dashes do not know of the strips in which a large picture is drawn.
+TEST_F(SpaceImage, IsTheSameInStrips) {
+  Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  options.size = {900, 700};
+  options.hiddenLines = HiddenLines::Dashed;
+  const Picture whole = drawn(sample, options);
+  OffscreenCanvas::saveMemory();
+  const Picture strips = drawn(sample, options);
+  int different = 0;
+  for (int x = 0; x < 900; ++x)
+    for (int y = 0; y < 700; ++y)
+      if (difference(whole.at({x + 0.5, y + 0.5}), strips.at({x + 0.5, y + 0.5})) > 2) ++different;
+  EXPECT_LE(different, 20);
+}
+
 TEST_F(SpaceImage, MistakesAreTold) {
   ContourOptions options = small("pressure");
   options.cut = CutPlane{{0.0, 0.0, 1.5}, {0.0, 0.0, 1.0}};
@@ -189,6 +254,9 @@ TEST_F(SpaceImage, MistakesAreTold) {
                 "mirror: found \"z\"; allowed in two dimensions: planes of x and y.");
   options.mirror = {{0, 1.0}};
   expectRefused(samples::square(), options, "no plane of symmetry");  // it is sheared
+  options = small("von_mises");
+  options.hiddenLines = HiddenLines::Dashed;
+  expectRefused(samples::ring(), options, "hidden_lines: a plane body hides none of its lines");
   options = small("von_mises");
   options.slice = CutPlane{};
   expectRefused(samples::ring(), options, "slice: found a plane through a plane body");
