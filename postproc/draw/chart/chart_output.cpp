@@ -12,8 +12,6 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPDFContextDevice2D.h>
-#include <vtkPDFExporter.h>
 #include <vtkPen.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -29,7 +27,6 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -37,10 +34,9 @@
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
 #include "engine/core/output_file.h"
-#include "postproc/draw/chart/chart_glyphs.h"
-#include "postproc/draw/chart/pdf_letters.h"
 #include "postproc/draw/page/font.h"
 #include "postproc/draw/page/png_file.h"
+#include "postproc/draw/page/print_file.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 
 namespace burnish {
@@ -48,17 +44,15 @@ namespace {
 
 constexpr double kPointsPerPixel = 0.75;  ///< of SVG
 
-/// Paints a sketch, `scale` times larger, in a scene of VTK, whatever that becomes: pixels, SVG or PDF.
+/// Paints a sketch, `scale` times larger, in a scene of VTK, whatever that becomes: pixels or SVG.
 class SketchItem : public vtkContextItem {
  public:
   static SketchItem* New();
   SketchItem() { movedByStrips_->VisibilityOff(); }
 
-  /// letters: of the text of a PDF.
-  void set(const ChartSketch& sketch, double scale, PdfLetters* letters) {
+  void set(const ChartSketch& sketch, double scale) {
     sketch_ = &sketch;
     scale_ = scale;
-    letters_ = letters;
   }
 
   /// The canvas draws a picture in strips and moves flat actors down by what lies under a strip; a scene does
@@ -152,26 +146,13 @@ class SketchItem : public vtkContextItem {
       svg->SetTextAsPath(false);
       draw(text.text);
       svg->SetTextAsPath(true);
-    } else if (vtkPDFContextDevice2D::SafeDownCast(painter.GetDevice())) {
-      paintOutlines(painter, text, *property);
-      property->SetOpacity(0.0);
-      property->SetFontFile(fontNamed(kDefaultFont).file.c_str());  // a PDF cannot hold fonts of every kind
-      draw(letters_->coded(text.text));
     } else {
       draw(text.text);
     }
   }
 
-  void paintOutlines(vtkContext2D& painter, const SketchText& text, vtkTextProperty& property) const {
-    for (Polyline& letter : glyphPolygons(text.text, property)) {
-      for (Eigen::Vector2d& point : letter) point += text.at;
-      paint(painter, SketchArea{std::move(letter), text.style.color}, 0.0);
-    }
-  }
-
   const ChartSketch* sketch_ = nullptr;
   double scale_ = 1.0;
-  PdfLetters* letters_ = nullptr;
   vtkNew<vtkActor2D> movedByStrips_;
 };
 vtkStandardNewMacro(SketchItem)
@@ -192,10 +173,9 @@ vtkStandardNewMacro(ExportActor)
 
     /// A renderer that shows the sketch through an actor of the given type.
     template <class Actor>
-    vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale,
-                                            PdfLetters* letters = nullptr) {
+    vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale) {
   vtkNew<SketchItem> item;
-  item->set(sketch, scale, letters);
+  item->set(sketch, scale);
   vtkNew<Actor> actor;
   actor->GetScene()->AddItem(item);
   const auto renderer = vtkSmartPointer<vtkRenderer>::New();
@@ -217,31 +197,52 @@ std::string contentsOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Writes with an exporter of VTK, which neither throws nor says whether it failed: the file must have its
-/// `end`.
-template <class Exporter>
-void writeExport(const ChartSketch& sketch, const std::filesystem::path& file, std::string_view end) {
+/// Writes with the exporter of VTK, which neither throws nor says whether it failed: the file must have its end.
+void writeSvg(const ChartSketch& sketch, const std::filesystem::path& file) {
   const std::filesystem::path partial = partialName(file);
   OutputFile(partial).close();                  // throws with the reason if there can be no such file
   vtkNew<vtkGenericOpenGLRenderWindow> window;  // never rendered: it needs no context
   window->SetDPI(72);
   window->SetSize(sketch.size[0], sketch.size[1]);
-  PdfLetters letters;
-  const auto renderer = rendererOf<ExportActor>(sketch, 1.0, &letters);
+  const auto renderer = rendererOf<ExportActor>(sketch, 1.0);
   window->AddRenderer(renderer);
-  vtkNew<Exporter> exporter;
+  vtkNew<vtkSVGExporter> exporter;
   exporter->SetRenderWindow(window);
   exporter->SetTitle("chart");
   exporter->SetFileName(partial.c_str());
   exporter->Write();
-  renderer->RemoveAllViewProps();  // the actor keeps the exporter's device, and that of PDF the renderer
-  std::string contents = contentsOf(partial);
+  renderer->RemoveAllViewProps();  // the actor keeps the exporter's device
+  const std::string contents = contentsOf(partial);
   std::error_code ignored;
   std::filesystem::remove(partial, ignored);
-  if (!std::string_view(contents).substr(0, contents.find_last_not_of(" \r\n") + 1).ends_with(end))
+  if (!std::string_view(contents).substr(0, contents.find_last_not_of(" \r\n") + 1).ends_with("</svg>"))
     throw Error(fmt::format("cannot write {}: the disk may be full", file.string()));
-  if constexpr (std::is_same_v<Exporter, vtkPDFExporter>) contents = letters.withTable(std::move(contents));
   writeFileAtomically(file, std::as_bytes(std::span(contents)));
+}
+
+PageSketch::Shape onPage(const SketchLine& line) {
+  return PageLines{{line.points}, line.width, line.color};
+}
+
+PageSketch::Shape onPage(const SketchArea& area) {
+  return PageArea{area.corners, area.color};
+}
+
+PageSketch::Shape onPage(const SketchText& text) {
+  noteDrawnText(text.text, text.style.font);
+  const Eigen::Vector2d along = unitAlong(text.direction), upwards(-along.y(), along.x());
+  return PageText{{{text.text}},
+                  text.at - capitalHeight(text.style) / 2 * upwards,
+                  text.style,
+                  text.anchor,
+                  text.direction};
+}
+
+void writePdf(const ChartSketch& sketch, const std::filesystem::path& file) {
+  PrintPage page{{static_cast<double>(sketch.size[0]), static_cast<double>(sketch.size[1])}, "chart", {}};
+  for (const auto& shape : sketch.shapes)
+    page.sketch.shapes.push_back(std::visit([](const auto& drawn) { return onPage(drawn); }, shape));
+  writePrint(page, file);
 }
 
 }  // namespace
@@ -249,8 +250,8 @@ void writeExport(const ChartSketch& sketch, const std::filesystem::path& file, s
 void writeSketch(const ChartSketch& sketch, const std::filesystem::path& file) {
   const auto ending = file.extension();
   if (ending == ".png") return writePicture(sketch, file);
-  if (ending == ".svg") return writeExport<vtkSVGExporter>(sketch, file, "</svg>");
-  if (ending == ".pdf") return writeExport<vtkPDFExporter>(sketch, file, "%%EOF");
+  if (ending == ".svg") return writeSvg(sketch, file);
+  if (ending == ".pdf") return writePdf(sketch, file);
   throw Error(
       fmt::format("\"{}\": expected the name of a chart that ends in .png, .svg or .pdf", file.string()));
 }

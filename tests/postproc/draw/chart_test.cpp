@@ -14,7 +14,6 @@
 #include "engine/core/error.h"
 #include "postproc/draw/chart/chart.h"
 #include "postproc/draw/chart/chart_difference.h"
-#include "postproc/draw/chart/chart_glyphs.h"
 #include "postproc/draw/chart/chart_layout.h"
 #include "postproc/draw/chart/chart_scale.h"
 #include "postproc/draw/chart/chart_sketch.h"
