@@ -543,29 +543,6 @@ class ContourPicture {
   bool cutsBody_;                        ///< only a part of the body is seen
 };
 
-}  // namespace
-
-ContourImage contourImage(const ContourSubject& subject, const ContourOptions& options) {
-  check(options, subject.dim);
-  return ContourPicture(subject, options).draw();
-}
-
-View drawContour(const ContourSubject& subject, const ContourOptions& options,
-                 const std::filesystem::path& file) {
-  if (!isPrintFile(file)) {
-    const ContourImage image = contourImage(subject, options);
-    writePng(*image.picture, file);
-    return image.view;
-  }
-  check(options, subject.dim);
-  throwFirst(printConflictsIn(options));
-  const ContourPage printed = ContourPicture(subject, options).page();
-  writePrint(printed.page, file);
-  return printed.view;
-}
-
-namespace {
-
 /// Makes something of what a picture of a frame is of.
 template <class Make>
 auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
@@ -587,6 +564,25 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
 }
 
 }  // namespace
+
+ContourImage contourImage(const ContourSubject& subject, const ContourOptions& options) {
+  check(options, subject.dim);
+  return ContourPicture(subject, options).draw();
+}
+
+View drawContour(const ContourSubject& subject, const ContourOptions& options,
+                 const std::filesystem::path& file) {
+  if (!isPrintFile(file)) {
+    const ContourImage image = contourImage(subject, options);
+    writePng(*image.picture, file);
+    return image.view;
+  }
+  check(options, subject.dim);
+  throwFirst(printConflictsIn(options));
+  const ContourPage printed = ContourPicture(subject, options).page();
+  writePrint(printed.page, file);
+  return printed.view;
+}
 
 ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
   return ofSubject(model, frame, options,
