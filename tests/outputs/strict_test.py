@@ -84,6 +84,7 @@ def main():
             "--title", TITLE.replace("|", "/"), "--x-title", STRESS)
         run(burnish, "probe", out, "--face", "top", "-o", work / "probe.svg", "--csv", work / "probe.csv")
         run(burnish, "report", out, "-o", work / "report.html")
+        run(burnish, "view", out, "-o", work / "view.html")
 
         files = sorted(work.rglob("*.vt[up]")) + sorted(work.rglob("*.pvd")) + sorted(work.rglob("*.svg"))
         expect(len(files) > 20, f"only {len(files)} XML files were found")
@@ -106,11 +107,12 @@ def main():
                 rows = list(csv.reader(stream, strict=True))
             expect(len({len(row) for row in rows}) == 1, f"{table.name} has rows of several lengths")
 
-        page = Page()
-        page.feed((work / "report.html").read_text(encoding="utf-8"))
-        page.close()
-        expect(not page.mistakes and not page.open, f"report.html: {page.mistakes[:3]} {page.open[:3]}")
-        expect(TITLE.strip() in page.text, "report.html does not show the title as it is")
+        for name in ("report.html", "view.html"):
+            page = Page()
+            page.feed((work / name).read_text(encoding="utf-8"))
+            page.close()
+            expect(not page.mistakes and not page.open, f"{name}: {page.mistakes[:3]} {page.open[:3]}")
+            expect(TITLE.strip() in page.text, f"{name} does not show the title as it is")
 
     for mistake in mistakes:
         print(mistake)
