@@ -279,6 +279,7 @@ TEST_F(ViewCommand, BodiesInSpaceLookAsRenderDrawsThem) {
   write({cube});
   ContourOptions options;
   options.field = "pressure";
+  options.occlusion = false;
   const std::string out =
       found("--tools off --undeformed off --field pressure", comparison(cube, options, dir, 2));
   EXPECT_GT(numberAfter(out, "calm"), 30'000) << out;

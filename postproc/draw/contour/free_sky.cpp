@@ -1,6 +1,8 @@
 #include "postproc/draw/contour/free_sky.h"
 
+#include <dlfcn.h>
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <vtkCellArray.h>
@@ -14,6 +16,55 @@
 #include "engine/core/error.h"
 
 namespace burnish {
+
+/// Embree, loaded when the first picture needs it: it takes memory that other commands may not have.
+class Embree {
+ public:
+  /// Throws `Error` where it cannot be loaded.
+  static const Embree& loaded() {
+    static const Embree embree;
+    return embree;
+  }
+
+ private:
+  template <class Function>
+  Function find(const char* name) const {
+    void* found = dlsym(library_, name);
+    if (found == nullptr) throw Error(fmt::format("{} has no {}; draw with occlusion off", kName, name));
+    return reinterpret_cast<Function>(found);
+  }
+
+  static void* open() {
+    if (void* library = dlopen(kName, RTLD_NOW | RTLD_LOCAL)) return library;
+    throw Error(fmt::format(
+        "{} cannot be loaded: it is not installed (Debian package libembree3-3), or there is not enough memory; "
+        "draw with occlusion off",
+        kName));
+  }
+
+  static constexpr const char* kName = "libembree3.so.3";
+
+  void* library_ = open();
+
+ public:
+  decltype(&rtcNewDevice) newDevice = find<decltype(&rtcNewDevice)>("rtcNewDevice");
+  decltype(&rtcReleaseDevice) releaseDevice = find<decltype(&rtcReleaseDevice)>("rtcReleaseDevice");
+  decltype(&rtcGetDeviceError) getDeviceError = find<decltype(&rtcGetDeviceError)>("rtcGetDeviceError");
+  decltype(&rtcNewScene) newScene = find<decltype(&rtcNewScene)>("rtcNewScene");
+  decltype(&rtcReleaseScene) releaseScene = find<decltype(&rtcReleaseScene)>("rtcReleaseScene");
+  decltype(&rtcSetSceneFlags) setSceneFlags = find<decltype(&rtcSetSceneFlags)>("rtcSetSceneFlags");
+  decltype(&rtcSetSceneBuildQuality) setSceneBuildQuality =
+      find<decltype(&rtcSetSceneBuildQuality)>("rtcSetSceneBuildQuality");
+  decltype(&rtcCommitScene) commitScene = find<decltype(&rtcCommitScene)>("rtcCommitScene");
+  decltype(&rtcOccluded1) occluded1 = find<decltype(&rtcOccluded1)>("rtcOccluded1");
+  decltype(&rtcNewGeometry) newGeometry = find<decltype(&rtcNewGeometry)>("rtcNewGeometry");
+  decltype(&rtcReleaseGeometry) releaseGeometry = find<decltype(&rtcReleaseGeometry)>("rtcReleaseGeometry");
+  decltype(&rtcCommitGeometry) commitGeometry = find<decltype(&rtcCommitGeometry)>("rtcCommitGeometry");
+  decltype(&rtcAttachGeometry) attachGeometry = find<decltype(&rtcAttachGeometry)>("rtcAttachGeometry");
+  decltype(&rtcSetNewGeometryBuffer) setNewGeometryBuffer =
+      find<decltype(&rtcSetNewGeometryBuffer)>("rtcSetNewGeometryBuffer");
+};
+
 namespace {
 
 /// With so many rays a share is off by 0.003 (root mean square); with the fewest by 0.008.
@@ -49,22 +100,22 @@ Eigen::Matrix3d frameOf(const Eigen::Vector3d& normal) {
 class FreeSky::Occluders {
  public:
   explicit Occluders(const Surfaces& surfaces)
-      : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // no ray gets through between two triangles
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
+      : device_(embree_.newDevice(nullptr)), scene_(embree_.newScene(device_)) {
+    embree_.setSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // no ray gets through between two triangles
+    embree_.setSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
     std::vector<float> points;
     std::vector<unsigned> corners;
     for (const auto& surface : surfaces) append(*surface, points, corners);
     isEmpty_ = corners.empty();
     if (isEmpty_) return;
-    RTCGeometry triangles = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry triangles = embree_.newGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     copy(triangles, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, points);
     copy(triangles, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, corners);
-    rtcCommitGeometry(triangles);
-    rtcAttachGeometry(scene_, triangles);
-    rtcReleaseGeometry(triangles);
-    rtcCommitScene(scene_);
-    if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) {
+    embree_.commitGeometry(triangles);
+    embree_.attachGeometry(scene_, triangles);
+    embree_.releaseGeometry(triangles);
+    embree_.commitScene(scene_);
+    if (embree_.getDeviceError(device_) != RTC_ERROR_NONE) {
       release();
       throw Error("not enough memory for occlusion; draw without it");
     }
@@ -79,7 +130,7 @@ class FreeSky::Occluders {
     rtcInitIntersectContext(&context);
     RTCRay ray{origin.x(), origin.y(), origin.z(), 0.0F, direction.x(), direction.y(), direction.z(), 0.0F,
                reach,      ~0U,        0U,         0U};
-    rtcOccluded1(scene_, &context, &ray);
+    embree_.occluded1(scene_, &context, &ray);
     return ray.tfar < 0.0F;
   }
 
@@ -99,18 +150,19 @@ class FreeSky::Occluders {
   }
 
   template <class Number>
-  static void copy(RTCGeometry triangles, RTCBufferType type, RTCFormat format,
-                   const std::vector<Number>& numbers) {
+  void copy(RTCGeometry triangles, RTCBufferType type, RTCFormat format,
+            const std::vector<Number>& numbers) const {
     void* buffer =
-        rtcSetNewGeometryBuffer(triangles, type, 0, format, 3 * sizeof(Number), numbers.size() / 3);
+        embree_.setNewGeometryBuffer(triangles, type, 0, format, 3 * sizeof(Number), numbers.size() / 3);
     if (buffer != nullptr) std::copy(numbers.begin(), numbers.end(), static_cast<Number*>(buffer));
   }
 
   void release() {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
+    embree_.releaseScene(scene_);
+    embree_.releaseDevice(device_);
   }
 
+  const Embree& embree_ = Embree::loaded();
   RTCDevice device_;
   RTCScene scene_;
   bool isEmpty_ = true;

@@ -157,6 +157,7 @@ TEST_F(Print, ShowsWhatThePictureShows) {
   for (const bool inSpace : {false, true}) {
     const samples::Sample sample = inSpace ? samples::cube() : samples::slab();
     if (inSpace) options.field = "pressure";
+    options.occlusion = false;
     const Picture page = rasterised(sample), picture = drawn(sample, options);
     ASSERT_EQ(page.width, picture.width);
     ASSERT_EQ(page.height, picture.height);
