@@ -298,12 +298,24 @@ const clipping = `
 uniform vec4 cut;  // normal and offset
 void clip(vec3 x) { if (dot(cut.xyz, x) > cut.w) discard; }`;
 
-const surfaceFragment = (p, q) => header + evaluation(p, q) + clipping + `
+/** Lamps that go with the eye, as `burnish render` has them; nothing is darker or brighter than the limits. */
+const lighting = `
+uniform vec3 right, up, eye;
+float lightOn(vec3 normal, float least, float most) {
+  vec3 n = vec3(dot(normal, right), dot(normal, up), dot(normal, eye));
+  if (n.z < 0.0) n = -n;
+  float lamps = 0.9 * max(0.0, dot(n, vec3(0.1116, 0.7660, 0.6330))) +
+    0.3 * max(0.0, dot(n, vec3(0.0, -0.9659, 0.2588))) + 0.3 * n.z +
+    0.26 * (max(0.0, dot(n, vec3(0.9397, 0.0, -0.3420))) + max(0.0, dot(n, vec3(-0.9397, 0.0, -0.3420))));
+  return clamp((0.45 + 0.6 * lamps) / 1.018, least, most);
+}`;
+
+const surfaceFragment = (p, q) => header + evaluation(p, q) + clipping + lighting + `
 uniform sampler2D values, colors;
 uniform vec2 range;
 uniform int count, components, light, plain;
 uniform float lines, isolines, nonNegative;
-uniform vec3 eye, knotColor, outlineColor, plainColor;
+uniform vec3 knotColor, outlineColor, plainColor;
 in vec2 UV;
 in vec3 X;
 in vec3 N;
@@ -329,7 +341,7 @@ void main() {
   }
   if (light == 1) {
     float facing = abs(dot(normalize(N), eye));
-    c *= 0.6 + 0.4 * facing;
+    c *= plain == 1 ? lightOn(normalize(N), 0.0, 1.15) : lightOn(normalize(N), 0.6, 1.0);
     c = mix(outlineColor, c, smoothstep(0.4 * lines, 1.4 * lines, facing / max(fwidth(facing), 1e-4)));
   }
   if (cut.xyz != vec3(0)) {
@@ -397,16 +409,15 @@ void main() {
   gl_Position.z += farther;
 }`;
 
-const plainFragment = header + clipping + `
+const plainFragment = header + clipping + lighting + `
 uniform vec4 paint;
-uniform vec3 eye;
 uniform int light;
 in vec3 X;
 in vec3 N;
 out vec4 color;
 void main() {
   clip(X);
-  float shade = light == 1 ? 0.6 + 0.4 * abs(dot(normalize(N), eye)) : 1.0;
+  float shade = light == 1 ? lightOn(normalize(N), 0.0, 1.15) : 1.0;
   color = vec4(paint.rgb * shade, paint.a);
 }`;
 
@@ -722,7 +733,7 @@ function draw() {
   };
   const spans = loaded.body.spans.filter(visible), cells = cellsOf(spans);
   const plane = cutPlane(), lines = ratio * 1.25;
-  const common = {view, lines, pixels: [width, height], eye: towards, nearer: solid ? 3 / scale / depth : 0,
+  const common = {view, lines, pixels: [width, height], right: state.right, up: state.up, eye: towards, nearer: solid ? 3 / scale / depth : 0,
     farther: solid ? 0.003 * boxSize / depth : 0,
     cut: plane ? [...plane.normal, plane.offset] : [0, 0, 0, 1]};
   const outline = [...rgb(theme().outline), 1];
