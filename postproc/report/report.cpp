@@ -12,11 +12,19 @@
 
 namespace burnish {
 
+std::filesystem::path viewBeside(const std::filesystem::path& html) {
+  return std::filesystem::path(html).replace_extension(".view.html");
+}
+
 void writeReport(const std::filesystem::path& directory, const ReportOptions& options,
                  const std::filesystem::path& html) {
   HtmlPage page;
   if (std::filesystem::exists(modelFile(directory)))
-    page = runPage(directory, options);
+    page = runPage(directory, options, html);
+  else if (options.turn)
+    throw Error(
+        fmt::format("--turn: {} is not the directory of a run, of which alone there is a page to turn",
+                    directory.string()));
   else if (std::filesystem::is_directory(directory / "runs"))
     page = studyPage(directory, options);
   else

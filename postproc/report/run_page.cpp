@@ -21,6 +21,7 @@
 #include "postproc/scene/scene_document.h"
 #include "postproc/text/account_text.h"
 #include "postproc/text/markdown.h"
+#include "postproc/view/view.h"
 
 namespace burnish {
 namespace {
@@ -95,6 +96,24 @@ std::string probes(const RunRecord& run, const std::vector<SceneProbe>& specs) {
   return htmlCharts(charts) + html;
 }
 
+/// Writes the page to turn, of the same frames and the same field, and returns a link to it.
+std::string linkedView(const RunRecord& run, const ReportOptions& report, const std::filesystem::path& html) {
+  const int count = run.result.numFrames();
+  if (!report.turn || count == 0) return "";
+  const std::vector<int> frames = evenlyChosen(count, report.frames);
+  ViewOptions options;
+  static_cast<PictureOptions&>(options) = report.picture;
+  options.cut.reset();  // the person at the page cuts
+  options.slice.reset();
+  options.arrows = ArrowField::None;
+  options.controlNet = false;
+  const std::string field = contourOptions(report.picture, run.result, run.result.frame(frames.back())).field;
+  const std::filesystem::path view = viewBeside(html);
+  writeView(run.result, frames, {field}, options, view);
+  const std::string name = escaped(view.filename().string());
+  return fmt::format("<p><a href=\"{0}\">{0}</a> shows the body to be turned, zoomed and cut.</p>\n", name);
+}
+
 /// Seconds by part of the program, with a bar for the share.
 std::string timings(const RunRecord& run) {
   const double total = run.account ? run.account->timings.total : 0.0;
@@ -114,7 +133,8 @@ std::string timings(const RunRecord& run) {
 
 }  // namespace
 
-HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& options) {
+HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& options,
+                 const std::filesystem::path& html) {
   const RunRecord run = readRun(directory);
   const ModelRecord& model = run.result.model();
   const std::vector<std::string> warnings = runWarnings(run);
@@ -131,7 +151,7 @@ HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& op
   body += "</header>\n<main>\n";
   body += htmlCard("warnings", "Warnings", htmlWarnings(warnings), warnings.empty() ? "good" : "bad");
   body += htmlCard("summary", "Summary", htmlFacts(runFacts(run)));
-  body += htmlCard("pictures", "Pictures", pictures(run, options));
+  body += htmlCard("pictures", "Pictures", pictures(run, options) + linkedView(run, options, html));
   if (!specs.empty()) body += htmlCard("probes", "Probes", probes(run, specs));
   body += htmlCard("charts", "Charts", htmlCharts(stateCharts(run)));
   body += htmlCard("convergence", "Convergence", htmlCharts(convergenceCharts(run)));

@@ -54,6 +54,15 @@ TEST_F(ReportCommand, WritesAPageThatNeedsNothingElse) {
   EXPECT_EQ(readText(dir / "again.html"), page) << "equal results give equal pages";
 }
 
+TEST_F(ReportCommand, LinksToAPageToTurn) {
+  ASSERT_EQ(report("out --turn").code, 0);
+  EXPECT_THAT(readText(dir / "out/report.html"), HasSubstr("<a href=\"report.view.html\">"));
+  EXPECT_THAT(readText(dir / "out/report.view.html"), HasSubstr("\"name\":\"von_mises\""));
+  ASSERT_EQ(report("out -o plain.html").code, 0);
+  EXPECT_FALSE(fs::exists(dir / "plain.view.html"));
+  EXPECT_THAT(readText(dir / "plain.html"), Not(HasSubstr("view.html")));
+}
+
 TEST_F(ReportCommand, RefusesWhatIsNoRunAndNoStudy) {
   const auto expectRefused = [&](const std::string& arguments, const std::string& part) {
     const Outcome outcome = report(arguments);
