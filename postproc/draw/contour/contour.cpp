@@ -137,10 +137,10 @@ class ContourPicture {
     light(plan);
     const PixelRect area = shadow_ && !cutsBody_ ? wholePicture(view, size_).area : view.area;
     const std::array<int, 2> pixels = pixelsFor(area);
-    const double scale = pixels[0] / area.width;
+    const double scale = pixels[0] / area.width, scaleUp = pixels[1] / area.height;
     View printed = view;
-    printed.area = {scale * (view.area.x - area.x), scale * (view.area.y - area.y), scale * view.area.width,
-                    scale * view.area.height};
+    printed.area = {scale * (view.area.x - area.x), scaleUp * (view.area.y - area.y), scale * view.area.width,
+                    scaleUp * view.area.height};
     printed.pixelsPerLength *= scale;
     if (subject_.refine) subject_.refine(parts_, printed, plan.scale.range());
 

@@ -162,7 +162,7 @@ TEST_F(Print, ShowsWhatThePictureShows) {
     ASSERT_EQ(page.width, picture.width);
     ASSERT_EQ(page.height, picture.height);
     EXPECT_LE(meanDifference(page, picture, 1), 4.0);
-    EXPECT_LE(meanDifference(page, picture, 4), 1.5);
+    EXPECT_LE(meanDifference(page, picture, 4), 1.5) << inSpace;
   }
 }
 
