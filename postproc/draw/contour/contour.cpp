@@ -487,8 +487,9 @@ class ContourPicture {
     constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.004;
     const auto order = static_cast<double>(layer);
     if (isFlat()) return order * lengthOf(parts_) / 100.0;
-    if (layer == kToolFill) return kLiftOfTool * lengthOf(parts_);
-    return kPixelsPerLayer * std::max(0.0, order - static_cast<double>(kBody)) / view.pixelsPerLength;
+    const double ofTool = layer == kToolFill || layer == kToolLines ? kLiftOfTool * lengthOf(parts_) : 0.0;
+    return ofTool +
+           kPixelsPerLayer * std::max(0.0, order - static_cast<double>(kBody)) / view.pixelsPerLength;
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
