@@ -222,7 +222,8 @@ ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
   fs::path page;
   if (!arguments.report.empty())
     page = writeDataReport(comparisons, dataReportNote(arguments), arguments.report);
-  const int updated = arguments.update ? makeBaseline(comparisons, rule) : 0;
+  const std::vector<std::string> updated =
+      arguments.update ? makeBaseline(comparisons, rule) : std::vector<std::string>();
   std::vector<ComparedCase> cases;
   for (const auto& [pair, fields] : comparisons)
     for (const FieldComparison& field : fields) cases.push_back(caseOf(fullName(pair, field), field));
@@ -237,7 +238,7 @@ ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
     if (each.outcome == CaseOutcome::Error) printError("burnish: {}: {}\n", each.name, each.message);
   }
   const auto equal = std::ranges::count(cases, CaseOutcome::Passed, &ComparedCase::outcome);
-  if (arguments.update) printOut("new baselines: {}\n", updated);
+  for (const std::string& line : updated) printOut("{}\n", line);
   printOut("{} of {} fields{} are equal to the baseline\n", equal, cases.size(),
            kind == ComparedKind::Directory ? fmt::format(" of {} results", comparisons.size()) : "");
   if (!page.empty()) printOut("report: {}\n", page.string());

@@ -73,8 +73,9 @@ std::vector<Comparison> compareDirectories(const fs::path& actual, const fs::pat
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   if (names.empty())
-    throw Error(fmt::format("{}, {}: found no pictures; expected PNG files in at least one of them",
-                            actual.string(), baseline.string()));
+    throw Error(
+        fmt::format("{}, {}: found nothing to compare; expected results or PNG files in at least one of them",
+                    actual.string(), baseline.string()));
   std::vector<Comparison> comparisons;
   for (const std::string& name : names)
     comparisons.push_back(compareFiles(name, actual / name, baseline / name, rule));

@@ -141,7 +141,11 @@ void requirePlace(const ModelRecord& model, const FrameRecord& frame, const Prob
     }
     const ProbePath path = pathOf(spec, chosen.dim);
     if (const auto* face = std::get_if<FacePath>(&path)) facePlace(chosen, shown, face->address);
-    if (const auto* depth = std::get_if<DepthPath>(&path)) facePlace(chosen, shown, depth->address);
+    if (std::holds_alternative<DepthPath>(path))
+      probedPath(chosen, shown, {chosen, shown, {"displacement"}}, path, {ProbedBody::Undeformed, 2, 0.0});
+    const auto* line = std::get_if<LinePath>(&path);  // the body may move to where it lies
+    if (line != nullptr && line->begin == line->end)
+      throw Error(fmt::format("line: found {}, a point twice; expected two points", spec.line));
   });
 }
 

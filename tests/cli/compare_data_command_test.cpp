@@ -127,7 +127,8 @@ TEST_F(CompareDataCommand, DirectoriesOfResultsAreComparedAtOnce) {
 
   outcome = compare("new old --update --report page");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, testing::StartsWith("new baselines: 1\n"));
+  EXPECT_THAT(outcome.out,
+              testing::StartsWith("one: the new baseline; of the former one are left: frames.pvd, frames\n"));
   EXPECT_THAT(readText(dir / "page/index.html"), HasSubstr("\"verdict\":\"different\""));
   EXPECT_EQ(compare("new old").code, 0);
   EXPECT_EQ(compare("new/one old/one --relative 0").code, 0);
@@ -163,7 +164,8 @@ TEST_F(CompareDataCommand, UnusableInputIsRefused) {
   expectRefused("a b --annotations github --json", "--annotations: found beside --json");
   expectRefused("a b --code-quality q.xml", "expected the name of a file that ends in .json");
   expectRefused("a b --diff worst.jpg", "expected the name of a picture that ends in .png");
-  expectRefused("b/frames.pvd a/frames.pvd --update", "--update: b/frames.pvd names other files");
+  expectRefused("b/frames.pvd a/frames.pvd --update",
+                "--update: b/frames.pvd: it names other files; copy it together with them");
   expectRefused("a b --update --accept '*'", "--update: found beside --accept");
   expectRefused("a b --skip '*'", "--only, --skip: they leave no field to compare");
   writeText("no data", dir / "c.vtu");

@@ -186,6 +186,9 @@ TEST_F(ProbeCommand, ScenesAreToldOfProbesThatCannotBe) {
               HasSubstr("probes[0].line: found line and depth; expected one of"));
   EXPECT_THAT(refusal("line: \"1,0:2,0\"", "depth: inside@0"),
               HasSubstr("probes[0].depth: 'inside' is not a face"));
+  EXPECT_THAT(refusal("line: \"1,0:2,0\"", "depth: left@9"),
+              HasSubstr("probes[0].depth: found the place 9; expected a length along the face"));
+  EXPECT_THAT(refusal("1,0:2,0", "1,0:1,0"), HasSubstr("probes[0].line: found 1,0:1,0, a point twice"));
   EXPECT_THAT(refusal("0.9,1.2", "0.1,0.1"), HasSubstr("probes[1].point: (0.1, 0.1) is "));
   EXPECT_THAT(refusal("[0.5, 1]", "[0.5, 2]"),
               HasSubstr("probes[0].times[1]: found 2; allowed: a time up to"));

@@ -1,6 +1,7 @@
 #include "postproc/compare/data/compare_data.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -96,11 +97,20 @@ void copyResult(const fs::path& from, const fs::path& to) {
   writeText(readText(source), target);
 }
 
-/// Throws `Error` for a file that names others, which a copy of it would not have.
-void requireWhole(const fs::path& file) {
-  constexpr std::array kNamesOthers{".pvd", ".pvtu", ".vtm", ".case"};
-  if (std::ranges::count(kNamesOthers, file.extension()) > 0)
-    throw Error(fmt::format("--update: {} names other files; copy it together with them", file.string()));
+/// Whether a file names others, which a copy of it would not have.
+bool namesOthers(const DataPair& pair) {
+  constexpr std::array kEndings{".pvd", ".pvtu", ".pvtp", ".vtm", ".case"};
+  return pair.kind != ComparedKind::Result && std::ranges::count(kEndings, pair.actual.extension()) > 0;
+}
+
+/// What stands beside a result that was drawn of a former one.
+std::string leftOver(const DataPair& pair) {
+  std::vector<std::string> names;
+  std::error_code status;
+  if (pair.kind == ComparedKind::Result)
+    for (const char* name : {"frames.pvd", "frames", "pictures", "probes", "report.html"})
+      if (fs::exists(modelFileOf(pair.baseline).parent_path() / name, status)) names.emplace_back(name);
+  return names.empty() ? "" : fmt::format("; of the former one are left: {}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -124,22 +134,28 @@ std::vector<ResultComparison> compareData(ComparedKind kind, const fs::path& act
   return all;
 }
 
-int makeBaseline(std::vector<ResultComparison>& comparisons, const DataRule& rule) {
-  std::vector<ResultComparison*> changed;
-  for (ResultComparison& comparison : comparisons)
-    if (isToBeUpdated(comparison)) changed.push_back(&comparison);
-  for (const ResultComparison* comparison : changed)
-    if (comparison->pair.kind != ComparedKind::Result) requireWhole(comparison->pair.actual);
-  for (ResultComparison* comparison : changed) {
-    const auto& [name, kind, actual, baseline] = comparison->pair;
-    if (kind == ComparedKind::Result)
-      copyResult(actual, baseline);
+std::vector<std::string> makeBaseline(std::vector<ResultComparison>& comparisons, const DataRule& rule) {
+  std::vector<std::string> lines;
+  for (ResultComparison& comparison : comparisons) {
+    if (!isToBeUpdated(comparison)) continue;
+    const DataPair& pair = comparison.pair;
+    const std::string name = pair.name.empty() ? pair.baseline.string() : pair.name;
+    if (namesOthers(pair)) {
+      const std::string text =
+          fmt::format("{}: it names other files; copy it together with them", pair.actual.string());
+      if (comparisons.size() == 1) throw Error("--update: " + text);
+      lines.push_back(text);
+      continue;
+    }
+    if (pair.kind == ComparedKind::Result)
+      copyResult(pair.actual, pair.baseline);
     else
-      writeText(readText(actual), baseline);
+      writeText(readText(pair.actual), pair.baseline);
     std::vector<std::string> names;
-    comparison->fields = comparePair(comparison->pair, rule, names);
+    comparison.fields = comparePair(pair, rule, names);
+    lines.push_back(fmt::format("{}: the new baseline{}", name, leftOver(pair)));
   }
-  return static_cast<int>(changed.size());
+  return lines;
 }
 
 }  // namespace burnish

@@ -24,9 +24,10 @@ std::vector<ResultComparison> compareData(ComparedKind kind, const std::filesyst
                                           const std::filesystem::path& baseline, const DataRule& rule,
                                           bool mayLackBaseline = false);
 
-/// Makes the actual data of the pairs that differ the baseline, and compares these again. Returns how many there
-/// were. Pairs of which one is missing at `actual` or cannot be read stay as they are. Throws `Error` for
-/// files that name others, with nothing written, and for files that cannot be written.
-int makeBaseline(std::vector<ResultComparison>& comparisons, const DataRule& rule);
+/// Makes the actual data of the pairs that differ the baseline, and compares these again. Returns a line for each: its
+/// name, and what is left of the former baseline beside it. Pairs of which one is missing at `actual` or cannot
+/// be read stay as they are, and of several those that name other files, with a line that says so. Throws
+/// `Error` for a single file that names others, and for files that cannot be written.
+std::vector<std::string> makeBaseline(std::vector<ResultComparison>& comparisons, const DataRule& rule);
 
 }  // namespace burnish

@@ -167,8 +167,8 @@ class ContourPicture {
     const auto& [whole, unclipped] = subject_.ranges;
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
-    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales,
-                                      parts_.extremes.has_value());
+    const ScalarBar bar =
+        scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales, marksExtremes());
     Plan plan{
         scale, bar,
         layOutContour(size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim),
@@ -215,8 +215,13 @@ class ContourPicture {
             options_.doubt, subject_.dim == 3};
   }
 
+  /// Whether the values at the ends of the scale have signs. What is the same everywhere has a note instead of places,
+  /// so that a picture of it is laid out as others of its series.
+  bool marksExtremes() const { return options_.markExtremes && field_.states.empty(); }
+
   std::string extremesNote() const {
-    if (!parts_.extremes) return "";
+    if (!marksExtremes()) return "";
+    if (!parts_.extremes) return "the same value everywhere";
     return extremeNote(
         *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, subject_.dim,
         lengthOf(parts_));
@@ -406,7 +411,7 @@ class ContourPicture {
       const auto colored = contourActor(*parts_.body, plan.scale, !isFlat());
       if (isOfContact())
         colored->GetProperty()->SetLineWidth(static_cast<float>(kFaceWidth * scale * lineWidth()));
-      add(colored, !isOfContact() ? kBody : isFlat() ? kContactFaces : kIsolines);
+      add(colored, isOfContact() ? kContactFaces : kBody);
     }
     if (parts_.section) add(contourActor(*parts_.section, plan.scale, false), kBody);
     if (parts_.plain) add(plainActor(*parts_.plain, plainColor(), !isFlat(), 1.0), kBody);
@@ -482,13 +487,16 @@ class ContourPicture {
   }
 
   /// How far towards the eye a layer is moved. In space lines come out of the facets on which they lie, but not
-  /// through what is before them, and a tool lies over the facets of what it touches.
+  /// through what is before them, and tools and faces in contact lie over the facets of
+  /// the bodies.
   double liftOf(Layer layer, const View& view) const {
-    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.004;
+    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.006, kLiftOfFaces = 0.002;
     const auto order = static_cast<double>(layer);
     if (isFlat()) return order * lengthOf(parts_) / 100.0;
-    const double ofTool = layer == kToolFill || layer == kToolLines ? kLiftOfTool * lengthOf(parts_) : 0.0;
-    return ofTool +
+    double part = 0.0;
+    if (layer == kToolFill || layer == kToolLines) part = kLiftOfTool;
+    if (layer == kContactFaces) part = kLiftOfFaces;
+    return part * lengthOf(parts_) +
            kPixelsPerLayer * std::max(0.0, order - static_cast<double>(kBody)) / view.pixelsPerLength;
   }
 

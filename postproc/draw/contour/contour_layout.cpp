@@ -109,13 +109,13 @@ void arrangeWithBar(ContourLayout& layout, const PixelRect& room, const Eigen::V
 }
 
 /// Below content and bar: under the right end of an upright bar, under the middle of one across.
-void placeNote(ContourLayout& layout, double size, double margin) {
+void placeNote(ContourLayout& layout, double size, double left) {
   if (layout.note.text.empty()) return;
   const double baseline =
       std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.style);
   const double length = textWidth(layout.note.text, layout.note.style);
   layout.noteAt = layout.barDirection == Overlay::Direction::Up
-                      ? Eigen::Vector2d(std::max(layout.bar.right(), margin + length), baseline)
+                      ? Eigen::Vector2d(std::max(layout.bar.right(), left + length), baseline)
                       : Eigen::Vector2d(layout.bar.center().x(), baseline);
 }
 
@@ -158,7 +158,7 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   };
   layout.doubtAt = {left, margin};
   if (!caption.doubt.empty()) layout.doubt = addSmallLine(caption.doubt, left);
-  if (!caption.note.empty()) layout.note = addSmallLine(caption.note, margin);
+  if (!caption.note.empty()) layout.note = addSmallLine(caption.note, left);
 
   layout.triadAt = {margin, margin};
   const PixelRect room{left, bottom, width - margin - left, top - bottom};
@@ -169,7 +169,7 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
     arrangeWithBar(layout, room, extent, *bar, size);
   else
     arrangeAlone(layout, room, extent, size);
-  placeNote(layout, size, margin);
+  placeNote(layout, size, left);
   return layout;
 }
 
