@@ -490,7 +490,7 @@ class ContourPicture {
   /// through what is before them, and tools and faces in contact lie over the facets of
   /// the bodies.
   double liftOf(Layer layer, const View& view) const {
-    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.006, kLiftOfFaces = 0.002;
+    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.004, kLiftOfFaces = 0.008;
     const auto order = static_cast<double>(layer);
     if (isFlat()) return order * lengthOf(parts_) / 100.0;
     double part = 0.0;
