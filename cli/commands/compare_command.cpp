@@ -97,15 +97,6 @@ void print(const std::vector<Comparison>& comparisons) {
   printOut("{} of {} pictures are equal to their baselines\n", equal, comparisons.size());
 }
 
-ExitCode exitCodeOf(const std::vector<Comparison>& comparisons) {
-  ExitCode code = ExitCode::Fine;
-  for (const Comparison& comparison : comparisons) {
-    if (comparison.verdict == PictureVerdict::Unusable) return ExitCode::BadInput;
-    if (comparison.verdict != PictureVerdict::Equal) code = ExitCode::Different;
-  }
-  return code;
-}
-
 CaseOutcome caseOutcome(PictureVerdict verdict) {
   if (verdict == PictureVerdict::Unusable) return CaseOutcome::Error;
   return verdict == PictureVerdict::Equal ? CaseOutcome::Passed : CaseOutcome::Failed;
@@ -119,6 +110,14 @@ CaseOutcome caseOutcome(FieldVerdict verdict) {
 template <class Compared>
 ComparedCase caseOf(const std::string& name, const Compared& each) {
   return {name, caseOutcome(each.verdict), verdictName(each.verdict), each.message};
+}
+
+ExitCode exitCodeOf(const std::vector<ComparedCase>& cases) {
+  const auto has = [&](CaseOutcome outcome) {
+    return std::ranges::count(cases, outcome, &ComparedCase::outcome) > 0;
+  };
+  if (has(CaseOutcome::Error)) return ExitCode::BadInput;
+  return has(CaseOutcome::Failed) ? ExitCode::Different : ExitCode::Fine;
 }
 
 /// Files for CI services, with a test or an issue for each picture or field.
@@ -177,12 +176,12 @@ ExitCode comparePicturesOf(const CompareArguments& arguments) {
     if (comparison.verdict == PictureVerdict::Unusable) printError("burnish: {}\n", comparison.message);
   if (arguments.json) {
     printText(comparisonsText(comparisons, rule));
-    return exitCodeOf(comparisons);
+    return exitCodeOf(cases);
   }
   for (const std::string& name : accepted) printOut("{}: accepted as the new baseline\n", name);
   print(comparisons);
   if (!page.empty()) printOut("report: {}\n", page.string());
-  return exitCodeOf(comparisons);
+  return exitCodeOf(cases);
 }
 
 /// By what was compared, for the head of the page.
@@ -204,14 +203,6 @@ DataRule dataRuleOf(const CompareArguments& arguments) {
   for (const std::string& text : arguments.tolerances)
     rule.fields.push_back(fieldToleranceFromText("--tolerance", text));
   return rule;
-}
-
-ExitCode exitCodeOf(const std::vector<ComparedCase>& cases) {
-  const auto has = [&](CaseOutcome outcome) {
-    return std::ranges::count(cases, outcome, &ComparedCase::outcome) > 0;
-  };
-  if (has(CaseOutcome::Error)) return ExitCode::BadInput;
-  return has(CaseOutcome::Failed) ? ExitCode::Different : ExitCode::Fine;
 }
 
 ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {

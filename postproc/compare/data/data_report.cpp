@@ -38,14 +38,14 @@ Json::Value pairJson(const DataPair& pair, const FieldComparison& field, const F
 std::filesystem::path writeDataReport(const std::vector<ResultComparison>& comparisons,
                                       const std::string& note, const std::filesystem::path& directory) {
   const std::vector<WorstField> worst = worstFields(comparisons, kMostDrawn);
-  const std::vector<FieldPictures> pictures = worstPictures(worst);
-  std::map<const FieldComparison*, const FieldPictures*> drawn;
-  for (std::size_t k = 0; k < worst.size(); ++k) drawn[worst[k].field] = &pictures[k];
+  const WorstPictures pictures(worst);
+  std::map<const FieldComparison*, FieldPictures> drawn;
+  for (const WorstField& each : worst) drawn[each.field] = pictures.draw(each);
   ReportPage page{"Data regression", "fields", note, "", {}};
   for (const auto& [pair, fields] : comparisons)
     for (const FieldComparison& field : fields) {
       const auto own = drawn.find(&field);
-      page.pairs.push_back(pairJson(pair, field, own == drawn.end() ? FieldPictures{} : *own->second));
+      page.pairs.push_back(pairJson(pair, field, own == drawn.end() ? FieldPictures{} : own->second));
     }
   if (worstFields(comparisons, kMostDrawn + 1).size() > kMostDrawn)
     page.rule +=
@@ -54,12 +54,15 @@ std::filesystem::path writeDataReport(const std::vector<ResultComparison>& compa
 }
 
 void drawWorst(const std::vector<ResultComparison>& comparisons, const std::filesystem::path& png) {
-  const std::vector<FieldPictures> pictures = worstPictures(worstFields(comparisons, kMostDrawn));
-  for (const auto picture : {&FieldPictures::difference, &FieldPictures::actual}) {
-    const auto first = std::ranges::find_if(
-        pictures, [](const std::string& bytes) { return !bytes.empty(); }, picture);
-    if (first != pictures.end()) return writeText((*first).*picture, png);
+  const std::vector<WorstField> worst = worstFields(comparisons, kMostDrawn);
+  const WorstPictures pictures(worst);
+  std::string first;  // for want of a difference
+  for (const WorstField& each : worst) {
+    const FieldPictures drawn = pictures.draw(each);
+    if (!drawn.difference.empty()) return writeText(drawn.difference, png);
+    if (first.empty()) first = drawn.actual;
   }
+  if (!first.empty()) writeText(first, png);
 }
 
 }  // namespace burnish

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -72,14 +70,33 @@ Options optionsAt(const std::string& field, const WorstPlace& worst) {
   return options;
 }
 
+/// Fields of places come before columns of histories, which may be all noise about zero.
+std::pair<bool, double> urgency(const FieldComparison& field) {
+  return {field.worst->position.size() > 0, field.allowed > 0.0 ? field.worst->difference / field.allowed
+                                                                : std::numeric_limits<double>::infinity()};
+}
+
+}  // namespace
+
+std::vector<WorstField> worstFields(const std::vector<ResultComparison>& comparisons, std::size_t most) {
+  std::vector<WorstField> fields;
+  for (const auto& [pair, own] : comparisons)
+    for (const FieldComparison& field : own)
+      if (field.worst && field.verdict != FieldVerdict::Equal) fields.push_back({&pair, &field});
+  std::ranges::stable_sort(fields, std::greater{},
+                           [](const WorstField& each) { return urgency(*each.field); });
+  fields.resize(std::min(fields.size(), most));
+  return fields;
+}
+
 /// Draws the fields of a pair.
-class PairDrawing {
+class WorstPictures::PairDrawing {
  public:
   virtual ~PairDrawing() = default;
   virtual FieldPictures draw(const FieldComparison& field) const = 0;
 };
 
-class RunDrawing : public PairDrawing {
+class WorstPictures::RunDrawing : public PairDrawing {
  public:
   explicit RunDrawing(const DataPair& pair) : actual_(pair.actual), baseline_(pair.baseline) {}
 
@@ -197,7 +214,7 @@ class RunDrawing : public PairDrawing {
   ResultReader actual_, baseline_;
 };
 
-class FileDrawing : public PairDrawing {
+class WorstPictures::FileDrawing : public PairDrawing {
  public:
   explicit FileDrawing(const DataPair& pair) : actual_(pair.actual), baseline_(pair.baseline) {}
 
@@ -234,39 +251,21 @@ class FileDrawing : public PairDrawing {
   ForeignFile actual_, baseline_;
 };
 
-/// Fields of places come before columns of histories, which may be all noise about zero.
-std::pair<bool, double> urgency(const FieldComparison& field) {
-  return {field.worst->position.size() > 0, field.allowed > 0.0 ? field.worst->difference / field.allowed
-                                                                : std::numeric_limits<double>::infinity()};
-}
-
-}  // namespace
-
-std::vector<WorstField> worstFields(const std::vector<ResultComparison>& comparisons, std::size_t most) {
-  std::vector<WorstField> fields;
-  for (const auto& [pair, own] : comparisons)
-    for (const FieldComparison& field : own)
-      if (field.worst && field.verdict != FieldVerdict::Equal) fields.push_back({&pair, &field});
-  std::ranges::stable_sort(fields, std::greater{},
-                           [](const WorstField& each) { return urgency(*each.field); });
-  fields.resize(std::min(fields.size(), most));
-  return fields;
-}
-
-std::vector<FieldPictures> worstPictures(const std::vector<WorstField>& fields) {
-  // All files are opened before the first picture: see `ForeignFile`.
-  std::map<const DataPair*, std::unique_ptr<PairDrawing>> drawings;
+WorstPictures::WorstPictures(const std::vector<WorstField>& fields) {
   for (const WorstField& each : fields) {
-    std::unique_ptr<PairDrawing>& drawing = drawings[each.pair];
+    std::unique_ptr<PairDrawing>& drawing = drawings_[each.pair];
     if (drawing) continue;
     if (each.pair->kind == ComparedKind::Result)
       drawing = std::make_unique<RunDrawing>(*each.pair);
     else
       drawing = std::make_unique<FileDrawing>(*each.pair);
   }
-  std::vector<FieldPictures> pictures;
-  for (const WorstField& each : fields) pictures.push_back(drawings.at(each.pair)->draw(*each.field));
-  return pictures;
+}
+
+WorstPictures::~WorstPictures() = default;
+
+FieldPictures WorstPictures::draw(const WorstField& field) const {
+  return drawings_.at(field.pair)->draw(*field.field);
 }
 
 }  // namespace burnish

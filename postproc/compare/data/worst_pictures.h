@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,23 @@ std::vector<WorstField> worstFields(const std::vector<ResultComparison>& compari
 /// Draws fields at the times at which they differ most, with a ring round the place: baseline and actual data
 /// with the same colours and the same window; of the coefficients of a run also their difference, on the
 /// deformed baseline, and of a column of a history charts.
-std::vector<FieldPictures> worstPictures(const std::vector<WorstField>& fields);
+class WorstPictures {
+ public:
+  /// Opens all files of the fields, whose pairs must outlive the object: before the first picture, see `ForeignFile`.
+  explicit WorstPictures(const std::vector<WorstField>& fields);
+  ~WorstPictures();
+  WorstPictures(const WorstPictures&) = delete;
+  WorstPictures& operator=(const WorstPictures&) = delete;
+
+  /// field: one of these.
+  FieldPictures draw(const WorstField& field) const;
+
+ private:
+  class PairDrawing;
+  class RunDrawing;
+  class FileDrawing;
+
+  std::map<const DataPair*, std::unique_ptr<PairDrawing>> drawings_;
+};
 
 }  // namespace burnish

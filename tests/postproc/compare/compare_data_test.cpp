@@ -193,7 +193,9 @@ TEST_F(CompareResults, WorstPlaceIsDrawnOnBothSidesAndAsADifference) {
   EXPECT_EQ(worst.front().field->name, "plastic_strain");
   EXPECT_TRUE(worst.back().field->name.starts_with("history."));
   EXPECT_EQ(worstFields(comparisons, 1).size(), 1U);
-  const std::vector<FieldPictures> pictures = worstPictures(worst);
+  const WorstPictures drawing(worst);
+  std::vector<FieldPictures> pictures;
+  for (const WorstField& each : worst) pictures.push_back(drawing.draw(each));
   for (const auto* one : {&pictures.front(), &pictures.back()})
     for (const auto picture : {&FieldPictures::baseline, &FieldPictures::actual, &FieldPictures::difference})
       EXPECT_TRUE(((*one).*picture).starts_with("\x89PNG"));
