@@ -92,13 +92,12 @@ std::vector<int> nodesOn(const MeshRecord& mesh, const PatchSide& side) {
 
 PatchBorders::PatchBorders(const MeshRecord& mesh) {
   const SidesByNodes faces = groupedSides(mesh, 1);
-  for (const auto& [nodes, sides] : faces)
-    if (sides.size() > 1) joints_.push_back(sides);
   const auto isFree = [&](const PatchSide& face) {
     const auto group = faces.find(sortedNodesOn(mesh, face));
     return group != faces.end() && group->second.size() == 1;
   };
   for (const auto& [nodes, edges] : groupedSides(mesh, mesh.dim() - 1)) {
+    if (edges.size() > 1) sharedEdges_.push_back(edges);
     std::ptrdiff_t most = 0, all = 0;  // free faces: of one of the patches, of all of them
     for (const PatchSide& edge : edges) {
       const std::vector<PatchSide> around = facesAt(edge);

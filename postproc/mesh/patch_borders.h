@@ -33,15 +33,15 @@ class PatchBorders {
   /// The edges, each once, at which patches go over into each other; in 3D those on the surface.
   const std::vector<PatchSide>& seams() const { return seams_; }
 
-  /// The faces (in 2D the edges) at which patches, or the two ends of a ring, are joined: those in one place.
-  const std::vector<std::vector<PatchSide>>& joints() const { return joints_; }
+  /// The edges that several patches have, or one patch several times: those in one place.
+  const std::vector<std::vector<PatchSide>>& sharedEdges() const { return sharedEdges_; }
 
   /// What can be seen of the body: in 2D the patches, in 3D the free faces.
   const std::vector<PatchSide>& surface() const { return surface_; }
 
  private:
   std::vector<PatchSide> outline_, seams_, surface_;
-  std::vector<std::vector<PatchSide>> joints_;
+  std::vector<std::vector<PatchSide>> sharedEdges_;
 };
 
 }  // namespace burnish

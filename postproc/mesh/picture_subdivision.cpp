@@ -87,82 +87,99 @@ std::array<int, 2> cellsFor(const Curvature& m, double tolerance) {
   return {count(m.uu + m.uv), count(m.vv + m.uv)};
 }
 
-/// The counts of a patch, span by span.
-class PatchCells {
+/// The counts of a patch that a side of it needs, which has two directions: a face, or all of a plane patch.
+class SideCells {
  public:
-  PatchCells(const PatchRecord& patch, const Eigen::MatrixXd& displacement,
-             const PositionTolerance& positions, const ValueTolerance* values)
-      : patch_(patch), positions_(positions), values_(values) {
-    std::vector<PointRow> bernstein;
-    for (const DirectionRecord& direction : patch.directions) {
-      bases_.push_back(basisOf(direction));
-      bernstein.push_back(bernsteinPoints(bases_.back()));
-      counts.emplace_back(static_cast<std::size_t>(bases_.back().numSpans()), 1);
+  SideCells(const PatchRecord& patch, const PatchSide& side, const Eigen::MatrixXd& displacement,
+            const PositionTolerance& positions, const ValueTolerance* values)
+      : patch_(patch), side_(side), positions_(positions), values_(values) {
+    for (std::size_t d = 0; d < side.ends.size(); ++d) {
+      bases_.push_back(basisOf(patch.directions[d]));
+      if (side.ends[d] == PatchSide::End::None) along_.push_back(d);
     }
-    const TensorPoints points(patch, std::move(bernstein));
-    row_ = points.box().extent[0];
-    weights_ = {points.weights().transpose(), row_};
-    x_ = {points.referencePoints(), row_};
+    const TensorPoints points(patch, rows([](const UnivariateBasis& basis) { return bernsteinPoints(basis); }));
+    weights_ = {points.weights().transpose(), extentAlong(points)};
+    x_ = {points.referencePoints(), weights_.row};
     if (displacement.size() > 0) x_.values += points.evaluate(displacement);
     if (values == nullptr) return;
     isMagnitude_ = values->coefficients.rows() > 1;
-    f_ = isMagnitude_ ? magnitudes() : Grid{points.evaluate(values->coefficients), row_};
+    f_ = isMagnitude_ ? magnitudes() : Grid{points.evaluate(values->coefficients), weights_.row};
   }
 
-  void count() {
-    for (int j = 0; j < bases_[1].numSpans(); ++j)
-      for (int i = 0; i < bases_[0].numSpans(); ++i) countSpan(i, j);
+  /// Raises the counts of the patch, by direction and span, to what the side needs.
+  void count(std::vector<std::vector<int>>& counts) const {
+    for (int j = 0; j < bases_[along_[1]].numSpans(); ++j)
+      for (int i = 0; i < bases_[along_[0]].numSpans(); ++i) {
+        const std::array<int, 2> cells = cellsOf(i, j);
+        int& ofU = counts[along_[0]][static_cast<std::size_t>(i)];
+        int& ofV = counts[along_[1]][static_cast<std::size_t>(j)];
+        ofU = std::max(ofU, cells[0]);
+        ofV = std::max(ofV, cells[1]);
+      }
   }
-
-  std::vector<std::vector<int>> counts;  ///< by direction and span
 
  private:
   static constexpr int kSamples = 8;  ///< cells per span and direction
 
-  Grid magnitudes() const {
+  /// The rows of the side; pointsOf: along a direction that is not at an end.
+  template <class PointsOf>
+  std::vector<PointRow> rows(const PointsOf& pointsOf) const {
     std::vector<PointRow> rows;
-    for (const UnivariateBasis& basis : bases_)
-      rows.push_back(valuesAt(basis, subdividedSpans(basis, kSamples)));
-    const TensorPoints points(patch_, std::move(rows));
-    return {points.evaluate(values_->coefficients).colwise().norm(), points.box().extent[0]};
+    for (std::size_t d = 0; d < bases_.size(); ++d) {
+      const std::vector<double>& breakpoints = bases_[d].breakpoints();
+      const PatchSide::End end = side_.ends[d];
+      rows.push_back(end == PatchSide::End::None
+                         ? pointsOf(bases_[d])
+                         : valuesAt(bases_[d], {end == PatchSide::End::Begin ? breakpoints.front()
+                                                                              : breakpoints.back()}));
+    }
+    return rows;
   }
 
-  void countSpan(int i, int j) {
-    const int p = bases_[0].degree(), q = bases_[1].degree();
+  Eigen::Index extentAlong(const TensorPoints& points) const { return points.box().extent[along_[0]]; }
+
+  Grid magnitudes() const {
+    const TensorPoints points(patch_, rows([](const UnivariateBasis& basis) {
+                                return valuesAt(basis, subdividedSpans(basis, kSamples));
+                              }));
+    return {points.evaluate(values_->coefficients).colwise().norm(), extentAlong(points)};
+  }
+
+  std::array<int, 2> cellsOf(int i, int j) const {
+    const int p = bases_[along_[0]].degree(), q = bases_[along_[1]].degree();
     const Grid w = weights_.part(p * i, q * j, p + 1, q + 1), x = x_.part(p * i, q * j, p + 1, q + 1);
-    const Eigen::AlignedBox2d around(Eigen::Vector2d(x.values.rowwise().minCoeff()),
-                                     Eigen::Vector2d(x.values.rowwise().maxCoeff()));
-    if (!around.intersects(positions_.window)) return;
-    add(i, j, cellsFor(curvatureOf(x, w), positions_.length));
-    if (values_ == nullptr) return;
+    const Eigen::Matrix2Xd seen = positions_.axes.leftCols(x.values.rows()) * x.values;
+    const Eigen::AlignedBox2d around(Eigen::Vector2d(seen.rowwise().minCoeff()),
+                                     Eigen::Vector2d(seen.rowwise().maxCoeff()));
+    if (!around.intersects(positions_.window)) return {1, 1};
+    const std::array<int, 2> ofPositions = cellsFor(curvatureOf(x, w), positions_.length);
+    if (values_ == nullptr) return ofPositions;
     const int n = isMagnitude_ ? kSamples : p, m = isMagnitude_ ? kSamples : q;
     const Grid f = f_.part(n * i, m * j, n + 1, m + 1);
-    if (f.values.minCoeff() >= values_->range[1] || f.values.maxCoeff() <= values_->range[0]) return;
-    add(i, j, cellsFor(isMagnitude_ ? sampledCurvature(f, kSamples) : curvatureOf(f, w), values_->value));
-  }
-
-  void add(int i, int j, const std::array<int, 2>& cells) {
-    int& ofU = counts[0][static_cast<std::size_t>(i)];
-    int& ofV = counts[1][static_cast<std::size_t>(j)];
-    ofU = std::max(ofU, cells[0]);
-    ofV = std::max(ofV, cells[1]);
+    if (f.values.minCoeff() >= values_->range[1] || f.values.maxCoeff() <= values_->range[0])
+      return ofPositions;
+    const std::array<int, 2> ofValues =
+        cellsFor(isMagnitude_ ? sampledCurvature(f, kSamples) : curvatureOf(f, w), values_->value);
+    return {std::max(ofPositions[0], ofValues[0]), std::max(ofPositions[1], ofValues[1])};
   }
 
   const PatchRecord& patch_;
+  const PatchSide& side_;
   const PositionTolerance& positions_;
   const ValueTolerance* values_;
   std::vector<UnivariateBasis> bases_;
-  Eigen::Index row_ = 0;
+  std::vector<std::size_t> along_;  ///< the two directions of the side
   bool isMagnitude_ = false;
   Grid weights_, x_, f_;
 };
 
-/// The counts along an edge of a plane patch.
+/// The counts along an edge of a patch.
 std::vector<int>& countsAlong(Subdivision::Counts& counts, const PatchSide& edge) {
-  return counts[edge.patch][edge.ends[0] == PatchSide::End::None ? 0 : 1];
+  const auto along = std::find(edge.ends.begin(), edge.ends.end(), PatchSide::End::None) - edge.ends.begin();
+  return counts[edge.patch][static_cast<std::size_t>(along)];
 }
 
-/// Gives the spans on both sides of a joint the larger count. Returns whether one has changed.
+/// Gives the spans along two edges in one place the larger count. Returns whether one has changed.
 bool matched(const MeshRecord& mesh, Subdivision::Counts& counts, const PatchSide& one,
              const PatchSide& other) {
   std::vector<int>&a = countsAlong(counts, one), &b = countsAlong(counts, other);
@@ -181,18 +198,20 @@ bool matched(const MeshRecord& mesh, Subdivision::Counts& counts, const PatchSid
 
 Subdivision pictureSubdivision(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
                                const PositionTolerance& positions, const ValueTolerance* values) {
+  const PatchBorders borders(mesh);
   Subdivision::Counts counts;
   for (const PatchRecord& patch : mesh.patches) {
-    PatchCells cells(patch, displacement, positions, values);
-    cells.count();
-    counts.push_back(std::move(cells.counts));
+    counts.emplace_back();
+    for (const DirectionRecord& direction : patch.directions)
+      counts.back().emplace_back(static_cast<std::size_t>(basisOf(direction).numSpans()), 1);
   }
-  const PatchBorders borders(mesh);
+  for (const PatchSide& side : borders.surface())
+    SideCells(mesh.patches[side.patch], side, displacement, positions, values).count(counts[side.patch]);
   bool changed = true;
   while (changed) {  // a row may go through many patches
     changed = false;
-    for (const std::vector<PatchSide>& joint : borders.joints())
-      for (std::size_t k = 1; k < joint.size(); ++k) changed |= matched(mesh, counts, joint[0], joint[k]);
+    for (const std::vector<PatchSide>& edges : borders.sharedEdges())
+      for (std::size_t k = 1; k < edges.size(); ++k) changed |= matched(mesh, counts, edges[0], edges[k]);
   }
   return Subdivision(std::move(counts));
 }

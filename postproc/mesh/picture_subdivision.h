@@ -10,10 +10,12 @@ namespace burnish {
 /// Cells into which a picture cuts a knot span and direction at most.
 inline constexpr int kMostCellsOfPicture = 64;
 
-/// How exact the positions in a picture of a plane body are.
+/// How exact positions in a picture are.
 struct PositionTolerance {
   double length = 0.0;         ///< largest distance from the exact position
-  Eigen::AlignedBox2d window;  ///< the part of the plane that is seen
+  Eigen::AlignedBox2d window;  ///< the part of the picture's plane that is seen
+  /// The directions of the picture's plane.
+  Eigen::Matrix<double, 2, 3> axes = Eigen::Matrix<double, 2, 3>::Identity();
 };
 
 /// How exact the values are.
@@ -23,9 +25,10 @@ struct ValueTolerance {
   std::array<double, 2> range;   ///< values below or above are not told apart
 };
 
-/// The cells of a plane body, displaced by dim x nodes (empty: undeformed), whose straight triangles are within
-/// the tolerances of the body and, where there are values, of these. A span that is out of sight is one cell.
-/// Spans of a row or column have equally many cells, also across joined patches, so that there are no cracks.
+/// The cells of a body, displaced by dim x nodes (empty: undeformed), whose straight triangles are within the
+/// tolerances of what can be seen of the body, and, where there are values, of these. A span that is out of sight
+/// is one cell. Spans of a row or column have equally many cells, also across edges at which patches meet, so that
+/// there are no cracks.
 ///
 /// Linear interpolation on n x m cells of a span is off by at most (M_uu/n² + 2 M_uv/(n m) + M_vv/m²)/8, where
 /// M bounds the second derivatives by the span's parameters in [0, 1]². It is within τ for

@@ -134,6 +134,13 @@ class ContourPicture {
   ContourPage page() {
     const Plan plan = makePlan();
     const View& view = plan.layout.view;
+    if (subject_.refine) {
+      View fine = view;
+      fine.pixelsPerLength *= dotsPerPoint(options_);
+      fine.area.width *= dotsPerPoint(options_);
+      fine.area.height *= dotsPerPoint(options_);
+      subject_.refine(parts_, fine, plan.scale.range());
+    }
     light(plan);
     const PixelRect area = shadow_ && !cutsBody_ ? wholePicture(view, size_).area : view.area;
     const std::array<int, 2> pixels = pixelsFor(area);
@@ -142,7 +149,6 @@ class ContourPicture {
     printed.area = {scale * (view.area.x - area.x), scaleUp * (view.area.y - area.y), scale * view.area.width,
                     scaleUp * view.area.height};
     printed.pixelsPerLength *= scale;
-    if (subject_.refine) subject_.refine(parts_, printed, plan.scale.range());
 
     PrintPage page{{static_cast<double>(size_[0]), static_cast<double>(size_[1])}, title(), {}};
     std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
@@ -181,7 +187,7 @@ class ContourPicture {
   /// What light falls on bodies in space.
   void light(const Plan& plan) {
     if (!options_.occlusion || isFlat()) return;
-    const Occlusion occlusion(parts_, plan.tools, options_.toolOpacity);
+    Occlusion occlusion(parts_, plan.tools, options_.toolOpacity);
     occlusion.setSky();
     shadow_ = occlusion.groundShadow();
   }
@@ -564,8 +570,7 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
     ContourSubject subject{
         shown.dim, shown.title, its.time, field, ranges, parts, bodiesWithout(shown, its, options.field),
         "",        {}};
-    if (shown.dim == 2)
-      subject.refine = [&](ContourParts& coarse, const View& view, const std::array<double, 2>& range) {
+    subject.refine = [&](ContourParts& coarse, const View& view, const std::array<double, 2>& range) {
         refineForView(coarse, shown, its, field, options, view, range);
       };
     return make(subject);

@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -48,18 +49,32 @@ void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame,
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
 }
 
+/// The cells of what is drawn as long as the view is not known: in space those that show its shape.
+Subdivision firstCells(const MeshRecord& mesh, const ModelRecord& model, const ContourParts& parts,
+                       const ContourOptions& options) {
+  constexpr double kOfLength = 1.0 / 2000.0;
+  if (model.dim == 2 || options.subdivision) return subdivisionOf(model, options);
+  Eigen::AlignedBox3d box;
+  for (const PatchRecord& patch : mesh.patches)
+    for (Eigen::Index k = 0; k < patch.points.cols(); ++k)
+      box.extend(Eigen::Vector3d(patch.points.col(k) +
+                                 parts.displacement.col(patch.nodes[static_cast<std::size_t>(k)])));
+  const Eigen::Vector2d far = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
+  return pictureSubdivision(mesh, parts.displacement,
+                            {kOfLength * box.diagonal().norm(), {-far, far}, parts.axes}, nullptr);
+}
+
 /// Makes what has colours. mesh: of the bodies that have the field.
 void makeBody(ContourParts& parts, const MeshRecord& mesh, const ModelRecord& model, const FrameRecord& frame,
               const FieldChoice& field, const ContourOptions& options) {
   parts.body = field.faces;
   if (parts.body) return;
-  const BodySurface surface(mesh, subdivisionOf(model, options));
+  const BodySurface surface(mesh, firstCells(mesh, model, parts, options));
   parts.body = surface.displaced(parts.displacement);
-  parts.bodyLattices = surface.lattices();
   setValues(*parts.body->GetPointData(), surface, frame, field, options);
 }
 
-/// Cuts a plane body for a view.
+/// Cuts bodies for a view.
 class ViewCells {
  public:
   ViewCells(const FieldChoice& field, const ContourOptions& options, const View& view,
@@ -68,7 +83,7 @@ class ViewCells {
     constexpr double kPixels = 0.25, kSteps = 0.5, kStepsAtBorders = 0.1, kStepsOfRange = 256.0;
     const Eigen::Vector2d half =
         Eigen::Vector2d(view.area.width, view.area.height) / (2.0 * view.pixelsPerLength);
-    positions_ = {kPixels / view.pixelsPerLength, {view.center - half, view.center + half}};
+    positions_ = {kPixels / view.pixelsPerLength, {view.center - half, view.center + half}, view.axes};
     const double steps = options.isolines > 0 || options.bands > 0 ? kStepsAtBorders : kSteps;
     values_ = {field.coefficients, steps * (range[1] - range[0]) / kStepsOfRange, range};
   }
@@ -88,51 +103,33 @@ class ViewCells {
   ValueTolerance values_;
 };
 
-/// Cuts the parts of a picture of a body in space.
-class BodyCut {
+/// The volumes of the bodies of a picture, in straight cells, where a plane cuts them.
+class VolumeSections {
  public:
-  BodyCut(const FieldMesh& meshes, const ModelRecord& model, const FrameRecord& frame,
-          const FieldChoice& field, const ContourOptions& options, ContourParts& parts)
+  VolumeSections(const FieldMesh& meshes, const ModelRecord& model, const FrameRecord& frame,
+                 const FieldChoice& field, const ContourOptions& options, const ContourParts& parts)
       : meshes_(meshes),
-        model_(model),
         frame_(frame),
         field_(field),
-        mesh_(meshOf(model, frame)),
         options_(options),
         parts_(parts),
-        subdivision_(subdivisionOf(model, options)),
-        plane_(shownPlane(options, parts)) {}
+        subdivision_(subdivisionOf(model, options)) {}
 
-  void apply() {
-    parts_.plane = plane_;
-    parts_.bodyLattices.clear();
-    parts_.plainLattices.clear();
-    const auto section = sectionWithValues();
-    auto border = sectionOf(*parts_.body, plane_);
-    if (parts_.plain) {
-      parts_.plainSection = sectionOf(*gridOf(*meshes_.without()), plane_);
-      border = together(*border, *sectionOf(*parts_.plain, plane_));
-    }
-    if (section->GetNumberOfCells() == 0 &&
-        (!parts_.plainSection || parts_.plainSection->GetNumberOfCells() == 0))
-      throw planeMisses(options_, parts_, frame_.index);
-    if (options_.knots) parts_.knots = sectionKnots();
-    if (options_.slice) {
-      parts_.body = section;
-      parts_.plain = std::exchange(parts_.plainSection, nullptr);
-      parts_.outline = border;
-      if (parts_.undeformed)
-        parts_.undeformed = sectionOf(*BodySurface(model_.mesh, subdivision_).displaced({}), plane_);
-      return;
-    }
-    parts_.body = behind(*parts_.body, plane_);
-    if (parts_.plain) parts_.plain = behind(*parts_.plain, plane_);
-    parts_.section = section;
-    parts_.outline = together(*behind(*parts_.outline, plane_), *border);
-    if (parts_.undeformed) parts_.undeformed = behind(*parts_.undeformed, plane_);
-    if (parts_.knots)
-      parts_.knots =
-          together(*parts_.knots, *behind(*knotLines(mesh_, parts_.displacement, subdivision_), plane_));
+  vtkSmartPointer<vtkPolyData> withValues() const {
+    const Tessellation cells(meshes_.with(), subdivision_);
+    const auto grid = gridOf(cells);
+    setValues(*grid->GetPointData(), cells, frame_, field_, options_);
+    const CutPlane& plane = *parts_.plane;
+    const auto section = sectionOf(*grid, plane);
+    section->GetPointData()->SetNormals(
+        makeArray("normals", plane.normal.replicate(1, section->GetNumberOfPoints()), {}));
+    return section;
+  }
+
+  /// Null if all bodies have the field.
+  vtkSmartPointer<vtkPolyData> withoutValues() const {
+    if (meshes_.without() == nullptr) return nullptr;
+    return sectionOf(*gridOf(Tessellation(*meshes_.without(), subdivision_)), *parts_.plane);
   }
 
  private:
@@ -144,36 +141,67 @@ class BodyCut {
     grid->GetPointData()->Initialize();
     return grid;
   }
-  vtkSmartPointer<vtkUnstructuredGrid> gridOf(const MeshRecord& mesh) const {
-    return gridOf(Tessellation(mesh, subdivision_));
-  }
-
-  vtkSmartPointer<vtkPolyData> sectionWithValues() const {
-    const Tessellation cells(meshes_.with(), subdivision_);
-    const auto grid = gridOf(cells);
-    setValues(*grid->GetPointData(), cells, frame_, field_, options_);
-    const auto section = sectionOf(*grid, plane_);
-    section->GetPointData()->SetNormals(
-        makeArray("normals", plane_.normal.replicate(1, section->GetNumberOfPoints()), {}));
-    return section;
-  }
-
-  /// Where the plane cuts the faces between knot spans.
-  vtkSmartPointer<vtkPolyData> sectionKnots() const {
-    const BodySurface faces(mesh_, subdivision_, BodySurface::Faces::OfSpans);
-    return sectionOf(*faces.displaced(parts_.displacement), plane_);
-  }
 
   const FieldMesh& meshes_;
-  const ModelRecord& model_;
   const FrameRecord& frame_;
   const FieldChoice& field_;
-  const MeshRecord& mesh_;  ///< of the frame
   const ContourOptions& options_;
-  ContourParts& parts_;
+  const ContourParts& parts_;
   int subdivision_;
-  CutPlane plane_;
 };
+
+/// The section of parts that have been cut.
+struct PartSections {
+  vtkSmartPointer<vtkPolyData> withValues, plain;  ///< plain: null if all bodies have the field
+};
+
+PartSections sectionsIn(const ContourParts& parts, const ContourOptions& options) {
+  if (options.slice) return {parts.body, parts.plain};
+  return {parts.section, parts.plainSection};
+}
+
+/// Cuts the surfaces and lines of a picture of a body in space at the plane of the parts, where the sections lie.
+void cutParts(ContourParts& parts, const PartSections& sections, const ModelRecord& model,
+              const MeshRecord& mesh, const ContourOptions& options, const Subdivision& ofLines,
+              const Subdivision& ofUndeformed) {
+  const CutPlane& plane = *parts.plane;
+  auto border = sectionOf(*parts.body, plane);
+  if (parts.plain) border = together(*border, *sectionOf(*parts.plain, plane));
+  if (options.knots) {
+    const BodySurface faces(mesh, ofLines, BodySurface::Faces::OfSpans);
+    parts.knots = sectionOf(*faces.displaced(parts.displacement), plane);
+  }
+  if (options.slice) {
+    parts.body = sections.withValues;
+    parts.plain = sections.plain;
+    parts.outline = border;
+    if (parts.undeformed)
+      parts.undeformed = sectionOf(*BodySurface(model.mesh, ofUndeformed).displaced({}), plane);
+    return;
+  }
+  parts.section = sections.withValues;
+  parts.plainSection = sections.plain;
+  parts.wholeBody = parts.body;
+  parts.wholePlain = parts.plain;
+  parts.body = behind(*parts.body, plane);
+  if (parts.plain) parts.plain = behind(*parts.plain, plane);
+  parts.outline = together(*behind(*parts.outline, plane), *border);
+  if (parts.undeformed) parts.undeformed = behind(*parts.undeformed, plane);
+  if (parts.knots)
+    parts.knots = together(*parts.knots, *behind(*knotLines(mesh, parts.displacement, ofLines), plane));
+}
+
+/// What arrows of displacements stand on: equally many points per knot span, whatever the picture takes.
+vtkSmartPointer<vtkPolyData> arrowGround(const ContourParts& parts, const MeshRecord& mesh,
+                                         const ModelRecord& model, const FrameRecord& frame,
+                                         const FieldChoice& field, const ContourOptions& options) {
+  if (options.arrows != ArrowField::Displacement || model.dim == 2 || options.slice || field.faces)
+    return parts.section ? together(*parts.body, *parts.section) : parts.body;
+  const BodySurface surface(mesh, subdivisionOf(model, options));
+  auto ground = surface.displaced(parts.displacement);
+  setValues(*ground->GetPointData(), surface, frame, field, options);
+  return options.cut ? together(*behind(*ground, *parts.plane), *parts.section) : ground;
+}
 
 std::vector<ShownTool> shownTools(const ModelRecord& model, const FrameRecord& frame, double warp) {
   std::vector<ShownTool> tools;
@@ -253,7 +281,6 @@ int subdivisionOf(const ModelRecord& model, const ContourOptions& options) {
 
 ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                           const ContourOptions& options) {
-  const int subdivision = subdivisionOf(model, options);
   const MeshRecord& mesh = meshOf(model, frame);
   ContourParts parts;
   const bool alongNormal = options.slice && options.view.name == "auto";
@@ -264,17 +291,25 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   makeBody(parts, meshes.with(), model, frame, field, options);
   parts.box = boxOf(*parts.body);
   if (meshes.without() != nullptr) {
-    const BodySurface plain(*meshes.without(), subdivision);
-    parts.plain = plain.displaced(parts.displacement);
-    parts.plainLattices = plain.lattices();
+    const MeshRecord& without = *meshes.without();
+    parts.plain = BodySurface(without, firstCells(without, model, parts, options)).displaced(parts.displacement);
     parts.box.extend(boxOf(*parts.plain));
   }
-  parts.outline = bodyOutline(mesh, parts.displacement, subdivision);
-  if (options.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, subdivision);
-  if (options.cut || options.slice)
-    BodyCut(meshes, model, frame, field, options, parts).apply();
-  else if (options.knots)
-    parts.knots = knotLines(mesh, parts.displacement, subdivision);
+  const Subdivision ofLines = firstCells(mesh, model, parts, options);
+  parts.outline = bodyOutline(mesh, parts.displacement, ofLines);
+  const int ofUndeformed = subdivisionOf(model, options);
+  if (options.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, ofUndeformed);
+  if (options.cut || options.slice) {
+    parts.plane = shownPlane(options, parts);
+    const VolumeSections volumes(meshes, model, frame, field, options, parts);
+    const PartSections sections{volumes.withValues(), volumes.withoutValues()};
+    if (sections.withValues->GetNumberOfCells() == 0 &&
+        (!sections.plain || sections.plain->GetNumberOfCells() == 0))
+      throw planeMisses(options, parts, frame.index);
+    cutParts(parts, sections, model, mesh, options, ofLines, ofUndeformed);
+  } else if (options.knots) {
+    parts.knots = knotLines(mesh, parts.displacement, ofLines);
+  }
   if (options.controlNet) {
     FrameRecord shape;
     shape.mesh = frame.mesh;
@@ -282,9 +317,9 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
     parts.net = controlNet(model, shape);
   }
   if (options.arrows != ArrowField::None) {
-    const auto body = parts.section ? together(*parts.body, *parts.section) : parts.body;
-    parts.arrows = contourArrows(options.arrows, model, frame, *body, parts.axes,
-                                 arrowLength(*body, parts.axes, options));
+    const auto ground = arrowGround(parts, meshes.with(), model, frame, field, options);
+    parts.arrows = contourArrows(options.arrows, model, frame, *ground, parts.axes,
+                                 arrowLength(*ground, parts.axes, options));
   }
   parts.mark = options.mark;
   if (options.markExtremes) parts.extremes = extremePlaces(model, frame, field, parts.displacement);
@@ -301,23 +336,32 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
   const MeshRecord& mesh = meshOf(model, frame);
   const ViewCells cells(field, options, view, range);
   const FieldMesh meshes(model, frame, field.name);
-  if (!field.faces) {
+  const PartSections sections = sectionsIn(parts, options);
+  if (field.faces) {
+    parts.body = field.faces;
+  } else {
     const BodySurface surface = trianglesOf(meshes.with(), cells.ofValues(meshes.with(), parts.displacement));
     parts.body = surface.displaced(parts.displacement);
+    parts.bodyLattices = surface.lattices();
     // Colours end at 0 where a range does, and interpolation does not go round a corner at 0.
     const Eigen::MatrixXd values = surface.evaluate(field.coefficients);
     const Eigen::VectorXd drawn = range[0] < 0.0 ? field.drawnScalars(values) : field.scalars(values);
     parts.body->GetPointData()->SetScalars(makeArray("drawn", drawn.transpose(), {}));
   }
-  if (parts.plain) {
+  if (meshes.without() != nullptr) {
     const MeshRecord& without = *meshes.without();
-    parts.plain =
-        trianglesOf(without, cells.ofLines(without, parts.displacement)).displaced(parts.displacement);
+    const BodySurface plain = trianglesOf(without, cells.ofLines(without, parts.displacement));
+    parts.plain = plain.displaced(parts.displacement);
+    parts.plainLattices = plain.lattices();
   }
   const Subdivision ofLines = cells.ofLines(mesh, parts.displacement);
+  const Subdivision ofUndeformed = cells.ofLines(model.mesh, {});
   parts.outline = bodyOutline(mesh, parts.displacement, ofLines);
-  if (parts.knots) parts.knots = knotLines(mesh, parts.displacement, ofLines);
-  if (parts.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, cells.ofLines(model.mesh, {}));
+  if (parts.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, ofUndeformed);
+  if (parts.plane)
+    cutParts(parts, sections, model, mesh, options, ofLines, ofUndeformed);
+  else if (parts.knots)
+    parts.knots = knotLines(mesh, parts.displacement, ofLines);
 }
 
 Eigen::AlignedBox3d boxOf(vtkPolyData& part) {

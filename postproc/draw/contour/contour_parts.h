@@ -34,9 +34,10 @@ struct ContourParts {
                                                      ///< contact faces where these are a contact field
   vtkSmartPointer<vtkPolyData> section;              ///< the same, of a cut; null without one
   vtkSmartPointer<vtkPolyData> plain, plainSection;  ///< of bodies that do not have the field; null without
-  std::vector<IndexBox> bodyLattices,
-      plainLattices;  ///< how the points of `body` and `plain` lie in space; none
-                      ///< where they are cut or of no patches
+  vtkSmartPointer<vtkPolyData> wholeBody, wholePlain;  ///< of a cut: `body` and `plain` before it
+  std::vector<IndexBox> bodyLattices, plainLattices;   ///< how the points of `body` and `plain`, of a cut of
+                                                       ///< `wholeBody` and `wholePlain`, lie in space; none
+                                                       ///< where they are of no patches
   vtkSmartPointer<vtkPolyData> outline;
   vtkSmartPointer<vtkPolyData> knots, undeformed, net;  ///< null where they are not shown
   std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye
@@ -57,7 +58,7 @@ CutPlane shownPlane(const ContourOptions& options, const ContourParts& parts);
 /// Of a plane that meets nothing of what is in the box of the parts.
 Error planeMisses(const ContourOptions& options, const ContourParts& parts, int frame);
 
-/// Makes what is drawn of a plane body so fine that it is exact in this view: within a quarter pixel, its colours
+/// Makes what is drawn of a body so fine that it is exact in this view: within a quarter pixel, its colours
 /// within half of one of the steps of the range, or a tenth where bands or isolines show their borders. With
 /// `subdivision` in the options it has these cells. field, options: those of the parts, for which boxes stay
 /// as they were.

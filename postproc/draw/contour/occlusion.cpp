@@ -9,9 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "postproc/draw/contour/space_actors.h"
+#include "postproc/mesh/plane_section.h"
 #include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
@@ -108,49 +112,69 @@ FreeSky skyOf(const ContourParts& parts, const std::vector<ToolDrawing>& tools, 
   return {bodies, surfaces, toolOpacity};
 }
 
+/// The plane of a cut, before which nothing is drawn.
+struct Cut {
+  const CutPlane& plane;
+  double margin;  ///< as far before it something may count for what is behind
+};
+
 /// lattices: how the points of the surface lie; none where nothing is known of it. distance: at which shares are
 /// computed at least.
 void setSkyOf(vtkPolyData* surface, const std::vector<IndexBox>& lattices, const FreeSky& sky,
-              const FreeSky::Rays& rays, double distance) {
+              const FreeSky::Rays& rays, double distance, const std::optional<Cut>& cut) {
   if (!surface || !surface->GetPointData()->GetNormals()) return;
   const Eigen::Matrix3Xd x = tuplesOf(*surface->GetPoints()->GetData()),
                          normals = tuplesOf(*surface->GetPointData()->GetNormals());
-  Eigen::VectorXd shares(x.cols());
+  std::vector<CoarseLattice> coarse;
+  std::vector<Eigen::Index> points;
+  Eigen::Index first = 0;
+  for (const IndexBox& box : lattices) {
+    coarse.emplace_back(x, first, box, distance);
+    const std::vector<Eigen::Index> added = coarse.back().points();
+    points.insert(points.end(), added.begin(), added.end());
+    first += box.size();
+  }
   if (lattices.empty()) {
-    shares = sky.sharesAt(x, normals, rays);
-  } else {
-    std::vector<CoarseLattice> coarse;
-    std::vector<Eigen::Index> points;
-    Eigen::Index first = 0;
-    for (const IndexBox& box : lattices) {
-      coarse.emplace_back(x, first, box, distance);
-      const std::vector<Eigen::Index> added = coarse.back().points();
-      points.insert(points.end(), added.begin(), added.end());
-      first += box.size();
-    }
-    const Eigen::VectorXd known = sky.sharesAt(x(Eigen::all, points), normals(Eigen::all, points), rays);
-    const double* next = known.data();
-    for (const CoarseLattice& lattice : coarse) {
-      lattice.spread(next, shares);
-      next += lattice.points().size();
-    }
+    points.resize(static_cast<std::size_t>(x.cols()));
+    std::iota(points.begin(), points.end(), 0);
+  }
+  const auto isDrawn = [&](Eigen::Index k) {
+    return !cut || (x.col(k) - cut->plane.point).dot(cut->plane.normal.normalized()) <= cut->margin;
+  };
+  std::vector<Eigen::Index> drawn;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(drawn), isDrawn);
+  const Eigen::VectorXd found = sky.sharesAt(x(Eigen::all, drawn), normals(Eigen::all, drawn), rays);
+  Eigen::VectorXd known(std::ssize(points));
+  Eigen::Index numFound = 0;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    known(static_cast<Eigen::Index>(k)) = isDrawn(points[k]) ? found(numFound++) : 1.0;
+  Eigen::VectorXd shares = lattices.empty() ? known : Eigen::VectorXd(x.cols());
+  const double* next = known.data();
+  for (const CoarseLattice& lattice : coarse) {
+    lattice.spread(next, shares);
+    next += lattice.points().size();
   }
   surface->GetPointData()->AddArray(makeArray(kSky, shares.transpose(), {}));
 }
 
 }  // namespace
 
-Occlusion::Occlusion(const ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity)
+Occlusion::Occlusion(ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity)
     : parts_(parts), tools_(tools), length_(lengthOf(parts)), sky_(skyOf(parts, tools, toolOpacity)) {}
 
-void Occlusion::setSky() const {
+void Occlusion::setSky() {
   constexpr double kReach = 0.25, kStart = 1.0 / 2000.0, kPressedIn = 0.01, kDistance = 1.0 / 70.0;
   const double start = kStart * length_, pressedIn = -kPressedIn * length_, distance = kDistance * length_;
   const FreeSky::Rays ofBodies{kReach * length_, start, pressedIn},
       ofTools{kReach * length_, pressedIn, start};
-  setSkyOf(parts_.body, parts_.bodyLattices, sky_, ofBodies, distance);
-  setSkyOf(parts_.plain, parts_.plainLattices, sky_, ofBodies, distance);
-  for (const ToolDrawing& tool : tools_) setSkyOf(tool.surface, {}, sky_, ofTools, distance);
+  const auto setSkyOfBody = [&](auto& body, const auto& whole, const std::vector<IndexBox>& lattices) {
+    if (!whole) return setSkyOf(body, lattices, sky_, ofBodies, distance, {});
+    setSkyOf(whole, lattices, sky_, ofBodies, distance, Cut{*parts_.plane, 2.0 * distance});
+    body = behind(*whole, *parts_.plane);
+  };
+  setSkyOfBody(parts_.body, parts_.wholeBody, parts_.bodyLattices);
+  setSkyOfBody(parts_.plain, parts_.wholePlain, parts_.plainLattices);
+  for (const ToolDrawing& tool : tools_) setSkyOf(tool.surface, {}, sky_, ofTools, distance, {});
 }
 
 vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {

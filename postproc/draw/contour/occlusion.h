@@ -14,17 +14,17 @@ class Occlusion {
  public:
   /// parts, tools: that are drawn, which must outlive the object. Tools stop rays as far as one cannot see through
   /// them. Throws as `FreeSky`.
-  Occlusion(const ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity);
+  Occlusion(ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity);
 
   /// Gives the surfaces that have normals the point data `kSky`: rays as long as a quarter of the bodies.
-  void setSky() const;
+  void setSky();
 
   /// The shadow of the bodies on the ground on which they stand, a surface of RGBA points. Null where the eye does
   /// not look down on it or a tool is in its place. y goes up.
   vtkSmartPointer<vtkPolyData> groundShadow() const;
 
  private:
-  const ContourParts& parts_;
+  ContourParts& parts_;
   const std::vector<ToolDrawing>& tools_;
   double length_;  ///< of the bodies
   FreeSky sky_;
