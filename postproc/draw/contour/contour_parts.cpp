@@ -53,7 +53,7 @@ void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame,
 Subdivision firstCells(const MeshRecord& mesh, const ModelRecord& model, const ContourParts& parts,
                        const ContourOptions& options) {
   constexpr double kOfLength = 1.0 / 2000.0;
-  if (model.dim == 2 || options.subdivision) return subdivisionOf(model, options);
+  if (model.dim == 2) return subdivisionOf(model, options);
   Eigen::AlignedBox3d box;
   for (const PatchRecord& patch : mesh.patches)
     for (Eigen::Index k = 0; k < patch.points.cols(); ++k)

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -27,8 +27,10 @@ Eigen::Matrix3Xd tuplesOf(vtkDataArray& array) {
   return tuples;
 }
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 /// Some rows and columns of a lattice on a surface, as far apart as what changes slowly there allows. What is known
-/// at their points goes linearly between them.
+/// at their points goes linearly between them. Every other one of them may do where it hardly changes.
 class CoarseLattice {
  public:
   /// x: points of the surface. first: number of the first one of the lattice. Lines are at most `distance` apart
@@ -52,6 +54,33 @@ class CoarseLattice {
     for (const Eigen::Index j : chosen_[1])
       for (const Eigen::Index i : chosen_[0]) numbers.push_back(numberOf(i, j));
     return numbers;
+  }
+
+  /// Whether a point is on the first, the last or every other line of both directions.
+  bool isOnEveryOther(std::size_t point) const {
+    const std::size_t row = chosen_[0].size(), a = point % row, b = point / row;
+    return (a % 2 == 0 || a + 1 == row) && (b % 2 == 0 || b + 1 == chosen_[1].size());
+  }
+
+  /// Fills values between those of every other line where these differ by no more than `change`.
+  void fillCalm(double* coarse, double change) const {
+    const std::size_t row = chosen_[0].size(), columns = chosen_[1].size();
+    for (std::size_t b = 0; b + 1 < columns; b += 2)
+      for (std::size_t a = 0; a + 1 < row; a += 2) {
+        const std::size_t nextA = std::min(a + 2, row - 1), nextB = std::min(b + 2, columns - 1);
+        const std::array corners{coarse[b * row + a], coarse[b * row + nextA], coarse[nextB * row + a],
+                                 coarse[nextB * row + nextA]};
+        const auto [least, most] = std::minmax_element(corners.begin(), corners.end());
+        if (*most - *least > change) continue;
+        for (std::size_t j = b; j <= nextB; ++j)
+          for (std::size_t i = a; i <= nextA; ++i) {
+            double& value = coarse[j * row + i];
+            if (!std::isnan(value)) continue;
+            const double s = static_cast<double>(i - a) / static_cast<double>(nextA - a),
+                         t = static_cast<double>(j - b) / static_cast<double>(nextB - b);
+            value = std::lerp(std::lerp(corners[0], corners[1], s), std::lerp(corners[2], corners[3], s), t);
+          }
+      }
   }
 
   /// Fills values at all points of the lattice from those at `points`.
@@ -118,42 +147,66 @@ struct Cut {
   double margin;  ///< as far before it something may count for what is behind
 };
 
-/// lattices: how the points of the surface lie; none where nothing is known of it. distance: at which shares are
-/// computed at least.
-void setSkyOf(vtkPolyData* surface, const std::vector<IndexBox>& lattices, const FreeSky& sky,
-              const FreeSky::Rays& rays, double distance, const std::optional<Cut>& cut) {
-  if (!surface || !surface->GetPointData()->GetNormals()) return;
-  const Eigen::Matrix3Xd x = tuplesOf(*surface->GetPoints()->GetData()),
-                         normals = tuplesOf(*surface->GetPointData()->GetNormals());
+/// Shares at points of a surface. lattices: how they lie; none where nothing is known of it. distance: at which shares
+/// are computed at least, or at twice of it where they hardly change.
+Eigen::VectorXd sharesOf(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& normals,
+                         const std::vector<IndexBox>& lattices, const FreeSky& sky, const FreeSky::Rays& rays,
+                         double distance, const std::optional<Cut>& cut) {
+  constexpr double kCalm = 0.02;  // five levels of grey
   std::vector<CoarseLattice> coarse;
-  std::vector<Eigen::Index> points;
+  std::vector<Eigen::Index> points;  // where shares are known first
+  std::vector<bool> isFirst;         // of them: not only where the others are not enough
   Eigen::Index first = 0;
   for (const IndexBox& box : lattices) {
     coarse.emplace_back(x, first, box, distance);
     const std::vector<Eigen::Index> added = coarse.back().points();
+    for (std::size_t k = 0; k < added.size(); ++k) isFirst.push_back(coarse.back().isOnEveryOther(k));
     points.insert(points.end(), added.begin(), added.end());
     first += box.size();
   }
   if (lattices.empty()) {
     points.resize(static_cast<std::size_t>(x.cols()));
     std::iota(points.begin(), points.end(), 0);
+    isFirst.resize(points.size(), true);
   }
-  const auto isDrawn = [&](Eigen::Index k) {
-    return !cut || (x.col(k) - cut->plane.point).dot(cut->plane.normal.normalized()) <= cut->margin;
+  std::vector<double> known(points.size(), kUnknown);
+  if (cut)
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if ((x.col(points[k]) - cut->plane.point).dot(cut->plane.normal.normalized()) > cut->margin) known[k] = 1.0;
+  const auto compute = [&](bool firstAlone) {
+    std::vector<std::size_t> places;
+    std::vector<Eigen::Index> those;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (std::isnan(known[k]) && (isFirst[k] || !firstAlone)) {
+        places.push_back(k);
+        those.push_back(points[k]);
+      }
+    const Eigen::VectorXd shares = sky.sharesAt(x(Eigen::all, those), normals(Eigen::all, those), rays);
+    for (std::size_t k = 0; k < places.size(); ++k) known[places[k]] = shares(static_cast<Eigen::Index>(k));
   };
-  std::vector<Eigen::Index> drawn;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(drawn), isDrawn);
-  const Eigen::VectorXd found = sky.sharesAt(x(Eigen::all, drawn), normals(Eigen::all, drawn), rays);
-  Eigen::VectorXd known(std::ssize(points));
-  Eigen::Index numFound = 0;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    known(static_cast<Eigen::Index>(k)) = isDrawn(points[k]) ? found(numFound++) : 1.0;
-  Eigen::VectorXd shares = lattices.empty() ? known : Eigen::VectorXd(x.cols());
-  const double* next = known.data();
+  compute(true);
+  double* next = known.data();
   for (const CoarseLattice& lattice : coarse) {
-    lattice.spread(next, shares);
+    lattice.fillCalm(next, kCalm);
     next += lattice.points().size();
   }
+  compute(false);
+  Eigen::VectorXd shares(x.cols());
+  if (lattices.empty()) std::copy(known.begin(), known.end(), shares.begin());
+  const double* values = known.data();
+  for (const CoarseLattice& lattice : coarse) {
+    lattice.spread(values, shares);
+    values += lattice.points().size();
+  }
+  return shares;
+}
+
+void setSkyOf(vtkPolyData* surface, const std::vector<IndexBox>& lattices, const FreeSky& sky,
+              const FreeSky::Rays& rays, double distance, const std::optional<Cut>& cut) {
+  if (!surface || !surface->GetPointData()->GetNormals()) return;
+  const Eigen::VectorXd shares =
+      sharesOf(tuplesOf(*surface->GetPoints()->GetData()), tuplesOf(*surface->GetPointData()->GetNormals()),
+               lattices, sky, rays, distance, cut);
   surface->GetPointData()->AddArray(makeArray(kSky, shares.transpose(), {}));
 }
 
@@ -195,8 +248,10 @@ vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   plane->Update();
   vtkSmartPointer<vtkPolyData> ground = plane->GetOutput();
   const Eigen::Matrix3Xd points = tuplesOf(*ground->GetPoints()->GetData());
-  const Eigen::VectorXd shares =
-      sky_.sharesAt(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()), {reach});
+  IndexBox lattice;
+  lattice.extent = {kCells + 1, kCells + 1, 1};
+  const Eigen::VectorXd shares = sharesOf(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()), {lattice},
+                                          sky_, {reach}, 0.0, {});
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(4);
   for (const double share : shares)
