@@ -197,10 +197,14 @@ Eigen::Map<const Eigen::MatrixXi> BodySurface::cornersOfCells() const {
   return {corners_.data(), perCell, std::ssize(corners_) / perCell};
 }
 
-std::vector<IndexBox> BodySurface::lattices() const {
-  std::vector<IndexBox> boxes;
-  for (const TensorPoints& points : points_.lattices()) boxes.push_back(points.box());
-  return boxes;
+std::vector<BodySurface::Lattice> BodySurface::lattices() const {
+  const std::vector<TensorPoints>& all = points_.lattices();
+  std::vector<Lattice> lattices;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    lattices.push_back({all[k].box(), {{0, 0, 0}}});
+    if (kind_ == Cells::TrianglesAboutMiddles) lattices.back().middles = all[++k].box();
+  }
+  return lattices;
 }
 
 vtkSmartPointer<vtkPolyData> BodySurface::displaced(const Eigen::MatrixXd& displacement) const {

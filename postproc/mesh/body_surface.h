@@ -34,8 +34,14 @@ class BodySurface {
 
   int numPoints() const { return points_.size(); }
 
-  /// How the points lie, in their order: rows and columns of a plane patch or a face, and those of the middles.
-  std::vector<IndexBox> lattices() const;
+  /// How the points of a plane patch or a face lie.
+  struct Lattice {
+    IndexBox corners;  ///< rows and columns of the corners of its cells
+    IndexBox middles;  ///< behind them, of the middles of the cells; of no extent where they are quadrilaterals
+  };
+
+  /// In the order of the points.
+  std::vector<Lattice> lattices() const;
 
   /// Values at the points (components x points) of a field with these coefficients (components x nodes).
   /// Throws `Error` if the number of nodes does not fit.

@@ -30,8 +30,9 @@ vtkNew<vtkPlane> functionOf(const CutPlane& plane) {
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> sectionOf(vtkDataSet& cells, const CutPlane& plane) {
+vtkSmartPointer<vtkPolyData> sectionOf(vtkDataSet& cells, const CutPlane& plane, SectionPoints points) {
   vtkNew<vtkCutter> cutter;
+  if (points == SectionPoints::OfEachCell) cutter->SetLocator(vtkNew<vtkNonMergingPointLocator>());
   cutter->SetInputData(&cells);
   cutter->SetCutFunction(functionOf(plane));
   cutter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);

@@ -8,9 +8,13 @@ class vtkPolyData;
 
 namespace burnish {
 
-/// Where a plane cuts cells, with the point data there: polygons of volumes, segments of surfaces, points of
+/// Whether cells of a section that meet have their points in common, and so one value of point data there.
+enum class SectionPoints { Shared, OfEachCell };
+
+/// Where a plane cuts cells, with the point data there: triangles of volumes, segments of surfaces, points of
 /// lines. What lies in the plane itself is not cut.
-vtkSmartPointer<vtkPolyData> sectionOf(vtkDataSet& cells, const CutPlane& plane);
+vtkSmartPointer<vtkPolyData> sectionOf(vtkDataSet& cells, const CutPlane& plane,
+                                       SectionPoints points = SectionPoints::Shared);
 
 /// The part of polygons and lines to which the normal does not point, with its point data.
 vtkSmartPointer<vtkPolyData> behind(vtkPolyData& parts, const CutPlane& plane);

@@ -18,6 +18,7 @@
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/chosen_bodies.h"
+#include "postproc/mesh/exact_section.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/picture_subdivision.h"
@@ -92,6 +93,9 @@ class ViewCells {
     return subdivision_ ? Subdivision(*subdivision_)
                         : pictureSubdivision(mesh, displacement, positions_, nullptr);
   }
+  const PositionTolerance& positions() const { return positions_; }
+  const ValueTolerance& values() const { return values_; }
+
   Subdivision ofValues(const MeshRecord& mesh, const Eigen::MatrixXd& displacement) const {
     return subdivision_ ? Subdivision(*subdivision_)
                         : pictureSubdivision(mesh, displacement, positions_, &values_);
@@ -119,8 +123,9 @@ class VolumeSections {
     const Tessellation cells(meshes_.with(), subdivision_);
     const auto grid = gridOf(cells);
     setValues(*grid->GetPointData(), cells, frame_, field_, options_);
+    addParameters(*grid, meshes_.with(), subdivision_);
     const CutPlane& plane = *parts_.plane;
-    const auto section = sectionOf(*grid, plane);
+    const auto section = sectionOfCells(*grid, plane);
     section->GetPointData()->SetNormals(
         makeArray("normals", plane.normal.replicate(1, section->GetNumberOfPoints()), {}));
     return section;
@@ -129,7 +134,9 @@ class VolumeSections {
   /// Null if all bodies have the field.
   vtkSmartPointer<vtkPolyData> withoutValues() const {
     if (meshes_.without() == nullptr) return nullptr;
-    return sectionOf(*gridOf(Tessellation(*meshes_.without(), subdivision_)), *parts_.plane);
+    const auto grid = gridOf(Tessellation(*meshes_.without(), subdivision_));
+    addParameters(*grid, *meshes_.without(), subdivision_);
+    return sectionOfCells(*grid, *parts_.plane);
   }
 
  private:
@@ -336,17 +343,30 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
   const MeshRecord& mesh = meshOf(model, frame);
   const ViewCells cells(field, options, view, range);
   const FieldMesh meshes(model, frame, field.name);
-  const PartSections sections = sectionsIn(parts, options);
+  // Colours end at 0 where a range does, and interpolation does not go round a corner at 0.
+  const auto setDrawn = [&](vtkPolyData& surface, const Eigen::MatrixXd& values) {
+    const Eigen::VectorXd drawn = range[0] < 0.0 ? field.drawnScalars(values) : field.scalars(values);
+    surface.GetPointData()->SetScalars(makeArray("drawn", drawn.transpose(), {}));
+  };
+  PartSections sections = sectionsIn(parts, options);
+  if (parts.plane && !options.subdivision) {
+    const auto exact = [&](const MeshRecord& body, vtkPolyData& ofCells, const ValueTolerance* values) {
+      return exactSection(body, parts.displacement, *parts.plane, ofCells, cells.positions(), values);
+    };
+    if (sections.withValues->GetNumberOfCells() > 0) {
+      const SectionTriangles triangles = exact(meshes.with(), *sections.withValues, &cells.values());
+      sections.withValues = triangles.surface;
+      setDrawn(*sections.withValues, triangles.values);
+    }
+    if (sections.plain) sections.plain = exact(*meshes.without(), *sections.plain, nullptr).surface;
+  }
   if (field.faces) {
     parts.body = field.faces;
   } else {
     const BodySurface surface = trianglesOf(meshes.with(), cells.ofValues(meshes.with(), parts.displacement));
     parts.body = surface.displaced(parts.displacement);
     parts.bodyLattices = surface.lattices();
-    // Colours end at 0 where a range does, and interpolation does not go round a corner at 0.
-    const Eigen::MatrixXd values = surface.evaluate(field.coefficients);
-    const Eigen::VectorXd drawn = range[0] < 0.0 ? field.drawnScalars(values) : field.scalars(values);
-    parts.body->GetPointData()->SetScalars(makeArray("drawn", drawn.transpose(), {}));
+    setDrawn(*parts.body, surface.evaluate(field.coefficients));
   }
   if (meshes.without() != nullptr) {
     const MeshRecord& without = *meshes.without();
@@ -354,7 +374,10 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
     parts.plain = plain.displaced(parts.displacement);
     parts.plainLattices = plain.lattices();
   }
-  const Subdivision ofLines = cells.ofLines(mesh, parts.displacement);
+  // In space lines go along the cells, so that they do not go under them.
+  const bool isInSpace = model.dim == 3 && !field.faces;
+  const Subdivision ofLines =
+      isInSpace ? cells.ofValues(mesh, parts.displacement) : cells.ofLines(mesh, parts.displacement);
   const Subdivision ofUndeformed = cells.ofLines(model.mesh, {});
   parts.outline = bodyOutline(mesh, parts.displacement, ofLines);
   if (parts.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, ofUndeformed);

@@ -12,7 +12,7 @@
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/page/view.h"
-#include "postproc/mesh/index_box.h"
+#include "postproc/mesh/body_surface.h"
 
 class vtkPolyData;
 
@@ -35,7 +35,7 @@ struct ContourParts {
   vtkSmartPointer<vtkPolyData> section;              ///< the same, of a cut; null without one
   vtkSmartPointer<vtkPolyData> plain, plainSection;  ///< of bodies that do not have the field; null without
   vtkSmartPointer<vtkPolyData> wholeBody, wholePlain;  ///< of a cut: `body` and `plain` before it
-  std::vector<IndexBox> bodyLattices, plainLattices;   ///< how the points of `body` and `plain`, of a cut of
+  std::vector<BodySurface::Lattice> bodyLattices, plainLattices;  ///< how the points of `body` and `plain`, of a cut of
                                                        ///< `wholeBody` and `wholePlain`, lie in space; none
                                                        ///< where they are of no patches
   vtkSmartPointer<vtkPolyData> outline;

@@ -70,9 +70,6 @@ namespace {
 /// With so many rays a share is off by 0.003 (root mean square); with the fewest by 0.008.
 constexpr Eigen::Index kRaysOfPoint = 256, kFewestRaysOfPoint = 64;
 
-/// Of these rays every so-manieth goes first.
-constexpr Eigen::Index kStride = 5;
-
 /// Beyond these a point gets fewer.
 constexpr Eigen::Index kRaysOfPicture = 8'000'000;
 
@@ -190,21 +187,13 @@ Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::M
       const Eigen::Vector3d x = points.col(i), n = normals.col(i);
       const Eigen::Vector3f amongBodies = (x + rays.amongBodies * n).cast<float>(),
                             amongTools = (x + rays.amongTools * n).cast<float>();
-      const Eigen::Matrix3f frame = frameOf(n).cast<float>();
-      const auto freeAlong = [&](Eigen::Index k) {
-        const Eigen::Vector3f direction = frame * directions.col(k).cast<float>();
-        if (bodies_->stop(amongBodies, direction, reach)) return 0.0;
-        return tools_->stop(amongTools, direction, reach) ? 1.0 - toolOpacity_ : 1.0;
-      };
+      const Eigen::Matrix3d frame = frameOf(n);
       double sum = 0.0;
-      for (Eigen::Index k = 0; k < count; k += kStride) sum += freeAlong(k);
-      const double tried = static_cast<double>((count + kStride - 1) / kStride);
-      if (sum == 0.0 || sum == tried) {  // where nothing or everything is near, a few rays tell
-        shares(i) = sum / tried;
-        continue;
+      for (Eigen::Index k = 0; k < count; ++k) {
+        const Eigen::Vector3f direction = (frame * directions.col(k)).cast<float>();
+        if (bodies_->stop(amongBodies, direction, reach)) continue;
+        sum += tools_->stop(amongTools, direction, reach) ? 1.0 - toolOpacity_ : 1.0;
       }
-      for (Eigen::Index k = 0; k < count; ++k)
-        if (k % kStride != 0) sum += freeAlong(k);
       shares(i) = sum / static_cast<double>(count);
     }
   });

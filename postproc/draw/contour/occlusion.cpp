@@ -35,10 +35,11 @@ class CoarseLattice {
  public:
   /// x: points of the surface. first: number of the first one of the lattice. Lines are at most `distance` apart
   /// where those of the lattice are.
-  CoarseLattice(const Eigen::Matrix3Xd& x, Eigen::Index first, const IndexBox& box, double distance)
-      : first_(first) {
+  CoarseLattice(const Eigen::Matrix3Xd& x, Eigen::Index first, const BodySurface::Lattice& lattice,
+                double distance)
+      : first_(first), numCorners_(lattice.corners.size()), hasMiddles_(lattice.middles.size() > 0) {
     Eigen::Index step = 1;
-    for (const int extent : box.extent) {
+    for (const int extent : lattice.corners.extent) {
       if (extent > 1 && numDirections_ < 2) {
         steps_[numDirections_] = step;
         extents_[numDirections_++] = extent;
@@ -83,7 +84,8 @@ class CoarseLattice {
       }
   }
 
-  /// Fills values at all points of the lattice from those at `points`.
+  /// Fills values at all points of the lattice from those at `points`; those in the middle of a cell are between those at
+  /// its corners.
   void spread(const double* coarse, Eigen::VectorXd& values) const {
     const std::size_t row = chosen_[0].size();
     for (std::size_t b = 0; b + 1 < chosen_[1].size(); ++b)
@@ -99,6 +101,12 @@ class CoarseLattice {
                 std::lerp(std::lerp(corner[0], corner[1], s), std::lerp(corner[row], corner[row + 1], s), t);
           }
       }
+    if (!hasMiddles_) return;
+    Eigen::Index middle = first_ + numCorners_;
+    for (Eigen::Index j = 0; j + 1 < extents_[1]; ++j)
+      for (Eigen::Index i = 0; i + 1 < extents_[0]; ++i)
+        values(middle++) = 0.25 * (values(numberOf(i, j)) + values(numberOf(i + 1, j)) +
+                                   values(numberOf(i, j + 1)) + values(numberOf(i + 1, j + 1)));
   }
 
  private:
@@ -126,7 +134,8 @@ class CoarseLattice {
     return lines;
   }
 
-  Eigen::Index first_;
+  Eigen::Index first_, numCorners_;
+  bool hasMiddles_;
   std::size_t numDirections_ = 0;
   std::array<Eigen::Index, 2> extents_{1, 1}, steps_{0, 0};
   std::array<std::vector<Eigen::Index>, 2> chosen_;
@@ -150,19 +159,19 @@ struct Cut {
 /// Shares at points of a surface. lattices: how they lie; none where nothing is known of it. distance: at which shares
 /// are computed at least, or at twice of it where they hardly change.
 Eigen::VectorXd sharesOf(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& normals,
-                         const std::vector<IndexBox>& lattices, const FreeSky& sky, const FreeSky::Rays& rays,
+                         const std::vector<BodySurface::Lattice>& lattices, const FreeSky& sky, const FreeSky::Rays& rays,
                          double distance, const std::optional<Cut>& cut) {
   constexpr double kCalm = 0.02;  // five levels of grey
   std::vector<CoarseLattice> coarse;
   std::vector<Eigen::Index> points;  // where shares are known first
   std::vector<bool> isFirst;         // of them: not only where the others are not enough
   Eigen::Index first = 0;
-  for (const IndexBox& box : lattices) {
-    coarse.emplace_back(x, first, box, distance);
+  for (const BodySurface::Lattice& lattice : lattices) {
+    coarse.emplace_back(x, first, lattice, distance);
     const std::vector<Eigen::Index> added = coarse.back().points();
     for (std::size_t k = 0; k < added.size(); ++k) isFirst.push_back(coarse.back().isOnEveryOther(k));
     points.insert(points.end(), added.begin(), added.end());
-    first += box.size();
+    first += lattice.corners.size() + lattice.middles.size();
   }
   if (lattices.empty()) {
     points.resize(static_cast<std::size_t>(x.cols()));
@@ -201,7 +210,7 @@ Eigen::VectorXd sharesOf(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& norm
   return shares;
 }
 
-void setSkyOf(vtkPolyData* surface, const std::vector<IndexBox>& lattices, const FreeSky& sky,
+void setSkyOf(vtkPolyData* surface, const std::vector<BodySurface::Lattice>& lattices, const FreeSky& sky,
               const FreeSky::Rays& rays, double distance, const std::optional<Cut>& cut) {
   if (!surface || !surface->GetPointData()->GetNormals()) return;
   const Eigen::VectorXd shares =
@@ -220,7 +229,7 @@ void Occlusion::setSky() {
   const double start = kStart * length_, pressedIn = -kPressedIn * length_, distance = kDistance * length_;
   const FreeSky::Rays ofBodies{kReach * length_, start, pressedIn},
       ofTools{kReach * length_, pressedIn, start};
-  const auto setSkyOfBody = [&](auto& body, const auto& whole, const std::vector<IndexBox>& lattices) {
+  const auto setSkyOfBody = [&](auto& body, const auto& whole, const std::vector<BodySurface::Lattice>& lattices) {
     if (!whole) return setSkyOf(body, lattices, sky_, ofBodies, distance, {});
     setSkyOf(whole, lattices, sky_, ofBodies, distance, Cut{*parts_.plane, 2.0 * distance});
     body = behind(*whole, *parts_.plane);
@@ -248,8 +257,7 @@ vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   plane->Update();
   vtkSmartPointer<vtkPolyData> ground = plane->GetOutput();
   const Eigen::Matrix3Xd points = tuplesOf(*ground->GetPoints()->GetData());
-  IndexBox lattice;
-  lattice.extent = {kCells + 1, kCells + 1, 1};
+  const BodySurface::Lattice lattice{{{kCells + 1, kCells + 1, 1}}, {{0, 0, 0}}};
   const Eigen::VectorXd shares = sharesOf(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()), {lattice},
                                           sky_, {reach}, 0.0, {});
   vtkNew<vtkUnsignedCharArray> colors;

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/exact_range.h"
@@ -127,6 +128,47 @@ TEST(PictureSubdivision, LeavesNoCracksBetweenPatches) {
   for (vtkIdType k = 0; k < edges.GetNumberOfPoints(); ++k) {
     const double radius = placeOf(edges, k).norm();
     EXPECT_LT(std::min(std::abs(radius - kInnerRadius), std::abs(radius - kOuterRadius)), 1e-6);
+  }
+}
+
+/// Two quarters of a tube, one of whose faces needs many cells.
+TEST(PictureSubdivision, LeavesNoCracksBetweenPatchesInSpace) {
+  const double quarter = std::numbers::pi / 2.0;
+  ModelRecord model = modelOf(
+      refined(cylinderSegment({0.0, 0.0, 0.0}, kInnerRadius, kOuterRadius, 0.0, quarter, 1.0),
+              {KnotVector::uniform(2, 2), KnotVector::uniform(2, 3), KnotVector::uniform(2, 2)}));
+  FrameRecord still = frameOf(model, 0, 0.0);
+  still.displacement.setZero();
+  const ModelFrame half = mirrored(model, still, {{0, 0.0}});
+  const MeshRecord& mesh = half.model.mesh;
+  ASSERT_EQ(mesh.patches.size(), 2U);
+  ValueTolerance values{Eigen::MatrixXd::Zero(1, mesh.numNodes), 0.01, {0.0, 1.0}};
+  values.coefficients(0, mesh.patches[1].nodes[0]) = 1.0;
+  for (const double tolerance : {0.1, 0.01}) {
+    const Subdivision cells = pictureSubdivision(mesh, {}, {tolerance, kEverything}, &values);
+    const auto shape = trianglesOf(mesh, cells).displaced({});
+    vtkNew<vtkCleanPolyData> joined;
+    joined->SetInputData(shape);
+    joined->SetTolerance(1e-9);
+    vtkNew<vtkFeatureEdges> border;
+    border->SetInputConnection(joined->GetOutputPort());
+    border->FeatureEdgesOff();
+    border->Update();
+    EXPECT_EQ(border->GetOutput()->GetNumberOfCells(), 0);  // the surface is closed
+    double worst = 0.0;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < shape->GetNumberOfCells(); ++cell) {
+      shape->GetCellPoints(cell, ids);
+      for (vtkIdType k = 0; k < 3; ++k) {
+        const Eigen::Vector2d one = placeOf(*shape, ids->GetId(k)).head<2>(),
+                              other = placeOf(*shape, ids->GetId((k + 1) % 3)).head<2>();
+        for (const double radius : {kInnerRadius, kOuterRadius})
+          if (std::abs(one.norm() - radius) < 1e-9 && std::abs(other.norm() - radius) < 1e-9)
+            worst = std::max(worst, radius - 0.5 * (one + other).norm());
+      }
+    }
+    EXPECT_LE(worst, tolerance);
+    EXPECT_GT(worst, tolerance / 100.0);
   }
 }
 
