@@ -18,7 +18,7 @@ void describe(Visitor& v, OutputSpec& s) {
           "Times at which a frame is written, beside the start and the end.");
   v.field("every", s.every, {.above = 0, .unit = "time"}, "A frame every so much time.");
   v.field("subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
-          "Cells per knot span and direction in VTU files and in pictures of bodies in space.");
+          "Cells per knot span and direction in VTU files.");
   v.field("vtu", s.vtu, {}, "Write VTU files, one per frame, and a PVD collection.");
   v.field(
       "pieces", s.pieces, {.atLeast = 1, .atMost = 100'000},

@@ -37,7 +37,8 @@ class BodySurface {
   /// How the points of a plane patch or a face lie.
   struct Lattice {
     IndexBox corners;  ///< rows and columns of the corners of its cells
-    IndexBox middles;  ///< behind them, of the middles of the cells; of no extent where they are quadrilaterals
+    IndexBox
+        middles;  ///< behind them, of the middles of the cells; of no extent where they are quadrilaterals
   };
 
   /// In the order of the points.

@@ -140,7 +140,8 @@ int partsOf(const Corners& corners, const CutPatch& patch, const PositionToleran
     const CutPatch::Point &one = corners[k], &other = corners[(k + 1) % 3];
     const Eigen::Vector3d xi = 0.5 * (one.xi + other.xi), x = 0.5 * (one.x + other.x);
     const CutPatch::Point middle = patch.pointAt(x, xi);
-    if (patch.isOnFace(std::array{one.xi, other.xi})) worst = std::max(worst, (middle.x - x).norm() / positions.length);
+    if (patch.isOnFace(std::array{one.xi, other.xi}))
+      worst = std::max(worst, (middle.x - x).norm() / positions.length);
     if (values != nullptr && (isTold(one.value) || isTold(other.value) || isTold(middle.value)))
       worst = std::max(worst, (middle.value - 0.5 * (one.value + other.value)).norm() / values->value);
   }
@@ -252,7 +253,8 @@ SectionTriangles exactSection(const MeshRecord& mesh, const Eigen::MatrixXd& dis
       ++next;
     }
   result.surface->SetPoints(makePoints(x));
-  result.surface->SetPolys(makeCells(Eigen::Map<const Eigen::MatrixXi>(corners.data(), 3, std::ssize(corners) / 3)));
+  result.surface->SetPolys(
+      makeCells(Eigen::Map<const Eigen::MatrixXi>(corners.data(), 3, std::ssize(corners) / 3)));
   result.surface->GetPointData()->SetNormals(
       makeArray("normals", plane.normal.normalized().replicate(1, numPoints), {}));
   return result;

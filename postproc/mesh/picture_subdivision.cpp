@@ -97,7 +97,8 @@ class SideCells {
       bases_.push_back(basisOf(patch.directions[d]));
       if (side.ends[d] == PatchSide::End::None) along_.push_back(d);
     }
-    const TensorPoints points(patch, rows([](const UnivariateBasis& basis) { return bernsteinPoints(basis); }));
+    const TensorPoints points(patch,
+                              rows([](const UnivariateBasis& basis) { return bernsteinPoints(basis); }));
     weights_ = {points.weights().transpose(), extentAlong(points)};
     x_ = {points.referencePoints(), weights_.row};
     if (displacement.size() > 0) x_.values += points.evaluate(displacement);
@@ -131,7 +132,7 @@ class SideCells {
       rows.push_back(end == PatchSide::End::None
                          ? pointsOf(bases_[d])
                          : valuesAt(bases_[d], {end == PatchSide::End::Begin ? breakpoints.front()
-                                                                              : breakpoints.back()}));
+                                                                             : breakpoints.back()}));
     }
     return rows;
   }

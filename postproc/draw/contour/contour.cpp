@@ -493,8 +493,7 @@ class ContourPicture {
   }
 
   /// How far towards the eye a layer is moved. In space lines come out of the facets on which they lie, but not
-  /// through what is before them, and tools and faces in contact lie over the facets of
-  /// the bodies.
+  /// through what is before them, and tools and faces in contact lie over the bodies in whose surface they are.
   double liftOf(Layer layer, const View& view) const {
     constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.004, kLiftOfFaces = 0.008;
     const auto order = static_cast<double>(layer);
@@ -571,8 +570,8 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
         shown.dim, shown.title, its.time, field, ranges, parts, bodiesWithout(shown, its, options.field),
         "",        {}};
     subject.refine = [&](ContourParts& coarse, const View& view, const std::array<double, 2>& range) {
-        refineForView(coarse, shown, its, field, options, view, range);
-      };
+      refineForView(coarse, shown, its, field, options, view, range);
+    };
     return make(subject);
   });
 }

@@ -299,7 +299,8 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.box = boxOf(*parts.body);
   if (meshes.without() != nullptr) {
     const MeshRecord& without = *meshes.without();
-    parts.plain = BodySurface(without, firstCells(without, model, parts, options)).displaced(parts.displacement);
+    parts.plain =
+        BodySurface(without, firstCells(without, model, parts, options)).displaced(parts.displacement);
     parts.box.extend(boxOf(*parts.plain));
   }
   const Subdivision ofLines = firstCells(mesh, model, parts, options);

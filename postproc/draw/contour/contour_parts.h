@@ -35,9 +35,10 @@ struct ContourParts {
   vtkSmartPointer<vtkPolyData> section;              ///< the same, of a cut; null without one
   vtkSmartPointer<vtkPolyData> plain, plainSection;  ///< of bodies that do not have the field; null without
   vtkSmartPointer<vtkPolyData> wholeBody, wholePlain;  ///< of a cut: `body` and `plain` before it
-  std::vector<BodySurface::Lattice> bodyLattices, plainLattices;  ///< how the points of `body` and `plain`, of a cut of
-                                                       ///< `wholeBody` and `wholePlain`, lie in space; none
-                                                       ///< where they are of no patches
+  std::vector<BodySurface::Lattice> bodyLattices,
+      plainLattices;  ///< how the points of `body` and `plain`, of a cut of
+                      ///< `wholeBody` and `wholePlain`, lie in space; none
+                      ///< where they are of no patches
   vtkSmartPointer<vtkPolyData> outline;
   vtkSmartPointer<vtkPolyData> knots, undeformed, net;  ///< null where they are not shown
   std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye

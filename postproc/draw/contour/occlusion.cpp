@@ -159,8 +159,8 @@ struct Cut {
 /// Shares at points of a surface. lattices: how they lie; none where nothing is known of it. distance: at which shares
 /// are computed at least, or at twice of it where they hardly change.
 Eigen::VectorXd sharesOf(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& normals,
-                         const std::vector<BodySurface::Lattice>& lattices, const FreeSky& sky, const FreeSky::Rays& rays,
-                         double distance, const std::optional<Cut>& cut) {
+                         const std::vector<BodySurface::Lattice>& lattices, const FreeSky& sky,
+                         const FreeSky::Rays& rays, double distance, const std::optional<Cut>& cut) {
   constexpr double kCalm = 0.02;  // five levels of grey
   std::vector<CoarseLattice> coarse;
   std::vector<Eigen::Index> points;  // where shares are known first
@@ -181,7 +181,8 @@ Eigen::VectorXd sharesOf(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& norm
   std::vector<double> known(points.size(), kUnknown);
   if (cut)
     for (std::size_t k = 0; k < points.size(); ++k)
-      if ((x.col(points[k]) - cut->plane.point).dot(cut->plane.normal.normalized()) > cut->margin) known[k] = 1.0;
+      if ((x.col(points[k]) - cut->plane.point).dot(cut->plane.normal.normalized()) > cut->margin)
+        known[k] = 1.0;
   const auto compute = [&](bool firstAlone) {
     std::vector<std::size_t> places;
     std::vector<Eigen::Index> those;
@@ -229,7 +230,8 @@ void Occlusion::setSky() {
   const double start = kStart * length_, pressedIn = -kPressedIn * length_, distance = kDistance * length_;
   const FreeSky::Rays ofBodies{kReach * length_, start, pressedIn},
       ofTools{kReach * length_, pressedIn, start};
-  const auto setSkyOfBody = [&](auto& body, const auto& whole, const std::vector<BodySurface::Lattice>& lattices) {
+  const auto setSkyOfBody = [&](auto& body, const auto& whole,
+                                const std::vector<BodySurface::Lattice>& lattices) {
     if (!whole) return setSkyOf(body, lattices, sky_, ofBodies, distance, {});
     setSkyOf(whole, lattices, sky_, ofBodies, distance, Cut{*parts_.plane, 2.0 * distance});
     body = behind(*whole, *parts_.plane);
@@ -258,8 +260,8 @@ vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   vtkSmartPointer<vtkPolyData> ground = plane->GetOutput();
   const Eigen::Matrix3Xd points = tuplesOf(*ground->GetPoints()->GetData());
   const BodySurface::Lattice lattice{{{kCells + 1, kCells + 1, 1}}, {{0, 0, 0}}};
-  const Eigen::VectorXd shares = sharesOf(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()), {lattice},
-                                          sky_, {reach}, 0.0, {});
+  const Eigen::VectorXd shares = sharesOf(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()),
+                                          {lattice}, sky_, {reach}, 0.0, {});
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(4);
   for (const double share : shares)

@@ -208,10 +208,8 @@ void describeParts(Visitor& v, PictureOptions& s) {
   describeMotion(v, s);
   v.field("hidden_lines", s.hiddenLines, {},
           "Edges of body and tools that lie behind surfaces: off, or dashed (3D).");
-  v.field(
-      "subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
-      "Cells per knot span and direction, instead of what an exact picture of a plane body takes; in space "
-      "those of the scene's output when left out.");
+  v.field("subdivision", s.subdivision, {.atLeast = 1, .atMost = 64},
+          "Cells per knot span and direction, instead of what an exact picture takes.");
 }
 
 /// From where the body is seen, and how much of it.

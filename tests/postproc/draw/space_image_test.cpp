@@ -55,6 +55,43 @@ TEST_F(SpaceImage, CutShowsTheFieldInside) {
   expectColor(picture, Eigen::Vector3d(0.5, 1.25, 0.4), options.theme.tool);
 }
 
+/// On a face that looks at the eye, which light leaves as it is, and inside the body.
+TEST_F(SpaceImage, HasTheExactColourInEveryPixelAtAnyZoom) {
+  Sample sample = samples::cube(2);
+  sample.frame.displacement.setZero();
+  Eigen::MatrixXd& product =
+      sample.frame.fields["pressure"].values;  // 4 x y z: a knot span has no better cells
+  product = 4.0 * sample.model.mesh.patches.front().points.colwise().prod();
+  const ColorScale scale("viridis", {0.0, 4.0}, 0);
+  ContourOptions options = small("pressure");
+  options.tools = options.occlusion = options.undeformed = false;
+  options.view = {.name = "xy"};
+  options.range = {0.0, 4.0};
+  for (const double z : {1.0, 0.6}) {
+    options.slice.reset();
+    if (z < 1.0) options.slice = CutPlane{{0.0, 0.0, z}, {0.0, 0.0, 1.0}};
+    for (const double size : {1.0, 0.1, 0.01}) {
+      const Eigen::Vector2d corner(0.9 - 0.9 * size, 0.8 - 0.8 * size);
+      options.window = {corner, corner + size * Eigen::Vector2d(1.0, 1.0)};
+      const Picture picture = drawn(sample, options);
+      const Eigen::Vector2d half(view.area.width / 2 - 3, view.area.height / 2 - 3);
+      int worst = 0, looked = 0;
+      for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+          const Eigen::Vector2d pixel(x + 0.5, y + 0.5), fromMiddle = pixel - view.area.center();
+          const Eigen::Vector2d at = options.window->center() + fromMiddle / view.pixelsPerLength;
+          const double margin = 3.0 / view.pixelsPerLength;
+          if ((at.array() < margin).any() || (at.array() > 1.0 - margin).any()) continue;
+          if ((fromMiddle.cwiseAbs().array() > half.array()).any()) continue;
+          ++looked;
+          worst = std::max(worst, difference(picture.at(pixel), scale.color(4.0 * at.x() * at.y() * z)));
+        }
+      EXPECT_GT(looked, 20000);
+      EXPECT_LE(worst, 4) << z << " " << size;  // a step of the colours is up to 3 of 255
+    }
+  }
+}
+
 TEST_F(SpaceImage, CutThroughTheWholeRemovesTheHalfOfTheEye) {
   ContourOptions options = small("pressure");
   options.tools = false;

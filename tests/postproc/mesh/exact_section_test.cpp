@@ -57,8 +57,8 @@ TEST(ExactSection, LiesInThePlaneAndOnTheBody) {
   const ModelRecord model = modelOf(quarterTube());
   const ValueTolerance values{model.mesh.patches.front().points.topRows(2), 1e-2, {-10.0, 10.0}};
   const Eigen::Vector3d normal = kSlanted.normal.normalized();
-  const double exact = std::numbers::pi / 4.0 *
-                       (kOuterRadius * kOuterRadius - kInnerRadius * kInnerRadius) / normal.z();
+  const double exact =
+      std::numbers::pi / 4.0 * (kOuterRadius * kOuterRadius - kInnerRadius * kInnerRadius) / normal.z();
   for (const double tolerance : {1e-2, 1e-3}) {
     const SectionTriangles section = sectionOfMesh(model.mesh, 2, tolerance, &values);
     vtkPolyData& surface = *section.surface;
@@ -100,7 +100,8 @@ TEST(ExactSection, KeepsValuesWithinTheTolerance) {
       const auto found = map(middle, xi);
       if (!map.arrived(found)) continue;  // beyond an inner arc
       const int span = tube.findSpan(found.xi);
-      const double exact = coefficients.row(0)(tube.basis().spanFunctions(span)) * tube.shape(span, found.xi).R;
+      const double exact =
+          coefficients.row(0)(tube.basis().spanFunctions(span)) * tube.shape(span, found.xi).R;
       worst = std::max(worst, std::abs(value - exact));
     }
     EXPECT_LE(worst, 2.0 * tolerance);  // it is measured at the middles of edges

@@ -134,9 +134,9 @@ TEST(PictureSubdivision, LeavesNoCracksBetweenPatches) {
 /// Two quarters of a tube, one of whose faces needs many cells.
 TEST(PictureSubdivision, LeavesNoCracksBetweenPatchesInSpace) {
   const double quarter = std::numbers::pi / 2.0;
-  ModelRecord model = modelOf(
-      refined(cylinderSegment({0.0, 0.0, 0.0}, kInnerRadius, kOuterRadius, 0.0, quarter, 1.0),
-              {KnotVector::uniform(2, 2), KnotVector::uniform(2, 3), KnotVector::uniform(2, 2)}));
+  ModelRecord model =
+      modelOf(refined(cylinderSegment({0.0, 0.0, 0.0}, kInnerRadius, kOuterRadius, 0.0, quarter, 1.0),
+                      {KnotVector::uniform(2, 2), KnotVector::uniform(2, 3), KnotVector::uniform(2, 2)}));
   FrameRecord still = frameOf(model, 0, 0.0);
   still.displacement.setZero();
   const ModelFrame half = mirrored(model, still, {{0, 0.0}});
