@@ -14,7 +14,7 @@ namespace burnish {
 namespace {
 
 ProbeSpec specOf(const ProbeArguments& arguments) {
-  ProbeSpec spec;
+  AnyProbeSpec spec;
   arguments.probe.readInto(spec);
   const std::vector<InputProblem> problems = conflictsIn(spec);
   if (!problems.empty())
@@ -23,20 +23,20 @@ ProbeSpec specOf(const ProbeArguments& arguments) {
 }
 
 /// A curve per field for each frame, or one over time. name: of the run; empty for the only one.
-std::vector<ProbedRun> probedRuns(const ResultReader& result, const std::string& name, const ProbeSpec& spec,
+std::vector<ProbedRun> probedRuns(const ProbeSource& result, const std::string& name, const ProbeSpec& spec,
                                   const std::string& frame) {
-  const std::vector<double> times = result.times();
+  const std::vector<double>& times = result.times;
   const char* usual = spec.isOverTime() ? "all" : "last";
   const std::vector<int> frames = frameIndices(frame.empty() ? usual : frame, times);
   std::vector<ProbedRun> runs;
   if (spec.isOverTime()) {
-    runs.push_back(probedHistory(result, frames, spec));
+    runs.push_back(result.overTime(frames, spec));
     runs.back().name = name;
     return runs;
   }
   for (const int index : frames) {
     throwIfInterrupted();
-    runs.push_back(probedFrame(result.model(), result.frame(index), spec));
+    runs.push_back(result.inFrame(index, spec));
     runs.back().name = name;
     if (frames.size() > 1)
       runs.back().name +=
@@ -45,11 +45,11 @@ std::vector<ProbedRun> probedRuns(const ResultReader& result, const std::string&
   return runs;
 }
 
-std::vector<ProbedRun> allRuns(const ProbeArguments& arguments, const std::vector<ResultReader>& results,
+std::vector<ProbedRun> allRuns(const ProbeArguments& arguments, const std::vector<ProbeSource>& results,
                                const ProbeSpec& spec) {
   const bool named = results.size() > 1 || !arguments.chart.labels.empty();
   std::vector<std::filesystem::path> files;
-  for (const ResultReader& result : results) files.push_back(result.file());
+  for (const ProbeSource& result : results) files.push_back(result.file);
   const std::vector<std::string> names =
       runNames(arguments.chart, files, modelFile({}).string(), arguments.results);
   std::vector<ProbedRun> runs;
@@ -67,7 +67,7 @@ std::vector<ProbedRun> allRuns(const ProbeArguments& arguments, const std::vecto
 
 }  // namespace
 
-ProbedChart probedChart(const ProbeArguments& arguments, const std::vector<ResultReader>& results) {
+ProbedChart probedChart(const ProbeArguments& arguments, const std::vector<ProbeSource>& results) {
   const ProbeSpec spec = specOf(arguments);
   const std::vector<ProbedRun> runs = allRuns(arguments, results, spec);
   const std::size_t numFields = runs.front().fields.size(), numCurves = runs.size() * numFields;

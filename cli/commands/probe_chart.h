@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/commands/chart_options.h"
-#include "engine/results/result_reader.h"
+#include "cli/commands/probe_source.h"
 #include "postproc/draw/chart/chart.h"
 
 namespace burnish {
@@ -12,7 +12,7 @@ namespace burnish {
 /// What `burnish probe` was asked for.
 struct ProbeArguments {
   std::vector<std::filesystem::path> results;
-  DeclaredOptions probe;  ///< of a `ProbeSpec`
+  DeclaredOptions probe;  ///< of an `AnyProbeSpec`
   std::string frame;      ///< empty: not given
   ChartArguments chart;
 };
@@ -25,6 +25,6 @@ struct ProbedChart {
 
 /// results: one per path of the arguments. Throws `Error` for an option that does not fit the results or other
 /// options.
-ProbedChart probedChart(const ProbeArguments& arguments, const std::vector<ResultReader>& results);
+ProbedChart probedChart(const ProbeArguments& arguments, const std::vector<ProbeSource>& results);
 
 }  // namespace burnish

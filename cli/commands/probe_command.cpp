@@ -20,10 +20,10 @@ namespace {
 
 ExitCode probe(const ProbeArguments& arguments, ChartOutputs outputs) {
   const SignalGuard signals(SecondSignal::Ends);
-  std::vector<ResultReader> results;
+  std::vector<ProbeSource> results;
   std::vector<std::filesystem::path> inputs;
   for (const std::filesystem::path& result : arguments.results)
-    inputs.push_back(results.emplace_back(result).file());
+    inputs.push_back(results.emplace_back(probeSource(result)).file);
   if (outputs.picture.extension() == ".csv" && outputs.csv.empty()) outputs = {{}, outputs.picture.string()};
   checkOutputs(outputs, std::move(inputs));
   const ProbedChart probed = probedChart(arguments, results);
@@ -40,13 +40,15 @@ ExitCode probe(const ProbeArguments& arguments, ChartOutputs outputs) {
 }
 
 void addProbeOptions(CLI::App& command, ProbeArguments& arguments) {
-  command.add_option("RESULT", arguments.results, "Directories of runs or the result files in them")
+  command
+      .add_option("RESULT", arguments.results,
+                  "Directories of runs, the result files in them, or files of other programs")
       ->required();
   command
       .add_option("--frame", arguments.frame,
                   "Number of the frame, last or end, or time=T; for several A-B or all [last, over time all]")
       ->type_name("N|A-B|all|last|time=T");
-  arguments.probe.addTo(command, ProbeSpec{});
+  arguments.probe.addTo(command, AnyProbeSpec{});
   for (const auto& [option, type] : {std::pair{"--line", "X0,Y0:X1,Y1"}, std::pair{"--face", "NAME"},
                                      std::pair{"--depth", "FACE@PLACE"}, std::pair{"--point", "X,Y"}})
     command.get_option(option)->type_name(type);

@@ -26,8 +26,9 @@ struct ProbeSpec {
   bool isOverTime() const { return mean || !point.empty(); }
 };
 
+/// ofFields: rule of the names of fields.
 template <class Visitor>
-void describe(Visitor& v, ProbeSpec& s) {
+void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
   v.field("line", s.line, {},
           "X0,Y0:X1,Y1, in space with Z: values along the straight line between two points.");
   v.field("face", s.face, {}, "Values along a face of a plane body: left, right, bottom or top.");
@@ -43,7 +44,7 @@ void describe(Visitor& v, ProbeSpec& s) {
   v.field("patch", s.patch, {}, "Patch of the face, in a body of several.");
   v.field("body", s.bodies, {}, "Names of the bodies that are looked at; all when left out.");
   v.field(
-      "field", s.fields, {.choices = bodyFields()},
+      "field", s.fields, ofFields,
       "What is drawn, one field or several of one unit; displacement alone is its magnitude; plastic_strain "
       "or von_mises when left out.");
   v.field("reference", s.reference, {},
@@ -53,6 +54,20 @@ void describe(Visitor& v, ProbeSpec& s) {
   v.field("window", s.window, {.above = 0, .unit = "length"},
           "Mean values of a window of this width along the path instead of values at points.");
   v.field("mean", s.mean, {}, "The mean of all of the path over time instead of values along it.");
+}
+
+/// Of runs.
+template <class Visitor>
+void describe(Visitor& v, ProbeSpec& s) {
+  describeProbe(v, s, {.choices = bodyFields()});
+}
+
+/// Of files of any program, whose fields have any name.
+struct AnyProbeSpec : ProbeSpec {};
+
+template <class Visitor>
+void describe(Visitor& v, AnyProbeSpec& s) {
+  describeProbe(v, s, {});
 }
 
 /// What keys say that cannot be, each alone or two together, by the key.

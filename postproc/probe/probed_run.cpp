@@ -98,24 +98,24 @@ std::string fieldWords(const std::vector<FieldChoice>& fields) {
 std::vector<std::string> columnsOf(const ProbeSpec& spec, const ProbedRun& run) {
   const std::string& unit = run.lengthUnit;
   std::vector<std::string> columns{spec.isOverTime() ? "time" : labelled("distance", unit)};
-  for (const char* axes : {"xyz", "XYZ"})
-    for (int d = 0; !spec.mean && d < run.dim; ++d)
-      columns.push_back(labelled(std::string(1, axes[d]), unit));
+  const auto addAxes = [&](const char* axes) {
+    for (int d = 0; d < run.dim; ++d) columns.push_back(labelled(std::string(1, axes[d]), unit));
+  };
+  if (!spec.mean) addAxes("xyz");
+  if (!spec.mean && !run.isForeign) addAxes("XYZ");
   for (const FieldChoice& field : run.fields) columns.push_back(labelled(field.name, field.unit));
   if (!run.name.empty())
     for (std::string& column : columns) column = run.name + " " + column;
   return columns;
 }
 
-std::vector<std::string> cellsOf(const ProbeSpec& spec, const ProbePoint& point) {
+std::vector<std::string> cellsOf(const ProbeSpec& spec, const ProbedRun& run, const ProbePoint& point) {
   std::vector<std::string> cells{fmt::format("{}", point.at)};
   const auto add = [&](const Eigen::VectorXd& values) {
     for (const double value : values) cells.push_back(fmt::format("{}", value));
   };
-  if (!spec.mean) {
-    add(point.current);
-    add(point.reference);
-  }
+  if (!spec.mean) add(point.current);
+  if (!spec.mean && !run.isForeign) add(point.reference);
   add(point.values);
   return cells;
 }
@@ -198,8 +198,10 @@ std::vector<ProbedRun> probedRuns(const ResultReader& result, const ProbeSpec& s
 ProbeTitles titlesOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) {
   CommonUnit length, value;
   for (const ProbedRun& run : runs) {
-    length.add("the length of " + (run.name.empty() ? "the result" : run.name), run.lengthUnit);
-    for (const FieldChoice& field : run.fields) value.add(field.name, field.unit);
+    if (!run.isForeign)
+      length.add("the length of " + (run.name.empty() ? "the result" : run.name), run.lengthUnit);
+    for (const FieldChoice& field : run.fields)
+      if (!run.isForeign || !field.unit.empty()) value.add(field.name, field.unit);
   }
   return {spec.isOverTime() ? "Time" : withUnit(distanceWords(spec), length.text()),
           withUnit(fieldWords(runs.front().fields) + meanWords(spec, length.text()), value.text())};
@@ -234,7 +236,7 @@ std::string tableOf(const ProbeSpec& spec, const std::vector<ProbedRun>& runs) {
     std::vector<std::string> cells;
     for (const ProbedRun& run : runs) {
       const std::vector<std::string> own = row < run.points.size()
-                                               ? cellsOf(spec, run.points[row])
+                                               ? cellsOf(spec, run, run.points[row])
                                                : std::vector<std::string>(columnsOf(spec, run).size());
       cells.insert(cells.end(), own.begin(), own.end());
     }

@@ -60,6 +60,15 @@ vtkDataArray* arrayIn(const ForeignBlock& block, const ForeignField& field) {
   return array && static_cast<std::size_t>(array->GetNumberOfComponents()) == count ? array : nullptr;
 }
 
+/// Whether a name without a component means something.
+bool hasOwn(const ForeignField& field) {
+  return field.components.empty() || field.isVector();
+}
+
+std::string componentName(const ForeignField& field, std::size_t component) {
+  return field.name + "." + field.components[component];
+}
+
 }  // namespace
 
 std::vector<ForeignField> foreignFieldsOf(const std::vector<ForeignBlock>& blocks) {
@@ -89,22 +98,48 @@ double ForeignChoice::signInMirror(int axis) const {
   return isOfAxes && std::ranges::count(name, "xyz"[axis]) % 2 == 1 ? -1.0 : 1.0;
 }
 
+std::optional<ForeignChoice> findForeignField(const std::vector<ForeignField>& fields,
+                                              const std::string& name) {
+  for (const ForeignField& field : fields) {
+    if (hasOwn(field) && (name == field.name || name == field.array)) return ForeignChoice{field, -1};
+    for (std::size_t k = 0; k < field.components.size(); ++k)
+      if (name == componentName(field, k) || name == fmt::format("{}.{}", field.name, k))
+        return ForeignChoice{field, static_cast<int>(k)};
+  }
+  return std::nullopt;
+}
+
 ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name,
                                  const std::string& where) {
+  if (const auto found = findForeignField(fields, name)) return *found;
   std::vector<std::string> names;
   for (const ForeignField& field : fields) {
-    const bool hasOwn = field.components.empty() || field.isVector();
-    if (hasOwn) names.push_back(field.name);
-    if (hasOwn && (name == field.name || name == field.array)) return {field, -1};
-    for (std::size_t k = 0; k < field.components.size(); ++k) {
-      names.push_back(field.name + "." + field.components[k]);
-      if (name == names.back() || name == fmt::format("{}.{}", field.name, k))
-        return {field, static_cast<int>(k)};
-    }
+    if (hasOwn(field)) names.push_back(field.name);
+    for (std::size_t k = 0; k < field.components.size(); ++k) names.push_back(componentName(field, k));
   }
   throw Error(fmt::format("field: found \"{}\"; {} has {}.{}", name, where,
                           names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
                           didYouMean(name, names)));
+}
+
+FieldChoice wordsOf(const ForeignChoice& choice) {
+  const ForeignField& field = choice.field;
+  const std::string component =
+      choice.component < 0 ? "" : field.components[static_cast<std::size_t>(choice.component)];
+  return fieldInWords(field.name, component, choice.component < 0 && field.isVector(), field.unit);
+}
+
+std::vector<ForeignBlock> chosenBlocks(std::vector<ForeignBlock> blocks,
+                                       const std::vector<std::string>& names) {
+  if (names.empty()) return blocks;
+  std::vector<std::string> all;
+  for (const ForeignBlock& block : blocks) all.push_back(block.name);
+  for (const std::string& name : names)
+    if (std::ranges::count(all, name) == 0)
+      throw Error(fmt::format("body: found \"{}\"; the file has {}.{}", name, fmt::join(all, ", "),
+                              didYouMean(name, all)));
+  std::erase_if(blocks, [&](const auto& block) { return std::ranges::count(names, block.name) == 0; });
+  return blocks;
 }
 
 std::string foreignFieldToShow(const std::vector<ForeignField>& fields) {

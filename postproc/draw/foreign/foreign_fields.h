@@ -1,8 +1,10 @@
 #pragma once
 #include <Eigen/Dense>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "postproc/draw/contour/field_choice.h"
 #include "postproc/foreign/foreign_source.h"
 
 namespace burnish {
@@ -34,10 +36,21 @@ struct ForeignChoice {
   double signInMirror(int axis) const;
 };
 
-/// The field of a name: NAME, NAME.x, NAME.xx, NAME.0. Throws `Error` that lists them and tells the nearest. where:
+/// The field of a name: NAME, NAME.x, NAME.xx, NAME.0; nothing if there is none.
+std::optional<ForeignChoice> findForeignField(const std::vector<ForeignField>& fields,
+                                              const std::string& name);
+
+/// The same. Throws `Error` that lists them and tells the nearest. where:
 /// what has these fields.
 ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name,
                                  const std::string& where = "the file");
+
+/// The choice as pictures and charts call it, without values.
+FieldChoice wordsOf(const ForeignChoice& choice);
+
+/// The blocks of these names; all where none is given. Throws `Error` that lists them and tells the nearest.
+std::vector<ForeignBlock> chosenBlocks(std::vector<ForeignBlock> blocks,
+                                       const std::vector<std::string>& names);
 
 /// Where one looks first: plastic strain, von Mises stress, displacement, else the first field; empty without any.
 std::string foreignFieldToShow(const std::vector<ForeignField>& fields);

@@ -47,19 +47,6 @@ void requireForeign(const ForeignOptions& options, const std::filesystem::path& 
   refuse(options.clip.has_value(), "clip", "only fields of runs of burnish have percentiles");
 }
 
-std::vector<ForeignBlock> chosenBlocks(std::vector<ForeignBlock> blocks, const ForeignOptions& options) {
-  if (options.bodies.empty()) return blocks;
-  std::vector<std::string> names;
-  for (const ForeignBlock& block : blocks) names.push_back(block.name);
-  for (const std::string& body : options.bodies)
-    if (std::ranges::count(names, body) == 0)
-      throw Error(fmt::format("body: found \"{}\"; the file has {}.{}", body, fmt::join(names, ", "),
-                              didYouMean(body, names)));
-  std::erase_if(blocks,
-                [&](const auto& block) { return std::ranges::count(options.bodies, block.name) == 0; });
-  return blocks;
-}
-
 /// The cells of a block with nothing but what is drawn, and what shapes curved cells.
 Grid bareGrid(const ForeignBlock& block) {
   const auto grid = Grid::New();
@@ -107,7 +94,7 @@ class SubjectMaker {
       : file_(file),
         options_(options),
         instant_(instant),
-        blocks_(chosenBlocks(file.blocks(static_cast<std::size_t>(instant)), options)),
+        blocks_(chosenBlocks(file.blocks(static_cast<std::size_t>(instant)), options.bodies)),
         fields_(foreignFieldsOf(blocks_)) {
     requireForeign(options, file.file());
   }
@@ -152,9 +139,7 @@ class SubjectMaker {
       throw Error(fmt::format(
           "isolines: {} has one value per cell, between which there are no lines; draw it without",
           field.name));
-    const std::string component =
-        choice_->component < 0 ? "" : field.components[static_cast<std::size_t>(choice_->component)];
-    words = fieldInWords(field.name, component, choice_->component < 0 && field.isVector(), field.unit);
+    words = wordsOf(*choice_);
   }
 
   Cells collect(ContourSubject& subject) {

@@ -1,0 +1,31 @@
+#include "cli/commands/probe_source.h"
+
+#include <memory>
+#include <system_error>
+
+#include "engine/results/result_reader.h"
+#include "postproc/draw/foreign/foreign_picture.h"
+#include "postproc/probe/foreign_probe.h"
+
+namespace burnish {
+
+ProbeSource probeSource(const std::filesystem::path& result) {
+  std::error_code status;
+  if (!std::filesystem::is_directory(result, status) && !foreignKind(result).empty()) {
+    const auto file = std::make_shared<const ForeignFile>(result);
+    return {file->file(), instantsOf(*file),
+            [file](int frame, const ProbeSpec& spec) { return probedInstant(*file, frame, spec); },
+            [file](const std::vector<int>& frames, const ProbeSpec& spec) {
+              return probedHistory(*file, frames, spec);
+            }};
+  }
+  const auto run = std::make_shared<const ResultReader>(result);
+  return {
+      run->file(), run->times(),
+      [run](int frame, const ProbeSpec& spec) { return probedFrame(run->model(), run->frame(frame), spec); },
+      [run](const std::vector<int>& frames, const ProbeSpec& spec) {
+        return probedHistory(*run, frames, spec);
+      }};
+}
+
+}  // namespace burnish
