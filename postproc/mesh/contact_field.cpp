@@ -156,6 +156,19 @@ std::string unitOfContactField(const ModelRecord& model, const std::string& name
   return unitOf(model, *fieldNamed(name));
 }
 
+Eigen::VectorXd contactValues(const ContactRecord& contact, const std::string& name) {
+  if (name == "contact_pressure") return contact.quadraturePressure;
+  const Eigen::Index count = contact.quadraturePressure.size();
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
+  if (contact.quadratureSliding.empty()) return values;
+  if (name == "friction_traction") values = contact.quadratureFriction.colwise().norm();
+  if (name == "slip") values = contact.quadratureSlip.colwise().norm();
+  if (name == "slipped" && contact.quadratureSlipped.size() > 0) values = contact.quadratureSlipped;
+  if (name == "sliding")
+    values = Eigen::Map<const Eigen::VectorXi>(contact.quadratureSliding.data(), count).cast<double>();
+  return values;
+}
+
 vtkSmartPointer<vtkPolyData> contactFieldFaces(const ModelRecord& model, const FrameRecord& frame,
                                                const std::string& name) {
   const ContactField& field = *fieldNamed(name);

@@ -1,6 +1,7 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Dense>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ std::vector<std::string> statesOfContactField(const std::string& name);
 
 /// Unit of one of them; may be empty.
 std::string unitOfContactField(const ModelRecord& model, const std::string& name);
+
+/// One of them at the quadrature points of a face: amounts. name: one that the face has.
+Eigen::VectorXd contactValues(const ContactRecord& contact, const std::string& name);
 
 /// The faces that have a contact field, as `contactSurface` has them; the point scalars are the values. Where
 /// these are states, every point has the part of its cells that is nearest, with points of its own. name: one

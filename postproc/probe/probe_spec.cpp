@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "postproc/mesh/contact_field.h"
+
 namespace burnish {
 
 std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
@@ -27,6 +31,13 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
           "says where a path lies; the place of a point is always in the undeformed body");
   require(!spec.window || !spec.isOverTime(), "window",
           "says what values along a path are means of; expected no point and no mean beside it");
+  const auto ofContact = std::ranges::count_if(spec.fields, isContactField);
+  require(ofContact == 0 || ofContact == std::ssize(spec.fields), "field",
+          "found fields of contact and others; expected a chart for each");
+  require(ofContact == 0 || !spec.face.empty(), "field",
+          "found a field of contact, which faces alone have; expected a face of a plane body as place");
+  require(ofContact == 0 || !spec.reference, "reference",
+          "contact fields are measured along the deformed face; expected a probe without it");
   require(!spec.mean || spec.point.empty(), "mean", "is that of a path; expected no point beside it");
   return problems;
 }

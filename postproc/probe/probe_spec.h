@@ -46,7 +46,7 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
   v.field(
       "field", s.fields, ofFields,
       "What is drawn, one field or several of one unit; displacement alone is its magnitude; plastic_strain "
-      "or von_mises when left out.");
+      "or von_mises when left out; fields of contact along faces.");
   v.field("reference", s.reference, {},
           "The path lies in the undeformed body and is measured there, not in the deformed one.");
   v.field("points", s.points, {.atLeast = 2, .atMost = 1e6},
@@ -59,7 +59,7 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
 /// Of runs.
 template <class Visitor>
 void describe(Visitor& v, ProbeSpec& s) {
-  describeProbe(v, s, {.choices = bodyFields()});
+  describeProbe(v, s, {.choices = drawableFields()});
 }
 
 /// Of files of any program, whose fields have any name.

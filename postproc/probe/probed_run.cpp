@@ -15,7 +15,7 @@
 #include "engine/core/same_time.h"
 #include "postproc/draw/contour/shown_model.h"
 #include "postproc/mesh/vtk_arrays.h"
-#include "postproc/probe/face_address.h"
+#include "postproc/probe/contact_probe.h"
 #include "postproc/probe/path_text.h"
 #include "postproc/probe/probe.h"
 #include "postproc/text/units.h"
@@ -140,8 +140,7 @@ void requirePlace(const ModelRecord& model, const FrameRecord& frame, const Prob
       return;
     }
     const ProbePath path = pathOf(spec, chosen.dim);
-    if (const auto* face = std::get_if<FacePath>(&path)) facePlace(chosen, shown, face->address);
-    if (std::holds_alternative<DepthPath>(path))
+    if (!std::holds_alternative<LinePath>(path))
       probedPath(chosen, shown, {chosen, shown, {"displacement"}}, path, {ProbedBody::Undeformed, 2, 0.0});
     const auto* line = std::get_if<LinePath>(&path);  // the body may move to where it lies
     if (line != nullptr && line->begin == line->end)
@@ -150,7 +149,9 @@ void requirePlace(const ModelRecord& model, const FrameRecord& frame, const Prob
 }
 
 ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
+  const bool ofContact = isOfContact(spec);
   return withChosenBodies(model, frame, spec, [&](const ModelRecord& chosen, const FrameRecord& shown) {
+    if (ofContact) return probedContact(chosen, shown, spec);
     const ProbedFields fields = fieldsOf(chosen, shown, spec);
     return ProbedRun{"", chosen.dim, chosen.lengthUnit, fields.choices(),
                      probedPath(chosen, shown, fields, pathOf(spec, chosen.dim), optionsOf(spec))};
@@ -160,7 +161,13 @@ ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const 
 ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& frames, const ProbeSpec& spec) {
   ProbedRun run{"", result.model().dim, result.model().lengthUnit, {}, {}};
   std::optional<MaterialPoint> point;
+  const bool ofContact = isOfContact(spec);
   const auto add = [&](const ModelRecord& model, const FrameRecord& frame) {
+    if (ofContact) {
+      run.fields = contactChoices(model, frame, spec);
+      run.points.push_back(probedContactMean(model, frame, spec));
+      return;
+    }
     const ProbedFields fields = fieldsOf(model, frame, spec);
     if (!spec.point.empty() && !point) point.emplace(model, pointOf(spec, model.dim));
     run.fields = fields.choices();

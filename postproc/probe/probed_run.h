@@ -17,7 +17,8 @@ struct ProbedRun {
   std::string lengthUnit;
   std::vector<FieldChoice> fields;
   std::vector<ProbePoint> points;
-  bool isForeign = false;  ///< of another program: units and the places of the material at the start are unknown
+  bool isForeign =
+      false;  ///< of another program: units and the places of the material at the start are unknown
 };
 
 /// Throws `Error` that begins with a key of the spec for a place that no frame of this model can have: of another

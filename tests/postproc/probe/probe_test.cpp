@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "postproc/probe/probe_spec.h"
+#include "postproc/probe/probed_run.h"
 #include "tests/message_of.h"
 #include "tests/postproc/sample_records.h"
 
@@ -220,6 +222,72 @@ TEST(MaterialPoint, IsFollowedAlsoIntoANewMesh) {
         MaterialPoint(first.model, at({1.5, 2.0}));
       }),
       HasSubstr("point: (1.5, 2) is 1 outside of the undeformed body, which lies between (0, 0) and (3, 1)"));
+}
+
+ProbeSpec contactSpec(std::vector<std::string> fields) {
+  ProbeSpec spec;
+  spec.face = "top";
+  spec.fields = std::move(fields);
+  return spec;
+}
+
+TEST(ProbedContact, HasThePointsOfTheSolverOverTheLengthOfTheDeformedFace) {
+  const Sample sample = samples::rubbedSlab();
+  const ContactRecord& contact = sample.frame.contact.front();
+  const ProbedRun run = probedFrame(sample.model, sample.frame,
+                                    contactSpec({"contact_pressure", "friction_traction", "sliding"}));
+  ASSERT_EQ(std::ssize(run.points), contact.quadraturePoints.cols());
+  EXPECT_EQ(run.fields[0].unit, "MPa");
+  double length = 0.0;  // of the parabola, in short chords
+  Eigen::Vector2d before(0.0, 1.0);
+  Eigen::Index next = 0;
+  constexpr int kChords = 48'000;
+  for (int k = 1; k <= kChords && next < std::ssize(run.points); ++k) {
+    const double s = static_cast<double>(k) / kChords;
+    const Eigen::Vector2d here(3.0 * s, 1.0 - 0.6 * s * (1.0 - s));
+    length += (here - before).norm();
+    before = here;
+    if (here.x() < contact.quadraturePoints(0, next) - 1e-9) continue;
+    const ProbePoint& point = run.points[static_cast<std::size_t>(next)];
+    EXPECT_NEAR(point.at, length, 1e-6);
+    EXPECT_LT((point.current - contact.quadraturePoints.col(next)).norm(), 1e-12);
+    EXPECT_EQ(point.values(0), contact.quadraturePressure(next));
+    EXPECT_NEAR(point.values(1), 0.3 * contact.quadraturePressure(next), 1e-12);
+    EXPECT_EQ(point.values(2), contact.quadratureSliding[static_cast<std::size_t>(next)]);
+    ++next;
+  }
+  EXPECT_EQ(next, std::ssize(run.points));
+}
+
+/// The pressure goes up and down linearly over half of the face.
+TEST(ProbedContact, WindowsTakeTheMean) {
+  const Sample sample = samples::rubbedSlab();
+  ProbeSpec spec = contactSpec({"contact_pressure"});
+  const ProbedRun whole = probedFrame(sample.model, sample.frame, spec);
+  spec.window = 100.0;
+  double area = 0.0;
+  for (std::size_t k = 1; k < whole.points.size(); ++k)
+    area += 0.5 * (whole.points[k].at - whole.points[k - 1].at) *
+            (whole.points[k].values(0) + whole.points[k - 1].values(0));
+  const double length = whole.points.back().at + whole.points.front().at;  // as much is left at both ends
+  for (const ProbePoint& point : probedFrame(sample.model, sample.frame, spec).points)
+    EXPECT_NEAR(point.values(0), area / length, 1e-3 * area / length);
+}
+
+TEST(ProbedContact, SaysWhatIsNotThere) {
+  const Sample sample = samples::rubbedSlab(), still = samples::slab();
+  EXPECT_THAT(messageOf([&] { probedFrame(still.model, still.frame, contactSpec({"slip"})); }),
+              HasSubstr("field: found \"slip\"; contact fields of frame 0: none."));
+  ProbeSpec bottom = contactSpec({"slip"});
+  bottom.face = "bottom";
+  EXPECT_THAT(messageOf([&] { probedFrame(sample.model, sample.frame, bottom); }),
+              HasSubstr("face: bottom is in no contact"));
+  const auto problem = [](ProbeSpec spec) { return conflictsIn(spec).front().text; };
+  EXPECT_THAT(problem(contactSpec({"slip", "von_mises"})), HasSubstr("a chart for each"));
+  ProbeSpec line = contactSpec({"slip"});
+  line.face.clear();
+  line.line = "0,0:1,1";
+  EXPECT_THAT(problem(line), HasSubstr("which faces alone have"));
 }
 
 TEST(Probe, SaysWhatWouldBeRight) {
