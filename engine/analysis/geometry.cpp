@@ -8,6 +8,7 @@
 #include "engine/nurbs/refinement.h"
 #include "engine/scene/mesh_knots.h"
 #include "engine/solid/joined_body.h"
+#include "engine/solid/relief.h"
 
 namespace burnish {
 namespace {
@@ -27,6 +28,21 @@ Patch<Dim> coarse(const ControlNetBody& net) {
 
 using Definitions = std::vector<DefinitionSpec>;
 
+template <int Dim>
+Patch<Dim> inRelief(Patch<Dim> patch, const Definitions& definitions,
+                    const std::vector<ReliefSpec>& reliefs) {
+  for (const ReliefSpec& relief : reliefs) {
+    const Formula height(relief.height, definitions);
+    patch =
+        withRelief<Dim>(patch, faceFromName<Dim>(relief.face), [&](const Eigen::Vector<double, Dim>& place) {
+          Eigen::Vector3d X = Eigen::Vector3d::Zero();
+          X.head<Dim>() = place;
+          return height(X, 0.0);
+        });
+  }
+  return patch;
+}
+
 /// A shape on the body's basis.
 template <int Dim, class Spec>
 Patch<Dim> meshed(const BodySpec& body, const Definitions& definitions, const Spec& spec,
@@ -40,10 +56,11 @@ Patch<Dim> meshed(const BodySpec& body, const Definitions& definitions, const Sp
     target.push_back(meshKnots(body, definitions, mesh, static_cast<std::size_t>(d), knots));
     asGiven = asGiven && target.back() == knots;
   }
-  if (body.basis == BasisChoice::Nurbs) return asGiven ? shape : refined(shape, target);
+  if (body.basis == BasisChoice::Nurbs)
+    return inRelief<Dim>(asGiven ? shape : refined(shape, target), definitions, mesh.relief);
   std::vector<std::vector<double>> breakpoints;
   for (const KnotVector& knots : target) breakpoints.push_back(knots.breakpoints());
-  return lagrangeInterpolant(shape, body.degree, breakpoints);
+  return inRelief<Dim>(lagrangeInterpolant(shape, body.degree, breakpoints), definitions, mesh.relief);
 }
 
 template <int Dim>

@@ -5,6 +5,8 @@
 #include <span>
 
 #include "engine/core/error.h"
+#include "engine/core/quoted.h"
+#include "engine/nurbs/patch.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
@@ -48,6 +50,7 @@ class PatchCheck {
   void checkNamed(std::span<const int> degrees);
   void checkNumberOfFunctions(std::size_t direction) const;
   void checkCreases() const;
+  void checkRelief(std::size_t dim) const;
   void checkMesh(const std::vector<KnotVector>& shape);
 
   const CheckContext& c_;
@@ -128,9 +131,33 @@ void PatchCheck::checkCreases() const {
                   fmt::format("found {}; allowed: a number from 0 to 1.", s));
 }
 
+void PatchCheck::checkRelief(std::size_t dim) const {
+  for (std::size_t k = 0; k < mesh_.relief.size(); ++k) {
+    const std::string path = fmt::format("{}.relief[{}]", at_, k);
+    const ReliefSpec& relief = mesh_.relief[k];
+    if (c_.clean(path + ".face")) {
+      try {
+        dim == 2 ? faceFromName<2>(relief.face) : faceFromName<3>(relief.face);
+      } catch (const Error& problem) {
+        c_.report(path + ".face", fmt::format("{}.", problem.what()));
+      }
+    }
+    const std::string height = path + ".height";
+    checkFormula(c_, height, relief.height);
+    if (c_.clean(height) && c_.clean("definitions") &&
+        Formula(relief.height, c_.scene.definitions).dependsOn("t"))
+      c_.report(
+          height,
+          fmt::format(
+              "found {}, which depends on t; allowed: a formula in X, Y and Z, the body is what it is at the start.",
+              quoted(relief.height.text)));
+  }
+}
+
 /// `shape`: the knots of the shape in each direction.
 void PatchCheck::checkMesh(const std::vector<KnotVector>& shape) {
   if (clean("creases")) checkCreases();
+  checkRelief(shape.size());
   for (const char* name : {"functions", "spans", "refine", "grading", "creases"})
     if (!clean(name)) return;
   if (!c_.clean(at_) || !c_.cleanOf(number_, "degree") || !c_.cleanOf(number_, "basis") ||
@@ -168,7 +195,7 @@ void checkNoCommonMesh(const CheckContext& c, const std::string& at, const MeshS
   for (const auto& [name, empty] :
        {std::pair{"functions", mesh.functions.empty()}, std::pair{"spans", mesh.spans.empty()},
         std::pair{"refine", mesh.refine.empty()}, std::pair{"grading", mesh.grading.empty()},
-        std::pair{"creases", mesh.creases.empty()}}) {
+        std::pair{"creases", mesh.creases.empty()}, std::pair{"relief", mesh.relief.empty()}}) {
     const std::string path = fmt::format("{}.{}", at, name);
     if (!empty && c.clean(path))
       c.report(path, fmt::format("found {} beside patches; allowed: in each of the patches.", name));

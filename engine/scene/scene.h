@@ -30,6 +30,12 @@ namespace burnish {
 enum class BasisChoice { Nurbs, Lagrange };
 enum class KinematicsChoice { PlaneStrain, Axisymmetric };
 
+/// Heights on a face of the undeformed patch: roughness, waves.
+struct ReliefSpec {
+  std::string face;
+  FormulaText height;  ///< of X, Y, Z on the face as it would be without; along the outward normal
+};
+
 /// How a shape is divided into knot spans.
 struct MeshSpec {
   /// Number of basis functions per direction; or `spans`: number of knot spans. Exactly one of the two for
@@ -40,6 +46,7 @@ struct MeshSpec {
   std::vector<FormulaText> grading;  ///< breakpoint of s in [0, 1], per direction; growing from 0 to 1
   /// Per direction the breakpoints, in [0, 1], across which the basis is continuous only.
   std::vector<std::vector<double>> creases;
+  std::vector<ReliefSpec> relief;  ///< one after the other
 };
 
 /// One of several patches.

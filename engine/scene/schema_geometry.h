@@ -5,6 +5,15 @@
 namespace burnish {
 
 template <class Visitor>
+void describe(Visitor& v, ReliefSpec& s) {
+  v.field("face", s.face, {.required = true}, "left, right, bottom, top, and in space back, front.");
+  v.field(
+      "height", s.height, {.required = true, .unit = "length"},
+      "Formula in X, Y, Z, the place on the face without it: how far the face is moved outwards there, such as "
+      "0.002 * cos(2 * _pi * X / 0.1).");
+}
+
+template <class Visitor>
 void describe(Visitor& v, MeshSpec& s) {
   v.field("functions", s.functions, {.atLeast = 2, .atMost = 10000, .perDimension = true},
           "Number of basis functions in each direction; give either this or spans.");
@@ -17,6 +26,10 @@ void describe(Visitor& v, MeshSpec& s) {
           "ones, such as s^2.");
   v.field("creases", s.creases, {.perDimension = true},
           "For each direction the breakpoints, from 0 to 1, at which NURBS are continuous only.");
+  v.field(
+      "relief", s.relief, {},
+      "Roughness or waves on faces: at the anchors of the mesh (Greville abscissae, nodes) exact, inside fading "
+      "out to the opposite face.");
 }
 
 template <class Visitor>

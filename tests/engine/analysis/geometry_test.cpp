@@ -411,5 +411,65 @@ TEST(JoinedPatches, SolveLikeOnePatchWithACrease) {
   }
 }
 
+/// A quadratic height on a straight face is exact, whatever the mesh; a wave converges with the order of the basis.
+TEST(Relief, IsExactWhereTheBasisHasIt) {
+  for (const char* basis : {"basis: nurbs", "basis: lagrange"}) {
+    const Patch<2> patch = patchOf<2>(
+        "{shape: rectangle, size: [2, 1], spans: [5, 3], grading: [\"s^1.3\", s], relief: [{face: top, height: "
+        "\"0.1*X*(2-X)\"}]}",
+        fmt::format("{}\ndegree: 2", basis));
+    const Patch<2> before =
+        patchOf<2>("{shape: rectangle, size: [2, 1], spans: [5, 3], grading: [\"s^1.3\", s]}",
+                   fmt::format("{}\ndegree: 2", basis));
+    for (const double u : {0.0, 0.13, 0.5, 0.77, 1.0}) {
+      const Eigen::Vector2d top = patch.position({u, 1.0}), bottom = patch.position({u, 0.0});
+      EXPECT_NEAR(top.y(), 1.0 + 0.1 * top.x() * (2.0 - top.x()), 1e-13);
+      EXPECT_LT((bottom - before.position({u, 0.0})).norm(), 1e-14);
+      EXPECT_GT(patch.jacobian({u, 0.4}).determinant(), 0.0);
+    }
+  }
+}
+
+TEST(Relief, ConvergesWithTheOrderOfTheBasis) {
+  double before = 0.0;
+  for (const int spans : {16, 32, 64}) {
+    const Patch<2> patch = patchOf<2>(
+        fmt::format(
+            "{{shape: rectangle, size: [1, 1], spans: [{}, 2], relief: [{{face: bottom, height: \"0.01*cos(2*_pi*X/0.25)\"}}]}}",
+            spans),
+        "degree: 2");
+    double worst = 0.0;
+    for (int k = 0; k <= 1000; ++k) {
+      const Eigen::Vector2d x = patch.position({k / 1000.0, 0.0});
+      worst = std::max(worst, std::abs(x.y() + 0.01 * std::cos(8.0 * kPi * x.x())));
+    }
+    if (before > 0.0) {
+      EXPECT_LT(worst, before / 7.0);
+    }
+    before = worst;
+  }
+  EXPECT_LT(before, 1e-5);
+}
+
+TEST(Relief, RaisesAnArcAlongItsNormal) {
+  const Patch<2> ring = patchOf<2>(
+      "{shape: annulus, inner_radius: 1, outer_radius: 2, start_angle: 0, opening_angle: 90, spans: [2, 6], relief: "
+      "[{face: right, height: 0.1}, {face: left, height: -0.05}]}");
+  for (const double v : {0.0, 0.21, 0.5, 1.0}) {
+    EXPECT_NEAR(ring.position({1.0, v}).norm(), 2.1, 1e-5);
+    EXPECT_NEAR(ring.position({0.0, v}).norm(), 1.05, 1e-5);
+  }
+}
+
+TEST(Relief, InSpaceIsOnItsFaceAlone) {
+  const Patch<3> patch = patchOf<3>(
+      "{shape: box, size: [1, 1, 1], spans: [3, 2, 3], relief: [{face: top, height: \"0.1*X*Z\"}]}");
+  for (const double u : {0.0, 0.3, 1.0})
+    for (const double w : {0.0, 0.6, 1.0}) {
+      EXPECT_NEAR(patch.position({u, 1.0, w}).y(), 1.0 + 0.1 * u * w, 1e-13);
+      EXPECT_NEAR(patch.position({u, 0.0, w}).y(), 0.0, 1e-15);
+    }
+}
+
 }  // namespace
 }  // namespace burnish
