@@ -45,8 +45,9 @@ double overSinh(double x) {
 template <int Dim>
 int placeOf(int A, int B) {
   if (A == B) return A;
+  constexpr int kSize = kVoigt<Dim>;
   const int place = A + B == 1 ? 3 : A + B == 3 ? 4 : 5;
-  return place < kVoigt<Dim> ? place : -1;
+  return place < kSize ? place : -1;
 }
 
 }  // namespace
