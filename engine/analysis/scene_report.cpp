@@ -17,6 +17,7 @@
 #include "engine/analysis/recorder.h"
 #include "engine/analysis/simulation.h"
 #include "engine/analysis/softening.h"
+#include "engine/analysis/unrecovered.h"
 #include "engine/scene/scene_places.h"
 
 namespace burnish {
@@ -115,6 +116,9 @@ std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& mo
   std::vector<InputProblem> warnings = lockingWarnings(scene, model);
   for (std::size_t k = 0; k < model.bodies().size(); ++k)
     for (auto& [path, text] : softeningWarnings(model.bodies()[k].bulk->material()))
+      warnings.push_back({scene.bodyKey(k, path), std::move(text)});
+  for (std::size_t k = 0; k < scene.allBodies().size(); ++k)
+    for (auto& [path, text] : recoveryWarnings(scene.allBodies()[k].material))
       warnings.push_back({scene.bodyKey(k, path), std::move(text)});
   std::ranges::move(toolWarnings(scene, model), std::back_inserter(warnings));
   if (scene.wanted.onlyWarns) std::ranges::move(unknownColumns(scene, columns), std::back_inserter(warnings));

@@ -3,8 +3,11 @@
 #include <variant>
 
 #include "engine/material/formula_hardening.h"
+#include "engine/material/hockett_sherby_hardening.h"
 #include "engine/material/law_list.h"
 #include "engine/material/linear_hardening.h"
+#include "engine/material/ludwik_hardening.h"
+#include "engine/material/swift_hardening.h"
 #include "engine/material/table_hardening.h"
 #include "engine/material/two_term_voce_hardening.h"
 #include "engine/material/voce_hardening.h"
@@ -26,6 +29,9 @@ using HardeningLaws = LawList<  //
     TwoTermVoceHardening,       //
     LinearHardening,            //
     VoceLinearHardening,        //
+    LudwikHardening,            //
+    SwiftHardening,             //
+    HockettSherbyHardening,     //
     TableHardening,             //
     FormulaHardening>;
 

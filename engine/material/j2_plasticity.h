@@ -1,12 +1,12 @@
 #pragma once
 #include <array>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "engine/core/enum_names.h"
 #include "engine/material/elastic_moduli.h"
 #include "engine/material/hardening.h"
+#include "engine/material/plastic_strain_field.h"
 #include "engine/material/response.h"
 #include "engine/material/return_map.h"
 #include "engine/material/state_field.h"
@@ -47,15 +47,7 @@ class J2Plasticity {
     }
   };
 
-  static std::vector<StateField<State>> fields() {
-    return {{{.name = "plastic_strain",
-              .components = {},
-              .unit = "",
-              .words = "Equivalent plastic strain",
-              .symbol = "ε̄^p",
-              .isNonNegative = true},
-             [](const State& state, std::span<double> values) { values[0] = state.e_p; }}};
-  }
+  static std::vector<StateField<State>> fields() { return {plasticStrainField<State>()}; }
 
   static std::vector<CarriedNumber<State>> carried() {
     return {{{.name = "e_p", .atLeast = 0.0}, [](State& state) -> double& { return state.e_p; }}};

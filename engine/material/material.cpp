@@ -59,10 +59,12 @@ std::string whyWithout(const MaterialParameters& material, const std::string& fi
   });
 }
 
-void checkMaterial(const MaterialParameters& material, const Problems& problems) {
+void checkMaterial(const MaterialParameters& material, const Problems& problems, bool isInThePlane) {
   std::visit(
       [&](const auto& parameters) {
         if constexpr (requires { check(parameters, problems); }) check(parameters, problems);
+        if constexpr (requires { checkInPlane(parameters, problems); })
+          if (isInThePlane) checkInPlane(parameters, problems);
       },
       material);
 }

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/material/chaboche.h"
 #include "engine/material/j2_plasticity.h"
 #include "engine/material/law_list.h"
 #include "engine/material/neo_hookean.h"
@@ -21,15 +22,20 @@
 ///   evaluate<Dim>(F, dt, old, next, out)  instead, if it depends on rates: dt is the length of the step,
 ///   fields()                          what of a state results and pictures show,
 ///   carried(), begin(stretch)         numbers of a state that go along to a new mesh, and how it begins there,
+///   toSpace(F, state), fromSpace(state)   if these numbers are referred to axes that turn: the state with them in
+///                                     those of space at F, and back,
+///   hasSymmetricTangent()             if the tangent need not be symmetric,
 ///   yieldStress(e_p)                  if the material flows,
-///   check(parameters, problems)       of what the rules of the keys do not say.
+///   check(parameters, problems)       of what the rules of the keys do not say,
+///   checkInPlane(parameters, problems)   the same of bodies in the plane.
 /// Everything else follows from this list.
 namespace burnish {
 
 /// All material laws, one line each.
 using MaterialLaws = LawList<  //
     NeoHookean,                //
-    J2Plasticity>;
+    J2Plasticity,              //
+    Chaboche>;
 
 using Material = MaterialLaws::Any;
 using MaterialParameters = MaterialLaws::Parameters;
@@ -49,6 +55,12 @@ concept RateDependent = requires(const Law& law, typename Law::State& state, Mat
 template <class Law>
 concept Flows = requires(const Law& law) {
   law.yieldStress(0.0);
+};
+
+/// Laws whose tangent may have no symmetry.
+template <class Law>
+concept MayBeUnsymmetric = requires(const Law& law) {
+  law.hasSymmetricTangent();
 };
 
 /// Fields that a law makes of a state.
@@ -106,7 +118,7 @@ std::vector<std::string> materialComponentNames();
 /// Why a material has not the field, or component, of another law; empty if it has it, or no law has.
 std::string whyWithout(const MaterialParameters& material, const std::string& field);
 
-/// Reports what keeps the law from being made.
-void checkMaterial(const MaterialParameters& material, const Problems& problems);
+/// Reports what keeps the law from being made or, of a body in the plane, what would take it out of it.
+void checkMaterial(const MaterialParameters& material, const Problems& problems, bool isInThePlane);
 
 }  // namespace burnish

@@ -80,6 +80,15 @@ void MaterialPoints::startEvaluation(double t) {
   visit([&](auto& points) { points.timeStep = t > time_ ? t - time_ : lastStep_; });
 }
 
+bool MaterialPoints::hasSymmetricTangent() const {
+  return visit([]<class Law>(const PointsOf<Law>& points) {
+    if constexpr (MayBeUnsymmetric<Law>)
+      return points.law.hasSymmetricTangent();
+    else
+      return true;
+  });
+}
+
 void MaterialPoints::accept() {
   if (trialTime_ > time_) lastStep_ = trialTime_ - time_;
   time_ = trialTime_;
@@ -137,6 +146,7 @@ PointStates MaterialPoints::carried(const std::vector<Eigen::Matrix3d>& F) const
     for (std::size_t q = 0; q < points.accepted.size(); ++q) {
       states.b_e.push_back(points.law.elasticDeformation(F[q], points.accepted[q]));
       typename Law::State state = points.accepted[q];
+      if constexpr (requires { points.law.toSpace(F[q], state); }) state = points.law.toSpace(F[q], state);
       for (std::size_t k = 0; k < carried.size(); ++k)
         states.numbers(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(q)) = carried[k].of(state);
     }
@@ -152,6 +162,7 @@ void MaterialPoints::begin(const std::vector<Eigen::Matrix3d>& stretch, const Ei
       if constexpr (requires { Law::begin(stretch[q]); }) state = Law::begin(stretch[q]);
       for (std::size_t k = 0; k < carried.size(); ++k)
         carried[k].of(state) = numbers(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(q));
+      if constexpr (requires { points.law.fromSpace(state); }) state = points.law.fromSpace(state);
     }
   });
 }

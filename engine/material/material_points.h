@@ -63,6 +63,8 @@ class MaterialPoints {
   /// To be called before an evaluation at the time t.
   void startEvaluation(double t);
 
+  bool hasSymmetricTangent() const;
+
   /// Makes the states of the last evaluation the accepted ones.
   void accept();
 

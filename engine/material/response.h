@@ -17,7 +17,7 @@ struct MaterialResponse {
   Stress tau;  ///< Kirchhoff stress
   Tangent c;   ///< spatial tangent c_ijkl of K = ∫ ∇^s δu : c : ∇^s Δu + (∇δu τ) : ∇Δu
   double strainEnergy = 0.0;  ///< stored, without hardening
-  double plasticWork = 0.0;  ///< of this step: H(e_p) − H(e_p,n) with H = ∫ σ_y de_p; what a law dissipates
+  double plasticWork = 0.0;   ///< of this step: what a law dissipates, or stores in its hardening
 };
 
 }  // namespace burnish

@@ -37,7 +37,8 @@ void checkBody(const CheckContext& c, std::size_t number) {
              fmt::format("found {}; allowed: at least {}, the degree plus one.", *body.quadraturePoints,
                          body.degree + 1));
   checkMortarDegree(c, number);
-  checkMaterial(body.material, Problems(c.root, c.errors, c.scene.bodyKey(number, "material")));
+  checkMaterial(body.material, Problems(c.root, c.errors, c.scene.bodyKey(number, "material")),
+                c.dimensionIsKnown() && c.scene.dim() == 2);
 }
 
 /// Several bodies stand in place of one, and have names of their own.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/material/rate_dependence.h"
 #include "engine/scene/check_context.h"
 
 namespace burnish {
@@ -105,6 +106,8 @@ void checkRezoning(const CheckContext& c) {
   refuse(c, hasCreases(geometry), key("geometry.creases"), "creases, which new meshes would lose,");
   refuse(c, hasRepeatedKnots(geometry), key("geometry.knots"),
          "knots that are repeated inside, whose corners new meshes would lose,");
+  refuse(c, dependsOnRate(c.scene.allBodies()[body].material), key("material.rate"),
+         "a rate, whose overstress would be lost where a new mesh settles in no time,");
   for (std::size_t k = 0; k < c.scene.loads.size(); ++k)
     refuse(c, isMeshedAnew(c, c.scene.loads[k].place.body), fmt::format("loads[{}]", k),
            "a load on the body");

@@ -37,6 +37,7 @@ class BulkTerm : public Term {
 
   CouplingGroups couplings() const override { return groups_; }
   void divideAmong(const Team& team, const Division& division) override;
+  bool hasSymmetricTangent() const override { return points_.hasSymmetricTangent(); }
   void accept() override;
   void archive(StateArchive& archive) override;
 

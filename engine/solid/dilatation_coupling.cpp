@@ -108,7 +108,7 @@ void DilatationCoupling<Dim>::findColumns(const std::vector<std::vector<int>>& n
   for (std::size_t A = 0; A < nodes.size(); ++A)
     for (std::size_t k = 0; k < nodes[A].size(); ++k)
       dependences_[static_cast<std::size_t>(nodes[A][k])].push_back({A, Dim * k});
-  Z_ = C_ = RunColumns(unknownsOfLists<Dim>(nodes));
+  Z_ = C_ = transposedC_ = RunColumns(unknownsOfLists<Dim>(nodes));
   Y_ = RunColumns(unknownsOfLists<Dim>(unions(overlapping_, nodes, static_cast<int>(dependences_.size()))));
 }
 
@@ -142,10 +142,11 @@ void DilatationCoupling<Dim>::multiplyByE(std::size_t function, Workspace& work)
 /// The columns of Y Zᵀ + Z Cᵀ of a node.
 template <int Dim>
 void DilatationCoupling<Dim>::addColumns(int node, SparseSystem& system, Workspace& work) const {
+  const RunColumns& right = isSymmetric_ ? C_ : transposedC_;
   for (const auto& [function, entry] : dependences_[static_cast<std::size_t>(node)]) {
     std::array<double, Dim> z, c;
     std::copy_n(Z_.column(function) + entry, Dim, z.begin());
-    std::copy_n(C_.column(function) + entry, Dim, c.begin());
+    std::copy_n(right.column(function) + entry, Dim, c.begin());
     Y_.addTo(function, z, work.columns);
     Z_.addTo(function, c, work.columns);
   }
@@ -162,9 +163,12 @@ void DilatationCoupling<Dim>::addTo(SparseSystem& system) {
       return true;
     });
   };
+  isSymmetric_ =
+      std::ranges::all_of(shares_, [](const auto& share) { return share.transposedC.size() == 0; });
   forAll(uses_.size(), [&](std::size_t A, Workspace& work) {
     gather(A, &DilatationShare::Z, Z_, work);
     gather(A, &DilatationShare::C, C_, work);
+    if (!isSymmetric_) gather(A, &DilatationShare::transposedC, transposedC_, work);
   });
   forAll(uses_.size(), [&](std::size_t A, Workspace& work) { multiplyByE(A, work); });
   forAll(dependences_.size(),

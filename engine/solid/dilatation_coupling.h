@@ -54,6 +54,8 @@ class DilatationCoupling {
   std::vector<std::vector<Use>> uses_;                ///< of each function of Π
   std::vector<std::vector<Dependence>> dependences_;  ///< of each node
   RunColumns Z_, C_, Y_;                              ///< Y = Z E + C
+  RunColumns transposedC_;                            ///< in place of C in Z Cᵀ, where shares have it
+  bool isSymmetric_ = true;                           ///< they have not
 };
 
 }  // namespace burnish

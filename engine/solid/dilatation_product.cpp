@@ -34,7 +34,7 @@ DilatationProduct<Dim>::DilatationProduct(const CouplingGroups& unknowns,
 
 template <int Dim>
 Eigen::MatrixXd DilatationProduct<Dim>::ofSpan(std::size_t e) const {
-  const auto& [Z, C, E] = shares_[e];
+  const auto& [Z, C, E, transposedC] = shares_[e];
   const Eigen::MatrixXd z = Z * projection_.spans()[e].averaged.cwiseInverse().asDiagonal();
   return symmetricProduct<Eigen::MatrixXd>(z, C, E);
 }
@@ -67,7 +67,7 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
   forAll([&](std::size_t e) { partOf(met, e) = shares_[e].E * change(spans[e].functions) + partOf(Cx, e); });
   const Eigen::VectorXd answer = sumOver(met);
   parallelBatches(batches_, [&](std::size_t e) {
-    const auto& [Z, C, E] = shares_[e];
+    const auto& [Z, C, E, transposedC] = shares_[e];
     const auto& functions = spans[e].functions;
     const Eigen::VectorXd& averaged = spans[e].averaged;
     const Eigen::VectorXd own = partOf(Zx, e).cwiseQuotient(averaged);

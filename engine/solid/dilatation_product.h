@@ -12,11 +12,12 @@ namespace burnish {
 /// What a span contributes to the part of a tangent that couples displacements through a projected volume
 /// change, Z E Zᵀ + C Zᵀ + Z Cᵀ: Z (unknowns x functions of Π) holds the derivatives of the coefficients of
 /// J̄, C what the displacements of a point meet them with, and E (functions x functions) what they meet each
-/// other with. With n functions of the body, component by component, and m functions of Π:
+/// other with. Where the law's tangent is not symmetric, Cᵀ gives way to that of another matrix. With n functions of the body, component by component, and m functions of Π:
 struct DilatationShare {
-  Eigen::MatrixXd Z;  ///< Dim·n x m
-  Eigen::MatrixXd C;  ///< Dim·n x m
-  Eigen::MatrixXd E;  ///< m x m, symmetric
+  Eigen::MatrixXd Z;            ///< Dim·n x m
+  Eigen::MatrixXd C;            ///< Dim·n x m
+  Eigen::MatrixXd E;            ///< m x m, symmetric
+  Eigen::MatrixXd transposedC;  ///< Dim·n x m, in place of C in Z Cᵀ; empty if it is C
 };
 
 /// The part of that tangent which is left when each span adds to the entries of its own unknowns what it would
@@ -25,7 +26,8 @@ struct DilatationShare {
 ///     Z E Zᵀ + C Zᵀ + Z Cᵀ − Σ ( zᵀ E z + C z + zᵀ Cᵀ ).
 ///
 /// The entries with the spans' sums alone are near the tangent: what they lack tends to zero on smooth fields,
-/// and on others the volume is stiffer in them than in the tangent.
+/// and on others the volume is stiffer in them than in the tangent. C stands in for `transposedC`: in space, where
+/// products are kept, both are the same for laws whose volume change is elastic.
 template <int Dim>
 class DilatationProduct final : public TangentProduct {
  public:

@@ -12,11 +12,11 @@
 namespace burnish {
 /// Buffers of one thread; sized at first use, so that the span loop does not allocate.
 template <int Dim>
-template <Kinematics K>
+template <Kinematics K, bool Symmetric>
 struct DisplacementTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
   Eigen::MatrixXd gradients;                     // as the span asks for it
-  KernelFor<K> kernel;
+  KernelFor<K, Symmetric> kernel;
 };
 
 template <int Dim>
@@ -25,9 +25,9 @@ DisplacementTerm<Dim>::DisplacementTerm(const SpanQuadrature<Dim>& quadrature, M
     : BulkTerm<Dim>(quadrature, std::move(material), reference) {}
 
 template <int Dim>
-template <Kinematics K, class Law>
+template <Kinematics K, class Law, class Work>
 bool DisplacementTerm<Dim>::evaluateSpan(PointsOf<Law>& points, std::size_t number, const Eigen::VectorXd& x,
-                                         Assembly& out, Workspace<K>& work) {
+                                         Assembly& out, Work& work) {
   constexpr int C = kColumns<K>;
   const auto& span = this->quadrature_.spans()[number];
   const int firstPoint = this->firstPoint(number);
@@ -65,7 +65,7 @@ bool DisplacementTerm<Dim>::evaluateSpan(PointsOf<Law>& points, std::size_t numb
 template <int Dim>
 template <Kinematics K, class Law>
 bool DisplacementTerm<Dim>::evaluateAll(PointsOf<Law>& points, const Eigen::VectorXd& x, Assembly& out) {
-  tbb::enumerable_thread_specific<Workspace<K>> workspaces;
+  tbb::enumerable_thread_specific<Workspace<K, !MayBeUnsymmetric<Law>>> workspaces;
   return parallelBatches(this->colours_, [&](std::size_t span) {
     return evaluateSpan<K>(points, span, x, out, workspaces.local());
   });

@@ -14,14 +14,14 @@ class DisplacementTerm final : public BulkTerm<Dim> {
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
 
  private:
-  template <Kinematics K>
+  template <Kinematics K, bool Symmetric>
   struct Workspace;
 
   template <Kinematics K, class Law>
   bool evaluateAll(PointsOf<Law>& points, const Eigen::VectorXd& x, Assembly& out);
-  template <Kinematics K, class Law>
+  template <Kinematics K, class Law, class Work>
   bool evaluateSpan(PointsOf<Law>& points, std::size_t number, const Eigen::VectorXd& x, Assembly& out,
-                    Workspace<K>& work);
+                    Work& work);
 };
 
 }  // namespace burnish

@@ -57,12 +57,13 @@ double meanStress(const MaterialResponse<kDimOf<K>>& response) {
 }
 
 /// Factors of the second variation at a point, split by the gradients D of the displacement and the relative
-/// changes η = δJ̄/J̄:  D : c : D + (D τ̄) : D + r tr(D D)  +  2 η (B : D)  +  e η².
-template <Kinematics K>
+/// changes η = δJ̄/J̄:  D : c : D + (D τ̄) : D + r tr(D D)  +  2 η (B : D)  +  e η². If the law's c is not symmetric, B
+/// is what D meets η with, and `transposedB` what η meets D with.
+template <Kinematics K, bool Symmetric>
 struct PointModuli {
   static constexpr int kDim = kDimOf<K>;
   typename MaterialResponse<kDim>::Tangent c;
-  typename MaterialResponse<kDim>::Stress B;
+  typename MaterialResponse<kDim>::Stress B, transposedB;
   double e;
   double r;
 
@@ -75,8 +76,16 @@ struct PointModuli {
     const double volumetric = one.dot(traced) / (m * m) + 2.0 * meanStress<K>(response) / m + stiffness;
     const typename MaterialResponse<kDim>::Stress a = (traced + 2.0 * response.tau) / m;
     B = a - volumetric * one;
-    c = response.c - one * a.transpose() - a * one.transpose() +
-        (volumetric + projected) * one * one.transpose();
+    if constexpr (Symmetric) {
+      c = response.c - one * a.transpose() - a * one.transpose() +
+          (volumetric + projected) * one * one.transpose();
+    } else {
+      const typename MaterialResponse<kDim>::Stress left =
+          (response.c.transpose() * one + 2.0 * response.tau) / m;
+      transposedB = left - volumetric * one;
+      c = response.c - one * left.transpose() - a * one.transpose() +
+          (volumetric + projected) * one * one.transpose();
+    }
     e = volumetric - p;
     r = p - projected;
   }
@@ -90,8 +99,19 @@ template <Kinematics K>
 struct ProjectedTerm<Dim>::Workspace {
   Eigen::Matrix<double, Eigen::Dynamic, Dim> u;  // n x Dim
   Eigen::MatrixXd perPoint;                      // Dim·n x Q: a value of every unknown at every point
+  Eigen::MatrixXd transposedPerPoint;            // the same; of laws without a symmetric tangent alone
   Eigen::MatrixXd gradients;                     // as the span asks for it
   KernelFor<K> kernel;
+  KernelFor<K, false> generalKernel;
+
+  template <bool Symmetric>
+  auto& kernelFor() {
+    if constexpr (Symmetric)
+      return kernel;
+    else
+      return generalKernel;
+  }
+
   Eigen::VectorXd e;  // Q: weighted factors of η²
 };
 
@@ -226,7 +246,7 @@ void ProjectedTerm<Dim>::gatherPressure() {
 }
 
 template <int Dim>
-template <Kinematics K>
+template <Kinematics K, bool Symmetric>
 void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K>& work) {
   constexpr int C = kColumns<K>;
   const auto& span = this->quadrature_.spans()[number];
@@ -236,8 +256,10 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
   const Eigen::Index Q = span.weights.size();
   const bool wantTangent = out.system != nullptr;
   const Eigen::MatrixXd& gradients = span.gradients(work.gradients);
-  work.kernel.start(span, gradients, wantTangent);
+  auto& kernel = work.template kernelFor<Symmetric>();
+  kernel.start(span, gradients, wantTangent);
   work.perPoint.resize(Dim * n, wantTangent ? Q : 0);
+  work.transposedPerPoint.resize(Dim * n, wantTangent && !Symmetric ? Q : 0);
   work.e.resize(Q);
 
   const Eigen::VectorXd pull = projected.L.transpose() * pressure_(projected.functions);
@@ -247,22 +269,25 @@ void ProjectedTerm<Dim>::assemble(std::size_t number, Assembly& out, Workspace<K
     const double w = this->weights_(firstPoint + q), Jbar = Jbar_(firstPoint + q);
     const double p = stressOnJbar_(firstPoint + q);
     const double balanced = pull(q) * this->J_[point] / w;  // J̄'s stresses, back at this point
-    work.kernel.setGradients(q, F_[point]);
-    work.kernel.setStress(q, w * (response.tau + (balanced - p) * blockIdentity<K>()));
+    kernel.setGradients(q, F_[point]);
+    kernel.setStress(q, w * (response.tau + (balanced - p) * blockIdentity<K>()));
     if (!wantTangent) continue;
     const UnseenDilatation unseen(shearModulus_, this->J_[point], Jbar);
-    const PointModuli<K> moduli(response, p, unseen.stiffness, balanced);
-    work.kernel.setModuli(q, w, response.tau, moduli.c, moduli.r);
-    contract<K>(gradients.template middleCols<C>(C * q), F_[point], (w / Jbar) * moduli.B,
-                work.perPoint.col(q));
+    const PointModuli<K, Symmetric> moduli(response, p, unseen.stiffness, balanced);
+    kernel.setModuli(q, w, response.tau, moduli.c, moduli.r);
+    const auto G = gradients.template middleCols<C>(C * q);
+    contract<K>(G, F_[point], (w / Jbar) * moduli.B, work.perPoint.col(q));
+    if (!Symmetric)
+      contract<K>(G, F_[point], (w / Jbar) * moduli.transposedB, work.transposedPerPoint.col(q));
     work.e(q) = w * moduli.e / (Jbar * Jbar);
   }
 
-  work.kernel.multiply();
-  this->add(work.kernel, number, out);
+  kernel.multiply();
+  this->add(kernel, number, out);
   if (!wantTangent) return;
   DilatationShare& share = shares_[number];
   multiplyTransposed(work.perPoint, projected.N, share.C);
+  if (!Symmetric) multiplyTransposed(work.transposedPerPoint, projected.N, share.transposedC);
   share.E = projected.N * work.e.asDiagonal() * projected.N.transpose();
   if (product_) out.system->add(out.term, number, product_->ofSpan(number));
 }
@@ -283,9 +308,11 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
       [&](auto& points) { return forAll([&](std::size_t e) { return respondOnSpan<K>(points, e); }); });
   if (!responded) return false;
   gatherPressure();
-  parallelBatches(this->colours_, [&](std::size_t span) {
-    assemble<K>(span, out, workspaces.local());
-    return true;
+  this->points_.visit([&]<class Law>(PointsOf<Law>&) {
+    parallelBatches(this->colours_, [&](std::size_t span) {
+      assemble<K, !MayBeUnsymmetric<Law>>(span, out, workspaces.local());
+      return true;
+    });
   });
   if (wantTangent) {
     if (product_)

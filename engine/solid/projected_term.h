@@ -14,7 +14,7 @@ namespace burnish {
 ///     δΠ = Σ w [ (τ̄ − p 1) : ∇δu + p δJ̄/J̄ ],   p = tr τ̄ / m − φ'(d)
 ///
 /// follows from the energy of the law at F̄ and φ(d) = μ/4 d⁴, d = ln(J/J̄), so that the tangent is
-/// symmetric; w are stress-free volumes. Without φ nothing but the resistance to shear, which plastic flow
+/// symmetric if that of the law is; w are stress-free volumes. Without φ nothing but the resistance to shear, which plastic flow
 /// takes away, would keep J within a span from going to zero where J̄ stays near one: free surfaces would
 /// fold up. It is of fourth order, so that the changes of a few percent that a mesh needs in order not to
 /// lock cost next to nothing. History is that at F̄, the energy contains φ, `jacobians()` are J, and σ =
@@ -48,7 +48,7 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   bool measure(std::size_t number, const Eigen::VectorXd& x, bool wantTangent, Workspace<K>& work);
   template <Kinematics K, class Law>
   bool respondOnSpan(PointsOf<Law>& points, std::size_t number);
-  template <Kinematics K>
+  template <Kinematics K, bool Symmetric>
   void assemble(std::size_t number, Assembly& out, Workspace<K>& work);
   void gatherPressure();
 

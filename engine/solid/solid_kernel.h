@@ -37,8 +37,9 @@ class SolidKernel {
   bool isDense_ = false;
 };
 
-/// The kernel for bodies of given kinematics.
-template <Kinematics K>
-using KernelFor = std::conditional_t<K == Kinematics::Solid, SolidKernel, SpanKernel<K>>;
+/// The kernel for bodies of given kinematics. Symmetric: as their moduli are.
+template <Kinematics K, bool Symmetric = true>
+using KernelFor =
+    std::conditional_t<K == Kinematics::Solid && Symmetric, SolidKernel, SpanKernel<K, Symmetric>>;
 
 }  // namespace burnish

@@ -24,7 +24,9 @@ double modulus(int i, int j, int k, int l, const Stress& tau, const Tangent& c) 
 /// Forces and tangent of one span, Σ_q g τ and Σ_q g (c + δτ) gᵀ, by matrix products over all its quadrature
 /// points. The current gradients g = G P are not formed: stresses and moduli are pulled back to the reference
 /// gradients G, P τ and P (c + δτ) Pᵀ. Buffers keep their memory from span to span.
-template <Kinematics K>
+///
+/// Symmetric: c is, and half of the tangent is computed.
+template <Kinematics K, bool Symmetric = true>
 class SpanKernel {
  public:
   static constexpr int kDim = kDimOf<K>;
@@ -62,12 +64,12 @@ class SpanKernel {
   void setModuli(Eigen::Index q, double w, const Stress& tau, const Tangent& c, double r) {
     std::size_t pair = 0;
     for (int i = 0; i < kDim; ++i)
-      for (int k = i; k < kDim; ++k, ++pair) {
+      for (int k = Symmetric ? i : 0; k < kDim; ++k, ++pair) {
         Block spatial;
         for (int j = 0; j < kC; ++j)
           for (int l = 0; l < kC; ++l) spatial(j, l) = w * modulus<K>(i, j, k, l, tau, c);
         spatial(k, i) += w * r;
-        if (K == Kinematics::Axisymmetric && k == 0) spatial(2, 2) += w * r;
+        if (K == Kinematics::Axisymmetric && i == 0 && k == 0) spatial(2, 2) += w * r;
         const Block left = pushForward_.lazyProduct(spatial);
         moduli_[static_cast<std::size_t>(q)][pair] = left.lazyProduct(pushForward_.transpose());
       }
@@ -80,9 +82,10 @@ class SpanKernel {
     if (!wantTangent_) return;
     std::size_t pair = 0;
     for (int i = 0; i < kDim; ++i)
-      for (int k = i; k < kDim; ++k, ++pair) {
+      for (int k = Symmetric ? i : 0; k < kDim; ++k, ++pair) {
         multiplyGradients(pair);
-        multiplyTransposedSmall(h_, *gradients_, block_, i == k ? ProductPart::Lower : ProductPart::All);
+        multiplyTransposedSmall(h_, *gradients_, block_,
+                                Symmetric && i == k ? ProductPart::Lower : ProductPart::All);
         arrange(i, k);
       }
   }
@@ -95,8 +98,8 @@ class SpanKernel {
 
  private:
   static constexpr int kC = kColumns<K>;
-  /// Pairs (i, k) of directions with i <= k.
-  static constexpr int kPairs = kDim * (kDim + 1) / 2;
+  /// Pairs (i, k) of directions, with i <= k if that is all that has to be known.
+  static constexpr int kPairs = Symmetric ? kDim * (kDim + 1) / 2 : kDim * kDim;
   static constexpr int kStressRows = roundedToLanes(kDim);
   using Block = Eigen::Matrix<double, kC, kC>;
 
@@ -137,6 +140,10 @@ class SpanKernel {
     for (Eigen::Index b = 0; b < n; ++b) {
       const double* from = &block_(0, b);
       double* entries = &tangent_(i, kDim * b + k);
+      if (!Symmetric) {
+        for (Eigen::Index a = 0; a < n; ++a) entries[kDim * a] = from[a];
+        continue;
+      }
       double* mirrored = &tangent_(kDim * b + k, i);
       for (Eigen::Index a = i == k ? b : 0; a < n; ++a)
         entries[kDim * a] = mirrored[kDim * kDim * n * a] = from[a];

@@ -27,18 +27,19 @@ double work(const Hardening& hardening, double e) {
   return std::visit([e](const auto& law) { return law.work(e); }, hardening);
 }
 
-/// ∫ σ_y over [0, e] by three-point Gauss quadrature on many intervals.
+/// ∫ σ_y over [0, e] by three-point Gauss quadrature on many intervals of s, e s⁴, as some laws are steep at zero.
 double quadrature(const Hardening& hardening, double e) {
   constexpr int kIntervals = 4000;
-  const double half = 0.5 * e / kIntervals;
+  const double half = 0.5 / kIntervals;
+  const auto integrand = [&](double s) {
+    return sigma_y(hardening, e * s * s * s * s) * 4.0 * e * s * s * s;
+  };
   double sum = 0.0;
   for (int k = 0; k < kIntervals; ++k) {
     const double mid = (2 * k + 1) * half;
     const double offset = std::sqrt(0.6) * half;
-    sum += half *
-           (5.0 * sigma_y(hardening, mid - offset) + 8.0 * sigma_y(hardening, mid) +
-            5.0 * sigma_y(hardening, mid + offset)) /
-           9.0;
+    sum +=
+        half * (5.0 * integrand(mid - offset) + 8.0 * integrand(mid) + 5.0 * integrand(mid + offset)) / 9.0;
   }
   return sum;
 }
@@ -63,6 +64,12 @@ std::vector<Case> cases() {
       {"table", TableHardening({{0.0, 0.05, 0.2, 0.5}, {100.0, 140.0, 155.0, 160.0}}), 100.0, 160.0},
       {"formula", FormulaHardening({"300*(0.01+ep)^0.2"}), 300.0 * std::pow(0.01, 0.2),
        300.0 * std::pow(0.91, 0.2)},
+      {"ludwik", LudwikHardening{100.0, {400.0, 0.3}}, 100.0 + 400.0 * std::pow(1e-8, 0.3),
+       100.0 + 400.0 * std::pow(0.90000001, 0.3)},
+      {"swift", SwiftHardening{{500.0, 0.2, 0.002}}, 500.0 * std::pow(0.002, 0.2),
+       500.0 * std::pow(0.902, 0.2)},
+      {"hockett_sherby", HockettSherbyHardening{120.0, 400.0, 5.0, 0.6},
+       400.0 - 280.0 * std::exp(-std::pow(5e-8, 0.6)), 400.0 - 280.0 * std::exp(-std::pow(4.50000005, 0.6))},
   };
 }
 

@@ -66,6 +66,38 @@ TEST(MaterialPoints, AreSavedMemberByMember) {
   EXPECT_THROW(three.archive(wrong), Error);
 }
 
+/// Back stresses and the time of the step go through a saved state to the same bits.
+TEST(MaterialPoints, WithBackStressesGoOnFromASavedState) {
+  Chaboche::Parameters parameters;
+  parameters.E = 100.0;
+  parameters.nu = 0.3;
+  parameters.hardening = LinearHardening{0.5, 5.0};
+  parameters.backStresses = {{20.0, 10.0}, {2.0, 0.0}};
+  parameters.rate = NortonRate{0.2, 3.0};
+  const auto respond = [](MaterialPoints& points, double t, double amount) {
+    MaterialResponse<2> response;
+    points.startEvaluation(t);
+    points.visit(
+        [&](auto& law) { EXPECT_TRUE(law.template evaluate<2>(0, test::skewed<2>(amount), response)); });
+    return response.tau;
+  };
+  MaterialPoints points(Chaboche(parameters), 1);
+  respond(points, 0.0, 0.0);
+  points.accept();
+  respond(points, 0.5, 0.1);
+  points.accept();
+  EXPECT_GT(points.field("back_stress")(0, 0), 0.1);
+
+  StateArchive saved;
+  points.archive(saved);
+  StateArchive restored(saved.values());
+  MaterialPoints others(Chaboche(parameters), 1);
+  others.archive(restored);
+  EXPECT_EQ(others.field("back_stress"), points.field("back_stress"));
+  EXPECT_EQ(respond(others, 0.75, 0.08), respond(points, 0.75, 0.08));
+  EXPECT_NE(respond(others, 0.75, 0.08), respond(points, 1.0, 0.08));
+}
+
 TEST(MaterialPoints, OfAnElasticLawSaveNothing) {
   StateArchive saved;
   MaterialPoints(kRubber, 2).archive(saved);

@@ -211,7 +211,7 @@ TEST_P(ReferenceStates, SplitDeformationsGiveTheSameStress) {
               1e-11 * (1.0 + whole->summary().plasticWorkIncrement));
   EXPECT_NEAR(split->weights().sum(), 1.0, 1e-12);  // the stress-free volume
   EXPECT_LT(test::tangentError(*split, 0.0, second, 1e-6), 1e-6);
-  EXPECT_LT(test::asymmetry(test::tangentOf(*split, 0.0, second)), 1e-12);
+  if (split->hasSymmetricTangent()) EXPECT_LT(test::asymmetry(test::tangentOf(*split, 0.0, second)), 1e-12);
 }
 
 /// What a rezoning asks the body for is what the law has stored, whatever the formulation.
@@ -243,18 +243,31 @@ TEST_P(ReferenceStates, ElasticDeformationsAreThoseOfTheLaw) {
   EXPECT_EQ(differentVolume > 1e-3, formulation == Formulation::ProjectedDilatation);
 }
 
+Material sheetWithBackStresses() {
+  Chaboche::Parameters parameters;
+  parameters.E = 100.0;
+  parameters.nu = 0.3;
+  parameters.hardening = VoceHardening{0.5, 1.0, 10.0};
+  parameters.backStresses = {{20.0, 30.0}, {2.0, 0.0}};
+  parameters.hill = HillYield{1.8, 1.2, 2.2, {0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}};
+  return Chaboche(parameters);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Laws, ReferenceStates,
     testing::Combine(testing::Values(Material(NeoHookean({1.0, 0.3})),
                                      Material(J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean,
                                                             VoceHardening{0.5, 1.0, 10.0}})),
                                      Material(J2Plasticity({100.0, 0.3, ElasticLaw::Hencky,
-                                                            VoceHardening{0.5, 1.0, 10.0}}))),
+                                                            VoceHardening{0.5, 1.0, 10.0}})),
+                                     sheetWithBackStresses()),
                      testing::Values(Formulation::Displacement, Formulation::ProjectedDilatation)),
     [](const auto& test) {
-      const bool isJ2 = std::holds_alternative<J2Plasticity>(std::get<0>(test.param));
+      const std::string law = std::visit([]<class Law>(const Law&) { return std::string(Law::kind.key); },
+                                         std::get<0>(test.param));
       const bool isProjected = std::get<1>(test.param) == Formulation::ProjectedDilatation;
-      return fmt::format("{}{}{}", isJ2 ? "J2" : "NeoHookean", isProjected ? "Projected" : "", test.index);
+      return fmt::format("{}{}{}", law == "neo-hookean" ? "NeoHookean" : law, isProjected ? "Projected" : "",
+                         test.index);
     });
 
 }  // namespace

@@ -44,6 +44,15 @@ Material metal() {
   return J2Plasticity({100.0, 0.3, ElasticLaw::NeoHookean, VoceHardening{0.5, 1.0, 10.0}});
 }
 
+Material metalWithBackStresses() {
+  Chaboche::Parameters parameters;
+  parameters.E = 100.0;
+  parameters.nu = 0.3;
+  parameters.hardening = VoceHardening{0.5, 1.0, 10.0};
+  parameters.backStresses = {{20.0, 30.0}, {2.0, 0.0}};
+  return Chaboche(parameters);
+}
+
 /// A stretch along the first axis with a disturbance, far beyond yield for the metal.
 template <int Dim>
 Eigen::VectorXd stretched(const Body<Dim>& body, double stretch, double disturbance) {
@@ -68,6 +77,21 @@ void expectConsistentTangent(const Body<Dim>& body, Formulation formulation) {
   ASSERT_GT(plastic->points().field("plastic_strain").maxCoeff(), 0.03);
   EXPECT_LT(test::tangentError(*plastic, 0.0, 1.3 * y, 1e-6), 1e-6);
   EXPECT_LT(test::asymmetry(test::tangentOf(*plastic, 0.0, 1.3 * y)), 1e-12);
+}
+
+/// The same of a law whose tangent is not symmetric where the direction of flow turns.
+template <int Dim>
+void expectConsistentTangentOfATurn(const Body<Dim>& body, Formulation formulation) {
+  const SpanQuadrature<Dim> quadrature(body);
+  const auto term = makeBulkTerm(body, quadrature, metalWithBackStresses(), formulation);
+  EXPECT_FALSE(term->hasSymmetricTangent());
+  const Eigen::VectorXd x = stretched(body, 0.08, 0.004);
+  ASSERT_TRUE(test::forceOf(*term, 0.0, x).allFinite());
+  term->accept();
+  Eigen::VectorXd y = x + test::randomState(x.size(), 0.004, 9);
+  for (int a = 0; a < body.numNodes; ++a) y(Dim * a + 1) += 0.1 * body.patches[0].points()(0, a);
+  EXPECT_LT(test::tangentError(*term, 0.0, y, 1e-6), 1e-6);
+  EXPECT_GT(test::asymmetry(test::tangentOf(*term, 0.0, y)), 1e-4);
 }
 
 /// Derivative of the stored energy along a direction, by central differences.
@@ -96,6 +120,14 @@ TEST_P(BulkTangent, AgreesWithCentralDifferencesInAxisymmetry) {
 TEST_P(BulkTangent, AgreesWithCentralDifferencesInThreeDimensions) {
   expectConsistentTangent(shell(1), GetParam());
   expectConsistentTangent(shell(2), GetParam());
+}
+
+TEST_P(BulkTangent, NeedNotBeSymmetric) {
+  for (int degree = 1; degree <= 2; ++degree) {
+    expectConsistentTangentOfATurn(test::ring(degree), GetParam());
+    expectConsistentTangentOfATurn(axisymmetric(test::ring(degree)), GetParam());
+    expectConsistentTangentOfATurn(shell(degree), GetParam());
+  }
 }
 
 TEST_P(BulkTangent, ForceIsTheDerivativeOfTheStoredEnergy) {

@@ -1,0 +1,194 @@
+#include "engine/material/chaboche.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/material/logarithmic_strain.h"
+#include "engine/material/plastic_strain_field.h"
+#include "engine/material/push_forward.h"
+#include "engine/material/volume_change.h"
+#include "engine/schema/problems.h"
+
+namespace burnish {
+namespace {
+
+using State = Chaboche::State;
+
+/// The von Mises norm √(3/2) ‖X‖.
+double equivalent(const Eigen::Matrix<double, 6, 1>& X) {
+  return std::sqrt(1.5) * X.norm();
+}
+
+/// Names and places of what is carried: of every back stress each component.
+template <int... Numbers>
+std::vector<CarriedNumber<State>> backStressNumbers(std::integer_sequence<int, Numbers...>) {
+  static constexpr std::array kComponents{"xx", "yy", "zz", "xy", "yz", "zx"};
+  return {{{.name = "X" + std::to_string(Numbers / 6 + 1) + "_" + kComponents[Numbers % 6]},
+           [](State& state) -> double& { return state.X(Numbers % 6, Numbers / 6); }}...};
+}
+
+}  // namespace
+
+std::vector<StateField<State>> Chaboche::fields() {
+  return {plasticStrainField<State>(),
+          {{.name = "back_stress",
+            .components = {},
+            .unit = "stress",
+            .words = "Equivalent back stress",
+            .symbol = "X̄",
+            .isNonNegative = true},
+           [](const State& state, std::span<double> values) {
+             values[0] = equivalent(state.X.rowwise().sum());
+           }}};
+}
+
+std::vector<CarriedNumber<State>> Chaboche::carried() {
+  std::vector<CarriedNumber<State>> numbers{
+      {{.name = "e_p", .atLeast = 0.0}, [](State& state) -> double& { return state.e_p; }},
+      {{.name = "turn_x"}, [](State& state) -> double& { return state.turn.x(); }},
+      {{.name = "turn_y"}, [](State& state) -> double& { return state.turn.y(); }},
+      {{.name = "turn_z"}, [](State& state) -> double& { return state.turn.z(); }}};
+  const auto more = backStressNumbers(std::make_integer_sequence<int, 6 * kMostBackStresses>());
+  numbers.insert(numbers.end(), more.begin(), more.end());
+  return numbers;
+}
+
+State Chaboche::begin(const Eigen::Matrix3d& stretch) {
+  State state;
+  state.E = halfLogarithm<3>(stretch * stretch);
+  return state;
+}
+
+State Chaboche::toSpace(const Eigen::Matrix3d& F, const State& state) const {
+  State moved = state;
+  const Eigen::Matrix3d R = LogarithmicStrain<3>(F * state.Fp_inv).rotation();
+  moved.X = mandelRotation<3>(R) * state.X;
+  if (!parameters_.hill) return moved;  // the axes play no role
+  const Eigen::AngleAxisd turn(R);
+  moved.turn = turn.angle() * turn.axis();
+  return moved;
+}
+
+State Chaboche::fromSpace(const State& moved) const {
+  State state = moved;
+  const double angle = moved.turn.norm();
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  if (angle > 0.0) R = Eigen::AngleAxisd(angle, moved.turn / angle).toRotationMatrix();
+  state.turn.setZero();
+  state.Fp_inv = moved.Fp_inv * R;
+  const MandelMatrix<3> toLaw = mandelRotation<3>(R).transpose();
+  state.E = toLaw * moved.E;
+  state.X = toLaw * moved.X;
+  for (Eigen::Index i = 0; i < std::ssize(parameters_.backStresses); ++i) {
+    const auto& [C, gamma] = parameters_.backStresses[static_cast<std::size_t>(i)];
+    auto X = state.X.col(i);
+    X.head<3>().array() -= X.head<3>().mean();
+    // Beyond its bound the scalar equation of the flow might have no solution.
+    const double size = equivalent(X);
+    if (gamma * size > C) X *= C / (gamma * size);
+  }
+  return state;
+}
+
+Chaboche::Chaboche(const Parameters& parameters)
+    : parameters_(parameters),
+      moduli_(parameters.E, parameters.nu),
+      hardening_(HardeningLaws::make(parameters.hardening)),
+      planeAxes_(parameters.hill),
+      axes_(parameters.hill) {}
+
+double Chaboche::yieldStress(double e_p) const {
+  return std::visit([e_p](const auto& law) { return law.sigma_y(e_p); }, hardening_);
+}
+
+bool Chaboche::hasSymmetricTangent() const {
+  return parameters_.substeps == 1 &&
+         std::all_of(parameters_.backStresses.begin(), parameters_.backStresses.end(),
+                     [](const BackStress& back) { return back.recovery == 0.0; });
+}
+
+template <>
+const YieldAxes<2>& Chaboche::yieldAxes<2>() const {
+  return planeAxes_;
+}
+
+template <>
+const YieldAxes<3>& Chaboche::yieldAxes<3>() const {
+  return axes_;
+}
+
+template <int Dim>
+bool Chaboche::evaluate(const Eigen::Matrix3d& F, double dt, const State& old, State& next,
+                        MaterialResponse<Dim>& out) const {
+  constexpr int kSize = kVoigt<Dim>;
+  const VolumeChange volumeChange(F - Eigen::Matrix3d::Identity());
+  if (!(volumeChange.J() > 0.0)) return false;
+  const LogarithmicStrain<Dim> strain(F * old.Fp_inv);
+  if (!strain.isDefined()) return false;
+  const YieldAxes<Dim>& axes = yieldAxes<Dim>();
+  const auto& basis = axes.basis;
+  // Flow keeps the volume; that of F has no rounding errors of the steps before.
+  const double volume = std::log1p(volumeChange.minusOne());
+  MandelVector<Dim> E_tr = strain.value();
+  E_tr.template head<3>().array() += (volume - E_tr.template head<3>().sum()) / 3.0;
+  const MandelVector<Dim> E_n = old.E.template head<kSize>();
+  const Deviator<Dim> e_n = basis.transpose() * E_n, e_tr = basis.transpose() * E_tr;
+
+  const FlowLaw law{moduli_.mu, &hardening_, &parameters_.backStresses, &parameters_.rate};
+  const int parts = parameters_.substeps;
+  FlowState<Dim> flowing;
+  flowing.e_p = old.e_p;
+  flowing.X = (basis.transpose() * old.X.template topRows<kSize>()).array();
+  bool flows = false;
+  for (int part = 1; part <= parts; ++part) {
+    const double share = static_cast<double>(part) / parts;
+    const FlowResult result =
+        flow<Dim>(law, axes, part == parts ? e_tr : Deviator<Dim>(e_n + share * (e_tr - e_n)), share,
+                  dt / parts, flowing);
+    if (result == FlowResult::Failed) return false;
+    flows |= result == FlowResult::Flows;
+  }
+
+  const Deviator<Dim> e = e_tr - flowing.plasticStrain;
+  MandelVector<Dim> T = basis * (2.0 * moduli_.mu * e).matrix();
+  T.template head<3>().array() += moduli_.kappa * volume;
+  MandelMatrix<Dim> D = 2.0 * moduli_.mu * basis *
+                        (DeviatorMatrix<Dim>::Identity() - flowing.dPlasticStrain) * basis.transpose();
+  D.template topLeftCorner<3, 3>().array() += moduli_.kappa;
+  strain.setResponse(T, D, out);
+  out.strainEnergy = 0.5 * moduli_.kappa * volume * volume + moduli_.mu * e.square().sum();
+  out.plasticWork = flows ? (moduli_.mu * (e_n + e) * flowing.plasticStrain).sum() : 0.0;
+
+  next = old;
+  const MandelVector<Dim> E = flows ? MandelVector<Dim>(E_tr - basis * flowing.plasticStrain.matrix()) : E_tr;
+  next.E.template head<kSize>() = E;
+  if (flows) {
+    next.Fp_inv = F.inverse() * strain.rotation() * exponential<Dim>(E);
+    next.e_p = flowing.e_p;
+    next.X.template topRows<kSize>() = basis * flowing.X.matrix();
+  }
+  return std::isfinite(out.tau.sum() + out.strainEnergy);
+}
+
+Eigen::Matrix3d Chaboche::elasticDeformation(const Eigen::Matrix3d& F, const State& state) const {
+  return pushedForward(Eigen::Matrix3d::Identity(), F * state.Fp_inv);
+}
+
+void check(const Chaboche::Parameters& law, const Problems& problems) {
+  checkHardening(law.hardening, problems, "hardening");
+  if (law.hill) check(*law.hill, problems, "hill");
+}
+
+void checkInPlane(const Chaboche::Parameters& law, const Problems& problems) {
+  if (law.hill) checkInPlane(*law.hill, problems, "hill");
+}
+
+template bool Chaboche::evaluate<2>(const Eigen::Matrix3d&, double, const State&, State&,
+                                    MaterialResponse<2>&) const;
+template bool Chaboche::evaluate<3>(const Eigen::Matrix3d&, double, const State&, State&,
+                                    MaterialResponse<3>&) const;
+
+}  // namespace burnish
