@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/material/hyperelastic.h"
 #include "engine/material/j2_plasticity.h"
 #include "engine/material/law_list.h"
 #include "engine/material/neo_hookean.h"
@@ -27,9 +28,12 @@
 namespace burnish {
 
 /// All material laws, one line each.
-using MaterialLaws = LawList<  //
-    NeoHookean,                //
-    J2Plasticity>;
+using MaterialLaws = LawList<    //
+    NeoHookean,                  //
+    J2Plasticity,                //
+    Hyperelastic<MooneyRivlin>,  //
+    Hyperelastic<Yeoh>,          //
+    Hyperelastic<Ogden>>;
 
 using Material = MaterialLaws::Any;
 using MaterialParameters = MaterialLaws::Parameters;
