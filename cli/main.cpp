@@ -35,6 +35,7 @@ ExitCode execute(int argc, char** argv) {
   addSheetCommand(app, action);
   addPlotCommand(app, action);
   addProbeCommand(app, action);
+  addFitCommand(app, action);
   addExportCommand(app, action);
   addInfoCommand(app, action);
   addCompareCommand(app, action);

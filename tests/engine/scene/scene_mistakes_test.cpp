@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"missingTop", &block, "steps:\n  - {until: 1, count: 20}\n  - {until: 2, count: 200}\n", "",
                 "basis: nurbs", "steps", "missing; required: a list of 1 or more mappings."},
         Mistake{"missingChoice", &block, "law: neo-hookean, ", "", "{E: 1.0", "material.law",
-                "missing; required: neo-hookean | j2."}),
+                "missing; required: neo-hookean | j2 | mooney-rivlin | yeoh | ogden."}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
