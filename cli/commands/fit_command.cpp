@@ -28,7 +28,7 @@ struct FitArguments {
   std::vector<std::filesystem::path> files;
   std::string law;
   std::vector<std::string> modes;
-  int terms = 0;
+  std::optional<int> terms;
   std::string residuals = "relative";
   std::optional<double> youngsModulus;
   double from = 0.002;
@@ -51,10 +51,14 @@ void checkOptions(const FitArguments& arguments, const FittableLaw& law) {
   if (!arguments.modes.empty() && law.data != FitData::RubberTests) refuse("--mode", "is no law of rubber");
   if (arguments.youngsModulus && law.data != FitData::Flow)
     refuse("--nominal", "is not fitted to a tension test of a metal");
-  if (arguments.terms == 0) return;
+  if (arguments.youngsModulus && !(*arguments.youngsModulus > 0.0))
+    throw Error(fmt::format("--nominal: found {}; expected a positive number", *arguments.youngsModulus));
+  if (arguments.from < 0.0)
+    throw Error(fmt::format("--from: found {}; expected a number that is not negative", arguments.from));
+  if (!arguments.terms) return;
   if (law.usualTerms == 0) refuse("--terms", "has no number of terms");
-  if (arguments.terms < 1 || arguments.terms > law.mostTerms)
-    throw Error(fmt::format("--terms: found {}; allowed: 1 to {}", arguments.terms, law.mostTerms));
+  if (*arguments.terms < 1 || *arguments.terms > law.mostTerms)
+    throw Error(fmt::format("--terms: found {}; expected 1 to {}", *arguments.terms, law.mostTerms));
 }
 
 std::vector<MeasuredCurve> curvesOf(const FitArguments& arguments, const FittableLaw& law) {
@@ -104,7 +108,7 @@ Chart chartOf(const FitArguments& arguments, const FittableLaw& law, const std::
                             .y = curves[k].y,
                             .style = CurveStyle{number, 0, number, false}});
     ChartCurve drawn = lawCurve(curves[k], fit, law.data);
-    drawn.label = fmt::format("{}, {}", curves[k].name, law.name);
+    drawn.label = fmt::format("{}, {}", curves[k].name, law.words);
     drawn.style = CurveStyle{number, number, -1};
     chart.curves.push_back(std::move(drawn));
   }
@@ -136,7 +140,7 @@ ExitCode fit(const FitArguments& arguments) {
   std::vector<MeasuredCurve> curves = curvesOf(arguments, law);
   checkLabels(arguments.chart, curves.size(), curves.size(), "measured curves");
   for (std::size_t k = 0; k < arguments.chart.labels.size(); ++k) curves[k].name = arguments.chart.labels[k];
-  const LawFit found = law.fit(curves, {arguments.terms == 0 ? law.usualTerms : arguments.terms, residuals});
+  const LawFit found = law.fit(curves, {arguments.terms.value_or(law.usualTerms), residuals});
   const ChartOutputs& outputs = arguments.outputs;
   if (!outputs.picture.empty() || !outputs.csv.empty()) {
     const Chart chart = chartOf(arguments, law, curves, found);
@@ -191,11 +195,9 @@ void addFitCommand(CLI::App& app, Action& action) {
           "--nominal", arguments->youngsModulus,
           "Young's modulus: strain and stress are nominal, of a tension test of a metal, and are converted "
           "[they are plastic strain and true stress]")
-      ->check(CLI::PositiveNumber)
       ->type_name("E");
   command
       ->add_option("--from", arguments->from, "Plastic strain from which on converted points count [0.002]")
-      ->check(CLI::NonNegativeNumber)
       ->needs("--nominal")
       ->type_name("EP");
   command

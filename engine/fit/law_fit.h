@@ -32,7 +32,8 @@ enum class FitData { RubberTests, Flow, Cycles };
 
 /// A law that can be fitted.
 struct FittableLaw {
-  const char* name;
+  const char* name;   ///< in scenes
+  const char* words;  ///< in charts
   FitData data;
   int usualTerms;  ///< 0: the law has no number of terms
   int mostTerms;

@@ -119,8 +119,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "yes", "supports[0].symmetry", "found yes; allowed: true or false."},
         Mistake{"choice", &block, "basis: nurbs", "basis: lagrang", "lagrang", "basis",
                 "found lagrang; allowed: nurbs | lagrange. Did you mean \"lagrange\"?"},
-        Mistake{"law", &block, "law: neo-hookean", "law: neohookean", "neohookean", "material.law",
-                "found neohookean; allowed: neo-hookean | j2. Did you mean \"neo-hookean\"?"},
+        Mistake{
+            "law", &block, "law: neo-hookean", "law: neohookean", "neohookean", "material.law",
+            "found neohookean; allowed: neo-hookean | j2 | mooney-rivlin | yeoh | ogden. Did you mean \"neo-hookean\"?"},
         Mistake{
             "method", &block, "method: augmented-lagrangian", "method: magic", "magic", "contact[0].method",
             "found magic; allowed: augmented-lagrangian | integral-augmented-lagrangian | penalty | pointwise-penalty."},
