@@ -50,10 +50,17 @@ void addAxisOptions(CLI::App& command, ChartArguments& arguments, const UsualTit
       ->type_name("AXES");
 }
 
-void addDrawingOptions(CLI::App& command, ChartArguments& arguments, const char* usualLabel) {
+void addPageOptions(CLI::App& command, ChartArguments& arguments) {
   command.add_option("--title", arguments.title, "Title of the chart [none]")
       ->check(cannotBeShown)
       ->type_name("TEXT");
+  arguments.look.addTo(command, PageLook{});
+  command.add_option("--size", arguments.size, "Size in pixels, or in points for SVG and PDF [1200,900]")
+      ->type_name("W,H");
+}
+
+void addDrawingOptions(CLI::App& command, ChartArguments& arguments, const char* usualLabel) {
+  addPageOptions(command, arguments);
   command
       .add_option("--label", arguments.labels,
                   fmt::format("Name in the legend, once per run or once per curve [{}]", usualLabel))
@@ -65,9 +72,6 @@ void addDrawingOptions(CLI::App& command, ChartArguments& arguments, const char*
       .add_option("--markers", arguments.markers,
                   "Points with a marker: some (all of a few), all, none [some]")
       ->type_name("WHICH");
-  arguments.look.addTo(command, PageLook{});
-  command.add_option("--size", arguments.size, "Size in pixels, or in points for SVG and PDF [1200,900]")
-      ->type_name("W,H");
 }
 
 std::optional<std::array<double, 2>> axisRange(const char* option, const std::string& text) {

@@ -45,7 +45,10 @@ struct UsualTitles {
 void addAxisOptions(CLI::App& command, ChartArguments& arguments, const UsualTitles& usual,
                     const std::vector<std::string>& logarithmic);
 
-/// Adds title, labels, markers, look and size. usualLabel: what help says of a label that is not given.
+/// Adds title, look and size.
+void addPageOptions(CLI::App& command, ChartArguments& arguments);
+
+/// Adds these, labels and markers. usualLabel: what help says of a label that is not given.
 void addDrawingOptions(CLI::App& command, ChartArguments& arguments, const char* usualLabel);
 
 /// A chart without curves, whose axes have these titles unless others were given. Throws `Error` that names

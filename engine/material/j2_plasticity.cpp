@@ -5,10 +5,11 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/material/principal_axes.h"
+#include "engine/material/principal_response.h"
 #include "engine/material/push_forward.h"
 #include "engine/material/symmetric_tensor.h"
 #include "engine/material/volume_change.h"
+#include "engine/material/volumetric_response.h"
 #include "engine/schema/problems.h"
 
 namespace burnish {
@@ -21,26 +22,15 @@ constexpr double kYieldTolerance = 1e-11;
 /// Relative distance of squared stretches below which the shear moduli take their limit.
 constexpr double kEqualStretches = 1e-6;
 
-/// Volumetric part of an elastic law.
-struct Volumetric {
-  double logJ;
-  double pressure;   ///< mean Kirchhoff stress J U'
-  double stiffness;  ///< its derivative with respect to ln J
-  double energy;
-
-  Volumetric(ElasticLaw law, double kappa, double JMinusOne) : logJ(std::log1p(JMinusOne)) {
-    const double halfJ2 = JMinusOne * (1.0 + 0.5 * JMinusOne);  // ½(J² − 1)
-    const bool hencky = law == ElasticLaw::Hencky;
-    pressure = kappa * (hencky ? logJ : halfJ2);
-    stiffness = kappa * (hencky ? 1.0 : 1.0 + 2.0 * halfJ2);
-    energy = 0.5 * kappa * (hencky ? logJ * logJ : halfJ2 - logJ);
-  }
-};
+VolumetricResponse volumetricResponse(ElasticLaw law, double kappa, double JMinusOne) {
+  return law == ElasticLaw::Hencky ? VolumetricResponse::logarithmic(kappa, JMinusOne)
+                                   : VolumetricResponse::squared(kappa, JMinusOne);
+}
 
 /// The neo-Hookean law in closed form, at the isochoric left Cauchy-Green tensor b̄. False, and nothing is
 /// set, when ‖dev τ‖ exceeds the radius of the yield surface.
 template <int Dim>
-bool setNeoHookeanWithin(double radius, double mu, const Volumetric& volumetric,
+bool setNeoHookeanWithin(double radius, double mu, const VolumetricResponse& volumetric,
                          const SymmetricTensor<Dim>& bBar, MaterialResponse<Dim>& out) {
   const SymmetricTensor<Dim> one = identityComponents<Dim>();
   const double trace = bBar.template head<3>().sum();
@@ -55,33 +45,30 @@ bool setNeoHookeanWithin(double radius, double mu, const Volumetric& volumetric,
   return true;
 }
 
-/// c_ABAB of two directions with the squared trial stretches a and b. The secant of the limit differs from
-/// the tangent ¼(D_AA + D_BB − D_AB − D_BA) of the same branch by terms of second order in a − b.
-double shearModulus(double a, double b, double tauA, double tauB, double equalModulus) {
+/// ½(τ_A − τ_B)(a + b)/(a − b) of two directions with the squared trial stretches a and b. The secant of the
+/// limit differs from the tangent ¼(D_AA + D_BB − D_AB − D_BA) of the same branch by terms of second order in
+/// a − b.
+double secantModulus(double a, double b, double tauA, double tauB, double equalModulus) {
   const double difference = a - b;
-  const double secant = std::abs(difference) < kEqualStretches * std::max(a, b)
-                            ? 0.5 * equalModulus
-                            : 0.5 * (tauA - tauB) * (a + b) / difference;
-  return secant - 0.5 * (tauA + tauB);
+  return std::abs(difference) < kEqualStretches * std::max(a, b) ? 0.5 * equalModulus
+                                                                 : 0.5 * (tauA - tauB) * (a + b) / difference;
 }
 
 /// Stress, tangent and energy from principal values.
 template <int Dim>
-void setPrincipal(const PrincipalAxes<Dim>& axes, const Volumetric& volumetric, const PrincipalState& state,
-                  MaterialResponse<Dim>& out) {
-  const Eigen::Vector3d tau = (state.s + volumetric.pressure).matrix();
-  Eigen::Matrix3d normal = state.D;
-  normal.array() += volumetric.stiffness;
-  normal.diagonal() -= 2.0 * tau;
-  Eigen::Matrix<double, PrincipalAxes<Dim>::kPairs, 1> shear;
+void setPrincipal(const PrincipalAxes<Dim>& axes, const VolumetricResponse& volumetric,
+                  const PrincipalState& state, MaterialResponse<Dim>& out) {
+  PrincipalResponse<Dim> principal;
+  const Eigen::Vector3d& tau = principal.tau = (state.s + volumetric.pressure).matrix();
+  principal.D = state.D;
+  principal.D.array() += volumetric.stiffness;
   for (int pair = 0; pair < PrincipalAxes<Dim>::kPairs; ++pair) {
     const int A = axes.first(pair);
     const int B = axes.second(pair);
-    shear[pair] = shearModulus(axes.values[A], axes.values[B], tau[A], tau[B],
-                               0.5 * (state.modulus[A] + state.modulus[B]));
+    principal.secant[pair] = secantModulus(axes.values[A], axes.values[B], tau[A], tau[B],
+                                           0.5 * (state.modulus[A] + state.modulus[B]));
   }
-  out.tau = axes.tensor(tau);
-  out.c = axes.tangent(normal, shear);
+  principal.turn(axes, out);
   out.strainEnergy = volumetric.energy + state.energy;
 }
 
@@ -119,7 +106,7 @@ bool J2Plasticity::evaluate(const Eigen::Matrix3d& F, const State& old, State& n
                             MaterialResponse<Dim>& out) const {
   const VolumeChange volume(F - Eigen::Matrix3d::Identity());
   if (!(volume.J() > 0.0)) return false;
-  const Volumetric volumetric(elasticLaw_, moduli_.kappa, volume.minusOne());
+  const VolumetricResponse volumetric = volumetricResponse(elasticLaw_, moduli_.kappa, volume.minusOne());
   const double radius = kRootTwoThirds * yieldStress(old.e_p) * (1.0 + kYieldTolerance);
   next = old;
   out.plasticWork = 0.0;

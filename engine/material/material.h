@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/material/chaboche.h"
+#include "engine/material/hyperelastic.h"
 #include "engine/material/j2_plasticity.h"
 #include "engine/material/law_list.h"
 #include "engine/material/neo_hookean.h"
@@ -32,10 +33,13 @@
 namespace burnish {
 
 /// All material laws, one line each.
-using MaterialLaws = LawList<  //
-    NeoHookean,                //
-    J2Plasticity,              //
-    Chaboche>;
+using MaterialLaws = LawList<    //
+    NeoHookean,                  //
+    J2Plasticity,                //
+    Chaboche,                    //
+    Hyperelastic<MooneyRivlin>,  //
+    Hyperelastic<Yeoh>,          //
+    Hyperelastic<Ogden>>;
 
 using Material = MaterialLaws::Any;
 using MaterialParameters = MaterialLaws::Parameters;

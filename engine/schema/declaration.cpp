@@ -14,7 +14,7 @@ std::string valueText(const Declaration& key) {
   std::string text = key.allowed;
   if (!key.rule.unit.empty()) text += " (" + key.rule.unit + ")";
   if (key.rule.required) text += ", required";
-  if (!key.rule.unless.empty()) text += " unless there are " + key.rule.unless;
+  if (!key.rule.unless.empty()) text += " without " + key.rule.unless;
   if (key.defaultValue) text += ", default " + *key.defaultValue;
   return text;
 }

@@ -115,7 +115,7 @@ std::string explanation(const Declaration& key) {
   text += row("allowed", key.allowed);
   if (!key.rule.unit.empty()) text += row("unit", key.rule.unit);
   text += row("default", key.rule.required && !key.rule.unless.empty()
-                             ? fmt::format("none, the key is required unless there are {}", key.rule.unless)
+                             ? fmt::format("none, the key is required without {}", key.rule.unless)
                          : key.rule.required ? "none, the key is required"
                          : key.defaultValue  ? *key.defaultValue
                                              : "none, the key may be left out");

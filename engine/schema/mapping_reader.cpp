@@ -19,7 +19,9 @@ const YamlNode* MappingReader::look(const char* key, const Rule& rule, const std
   const YamlNode* node = node_.find(key);
   const bool isReplaced = !rule.unless.empty() && node_.find(rule.unless) != nullptr;
   if (node == nullptr && rule.required && !isReplaced)
-    errors_.add(node_.place, pathOf(key), fmt::format("missing; required: {}.", allowed));
+    errors_.add(node_.place, pathOf(key),
+                fmt::format("missing; required: {}{}.", allowed,
+                            rule.unless.empty() ? "" : ", or the key " + rule.unless));
   return node;
 }
 

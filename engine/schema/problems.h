@@ -20,6 +20,9 @@ class Problems {
   /// Whether nothing is wrong with a key, such as "radius" or "points[3]".
   bool clean(const std::string& key) const { return errors_->clean(pathOf(key)); }
 
+  /// Whether nothing is wrong with the mapping.
+  bool clean() const { return errors_->clean(path_); }
+
   void report(const std::string& key, const std::string& problem) const { add(pathOf(key), problem); }
 
   /// What is wrong with the mapping as a whole.

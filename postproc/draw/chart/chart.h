@@ -17,6 +17,7 @@ struct CurveStyle {
   int color = 0;
   int dash = 0;
   int marker = -1;
+  bool line = true;  ///< false: markers alone, at every point, for what was measured
 };
 
 /// Black among the colours of curves, for lines of reference.

@@ -204,8 +204,10 @@ PlottedCurve plotCurve(const ChartCurve& curve, const CurveStyle& style, const P
   Taken alone(0.5), marked(3.0);
   for (const Polyline& run : finiteRuns(curve, pixel)) {
     if (many && run.size() == 1 && !alone.add(run.front())) continue;
-    const Polyline line = withoutTinySteps(run);
-    appendClipped(many ? thinnedOut(line) : line, plot, plotted.pieces);
+    if (style.line) {
+      const Polyline line = withoutTinySteps(run);
+      appendClipped(many ? thinnedOut(line) : line, plot, plotted.pieces);
+    }
     std::copy_if(run.begin(), run.end(), std::back_inserter(visible),
                  [&](const Eigen::Vector2d& point) { return contains(plot, point); });
   }
@@ -259,7 +261,7 @@ std::vector<PlottedCurve> plotCurves(const Chart& chart, const PixelRect& plot, 
   for (std::size_t k = 0; k < count; ++k) {
     const ChartCurve& curve = chart.curves[k];
     const CurveStyle style = curve.style.value_or(defaultStyle(chart, k));
-    const bool all = chart.markers == ChartMarkers::All && !curve.style;
+    const bool all = curve.style ? !style.line : chart.markers == ChartMarkers::All;
     const std::size_t most = all ? curve.x.size() : kFewPoints;
     const double phase = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
     plotted.push_back(plotCurve(curve, style, plot, pixel, most, phase));

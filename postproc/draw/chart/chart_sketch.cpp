@@ -174,13 +174,13 @@ class Sketcher {
     if (!markerIsFilled(style)) add(kMarker / 2, theme_.paper);
   }
 
-  /// A piece of line with the middle of a dash in its middle, and a marker.
+  /// A piece of line with the middle of a dash in its middle, a marker, or both.
   void addSample(const Eigen::Vector2d& start, double length, const CurveStyle& style) {
     const Eigen::Vector2d along(length, 0.0);
     const std::vector<double> pattern = dashLengths(style);
     const double before = pattern.empty() ? 0.0 : (pattern.front() - length) / 2;
     const double periods = pattern.empty() ? 0.0 : std::ceil(-before / period(style));
-    addStroke({start, start + along}, style, before + periods * period(style));
+    if (style.line) addStroke({start, start + along}, style, before + periods * period(style));
     if (style.marker >= 0) addMarker(start + along / 2, style);
   }
 

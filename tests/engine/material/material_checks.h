@@ -32,18 +32,26 @@ bool isAdmissible(int k, int l) {
   return Dim == 3 || (k < 2 && l < 2) || (k == 2 && l == 2);
 }
 
-/// d/dh of f((I + h L) F) at h = 0 by central differences of fourth order.
+/// Order of central differences. The eighth, which reaches to 4 h, is for responses without a yield surface.
+enum class Differences { Fourth, Eighth };
+
+/// d/dh of f((I + h L) F) at h = 0 by central differences.
 template <class Function>
-auto derivative(const Function& f, const Eigen::Matrix3d& F, const Eigen::Matrix3d& L, double h)
-    -> decltype(f(F)) {
+auto derivative(const Function& f, const Eigen::Matrix3d& F, const Eigen::Matrix3d& L, double h,
+                Differences order = Differences::Fourth) -> decltype(f(F)) {
   const auto at = [&](double s) { return f(((Eigen::Matrix3d::Identity() + s * L) * F).eval()); };
-  return (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
+  if (order == Differences::Fourth)
+    return (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
+  return (672.0 * (at(h) - at(-h)) - 168.0 * (at(2.0 * h) - at(-2.0 * h)) +
+          32.0 * (at(3.0 * h) - at(-3.0 * h)) - 3.0 * (at(4.0 * h) - at(-4.0 * h))) /
+         (840.0 * h);
 }
 
 /// Largest difference between c : L and the Lie derivative of τ, over all L = e_k ⊗ e_l, relative to the
 /// largest component of c. The antisymmetric part of L must not count.
 template <int Dim, class Law>
-double tangentError(const Law& law, const Eigen::Matrix3d& F, const typename Law::State& old, double h) {
+double tangentError(const Law& law, const Eigen::Matrix3d& F, const typename Law::State& old, double h,
+                    Differences order = Differences::Fourth) {
   const auto stress = [&](const Eigen::Matrix3d& G) -> Eigen::Matrix3d {
     return fullTensor<Dim>(evaluate<Dim>(law, G, old).response.tau);
   };
@@ -55,7 +63,7 @@ double tangentError(const Law& law, const Eigen::Matrix3d& F, const typename Law
       if (!isAdmissible<Dim>(k, l)) continue;
       Eigen::Matrix3d L = Eigen::Matrix3d::Zero();
       L(k, l) = 1.0;
-      const Eigen::Matrix3d lie = derivative(stress, F, L, h) - L * tau - tau * L.transpose();
+      const Eigen::Matrix3d lie = derivative(stress, F, L, h, order) - L * tau - tau * L.transpose();
       SymmetricTensor<Dim> strain = components<Dim>(0.5 * (L + L.transpose()));
       strain.template tail<kVoigt<Dim> - 3>() *= 2.0;
       const SymmetricTensor<Dim> difference = response.c * strain - components<Dim>(lie);

@@ -395,6 +395,20 @@ TEST(ChartCurves, MarkersStandWhereTheyAreWanted) {
   EXPECT_EQ(count(ChartMarkers::None), 0U);
 }
 
+TEST(ChartCurves, MeasuredPointsAreMarkersWithoutALine) {
+  Chart chart = chartOf({}, {});
+  chart.curves[0].style = CurveStyle{0, 0, 0, false};
+  for (int k = 0; k < 50; ++k) {
+    chart.curves[0].x.push_back(k);
+    chart.curves[0].y.push_back(k);
+  }
+  const PlottedCurve measured = layOutChart(chart).curves[0];
+  EXPECT_EQ(measured.markers.size(), 50U);
+  EXPECT_TRUE(measured.pieces.empty());
+  chart.curves[0].style->line = true;
+  EXPECT_EQ(layOutChart(chart).curves[0].pieces.size(), 1U);
+}
+
 TEST(ChartCurves, StandOutFromDarkPaper) {
   const Theme& dark = themeNamed("dark");
   for (int color = 0; color < 7; ++color) {

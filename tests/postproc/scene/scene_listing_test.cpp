@@ -17,7 +17,7 @@ TEST(SceneListing, namesEveryKeyWithTypeDefaultAndSentence) {
   const std::string listing = describeScene();
   for (const char* line : {
            "- `degree`: a whole number from 1 to 10, default 2. ",
-           "- `geometry`: a mapping, required unless there are bodies. ",
+           "- `geometry`: a mapping, required without bodies. ",
            "- `shape: annulus`: Part of a ring",
            "  - `nu`: a number above -1 and below 0.5, required. Poisson's ratio.\n",
            "  - `sigma_inf`: a number above 0 (stress), required. ",
