@@ -18,6 +18,7 @@
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/recorded_shape.h"
+#include "postproc/text/plain_time.h"
 
 namespace burnish {
 namespace {
@@ -165,7 +166,7 @@ void VtuSeriesWriter::addPairs(const std::vector<ContactName>& contacts) {
 
 void VtuSeriesWriter::write(const FrameRecord& frame) {
   checkFrame(frame, model_, fmt::format("frame {} for {}", frame.index, (runDir_ / "frames").string()));
-  Instant instant{frame.time, {}};
+  Instant instant{plainTime(frame.time), {}};
   const std::vector<ContactName> contacts = contactsOf(frame);
   addPairs(contacts);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -182,6 +183,15 @@ void VtuSeriesWriter::write(const FrameRecord& frame) {
   instants_.emplace(frame.index, std::move(instant));
   writeCollection();
   removeFrames(dropped);
+}
+
+std::vector<SeriesBlock> VtuSeriesWriter::blocks() const {
+  std::set<std::size_t> numbers;
+  for (const auto& [index, instant] : instants_) numbers.insert(instant.parts.begin(), instant.parts.end());
+  std::vector<SeriesBlock> blocks;
+  for (const std::size_t part : numbers)
+    blocks.push_back({parts_[part].name, parts_[part].kind, parts_[part].body});
+  return blocks;
 }
 
 void VtuSeriesWriter::writeBodyPart(const Part& part, const ModelRecord& model,

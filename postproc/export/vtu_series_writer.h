@@ -36,6 +36,13 @@ struct VtuOptions {
   int pieces = 1;  ///< of each body: about so many files, one after the other, which takes less memory
 };
 
+/// One data set of the collection.
+struct SeriesBlock {
+  std::string name;
+  ExportPart kind;
+  std::optional<std::size_t> body;  ///< of one of several bodies
+};
+
 /// Writes a run as VTK files in `frames/`, all at current positions, with the collection `frames.pvd` of
 /// their times, which can be opened while the run goes on. Where there are several bodies, each is a part of
 /// its own with the fields that it has, and `all_000000.vtm` holds the parts of a frame as named blocks. Every
@@ -49,6 +56,11 @@ class VtuSeriesWriter {
   /// Adds a frame. Frames of the same or a higher index are dropped from the collection and removed. Throws
   /// `Error` naming the file, or saying what of the frame does not fit the model.
   void write(const FrameRecord& frame);
+
+  /// Those that some frame has.
+  std::vector<SeriesBlock> blocks() const;
+
+  const ModelRecord& model() const { return model_; }
 
  private:
   using BodyCells = std::variant<Tessellation, CurvedCells>;
