@@ -20,7 +20,8 @@
 #include "engine/core/interruption.h"
 #include "engine/core/nearest.h"
 #include "engine/results/result_reader.h"
-#include "postproc/export/vtu_series_writer.h"
+#include "postproc/paraview/paraview_series.h"
+#include "postproc/scene/scene_document.h"
 
 namespace burnish {
 namespace {
@@ -56,6 +57,15 @@ VtuOptions optionsFrom(const ExportArguments& arguments) {
   return options;
 }
 
+/// That of the scene; one without options if the scene cannot be read here, where a theme or a font may be missing.
+PictureOptions firstPictureOf(const ResultReader& result) {
+  try {
+    return firstPicture(readResultDocument(result.file().parent_path()));
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 ExitCode exportResult(const ExportArguments& arguments) {
   const SignalGuard signals(SecondSignal::Ends);
   const VtuOptions options = optionsFrom(arguments);
@@ -66,7 +76,7 @@ ExitCode exportResult(const ExportArguments& arguments) {
         fmt::format("{}: the result has no frames to export; is the folder 'result' beside it missing?",
                     reader.file().string()));
   if (!isOfARun(directory) && !hasSeries(directory)) requireAbsent(seriesFiles(directory));
-  VtuSeriesWriter writer(directory, reader.model(), options);
+  ParaViewSeries writer(directory, reader.model(), options, firstPictureOf(reader));
   for (int i = 0; i < reader.numFrames(); ++i) {
     throwIfInterrupted();
     writer.write(reader.frame(i));
