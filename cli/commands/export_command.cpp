@@ -39,9 +39,10 @@ constexpr std::array kCellKinds{std::pair{"linear", CellKind::Linear},
                                 std::pair{"lagrange", CellKind::Lagrange},
                                 std::pair{"bezier", CellKind::Bezier}};
 
-constexpr std::array kParts{std::pair{"body", ExportPart::Body}, std::pair{"tools", ExportPart::Tools},
-                            std::pair{"contact", ExportPart::Contact},
-                            std::pair{"points", ExportPart::Points}, std::pair{"net", ExportPart::Net}};
+constexpr std::array kParts{
+    std::pair{"body", ExportPart::Body},       std::pair{"tools", ExportPart::Tools},
+    std::pair{"contact", ExportPart::Contact}, std::pair{"points", ExportPart::Points},
+    std::pair{"net", ExportPart::Net},         std::pair{"knots", ExportPart::Knots}};
 
 VtuOptions optionsFrom(const ExportArguments& arguments) {
   VtuOptions options;
@@ -101,7 +102,7 @@ void addExportCommand(CLI::App& app, Action& action) {
   command
       ->add_option("--parts", arguments->parts,
                    "What to write, separated by commas: body, tools, contact, points (values at quadrature "
-                   "points), net (control net) [body,tools,contact]")
+                   "points), net (control net), knots (knot lines) [body,tools,contact]")
       ->type_name("PART,...");
   command
       ->add_option(

@@ -27,7 +27,8 @@ enum class ExportPart {
   Tools,    ///< `tool_NAME_000000.vtp` for every tool
   Contact,  ///< `contact_NAME_000000.vtp` for every tool and pair of faces, `self_contact_000000.vtp`
   Points,   ///< `points_000000.vtp`: values at the quadrature points, not projected
-  Net       ///< `net_000000.vtp`: the control net
+  Net,      ///< `net_000000.vtp`: the control net
+  Knots     ///< `knots_000000.vtu`: lines between knot spans, with the fields of the body
 };
 
 struct VtuOptions {

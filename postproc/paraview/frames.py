@@ -13,6 +13,7 @@ from paraview.simple import *
 colored = @colored@
 plain = @plain@
 tools = @tools@
+knots = @knots@
 hidden = @hidden@
 
 # The array, its component (None where it has but one), and its colours from the lowest to the highest value
@@ -28,7 +29,7 @@ eye, up = @eye@, @up@
 center, width, height = @center@, @window@
 size = @size@
 
-paper, ink, tool = @paper@, @ink@, @tool@
+paper, ink, tool, knot = @paper@, @ink@, @tool@, @line@
 tool_opacity = @opacity@
 light = @light@  # 0: colours as they are in the scale
 subdivision = @subdivision@  # of curved cells, when they are drawn
@@ -63,6 +64,11 @@ for name in plain:
     show(name)
 for name in tools:
     show(name).Opacity = tool_opacity
+for name in knots:
+    display = show(name)
+    display.AmbientColor = display.DiffuseColor = rgb(knot)
+    display.LineWidth = 1
+    display.Position = [1e-3 * (width + height) * e for e in eye]  # before the faces that they lie in
 for name in hidden:
     show(name, False)
 for name in colored:

@@ -102,6 +102,9 @@ std::vector<std::string>& ParaViewSeries::listFor(const SeriesBlock& block, Stat
       return options_.tools ? script.tools : script.hidden;
     case ExportPart::Contact:
       return ofContact ? script.colored : script.hidden;
+    case ExportPart::Knots:
+      if (!options_.bodies.empty() && !isAmong(options_.bodies)) return script.hidden;
+      return script.knots;
     case ExportPart::Points:
     case ExportPart::Net:
       break;

@@ -13,7 +13,7 @@ namespace burnish {
 
 /// What a script of ParaView shows of a series of VTK files.
 struct StateScript {
-  std::vector<std::string> colored, plain, tools, hidden;  ///< blocks
+  std::vector<std::string> colored, plain, tools, knots, hidden;  ///< blocks
 
   /// Of the blocks that are coloured; nothing of it counts without any.
   struct Field {

@@ -74,8 +74,9 @@ TEST_F(ParaView, ShowsComponentsAsTheFilesNameThem) {
 
 TEST_F(ParaView, BodiesWithoutTheFieldArePlain) {
   write(samples::twoBodies(), pictureOf("plastic_strain"),
-        {.parts = {ExportPart::Body, ExportPart::Points, ExportPart::Net}});
+        {.parts = {ExportPart::Body, ExportPart::Points, ExportPart::Net, ExportPart::Knots}});
   EXPECT_THAT(shown(), StartsWith("body_stamp visible  \n"
+                                  "knots_block visible  \nknots_stamp visible  \n"
                                   "points_block hidden  \npoints_stamp hidden  \n"
                                   "net_block hidden  \nnet_stamp hidden  \n"
                                   "body_block visible plastic_strain \n"));
