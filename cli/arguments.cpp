@@ -14,6 +14,7 @@
 #include "engine/core/same_time.h"
 #include "engine/scene/end_of_run.h"
 #include "postproc/draw/page/picture_size.h"
+#include "postproc/text/plain_time.h"
 
 namespace burnish {
 namespace {
@@ -49,7 +50,7 @@ int frameAtTime(double time, const std::vector<double>& times) {
   const auto index = static_cast<int>(nearest - times.begin());
   if (isSameTime(*nearest, time)) return index;
   throw Error(fmt::format("--frame: there is no frame at t = {}; the nearest is frame {} at t = {}", time,
-                          index, *nearest));
+                          index, plainTime(*nearest)));
 }
 
 }  // namespace
@@ -103,7 +104,7 @@ std::vector<std::filesystem::path> pictureNames(const std::string& pattern, cons
   try {
     for (const int frame : frames)
       names.emplace_back(fmt::format(fmt::runtime(pattern), fmt::arg("frame", frame),
-                                     fmt::arg("time", times[static_cast<std::size_t>(frame)])));
+                                     fmt::arg("time", plainTime(times[static_cast<std::size_t>(frame)]))));
   } catch (const fmt::format_error& error) {
     throw Error(
         fmt::format("-o: found \"{}\" ({}); expected a name in which braces hold frame or time, as in {}",

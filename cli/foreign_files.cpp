@@ -25,7 +25,7 @@ bool isOfARun(const fs::path& directory) {
 }
 
 std::vector<fs::path> seriesFiles(const fs::path& directory) {
-  std::vector<fs::path> files{directory / "frames.pvd"};
+  std::vector<fs::path> files{directory / "frames.pvd", directory / "frames.py"};
   std::error_code absent;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory / "frames", absent))
     if (const fs::path extension = entry.path().extension();

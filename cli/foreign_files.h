@@ -9,8 +9,8 @@ namespace burnish {
 /// says itself if it is not a run's.
 bool isOfARun(const std::filesystem::path& directory);
 
-/// Files of a series for ParaView in the directory, whoever made it: `frames.pvd`, there or not, and the VTU
-/// and VTP files in `frames/`.
+/// Files of a series for ParaView in the directory, whoever made it: `frames.pvd` and `frames.py`, there or
+/// not, and the VTU and VTP files in `frames/`.
 std::vector<std::filesystem::path> seriesFiles(const std::filesystem::path& directory);
 
 /// Whether `frames.pvd` in the directory is a collection of files in `frames/`.

@@ -20,7 +20,8 @@
 #include "engine/core/interruption.h"
 #include "engine/core/nearest.h"
 #include "engine/results/result_reader.h"
-#include "postproc/export/vtu_series_writer.h"
+#include "postproc/paraview/paraview_series.h"
+#include "postproc/scene/scene_document.h"
 
 namespace burnish {
 namespace {
@@ -38,9 +39,10 @@ constexpr std::array kCellKinds{std::pair{"linear", CellKind::Linear},
                                 std::pair{"lagrange", CellKind::Lagrange},
                                 std::pair{"bezier", CellKind::Bezier}};
 
-constexpr std::array kParts{std::pair{"body", ExportPart::Body}, std::pair{"tools", ExportPart::Tools},
-                            std::pair{"contact", ExportPart::Contact},
-                            std::pair{"points", ExportPart::Points}, std::pair{"net", ExportPart::Net}};
+constexpr std::array kParts{
+    std::pair{"body", ExportPart::Body},       std::pair{"tools", ExportPart::Tools},
+    std::pair{"contact", ExportPart::Contact}, std::pair{"points", ExportPart::Points},
+    std::pair{"net", ExportPart::Net},         std::pair{"knots", ExportPart::Knots}};
 
 VtuOptions optionsFrom(const ExportArguments& arguments) {
   VtuOptions options;
@@ -56,6 +58,15 @@ VtuOptions optionsFrom(const ExportArguments& arguments) {
   return options;
 }
 
+/// That of the scene; one without options if the scene cannot be read here, where a theme or a font may be missing.
+PictureOptions firstPictureOf(const ResultReader& result) {
+  try {
+    return firstPicture(readResultDocument(result.file().parent_path()));
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 ExitCode exportResult(const ExportArguments& arguments) {
   const SignalGuard signals(SecondSignal::Ends);
   const VtuOptions options = optionsFrom(arguments);
@@ -66,7 +77,7 @@ ExitCode exportResult(const ExportArguments& arguments) {
         fmt::format("{}: the result has no frames to export; is the folder 'result' beside it missing?",
                     reader.file().string()));
   if (!isOfARun(directory) && !hasSeries(directory)) requireAbsent(seriesFiles(directory));
-  VtuSeriesWriter writer(directory, reader.model(), options);
+  ParaViewSeries writer(directory, reader.model(), options, firstPictureOf(reader));
   for (int i = 0; i < reader.numFrames(); ++i) {
     throwIfInterrupted();
     writer.write(reader.frame(i));
@@ -91,7 +102,7 @@ void addExportCommand(CLI::App& app, Action& action) {
   command
       ->add_option("--parts", arguments->parts,
                    "What to write, separated by commas: body, tools, contact, points (values at quadrature "
-                   "points), net (control net) [body,tools,contact]")
+                   "points), net (control net), knots (knot lines) [body,tools,contact]")
       ->type_name("PART,...");
   command
       ->add_option(

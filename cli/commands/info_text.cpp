@@ -13,6 +13,7 @@
 #include "engine/results/summary_file.h"
 #include "postproc/mesh/recorded_shape.h"
 #include "postproc/text/account_text.h"
+#include "postproc/text/plain_time.h"
 
 namespace burnish {
 namespace {
@@ -62,8 +63,8 @@ std::string fieldText(const std::string& name, const FieldRecord& field) {
 std::string framesText(const ResultReader& result) {
   const std::vector<double> times = result.times();
   if (times.empty()) return infoLine("frames", "none yet");
-  std::string text =
-      infoLine("frames", fmt::format("{}, t = {} to {}", times.size(), times.front(), times.back()));
+  std::string text = infoLine("frames", fmt::format("{}, t = {} to {}", times.size(),
+                                                    plainTime(times.front()), plainTime(times.back())));
   const FrameRecord last = result.frame(result.numFrames() - 1);
   if (last.mesh)
     text += infoLine("last mesh", fmt::format("{} nodes", last.mesh->numNodes)) +

@@ -87,7 +87,8 @@ void RunOutputs::onStart(const ModelRecord& model) {
   hasStarted_ = true;
   model_ = model;
   if (document_.scene.output.vtu)
-    vtu_.emplace(directory_, model, VtuOptions{.pieces = document_.scene.output.pieces});
+    vtu_.emplace(directory_, model, VtuOptions{.pieces = document_.scene.output.pieces},
+                 firstPicture(document_));
   std::error_code absent;
   for (const ScenePicture& picture : document_.pictures) {
     // A picture of an earlier run would pass for one of this run if this one stops before.

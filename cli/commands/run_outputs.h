@@ -8,7 +8,7 @@
 #include "cli/progress.h"
 #include "engine/analysis/run.h"
 #include "postproc/draw/contour/contour.h"
-#include "postproc/export/vtu_series_writer.h"
+#include "postproc/paraview/paraview_series.h"
 #include "postproc/scene/scene_document.h"
 
 namespace burnish {
@@ -78,7 +78,7 @@ class RunOutputs : public RunObserver {
   const SceneDocument& document_;
   std::filesystem::path directory_;
   std::optional<Progress> progress_;
-  std::optional<VtuSeriesWriter> vtu_;
+  std::optional<ParaViewSeries> vtu_;
   bool marksDoubts_;
   bool isDoubtful_ = false;
   bool hasStarted_ = false;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 #include <vtkAbstractArray.h>
+#include <vtkCell.h>
 #include <vtkCellData.h>
+#include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -23,19 +25,27 @@
 #include "engine/core/error.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "postproc/text/page.h"
+#include "postproc/text/plain_time.h"
 
 namespace burnish {
 namespace {
 
-/// Marks files as of version 2.2. Curved hexahedra of files of earlier versions are read with two points
-/// exchanged, because VTK had another order of points once; VTK 9.1 itself writes version 0.1.
+/// Marks files of curved hexahedra as of version 2.2: those of earlier versions are read with two points
+/// exchanged, because VTK had another order of points once. Other cells are of version 1.0, which more
+/// programs take; VTK 9.1 itself writes version 0.1.
 class CurvedGridWriter : public vtkXMLUnstructuredGridWriter {
  public:
   static CurvedGridWriter* New();
 
  protected:
-  int GetDataSetMajorVersion() override { return 2; }
-  int GetDataSetMinorVersion() override { return 2; }
+  int GetDataSetMajorVersion() override { return isOfVolumes() ? 2 : 1; }
+  int GetDataSetMinorVersion() override { return isOfVolumes() ? 2 : 0; }
+
+ private:
+  bool isOfVolumes() {
+    vtkDataSet* data = GetInputAsDataSet();
+    return data->GetNumberOfCells() > 0 && data->GetCell(0)->GetCellDimension() == 3;
+  }
 };
 vtkStandardNewMacro(CurvedGridWriter);
 
@@ -67,7 +77,7 @@ class EscapedNames {
 
 template <class Writer>
 void write(vtkDataObject& data, double time, const std::filesystem::path& file) {
-  data.GetFieldData()->AddArray(makeArray("TimeValue", Eigen::MatrixXd::Constant(1, 1, time), {}));
+  data.GetFieldData()->AddArray(makeArray("TimeValue", Eigen::MatrixXd::Constant(1, 1, plainTime(time)), {}));
   const EscapedNames names(data);
   vtkNew<Writer> writer;
   writer->SetInputData(&data);

@@ -18,6 +18,8 @@
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/recorded_shape.h"
+#include "postproc/mesh/span_lines.h"
+#include "postproc/text/plain_time.h"
 
 namespace burnish {
 namespace {
@@ -26,7 +28,7 @@ namespace fs = std::filesystem;
 
 /// Every file that some choice of parts writes, also when it was not finished.
 const std::regex kOurFiles(
-    R"((body|points|net|self_contact|all|(tool|contact|body|points|net)_[\w-]+)_\d{6,}(\.vt[upm]|\.pvtu|_\d+\.vtu)(\.partial)?)");
+    R"((body|points|net|knots|self_contact|all|(tool|contact|body|points|net|knots)_[\w-]+)_\d{6,}(\.vt[upm]|\.pvtu|_\d+\.vtu)(\.partial)?)");
 
 /// What all file systems and URLs accept of a name.
 std::string fileStem(const std::string& name) {
@@ -74,6 +76,24 @@ struct BodyGrid {
   auto operator()(const Tessellation& cells) const { return makeGrid(cells, frame, true, lengthUnit); }
   auto operator()(const CurvedCells& cells) const { return makeGrid(cells, frame, lengthUnit); }
 };
+
+struct KnotLines {
+  const FrameRecord& frame;
+  const std::string& lengthUnit;
+
+  auto operator()(const Tessellation& cells) const {
+    return makeSpanLines(cells.points(), std::nullopt, frame, lengthUnit);
+  }
+  auto operator()(const CurvedCells& cells) const {
+    return makeSpanLines(cells.points(), cells.family(), frame, lengthUnit);
+  }
+};
+
+const char* extensionOf(ExportPart kind, int pieces) {
+  if (kind == ExportPart::Knots) return "vtu";
+  if (kind != ExportPart::Body) return "vtp";
+  return pieces > 1 ? "pvtu" : "vtu";
+}
 
 void removeFile(const fs::path& file) {
   std::error_code error;
@@ -142,6 +162,7 @@ std::vector<VtuSeriesWriter::Part> VtuSeriesWriter::makeParts(const ModelRecord&
     }
     if (kind == ExportPart::Points) addPerBody(kind, "points");
     if (kind == ExportPart::Net) addPerBody(kind, "net");
+    if (kind == ExportPart::Knots) addPerBody(kind, "knots");
   }
   return parts;
 }
@@ -165,7 +186,7 @@ void VtuSeriesWriter::addPairs(const std::vector<ContactName>& contacts) {
 
 void VtuSeriesWriter::write(const FrameRecord& frame) {
   checkFrame(frame, model_, fmt::format("frame {} for {}", frame.index, (runDir_ / "frames").string()));
-  Instant instant{frame.time, {}};
+  Instant instant{plainTime(frame.time), {}};
   const std::vector<ContactName> contacts = contactsOf(frame);
   addPairs(contacts);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -184,11 +205,23 @@ void VtuSeriesWriter::write(const FrameRecord& frame) {
   removeFrames(dropped);
 }
 
+std::vector<SeriesBlock> VtuSeriesWriter::blocks() const {
+  std::set<std::size_t> numbers;
+  for (const auto& [index, instant] : instants_) numbers.insert(instant.parts.begin(), instant.parts.end());
+  std::vector<SeriesBlock> blocks;
+  for (const std::size_t part : numbers)
+    blocks.push_back({parts_[part].name, parts_[part].kind, parts_[part].body});
+  return blocks;
+}
+
 void VtuSeriesWriter::writeBodyPart(const Part& part, const ModelRecord& model,
                                     const FrameRecord& frame) const {
   const fs::path path = file(part, frame.index);
   if (part.kind == ExportPart::Points) return writeVtkFile(*quadraturePoints(frame), frame.time, path);
   if (part.kind == ExportPart::Net) return writeVtkFile(*controlNet(model, frame), frame.time, path);
+  if (part.kind == ExportPart::Knots)
+    return writeVtkFile(*std::visit(KnotLines{frame, model.lengthUnit}, makeCells(meshOf(model, frame))),
+                        frame.time, path);
   if (pieces_ > 1) return writePieces(part, model, frame);
   const BodyGrid grid{frame, model.lengthUnit};
   const BodyCells& cells = cells_[part.body.value_or(0)];
@@ -216,7 +249,8 @@ void VtuSeriesWriter::writePart(const Part& part, const FrameRecord& frame) cons
   switch (part.kind) {
     case ExportPart::Body:
     case ExportPart::Points:
-    case ExportPart::Net: {
+    case ExportPart::Net:
+    case ExportPart::Knots: {
       if (!part.body) return writeBodyPart(part, model_, frame);
       const ModelFrame alone = chosenBodies(model_, frame, {model_.bodies[*part.body]});
       return writeBodyPart(part, alone.model, alone.frame);
@@ -259,8 +293,7 @@ fs::path VtuSeriesWriter::blocksFile(int frame) const {
 }
 
 fs::path VtuSeriesWriter::file(const Part& part, int frame) const {
-  const char* extension = part.kind != ExportPart::Body ? "vtp" : pieces_ > 1 ? "pvtu" : "vtu";
-  return runDir_ / "frames" / fmt::format("{}_{:06}.{}", part.name, frame, extension);
+  return runDir_ / "frames" / fmt::format("{}_{:06}.{}", part.name, frame, extensionOf(part.kind, pieces_));
 }
 
 fs::path VtuSeriesWriter::pieceFile(const Part& part, int frame, std::size_t piece) const {

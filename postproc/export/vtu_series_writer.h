@@ -27,13 +27,21 @@ enum class ExportPart {
   Tools,    ///< `tool_NAME_000000.vtp` for every tool
   Contact,  ///< `contact_NAME_000000.vtp` for every tool and pair of faces, `self_contact_000000.vtp`
   Points,   ///< `points_000000.vtp`: values at the quadrature points, not projected
-  Net       ///< `net_000000.vtp`: the control net
+  Net,      ///< `net_000000.vtp`: the control net
+  Knots     ///< `knots_000000.vtu`: lines between knot spans, with the fields of the body
 };
 
 struct VtuOptions {
   CellKind cells = CellKind::Linear;
   std::set<ExportPart> parts{ExportPart::Body, ExportPart::Tools, ExportPart::Contact};
   int pieces = 1;  ///< of each body: about so many files, one after the other, which takes less memory
+};
+
+/// One data set of the collection.
+struct SeriesBlock {
+  std::string name;
+  ExportPart kind;
+  std::optional<std::size_t> body;  ///< of one of several bodies
 };
 
 /// Writes a run as VTK files in `frames/`, all at current positions, with the collection `frames.pvd` of
@@ -49,6 +57,11 @@ class VtuSeriesWriter {
   /// Adds a frame. Frames of the same or a higher index are dropped from the collection and removed. Throws
   /// `Error` naming the file, or saying what of the frame does not fit the model.
   void write(const FrameRecord& frame);
+
+  /// Those that some frame has.
+  std::vector<SeriesBlock> blocks() const;
+
+  const ModelRecord& model() const { return model_; }
 
  private:
   using BodyCells = std::variant<Tessellation, CurvedCells>;

@@ -26,13 +26,15 @@ struct ContactField {
   const char* array;
   UnitOf unit;
   bool ofFriction;
+  bool isVector;
 };
 
-constexpr std::array kFields{ContactField{"contact_pressure", "contact_pressure", UnitOf::Stress, false},
-                             ContactField{"friction_traction", "friction", UnitOf::Stress, true},
-                             ContactField{"slip", "slip", UnitOf::Length, true},
-                             ContactField{"slipped", "slipped", UnitOf::Length, true},
-                             ContactField{"sliding", "sliding", UnitOf::None, true}};
+constexpr std::array kFields{
+    ContactField{"contact_pressure", "contact_pressure", UnitOf::Stress, false, false},
+    ContactField{"friction_traction", "friction", UnitOf::Stress, true, true},
+    ContactField{"slip", "slip", UnitOf::Length, true, true},
+    ContactField{"slipped", "slipped", UnitOf::Length, true, false},
+    ContactField{"sliding", "sliding", UnitOf::None, true, false}};
 
 const ContactField* fieldNamed(const std::string& name) {
   const auto found =
@@ -150,6 +152,11 @@ std::vector<std::string> contactFieldsOf(const FrameRecord& frame) {
 std::vector<std::string> statesOfContactField(const std::string& name) {
   if (name != "sliding") return {};
   return {"open", "stick", "slip"};
+}
+
+ContactArray arrayOfContactField(const std::string& name) {
+  const ContactField& field = *fieldNamed(name);
+  return {field.array, field.isVector};
 }
 
 std::string unitOfContactField(const ModelRecord& model, const std::string& name) {

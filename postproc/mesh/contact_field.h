@@ -28,6 +28,12 @@ std::string unitOfContactField(const ModelRecord& model, const std::string& name
 
 /// One of them at the quadrature points of a face: amounts. name: one that the face has.
 Eigen::VectorXd contactValues(const ContactRecord& contact, const std::string& name);
+/// The array of `contactSurface` that one of them shows, which has its unit behind its name.
+struct ContactArray {
+  std::string name;
+  bool isVector = false;  ///< its amount is shown
+};
+ContactArray arrayOfContactField(const std::string& name);
 
 /// The faces that have a contact field, as `contactSurface` has them; the point scalars are the values. Where
 /// these are states, every point has the part of its cells that is nearest, with points of its own. name: one

@@ -54,6 +54,11 @@ SceneDocument parseSceneDocument(const std::string& yaml, const std::string& nam
   return document;
 }
 
+PictureOptions firstPicture(const SceneDocument& document) {
+  if (document.pictures.empty()) return {};
+  return document.pictures.front();
+}
+
 SceneDocument readSceneDocument(const std::filesystem::path& file,
                                 const std::vector<std::string>& overrides) {
   return parseSceneDocument(readDocument(file, kSceneKind), file.string(), overrides);

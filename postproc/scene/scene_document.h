@@ -48,6 +48,9 @@ struct SceneDocument {
   std::vector<CurveChartSpec> charts;
 };
 
+/// The first picture, or one without options if there is none.
+PictureOptions firstPicture(const SceneDocument& document);
+
 /// Reads and checks a document as `readScene` does a scene, with all of its keys.
 SceneDocument readSceneDocument(const std::filesystem::path& file,
                                 const std::vector<std::string>& overrides = {});

@@ -27,8 +27,9 @@ std::string refusalOf(const std::string& options) {
 TEST(ExportCommand, NamesTheNearestChoice) {
   EXPECT_EQ(refusalOf("--cells bezir"),
             "--cells: found \"bezir\"; expected linear, lagrange, bezier. Did you mean \"bezier\"?");
-  EXPECT_EQ(refusalOf("--parts body,tols"),
-            "--parts: found \"tols\"; expected body, tools, contact, points, net. Did you mean \"tools\"?");
+  EXPECT_EQ(
+      refusalOf("--parts body,tols"),
+      "--parts: found \"tols\"; expected body, tools, contact, points, net, knots. Did you mean \"tools\"?");
 }
 
 TEST(ExportCommand, RefusesEmptyParts) {
@@ -38,7 +39,7 @@ TEST(ExportCommand, RefusesEmptyParts) {
 
 TEST(ExportCommand, TakesWhatTheHelpSays) {
   for (const char* options : {"", "--cells linear", "--cells lagrange --control-net", "--cells bezier",
-                              "--parts body,tools,contact,points,net", "--parts net --control-net"})
+                              "--parts body,tools,contact,points,net,knots", "--parts net --control-net"})
     EXPECT_THAT(refusalOf(options), testing::HasSubstr("no_such_result")) << options;
 }
 

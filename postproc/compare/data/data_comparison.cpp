@@ -1,4 +1,5 @@
 #include "postproc/compare/data/data_comparison.h"
+#include "postproc/text/plain_time.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,7 +48,8 @@ MatchedTimes matchTimes(const DataSeries& actual, const DataSeries& baseline) {
 
 std::string timesInWords(const std::vector<double>& times) {
   const std::size_t named = std::min(times.size(), kNamedTimes);
-  const std::vector<double> first(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(named));
+  std::vector<double> first(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(named));
+  std::ranges::transform(first, first.begin(), plainTime);
   return fmt::format("{} ({}{})", times.size(), fmt::join(first, ", "), times.size() > named ? ", ..." : "");
 }
 
@@ -120,7 +122,7 @@ std::string unitInWords(const std::string& unit) {
 
 std::string placeInWords(const WorstPlace& worst) {
   std::string words;
-  if (worst.time) words = fmt::format("time {}", *worst.time);
+  if (worst.time) words = fmt::format("time {}", plainTime(*worst.time));
   if (!worst.place.empty()) {
     words += fmt::format("{}{} {}", words.empty() ? "" : ", ", worst.place, worst.number);
     if (!worst.owner.empty()) words += " of " + worst.owner;
@@ -195,7 +197,7 @@ class SeriesComparison {
     return fields_[place->second];
   }
 
-  std::string atTime() const { return time_ ? fmt::format(" at time {}", *time_) : ""; }
+  std::string atTime() const { return time_ ? fmt::format(" at time {}", plainTime(*time_)) : ""; }
 
   /// The first finding of a kind that allows no comparison of values stays.
   void state(const std::string& name, FieldVerdict verdict, const std::string& message) {

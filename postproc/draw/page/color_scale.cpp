@@ -18,6 +18,9 @@ namespace {
 
 constexpr int kSmoothColors = kMostBands;
 
+/// So many, joined straight, are within 2 of 255 of a map that is bent.
+constexpr int kJointsOfBent = 65;
+
 /// Colours at equal distances, and the space in which they are joined.
 struct Colormap {
   enum class Space { Rgb, Diverging } space;
@@ -145,12 +148,20 @@ ColorScale::ColorScale(const std::string& colormap, const std::array<double, 2>&
   const double half = middle ? std::max(range[1] - *middle, *middle - range[0]) : 0.0;
   const double begin = middle ? 0.5 + 0.5 * (range[0] - *middle) / half : 0.0;
   const double end = middle ? 0.5 + 0.5 * (range[1] - *middle) / half : 1.0;
-  for (int k = 0; k < count; ++k) {
-    const double place = count == 1 ? 0.5 : static_cast<double>(k) / (count - 1);
-    const double* rgb = function->GetColor(begin + (end - begin) * place);
-    const auto byte = [](double x) { return static_cast<unsigned char>(std::lround(255.0 * x)); };
-    colors_.push_back({byte(rgb[0]), byte(rgb[1]), byte(rgb[2])});
-  }
+  const auto sampled = [&](int number) {
+    std::vector<Color> colors;
+    for (int k = 0; k < number; ++k) {
+      const double place = number == 1 ? 0.5 : static_cast<double>(k) / (number - 1);
+      const double* rgb = function->GetColor(begin + (end - begin) * place);
+      const auto byte = [](double x) { return static_cast<unsigned char>(std::lround(255.0 * x)); };
+      colors.push_back({byte(rgb[0]), byte(rgb[1]), byte(rgb[2])});
+    }
+    return colors;
+  };
+  colors_ = sampled(count);
+  const bool isStraight = !middle && map->second.space == Colormap::Space::Rgb;
+  joints_ =
+      bands > 0 ? colors_ : sampled(isStraight ? static_cast<int>(map->second.knots.size()) : kJointsOfBent);
 }
 
 Color ColorScale::color(double value) const {

@@ -43,6 +43,10 @@ class ColorScale {
   /// The different colours from the lowest to the highest value, each for an equal part of the range.
   const std::vector<Color>& colors() const { return colors_; }
 
+  /// Colours at equal distances over the range that give the scale when they are joined straight in RGB; of
+  /// bands, theirs.
+  const std::vector<Color>& joints() const { return joints_; }
+
   Color color(double value) const;
 
   /// The same as a table of VTK.
@@ -50,7 +54,7 @@ class ColorScale {
 
  private:
   std::array<double, 2> range_;
-  std::vector<Color> colors_;
+  std::vector<Color> colors_, joints_;
 };
 
 }  // namespace burnish

@@ -10,6 +10,7 @@
 #include "engine/core/same_time.h"
 #include "postproc/study/evidence/expression.h"
 #include "postproc/study/evidence/reductions.h"
+#include "postproc/text/plain_time.h"
 
 namespace burnish {
 namespace {
@@ -47,7 +48,8 @@ std::size_t rowAt(double time, const std::vector<double>& times) {
     return std::abs(a - time) < std::abs(b - time);
   });
   if (isSameTime(*nearest, time)) return static_cast<std::size_t>(nearest - times.begin());
-  throw Error(fmt::format("there is no row at t = {}; the nearest one is at t = {}", time, *nearest));
+  throw Error(
+      fmt::format("there is no row at t = {}; the nearest one is at t = {}", time, plainTime(*nearest)));
 }
 
 /// The rows that the number is made of.
