@@ -176,14 +176,14 @@ double dotsPerPoint(const PrintOptions& options) {
   return options.dpi.value_or(kPrintDpi) / kPointsPerInch;
 }
 
-std::vector<InputProblem> printConflictsIn(const PictureOptions& options) {
-  const auto [width, height] = drawnSize(options);
-  const double dots = dotsPerPoint(options);
-  const int largest = std::max(width, height);
+std::vector<InputProblem> printConflictsIn(const PictureOptions& options, double pointsPerPixel) {
+  const auto [pixelsRight, pixelsUp] = drawnSize(options);
+  const double width = pointsPerPixel * pixelsRight, height = pointsPerPixel * pixelsUp;
+  const double dots = dotsPerPoint(options), largest = std::max(width, height);
   if (dots * largest <= kLargestSide) return {};
   return {{"dpi",
-           fmt::format("found {}, which makes {:.0f} x {:.0f} pixels of {} x {} points; expected up to {} x "
-                       "{}: dpi up to {:.0f}, or a smaller size",
+           fmt::format("found {}, which makes {:.0f} x {:.0f} pixels of {:.0f} x {:.0f} points; expected up "
+                       "to {} x {}: dpi up to {:.0f}, or a smaller size",
                        options.dpi.value_or(kPrintDpi), dots * width, dots * height, width, height,
                        kLargestSide, kLargestSide, std::floor(kPointsPerInch * kLargestSide / largest))}};
 }

@@ -144,7 +144,8 @@ Theme themeOf(const PictureOptions& options);
 std::array<int, 2> drawnSize(const PictureOptions& options);
 
 /// What is wrong with options for print: an image of more pixels than a picture may have. The path is the key.
-std::vector<InputProblem> printConflictsIn(const PictureOptions& options);
+/// pointsPerPixel: of the paper.
+std::vector<InputProblem> printConflictsIn(const PictureOptions& options, double pointsPerPixel = 1.0);
 
 /// What options say that cannot be, each alone or two together, in a body of `dim` dimensions where these are
 /// known: paths are keys. What the rules of single values say is left out.

@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -66,5 +67,11 @@ struct PageSketch {
   using Shape = std::variant<PageLines, PageArea, PageStripes, PageText, PageImage>;
   std::vector<Shape> shapes;
 };
+
+/// All of a page in one colour.
+PageArea wholePage(const std::array<double, 2>& size, const Color& color);
+
+/// The sketch where it stands on another page: all of it scaled, then moved.
+PageSketch placed(PageSketch sketch, double scale, const Eigen::Vector2d& shift);
 
 }  // namespace burnish

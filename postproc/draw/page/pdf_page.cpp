@@ -189,11 +189,14 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 
 std::string pdfText(const PrintPage& page) {
   std::string text;
-  const SurfacePtr surface(cairo_pdf_surface_create_for_stream(append, &text, page.size[0], page.size[1]));
+  const double scale = page.pointsPerPixel;
+  const SurfacePtr surface(
+      cairo_pdf_surface_create_for_stream(append, &text, scale * page.size[0], scale * page.size[1]));
   // No date: the same page has the same bytes.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, page.title.c_str());
   const ContextPtr context(cairo_create(surface.get()));
+  cairo_scale(context.get(), scale, scale);
   PdfPainter painter(*context, page.size[1]);
   for (const PageSketch::Shape& shape : page.sketch.shapes) std::visit(painter, shape);
   require(cairo_status(context.get()));

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "postproc/draw/contour/page_lines.h"
 #include "postproc/draw/contour/space_actors.h"
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/draw/page/painted_sketch.h"
@@ -45,14 +46,62 @@ bool isUpright(const Vector2d& v) {
 class SetupPicture {
  public:
   SetupPicture(const ModelRecord& model, const std::array<int, 2>& size, bool knots)
-      : model_(model), size_(size), knots_(knots), layout_(model, size) {}
+      : model_(model),
+        size_(size),
+        knots_(knots),
+        layout_(model, size),
+        body_(BodySurface(model.mesh, layout_.subdivision()).displaced({})) {}
 
   void draw(const std::filesystem::path& png) {
     OffscreenCanvas canvas(size_[0], size_[1]);
     vtkNew<vtkRenderer> space;
     canvas.window().AddRenderer(space);
     space->SetBackground(1.0, 1.0, 1.0);
-    drawSpace(*space, canvas.supersampling());
+    drawSpace(*space, [&](const SpaceLine& line) {
+      return lineActor(*line.lines, line.color, canvas.supersampling() * line.width, 1.0);
+    });
+    aim(*space, view(), size_, depth());
+    paint(texts(), *space, canvas.supersampling());
+    writePng(*canvas.capture(), png);
+  }
+
+  /// The same for print: areas as an image of so many dots per pixel, lines and texts as vectors.
+  PrintPage page(double dotsPerPixel) {
+    PrintPage page{{static_cast<double>(size_[0]), static_cast<double>(size_[1])}, model_.title, {}};
+    const std::array<int, 2> dots{static_cast<int>(std::lround(dotsPerPixel * size_[0])),
+                                  static_cast<int>(std::lround(dotsPerPixel * size_[1]))};
+    View printed = view();
+    const double right = dots[0] / page.size[0], up = dots[1] / page.size[1];
+    printed.area = {right * printed.area.x, up * printed.area.y, right * printed.area.width,
+                    up * printed.area.height};
+    printed.pixelsPerLength *= right;
+    OffscreenCanvas canvas(dots[0], dots[1]);
+    vtkNew<vtkRenderer> space;
+    canvas.window().AddRenderer(space);
+    space->SetBackground(1.0, 1.0, 1.0);
+    std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
+    std::vector<PageSketch::Shape> lines;
+    drawSpace(*space, [&](const SpaceLine& line) {
+      lines.emplace_back(pageLines(*line.lines, view(), line.color, line.width, 1.0));
+      return nullptr;
+    });
+    aim(*space, printed, dots, depth());
+    shapes.emplace_back(PageImage{{0.0, 0.0, page.size[0], page.size[1]}, canvas.capture()});
+    for (const std::vector<PageSketch::Shape>& over : {lines, texts().shapes})
+      shapes.insert(shapes.end(), over.begin(), over.end());
+    return page;
+  }
+
+ private:
+  const Scene& scene() const { return layout_.scene(); }
+  const View& view() const { return layout_.view(); }
+  double textSize() const { return layout_.textSize(); }
+
+  /// Of all that is drawn beside the view's plane.
+  double depth() const { return 10.0 * body_->GetLength(); }
+
+  /// Symbols and texts.
+  PageSketch texts() const {
     PageSketch sketch;
     SetupSymbols symbols(sketch, size_, layout_.textSize());
     if (const auto axis = layout_.axis()) symbols.addAxisLine((*axis)[0], (*axis)[1], "axis");
@@ -61,34 +110,35 @@ class SetupPicture {
     for (const LoadSpec& load : scene().loads) drawLoad(symbols, load);
     for (std::size_t k = 0; k < scene().tools.size(); ++k) drawToolTexts(symbols, k);
     drawMotions(symbols);
-    paint(sketch, *space, canvas.supersampling());
-    writePng(*canvas.capture(), png);
+    return sketch;
   }
 
- private:
-  const Scene& scene() const { return layout_.scene(); }
-  const View& view() const { return layout_.view(); }
-  double textSize() const { return layout_.textSize(); }
+  struct SpaceLine {
+    vtkSmartPointer<vtkPolyData> lines;
+    Color color;
+    double width;  ///< in pixels of the picture
+  };
 
-  void drawSpace(vtkRenderer& renderer, int scale) const {
-    const auto body = BodySurface(model_.mesh, layout_.subdivision()).displaced({});
-    const double line = scale * std::max(1.2, 0.075 * textSize()), depth = body->GetLength() / 100.0;
+  /// Body and tools. drawn: a line as an actor, or null if it is drawn otherwise.
+  template <class Drawn>
+  void drawSpace(vtkRenderer& renderer, const Drawn& drawn) const {
+    const double line = std::max(1.2, 0.075 * textSize());
     int layer = 0;
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor) {
-      actor->SetPosition(0.0, 0.0, depth * ++layer);
+      if (!actor) return;
+      actor->SetPosition(0.0, 0.0, body_->GetLength() / 100.0 * ++layer);
       renderer.AddActor(actor);
     };
-    add(plainActor(*body, kBodyColor, false, 1.0));
+    add(plainActor(*body_, kBodyColor, false, 1.0));
     if (knots_)
-      add(lineActor(*knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line, 1.0));
-    add(lineActor(*outlineBesideAxis(), SetupSymbols::kInk, line, 1.0));
+      add(drawn(SpaceLine{knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line}));
+    add(drawn(SpaceLine{outlineBesideAxis(), SetupSymbols::kInk, line}));
     for (const ToolRecord& record : layout_.tools()) {
       const ToolDrawing drawing =
           drawPlaneTool(record, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
       if (drawing.area) add(plainActor(*drawing.area, kToolColor, false, 1.0));
-      if (drawing.lines) add(lineActor(*drawing.lines, SetupSymbols::kInk, line, 1.0));
+      if (drawing.lines) add(drawn(SpaceLine{drawing.lines, SetupSymbols::kInk, line}));
     }
-    aim(renderer, view(), size_, 10.0 * body->GetLength());
   }
 
   /// Half of a section ends at the axis, but the body does not.
@@ -257,17 +307,28 @@ class SetupPicture {
   std::array<int, 2> size_;
   bool knots_;
   SetupLayout layout_;
+  vtkSmartPointer<vtkPolyData> body_;
 };
+
+void checkSetup(const ModelRecord& model, const std::array<int, 2>& size) {
+  if (model.dim != 2)
+    throw Error(fmt::format("set-up drawing: found a model in {} dimensions; expected 2", model.dim));
+  if (!isPictureSize(size))
+    throw Error(fmt::format("size: found {} x {} pixels; expected {}", size[0], size[1], pictureSizeWords()));
+}
 
 }  // namespace
 
 void drawSetup(const ModelRecord& model, const std::array<int, 2>& size, const std::filesystem::path& png,
                bool knots) {
-  if (model.dim != 2)
-    throw Error(fmt::format("set-up drawing: found a model in {} dimensions; expected 2", model.dim));
-  if (!isPictureSize(size))
-    throw Error(fmt::format("size: found {} x {} pixels; expected {}", size[0], size[1], pictureSizeWords()));
+  checkSetup(model, size);
   SetupPicture(model, size, knots).draw(png);
+}
+
+PrintPage setupPage(const ModelRecord& model, const std::array<int, 2>& size, double dotsPerPixel,
+                    bool knots) {
+  checkSetup(model, size);
+  return SetupPicture(model, size, knots).page(dotsPerPixel);
 }
 
 }  // namespace burnish
