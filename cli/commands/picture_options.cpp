@@ -49,6 +49,12 @@ void requireNoConflicts(const PictureOptions& options, std::optional<int> dim) {
   throwFirst(conflictsIn(options, dim));
 }
 
+void requireNoPrintOptions(const DeclaredOptions& picture) {
+  PrintOptions print;
+  picture.readInto(print);
+  throwFirst(printOptionsOfPixels(print));
+}
+
 void readPicture(const PictureArguments& arguments, PictureOptions& options, std::optional<int> dim) {
   if (arguments.isForPrint) options.size = kPrintSize;
   arguments.picture.readInto(static_cast<PrintOptions&>(options));

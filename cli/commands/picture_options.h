@@ -39,6 +39,9 @@ void addPictureOptions(CLI::App& command, DeclaredOptions& picture, const Option
 /// Throws `Error` for options that cannot be together, in a body of `dim` dimensions if these are known.
 void requireNoConflicts(const PictureOptions& options, std::optional<int> dim);
 
+/// Throws `Error` for options of print that were given with a picture of pixels.
+void requireNoPrintOptions(const DeclaredOptions& picture);
+
 /// Replaces what was given. Throws `Error` that names the option.
 template <class Options>
 void readPicture(const DeclaredOptions& picture, Options& options, std::optional<int> dim) {

@@ -205,9 +205,7 @@ void checkOutput(const SheetArguments& arguments) {
   if (arguments.sheet.extension() != ".png")
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a sheet that ends in .png, .pdf or .svg",
                             arguments.sheet.string()));
-  PrintOptions print;
-  arguments.picture.picture.readInto(print);
-  if (print.dpi) throw Error("--dpi: a PNG has pixels and no inches; take --width, or a .pdf or .svg");
+  requireNoPrintOptions(arguments.picture.picture);
 }
 
 ExitCode sheet(const SheetArguments& arguments) {

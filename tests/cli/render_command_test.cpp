@@ -199,7 +199,7 @@ TEST_F(RenderCommand, PagesForPrintAreAsLargeAsAPrintedPageUnlessToldOtherwise) 
   EXPECT_EQ(burnish("render run --size 300,200 -o p.svg").code, 0);
   EXPECT_THAT(readText(dir() / "p.svg"),
               HasSubstr("width=\"300pt\" height=\"200pt\" viewBox=\"0 0 300 200\""));
-  expectRefused("render run --dpi 300 -o refused.png", "--dpi: a PNG has pixels");
+  expectRefused("render run --dpi 300 -o refused.png", "--dpi: found beside a PNG, which has pixels");
   expectRefused("render run --size 1600,900 -o refused.pdf", "dpi up to 360, or a smaller size");
   expectRefused("render run -o refused.eps", "ends in .png, .pdf or .svg");
 }
@@ -320,7 +320,7 @@ TEST_F(RenderCommand, SheetDrawsFramesWithOneRangeAndOneWindow) {
   sheet("run shared.png --frame 1-2 --caption a --caption b --caption c --width 900 -o mixed.pdf");
   EXPECT_EQ(shell(dir(), "pdfimages -list mixed.pdf | tail -n +3 | wc -l").out, "3\n");
   expectRefused("sheet run --frame 1-2 --caption a -o no.png", "1 captions for 2 pictures");
-  expectRefused("sheet run --dpi 300 -o no.png", "--dpi: a PNG has pixels");
+  expectRefused("sheet run --dpi 300 -o no.png", "--dpi: found beside a PNG, which has pixels");
   expectRefused("sheet run --dpi 9999 -o no.pdf", "--dpi");
   expectRefused("sheet run -o no.jpg", "ends in .png, .pdf or .svg");
 }

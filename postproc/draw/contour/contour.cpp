@@ -149,8 +149,11 @@ class ContourPicture {
     std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
     if (!options_.transparent && theme_.paper != kWhite)
       shapes.emplace_back(wholePage(page.size, theme_.paper));
-    shapes.emplace_back(PageImage{
-        area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, pixels, plan); })});
+    if (options_.printField == PrintField::Vector)
+      addRegions(page.sketch, plan);
+    else
+      shapes.emplace_back(PageImage{
+          area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, pixels, plan); })});
     for (const PageSketch& over : {spaceLines(plan), texts(plan.layout, plan.bar)})
       shapes.insert(shapes.end(), over.shapes.begin(), over.shapes.end());
     return {std::move(page), view};
@@ -194,8 +197,12 @@ class ContourPicture {
     return options_.transparent ? withoutPaper(*draw(kWhite), *draw(kBlack)) : draw(theme_.paper);
   }
 
-  /// Of the image in a page for print, per pixel of the picture.
-  double dotsPerPixel() const { return options_.pointsPerPixel * dotsPerPoint(options_); }
+  /// Of the image in a page for print, per pixel of the picture; of vectors, to which they are exact.
+  double dotsPerPixel() const {
+    constexpr double kOfVectors = 4.0;  // per point
+    return options_.pointsPerPixel *
+           (options_.printField == PrintField::Vector ? kOfVectors : dotsPerPoint(options_));
+  }
 
   /// Of the image in a part of a page.
   std::array<int, 2> pixelsFor(const PixelRect& area) const {
@@ -318,6 +325,19 @@ class ContourPicture {
       for (const auto& [color, width] : {std::pair(kWhite, kHalo), std::pair(kBlack, 1.0)})
         sketch.shapes.emplace_back(pageLines(*ringIn(view), view, color, width * lineWidth(), 1.0));
     return sketch;
+  }
+
+  /// The areas of a plane picture as vectors.
+  void addRegions(PageSketch& sketch, const Plan& plan) const {
+    const View& view = plan.layout.view;
+    const auto add = [&](PageRegion region) { sketch.shapes.emplace_back(std::move(region)); };
+    for (const ToolDrawing& tool : plan.tools)
+      if (tool.area) add(pageRegion(*tool.area, view, theme_.tool));
+    if (!isOfContact())
+      for (PageRegion& band : coloredPageRegions(*parts_.body, view, plan.scale,
+                                                 options_.bands > 0 ? options_.bands : kVectorBands))
+        add(std::move(band));
+    if (parts_.plain) add(pageRegion(*parts_.plain, view, plainColor()));
   }
 
   /// All that is no picture of space: texts, the colour scale, the frame, the axes.

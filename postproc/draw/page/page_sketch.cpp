@@ -21,6 +21,11 @@ class Placement {
     if (area.within) place(*area.within);
   }
 
+  void operator()(PageRegion& region) const {
+    for (PagePoints& loop : region.loops) place(loop);
+    if (region.within) place(*region.within);
+  }
+
   void operator()(PageStripes& stripes) const { place(stripes.rect); }
 
   void operator()(PageText& text) const {

@@ -35,6 +35,13 @@ struct PageArea {
   std::optional<PixelRect> within{};
 };
 
+/// What an odd number of closed lines surrounds.
+struct PageRegion {
+  std::vector<PagePoints> loops;
+  Color color;
+  std::optional<PixelRect> within{};
+};
+
 /// A rectangle in stripes of these colours, from left to right or from bottom to top.
 struct PageStripes {
   PixelRect rect;
@@ -64,7 +71,7 @@ struct PageImage {
 /// of the picture (see PixelRect). It becomes pixels
 /// (`paint`) or a file for print (`writePrint`).
 struct PageSketch {
-  using Shape = std::variant<PageLines, PageArea, PageStripes, PageText, PageImage>;
+  using Shape = std::variant<PageLines, PageArea, PageRegion, PageStripes, PageText, PageImage>;
   std::vector<Shape> shapes;
 };
 

@@ -83,6 +83,18 @@ class PdfPainter {
     cairo_fill(&page_);
   }
 
+  void operator()(const PageRegion& region) {
+    const Saved saved(page_);
+    clip(region.within);
+    for (const PagePoints& loop : region.loops) {
+      addPath(loop);
+      cairo_close_path(&page_);
+    }
+    cairo_set_fill_rule(&page_, CAIRO_FILL_RULE_EVEN_ODD);
+    setColor(region.color);
+    cairo_fill(&page_);
+  }
+
   void operator()(const PageStripes& stripes) {
     for (const auto& [rect, color] : overlapping(stripes)) {
       addPath({{rect.x, rect.y}, {rect.right(), rect.y}, {rect.right(), rect.top()}, {rect.x, rect.top()}});

@@ -49,6 +49,15 @@ class SvgPainter {
     close(area.within);
   }
 
+  void operator()(const PageRegion& region) {
+    std::string path;
+    for (const PagePoints& loop : region.loops) path += pathOf(loop) + "Z";
+    open(region.within);
+    text_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\"/>\n", path,
+                         Spelling<Color>::write(region.color));
+    close(region.within);
+  }
+
   void operator()(const PageStripes& stripes) {
     for (const auto& [rect, color] : overlapping(stripes))
       text_ += fmt::format("<rect {} fill=\"{}\"/>\n", rectText(rect), Spelling<Color>::write(color));

@@ -57,38 +57,29 @@ class SetupPicture {
     vtkNew<vtkRenderer> space;
     canvas.window().AddRenderer(space);
     space->SetBackground(1.0, 1.0, 1.0);
-    drawSpace(*space, [&](const SpaceLine& line) {
-      return lineActor(*line.lines, line.color, canvas.supersampling() * line.width, 1.0);
-    });
-    aim(*space, view(), size_, depth());
+    int layer = 0;
+    const auto add = [&](const vtkSmartPointer<vtkActor>& actor) {
+      actor->SetPosition(0.0, 0.0, body_->GetLength() / 100.0 * ++layer);
+      space->AddActor(actor);
+    };
+    forEachPart([&](vtkPolyData& area, const Color& color) { add(plainActor(area, color, false, 1.0)); },
+                [&](vtkPolyData& lines, const Color& color, double width) {
+                  add(lineActor(lines, color, canvas.supersampling() * width, 1.0));
+                });
+    aim(*space, view(), size_, 10.0 * body_->GetLength());
     paint(texts(), *space, canvas.supersampling());
     writePng(*canvas.capture(), png);
   }
 
-  /// The same for print: areas as an image of so many dots per pixel, lines and texts as vectors.
-  PrintPage page(double dotsPerPixel) {
+  PrintPage page() {
     PrintPage page{{static_cast<double>(size_[0]), static_cast<double>(size_[1])}, model_.title, {}};
-    const std::array<int, 2> dots{static_cast<int>(std::lround(dotsPerPixel * size_[0])),
-                                  static_cast<int>(std::lround(dotsPerPixel * size_[1]))};
-    View printed = view();
-    const double right = dots[0] / page.size[0], up = dots[1] / page.size[1];
-    printed.area = {right * printed.area.x, up * printed.area.y, right * printed.area.width,
-                    up * printed.area.height};
-    printed.pixelsPerLength *= right;
-    OffscreenCanvas canvas(dots[0], dots[1]);
-    vtkNew<vtkRenderer> space;
-    canvas.window().AddRenderer(space);
-    space->SetBackground(1.0, 1.0, 1.0);
     std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
-    std::vector<PageSketch::Shape> lines;
-    drawSpace(*space, [&](const SpaceLine& line) {
-      lines.emplace_back(pageLines(*line.lines, view(), line.color, line.width, 1.0));
-      return nullptr;
-    });
-    aim(*space, printed, dots, depth());
-    shapes.emplace_back(PageImage{{0.0, 0.0, page.size[0], page.size[1]}, canvas.capture()});
-    for (const std::vector<PageSketch::Shape>& over : {lines, texts().shapes})
-      shapes.insert(shapes.end(), over.begin(), over.end());
+    forEachPart(
+        [&](vtkPolyData& area, const Color& color) { shapes.emplace_back(pageRegion(area, view(), color)); },
+        [&](vtkPolyData& lines, const Color& color, double width) {
+          shapes.emplace_back(pageLines(lines, view(), color, width, 1.0));
+        });
+    for (PageSketch::Shape& shape : texts().shapes) shapes.push_back(std::move(shape));
     return page;
   }
 
@@ -96,9 +87,6 @@ class SetupPicture {
   const Scene& scene() const { return layout_.scene(); }
   const View& view() const { return layout_.view(); }
   double textSize() const { return layout_.textSize(); }
-
-  /// Of all that is drawn beside the view's plane.
-  double depth() const { return 10.0 * body_->GetLength(); }
 
   /// Symbols and texts.
   PageSketch texts() const {
@@ -113,31 +101,18 @@ class SetupPicture {
     return sketch;
   }
 
-  struct SpaceLine {
-    vtkSmartPointer<vtkPolyData> lines;
-    Color color;
-    double width;  ///< in pixels of the picture
-  };
-
-  /// Body and tools. drawn: a line as an actor, or null if it is drawn otherwise.
-  template <class Drawn>
-  void drawSpace(vtkRenderer& renderer, const Drawn& drawn) const {
+  /// Body and tools from the back to the front, as areas of a colour and lines of a colour and a width in pixels.
+  template <class Area, class Lines>
+  void forEachPart(const Area& area, const Lines& lines) const {
     const double line = std::max(1.2, 0.075 * textSize());
-    int layer = 0;
-    const auto add = [&](const vtkSmartPointer<vtkActor>& actor) {
-      if (!actor) return;
-      actor->SetPosition(0.0, 0.0, body_->GetLength() / 100.0 * ++layer);
-      renderer.AddActor(actor);
-    };
-    add(plainActor(*body_, kBodyColor, false, 1.0));
-    if (knots_)
-      add(drawn(SpaceLine{knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line}));
-    add(drawn(SpaceLine{outlineBesideAxis(), SetupSymbols::kInk, line}));
+    area(*body_, kBodyColor);
+    if (knots_) lines(*knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line);
+    lines(*outlineBesideAxis(), SetupSymbols::kInk, line);
     for (const ToolRecord& record : layout_.tools()) {
       const ToolDrawing drawing =
           drawPlaneTool(record, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
-      if (drawing.area) add(plainActor(*drawing.area, kToolColor, false, 1.0));
-      if (drawing.lines) add(drawn(SpaceLine{drawing.lines, SetupSymbols::kInk, line}));
+      if (drawing.area) area(*drawing.area, kToolColor);
+      if (drawing.lines) lines(*drawing.lines, SetupSymbols::kInk, line);
     }
   }
 
@@ -325,10 +300,9 @@ void drawSetup(const ModelRecord& model, const std::array<int, 2>& size, const s
   SetupPicture(model, size, knots).draw(png);
 }
 
-PrintPage setupPage(const ModelRecord& model, const std::array<int, 2>& size, double dotsPerPixel,
-                    bool knots) {
+PrintPage setupPage(const ModelRecord& model, const std::array<int, 2>& size, bool knots) {
   checkSetup(model, size);
-  return SetupPicture(model, size, knots).page(dotsPerPixel);
+  return SetupPicture(model, size, knots).page();
 }
 
 }  // namespace burnish

@@ -16,9 +16,7 @@ namespace burnish {
 void drawSetup(const ModelRecord& model, const std::array<int, 2>& size, const std::filesystem::path& png,
                bool knots = false);
 
-/// The same as a page for print: areas are an image of so many dots per pixel, lines and texts vectors. Throws
-/// `Error` as `drawSetup` does.
-PrintPage setupPage(const ModelRecord& model, const std::array<int, 2>& size, double dotsPerPixel,
-                    bool knots = false);
+/// The same as a page for print, all of it vectors and text. Throws `Error` as `drawSetup` does.
+PrintPage setupPage(const ModelRecord& model, const std::array<int, 2>& size, bool knots = false);
 
 }  // namespace burnish

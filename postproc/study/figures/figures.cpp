@@ -104,9 +104,9 @@ void checkFigure(const FigureSpec& figure, const std::string& path, const StudyR
     reporter.report(path + ".format",
                     fmt::format("found {}; allowed: png, for this kind of figure is made of pixels.",
                                 formatName(figure)));
-  if (figure.print.dpi && !figure.isForPrint())
-    reporter.report(path + ".dpi",
-                    "found beside format: png, which has pixels and no inches; allowed: with pdf or svg.");
+  if (!figure.isForPrint())
+    for (const InputProblem& problem : printOptionsOfPixels(figure.print))
+      reporter.report(path + "." + problem.path, problem.text);
   std::visit(
       [&](const auto& kind) {
         if constexpr (requires { kind.check(path, reporter); }) kind.check(path, reporter);

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "postproc/draw/page/sheet.h"
 #include "postproc/draw/setup/setup_figure.h"
 #include "postproc/study/measures.h"
 #include "postproc/study/run_data.h"
@@ -36,8 +35,7 @@ Files SetupFigure::draw(const FigureTask& task) const {
 
 PrintPage SetupFigure::page(const FigureTask& task) const {
   const RunData data(runNamed(task.study, run), task.studyDirectory);
-  const double dots = dotsPerPoint(task.print) * sheetPointsPerPixel(kSetupSize[0]);
-  return asColumn(setupPage(data.result().model(), kSetupSize, dots));
+  return asColumn(setupPage(data.result().model(), kSetupSize));
 }
 
 }  // namespace burnish

@@ -154,7 +154,7 @@ class ContourSheet {
     options.time = false;
     options.colorScale = !sharesOneScale();
     options.evenScales = true;
-    options.dpi = task_.print.dpi;
+    static_cast<PrintOptions&>(options) = task_.print;
     options.pointsPerPixel = sheetPointsPerPixel(options.size[0]);
     if (!spec_.windows.empty()) options.window = spec_.windows[row];
     if (window_) options.window = window_;

@@ -199,6 +199,46 @@ TEST_F(Print, SvgIsXmlWithTexts) {
   EXPECT_THAT(readText(dir / "a.svg"), HasSubstr("'DejaVu Sans', sans-serif"));
 }
 
+/// Bands and smooth colours, of one body, of a ring of rational patches, of two bodies of which one is plain, and of a part.
+TEST_F(Print, FieldsAsVectorsShowWhatThePictureShows) {
+  options.size = {800, 600};
+  options.printField = PrintField::Vector;
+  const auto expectAlike = [&](const samples::Sample& sample, const std::string& what) {
+    const Picture page = rasterised(sample), picture = drawn(sample, options);
+    EXPECT_LE(meanDifference(page, picture, 1), 4.0) << what;
+    EXPECT_LE(meanDifference(page, picture, 4), 1.2) << what;
+    EXPECT_THAT(rowsOf(told("pdfimages -list a.pdf")), testing::IsEmpty()) << what;
+  };
+  for (const int bands : {0, 1, 12}) {
+    options.bands = bands;
+    options.field = "plastic_strain";
+    expectAlike(samples::slab(), fmt::format("slab, {} bands", bands));
+    options.range = {0.3, 0.6};
+    expectAlike(samples::slab(), fmt::format("within the range, {} bands", bands));
+    options.range.reset();
+    options.field = "von_mises";
+    expectAlike(samples::ring(), fmt::format("ring, {} bands", bands));
+  }
+  options.field = "plastic_strain";
+  options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.5, 0.2), Eigen::Vector2d(2.0, 1.2));
+  expectAlike(samples::twoBodies(), "a part");
+  options.window.reset();
+  expectAlike(samples::twoBodies(), "two bodies");
+  EXPECT_THAT(print(samples::twoBodies(), "a.svg"), AllOf(HasSubstr("evenodd"), Not(HasSubstr("<image"))));
+  options.field = "contact_pressure";
+  expectAlike(samples::rubbedSlab(), "faces");
+}
+
+TEST_F(Print, FieldsAsVectorsLieInAPlane) {
+  options.printField = PrintField::Vector;
+  options.field = "pressure";
+  EXPECT_THAT(messageOf([&] { print(samples::cube(), "a.pdf"); }),
+              HasSubstr("print_field: found vector; a body in space"));
+  options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  print(samples::cube(), "a.pdf");
+  EXPECT_THAT(rowsOf(told("pdfimages -list a.pdf")), testing::IsEmpty());
+}
+
 /// A sheet of a plane body, a body in space and a picture, both ways.
 class PrintedSheet : public Print {
  protected:

@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "statements. Did you mean \"title\"?"},
         Mistake{
             "unknownOfKind", "looks: {", "look: {",
-            "study.yaml:12:78: figures[0].look: found an unknown key; allowed: name, caption, format, dpi, kind, runs"},
+            "study.yaml:12:78: figures[0].look: found an unknown key; allowed: name, caption, format, dpi, print_field, kind, runs"},
         Mistake{
             "kind", "kind: sheet", "kind: shet",
             "study.yaml:13:23: figures[1].kind: found shet; allowed: history | surface | probe | refinement | "
@@ -188,8 +188,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"field", "field: von_mises", "field: mises",
                 "study.yaml:13:93: figures[1].field: found mises; allowed: displacement"},
         Mistake{"dpiOfPixels", "y: strain_energy, looks", "dpi: 300, y: strain_energy, looks",
-                "study.yaml:12:65: figures[0].dpi: found beside format: png, which has pixels and no inches; "
-                "allowed: with pdf or svg."},
+                "study.yaml:12:65: figures[0].dpi: found beside a PNG, which has pixels and no inches; "
+                "leave it out, or take pdf or svg."},
         Mistake{"animationForPrint", "kind: sheet, runs: [soft], times: [0, 1], time_labels: [start, end]",
                 "kind: animation, format: pdf, runs: [soft]",
                 "study.yaml:13:42: figures[1].format: found pdf; allowed: png, for this kind of figure is "
