@@ -49,6 +49,12 @@ void requireNoConflicts(const PictureOptions& options, std::optional<int> dim) {
   throwFirst(conflictsIn(options, dim));
 }
 
+void requireNoPrintOptions(const DeclaredOptions& picture) {
+  PrintOptions print;
+  picture.readInto(print);
+  throwFirst(printOptionsOfPixels(print));
+}
+
 void readPicture(const PictureArguments& arguments, PictureOptions& options, std::optional<int> dim) {
   if (arguments.isForPrint) options.size = kPrintSize;
   arguments.picture.readInto(static_cast<PrintOptions&>(options));
@@ -62,6 +68,11 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
           "RESULT", arguments.result,
           "Directory of a run or the result file in it, or a file of another program: VTK, Exodus, CGNS, ...")
       ->required();
+  addFieldArguments(command, arguments);
+  addPictureOptions(command, arguments.picture, PictureOptions{});
+}
+
+void addFieldArguments(CLI::App& command, PictureArguments& arguments) {
   command
       .add_option("--frame", arguments.frame,
                   fmt::format("Number of the frame, last or end, or time=T; for several A-B or all [{}]",
@@ -81,7 +92,6 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
                   "Values at the ends of the colour scale: those of the frame, of the whole run, or given; "
                   "auto: of all frames that are drawn [auto]")
       ->type_name("auto|frame|run|LO,HI");
-  addPictureOptions(command, arguments.picture, PictureOptions{});
 }
 
 std::optional<std::array<double, 2>> rangeOf(const PictureArguments& arguments) {
@@ -98,20 +108,24 @@ std::vector<int> framesOfRange(const std::string& range, const std::vector<int>&
   return whole;
 }
 
-ContourOptions contourOptions(const PictureArguments& arguments, const ResultReader& result,
-                              const std::vector<int>& frames) {
-  const FrameRecord first = result.frame(frames.front());
-  const int dim = result.model().dim;
+ContourOptions ownOptions(const PictureArguments& arguments, const ResultReader& result, int frame) {
+  const FrameRecord record = result.frame(frame);
   PictureOptions picture;
   picture.range = rangeOf(arguments);
-  readPicture(arguments, picture, dim);
+  readPicture(arguments, picture, result.model().dim);
   picture.field = withShownModel(
-      result.model(), first, picture,
+      result.model(), record, picture,
       [&](const ModelRecord&, const FrameRecord& shown) { return fieldName(arguments, shown); });
+  return contourOptions(picture, result, record);
+}
+
+ContourOptions contourOptions(const PictureArguments& arguments, const ResultReader& result,
+                              const std::vector<int>& frames) {
+  const ContourOptions own = ownOptions(arguments, result, frames.front());
   const std::vector<int> ofRange = framesOfRange(arguments.range, frames, result.numFrames());
   const std::vector<int> ofWindow = frames.size() > 1 ? frames : std::vector<int>();
-  ContourOptions contour = withCommonView(contourOptions(picture, result, first), result, ofRange, ofWindow);
-  if (picture.clip && contour.range) contour.note = clipNote(*picture.clip, dim);
+  ContourOptions contour = withCommonView(own, result, ofRange, ofWindow);
+  if (own.clip && contour.range) contour.note = clipNote(*own.clip, result.model().dim);
   return contour;
 }
 

@@ -39,6 +39,9 @@ void addPictureOptions(CLI::App& command, DeclaredOptions& picture, const Option
 /// Throws `Error` for options that cannot be together, in a body of `dim` dimensions if these are known.
 void requireNoConflicts(const PictureOptions& options, std::optional<int> dim);
 
+/// Throws `Error` for options of print that were given with a picture of pixels.
+void requireNoPrintOptions(const DeclaredOptions& picture);
+
 /// Replaces what was given. Throws `Error` that names the option.
 template <class Options>
 void readPicture(const DeclaredOptions& picture, Options& options, std::optional<int> dim) {
@@ -50,7 +53,10 @@ void readPicture(const DeclaredOptions& picture, Options& options, std::optional
 /// the option.
 void readPicture(const PictureArguments& arguments, PictureOptions& options, std::optional<int> dim);
 
-/// Adds the result and all of these options, with `frame` as it is for a default, to a command.
+/// Adds which frames and which field to a command, with `frame` as it is for a default.
+void addFieldArguments(CLI::App& command, PictureArguments& arguments);
+
+/// Adds the result and all of these options to a command.
 void addPictureArguments(CLI::App& command, PictureArguments& arguments);
 
 /// The range that was given; nothing for one that is found. Throws `Error` that names the option.
@@ -58,6 +64,9 @@ std::optional<std::array<double, 2>> rangeOf(const PictureArguments& arguments);
 
 /// The frames whose values the colours go through together; none: each has its own. all: their number.
 std::vector<int> framesOfRange(const std::string& range, const std::vector<int>& frames, int all);
+
+/// How a frame is drawn if it shares nothing with others. Throws `Error` that names the option.
+ContourOptions ownOptions(const PictureArguments& arguments, const ResultReader& result, int frame);
 
 /// How these frames are drawn. Several frames share a window and, unless something else is asked for, a range
 /// of colours. Throws `Error` that names the option.

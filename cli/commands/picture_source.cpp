@@ -12,6 +12,7 @@
 
 #include "cli/arguments.h"
 #include "engine/core/error.h"
+#include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/foreign/foreign_picture.h"
 
@@ -22,17 +23,31 @@ namespace fs = std::filesystem;
 
 PictureSource sourceOfRun(const PictureArguments& arguments) {
   const auto result = std::make_shared<const ResultReader>(arguments.result);
-  return {result->times(), [result, &arguments](const std::vector<int>& frames) {
+  return {result->times(),
+          [result, &arguments](const std::vector<int>& frames) {
             const ContourOptions options = contourOptions(arguments, *result, frames);
             return PictureSource::Series{options.transparent, [=](const std::vector<fs::path>& names) {
                                            drawSeries(*result, frames, options, names);
                                          }};
+          },
+          [result, &arguments](int first) {
+            const ContourOptions own = ownOptions(arguments, *result, first);
+            return PictureSource::Single{
+                own, own.clip ? clipNote(*own.clip, result->model().dim) : "",
+                [=](int frame, bool inRange, bool inWindow) {
+                  return frameView(result->model(), result->frame(frame), own, inRange, inWindow);
+                },
+                [=](int frame, const ContourOptions& options) {
+                  return contourImage(result->model(), result->frame(frame), options);
+                },
+                [=](int frame, const ContourOptions& options) {
+                  return contourPage(result->model(), result->frame(frame), options);
+                }};
           }};
 }
 
-/// How these instants are drawn.
-ForeignOptions foreignOptions(const PictureArguments& arguments, const ForeignFile& file,
-                              const std::vector<int>& frames) {
+/// How an instant is drawn if it shares nothing with others.
+ForeignOptions ownForeignOptions(const PictureArguments& arguments, const ForeignFile& file, int instant) {
   PictureOptions picture;
   picture.warp = 0.0;  // as it stands in the file, unless something is to be added
   picture.toolOpacity = std::nan("");
@@ -44,21 +59,46 @@ ForeignOptions foreignOptions(const PictureArguments& arguments, const ForeignFi
   ForeignOptions options(picture);
   options.toolOpacity = PictureOptions().toolOpacity;
   options.addedWarp = std::exchange(options.warp, 1.0);
-  options.field = arguments.field.empty() ? foreignFieldToShow(file, frames.front()) : arguments.field;
+  options.field = arguments.field.empty() ? foreignFieldToShow(file, instant) : arguments.field;
   if (!arguments.component.empty() && arguments.component != "magnitude")
     options.field += "." + arguments.component;
+  return options;
+}
+
+/// How these instants are drawn.
+ForeignOptions foreignOptions(const PictureArguments& arguments, const ForeignFile& file,
+                              const std::vector<int>& frames) {
   const std::vector<int> ofWindow = frames.size() > 1 ? frames : std::vector<int>();
-  return withCommonView(options, file,
+  return withCommonView(ownForeignOptions(arguments, file, frames.front()), file,
                         framesOfRange(arguments.range, frames, static_cast<int>(instantsOf(file).size())),
                         ofWindow);
 }
 
 PictureSource sourceOfForeign(const PictureArguments& arguments) {
   const auto file = std::make_shared<const ForeignFile>(arguments.result);
-  return {instantsOf(*file), [file, &arguments](const std::vector<int>& frames) {
+  return {instantsOf(*file),
+          [file, &arguments](const std::vector<int>& frames) {
             const ForeignOptions options = foreignOptions(arguments, *file, frames);
             return PictureSource::Series{options.transparent, [=](const std::vector<fs::path>& names) {
                                            drawForeign(*file, frames, options, names);
+                                         }};
+          },
+          [file, &arguments](int first) {
+            const ForeignOptions own = ownForeignOptions(arguments, *file, first);
+            const auto with = [own](const ContourOptions& options) {
+              ForeignOptions changed(own);
+              static_cast<ContourOptions&>(changed) = options;
+              return changed;
+            };
+            return PictureSource::Single{own, "",
+                                         [=](int instant, bool /*inRange*/, bool /*inWindow*/) {
+                                           return foreignView(*file, instant, own);
+                                         },
+                                         [=](int instant, const ContourOptions& options) {
+                                           return foreignImage(*file, instant, with(options));
+                                         },
+                                         [=](int instant, const ContourOptions& options) {
+                                           return foreignPage(*file, instant, with(options));
                                          }};
           }};
 }

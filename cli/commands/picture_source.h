@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "cli/commands/picture_options.h"
+#include "postproc/draw/contour/contour_series.h"
 
 namespace burnish {
 
-/// What `render` and `animate` draw: a run, or a file of another program.
+/// What `render`, `animate` and `sheet` draw: a run, or a file of another program.
 struct PictureSource {
   std::vector<double> times;  ///< of the frames
 
@@ -18,6 +19,17 @@ struct PictureSource {
   };
   /// Throws `Error` that names the option.
   std::function<Series(const std::vector<int>& frames)> series;
+
+  /// Frames that are drawn one by one, with options that are these or have more in common with other pictures.
+  struct Single {
+    ContourOptions options;
+    std::string clipNote;  ///< of colours that end at percentiles together with others; may be empty
+    std::function<FrameView(int frame, bool inRange, bool inWindow)> look;
+    std::function<ContourImage(int frame, const ContourOptions& options)> image;
+    std::function<PrintPage(int frame, const ContourOptions& options)> page;
+  };
+  /// first: of the frames. Throws `Error` that names the option.
+  std::function<Single(int first)> single;
 };
 
 /// The arguments must outlive the source. Throws `Error` for what cannot be read.

@@ -29,10 +29,7 @@ void checkOutput(const RenderArguments& arguments) {
     throw Error(
         fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png, .pdf or .svg",
                     arguments.picture));
-  PrintOptions print;
-  arguments.options.picture.readInto(print);
-  if (print.dpi)
-    throw Error("--dpi: a PNG has pixels and no inches; take --size or --scale, or a .pdf or .svg");
+  requireNoPrintOptions(arguments.options.picture);
 }
 
 ExitCode render(RenderArguments& arguments) {

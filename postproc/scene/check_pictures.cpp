@@ -38,13 +38,12 @@ void checkOptions(const CheckContext& c, const std::string& path, const PictureO
 
 /// The same of a picture for print.
 void checkPrint(const CheckContext& c, const std::string& path, const ScenePicture& picture) {
-  const std::string key = path + ".dpi";
   if (!picture.isForPrint()) {
-    if (picture.dpi && c.clean(key))
-      c.report(key,
-               "found beside format: png, which has pixels and no inches; leave it out, or take pdf or svg.");
+    for (const InputProblem& problem : printOptionsOfPixels(picture))
+      if (const std::string key = path + "." + problem.path; c.clean(key)) c.report(key, problem.text);
     return;
   }
+  const std::string key = path + ".dpi";
   for (const InputProblem& problem : printConflictsIn(picture))
     if (c.clean(key) && c.clean(path + ".size")) c.report(key, problem.text);
 }

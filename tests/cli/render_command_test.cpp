@@ -27,6 +27,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 const std::vector<double> kTimes{0.0, 0.25, 0.5, 0.75, 1.0};
@@ -198,7 +199,7 @@ TEST_F(RenderCommand, PagesForPrintAreAsLargeAsAPrintedPageUnlessToldOtherwise) 
   EXPECT_EQ(burnish("render run --size 300,200 -o p.svg").code, 0);
   EXPECT_THAT(readText(dir() / "p.svg"),
               HasSubstr("width=\"300pt\" height=\"200pt\" viewBox=\"0 0 300 200\""));
-  expectRefused("render run --dpi 300 -o refused.png", "--dpi: a PNG has pixels");
+  expectRefused("render run --dpi 300 -o refused.png", "--dpi: found beside a PNG, which has pixels");
   expectRefused("render run --size 1600,900 -o refused.pdf", "dpi up to 360, or a smaller size");
   expectRefused("render run -o refused.eps", "ends in .png, .pdf or .svg");
 }
@@ -296,6 +297,32 @@ TEST_F(RenderCommand, SheetHasItsCaptionsAndColumns) {
   EXPECT_LT(sheet.height, 300);
   expectRefused("sheet panel_1.png panel_2.png --caption a -o no.png", "1 captions for 2 pictures");
   expectRefused("sheet absent.png -o no.png", "absent.png");
+}
+
+TEST_F(RenderCommand, SheetDrawsFramesWithOneRangeAndOneWindow) {
+  const auto sheet = [](const std::string& arguments) {
+    const Outcome outcome = burnish("sheet " + arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  };
+  samples::Sample wide = samples::slab();
+  wide.frame.fields["plastic_strain"].values *= 3.0;
+  ResultWriter(dir() / "other", wide.model).append(wide.frame);
+  const std::string size = " --panel-size 400,300 --columns 2 --tools off ";
+  sheet("run other --frame last" + size + "-o shared.svg");
+  const std::string svg = readText(dir() / "shared.svg");
+  EXPECT_THAT(svg, AllOf(HasSubstr("max 1<"), HasSubstr("max 3<"), Not(HasSubstr(">0.5<"))));
+  sheet("run other" + size + "-o shared.png");
+  sheet("run other --range 0,3" + size + "-o given.png");
+  sheet("run other --range frame" + size + "-o own.png");
+  EXPECT_TRUE(alike("shared.png", "given.png"));
+  EXPECT_FALSE(alike("shared.png", "own.png"));
+  EXPECT_EQ(readPicture(dir() / "shared.png").width, 800);
+  sheet("run shared.png --frame 1-2 --caption a --caption b --caption c --width 900 -o mixed.pdf");
+  EXPECT_EQ(shell(dir(), "pdfimages -list mixed.pdf | tail -n +3 | wc -l").out, "3\n");
+  expectRefused("sheet run --frame 1-2 --caption a -o no.png", "1 captions for 2 pictures");
+  expectRefused("sheet run --dpi 300 -o no.png", "--dpi: found beside a PNG, which has pixels");
+  expectRefused("sheet run --dpi 9999 -o no.pdf", "--dpi");
+  expectRefused("sheet run -o no.jpg", "ends in .png, .pdf or .svg");
 }
 
 /// Types of the chunks of a PNG file in their order; of those of an animation with their numbers.

@@ -80,6 +80,12 @@ void check(const Chart& chart) {
   if (empty) throw Error("chart: there is no point to draw; all curves are empty or not finite");
 }
 
+ChartSketch checkedSketch(const Chart& chart) {
+  throwIfInterrupted();
+  check(chart);
+  return sketchChart(layOutChart(chart), chart.size, chart.theme);
+}
+
 }  // namespace
 
 bool Chart::hasRightAxis() const {
@@ -87,9 +93,11 @@ bool Chart::hasRightAxis() const {
 }
 
 void drawChart(const Chart& chart, const std::filesystem::path& file) {
-  throwIfInterrupted();
-  check(chart);
-  writeSketch(sketchChart(layOutChart(chart), chart.size, chart.theme), file);
+  writeSketch(checkedSketch(chart), file);
+}
+
+PrintPage chartPage(const Chart& chart) {
+  return pageOf(checkedSketch(chart));
 }
 
 std::string chartDataText(const Chart& chart) {

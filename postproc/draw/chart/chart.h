@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "postproc/draw/page/print_file.h"
 #include "postproc/draw/page/theme.h"
 
 namespace burnish {
@@ -61,6 +62,9 @@ struct Chart {
 /// empty ranges, sizes out of range or too small for the texts, other endings, and a file that cannot be
 /// written.
 void drawChart(const Chart& chart, const std::filesystem::path& file);
+
+/// The chart as a page for print. Throws `Error` as `drawChart` does.
+PrintPage chartPage(const Chart& chart);
 
 /// The same data as CSV: for every curve two columns, "LABEL x" and "LABEL y", or for the axis at the right
 /// "LABEL x2" and "LABEL y2"; short curves end in empty cells.

@@ -238,20 +238,20 @@ PageSketch::Shape onPage(const SketchText& text) {
                   text.direction};
 }
 
-void writePdf(const ChartSketch& sketch, const std::filesystem::path& file) {
+}  // namespace
+
+PrintPage pageOf(const ChartSketch& sketch) {
   PrintPage page{{static_cast<double>(sketch.size[0]), static_cast<double>(sketch.size[1])}, "chart", {}};
   for (const auto& shape : sketch.shapes)
     page.sketch.shapes.push_back(std::visit([](const auto& drawn) { return onPage(drawn); }, shape));
-  writePrint(page, file);
+  return page;
 }
-
-}  // namespace
 
 void writeSketch(const ChartSketch& sketch, const std::filesystem::path& file) {
   const auto ending = file.extension();
   if (ending == ".png") return writePicture(sketch, file);
   if (ending == ".svg") return writeSvg(sketch, file);
-  if (ending == ".pdf") return writePdf(sketch, file);
+  if (ending == ".pdf") return writePrint(pageOf(sketch), file);
   throw Error(
       fmt::format("\"{}\": expected the name of a chart that ends in .png, .svg or .pdf", file.string()));
 }

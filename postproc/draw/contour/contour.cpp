@@ -150,11 +150,16 @@ class ContourPicture {
                     scaleUp * view.area.height};
     printed.pixelsPerLength *= scale;
 
-    PrintPage page{{static_cast<double>(size_[0]), static_cast<double>(size_[1])}, title(), {}};
+    PrintPage page{
+        {static_cast<double>(size_[0]), static_cast<double>(size_[1])}, title(), {}, options_.pointsPerPixel};
     std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
-    if (!options_.transparent && theme_.paper != kWhite) shapes.emplace_back(wholePage());
-    shapes.emplace_back(PageImage{
-        area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, pixels, plan); })});
+    if (!options_.transparent && theme_.paper != kWhite)
+      shapes.emplace_back(wholePage(page.size, theme_.paper));
+    if (options_.printField == PrintField::Vector)
+      addRegions(page.sketch, plan);
+    else
+      shapes.emplace_back(PageImage{
+          area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, pixels, plan); })});
     for (const PageSketch& over : {spaceLines(plan), texts(plan.layout, plan.bar)})
       shapes.insert(shapes.end(), over.shapes.begin(), over.shapes.end());
     return {std::move(page), view};
@@ -198,17 +203,19 @@ class ContourPicture {
     return options_.transparent ? withoutPaper(*draw(kWhite), *draw(kBlack)) : draw(theme_.paper);
   }
 
+  /// Of the image in a page for print, per pixel of the picture; of vectors, to which they are exact.
+  double dotsPerPixel() const {
+    constexpr double kOfVectors = 4.0;  // per point
+    return options_.pointsPerPixel *
+           (options_.printField == PrintField::Vector ? kOfVectors : dotsPerPoint(options_));
+  }
+
   /// Of the image in a part of a page.
   std::array<int, 2> pixelsFor(const PixelRect& area) const {
     const auto count = [&](double length) {
-      return std::max(1, static_cast<int>(std::lround(dotsPerPoint(options_) * length)));
+      return std::max(1, static_cast<int>(std::lround(dotsPerPixel() * length)));
     };
     return {count(area.width), count(area.height)};
-  }
-
-  PageArea wholePage() const {
-    const double width = size_[0], height = size_[1];
-    return {{{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}}, theme_.paper};
   }
 
   std::string title() const { return options_.title.value_or(subject_.title); }
@@ -295,7 +302,7 @@ class ContourPicture {
     OffscreenCanvas canvas(pixels[0], pixels[1]);
     vtkNew<vtkRenderer> paper, space;
     addLayers(canvas, background, *paper, *space, printed, pixels);
-    drawSpace(*space, canvas.supersampling() * dotsPerPoint(options_), plan,
+    drawSpace(*space, canvas.supersampling() * dotsPerPixel(), plan,
               isFlat() ? Shown::Areas : Shown::Everything);
     aim(*space, printed, pixels, 10.0 * lengthOf(parts_));
     return canvas.capture();
@@ -324,6 +331,19 @@ class ContourPicture {
       for (const auto& [color, width] : {std::pair(kWhite, kHalo), std::pair(kBlack, 1.0)})
         sketch.shapes.emplace_back(pageLines(*ringIn(view), view, color, width * lineWidth(), 1.0));
     return sketch;
+  }
+
+  /// The areas of a plane picture as vectors.
+  void addRegions(PageSketch& sketch, const Plan& plan) const {
+    const View& view = plan.layout.view;
+    const auto add = [&](PageRegion region) { sketch.shapes.emplace_back(std::move(region)); };
+    for (const ToolDrawing& tool : plan.tools)
+      if (tool.area) add(pageRegion(*tool.area, view, theme_.tool));
+    if (!isOfContact())
+      for (PageRegion& band : coloredPageRegions(*parts_.body, view, plan.scale,
+                                                 options_.bands > 0 ? options_.bands : kVectorBands))
+        add(std::move(band));
+    if (parts_.plain) add(pageRegion(*parts_.plain, view, plainColor()));
   }
 
   /// All that is no picture of space: texts, the colour scale, the frame, the axes.
@@ -557,6 +577,12 @@ class ContourPicture {
   bool cutsBody_;                        ///< only a part of the body is seen
 };
 
+ContourPage checkedPage(const ContourSubject& subject, const ContourOptions& options) {
+  check(options, subject.dim);
+  throwFirst(printConflictsIn(options, options.pointsPerPixel));
+  return ContourPicture(subject, options).page();
+}
+
 /// Makes something of what a picture of a frame is of.
 template <class Make>
 auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
@@ -590,11 +616,13 @@ View drawContour(const ContourSubject& subject, const ContourOptions& options,
     writePng(*image.picture, file);
     return image.view;
   }
-  check(options, subject.dim);
-  throwFirst(printConflictsIn(options));
-  const ContourPage printed = ContourPicture(subject, options).page();
+  const ContourPage printed = checkedPage(subject, options);
   writePrint(printed.page, file);
   return printed.view;
+}
+
+PrintPage contourPage(const ContourSubject& subject, const ContourOptions& options) {
+  return checkedPage(subject, options).page;
 }
 
 ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
@@ -608,26 +636,37 @@ View drawContour(const ModelRecord& model, const FrameRecord& frame, const Conto
                    [&](const ContourSubject& subject) { return drawContour(subject, options, file); });
 }
 
+PrintPage contourPage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
+  return ofSubject(model, frame, options,
+                   [&](const ContourSubject& subject) { return contourPage(subject, options); });
+}
+
 void drawColorScale(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                     const std::array<double, 2>& values, const std::filesystem::path& png) {
-  constexpr double kLength = 0.5;  // of the picture's width
   const Theme theme = themeOf(options);
-  const double textSize = textSizeOf(options, theme);
-  const FieldChoice field = chooseField(model, frame, options.field);
-  const ScalarBar bar = scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)),
-                                    values, textSize, theme, false, false);
-  const int width = drawnSize(options)[0];
-  const double length = kLength * width, depth = bar.depth(Overlay::Direction::Right, length);
-  OffscreenCanvas canvas(width, static_cast<int>(std::ceil(depth)));
+  const PrintPage page = colorScalePage(model, frame, options, values);
+  OffscreenCanvas canvas(static_cast<int>(page.size[0]), static_cast<int>(page.size[1]));
   vtkNew<vtkRenderer> paper;
   canvas.window().AddRenderer(paper);
   paper->SetBackground(theme.paper[0] / 255.0, theme.paper[1] / 255.0, theme.paper[2] / 255.0);
-  PageSketch sketch;
-  Overlay overlay(sketch);
-  FlatShapes shapes(sketch);
-  bar.draw(overlay, shapes, {(width - length) / 2.0, 0.0, length, depth}, Overlay::Direction::Right);
-  paint(sketch, *paper, canvas.supersampling());
+  paint(page.sketch, *paper, canvas.supersampling());
   writePng(*canvas.capture(), png);
+}
+
+PrintPage colorScalePage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                         const std::array<double, 2>& values) {
+  constexpr double kLength = 0.5;  // of the picture's width
+  const Theme theme = themeOf(options);
+  const FieldChoice field = chooseField(model, frame, options.field);
+  const ScalarBar bar = scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)),
+                                    values, textSizeOf(options, theme), theme, false, false);
+  const double width = drawnSize(options)[0], length = kLength * width,
+               depth = bar.depth(Overlay::Direction::Right, length);
+  PrintPage page{{width, std::ceil(depth)}, "", {}, options.pointsPerPixel};
+  Overlay overlay(page.sketch);
+  FlatShapes shapes(page.sketch);
+  bar.draw(overlay, shapes, {(width - length) / 2.0, 0.0, length, depth}, Overlay::Direction::Right);
+  return page;
 }
 
 Eigen::AlignedBox2d contentOf(const ModelRecord& model, const FrameRecord& frame,

@@ -8,6 +8,7 @@
 
 #include "engine/results/result.h"
 #include "postproc/draw/contour/picture_options.h"
+#include "postproc/draw/page/print_file.h"
 #include "postproc/draw/page/view.h"
 
 class vtkImageData;
@@ -26,6 +27,7 @@ struct ContourOptions : PictureOptions {
   std::optional<Eigen::Vector3d> mark;  ///< a place with a ring round it
   bool evenScales =
       false;  ///< of pictures that stand together: scales of the same place whatever their numbers
+  double pointsPerPixel = 1.0;  ///< of the paper, where a picture for print stands on a larger page
 };
 
 /// A picture in memory, RGB or, transparent, RGBA, lowest row first.
@@ -46,12 +48,19 @@ ContourImage contourImage(const ModelRecord& model, const FrameRecord& frame, co
 View drawContour(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                  const std::filesystem::path& file);
 
+/// The page that `drawContour` writes for print.
+PrintPage contourPage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
+
 /// Draws nothing but the colour scale that pictures of a range share, across in the middle of a picture as wide
 /// as `options.size` and as high as it needs. options: of one of the pictures. values: the smallest and the
 /// largest one of all of them. Throws `Error` for an unknown field, a missing font and a file that cannot be
 /// written.
 void drawColorScale(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                     const std::array<double, 2>& values, const std::filesystem::path& png);
+
+/// The same for print.
+PrintPage colorScalePage(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                         const std::array<double, 2>& values);
 
 /// The part of the view's plane that a picture without a `window` shows: body, outline and tools. The union
 /// over frames is a window in which they can be compared.

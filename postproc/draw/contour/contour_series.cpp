@@ -70,18 +70,21 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
   if (!inWindow.empty()) options.window = window;
 }
 
+FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                    bool inRange, bool inWindow) {
+  return withShownModel(model, frame, options, [&](const ModelRecord& shownModel, const FrameRecord& shown) {
+    const FieldChoice field = chooseField(shownModel, shown, options.field);
+    FrameView view;
+    if (inRange) view.shown = rangesOf(shownModel, shown, field, options).shown;
+    if (inWindow) view.content = contentOf(contourParts(shownModel, shown, field, options), shownModel.dim);
+    return view;
+  });
+}
+
 ContourOptions withCommonView(ContourOptions options, const ResultReader& result,
                               const std::vector<int>& ofRange, const std::vector<int>& ofWindow) {
   shareView(options, ofRange, ofWindow, [&](int k, bool inRange, bool inWindow) {
-    return withShownModel(result.model(), result.frame(k), options,
-                          [&](const ModelRecord& model, const FrameRecord& frame) {
-                            const FieldChoice field = chooseField(model, frame, options.field);
-                            FrameView view;
-                            if (inRange) view.shown = rangesOf(model, frame, field, options).shown;
-                            if (inWindow)
-                              view.content = contentOf(contourParts(model, frame, field, options), model.dim);
-                            return view;
-                          });
+    return frameView(result.model(), result.frame(k), options, inRange, inWindow);
   });
   return options;
 }

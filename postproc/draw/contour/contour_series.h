@@ -26,6 +26,9 @@ struct FrameView {
   Eigen::AlignedBox2d content;    ///< what must be seen of it
 };
 
+FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
+                    bool inRange, bool inWindow);
+
 /// Gives options a range of colours and a window for several frames, unless they have one: those that hold all
 /// of the frames `ofRange`, and of the frames `ofWindow`. look: called once for each, tells what is asked for.
 /// Throws `Interrupted`.

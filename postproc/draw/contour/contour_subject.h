@@ -35,4 +35,7 @@ ContourImage contourImage(const ContourSubject& subject, const ContourOptions& o
 View drawContour(const ContourSubject& subject, const ContourOptions& options,
                  const std::filesystem::path& file);
 
+/// Makes a page as `contourPage` does.
+PrintPage contourPage(const ContourSubject& subject, const ContourOptions& options);
+
 }  // namespace burnish

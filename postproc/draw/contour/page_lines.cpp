@@ -1,9 +1,13 @@
 #include "postproc/draw/contour/page_lines.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCleanPolyData.h>
+#include <vtkClipPolyData.h>
+#include <vtkContourFilter.h>
 #include <vtkDataArray.h>
+#include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -12,12 +16,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace burnish {
 namespace {
 
 /// Points closer than this part of a set's diagonal are one.
-constexpr double kSamePoint = 1e-9;
+constexpr double kSamePoint = 1e-7;
+
+/// Points that are nearer to the line between others, in pixels of the picture, are left out of borders.
+constexpr double kStraight = 0.01;
 
 Eigen::Vector2d onPage(vtkPolyData& data, vtkIdType point, const View& view) {
   return view.pixel(Eigen::Map<const Eigen::Vector3d>(data.GetPoint(point)));
@@ -61,6 +69,64 @@ vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines) {
   return strip->GetOutput();
 }
 
+/// Cells that have the points on their common borders in common.
+vtkSmartPointer<vtkPolyData> joined(vtkPolyData& cells) {
+  vtkNew<vtkPolyData> alone;
+  alone->SetPoints(cells.GetPoints());
+  alone->SetPolys(cells.GetPolys());
+  alone->GetPointData()->SetScalars(cells.GetPointData()->GetScalars());
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(alone);
+  clean->SetTolerance(kSamePoint);
+  clean->ConvertPolysToLinesOff();
+  clean->Update();
+  return clean->GetOutput();
+}
+
+/// Adds the points between the ends of a part of a line from which it is further than `kStraight` without them.
+void addBends(const PagePoints& line, std::size_t begin, std::size_t end, PagePoints& kept) {
+  const Eigen::Vector2d way = line[end] - line[begin];
+  double most = 0.0;
+  std::size_t farthest = begin;
+  for (std::size_t k = begin + 1; k < end; ++k) {
+    const Eigen::Vector2d from = line[k] - line[begin];
+    const double along =
+        way.squaredNorm() > 0.0 ? std::clamp(from.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0.0;
+    const double distance = (from - along * way).norm();
+    if (distance > most) {
+      most = distance;
+      farthest = k;
+    }
+  }
+  if (most <= kStraight) return;
+  addBends(line, begin, farthest, kept);
+  kept.push_back(line[farthest]);
+  addBends(line, farthest, end, kept);
+}
+
+/// The edges that only one of joined cells has.
+vtkSmartPointer<vtkPolyData> bordersOf(vtkPolyData& cells) {
+  vtkNew<vtkFeatureEdges> borders;
+  borders->SetInputData(&cells);
+  borders->BoundaryEdgesOn();
+  borders->FeatureEdgesOff();
+  borders->ManifoldEdgesOff();
+  borders->NonManifoldEdgesOff();
+  borders->ColoringOff();
+  borders->Update();
+  return borders->GetOutput();
+}
+
+/// Segments round regions as closed lines with as few points as show them.
+std::vector<PagePoints> loopsOf(vtkPolyData& segments, const View& view) {
+  std::vector<PagePoints> loops;
+  for (const PagePoints& line : placed(*inFewPieces(segments), view)) {
+    PagePoints& loop = loops.emplace_back(PagePoints{line.front()});
+    addBends(line, 0, line.size() - 1, loop);
+  }
+  return loops;
+}
+
 }  // namespace
 
 PageLines pageLines(vtkPolyData& lines, const View& view, const Color& color, double width, double opacity) {
@@ -102,6 +168,40 @@ std::vector<PageLines> coloredPageLines(vtkPolyData& lines, const View& view, co
     }
   }
   return pieces;
+}
+
+PageRegion pageRegion(vtkPolyData& cells, const View& view, const Color& color) {
+  return {loopsOf(*bordersOf(*joined(cells)), view), color, view.area};
+}
+
+std::vector<PageRegion> coloredPageRegions(vtkPolyData& cells, const View& view, const ColorScale& scale,
+                                           int bands) {
+  const auto [low, high] = scale.range();
+  const double band = (high - low) / bands;
+  const auto colorOf = [&, from = low](int number) { return scale.color(from + (number + 0.5) * band); };
+  const auto whole = joined(cells);
+  const auto borders = bordersOf(*whole);
+  // Where a value is reached: along its line, and along the part of the borders with higher ones.
+  vtkNew<vtkContourFilter> line;
+  line->SetInputData(whole);
+  line->UseScalarTreeOn();
+  line->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkClipPolyData> above;
+  above->SetInputData(borders);
+  above->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(line->GetOutputPort());
+  both->AddInputConnection(above->GetOutputPort());
+  std::vector<PageRegion> regions{{loopsOf(*borders, view), colorOf(0), view.area}};
+  for (int number = 1; number < bands; ++number) {
+    line->SetValue(0, low + number * band);
+    above->SetValue(low + number * band);
+    both->Update();
+    std::vector<PagePoints> loops = loopsOf(*both->GetOutput(), view);
+    if (loops.empty()) break;
+    regions.push_back({std::move(loops), colorOf(number), view.area});
+  }
+  return regions;
 }
 
 void addPageAreas(PageSketch& sketch, vtkPolyData& edges, const View& view, const Color& area,

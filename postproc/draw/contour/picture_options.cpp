@@ -83,6 +83,11 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
     problems.push_back(
         {"view", fmt::format("found \"{}\"; a plane body is only seen in its plane: auto or xy.",
                              options.view.name)});
+  if (options.printField == PrintField::Vector && dim == 3 && !options.slice)
+    problems.push_back(
+        {"print_field",
+         "found vector; a body in space is an image, in which what stands before hides what is behind: "
+         "take image, or a slice."});
   if (options.hiddenLines != HiddenLines::Off && dim == 2)
     problems.push_back({"hidden_lines", "a plane body hides none of its lines; draw it without."});
   if (options.arrows == ArrowField::Traction && options.warp != 1.0)
@@ -172,18 +177,30 @@ std::array<int, 2> drawnSize(const PictureOptions& options) {
   return {scaled(options.size[0]), scaled(options.size[1])};
 }
 
+std::vector<InputProblem> printOptionsOfPixels(const PrintOptions& options) {
+  constexpr const char* kRemedy = "leave it out, or take pdf or svg.";
+  std::vector<InputProblem> problems;
+  if (options.dpi)
+    problems.push_back(
+        {"dpi", fmt::format("found beside a PNG, which has pixels and no inches; {}", kRemedy)});
+  if (options.printField != PrintField::Image)
+    problems.push_back(
+        {"print_field", fmt::format("found beside a PNG, which is made of pixels; {}", kRemedy)});
+  return problems;
+}
+
 double dotsPerPoint(const PrintOptions& options) {
   return options.dpi.value_or(kPrintDpi) / kPointsPerInch;
 }
 
-std::vector<InputProblem> printConflictsIn(const PictureOptions& options) {
-  const auto [width, height] = drawnSize(options);
-  const double dots = dotsPerPoint(options);
-  const int largest = std::max(width, height);
+std::vector<InputProblem> printConflictsIn(const PictureOptions& options, double pointsPerPixel) {
+  const auto [pixelsRight, pixelsUp] = drawnSize(options);
+  const double width = pointsPerPixel * pixelsRight, height = pointsPerPixel * pixelsUp;
+  const double dots = dotsPerPoint(options), largest = std::max(width, height);
   if (dots * largest <= kLargestSide) return {};
   return {{"dpi",
-           fmt::format("found {}, which makes {:.0f} x {:.0f} pixels of {} x {} points; expected up to {} x "
-                       "{}: dpi up to {:.0f}, or a smaller size",
+           fmt::format("found {}, which makes {:.0f} x {:.0f} pixels of {:.0f} x {:.0f} points; expected up "
+                       "to {} x {}: dpi up to {:.0f}, or a smaller size",
                        options.dpi.value_or(kPrintDpi), dots * width, dots * height, width, height,
                        kLargestSide, kLargestSide, std::floor(kPointsPerInch * kLargestSide / largest))}};
 }

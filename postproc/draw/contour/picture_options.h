@@ -89,16 +89,35 @@ inline constexpr int kPrintDpi = 600;
 /// Size in points of a picture for print: 170 mm wide.
 inline constexpr std::array<int, 2> kPrintSize{482, 271};
 
+/// What the colours of a field are in files for print.
+enum class PrintField { Image, Vector };
+
+template <>
+struct EnumNames<PrintField> {
+  static constexpr std::array values{std::pair{"image", PrintField::Image},
+                                     std::pair{"vector", PrintField::Vector}};
+};
+
+/// Of a smooth field that becomes vectors.
+inline constexpr int kVectorBands = 64;
+
 /// What a picture for print has beside the others.
 struct PrintOptions {
   std::optional<int> dpi;  ///< dots per inch of what is no vector; `kPrintDpi` when left out
+  PrintField printField = PrintField::Image;
 };
 
 template <class Visitor>
 void describe(Visitor& v, PrintOptions& s) {
   v.field("dpi", s.dpi, {.atLeast = 72, .atMost = 2400},
           "Dots per inch of the image in a PDF or SVG, 600 when left out; texts and lines are vectors.");
+  v.field(
+      "print_field", s.printField, {},
+      "Colours of a plane body or a slice in a PDF or SVG: an image, or vectors, which cut smooth ones into 64 bands.");
 }
+
+/// What is wrong with options for print beside a format of pixels. Paths are keys.
+std::vector<InputProblem> printOptionsOfPixels(const PrintOptions& options);
 
 /// Pixels of the image per point of the page.
 double dotsPerPoint(const PrintOptions& options);
@@ -144,7 +163,8 @@ Theme themeOf(const PictureOptions& options);
 std::array<int, 2> drawnSize(const PictureOptions& options);
 
 /// What is wrong with options for print: an image of more pixels than a picture may have. The path is the key.
-std::vector<InputProblem> printConflictsIn(const PictureOptions& options);
+/// pointsPerPixel: of the paper.
+std::vector<InputProblem> printConflictsIn(const PictureOptions& options, double pointsPerPixel = 1.0);
 
 /// What options say that cannot be, each alone or two together, in a body of `dim` dimensions where these are
 /// known: paths are keys. What the rules of single values say is left out.

@@ -341,6 +341,14 @@ ContourSubject subjectOf(const ForeignFile& file, int instant, const ForeignOpti
   return SubjectMaker(file, instant, options).make();
 }
 
+/// What is left of the options for a subject, whose parts have what is added to its displacements.
+ContourOptions drawnOptions(const ForeignOptions& options) {
+  ContourOptions own = options;
+  own.warp = 1.0;
+  own.colorScale = options.colorScale && !options.field.empty();
+  return own;
+}
+
 }  // namespace
 
 std::vector<double> instantsOf(const ForeignFile& file) {
@@ -351,28 +359,36 @@ std::string foreignFieldToShow(const ForeignFile& file, int instant) {
   return foreignFieldToShow(foreignFieldsOf(file.blocks(static_cast<std::size_t>(instant))));
 }
 
+FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions& options) {
+  const ContourSubject subject = subjectOf(file, instant, options);
+  return {subject.ranges.whole, contentOf(subject.parts, subject.dim)};
+}
+
 ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
                               const std::vector<int>& ofRange, const std::vector<int>& ofWindow) {
-  shareView(options, ofRange, ofWindow, [&](int k, bool /*inRange*/, bool /*inWindow*/) {
-    const ContourSubject subject = subjectOf(file, k, options);
-    return FrameView{subject.ranges.whole, contentOf(subject.parts, subject.dim)};
-  });
+  shareView(options, ofRange, ofWindow,
+            [&](int k, bool /*inRange*/, bool /*inWindow*/) { return foreignView(file, k, options); });
   return options;
+}
+
+ContourImage foreignImage(const ForeignFile& file, int instant, const ForeignOptions& options) {
+  return contourImage(subjectOf(file, instant, options), drawnOptions(options));
+}
+
+PrintPage foreignPage(const ForeignFile& file, int instant, const ForeignOptions& options) {
+  return contourPage(subjectOf(file, instant, options), drawnOptions(options));
 }
 
 void drawForeign(const ForeignFile& file, const std::vector<int>& instants, const ForeignOptions& options,
                  const std::vector<std::filesystem::path>& names) {
-  ContourOptions own = options;
-  own.warp = 1.0;  // what is added is in the parts already
-  own.colorScale = !options.field.empty();
   if (isPrintFile(names.front())) {
     for (std::size_t k = 0; k < names.size(); ++k)
-      drawContour(subjectOf(file, instants[k], options), own, names[k]);
+      writePrint(foreignPage(file, instants[k], options), names[k]);
     return;
   }
   drawInTurn(names, [&](std::size_t k) {
     throwIfInterrupted();
-    return contourImage(subjectOf(file, instants[k], options), own);
+    return foreignImage(file, instants[k], options);
   });
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/draw/contour/contour.h"
+#include "postproc/draw/contour/contour_series.h"
 #include "postproc/foreign/foreign_file.h"
 
 /// Pictures of files of other programs.
@@ -27,6 +27,13 @@ std::string foreignFieldToShow(const ForeignFile& file, int instant);
 /// `Error` as `drawForeign` does.
 ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
                               const std::vector<int>& ofRange, const std::vector<int>& ofWindow);
+
+/// What one instant needs of what several share.
+FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions& options);
+
+/// One instant as a picture in memory, or as a page for print. Throws `Error` as `drawForeign` does.
+ContourImage foreignImage(const ForeignFile& file, int instant, const ForeignOptions& options);
+PrintPage foreignPage(const ForeignFile& file, int instant, const ForeignOptions& options);
 
 /// Draws these instants, each into its file, as `drawSeries` does. Throws `Error` naming the file for what cannot be
 /// read or drawn, and for options that belong to runs alone.

@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -30,6 +31,13 @@ struct PageLines {
 
 struct PageArea {
   PagePoints corners;  ///< of a polygon
+  Color color;
+  std::optional<PixelRect> within{};
+};
+
+/// What an odd number of closed lines surrounds.
+struct PageRegion {
+  std::vector<PagePoints> loops;
   Color color;
   std::optional<PixelRect> within{};
 };
@@ -63,8 +71,14 @@ struct PageImage {
 /// of the picture (see PixelRect). It becomes pixels
 /// (`paint`) or a file for print (`writePrint`).
 struct PageSketch {
-  using Shape = std::variant<PageLines, PageArea, PageStripes, PageText, PageImage>;
+  using Shape = std::variant<PageLines, PageArea, PageRegion, PageStripes, PageText, PageImage>;
   std::vector<Shape> shapes;
 };
+
+/// All of a page in one colour.
+PageArea wholePage(const std::array<double, 2>& size, const Color& color);
+
+/// The sketch where it stands on another page: all of it scaled, then moved.
+PageSketch placed(PageSketch sketch, double scale, const Eigen::Vector2d& shift);
 
 }  // namespace burnish

@@ -88,8 +88,9 @@ class SketchPainter {
     }
   }
 
-  /// Images are of files for print, where pixels are not those of the picture.
+  /// Fields are of files for print: as images, whose pixels are not those of the picture, or as regions.
   void operator()(const PageImage& /*image*/) const {}
+  void operator()(const PageRegion& /*region*/) const {}
 
  private:
   /// A cell that has all of these points.

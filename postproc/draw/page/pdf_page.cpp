@@ -83,6 +83,18 @@ class PdfPainter {
     cairo_fill(&page_);
   }
 
+  void operator()(const PageRegion& region) {
+    const Saved saved(page_);
+    clip(region.within);
+    for (const PagePoints& loop : region.loops) {
+      addPath(loop);
+      cairo_close_path(&page_);
+    }
+    cairo_set_fill_rule(&page_, CAIRO_FILL_RULE_EVEN_ODD);
+    setColor(region.color);
+    cairo_fill(&page_);
+  }
+
   void operator()(const PageStripes& stripes) {
     for (const auto& [rect, color] : overlapping(stripes)) {
       addPath({{rect.x, rect.y}, {rect.right(), rect.y}, {rect.right(), rect.top()}, {rect.x, rect.top()}});
@@ -189,11 +201,14 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 
 std::string pdfText(const PrintPage& page) {
   std::string text;
-  const SurfacePtr surface(cairo_pdf_surface_create_for_stream(append, &text, page.size[0], page.size[1]));
+  const double scale = page.pointsPerPixel;
+  const SurfacePtr surface(
+      cairo_pdf_surface_create_for_stream(append, &text, scale * page.size[0], scale * page.size[1]));
   // No date: the same page has the same bytes.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, page.title.c_str());
   const ContextPtr context(cairo_create(surface.get()));
+  cairo_scale(context.get(), scale, scale);
   PdfPainter painter(*context, page.size[1]);
   for (const PageSketch::Shape& shape : page.sketch.shapes) std::visit(painter, shape);
   require(cairo_status(context.get()));

@@ -9,9 +9,10 @@ namespace burnish {
 
 /// A page for print.
 struct PrintPage {
-  std::array<double, 2> size{};  ///< width and height in points, 1/72 inch: the pixels of the sketch
+  std::array<double, 2> size{};  ///< width and height in pixels of the sketch
   std::string title;             ///< of the document; may be empty
   PageSketch sketch;
+  double pointsPerPixel = 1.0;  ///< of the paper: a point is 1/72 inch
 };
 
 /// Whether a file is one for print: its name ends in .pdf or .svg.

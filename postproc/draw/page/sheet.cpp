@@ -10,9 +10,12 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "postproc/draw/page/overlay.h"
@@ -36,24 +39,39 @@ constexpr double kAboveCaption = 0.45;
 constexpr double kLine = 1.25;
 constexpr double kDescent = 0.25;
 
-/// A picture from a file, in a width of pixels.
-vtkSmartPointer<vtkImageData> readPanel(const fs::path& file, int width) {
-  vtkNew<vtkImageData> picture;
+vtkSmartPointer<vtkImageData> readPicture(const fs::path& file) {
+  const auto picture = vtkSmartPointer<vtkImageData>::New();
   readPng(file, true, [&](const PngSize& size) {
     picture->SetDimensions(size.width, size.height, 1);
     picture->AllocateScalars(VTK_UNSIGNED_CHAR, size.hasAlpha ? 4 : 3);
     return static_cast<std::byte*>(picture->GetScalarPointer());
   });
-  const int* size = picture->GetDimensions();
-  if (size[0] == width) return picture;
-  const double height = static_cast<double>(size[1]) * width / size[0];
+  return picture;
+}
+
+/// The height of a picture of these proportions in a width of pixels. name: of a file, for the error; may be empty.
+int heightIn(int width, const std::array<double, 2>& size, const std::string& name) {
+  const double height = size[1] * width / size[0];
   if (height > kLargestSheetSide)
     throw Error(fmt::format("{}: {} x {} pixels would be {:.0f} pixels high on the sheet; expected up to {}",
-                            file.string(), size[0], size[1], height, kLargestSheetSide));
+                            name, size[0], size[1], height, kLargestSheetSide));
+  return std::max(1, static_cast<int>(std::lround(height)));
+}
+
+/// A picture in a width of pixels.
+vtkSmartPointer<vtkImageData> panelPicture(const std::variant<fs::path, vtkSmartPointer<vtkImageData>>& panel,
+                                           int width) {
+  const auto* file = std::get_if<fs::path>(&panel);
+  const auto picture = file != nullptr ? readPicture(*file) : std::get<1>(panel);
+  const int* size = picture->GetDimensions();
+  if (size[0] == width) return picture;
   vtkNew<vtkImageResize> resize;
   resize->SetInputData(picture);
   resize->SetResizeMethodToOutputDimensions();
-  resize->SetOutputDimensions(width, std::max(1, static_cast<int>(std::lround(height))), 1);
+  resize->SetOutputDimensions(width,
+                              heightIn(width, {static_cast<double>(size[0]), static_cast<double>(size[1])},
+                                       file != nullptr ? file->string() : "a panel"),
+                              1);
   resize->BorderOn();  // pixels are areas, not points
   resize->Update();
   return resize->GetOutput();
@@ -77,7 +95,7 @@ std::vector<std::string> wrapped(const std::string& text, const TextStyle& style
 
 /// A panel that is ready to be placed.
 struct Tile {
-  vtkSmartPointer<vtkImageData> picture;
+  int height = 0;  ///< of the picture, in pixels
   std::vector<std::string> caption;
   int left = 0, bottom = 0;  ///< of the picture, in pixels from the lower left corner of the sheet
 };
@@ -107,8 +125,7 @@ void place(Sheet& sheet, int columns, bool hasBelow) {
   for (std::size_t first = 0; first < numPanels; first += static_cast<std::size_t>(columns)) {
     const std::size_t last = std::min(first + static_cast<std::size_t>(columns), numPanels);
     int height = 0;
-    for (std::size_t k = first; k < last; ++k)
-      height = std::max(height, sheet.tiles[k].picture->GetDimensions()[1]);
+    for (std::size_t k = first; k < last; ++k) height = std::max(height, sheet.tiles[k].height);
     for (std::size_t k = first; k < last; ++k) {
       sheet.tiles[k].left = static_cast<int>(k - first) * (sheet.width / columns) + gutter / 2;
       sheet.tiles[k].bottom = top - height;
@@ -118,24 +135,25 @@ void place(Sheet& sheet, int columns, bool hasBelow) {
   if (hasBelow) {
     Tile& below = sheet.tiles.back();
     below.left = gutter / 2;
-    below.bottom = top - below.picture->GetDimensions()[1];
+    below.bottom = top - below.height;
     top = below.bottom - gutter;
   }
   sheet.height = -top - gutter + gutter / 2;
   for (Tile& tile : sheet.tiles) tile.bottom += sheet.height;
 }
 
-Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, const Theme& theme,
-                const fs::path& below) {
+/// heights: of the panels, and then of what stands below all of them, if there is more than there are captions.
+Sheet makeSheet(const std::vector<int>& heights, const std::vector<std::string>& captions, int columns,
+                int width, const Theme& theme) {
   Sheet sheet;
   sheet.width = width;
   sheet.panelWidth = sheetPanelWidth(columns, width);
   sheet.style = {theme.textSize * sheetTextSize(sheet.panelWidth), theme.ink, theme.font};
-  for (const SheetPanel& panel : panels)
-    sheet.tiles.push_back(
-        {readPanel(panel.picture, sheet.panelWidth), wrapped(panel.caption, sheet.style, sheet.panelWidth)});
-  if (!below.empty()) sheet.tiles.push_back({readPanel(below, sheetInnerWidth(columns, width)), {}});
-  place(sheet, columns, !below.empty());
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    sheet.tiles.push_back({heights[k], k < captions.size()
+                                           ? wrapped(captions[k], sheet.style, sheet.panelWidth)
+                                           : std::vector<std::string>()});
+  place(sheet, columns, heights.size() > captions.size());
   if (sheet.height > kLargestSheetSide)
     throw Error(
         fmt::format("sheet: it would be {} pixels high; expected up to {}: take more columns or fewer panels",
@@ -143,12 +161,7 @@ Sheet makeSheet(const std::vector<SheetPanel>& panels, int columns, int width, c
   return sheet;
 }
 
-/// Paper with the captions.
-vtkSmartPointer<vtkImageData> drawCaptions(const Sheet& sheet, const Color& ground) {
-  OffscreenCanvas canvas(sheet.width, sheet.height);
-  vtkNew<vtkRenderer> paper;
-  canvas.window().AddRenderer(paper);
-  paper->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
+PageSketch captionsOf(const Sheet& sheet) {
   PageSketch sketch;
   Overlay overlay(sketch);
   const double size = sheet.style.size;
@@ -161,8 +174,25 @@ vtkSmartPointer<vtkImageData> drawCaptions(const Sheet& sheet, const Color& grou
       baseline -= kLine * size;
     }
   }
-  paint(sketch, *paper, canvas.supersampling());
+  return sketch;
+}
+
+/// Paper with the captions.
+vtkSmartPointer<vtkImageData> drawCaptions(const Sheet& sheet, const Color& ground) {
+  OffscreenCanvas canvas(sheet.width, sheet.height);
+  vtkNew<vtkRenderer> paper;
+  canvas.window().AddRenderer(paper);
+  paper->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
+  paint(captionsOf(sheet), *paper, canvas.supersampling());
   return canvas.capture();
+}
+
+template <class Panel>
+std::vector<std::string> captionTexts(const std::vector<Panel>& panels) {
+  if (panels.empty()) throw Error("sheet: found no panel; expected at least one");
+  std::vector<std::string> texts;
+  for (const Panel& panel : panels) texts.push_back(panel.caption);
+  return texts;
 }
 
 }  // namespace
@@ -186,21 +216,65 @@ double sheetTextSize(int panelWidth, double points) {
   return std::round(panelWidth * points * kMillimetresPerInch / kPointsPerInch / kPrintedColumn);
 }
 
+double sheetPointsPerPixel(int panelWidth) {
+  return kPrintedColumn * kPointsPerInch / kMillimetresPerInch / panelWidth;
+}
+
+PrintPage pageOfPicture(const fs::path& png) {
+  const auto picture = readPicture(png);
+  const int* size = picture->GetDimensions();
+  PrintPage page{{static_cast<double>(size[0]), static_cast<double>(size[1])}, "", {}};
+  page.sketch.shapes.emplace_back(PageImage{{0.0, 0.0, page.size[0], page.size[1]}, picture});
+  return page;
+}
+
 void drawSheet(const std::vector<SheetPanel>& panels, int columns, int width, const fs::path& png,
                const Theme& theme, const fs::path& below) {
-  if (panels.empty()) throw Error("sheet: found no panel; expected at least one");
-  const Sheet sheet = makeSheet(panels, columns, width, theme, below);
+  const std::vector<std::string> captions = captionTexts(panels);
+  std::vector<vtkSmartPointer<vtkImageData>> pictures;
+  std::vector<int> heights;
+  for (const SheetPanel& panel : panels)
+    pictures.push_back(panelPicture(panel.picture, sheetPanelWidth(columns, width)));
+  if (!below.empty()) pictures.push_back(panelPicture(below, sheetInnerWidth(columns, width)));
+  for (const auto& picture : pictures) heights.push_back(picture->GetDimensions()[1]);
+  const Sheet sheet = makeSheet(heights, captions, columns, width, theme);
   vtkNew<vtkImageBlend> blend;
   blend->AddInputData(drawCaptions(sheet, theme.paper));
-  for (const Tile& tile : sheet.tiles) {
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
     vtkNew<vtkImageTranslateExtent> shift;
-    shift->SetInputData(tile.picture);
-    shift->SetTranslation(tile.left, tile.bottom, 0);
+    shift->SetInputData(pictures[k]);
+    shift->SetTranslation(sheet.tiles[k].left, sheet.tiles[k].bottom, 0);
     shift->Update();
     blend->AddInputData(shift->GetOutput());
   }
   blend->Update();
   writePng(*blend->GetOutput(), png);
+}
+
+PrintPage printSheet(const std::vector<PrintPanel>& panels, int columns, int width, const Theme& theme,
+                     const PrintPage* below) {
+  const std::vector<std::string> captions = captionTexts(panels);
+  const int panelWidth = sheetPanelWidth(columns, width), innerWidth = sheetInnerWidth(columns, width);
+  std::vector<int> heights;
+  for (const PrintPanel& panel : panels) heights.push_back(heightIn(panelWidth, panel.page.size, "a panel"));
+  if (below != nullptr) heights.push_back(heightIn(innerWidth, below->size, "the picture below"));
+  const Sheet sheet = makeSheet(heights, captions, columns, width, theme);
+  PrintPage page{{static_cast<double>(sheet.width), static_cast<double>(sheet.height)},
+                 "",
+                 {},
+                 sheetPointsPerPixel(panelWidth)};
+  std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
+  if (theme.paper != Color{255, 255, 255}) shapes.emplace_back(wholePage(page.size, theme.paper));
+  const auto add = [&](PageSketch sketch) {
+    std::move(sketch.shapes.begin(), sketch.shapes.end(), std::back_inserter(shapes));
+  };
+  const auto addTile = [&](const PrintPage& part, const Tile& tile, int tileWidth) {
+    add(placed(part.sketch, tileWidth / part.size[0], {tile.left, tile.bottom}));
+  };
+  for (std::size_t k = 0; k < panels.size(); ++k) addTile(panels[k].page, sheet.tiles[k], panelWidth);
+  if (below != nullptr) addTile(*below, sheet.tiles.back(), innerWidth);
+  add(captionsOf(sheet));
+  return page;
 }
 
 }  // namespace burnish

@@ -18,7 +18,7 @@
 namespace burnish {
 namespace {
 
-/// A length in points, of which a thousandth is less than any printer has.
+/// A length in pixels or points, of which a thousandth is less than any printer has.
 std::string length(double value) {
   return fmt::format("{}", std::round(1000.0 * value) / 1000.0 + 0.0);
 }
@@ -47,6 +47,15 @@ class SvgPainter {
     text_ += fmt::format("<path d=\"{}Z\" fill=\"{}\"/>\n", pathOf(area.corners),
                          Spelling<Color>::write(area.color));
     close(area.within);
+  }
+
+  void operator()(const PageRegion& region) {
+    std::string path;
+    for (const PagePoints& loop : region.loops) path += pathOf(loop) + "Z";
+    open(region.within);
+    text_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\"/>\n", path,
+                         Spelling<Color>::write(region.color));
+    close(region.within);
   }
 
   void operator()(const PageStripes& stripes) {
@@ -131,12 +140,13 @@ class SvgPainter {
 std::string svgText(const PrintPage& page) {
   SvgPainter painter(page.size[1]);
   for (const PageSketch::Shape& shape : page.sketch.shapes) std::visit(painter, shape);
-  const std::string width = length(page.size[0]), height = length(page.size[1]);
+  const auto paper = [&](double side) { return length(page.pointsPerPixel * side); };
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
-      "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0}pt\" height=\"{1}pt\" "
-      "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n{3}</svg>\n",
-      width, height, escaped(page.title), painter.text());
+      "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{}pt\" height=\"{}pt\" "
+      "viewBox=\"0 0 {} {}\">\n<title>{}</title>\n{}</svg>\n",
+      paper(page.size[0]), paper(page.size[1]), length(page.size[0]), length(page.size[1]),
+      escaped(page.title), painter.text());
 }
 
 }  // namespace burnish

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "postproc/draw/contour/page_lines.h"
 #include "postproc/draw/contour/space_actors.h"
 #include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/draw/page/painted_sketch.h"
@@ -45,14 +46,50 @@ bool isUpright(const Vector2d& v) {
 class SetupPicture {
  public:
   SetupPicture(const ModelRecord& model, const std::array<int, 2>& size, bool knots)
-      : model_(model), size_(size), knots_(knots), layout_(model, size) {}
+      : model_(model),
+        size_(size),
+        knots_(knots),
+        layout_(model, size),
+        body_(BodySurface(model.mesh, layout_.subdivision()).displaced({})) {}
 
   void draw(const std::filesystem::path& png) {
     OffscreenCanvas canvas(size_[0], size_[1]);
     vtkNew<vtkRenderer> space;
     canvas.window().AddRenderer(space);
     space->SetBackground(1.0, 1.0, 1.0);
-    drawSpace(*space, canvas.supersampling());
+    int layer = 0;
+    const auto add = [&](const vtkSmartPointer<vtkActor>& actor) {
+      actor->SetPosition(0.0, 0.0, body_->GetLength() / 100.0 * ++layer);
+      space->AddActor(actor);
+    };
+    forEachPart([&](vtkPolyData& area, const Color& color) { add(plainActor(area, color, false, 1.0)); },
+                [&](vtkPolyData& lines, const Color& color, double width) {
+                  add(lineActor(lines, color, canvas.supersampling() * width, 1.0));
+                });
+    aim(*space, view(), size_, 10.0 * body_->GetLength());
+    paint(texts(), *space, canvas.supersampling());
+    writePng(*canvas.capture(), png);
+  }
+
+  PrintPage page() {
+    PrintPage page{{static_cast<double>(size_[0]), static_cast<double>(size_[1])}, model_.title, {}};
+    std::vector<PageSketch::Shape>& shapes = page.sketch.shapes;
+    forEachPart(
+        [&](vtkPolyData& area, const Color& color) { shapes.emplace_back(pageRegion(area, view(), color)); },
+        [&](vtkPolyData& lines, const Color& color, double width) {
+          shapes.emplace_back(pageLines(lines, view(), color, width, 1.0));
+        });
+    for (PageSketch::Shape& shape : texts().shapes) shapes.push_back(std::move(shape));
+    return page;
+  }
+
+ private:
+  const Scene& scene() const { return layout_.scene(); }
+  const View& view() const { return layout_.view(); }
+  double textSize() const { return layout_.textSize(); }
+
+  /// Symbols and texts.
+  PageSketch texts() const {
     PageSketch sketch;
     SetupSymbols symbols(sketch, size_, layout_.textSize());
     if (const auto axis = layout_.axis()) symbols.addAxisLine((*axis)[0], (*axis)[1], "axis");
@@ -61,34 +98,22 @@ class SetupPicture {
     for (const LoadSpec& load : scene().loads) drawLoad(symbols, load);
     for (std::size_t k = 0; k < scene().tools.size(); ++k) drawToolTexts(symbols, k);
     drawMotions(symbols);
-    paint(sketch, *space, canvas.supersampling());
-    writePng(*canvas.capture(), png);
+    return sketch;
   }
 
- private:
-  const Scene& scene() const { return layout_.scene(); }
-  const View& view() const { return layout_.view(); }
-  double textSize() const { return layout_.textSize(); }
-
-  void drawSpace(vtkRenderer& renderer, int scale) const {
-    const auto body = BodySurface(model_.mesh, layout_.subdivision()).displaced({});
-    const double line = scale * std::max(1.2, 0.075 * textSize()), depth = body->GetLength() / 100.0;
-    int layer = 0;
-    const auto add = [&](const vtkSmartPointer<vtkActor>& actor) {
-      actor->SetPosition(0.0, 0.0, depth * ++layer);
-      renderer.AddActor(actor);
-    };
-    add(plainActor(*body, kBodyColor, false, 1.0));
-    if (knots_)
-      add(lineActor(*knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line, 1.0));
-    add(lineActor(*outlineBesideAxis(), SetupSymbols::kInk, line, 1.0));
+  /// Body and tools from the back to the front, as areas of a colour and lines of a colour and a width in pixels.
+  template <class Area, class Lines>
+  void forEachPart(const Area& area, const Lines& lines) const {
+    const double line = std::max(1.2, 0.075 * textSize());
+    area(*body_, kBodyColor);
+    if (knots_) lines(*knotLines(model_.mesh, {}, layout_.subdivision()), kKnotColor, 0.5 * line);
+    lines(*outlineBesideAxis(), SetupSymbols::kInk, line);
     for (const ToolRecord& record : layout_.tools()) {
       const ToolDrawing drawing =
           drawPlaneTool(record, layout_.toolBox(), 0.55 * textSize() / view().pixelsPerLength);
-      if (drawing.area) add(plainActor(*drawing.area, kToolColor, false, 1.0));
-      if (drawing.lines) add(lineActor(*drawing.lines, SetupSymbols::kInk, line, 1.0));
+      if (drawing.area) area(*drawing.area, kToolColor);
+      if (drawing.lines) lines(*drawing.lines, SetupSymbols::kInk, line);
     }
-    aim(renderer, view(), size_, 10.0 * body->GetLength());
   }
 
   /// Half of a section ends at the axis, but the body does not.
@@ -257,17 +282,27 @@ class SetupPicture {
   std::array<int, 2> size_;
   bool knots_;
   SetupLayout layout_;
+  vtkSmartPointer<vtkPolyData> body_;
 };
+
+void checkSetup(const ModelRecord& model, const std::array<int, 2>& size) {
+  if (model.dim != 2)
+    throw Error(fmt::format("set-up drawing: found a model in {} dimensions; expected 2", model.dim));
+  if (!isPictureSize(size))
+    throw Error(fmt::format("size: found {} x {} pixels; expected {}", size[0], size[1], pictureSizeWords()));
+}
 
 }  // namespace
 
 void drawSetup(const ModelRecord& model, const std::array<int, 2>& size, const std::filesystem::path& png,
                bool knots) {
-  if (model.dim != 2)
-    throw Error(fmt::format("set-up drawing: found a model in {} dimensions; expected 2", model.dim));
-  if (!isPictureSize(size))
-    throw Error(fmt::format("size: found {} x {} pixels; expected {}", size[0], size[1], pictureSizeWords()));
+  checkSetup(model, size);
   SetupPicture(model, size, knots).draw(png);
+}
+
+PrintPage setupPage(const ModelRecord& model, const std::array<int, 2>& size, bool knots) {
+  checkSetup(model, size);
+  return SetupPicture(model, size, knots).page();
 }
 
 }  // namespace burnish

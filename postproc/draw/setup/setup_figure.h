@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/results/result.h"
+#include "postproc/draw/page/print_file.h"
 
 namespace burnish {
 
@@ -14,5 +15,8 @@ namespace burnish {
 /// model that is not 2D, a size out of range, and a file that cannot be written.
 void drawSetup(const ModelRecord& model, const std::array<int, 2>& size, const std::filesystem::path& png,
                bool knots = false);
+
+/// The same as a page for print, all of it vectors and text. Throws `Error` as `drawSetup` does.
+PrintPage setupPage(const ModelRecord& model, const std::array<int, 2>& size, bool knots = false);
 
 }  // namespace burnish

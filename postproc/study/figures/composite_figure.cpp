@@ -16,6 +16,13 @@ const FigureSpec& partNamed(const Study& study, const std::string& name) {
   return part;
 }
 
+/// The picture of a part, which is drawn if it is missing.
+std::filesystem::path pictureOf(const FigureTask& task, const FigureSpec& part) {
+  std::filesystem::path picture = task.directory() / (part.name + ".png");
+  if (!std::filesystem::exists(picture)) drawFigure(task.study, part, task.studyDirectory);
+  return picture;
+}
+
 }  // namespace
 
 Alternative CompositeFigure::about() {
@@ -43,14 +50,20 @@ std::vector<const StudyRun*> CompositeFigure::shownRuns(const Study& study) cons
 
 Files CompositeFigure::draw(const FigureTask& task) const {
   std::vector<SheetPanel> panels;
-  for (std::size_t k = 0; k < figures.size(); ++k) {
-    const FigureSpec& part = partNamed(task.study, figures[k]);
-    const std::filesystem::path picture = task.directory() / (part.name + ".png");
-    if (!std::filesystem::exists(picture)) drawFigure(task.study, part, task.studyDirectory);
-    panels.push_back({picture, captions.empty() ? std::string() : captions[k]});
-  }
+  for (std::size_t k = 0; k < figures.size(); ++k)
+    panels.push_back({pictureOf(task, partNamed(task.study, figures[k])), captionOf(k)});
   drawSheet(panels, columns, columns * kChartWidth, task.file(".png"));  // charts keep their size
   return {task.file(".png")};
+}
+
+PrintPage CompositeFigure::page(const FigureTask& task) const {
+  std::vector<PrintPanel> panels;
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    const FigureSpec& part = partNamed(task.study, figures[k]);
+    auto page = pageOf(part, {task.study, part.name, task.studyDirectory, task.print});
+    panels.push_back({page ? std::move(*page) : pageOfPicture(pictureOf(task, part)), captionOf(k)});
+  }
+  return printSheet(panels, columns, columns * kChartWidth);
 }
 
 }  // namespace burnish

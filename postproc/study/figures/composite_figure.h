@@ -18,6 +18,10 @@ struct CompositeFigure {
   std::vector<std::string> parts() const { return figures; }
   std::vector<const StudyRun*> shownRuns(const Study& study) const;
   Files draw(const FigureTask& task) const;
+  PrintPage page(const FigureTask& task) const;
+
+ private:
+  std::string captionOf(std::size_t part) const { return captions.empty() ? "" : captions[part]; }
 };
 
 template <class Visitor>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "postproc/draw/page/sheet.h"
 #include "postproc/study/run_data.h"
 
 namespace burnish {
@@ -25,6 +26,11 @@ int valueNumber(const Study& study, const StudyRun& run, const std::string& para
 }
 
 }  // namespace
+
+PrintPage asColumn(PrintPage page) {
+  page.pointsPerPixel = sheetPointsPerPixel(static_cast<int>(page.size[0]));
+  return page;
+}
 
 Files drawWithData(const Chart& chart, const std::filesystem::path& png) {
   std::filesystem::path csv = png;

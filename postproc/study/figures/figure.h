@@ -7,6 +7,7 @@
 #include "engine/schema/leaf.h"
 #include "postproc/draw/chart/chart.h"
 #include "postproc/draw/contour/picture_options.h"
+#include "postproc/draw/page/print_file.h"
 
 /// What the kinds of figures share. A kind is a struct of its parameters with a `describe` beside it and
 ///
@@ -16,6 +17,7 @@
 ///
 /// and, where the kind has something to say, of the following
 ///
+///     PrintPage page(task) const                     the picture for print; what has none is made of pixels alone
 ///     void check(path, reporter) const               reports what is wrong before the runs are known
 ///     void checkReferences(path, reporter) const     reports what is wrong with names of runs and the like
 ///     shownRuns(study) const                         runs whose results it shows; of its patterns `runs` else
@@ -36,6 +38,7 @@ struct FigureTask {
   const Study& study;
   const std::string& name;
   const std::filesystem::path& studyDirectory;
+  PrintOptions print{};
 
   std::filesystem::path directory() const { return studyDirectory / "figures"; }
 
@@ -44,6 +47,9 @@ struct FigureTask {
 };
 
 inline constexpr int kChartWidth = 1200;  ///< pixels
+
+/// A page as wide as a panel of a sheet on paper.
+PrintPage asColumn(PrintPage page);
 
 /// A chart with the data that it shows beside it.
 Files drawWithData(const Chart& chart, const std::filesystem::path& png);

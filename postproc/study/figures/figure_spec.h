@@ -3,6 +3,7 @@
 #include <string>
 #include <variant>
 
+#include "postproc/scene/scene_document.h"
 #include "postproc/study/figures/animation_figure.h"
 #include "postproc/study/figures/composite_figure.h"
 #include "postproc/study/figures/history_figure.h"
@@ -28,6 +29,10 @@ struct FigureSpec {
   std::string name;     ///< of the file, and for --only
   std::string caption;  ///< in the document
   FigureKind what;
+  PictureFormat format = PictureFormat::Png;  ///< that it has too
+  PrintOptions print{};
+
+  bool isForPrint() const { return format != PictureFormat::Png; }
 };
 
 template <class... Kinds>
@@ -39,6 +44,9 @@ template <class Visitor>
 void describe(Visitor& v, FigureSpec& s) {
   v.field("name", s.name, {.required = true, .identifier = true}, "Name of the file, and for --only.");
   v.field("caption", s.caption, {}, "Below the figure in the document.");
+  v.field("format", s.format, {},
+          "pdf or svg: a page for print beside the PNG, with vectors and text, 80 mm a panel or chart.");
+  describe(v, s.print);
   v.alternatives("kind", s.what, aboutKinds(s.what), "What the figure shows.");
 }
 

@@ -21,6 +21,10 @@ std::vector<const StudyRun*> inOrder(const Study& study, const std::vector<const
   return runs;
 }
 
+std::string formatName(const FigureSpec& figure) {
+  return enumNames<PictureFormat>()[static_cast<std::size_t>(figure.format)];
+}
+
 }  // namespace
 
 const FigureSpec& figureNamed(const Study& study, const std::string& name) {
@@ -77,7 +81,32 @@ std::optional<double> clipOf(const FigureSpec& figure) {
       figure.what);
 }
 
+std::optional<PrintPage> pageOf(const FigureSpec& figure, const FigureTask& task) {
+  return std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.page(task); })
+          return std::optional(kind.page(task));
+        else
+          return std::optional<PrintPage>();
+      },
+      figure.what);
+}
+
 void checkFigure(const FigureSpec& figure, const std::string& path, const StudyReporter& reporter) {
+  const bool hasPage = std::visit(
+      [](const auto& kind) {
+        return requires(const FigureTask& task) {
+          kind.page(task);
+        };
+      },
+      figure.what);
+  if (figure.isForPrint() && !hasPage)
+    reporter.report(path + ".format",
+                    fmt::format("found {}; allowed: png, for this kind of figure is made of pixels.",
+                                formatName(figure)));
+  if (!figure.isForPrint())
+    for (const InputProblem& problem : printOptionsOfPixels(figure.print))
+      reporter.report(path + "." + problem.path, problem.text);
   std::visit(
       [&](const auto& kind) {
         if constexpr (requires { kind.check(path, reporter); }) kind.check(path, reporter);
@@ -96,10 +125,15 @@ void checkReferencesOf(const FigureSpec& figure, const std::string& path, const 
 
 std::vector<std::filesystem::path> drawFigure(const Study& study, const FigureSpec& figure,
                                               const std::filesystem::path& studyDirectory) {
-  const FigureTask task{study, figure.name, studyDirectory};
+  const FigureTask task{study, figure.name, studyDirectory, figure.print};
   makeDirectory(task.directory());
   try {
-    return std::visit([&](const auto& kind) { return kind.draw(task); }, figure.what);
+    Files files = std::visit([&](const auto& kind) { return kind.draw(task); }, figure.what);
+    if (figure.isForPrint()) {
+      files.push_back(task.file("." + formatName(figure)));
+      writePrint(pageOf(figure, task).value(), files.back());
+    }
+    return files;
   } catch (const Error& error) {
     throw Error(fmt::format("figure {}: {}", figure.name, error.what()));
   }

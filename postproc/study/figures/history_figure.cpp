@@ -10,6 +10,9 @@
 namespace burnish {
 namespace {
 
+constexpr const char* kOurs = "This program";
+constexpr const char* kReference = "Reference";
+
 /// Points without a line between them: a gap follows each.
 ChartCurve scatteredPoints(const std::string& label, const std::vector<double>& x,
                            const std::vector<double>& y, int number) {
@@ -31,6 +34,12 @@ Chart historyChart(const FigureTask& task, const HistoryFigure& spec) {
     const auto stopped = data.stoppedAt();
     chart.curves.push_back({stopped ? withStop(run->label, *stopped) : run->label, series.x, series.y,
                             styleOf(task.study, *run, spec.looks)});
+  }
+  const std::vector<std::filesystem::path> beside = spec.inputs(task.study.file);
+  if (!beside.empty() && beside.front().extension() == ".csv") {
+    const HistoryTable points = readHistory(beside.front());
+    chart.curves.push_back(scatteredPoints("reference", points.column("x"), points.column("y"),
+                                           static_cast<int>(chart.curves.size())));
   }
   return chart;
 }
@@ -59,21 +68,26 @@ std::vector<std::filesystem::path> HistoryFigure::inputs(const std::filesystem::
   return {studyFile.parent_path() / *reference};
 }
 
+std::filesystem::path HistoryFigure::pictureBeside(const FigureTask& task) const {
+  const std::vector<std::filesystem::path> files = inputs(task.study.file);
+  return files.empty() || files.front().extension() == ".csv" ? std::filesystem::path() : files.front();
+}
+
 Files HistoryFigure::draw(const FigureTask& task) const {
-  Chart chart = historyChart(task, *this);
-  if (!reference) return drawWithData(chart, task.file(".png"));
-  const std::filesystem::path file = inputs(task.study.file).front();
-  if (file.extension() == ".csv") {
-    const HistoryTable points = readHistory(file);
-    chart.curves.push_back(scatteredPoints("reference", points.column("x"), points.column("y"),
-                                           static_cast<int>(chart.curves.size())));
-    return drawWithData(chart, task.file(".png"));
-  }
+  const Chart chart = historyChart(task, *this);
+  const std::filesystem::path beside = pictureBeside(task);
+  if (beside.empty()) return drawWithData(chart, task.file(".png"));
   drawChart(chart, task.file("_ours.png"));
   writeChartData(chart, task.file(".csv"));
-  drawSheet({{task.file("_ours.png"), "This program"}, {file, "Reference"}}, 2, 2 * kChartWidth,
-            task.file(".png"));
+  drawSheet({{task.file("_ours.png"), kOurs}, {beside, kReference}}, 2, 2 * kChartWidth, task.file(".png"));
   return {task.file(".png"), task.file("_ours.png"), task.file(".csv")};
+}
+
+PrintPage HistoryFigure::page(const FigureTask& task) const {
+  PrintPage chart = chartPage(historyChart(task, *this));
+  const std::filesystem::path beside = pictureBeside(task);
+  if (beside.empty()) return asColumn(std::move(chart));
+  return printSheet({{std::move(chart), kOurs}, {pageOfPicture(beside), kReference}}, 2, 2 * kChartWidth);
 }
 
 }  // namespace burnish

@@ -23,6 +23,11 @@ struct HistoryFigure {
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
   std::vector<std::filesystem::path> inputs(const std::filesystem::path& studyFile) const;
   Files draw(const FigureTask& task) const;
+  PrintPage page(const FigureTask& task) const;
+
+ private:
+  /// The file of the reference if it is a picture; empty else.
+  std::filesystem::path pictureBeside(const FigureTask& task) const;
 };
 
 template <class Visitor>

@@ -35,6 +35,30 @@ ProbedRun overTime(const RunData& data, const ProbeFigure& spec) {
   return run;
 }
 
+struct ProbedChart {
+  std::vector<ProbedRun> probed;
+  Chart chart;
+};
+
+ProbedChart probedChart(const FigureTask& task, const ProbeFigure& spec) {
+  std::vector<ProbedRun> probed;
+  std::vector<std::optional<CurveStyle>> styles;
+  for (const StudyRun* run : task.study.matching(spec.runs)) {
+    const RunData data(*run, task.studyDirectory);
+    for (ProbedRun& found :
+         spec.probe.isOverTime() ? std::vector{overTime(data, spec)} : atTimes(data, spec)) {
+      probed.push_back(std::move(found));
+      styles.push_back(styleOf(task.study, *run, spec.looks));
+    }
+  }
+  // Looks tell runs apart; where a run has several curves, these have looks by their number.
+  const bool onePerRun = spec.times.size() < 2 && spec.probe.fields.size() < 2;
+  Chart chart = chartOf(spec.probe, probed);
+  if (onePerRun)
+    for (std::size_t k = 0; k < chart.curves.size(); ++k) chart.curves[k].style = styles[k];
+  return {std::move(probed), std::move(chart)};
+}
+
 }  // namespace
 
 Alternative ProbeFigure::about() {
@@ -54,24 +78,15 @@ void ProbeFigure::checkReferences(const std::string& path, const RunReporter& re
 }
 
 Files ProbeFigure::draw(const FigureTask& task) const {
-  std::vector<ProbedRun> probed;
-  std::vector<std::optional<CurveStyle>> styles;
-  for (const StudyRun* run : task.study.matching(runs)) {
-    const RunData data(*run, task.studyDirectory);
-    for (ProbedRun& found : probe.isOverTime() ? std::vector{overTime(data, *this)} : atTimes(data, *this)) {
-      probed.push_back(std::move(found));
-      styles.push_back(styleOf(task.study, *run, looks));
-    }
-  }
-  // Looks tell runs apart; where a run has several curves, these have looks by their number.
-  const bool onePerRun = times.size() < 2 && probe.fields.size() < 2;
-  Chart chart = chartOf(probe, probed);
-  if (onePerRun)
-    for (std::size_t k = 0; k < chart.curves.size(); ++k) chart.curves[k].style = styles[k];
+  const ProbedChart made = probedChart(task, *this);
   const Files files{task.file(".png"), task.file(".csv")};
-  drawChart(chart, files[0]);
-  writeText(tableOf(probe, probed), files[1]);
+  drawChart(made.chart, files[0]);
+  writeText(tableOf(probe, made.probed), files[1]);
   return files;
+}
+
+PrintPage ProbeFigure::page(const FigureTask& task) const {
+  return asColumn(chartPage(probedChart(task, *this).chart));
 }
 
 }  // namespace burnish

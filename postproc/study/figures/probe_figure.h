@@ -20,6 +20,7 @@ struct ProbeFigure {
   void check(const std::string& path, const StudyReporter& reporter) const;
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
   Files draw(const FigureTask& task) const;
+  PrintPage page(const FigureTask& task) const;
 };
 
 template <class Visitor>

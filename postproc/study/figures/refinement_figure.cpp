@@ -160,6 +160,17 @@ ChartCurve scatterLine(const std::vector<ChartCurve>& curves, const CommonLimit&
       .label = "scatter of the limits", .x = {low, high}, .y = {error, error}, .style = CurveStyle{3, 2, -1}};
 }
 
+Chart refinementChart(const FigureTask& task, const RefinementFigure& spec,
+                      const std::vector<RefinementCurve>& curves, const CommonLimit& limit) {
+  Chart chart;
+  chart.size = {1200, 1200};  // room for the legend, which has the orders in it
+  chart.x = {"number of basis functions", true, {}};
+  chart.y = {spec.yTitle.empty() ? "relative error of " + spec.measure.title : spec.yTitle, true, {}};
+  for (const RefinementCurve& curve : curves) chart.curves.push_back(chartCurve(task, spec, curve, limit));
+  if (limit.scatter > 0.0) chart.curves.push_back(scatterLine(chart.curves, limit));
+  return chart;
+}
+
 std::string numberCell(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : std::string();
 }
@@ -211,15 +222,14 @@ std::vector<const StudyRun*> RefinementFigure::shownRuns(const Study& study) con
 Files RefinementFigure::draw(const FigureTask& task) const {
   const std::vector<RefinementCurve> curves = refinementCurves(task, *this);
   const CommonLimit limit = commonLimit(curves);
-  Chart chart;
-  chart.size = {1200, 1200};  // room for the legend, which has the orders in it
-  chart.x = {"number of basis functions", true, {}};
-  chart.y = {yTitle.empty() ? "relative error of " + measure.title : yTitle, true, {}};
-  for (const RefinementCurve& curve : curves) chart.curves.push_back(chartCurve(task, *this, curve, limit));
-  if (limit.scatter > 0.0) chart.curves.push_back(scatterLine(chart.curves, limit));
-  drawChart(chart, task.file(".png"));
+  drawChart(refinementChart(task, *this, curves, limit), task.file(".png"));
   writeText(dataText(curves, limit.value), task.file(".csv"));
   return {task.file(".png"), task.file(".csv")};
+}
+
+PrintPage RefinementFigure::page(const FigureTask& task) const {
+  const std::vector<RefinementCurve> curves = refinementCurves(task, *this);
+  return asColumn(chartPage(refinementChart(task, *this, curves, commonLimit(curves))));
 }
 
 }  // namespace burnish

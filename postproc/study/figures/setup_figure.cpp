@@ -9,6 +9,12 @@
 
 namespace burnish {
 
+namespace {
+
+constexpr std::array<int, 2> kSetupSize{1200, 720};  // pixels
+
+}  // namespace
+
 Alternative SetupFigure::about() {
   return {"setup", "Geometry and boundary conditions of a run."};
 }
@@ -22,10 +28,14 @@ std::vector<const StudyRun*> SetupFigure::shownRuns(const Study& study) const {
 }
 
 Files SetupFigure::draw(const FigureTask& task) const {
-  constexpr std::array<int, 2> size{1200, 720};
   const RunData data(runNamed(task.study, run), task.studyDirectory);
-  drawSetup(data.result().model(), size, task.file(".png"));
+  drawSetup(data.result().model(), kSetupSize, task.file(".png"));
   return {task.file(".png")};
+}
+
+PrintPage SetupFigure::page(const FigureTask& task) const {
+  const RunData data(runNamed(task.study, run), task.studyDirectory);
+  return asColumn(setupPage(data.result().model(), kSetupSize));
 }
 
 }  // namespace burnish

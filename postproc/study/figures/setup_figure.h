@@ -14,6 +14,7 @@ struct SetupFigure {
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
   std::vector<const StudyRun*> shownRuns(const Study& study) const;
   Files draw(const FigureTask& task) const;
+  PrintPage page(const FigureTask& task) const;
 };
 
 template <class Visitor>

@@ -45,23 +45,58 @@ class ContourSheet {
   Files draw() {
     Files files{task_.file(".png")};
     std::vector<SheetPanel> panels;
+    const FieldRange whole = forEachPanel([&](const Panel& panel) {
+      const auto picture = task_.file("_" + panel.letter + ".png");
+      drawContour(results_[panel.column].model(), panel.at.frame, panel.options, picture);
+      panels.push_back({picture, caption(panel)});
+      files.push_back(picture);
+    });
+    std::filesystem::path scale;
+    if (sharesOneScale()) {
+      files.push_back(scale = task_.file("_scale.png"));
+      drawColorScale(results_[0].model(), frame(0, 0).frame, scaleOptions(whole), whole.whole, scale);
+    }
+    drawSheet(panels, columns(), sheetWidth(), files.front(), themeOf(spec_.panel), scale);
+    return files;
+  }
+
+  PrintPage page() {
+    std::vector<PrintPanel> panels;
+    const FieldRange whole = forEachPanel([&](const Panel& panel) {
+      panels.push_back(
+          {contourPage(results_[panel.column].model(), panel.at.frame, panel.options), caption(panel)});
+    });
+    std::optional<PrintPage> scale;
+    if (sharesOneScale())
+      scale = colorScalePage(results_[0].model(), frame(0, 0).frame, scaleOptions(whole), whole.whole);
+    return printSheet(panels, columns(), sheetWidth(), themeOf(spec_.panel), scale ? &*scale : nullptr);
+  }
+
+ private:
+  struct Panel {
+    std::size_t row, column;
+    std::string letter;
+    FrameAt at;
+    ContourOptions options;
+  };
+
+  /// Returns the range of a scale that all share, if they do.
+  template <class Draw>
+  FieldRange forEachPanel(const Draw& draw) {
     const FieldRange whole = sharesOneScale() ? sheetRange() : FieldRange{kEmpty, kEmpty};
     if (chosenWindow() == SheetShare::Sheet) findSheetWindow();
     for (std::size_t row = 0; row < spec_.times.size(); ++row) {
       const FieldRange common = spec_.scale == SheetShare::Row ? rowRange(row) : whole;
       if (chosenWindow() == SheetShare::Row) window_ = rowWindow(row);
       for (std::size_t column = 0; column < data_.size(); ++column) {
-        panels.push_back(drawPanel(row, column, common.shown));
-        files.push_back(panels.back().picture);
+        FrameAt at = frame(row, column);
+        ContourOptions options = withColors(panelOptions(row, column, at.frame), common.shown);
+        draw(Panel{row, column, letters(row * data_.size() + column), std::move(at), std::move(options)});
       }
     }
-    std::filesystem::path scale;
-    if (sharesOneScale()) files.push_back(scale = drawScale(whole));
-    drawSheet(panels, columns(), sheetWidth(), files.front(), themeOf(spec_.panel), scale);
-    return files;
+    return whole;
   }
 
- private:
   bool sharesOneScale() const { return spec_.scale == SheetShare::Sheet; }
   int columns() const { return static_cast<int>(data_.size()); }
   int sheetWidth() const { return columns() * spec_.panel.size[0]; }
@@ -119,6 +154,8 @@ class ContourSheet {
     options.time = false;
     options.colorScale = !sharesOneScale();
     options.evenScales = true;
+    static_cast<PrintOptions&>(options) = task_.print;
+    options.pointsPerPixel = sheetPointsPerPixel(options.size[0]);
     if (!spec_.windows.empty()) options.window = spec_.windows[row];
     if (window_) options.window = window_;
     return options;
@@ -132,34 +169,21 @@ class ContourSheet {
     return options;
   }
 
-  SheetPanel drawPanel(std::size_t row, std::size_t column, const std::array<double, 2>& common) const {
-    const FrameAt at = frame(row, column);
-    const std::string letter = letters(row * data_.size() + column);
-    const ContourOptions options = withColors(panelOptions(row, column, at.frame), common);
-    const auto picture = task_.file("_" + letter + ".png");
-    drawContour(results_[column].model(), at.frame, options, picture);
-    return {picture, caption(row, column, letter, at)};
-  }
-
-  /// The scale of all panels, in a picture as wide as they are together.
-  std::filesystem::path drawScale(const FieldRange& range) const {
-    const FrameRecord shown = frame(0, 0).frame;
-    ContourOptions options = withColors(panelOptions(0, 0, shown), range.shown);
+  /// Of the scale of all panels, in a picture as wide as they are together.
+  ContourOptions scaleOptions(const FieldRange& range) const {
+    ContourOptions options = withColors(panelOptions(0, 0, frame(0, 0).frame), range.shown);
     options.size[0] = sheetInnerWidth(columns(), sheetWidth());
-    const auto picture = task_.file("_scale.png");
-    drawColorScale(results_[0].model(), shown, options, range.whole, picture);
-    return picture;
+    return options;
   }
 
-  std::string caption(std::size_t row, std::size_t column, const std::string& letter,
-                      const FrameAt& at) const {
-    const StudyRun& run = data_[column].run();
+  std::string caption(const Panel& panel) const {
+    const StudyRun& run = data_[panel.column].run();
     std::map<std::string, std::string> words = run.parameters;
-    words["letter"] = letter;
+    words["letter"] = panel.letter;
     words["label"] = run.label;
-    words["time"] = timeText(spec_.times, spec_.timeLabels, row);
+    words["time"] = timeText(spec_.times, spec_.timeLabels, panel.row);
     const std::string text = fillIn(spec_.panelCaption, words);
-    return at.stoppedBefore ? withStop(text, at.frame.time) : text;
+    return panel.at.stoppedBefore ? withStop(text, panel.at.frame.time) : text;
   }
 
   const FigureTask& task_;
@@ -197,6 +221,10 @@ std::optional<double> SheetFigure::clipOfAll() const {
 
 Files SheetFigure::draw(const FigureTask& task) const {
   return ContourSheet(task, *this).draw();
+}
+
+PrintPage SheetFigure::page(const FigureTask& task) const {
+  return ContourSheet(task, *this).page();
 }
 
 }  // namespace burnish

@@ -32,6 +32,7 @@ struct SheetFigure {
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
   std::optional<double> clipOfAll() const;
   Files draw(const FigureTask& task) const;
+  PrintPage page(const FigureTask& task) const;
 };
 
 template <class Visitor>

@@ -145,9 +145,16 @@ Files SurfaceFigure::draw(const FigureTask& task) const {
     files.insert(files.end(), made.begin(), made.end());
     panels.push_back({made.front(), timeText(times, timeLabels, k)});
   }
-  const int columns = times.size() % 2 == 0 ? 2 : 1;
-  drawSheet(panels, columns, columns * kChartWidth, files.front());
+  drawSheet(panels, columns(), columns() * kChartWidth, files.front());
   return files;
+}
+
+PrintPage SurfaceFigure::page(const FigureTask& task) const {
+  SurfaceCharts charts(task, *this);
+  std::vector<PrintPanel> panels;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    panels.push_back({chartPage(charts.chart(times[k])), timeText(times, timeLabels, k)});
+  return printSheet(panels, columns(), columns() * kChartWidth);
 }
 
 }  // namespace burnish

@@ -29,6 +29,10 @@ struct SurfaceFigure {
   void check(const std::string& path, const StudyReporter& reporter) const;
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
   Files draw(const FigureTask& task) const;
+  PrintPage page(const FigureTask& task) const;
+
+ private:
+  int columns() const { return times.size() % 2 == 0 ? 2 : 1; }
 };
 
 template <class Visitor>

@@ -13,6 +13,7 @@
 
 #include "engine/core/error.h"
 #include "postproc/compare/metric.h"
+#include "postproc/draw/page/sheet.h"
 #include "postproc/text/text_file.h"
 #include "tests/cli/shell.h"
 #include "tests/message_of.h"
@@ -196,6 +197,127 @@ TEST_F(Print, SvgIsXmlWithTexts) {
   EXPECT_THAT(parts, AllOf(HasSubstr("a & \"b\" < Ω\n"), HasSubstr("t = 1.5\n"), HasSubstr("0.4\n"),
                            HasSubstr("paths 1 image")));
   EXPECT_THAT(readText(dir / "a.svg"), HasSubstr("'DejaVu Sans', sans-serif"));
+}
+
+/// Bands and smooth colours, of one body, of a ring of rational patches, of two bodies of which one is plain, and of a part.
+TEST_F(Print, FieldsAsVectorsShowWhatThePictureShows) {
+  options.size = {800, 600};
+  options.printField = PrintField::Vector;
+  const auto expectAlike = [&](const samples::Sample& sample, const std::string& what) {
+    const Picture page = rasterised(sample), picture = drawn(sample, options);
+    EXPECT_LE(meanDifference(page, picture, 1), 4.0) << what;
+    EXPECT_LE(meanDifference(page, picture, 4), 1.2) << what;
+    EXPECT_THAT(rowsOf(told("pdfimages -list a.pdf")), testing::IsEmpty()) << what;
+  };
+  for (const int bands : {0, 1, 12}) {
+    options.bands = bands;
+    options.field = "plastic_strain";
+    expectAlike(samples::slab(), fmt::format("slab, {} bands", bands));
+    options.range = {0.3, 0.6};
+    expectAlike(samples::slab(), fmt::format("within the range, {} bands", bands));
+    options.range.reset();
+    options.field = "von_mises";
+    expectAlike(samples::ring(), fmt::format("ring, {} bands", bands));
+  }
+  options.field = "plastic_strain";
+  options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.5, 0.2), Eigen::Vector2d(2.0, 1.2));
+  expectAlike(samples::twoBodies(), "a part");
+  options.window.reset();
+  expectAlike(samples::twoBodies(), "two bodies");
+  EXPECT_THAT(print(samples::twoBodies(), "a.svg"), AllOf(HasSubstr("evenodd"), Not(HasSubstr("<image"))));
+  options.field = "contact_pressure";
+  expectAlike(samples::rubbedSlab(), "faces");
+}
+
+TEST_F(Print, FieldsAsVectorsLieInAPlane) {
+  options.printField = PrintField::Vector;
+  options.field = "pressure";
+  EXPECT_THAT(messageOf([&] { print(samples::cube(), "a.pdf"); }),
+              HasSubstr("print_field: found vector; a body in space"));
+  options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  print(samples::cube(), "a.pdf");
+  EXPECT_THAT(rowsOf(told("pdfimages -list a.pdf")), testing::IsEmpty());
+}
+
+/// A sheet of a plane body, a body in space and a picture, both ways.
+class PrintedSheet : public Print {
+ protected:
+  static constexpr int kWidth = 1000;
+
+  ContourOptions panel(const char* field, const Theme& theme) const {
+    ContourOptions panel = small(field);
+    static_cast<Theme&>(panel.theme) = theme;
+    panel.size = {sheetPanelWidth(2, kWidth), 260};
+    panel.textSize = sheetTextSize(panel.size[0]);
+    panel.title = "";
+    panel.isolines = 3;
+    panel.occlusion = false;
+    panel.dpi = 300;
+    panel.pointsPerPixel = sheetPointsPerPixel(panel.size[0]);
+    return panel;
+  }
+
+  /// The sheet as PNG and as a page.
+  PrintPage draw(const Theme& theme) {
+    const samples::Sample slab = samples::slab(), cube = samples::cube();
+    const ContourOptions plane = panel("plastic_strain", theme), space = panel("pressure", theme);
+    drawContour(slab.model, slab.frame, plane, dir / "plane.png");
+    drawContour(cube.model, cube.frame, space, dir / "space.png");
+    const std::vector<std::string> captions{"a) in the plane, Größe Ω", "b) in space", ""};
+    drawSheet({{dir / "plane.png", captions[0]}, {dir / "space.png", captions[1]}, {dir / "plane.png", ""}},
+              2, kWidth, dir / "sheet.png", theme);
+    return printSheet({{contourPage(slab.model, slab.frame, plane), captions[0]},
+                       {contourPage(cube.model, cube.frame, space), captions[1]},
+                       {pageOfPicture(dir / "plane.png"), captions[2]}},
+                      2, kWidth, theme);
+  }
+};
+
+TEST_F(PrintedSheet, ShowsWhatThePictureShows) {
+  for (const char* theme : {"paper", "dark"}) {
+    const PrintPage page = draw(themeNamed(theme));
+    writePrint(page, dir / "sheet.pdf");
+    told(fmt::format("pdftoppm -scale-to-x {} -scale-to-y {} -png -singlefile sheet.pdf page", page.size[0],
+                     page.size[1]));
+    const Picture printed = readPicture(dir / "page.png"), picture = readPicture(dir / "sheet.png");
+    ASSERT_EQ(printed.width, picture.width);
+    ASSERT_EQ(printed.height, picture.height);
+    EXPECT_LE(meanDifference(printed, picture, 1), 3.0) << theme;
+    EXPECT_LE(meanDifference(printed, picture, 4), 1.2) << theme;
+  }
+}
+
+TEST_F(PrintedSheet, HasTextsOfEightPointsInPanelsOf80Millimetres) {
+  const PrintPage page = draw({});
+  EXPECT_NEAR(page.pointsPerPixel * sheetPanelWidth(2, kWidth), 80.0 / 25.4 * 72.0, 1e-9);
+  writePrint(page, dir / "sheet.pdf");
+  EXPECT_THAT(told("pdftotext -layout sheet.pdf -"),
+              AllOf(HasSubstr("a) in the plane, Größe Ω"), HasSubstr("b) in space"), HasSubstr("t = 1.5"),
+                    HasSubstr("Equivalent plastic strain"), HasSubstr("Pressure")));
+  constexpr double lineHeight = 8.0 * (0.928 + 0.236);  // ascent and descent of DejaVu Sans
+  const std::string words = told("pdftotext -bbox sheet.pdf -");
+  std::smatch word;
+  ASSERT_TRUE(std::regex_search(words, word,
+                                std::regex("yMin=\"([0-9.]+)\" xMax=\"[0-9.]+\" yMax=\"([0-9.]+)\">space<")));
+  EXPECT_NEAR(std::stod(word[2]) - std::stod(word[1]), lineHeight, 0.05 * lineHeight);
+}
+
+TEST_F(PrintedSheet, HasAnImageOfTheWantedResolutionForEachField) {
+  writePrint(draw({}), dir / "sheet.pdf");
+  const std::vector<std::string> images = rowsOf(told("pdfimages -list sheet.pdf"));
+  ASSERT_THAT(images, SizeIs(3));
+  EXPECT_THAT(images[0], ContainsRegex(" 30[01] +30[01] "));
+  EXPECT_THAT(images[1], ContainsRegex(" 30[01] +30[01] "));
+}
+
+TEST_F(PrintedSheet, HasVectorsThatStayInTheirPanels) {
+  writePrint(draw({}), dir / "sheet.svg");
+  const std::string svg = readText(dir / "sheet.svg");
+  EXPECT_THAT(svg, AllOf(HasSubstr("<path"), HasSubstr(fmt::format("viewBox=\"0 0 {} ", kWidth))));
+  const std::string parts = told(
+      "python3 -c \"import xml.etree.ElementTree as E; r = E.parse('sheet.svg').getroot(); "
+      "n = '{http://www.w3.org/2000/svg}'; print(len(list(r.iter(n + 'image'))), 'images')\"");
+  EXPECT_EQ(parts, "3 images\n");
 }
 
 TEST_F(Print, ImagesThatCannotBeDrawnAreRefused) {

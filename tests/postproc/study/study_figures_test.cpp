@@ -298,6 +298,31 @@ TEST_F(StudyFigures, CompositeDrawsPartsThatAreMissing) {
   EXPECT_THAT(errorOf([&] { draw("nested", spec); }), HasSubstr("both is a composite itself"));
 }
 
+TEST_F(StudyFigures, FiguresForPrintAreBesideTheirPictures) {
+  const auto printed = [&](const std::string& name, decltype(FigureSpec::what) what) {
+    study_.spec.figures.push_back({name, "", std::move(what), PictureFormat::Svg, {150}});
+    const std::vector<fs::path> files = drawFigure(study_, study_.spec.figures.back(), directory_.path());
+    EXPECT_EQ(files.front().filename(), name + ".png");
+    EXPECT_EQ(files.back().filename(), name + ".svg");
+    return text(name + ".svg");
+  };
+  EXPECT_THAT(printed("value", valueChart()), AllOf(HasSubstr("width=\"226.772pt\""), HasSubstr(">value<")));
+  SheetFigure sheet = sheetOfFine();
+  sheet.scale = SheetShare::Sheet;
+  EXPECT_THAT(printed("strain", sheet),
+              AllOf(HasSubstr("NURBS, fine"), HasSubstr("Equivalent plastic strain")));
+  SurfaceFigure surface;
+  surface.runs = {"nurbs-fine"};
+  surface.times = {1.0, 2.0};
+  EXPECT_THAT(printed("surface", surface), HasSubstr(">t = 2<"));
+  EXPECT_THAT(printed("order", lastValueRefined()), HasSubstr("number of basis functions"));
+  CompositeFigure both;
+  both.figures = {"value", "strain"};
+  both.captions = {"first", "second"};
+  EXPECT_THAT(printed("both", both),
+              AllOf(HasSubstr(">first<"), HasSubstr("NURBS, fine"), HasSubstr(">value<")));
+}
+
 TEST_F(StudyFigures, AnimationHasAPictureForEveryFrame) {
   AnimationFigure spec;
   spec.runs = {"nurbs-fine"};

@@ -180,13 +180,20 @@ INSTANTIATE_TEST_SUITE_P(
                 "statements. Did you mean \"title\"?"},
         Mistake{
             "unknownOfKind", "looks: {", "look: {",
-            "study.yaml:12:78: figures[0].look: found an unknown key; allowed: name, caption, kind, runs"},
+            "study.yaml:12:78: figures[0].look: found an unknown key; allowed: name, caption, format, dpi, print_field, kind, runs"},
         Mistake{
             "kind", "kind: sheet", "kind: shet",
             "study.yaml:13:23: figures[1].kind: found shet; allowed: history | surface | probe | refinement | "
             "sheet | setup | composite | animation. Did you mean \"sheet\"?"},
         Mistake{"field", "field: von_mises", "field: mises",
                 "study.yaml:13:93: figures[1].field: found mises; allowed: displacement"},
+        Mistake{"dpiOfPixels", "y: strain_energy, looks", "dpi: 300, y: strain_energy, looks",
+                "study.yaml:12:65: figures[0].dpi: found beside a PNG, which has pixels and no inches; "
+                "leave it out, or take pdf or svg."},
+        Mistake{"animationForPrint", "kind: sheet, runs: [soft], times: [0, 1], time_labels: [start, end]",
+                "kind: animation, format: pdf, runs: [soft]",
+                "study.yaml:13:42: figures[1].format: found pdf; allowed: png, for this kind of figure is "
+                "made of pixels."},
         Mistake{"missing", "y: strain_energy, looks", "looks",
                 "study.yaml:12:5: figures[0].y: missing; required: a text."}),
     nameOf);
