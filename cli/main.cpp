@@ -45,6 +45,9 @@ ExitCode execute(int argc, char** argv) {
   addSchemaCommand(app, action);
   addExplainCommand(app, action);
   addValidateCommand(app, action);
+  addHelpCommand(app, action);
+  addManualCommand(app, action);
+  addCompleteCommand(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
