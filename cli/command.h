@@ -42,5 +42,10 @@ void addVerifyCommand(CLI::App& app, Action& action);
 void addSchemaCommand(CLI::App& app, Action& action);
 void addExplainCommand(CLI::App& app, Action& action);
 void addValidateCommand(CLI::App& app, Action& action);
+void addInitCommand(CLI::App& app, Action& action);
+void addDoctorCommand(CLI::App& app, Action& action);
+void addHelpCommand(CLI::App& app, Action& action);
+void addManualCommand(CLI::App& app, Action& action);    ///< hidden: for the installation
+void addCompleteCommand(CLI::App& app, Action& action);  ///< hidden: for the completions of shells
 
 }  // namespace burnish

@@ -54,19 +54,19 @@ std::string DeclaredOptions::defaultText(const Declaration& key) {
   return key.defaultValue ? textOf(YAML::Load(*key.defaultValue), key.type.kind) : "";
 }
 
-void DeclaredOptions::add(CLI::App& command, const Declaration& key, const std::string& usual) {
+CLI::Option& DeclaredOptions::add(CLI::App& command, const Declaration& key, const std::string& usual) {
   const std::string option = optionName(key.key);
   if (key.type.kind == Kind::Truth && key.defaultValue == "false") {
-    command.add_flag_function(
+    return *command.add_flag_function(
         fmt::format("{},!--no-{}", option, option.substr(2)),
         [this, name = key.key](std::int64_t count) { given_[name] = count > 0 ? "on" : "off"; },
         helpOf(key, usual));
-    return;
   }
   CLI::Option* added = command.add_option_function<std::string>(
       option, [this, name = key.key](const std::string& text) { given_[name] = text; }, helpOf(key, usual));
   added->type_name(typeName(key));
   if (key.type.kind == Kind::Text && key.type.lists == 1) added->join(',');  // given once or several times
+  return *added;
 }
 
 void DeclaredOptions::addFlag(CLI::App& command, const char* flag, const std::string& key,

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/offered_words.h"
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "engine/schema/declaration_collector.h"
@@ -14,12 +15,37 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 /// Options of commands that follow from the declaration of a struct: its `describe` gives their names, help
 /// and rules. The key `tool_opacity` is the option `--tool-opacity`; the entries of a list stand between
 /// commas; a truth value is a flag, or with the default true an option that is on or off.
 namespace burnish {
+
+/// Visitor that collects the words which keys may be given, as far as they can be listed.
+class ProposedWords {
+ public:
+  static constexpr bool declares = true;
+
+  template <class T>
+  void field(const char* key, T& /*value*/, const Rule& rule, const char* /*sentence*/) {
+    using Inner = typename Underlying<T>::Type;
+    if constexpr (Spelled<Inner>)
+      words_[key] = Spelling<Inner>::candidates();
+    else if constexpr (std::is_enum_v<Inner>)
+      words_[key] = enumNames<Inner>();
+    else if constexpr (std::is_same_v<Inner, bool>)
+      words_[key] = {"on", "off"};
+    else
+      words_[key] = rule.choices;
+  }
+
+  const std::vector<std::string>& of(const std::string& key) const { return words_.at(key); }
+
+ private:
+  std::map<std::string, std::vector<std::string>> words_;
+};
 
 /// What the options of a command were given, until they are read into the struct.
 class DeclaredOptions {
@@ -34,9 +60,12 @@ class DeclaredOptions {
     Declarations keys;
     DeclarationCollector collector(keys);
     describe(collector, fresh);
+    ProposedWords words;
+    describe(words, fresh);
     for (const Declaration& key : keys) {
       const auto said = usual.find(key.key);
-      add(command, key, said != usual.end() ? said->second : defaultText(key));
+      CLI::Option& option = add(command, key, said != usual.end() ? said->second : defaultText(key));
+      offerWords(option, words.of(key.key));
     }
   }
 
@@ -54,7 +83,7 @@ class DeclaredOptions {
  private:
   class Reader;
 
-  void add(CLI::App& command, const Declaration& key, const std::string& usual);
+  CLI::Option& add(CLI::App& command, const Declaration& key, const std::string& usual);
   static std::string defaultText(const Declaration& key);
 
   std::map<std::string, std::string> given_;  ///< by key

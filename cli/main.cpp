@@ -47,6 +47,11 @@ ExitCode execute(int argc, char** argv) {
   addSchemaCommand(app, action);
   addExplainCommand(app, action);
   addValidateCommand(app, action);
+  addInitCommand(app, action);
+  addDoctorCommand(app, action);
+  addHelpCommand(app, action);
+  addManualCommand(app, action);
+  addCompleteCommand(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
+#include "cli/command_tree.h"
 #include "engine/core/nearest.h"
 
 namespace burnish {
@@ -13,8 +14,7 @@ namespace {
 
 std::vector<std::string> subcommandNames(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(subcommand->get_name());
+  for (const CLI::App* subcommand : shownCommands(app)) names.push_back(subcommand->get_name());
   return names;
 }
 

@@ -9,6 +9,12 @@ if(BURNISH_PETSC)
   set_target_properties(burnish PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md")
+install(DIRECTORY "${PROJECT_BINARY_DIR}/share/man/" DESTINATION "${CMAKE_INSTALL_MANDIR}" FILES_MATCHING PATTERN "*.[15]")
+# Completions, where the shells of Debian look.
+set(completions "${PROJECT_SOURCE_DIR}/cli/completion/shells")
+install(FILES "${completions}/burnish.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME burnish)
+install(FILES "${completions}/_burnish" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
+install(FILES "${completions}/burnish.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
 # For editors.
 install(FILES "${PROJECT_SOURCE_DIR}/docs/scene.schema.json" "${PROJECT_SOURCE_DIR}/docs/study.schema.json"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish")

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/arguments.h"
+#include "cli/offered_words.h"
 #include "engine/core/error.h"
 
 namespace burnish {
@@ -17,11 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ChartMarkers markersOf(const std::string& word) {
-  return chosen("--markers", word,
-                std::array{std::pair{"some", ChartMarkers::Some}, std::pair{"all", ChartMarkers::All},
-                           std::pair{"none", ChartMarkers::None}});
-}
+constexpr std::array kMarkers{std::pair{"some", ChartMarkers::Some}, std::pair{"all", ChartMarkers::All},
+                              std::pair{"none", ChartMarkers::None}};
 
 }  // namespace
 
@@ -68,10 +66,11 @@ void addDrawingOptions(CLI::App& command, ChartArguments& arguments, const char*
       ->take_all()
       ->check(cannotBeShown)
       ->type_name("TEXT");
-  command
-      .add_option("--markers", arguments.markers,
-                  "Points with a marker: some (all of a few), all, none [some]")
-      ->type_name("WHICH");
+  CLI::Option* markers = command
+                             .add_option("--markers", arguments.markers,
+                                         "Points with a marker: some (all of a few), all, none [some]")
+                             ->type_name("WHICH");
+  offerChoices(*markers, kMarkers);
 }
 
 std::optional<std::array<double, 2>> axisRange(const char* option, const std::string& text) {
@@ -87,7 +86,7 @@ Chart emptyChart(const ChartArguments& arguments, const std::string& xTitle, con
              axisRange("--x-range", arguments.xRange)};
   chart.y = {arguments.yTitle.empty() ? yTitle : arguments.yTitle, both || arguments.isLogarithmic("y"),
              axisRange("--y-range", arguments.yRange)};
-  chart.markers = markersOf(arguments.markers);
+  chart.markers = chosen("--markers", arguments.markers, kMarkers);
   PageLook look;
   arguments.look.readInto(look);
   chart.theme = themeOf(look);

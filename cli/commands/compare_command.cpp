@@ -15,6 +15,7 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/offered_words.h"
 #include "engine/core/error.h"
 #include "postproc/compare/annotations.h"
 #include "postproc/compare/comparison.h"
@@ -293,11 +294,14 @@ void addCompareCommand(CLI::App& app, Action& action) {
                    "file of another program; or a directory of such results")
       ->required();
   command->add_option("BASELINE", arguments->baseline, "What it is to be like, of the same kind")->required();
-  command
-      ->add_option("--metric", arguments->metric,
-                   "ssim: structure and colours, or delta-e: colours alone, in the worst window of 13 x 13 "
-                   "pixels [ssim]")
-      ->type_name("NAME");
+  CLI::Option* metric =
+      command
+          ->add_option(
+              "--metric", arguments->metric,
+              "ssim: structure and colours, or delta-e: colours alone, in the worst window of 13 x 13 "
+              "pixels [ssim]")
+          ->type_name("NAME");
+  offerChoices(*metric, kMetrics);
   command
       ->add_option("--threshold", arguments->threshold,
                    fmt::format("Largest value of the metric that counts as equal, from 0 to 1 [{}]",

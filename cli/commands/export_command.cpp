@@ -16,6 +16,7 @@
 #include "cli/console.h"
 #include "cli/foreign_files.h"
 #include "cli/jobs/child_process.h"
+#include "cli/offered_words.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/nearest.h"
@@ -93,17 +94,24 @@ void addExportCommand(CLI::App& app, Action& action) {
       app.add_subcommand("export", "Write VTK files and a PVD collection for ParaView from the results");
   const auto arguments = std::make_shared<ExportArguments>();
   command->add_option("RESULT", arguments->result, "Directory of a run or the result file in it")->required();
-  command->add_option("-o,--output", arguments->directory,
-                      "Directory for frames.pvd and frames/ [that of the result]");
   command
-      ->add_option("--cells", arguments->cells,
-                   "Cells of the body: linear, lagrange, or bezier, which are exact [linear]")
-      ->type_name("KIND");
-  command
-      ->add_option("--parts", arguments->parts,
-                   "What to write, separated by commas: body, tools, contact, points (values at quadrature "
-                   "points), net (control net), knots (knot lines) [body,tools,contact]")
-      ->type_name("PART,...");
+      ->add_option("-o,--output", arguments->directory,
+                   "Directory for frames.pvd and frames/ [that of the result]")
+      ->type_name("DIR");
+  CLI::Option* cells =
+      command
+          ->add_option("--cells", arguments->cells,
+                       "Cells of the body: linear, lagrange, or bezier, which are exact [linear]")
+          ->type_name("KIND");
+  offerChoices(*cells, kCellKinds);
+  CLI::Option* parts =
+      command
+          ->add_option(
+              "--parts", arguments->parts,
+              "What to write, separated by commas: body, tools, contact, points (values at quadrature "
+              "points), net (control net), knots (knot lines) [body,tools,contact]")
+          ->type_name("PART,...");
+  offerChoices(*parts, kParts);
   command
       ->add_option(
           "--pieces", arguments->pieces,

@@ -19,6 +19,7 @@
 #include "cli/jobs/study_plan.h"
 #include "cli/jobs/study_progress.h"
 #include "cli/jobs/study_table.h"
+#include "cli/offered_words.h"
 #include "cli/output_lock.h"
 #include "engine/core/atomic_file.h"
 #include "postproc/study/document.h"
@@ -138,16 +139,18 @@ void addFiguresCommand(CLI::App& app, Action& action) {
       "With --workflow nothing is computed: a file is written in which every run, every figure and the document\n"
       "are rules that call burnish, for a program that works them off here or on a cluster. snakemake -c2 has two\n"
       "at a time here; docs/study.md shows how Slurm is asked.");
-  command->add_option("-o,--output", arguments->output,
-                      "Directory for everything that is written [out/NAME of the study]; with --workflow its "
-                      "file [Snakefile]");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "Directory for everything that is written [out/NAME of the study]; with --workflow its "
+                   "file [Snakefile]")
+      ->type_name("DIR");
   CLI::Option* jobs =
       command->add_option("--jobs", arguments->jobs, "Runs or figures at a time [one per processor]")
           ->check(CLI::Range(1, 1024));
   CLI::Option* only = command
                           ->add_option("--only", arguments->only,
                                        "Draw only this figure, from the runs that it needs; may be repeated")
-                          ->type_name("NAME")
+                          ->type_name("FIGURE")
                           ->allow_extra_args(false);
   command->add_option("--document", arguments->document, "Name of the document [NAME of the study.md in DIR]")
       ->type_name("FILE.md");
@@ -162,6 +165,7 @@ void addFiguresCommand(CLI::App& app, Action& action) {
           ->excludes(jobs)
           ->excludes(only)
           ->excludes(drawOnly);
+  offerChoices(*workflow, kWorkflows);
   command
       ->add_option("--results", arguments->results,
                    "Directory for everything that the workflow makes [out/NAME of the study]")

@@ -82,11 +82,11 @@ void addFieldArguments(CLI::App& command, PictureArguments& arguments) {
       .add_option("--field", arguments.field,
                   "displacement, plastic_strain, von_mises, stress.xx, ..., pressure, contact_pressure, ... "
                   "[plastic_strain or von_mises]")
-      ->type_name("NAME");
+      ->type_name("FIELD");
   command
       .add_option("--component", arguments.component,
                   "Component of the field: x, xx, ...; of a vector also magnitude")
-      ->type_name("NAME");
+      ->type_name("COMPONENT");
   command
       .add_option("--range", arguments.range,
                   "Values at the ends of the colour scale: those of the frame, of the whole run, or given; "

@@ -32,6 +32,7 @@ void addPictureOptions(CLI::App& command, DeclaredOptions& picture, const Option
   std::map<std::string, std::string> usual;
   for (const Declaration& key : declarationsOf<PictureDefaults>()) usual[key.key] = "as the theme has it";
   picture.addTo(command, fresh, usual);
+  command.get_option("--body")->type_name("BODY,...");
   picture.allow("bands", {{"smooth", "0"}});
   picture.addFlag(command, "--no-doubts", "doubt_marks", "off", "The same as --doubt-marks off");
 }

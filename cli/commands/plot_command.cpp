@@ -78,7 +78,7 @@ void addDataOptions(CLI::App& command, PlotArguments& arguments) {
       .add_option("--difference", arguments.difference,
                   "absolute, or relative to the largest magnitude of the reference [absolute]")
       ->needs(reference)
-      ->type_name("KIND");
+      ->type_name("absolute|relative");
 }
 
 void addRightAxisOptions(CLI::App& command, PlotArguments& arguments) {

@@ -49,8 +49,9 @@ void addProbeOptions(CLI::App& command, ProbeArguments& arguments) {
                   "Number of the frame, last or end, or time=T; for several A-B or all [last, over time all]")
       ->type_name("N|A-B|all|last|time=T");
   arguments.probe.addTo(command, AnyProbeSpec{});
-  for (const auto& [option, type] : {std::pair{"--line", "X0,Y0:X1,Y1"}, std::pair{"--face", "NAME"},
-                                     std::pair{"--depth", "FACE@PLACE"}, std::pair{"--point", "X,Y"}})
+  for (const auto& [option, type] :
+       {std::pair{"--line", "X0,Y0:X1,Y1"}, std::pair{"--face", "NAME"}, std::pair{"--depth", "FACE@PLACE"},
+        std::pair{"--point", "X,Y"}, std::pair{"--field", "FIELD,..."}, std::pair{"--body", "BODY,..."}})
     command.get_option(option)->type_name(type);
 }
 

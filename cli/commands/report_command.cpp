@@ -44,7 +44,7 @@ void addReportCommand(CLI::App& app, Action& action) {
   command
       ->add_option("--field", arguments->options.picture.field,
                    "What the pictures show, as for render [plastic_strain or von_mises]")
-      ->type_name("NAME");
+      ->type_name("FIELD");
   addPictureOptions(*command, arguments->picture, PanelOptions{});
   command
       ->add_option("--frames", arguments->options.frames,

@@ -183,9 +183,10 @@ void addRunCommand(CLI::App& app, Action& action) {
       "picture\n"
       "failed, 130 and 143 interrupted. What was computed is kept.");
   CLI::Option* scene = command->add_option("SCENE", arguments->scene, "Scene file (YAML)");
-  CLI::Option* output =
-      command->add_option("-o,--output", arguments->directory,
-                          "Directory for everything that is written [out/NAME of the scene]");
+  CLI::Option* output = command
+                            ->add_option("-o,--output", arguments->directory,
+                                         "Directory for everything that is written [out/NAME of the scene]")
+                            ->type_name("DIR");
   CLI::Option* set = command
                          ->add_option("--set", arguments->overrides,
                                       "path=value: change an entry of the scene, e.g. --set degree=3; may be "

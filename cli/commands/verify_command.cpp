@@ -120,7 +120,8 @@ void addVerifyCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("verify", "Compute scenes and check what they must produce");
   const auto arguments = std::make_shared<VerifyArguments>();
   command->add_option("SCENE", arguments->scenes, "Scene files (YAML) or directories [scenes/verification]");
-  command->add_option("-o,--output", arguments->directory, "Directory for all results [out/verification]");
+  command->add_option("-o,--output", arguments->directory, "Directory for all results [out/verification]")
+      ->type_name("DIR");
   command->add_option("--jobs", arguments->jobs, "Runs at a time [one per processor]")
       ->check(CLI::Range(1, 1024));
   command->add_option("--document", arguments->document, "Write a document with tables and charts")

@@ -74,7 +74,7 @@ void addViewCommand(CLI::App& app, Action& action) {
                    "Fields of the page, the first one shown at first, as for render "
                    "[plastic_strain, von_mises and displacement, those that there are]")
       ->delimiter(',')
-      ->type_name("NAME,...");
+      ->type_name("FIELD,...");
   addPictureOptions(*command, arguments->options, ViewOptions{});
   command->add_option("-o,--output", arguments->page, "Name of the page")->type_name("PAGE.html")->required();
   command->callback([&action, arguments] { action = [arguments] { return view(*arguments); }; });

@@ -1,6 +1,7 @@
 #include "engine/core/blas.h"
 
 #include <cblas.h>
+#include <fmt/format.h>
 #include <omp.h>
 #include <unistd.h>
 
@@ -33,20 +34,33 @@ const char* fastestKernels() {
   return nullptr;
 }
 
+constexpr const char* kKernelsChoice = "OPENBLAS_CORETYPE";
+
+/// Kernels that are to be asked for, or null where those that OpenBLAS has chosen, or the user, are right.
+const char* kernelsToAskFor() {
+  const std::string chosen = openblas_get_corename();
+  if (chosen != "Prescott" && chosen != "Core2" && chosen != "Nehalem") return nullptr;
+  return std::getenv(kKernelsChoice) == nullptr ? fastestKernels() : nullptr;
+}
+
 }  // namespace
 
 void useFastestBlasKernels(char** argv) {
-  constexpr const char* choice = "OPENBLAS_CORETYPE";
-  const std::string chosen = openblas_get_corename();
-  if (chosen != "Prescott" && chosen != "Core2" && chosen != "Nehalem") return;
-  const char* kernels = fastestKernels();
-  if (kernels == nullptr || std::getenv(choice) != nullptr) return;
-  ::setenv(choice, kernels, 0);
+  const char* kernels = kernelsToAskFor();
+  if (kernels == nullptr) return;
+  ::setenv(kKernelsChoice, kernels, 0);
   ::setenv("OPENBLAS_NUM_THREADS", "1", 1);  // as pinLibrariesToOneThread() would have it a moment later
   std::error_code unknown;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   if (!unknown)
     ::execv(program.c_str(), argv);  // comes back only if it fails, and then all goes on as it was
+}
+
+std::string blasName() {
+  const char* kernels = kernelsToAskFor();
+  const std::string config = openblas_get_config();  // OpenBLAS 0.3.21 DYNAMIC_ARCH ...
+  return fmt::format("{}, kernels {}", config.substr(0, config.find(' ', config.find(' ') + 1)),
+                     kernels != nullptr ? kernels : openblas_get_corename());
 }
 
 void pinLibrariesToOneThread() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <string>
 
 namespace burnish {
 
@@ -8,6 +9,9 @@ namespace burnish {
 /// program is started again with the kernels that the processor's instruction sets allow, unless
 /// OPENBLAS_CORETYPE is set.
 void useFastestBlasKernels(char** argv);
+
+/// The library and the kernels that runs compute with: "OpenBLAS 0.3.21, kernels SkylakeX".
+std::string blasName();
 
 /// Holds BLAS, and OpenMP in the libraries that the calling thread uses, to one thread: sums would otherwise
 /// depend on the number of threads, and starting threads costs more than the small matrices here give back.

@@ -200,4 +200,8 @@ Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::M
   return shares;
 }
 
+void requireFreeSky() {
+  Embree::loaded();
+}
+
 }  // namespace burnish

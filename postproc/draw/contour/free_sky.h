@@ -40,4 +40,7 @@ class FreeSky {
   double toolOpacity_;
 };
 
+/// Loads the library that follows the rays. Throws `Error` where that fails.
+void requireFreeSky();
+
 }  // namespace burnish

@@ -1,0 +1,124 @@
+#include <json/reader.h>
+#include <json/value.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "engine/results/summary_file.h"
+#include "tests/cli/shell_test.h"
+
+/// What helps one to begin: `doctor` and `init`. BURNISH_COMMAND is the program.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Beginning : public ShellTest {
+ protected:
+  Outcome burnish(const std::string& arguments, const std::string& environment = "") const {
+    return shell(dir, environment + " " BURNISH_COMMAND " " + arguments);
+  }
+
+  Json::Value findings(const Outcome& outcome) const {
+    Json::Value found;
+    std::istringstream(outcome.out) >> found;
+    return found;
+  }
+
+  static const Json::Value& named(const Json::Value& findings, const std::string& name) {
+    for (const Json::Value& finding : findings)
+      if (finding["name"] == name) return finding;
+    throw std::runtime_error("no " + name);
+  }
+
+  std::vector<std::string> kinds() const {
+    std::istringstream lines(burnish("init --list").out);
+    std::vector<std::string> names;
+    for (std::string line; std::getline(lines, line);) names.push_back(line.substr(0, line.find(' ')));
+    return names;
+  }
+};
+
+using Doctor = Beginning;
+using Init = Beginning;
+
+TEST_F(Doctor, FindsWhatIsThere) {
+  const Outcome outcome = burnish("doctor");
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("ok       OpenGL     llvmpipe"));
+  EXPECT_THAT(outcome.out, HasSubstr("DejaVuSans.ttf"));
+  const Json::Value all = findings(burnish("doctor --json"));
+  for (const char* name : {"program", "processor", "memory", "scratch", "BLAS", "OpenGL", "fonts"}) {
+    EXPECT_TRUE(named(all, name)["ok"].asBool()) << name;
+    EXPECT_TRUE(named(all, name)["required"].asBool()) << name;
+    EXPECT_FALSE(named(all, name).isMember("remedy")) << name;
+  }
+  EXPECT_THAT(named(all, "BLAS")["found"].asString(), StartsWith("OpenBLAS "));
+  EXPECT_EQ(named(findings(burnish("doctor --json", "OPENBLAS_CORETYPE=Haswell")), "BLAS")["found"]
+                .asString()
+                .substr(17),
+            "kernels Haswell");
+}
+
+TEST_F(Doctor, TellsWhatToDoAboutTheRest) {
+  const Outcome without = burnish("doctor", "PATH=/nowhere");
+  EXPECT_EQ(without.code, 0) << "videos are not for everyone";
+  EXPECT_THAT(without.out,
+              HasSubstr("missing  ffmpeg     not in PATH\n                    needed for videos"));
+  EXPECT_THAT(without.out, HasSubstr("apt-get install ffmpeg"));
+
+  std::ofstream(dir / "fonts.conf") << "<?xml version=\"1.0\"?><fontconfig></fontconfig>";
+  const Outcome fontless = burnish("doctor --json", "FONTCONFIG_FILE=$PWD/fonts.conf");
+  EXPECT_EQ(fontless.code, 1);
+  const Json::Value found = findings(fontless);
+  EXPECT_FALSE(named(found, "fonts")["ok"].asBool());
+  EXPECT_THAT(named(found, "fonts")["remedy"].asString(), HasSubstr("fonts-dejavu-core"));
+  EXPECT_TRUE(named(found, "OpenGL")["ok"].asBool());
+
+  const Outcome scratchless = burnish("doctor", "TMPDIR=/nowhere");
+  EXPECT_EQ(scratchless.code, 1);
+  EXPECT_THAT(scratchless.out, HasSubstr("missing  scratch"));
+}
+
+TEST_F(Init, EveryKindIsAGoodSceneWithoutWarnings) {
+  ASSERT_GE(kinds().size(), 7u);
+  for (const std::string& kind : kinds()) {
+    ASSERT_EQ(burnish("init " + kind + " --kind " + kind).code, 0) << kind;
+    const Outcome validated = burnish("validate " + kind + ".yaml");
+    EXPECT_EQ(validated.code, 0) << kind;
+    EXPECT_EQ(validated.err, "") << kind;
+    EXPECT_THAT(validated.out, HasSubstr(": fine (")) << kind;
+  }
+}
+
+TEST_F(Init, TheFirstSceneRunsAsItIsTold) {
+  const Outcome made = burnish("init 'first scene'");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const std::size_t run = made.out.find("burnish run 'first scene.yaml'");
+  ASSERT_NE(run, std::string::npos) << made.out;
+  const Outcome outcome = burnish(made.out.substr(run + 8, made.out.size() - run - 9) + " --quiet");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(readSummary(dir / "out/first scene").completed);
+  EXPECT_TRUE(fs::exists(dir / "out/first scene/pictures/von_mises_t1.png"));
+}
+
+TEST_F(Init, NeverOverwrites) {
+  std::ofstream(dir / "mine.yaml") << "mine";
+  expectRefusal(burnish("init mine"), "init mine", "mine.yaml: it is there already");
+  fs::create_symlink("nowhere", dir / "link.yaml");
+  expectRefusal(burnish("init link.yaml"), "init link.yaml", "link.yaml: it is there already");
+  EXPECT_EQ(readText(dir / "mine.yaml"), "mine");
+  EXPECT_FALSE(fs::exists(dir / "nowhere"));
+  ASSERT_EQ(burnish("init deep/er/scene").code, 0);
+  EXPECT_TRUE(fs::exists(dir / "deep/er/scene.yaml"));
+}
+
+}  // namespace
+}  // namespace burnish
