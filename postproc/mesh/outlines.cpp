@@ -1,5 +1,7 @@
 #include "postproc/mesh/outlines.h"
 
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/tensor_points.h"
+#include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
 namespace {
@@ -38,8 +41,11 @@ std::vector<Along> placesOn(const PatchSide& side) {
 /// Draws lines on the patches of a body.
 class LineDrawer {
  public:
-  LineDrawer(const MeshRecord& mesh, const Eigen::MatrixXd& displacement, const Subdivision& subdivision)
-      : mesh_(mesh), displacement_(displacement), subdivision_(subdivision) {}
+  LineDrawer(const MeshRecord& mesh, const Eigen::MatrixXd& displacement, const Subdivision& subdivision,
+             const Eigen::MatrixXd* coefficients)
+      : mesh_(mesh), displacement_(displacement), subdivision_(subdivision), coefficients_(coefficients) {
+    if (coefficients) values_.resize(coefficients->rows(), 0);
+  }
 
   void addEdge(const PatchSide& edge) { add(edge.patch, placesOn(edge)); }
 
@@ -52,7 +58,11 @@ class LineDrawer {
     }
   }
 
-  vtkSmartPointer<vtkPolyData> finish() const { return builder_.finish(); }
+  vtkSmartPointer<vtkPolyData> finish() const {
+    const auto lines = builder_.finish();
+    if (coefficients_) lines->GetPointData()->AddArray(makeArray(kValuesAlong, values_, {}));
+    return lines;
+  }
 
  private:
   /// Lines along the one direction whose points lie everywhere.
@@ -71,6 +81,9 @@ class LineDrawer {
     const auto along = std::find(places.begin(), places.end(), Along::Everywhere) - places.begin();
     addLines(points.lattices().front().box(), static_cast<std::size_t>(along),
              builder_.addPoints(points.positions(displacement_)));
+    if (!coefficients_) return;
+    values_.conservativeResize(Eigen::NoChange, values_.cols() + points.size());
+    values_.rightCols(points.size()) = points.evaluate(*coefficients_);
   }
 
   void addLines(const IndexBox& points, std::size_t along, const std::vector<vtkIdType>& ids) {
@@ -88,22 +101,25 @@ class LineDrawer {
   const MeshRecord& mesh_;
   const Eigen::MatrixXd& displacement_;
   const Subdivision& subdivision_;
+  const Eigen::MatrixXd* coefficients_;
+  Eigen::MatrixXd values_;  ///< components x points, with coefficients
   PolyBuilder builder_;
 };
 
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> bodyOutline(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
-                                         const Subdivision& subdivision) {
-  LineDrawer drawer(mesh, displacement, subdivision);
+                                         const Subdivision& subdivision,
+                                         const Eigen::MatrixXd* coefficients) {
+  LineDrawer drawer(mesh, displacement, subdivision, coefficients);
   const PatchBorders borders(mesh);
   for (const PatchSide& edge : borders.outline()) drawer.addEdge(edge);
   return drawer.finish();
 }
 
 vtkSmartPointer<vtkPolyData> knotLines(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
-                                       const Subdivision& subdivision) {
-  LineDrawer drawer(mesh, displacement, subdivision);
+                                       const Subdivision& subdivision, const Eigen::MatrixXd* coefficients) {
+  LineDrawer drawer(mesh, displacement, subdivision, coefficients);
   const PatchBorders borders(mesh);
   for (const PatchSide& face : borders.surface()) drawer.addKnotLines(face);
   for (const PatchSide& seam : borders.seams()) drawer.addEdge(seam);

@@ -5,10 +5,8 @@
 #include <cmath>
 
 namespace burnish {
-namespace {
 
-/// The parts of a text between commas.
-std::vector<std::string_view> partsOf(std::string_view text) {
+std::vector<std::string_view> commaParts(std::string_view text) {
   std::vector<std::string_view> parts;
   for (std::size_t comma = 0; comma != std::string_view::npos;) {
     comma = text.find(',');
@@ -18,18 +16,19 @@ std::vector<std::string_view> partsOf(std::string_view text) {
   return parts;
 }
 
-/// The whole text as a finite number, or nothing.
-std::optional<double> numberFrom(std::string_view text) {
+std::optional<double> finiteNumber(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 
+namespace {
+
 /// `x=V`, `y=V` or `z=V`.
 std::optional<MirrorPlane> axisPlane(std::string_view text) {
   if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=') return std::nullopt;
-  const auto at = numberFrom(text.substr(2));
+  const auto at = finiteNumber(text.substr(2));
   if (!at) return std::nullopt;
   return MirrorPlane{text[0] - 'x', *at};
 }
@@ -41,11 +40,11 @@ std::optional<CutPlane> cutPlaneNamed(std::string_view text) {
     const Eigen::Vector3d normal = Eigen::Vector3d::Unit(plane->axis);
     return CutPlane{plane->at * normal, normal};
   }
-  const auto parts = partsOf(text);
+  const auto parts = commaParts(text);
   Eigen::Vector<double, 6> numbers;
   if (static_cast<Eigen::Index>(parts.size()) != numbers.size()) return std::nullopt;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto number = numberFrom(parts[k]);
+    const auto number = finiteNumber(parts[k]);
     if (!number) return std::nullopt;
     numbers(static_cast<Eigen::Index>(k)) = *number;
   }
@@ -55,7 +54,7 @@ std::optional<CutPlane> cutPlaneNamed(std::string_view text) {
 
 std::optional<std::vector<MirrorPlane>> mirrorPlanesNamed(std::string_view text) {
   std::vector<MirrorPlane> planes;
-  for (const std::string_view part : partsOf(text)) {
+  for (const std::string_view part : commaParts(text)) {
     const bool isLetter = part.size() == 1 && part[0] >= 'x' && part[0] <= 'z';
     const std::optional<MirrorPlane> plane = isLetter ? MirrorPlane{part[0] - 'x', 0.0} : axisPlane(part);
     const auto isSame = [&](const MirrorPlane& other) { return other.axis == plane->axis; };

@@ -24,6 +24,12 @@ inline constexpr const char* kCutPlaneWords =
 inline constexpr const char* kMirrorPlaneWords =
     "one or more of x, y, z, each once, or x=V: where the plane is";
 
+/// The parts of a text between commas.
+std::vector<std::string_view> commaParts(std::string_view text);
+
+/// The whole text as a finite number, or nothing.
+std::optional<double> finiteNumber(std::string_view text);
+
 /// A plane as in `kCutPlaneWords`, or nothing.
 std::optional<CutPlane> cutPlaneNamed(std::string_view text);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/core/error.h"
@@ -12,6 +13,14 @@ namespace burnish {
 Subdivision::Subdivision(int perSpan) : perSpan_(perSpan) {
   if (perSpan < 1)
     throw Error(fmt::format("subdivision: found {}; expected at least 1 cell per knot span", perSpan));
+}
+
+void Subdivision::refine(const Subdivision& other) {
+  perSpan_ = std::max(perSpan_, other.perSpan_);
+  for (std::size_t patch = 0; patch < counts_.size(); ++patch)
+    for (std::size_t d = 0; d < counts_[patch].size(); ++d)
+      for (std::size_t span = 0; span < counts_[patch][d].size(); ++span)
+        counts_[patch][d][span] = std::max(counts_[patch][d][span], other.counts_[patch][d][span]);
 }
 
 std::vector<double> Subdivision::parameters(std::size_t patch, std::size_t direction,

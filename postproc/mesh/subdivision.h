@@ -18,6 +18,9 @@ class Subdivision {
   /// counts: at least 1 each, of all patches of the mesh.
   explicit Subdivision(Counts counts) : counts_(std::move(counts)) {}
 
+  /// Takes the larger counts of both, of which each is a number or neither is.
+  void refine(const Subdivision& other);
+
   /// Where the points lie in a direction of a patch, which has this basis; both ends of the domain included.
   std::vector<double> parameters(std::size_t patch, std::size_t direction,
                                  const UnivariateBasis& basis) const;

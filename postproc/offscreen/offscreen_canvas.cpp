@@ -4,6 +4,7 @@
 #include <vtkActor2DCollection.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
@@ -138,7 +139,10 @@ class StripView {
  public:
   /// Takes the renderer as it is set up for the whole picture of the given height in pixels.
   StripView(vtkRenderer& renderer, int height)
-      : renderer_(&renderer), parallelScale_(renderer.GetActiveCamera()->GetParallelScale()) {
+      : renderer_(&renderer),
+        parallelScale_(renderer.GetActiveCamera()->GetParallelScale()),
+        slope_(std::tan(vtkMath::RadiansFromDegrees(renderer.GetActiveCamera()->GetViewAngle()) / 2.0)) {
+    std::copy_n(renderer.GetActiveCamera()->GetWindowCenter(), 2, center_.begin());
     std::copy_n(renderer.GetViewport(), 4, viewport_.begin());
     bottom_ = static_cast<int>(std::lround(viewport_[1] * height));
     top_ = static_cast<int>(std::lround(viewport_[3] * height));
@@ -160,7 +164,8 @@ class StripView {
                            static_cast<double>(high - first) / height);
     vtkCamera& camera = *renderer_->GetActiveCamera();
     camera.SetParallelScale(parallelScale_ * share);
-    camera.SetWindowCenter(0.0, (2.0 * middle - 1.0) / share);
+    camera.SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(slope_ * share)));
+    camera.SetWindowCenter(center_[0], (center_[1] + 2.0 * middle - 1.0) / share);
     for (const auto& [actor, x, y] : flat_) actor->SetPosition(x, y - (low - bottom_));
   }
 
@@ -171,6 +176,8 @@ class StripView {
   };
   vtkRenderer* renderer_;
   double parallelScale_;
+  double slope_;                    ///< of the upper edge of a perspective view, from its middle
+  std::array<double, 2> center_{};  ///< of the window of the whole picture, in half sizes of it
   std::array<double, 4> viewport_{};
   int bottom_, top_;  ///< of the viewport, in pixels of the whole picture
   std::vector<Flat> flat_;

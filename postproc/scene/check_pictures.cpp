@@ -83,6 +83,8 @@ void checkPictures(const DocumentContext& c) {
     checkField(c, path + ".field", picture.field);
     if (c.clean("steps")) checkTimes(c, path + ".times", picture.times);
     checkOptions(c, path, picture);
+    if (picture.threshold) checkField(c, path + ".threshold", picture.threshold->field);
+    if (picture.isosurfaces) checkField(c, path + ".isosurfaces", picture.isosurfaces->field);
     checkPrint(c, path, picture);
     checkBodyNames(c, path, picture.bodies);
     if (c.clean(path)) requireNew(c, path, picture.name.value_or(picture.field), names);

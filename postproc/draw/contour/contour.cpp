@@ -28,14 +28,17 @@
 #include "postproc/draw/contour/contour_transparency.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/field_colors.h"
+#include "postproc/draw/contour/hatch.h"
 #include "postproc/draw/contour/occlusion.h"
 #include "postproc/draw/contour/page_lines.h"
 #include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/contour/scalar_bar.h"
+#include "postproc/draw/contour/scale_bar.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/contour/shown_model.h"
 #include "postproc/draw/contour/space_actors.h"
 #include "postproc/draw/contour/tool_drawing.h"
+#include "postproc/draw/contour/value_parts.h"
 #include "postproc/draw/page/flat_shapes.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/painted_sketch.h"
@@ -56,6 +59,8 @@ constexpr double kHalo = 3.0;  // width of what is white below a line, over its 
 
 /// Length of a dash with its gap, in heights of the text.
 constexpr double kDash = 0.5;
+
+constexpr double kGhost = 0.1;  // opacity of a body of which a part alone is drawn
 
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
@@ -126,6 +131,7 @@ class ContourPicture {
     const Plan plan = makePlan();
     const View& view = plan.layout.view;
     if (subject_.refine) subject_.refine(parts_, view, plan.scale.range());
+    if (subject_.choose) subject_.choose(parts_, plan.scale.range());
     light(plan);
     return {onPaper([&](const Color& paper) { return capture(paper, plan); }), view};
   }
@@ -141,6 +147,7 @@ class ContourPicture {
       fine.area.height *= dotsPerPoint(options_);
       subject_.refine(parts_, fine, plan.scale.range());
     }
+    if (subject_.choose) subject_.choose(parts_, plan.scale.range());
     light(plan);
     const PixelRect area = shadow_ && !cutsBody_ ? wholePicture(view, size_).area : view.area;
     const std::array<int, 2> pixels = pixelsFor(area);
@@ -185,6 +192,7 @@ class ContourPicture {
         layOutContour(size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim),
                       parts_.axes, caption(options_.clip && shown != whole),
                       options_.colorScale ? &bar : nullptr, theme_)};
+    plan.layout.view.eye = parts_.eye;
     for (const ShownTool& tool : parts_.tools) plan.tools.push_back(drawTool(tool, plan.layout.view));
     return plan;
   }
@@ -221,11 +229,14 @@ class ContourPicture {
   std::string title() const { return options_.title.value_or(subject_.title); }
 
   ContourCaption caption(bool clipped) const {
-    return {title(), options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
+    return {title(),
+            options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
                     parts_.arrows.note, sectionNote(), extremesNote(), plainNote(), subject_.note,
                     options_.note, clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
-            options_.doubt, subject_.dim == 3};
+            options_.doubt,
+            subject_.dim == 3,
+            options_.scaleBar};
   }
 
   /// Whether the values at the ends of the scale have signs. What is the same everywhere has a note instead of places,
@@ -270,7 +281,7 @@ class ContourPicture {
     addLayers(canvas, background, *paper, *space, layout.view, size_);
     paint(texts(layout, plan.bar), *paper, canvas.supersampling());
     drawSpace(*space, canvas.supersampling(), plan, Shown::Everything);
-    aim(*space, layout.view, size_, 10.0 * lengthOf(parts_));
+    aim(*space, layout.view, size_, eyeDistance());
     return canvas.capture();
   }
 
@@ -285,7 +296,7 @@ class ContourPicture {
     paper.SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
     if (!shadow_) return;
     (cutsBody_ ? space : paper).AddActor(shadowActor(*shadow_));
-    if (!cutsBody_) aim(paper, wholePicture(view, pixels), pixels, 10.0 * lengthOf(parts_));
+    if (!cutsBody_) aim(paper, wholePicture(view, pixels), pixels, eyeDistance());
   }
 
   /// The same projection, to the edges of a picture of this size.
@@ -304,9 +315,12 @@ class ContourPicture {
     addLayers(canvas, background, *paper, *space, printed, pixels);
     drawSpace(*space, canvas.supersampling() * dotsPerPixel(), plan,
               isFlat() ? Shown::Areas : Shown::Everything);
-    aim(*space, printed, pixels, 10.0 * lengthOf(parts_));
+    aim(*space, printed, pixels, eyeDistance());
     return canvas.capture();
   }
+
+  /// See `aim`.
+  double eyeDistance() const { return 10.0 * lengthOf(parts_); }
 
   /// What lies over the areas of a plane picture. In space lines are hidden by what stands before them, so that
   /// they belong to the image.
@@ -326,6 +340,8 @@ class ContourPicture {
         sketch.shapes.emplace_back(std::move(piece));
     if (parts_.arrows.areas)
       addPageAreas(sketch, *parts_.arrows.edges, view, kWhite, kBlack, kArrowEdge * lineWidth());
+    if (parts_.arrows.darkAreas)
+      addPageAreas(sketch, *parts_.arrows.darkEdges, view, kBlack, kWhite, kArrowEdge * lineWidth());
     if (parts_.extremes) addPageAreas(sketch, *extremesIn(view).edges, view, kWhite, kBlack, lineWidth());
     if (parts_.mark)
       for (const auto& [color, width] : {std::pair(kWhite, kHalo), std::pair(kBlack, 1.0)})
@@ -360,6 +376,8 @@ class ContourPicture {
     FlatShapes shapes(sketch);
     if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody_) drawFrame(shapes, layout.view.area);
+    if (options_.scaleBar)
+      drawScaleBar(shapes, overlay, layout.view, layout.scaleBarAt, subject_.lengthUnit, textSize_, theme_);
     if (subject_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
     return sketch;
   }
@@ -391,10 +409,19 @@ class ContourPicture {
 
   /// From the back to the front, without tools.
   std::vector<SpaceLines> bodyLines(const Plan& plan) const {
+    constexpr double kGhostOpacity = 0.3, kHatch = 0.5;  // the distance of hatches, in heights of the text
     const double line = lineWidth();
+    const View& view = plan.layout.view;
     std::vector<SpaceLines> all;
-    for (const auto& part : {parts_.body, parts_.section})
-      if (part && options_.isolines > 0)
+    for (const auto& section : {hatchesSection() ? parts_.section : nullptr, parts_.plainSection})
+      if (section)
+        all.push_back({hatchOf(*section, view, kHatch * textSize_), theme_.outline, 0.5 * line, kIsolines});
+    if (parts_.ghostOutline)
+      all.push_back({parts_.ghostOutline, theme_.outline, line, kUndeformed, kGhostOpacity});
+    if (parts_.ghost && !isFlat())
+      all.push_back({silhouetteOf(*parts_.ghost, view), theme_.outline, line, kUndeformed, kGhostOpacity});
+    for (const auto& part : {parts_.body, hatchesSection() ? nullptr : parts_.section})
+      if (part && options_.isolines > 0 && !options_.isosurfaces)
         all.push_back({isolines(*part, plan.scale.range()), theme_.outline, 0.7 * line, kIsolines});
     if (parts_.knots) all.push_back({parts_.knots, theme_.knots, 0.5 * line, kKnots, 0.5});
     if (parts_.net) {
@@ -405,8 +432,7 @@ class ContourPicture {
     all.push_back({parts_.outline, theme_.outline, line, kBodyOutline});
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(isOfContact() && part == parts_.body))
-        all.push_back(
-            {silhouetteOf(*part, plan.layout.view.towardsEye()), theme_.outline, line, kBodyOutline});
+        all.push_back({silhouetteOf(*part, view), theme_.outline, line, kBodyOutline});
     return all;
   }
 
@@ -420,11 +446,8 @@ class ContourPicture {
   /// scale: pixels of the drawing per pixel of the picture.
   void drawSpace(vtkRenderer& renderer, double scale, const Plan& plan, Shown what) const {
     const View& view = plan.layout.view;
-    const Eigen::Vector3d eye = view.towardsEye();
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, Layer layer) {
-      const Eigen::Vector3d shift = liftOf(layer, view) * eye;
-      actor->SetPosition(shift.x(), shift.y(), shift.z());
-      renderer.AddActor(actor);
+      addLifted(renderer, actor, view, liftOf(layer, view));
     };
     const auto addLines = [&](const SpaceLines& part) {
       if (what == Shown::Areas) return;
@@ -439,7 +462,15 @@ class ContourPicture {
         colored->GetProperty()->SetLineWidth(static_cast<float>(kFaceWidth * scale * lineWidth()));
       add(colored, isOfContact() ? kContactFaces : kBody);
     }
-    if (parts_.section) add(contourActor(*parts_.section, plan.scale, false), kBody);
+    if (parts_.section)
+      add(hatchesSection() ? plainActor(*parts_.section, theme_.paper, false, 1.0)
+                           : contourActor(*parts_.section, plan.scale, false),
+          kBody);
+    if (parts_.ghost && !isFlat()) {
+      const auto ghost = plainActor(*parts_.ghost, theme_.tool, true, kGhost);
+      ghost->GetProperty()->FrontfaceCullingOn();  // so that nothing lies over the colours of what is left
+      add(ghost, kBody);
+    }
     if (parts_.plain) add(plainActor(*parts_.plain, plainColor(), !isFlat(), 1.0), kBody);
     if (parts_.plainSection) add(plainActor(*parts_.plainSection, plainColor(), false, 1.0), kBody);
     for (const SpaceLines& part : bodyLines(plan)) addLines(part);
@@ -460,41 +491,51 @@ class ContourPicture {
       for (const ToolDrawing& drawing : plan.tools)
         if (drawing.lines) addHidden(*drawing.lines, 1.2 * scale * lineWidth());
     }
-    if (parts_.arrows.areas) drawArrows(renderer, scale * lineWidth(), eye);
+    const ContourArrows& arrows = parts_.arrows;
+    if (arrows.areas) drawArrows(renderer, *arrows.areas, *arrows.edges, kWhite, scale * lineWidth(), view);
+    if (arrows.darkAreas)
+      drawArrows(renderer, *arrows.darkAreas, *arrows.darkEdges, kBlack, scale * lineWidth(), view);
     drawMarks(renderer, scale * lineWidth(), view);
   }
 
+  void addLifted(vtkRenderer& renderer, const vtkSmartPointer<vtkActor>& actor, const View& view,
+                 double length) const {
+    lift(*actor, view, length, eyeDistance());
+    renderer.AddActor(actor);
+  }
+
+  bool hatchesSection() const { return options_.cutFace == CutFace::Hatch && parts_.section; }
+
   /// Whether a place of the bodies is in the window, and in the part that a cut or a slice leaves.
   bool isSeen(const Eigen::Vector3d& place) const {
-    if (options_.window && !options_.window->contains(parts_.axes * place)) return false;
+    const Eigen::Vector2d seen =
+        parts_.eye ? Eigen::Vector2d(parts_.eye->project(parts_.axes, place)) : parts_.axes * place;
+    if (options_.window && !options_.window->contains(seen)) return false;
     if (!parts_.plane) return true;
     const double before = (place - parts_.plane->point).dot(parts_.plane->normal.normalized());
     const double slack = 1e-5 * parts_.box.diagonal().norm();
     return options_.slice ? std::abs(before) <= slack : before <= slack;
   }
 
-  /// Of signs at places, as a length.
-  double markSize(const View& view) const { return 0.9 * textSize_ / view.pixelsPerLength; }
+  /// Of signs at places, in pixels.
+  double markSize() const { return 0.9 * textSize_; }
 
   ExtremeMarks extremesIn(const View& view) const {
     return extremeMarks(
-        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, parts_.axes,
-        markSize(view));
+        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, view, markSize());
   }
 
   vtkSmartPointer<vtkPolyData> ringIn(const View& view) const {
-    return ringMark(*parts_.mark, parts_.axes, 1.4 * markSize(view));
+    return ringMark(*parts_.mark, view, 1.4 * markSize());
   }
 
   /// In front of everything; in space those that are behind something are pale.
   void drawMarks(vtkRenderer& renderer, double line, const View& view) const {
     constexpr double kPale = 0.4, kInFront = 2.1;
-    const double side = markSize(view);
+    const double side = markSize() / view.pixelsPerLength;
     const double front = kInFront * lengthOf(parts_), above = isFlat() ? front : side;
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, double nearness) {
-      const Eigen::Vector3d shift = nearness * view.towardsEye();
-      actor->SetPosition(shift.x(), shift.y(), shift.z());
-      renderer.AddActor(actor);
+      addLifted(renderer, actor, view, nearness);
     };
     const auto addEdges = [&](vtkPolyData& edges) {
       add(lineActor(edges, kBlack, line, 1.0), above + 0.1 * side);
@@ -530,18 +571,17 @@ class ContourPicture {
     const double stroke = textSize_ * 0.6 / view.pixelsPerLength;
     if (subject_.dim == 2) return drawPlaneTool(tool.record, visible, stroke, tool.turn);
     if (options_.slice) return drawToolSection(tool.record, visible, *parts_.plane, stroke);
-    return drawSpaceTool(tool.record, visible, view.towardsEye(), parts_.plane);
+    return drawSpaceTool(tool.record, visible, view, parts_.plane);
   }
 
-  /// In front of everything: white with a dark edge, which is seen on every colour.
-  void drawArrows(vtkRenderer& renderer, double line, const Eigen::Vector3d& eye) const {
-    const auto areas = plainActor(*parts_.arrows.areas, kWhite, false, 1.0);
-    const auto edges = lineActor(*parts_.arrows.edges, kBlack, kArrowEdge * line, 1.0);
+  /// In front of everything: white with a dark edge or the other way round, which is seen on every colour.
+  void drawArrows(vtkRenderer& renderer, vtkPolyData& arrows, vtkPolyData& around, const Color& color,
+                  double line, const View& view) const {
+    const auto areas = plainActor(arrows, color, false, 1.0);
+    const auto edges = lineActor(around, color == kWhite ? kBlack : kWhite, kArrowEdge * line, 1.0);
     double nearness = isFlat() ? static_cast<double>(kArrows) / 100.0 : 2.0;
     for (const auto& actor : {areas, edges}) {
-      const Eigen::Vector3d shift = nearness * lengthOf(parts_) * eye;
-      actor->SetPosition(shift.x(), shift.y(), shift.z());
-      renderer.AddActor(actor);
+      addLifted(renderer, actor, view, nearness * lengthOf(parts_));
       nearness += 0.005;
     }
   }
@@ -598,6 +638,14 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
     subject.refine = [&](ContourParts& coarse, const View& view, const std::array<double, 2>& range) {
       refineForView(coarse, shown, its, field, options, view, range);
     };
+    subject.lengthUnit = shown.lengthUnit;
+    if (options.threshold || options.isosurfaces) {
+      subject.note = choiceNote(options, choosingField(shown, its, field, options));
+      if (shown.dim == 3)
+        subject.choose = [&](ContourParts& whole, const std::array<double, 2>& range) {
+          chooseInSpace(whole, shown, its, field, options, range);
+        };
+    }
     return make(subject);
   });
 }

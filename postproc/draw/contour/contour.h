@@ -25,6 +25,7 @@ struct ContourOptions : PictureOptions {
   bool time = true;                     ///< write the time of the frame
   bool colorScale = true;               ///< draw the colour scale, at the right of the body or below
   std::optional<Eigen::Vector3d> mark;  ///< a place with a ring round it
+  std::optional<Eye> eye;               ///< of perspective pictures that stand together; see `eyeOf`
   bool evenScales =
       false;  ///< of pictures that stand together: scales of the same place whatever their numbers
   double pointsPerPixel = 1.0;  ///< of the paper, where a picture for print stands on a larger page

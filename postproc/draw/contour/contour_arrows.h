@@ -14,14 +14,17 @@ namespace burnish {
 
 /// Flat arrows that lie in the plane of a view, their lengths as those of their vectors.
 struct ContourArrows {
-  vtkSmartPointer<vtkPolyData> areas, edges;  ///< null without arrows
-  std::string note;                           ///< what they show and how much the longest stands for
+  vtkSmartPointer<vtkPolyData> areas, edges;          ///< null without arrows
+  std::string note;                                   ///< what they show and how much the longest stands for
+  vtkSmartPointer<vtkPolyData> darkAreas, darkEdges;  ///< of compression; null without crosses
 };
 
-/// Arrows that begin on the body (displacement) or end on its contact faces (traction). body: the drawn
-/// surface with the point data `displacement` and, in space, normals; of a body in space only what faces the
-/// eye has arrows. longest: length of the longest arrow; arrows keep most of it as their distance.
+/// Arrows that begin on the body (displacement) or end on its contact faces (traction), or crosses of pairs of arrows
+/// along the principal directions of stress, apart in tension and towards one another in compression. body: the drawn
+/// surface with the point data `displacement` or `stress` (xx, yy, zz, xy, yz, zx) and, in space, normals; of a body in
+/// space only what faces the eye of the view, of which axes and eye count, has arrows. longest: length of the longest
+/// arrow or pair; they keep most of it as their distance.
 ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const FrameRecord& frame,
-                            vtkPolyData& body, const ViewAxes& axes, double longest);
+                            vtkPolyData& body, const View& view, double longest);
 
 }  // namespace burnish

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "postproc/draw/contour/axes_triad.h"
+#include "postproc/draw/contour/scale_bar.h"
 
 namespace burnish {
 namespace {
@@ -158,6 +159,8 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   };
   layout.doubtAt = {left, margin};
   if (!caption.doubt.empty()) layout.doubt = addSmallLine(caption.doubt, left);
+  layout.scaleBarAt = {left, bottom};
+  if (caption.scaleBar) bottom += kScaleBarRoom * size;
   if (!caption.note.empty()) layout.note = addSmallLine(caption.note, left);
 
   layout.triadAt = {margin, margin};

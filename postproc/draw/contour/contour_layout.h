@@ -25,15 +25,19 @@ struct ContourLayout {
   PixelRect bar;           ///< of no size below the view without a colour scale
   Overlay::Direction barDirection;
   View view;
+  Eigen::Vector2d
+      scaleBarAt;  ///< lower left corner of the scale bar, of which there is room if the caption asks
   Eigen::Vector2d triadAt;  ///< lower left corner of the axes, of which there is room if the caption asks
 };
 
 /// What stands above the body, and small below it and its colour scale; each may be empty. doubt: in the
-/// lower left corner, below the note. triad: there is room for the axes at the lower left.
+/// lower left corner, below the note. triad: there is room for the axes at the lower left. scaleBar: for one beside
+/// them.
 struct ContourCaption {
   std::string title, time, note;
   std::string doubt{};
   bool triad = false;
+  bool scaleBar = false;
 };
 
 /// textSize: of ordinary text, in pixels. content: the projected box that must be seen. axes: see `View`. bar:

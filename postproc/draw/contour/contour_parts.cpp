@@ -8,14 +8,20 @@
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <variant>
 
 #include "engine/core/error.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_view.h"
+#include "postproc/draw/contour/exact_range.h"
 #include "postproc/draw/contour/tool_drawing.h"
+#include "postproc/draw/contour/value_parts.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/exact_section.h"
@@ -40,6 +46,23 @@ constexpr double kToolReach = 0.4, kToolCut = 0.2;
 // Parts of the diagonal, for the dots of the control net and for the signs at extremes.
 constexpr double kDotRoom = 0.005, kSignRoom = 0.015;
 
+/// Components xx, yy, zz, xy, yz, zx of the stress at points; 0 where the frame has none. mesh: see `setValues`.
+template <class Mesh>
+Eigen::MatrixXd stressAt(const Mesh& mesh, const FrameRecord& frame) {
+  constexpr std::array components{"xx", "yy", "zz", "xy", "yz", "zx"};
+  const auto field = frame.fields.find("stress");
+  if (field == frame.fields.end())
+    throw Error("vectors: the frame holds no stress, whose crosses could be drawn");
+  const Eigen::MatrixXd values = mesh.evaluate(field->second.values);
+  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(std::ssize(components), values.cols());
+  for (std::size_t k = 0; k < components.size(); ++k) {
+    const auto& names = field->second.components;
+    const auto row = std::find(names.begin(), names.end(), components[k]);
+    if (row != names.end()) stress.row(static_cast<Eigen::Index>(k)) = values.row(row - names.begin());
+  }
+  return stress;
+}
+
 /// Gives points what is drawn at them. mesh: knows their number and how to evaluate there.
 template <class Mesh>
 void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame, const FieldChoice& field,
@@ -48,6 +71,13 @@ void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame,
       makeArray("drawn", field.drawnScalars(mesh.evaluate(field.coefficients)).transpose(), {}));
   if (options.arrows == ArrowField::Displacement)
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
+  if (options.arrows == ArrowField::Principal)
+    points.AddArray(makeArray("stress", stressAt(mesh, frame), {}));
+}
+
+Eigen::AlignedBox2d everywhere() {
+  const Eigen::Vector2d far = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
+  return {-far, far};
 }
 
 /// The cells of what is drawn as long as the view is not known: in space those that show its shape.
@@ -60,9 +90,8 @@ Subdivision firstCells(const MeshRecord& mesh, const ModelRecord& model, const C
     for (Eigen::Index k = 0; k < patch.points.cols(); ++k)
       box.extend(Eigen::Vector3d(patch.points.col(k) +
                                  parts.displacement.col(patch.nodes[static_cast<std::size_t>(k)])));
-  const Eigen::Vector2d far = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
   return pictureSubdivision(mesh, parts.displacement,
-                            {kOfLength * box.diagonal().norm(), {-far, far}, parts.axes}, nullptr);
+                            {kOfLength * box.diagonal().norm(), everywhere(), parts.axes}, nullptr);
 }
 
 /// Makes what has colours. mesh: of the bodies that have the field.
@@ -81,10 +110,12 @@ class ViewCells {
   ViewCells(const FieldChoice& field, const ContourOptions& options, const View& view,
             const std::array<double, 2>& range)
       : subdivision_(options.subdivision) {
-    constexpr double kPixels = 0.25, kSteps = 0.5, kStepsAtBorders = 0.1, kStepsOfRange = 256.0;
+    constexpr double kPixels = 0.25, kSteps = 0.5;
     const Eigen::Vector2d half =
         Eigen::Vector2d(view.area.width, view.area.height) / (2.0 * view.pixelsPerLength);
     positions_ = {kPixels / view.pixelsPerLength, {view.center - half, view.center + half}, view.axes};
+    // An eye sees lengths at most as large, but not straight ahead of where they are.
+    if (view.eye) positions_.window = everywhere();
     const double steps = options.isolines > 0 || options.bands > 0 ? kStepsAtBorders : kSteps;
     values_ = {field.coefficients, steps * (range[1] - range[0]) / kStepsOfRange, range};
   }
@@ -100,8 +131,20 @@ class ViewCells {
     return subdivision_ ? Subdivision(*subdivision_)
                         : pictureSubdivision(mesh, displacement, positions_, &values_);
   }
+  /// For the borders of where a field has some values.
+  Subdivision ofThreshold(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
+                          const FieldChoice& field) const {
+    const auto range = exactRange(mesh, field);
+    if (subdivision_ || !range) return ofLines(mesh, displacement);
+    const ValueTolerance values{field.coefficients,
+                                kStepsAtBorders * (range->values[1] - range->values[0]) / kStepsOfRange,
+                                range->values};
+    return range->values[0] == range->values[1] ? ofLines(mesh, displacement)
+                                                : pictureSubdivision(mesh, displacement, positions_, &values);
+  }
 
  private:
+  static constexpr double kStepsAtBorders = 0.1, kStepsOfRange = 256.0;
   std::optional<int> subdivision_;
   PositionTolerance positions_;
   ValueTolerance values_;
@@ -202,7 +245,7 @@ void cutParts(ContourParts& parts, const PartSections& sections, const ModelReco
 vtkSmartPointer<vtkPolyData> arrowGround(const ContourParts& parts, const MeshRecord& mesh,
                                          const ModelRecord& model, const FrameRecord& frame,
                                          const FieldChoice& field, const ContourOptions& options) {
-  if (options.arrows != ArrowField::Displacement || model.dim == 2 || options.slice || field.faces)
+  if (options.arrows == ArrowField::Traction || model.dim == 2 || options.slice || field.faces)
     return parts.section ? together(*parts.body, *parts.section) : parts.body;
   const BodySurface surface(mesh, subdivisionOf(model, options));
   auto ground = surface.displaced(parts.displacement);
@@ -222,8 +265,8 @@ std::vector<ShownTool> shownTools(const ModelRecord& model, const FrameRecord& f
 }
 
 /// Parts of what is seen, so that it is the same for a body and for a part of it.
-double arrowLength(vtkPolyData& body, const ViewAxes& axes, const ContourOptions& options) {
-  Eigen::AlignedBox2d box = boxOf(body, axes);
+double arrowLength(vtkPolyData& body, const View& sight, const ContourOptions& options) {
+  Eigen::AlignedBox2d box = boxOf(body, sight.axes, sight.eye);
   if (options.window && options.window->intersects(box)) box = options.window->intersection(box);
   return kArrowLength * box.diagonal().norm();
 }
@@ -237,12 +280,27 @@ Eigen::Map<const Eigen::Matrix3Xd> pointsOf(vtkPolyData& part) {
   return {static_cast<const double*>(part.GetPoints()->GetVoidPointer(0)), 3, part.GetNumberOfPoints()};
 }
 
+/// Points in the picture's plane.
+Eigen::Matrix2Xd projected(const Eigen::Matrix3Xd& points, const ViewAxes& axes,
+                           const std::optional<Eye>& eye) {
+  return eye ? eye->project(axes, points) : Eigen::Matrix2Xd(axes * points);
+}
+
+/// What is shown of a tool in space.
+vtkSmartPointer<vtkPolyData> toolInSpace(const ToolRecord& tool, const ContourParts& parts) {
+  const auto shape = toolOutline(tool, 3, parts.box);
+  if (!parts.plane) return shape;
+  return parts.section ? behind(*shape, *parts.plane) : sectionOf(*shape, *parts.plane);
+}
+
 /// Points of what is shown of a tool, in the picture's plane.
 Eigen::Matrix2Xd landmarksOf(const ToolRecord& tool, const ContourParts& parts, int dim) {
   if (dim == 2) return parts.axes * toolLandmarks(tool, parts.box);
-  auto shape = toolOutline(tool, 3, parts.box);
-  if (parts.plane) shape = parts.section ? behind(*shape, *parts.plane) : sectionOf(*shape, *parts.plane);
-  return parts.axes * pointsOf(*shape);
+  return projected(pointsOf(*toolInSpace(tool, parts)), parts.axes, parts.eye);
+}
+
+double nearestOf(const Eigen::Matrix3Xd& points, const ViewAxes& axes) {
+  return points.cols() == 0 ? -HUGE_VAL : (towardsEye(axes).transpose() * points).maxCoeff();
 }
 
 /// All of a tool if it is near, else its part in the smaller box. asPoints: the landmarks are themselves what
@@ -263,7 +321,7 @@ Eigen::AlignedBox2d seenOf(const Eigen::Matrix2Xd& landmarks, bool asPoints, con
 CutPlane shownPlane(const ContourOptions& options, const ContourParts& parts) {
   constexpr double kNudge = 1e-6, kEdgeOn = 1e-3;
   CutPlane plane = options.cut ? *options.cut : *options.slice;
-  const Eigen::Vector3d eye = parts.axes.row(0).cross(parts.axes.row(1)).transpose();
+  const Eigen::Vector3d eye = towardsEye(parts.axes);
   plane.normal.normalize();
   if (plane.normal.dot(eye) < 0.0) plane.normal = -plane.normal;
   if (plane.normal.dot(eye) < kEdgeOn)
@@ -324,10 +382,12 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
     shape.displacement = parts.displacement;
     parts.net = controlNet(model, shape);
   }
+  parts.eye = eyeOf(options, parts, model.dim);
   if (options.arrows != ArrowField::None) {
     const auto ground = arrowGround(parts, meshes.with(), model, frame, field, options);
-    parts.arrows = contourArrows(options.arrows, model, frame, *ground, parts.axes,
-                                 arrowLength(*ground, parts.axes, options));
+    const View sight{.axes = parts.axes, .area = {}, .eye = parts.eye};
+    parts.arrows =
+        contourArrows(options.arrows, model, frame, *ground, sight, arrowLength(*ground, sight, options));
   }
   parts.mark = options.mark;
   if (options.markExtremes) parts.extremes = extremePlaces(model, frame, field, parts.displacement);
@@ -349,6 +409,12 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
     const Eigen::VectorXd drawn = range[0] < 0.0 ? field.drawnScalars(values) : field.scalars(values);
     surface.GetPointData()->SetScalars(makeArray("drawn", drawn.transpose(), {}));
   };
+  std::optional<FieldChoice> chosen;  // in space `chooseInSpace` does it
+  if (options.threshold && model.dim == 2) chosen = choosingField(model, frame, field, options);
+  const auto withChosen = [&](Subdivision subdivision, const MeshRecord& ofMesh) {
+    if (chosen) subdivision.refine(cells.ofThreshold(ofMesh, parts.displacement, *chosen));
+    return subdivision;
+  };
   PartSections sections = sectionsIn(parts, options);
   if (parts.plane && !options.subdivision) {
     const auto exact = [&](const MeshRecord& body, vtkPolyData& ofCells, const ValueTolerance* values) {
@@ -364,10 +430,12 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
   if (field.faces) {
     parts.body = field.faces;
   } else {
-    const BodySurface surface = trianglesOf(meshes.with(), cells.ofValues(meshes.with(), parts.displacement));
+    const BodySurface surface = trianglesOf(
+        meshes.with(), withChosen(cells.ofValues(meshes.with(), parts.displacement), meshes.with()));
     parts.body = surface.displaced(parts.displacement);
     parts.bodyLattices = surface.lattices();
     setDrawn(*parts.body, surface.evaluate(field.coefficients));
+    if (chosen) setChosen(*parts.body->GetPointData(), surface, *chosen);
   }
   if (meshes.without() != nullptr) {
     const MeshRecord& without = *meshes.without();
@@ -377,15 +445,17 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
   }
   // In space lines go along the cells, so that they do not go under them.
   const bool isInSpace = model.dim == 3 && !field.faces;
-  const Subdivision ofLines =
-      isInSpace ? cells.ofValues(mesh, parts.displacement) : cells.ofLines(mesh, parts.displacement);
+  const Subdivision ofLines = withChosen(
+      isInSpace ? cells.ofValues(mesh, parts.displacement) : cells.ofLines(mesh, parts.displacement), mesh);
+  const Eigen::MatrixXd* along = chosen ? &chosen->coefficients : nullptr;
   const Subdivision ofUndeformed = cells.ofLines(model.mesh, {});
-  parts.outline = bodyOutline(mesh, parts.displacement, ofLines);
+  parts.outline = bodyOutline(mesh, parts.displacement, ofLines, along);
   if (parts.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, ofUndeformed);
   if (parts.plane)
     cutParts(parts, sections, model, mesh, options, ofLines, ofUndeformed);
   else if (parts.knots)
-    parts.knots = knotLines(mesh, parts.displacement, ofLines);
+    parts.knots = knotLines(mesh, parts.displacement, ofLines, along);
+  if (chosen) keepBetween(parts, options.threshold->ends, *chosen);
 }
 
 Eigen::AlignedBox3d boxOf(vtkPolyData& part) {
@@ -393,30 +463,54 @@ Eigen::AlignedBox3d boxOf(vtkPolyData& part) {
   return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
 }
 
-Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes) {
+Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes, const std::optional<Eye>& eye) {
   if (part.GetNumberOfPoints() == 0) return {};
-  const Eigen::Matrix2Xd projected = axes * pointsOf(part);
-  return {projected.rowwise().minCoeff(), projected.rowwise().maxCoeff()};
+  const Eigen::Matrix2Xd seen = projected(pointsOf(part), axes, eye);
+  return {seen.rowwise().minCoeff(), seen.rowwise().maxCoeff()};
+}
+
+double nearestOf(const ContourParts& parts) {
+  double nearest = -HUGE_VAL;
+  for (const auto& part :
+       {parts.body, parts.section, parts.plain, parts.plainSection, parts.undeformed, parts.net})
+    if (part && part->GetNumberOfPoints() > 0)
+      nearest = std::max(nearest, nearestOf(pointsOf(*part), parts.axes));
+  for (const ShownTool& tool : parts.tools)
+    nearest = std::max(nearest, nearestOf(pointsOf(*toolInSpace(tool.record, parts)), parts.axes));
+  return nearest;
+}
+
+Eye eyeAt(double degrees, const Eigen::AlignedBox2d& content, double nearest) {
+  const double half = 0.5 * content.sizes().maxCoeff();
+  return {content.center(), nearest, half / std::tan(0.5 * degrees * std::numbers::pi / 180.0)};
+}
+
+std::optional<Eye> eyeOf(const ContourOptions& options, const ContourParts& parts, int dim) {
+  if (!options.perspective) return std::nullopt;
+  if (options.eye) return options.eye;
+  return eyeAt(*options.perspective, contentOf(parts, dim), nearestOf(parts));
 }
 
 double lengthOf(const ContourParts& parts) {
+  if (parts.ghost) return parts.ghost->GetLength();
   if (!parts.plain || parts.plain->GetNumberOfPoints() == 0) return parts.body->GetLength();
   if (parts.body->GetNumberOfPoints() == 0) return parts.plain->GetLength();
   return boxOf(*parts.body).merged(boxOf(*parts.plain)).diagonal().norm();
 }
 
 Eigen::AlignedBox2d bodiesBox(const ContourParts& parts) {
-  Eigen::AlignedBox2d box = boxOf(*parts.body, parts.axes);
-  if (parts.plain) box.extend(boxOf(*parts.plain, parts.axes));
+  Eigen::AlignedBox2d box = boxOf(*parts.body, parts.axes, parts.eye);
+  if (parts.plain) box.extend(boxOf(*parts.plain, parts.axes, parts.eye));
   return box;
 }
 
 Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
   Eigen::AlignedBox2d box = bodiesBox(parts);
-  if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes));
-  if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes)), kDotRoom);
+  if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes, parts.eye));
+  if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes, parts.eye)), kDotRoom);
   if (parts.extremes || parts.mark) box = grown(box, kSignRoom);
-  if (parts.arrows.edges) box.extend(boxOf(*parts.arrows.edges, parts.axes));
+  for (const auto& edges : {parts.arrows.edges, parts.arrows.darkEdges})
+    if (edges) box.extend(boxOf(*edges, parts.axes, parts.eye));
   const Eigen::AlignedBox2d near = grown(box, kToolReach), cut = grown(box, kToolCut);
   for (const ShownTool& tool : parts.tools) {
     const bool asPoints = dim == 2 && recordedMesh(tool.record.shape) != nullptr;

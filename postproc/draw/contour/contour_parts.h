@@ -27,6 +27,7 @@ struct ShownTool {
 /// What a contour picture shows in space, where it stands in the frame: displacements times the warp.
 struct ContourParts {
   ViewAxes axes;
+  std::optional<Eye> eye;        ///< of a perspective picture
   Eigen::AlignedBox3d box;       ///< of the body before it is cut
   Eigen::MatrixXd displacement;  ///< of the body, dim x nodes of the frame's mesh
   std::vector<ShownTool> tools;
@@ -41,6 +42,9 @@ struct ContourParts {
                       ///< where they are of no patches
   vtkSmartPointer<vtkPolyData> outline;
   vtkSmartPointer<vtkPolyData> knots, undeformed, net;  ///< null where they are not shown
+  vtkSmartPointer<vtkPolyData>
+      ghost;  ///< all of the bodies, where only a part of them is drawn, and null else;
+  vtkSmartPointer<vtkPolyData> ghostOutline;  ///< its edges
   std::optional<CutPlane> plane;  ///< of a cut or a slice: just inside the body, the normal to the eye
   ContourArrows arrows;
   std::optional<ExtremePlaces> extremes;  ///< to be marked
@@ -55,6 +59,16 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
 /// The plane of a cut or a slice with its normal to the eye; one in a face of the body has a section on its
 /// inner side alone, and is moved there. Throws `Error` for a plane that is seen edge-on.
 CutPlane shownPlane(const ContourOptions& options, const ContourParts& parts);
+
+/// The eye of a perspective picture: over the middle of what is to be seen, with a plane through what of it is
+/// nearest, and so far that the longer side is seen under the angle of the options. None for a parallel one.
+std::optional<Eye> eyeOf(const ContourOptions& options, const ContourParts& parts, int dim);
+
+/// The same of several pictures. content: projected in parallel. nearest: coordinate towards the eye.
+Eye eyeAt(double degrees, const Eigen::AlignedBox2d& content, double nearest);
+
+/// Coordinate of the nearest point of bodies and tools towards the eye.
+double nearestOf(const ContourParts& parts);
 
 /// Of a plane that meets nothing of what is in the box of the parts.
 Error planeMisses(const ContourOptions& options, const ContourParts& parts, int frame);
@@ -72,7 +86,7 @@ int subdivisionOf(const ModelRecord& model, const ContourOptions& options);
 
 /// The smallest box round a part in space, and in the picture's plane.
 Eigen::AlignedBox3d boxOf(vtkPolyData& part);
-Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes);
+Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes, const std::optional<Eye>& eye = {});
 
 /// Diagonal of the bodies, and their projected box.
 double lengthOf(const ContourParts& parts);

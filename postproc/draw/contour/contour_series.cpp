@@ -3,6 +3,7 @@
 #include <vtkImageData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <set>
 
@@ -31,6 +32,12 @@ Range joined(const std::optional<Range>& a, const Range& b) {
 
 }  // namespace
 
+void FrameView::show(ContourParts parts, int dim) {
+  parts.eye.reset();
+  content = contentOf(parts, dim);
+  nearest = nearestOf(parts);
+}
+
 ContourOptions contourOptions(const PictureOptions& picture, const ResultReader& result,
                               const FrameRecord& frame) {
   ContourOptions options(picture);
@@ -57,17 +64,22 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
   frames.insert(inWindow.begin(), inWindow.end());
   std::optional<Range> range;
   Eigen::AlignedBox2d window;
+  double nearest = -HUGE_VAL;
   for (const int k : frames) {
     throwIfInterrupted();
     const FrameView view = look(k, inRange.contains(k), inWindow.contains(k));
     if (inRange.contains(k)) range = joined(range, view.shown);
-    if (inWindow.contains(k)) window.extend(view.content);
+    if (!inWindow.contains(k)) continue;
+    window.extend(view.content);
+    nearest = std::max(nearest, view.nearest);
   }
   if (range) {
     options.range = widened(*range);
     options.clip.reset();  // it is in the range
   }
-  if (!inWindow.empty()) options.window = window;
+  if (inWindow.empty()) return;
+  options.window = window;
+  if (options.perspective) options.eye = eyeAt(*options.perspective, window, nearest);
 }
 
 FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
@@ -76,7 +88,7 @@ FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const Co
     const FieldChoice field = chooseField(shownModel, shown, options.field);
     FrameView view;
     if (inRange) view.shown = rangesOf(shownModel, shown, field, options).shown;
-    if (inWindow) view.content = contentOf(contourParts(shownModel, shown, field, options), shownModel.dim);
+    if (inWindow) view.show(contourParts(shownModel, shown, field, options), shownModel.dim);
     return view;
   });
 }

@@ -20,10 +20,16 @@ ContourOptions contourOptions(const PictureOptions& picture, const ResultReader&
 /// The range of values and of colours of one frame that is drawn like this.
 FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
 
+struct ContourParts;
+
 /// What one of several frames needs of what they share.
 struct FrameView {
   std::array<double, 2> shown{};  ///< its range of colours
-  Eigen::AlignedBox2d content;    ///< what must be seen of it
+  Eigen::AlignedBox2d content;    ///< what must be seen of it, projected in parallel
+  double nearest = 0.0;           ///< see `nearestOf`
+
+  /// That these parts, of a body of `dim` dimensions, must be seen.
+  void show(ContourParts parts, int dim);
 };
 
 FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,

@@ -23,9 +23,13 @@ struct ContourSubject {
   ContourParts parts;
   std::vector<std::string> without;  ///< names of bodies that do not have the field
   std::string note;                  ///< what is to be said of it; may be empty
+  std::string lengthUnit{};          ///< of positions; may be empty
 
   /// Makes parts exact in a view, for colours over a range; none of parts that are what they are.
   std::function<void(ContourParts& parts, const View& view, const std::array<double, 2>& range)> refine{};
+
+  /// Leaves of a body in space what the options choose by values, when it is exact; none where they choose nothing.
+  std::function<void(ContourParts& parts, const std::array<double, 2>& range)> choose{};
 };
 
 /// Draws as `contourImage` does.

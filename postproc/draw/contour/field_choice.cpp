@@ -141,7 +141,8 @@ FieldChoice fieldInWords(const std::string& name, const std::string& component, 
           .words = wordsOf(name, component)};
 }
 
-FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name) {
+FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name,
+                        const char* key) {
   const std::vector<std::string> ofContact = contactFieldsOf(frame);
   if (std::find(ofContact.begin(), ofContact.end(), name) != ofContact.end())
     return {.name = name,
@@ -174,7 +175,7 @@ FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, cons
             .words = wordsOf(fieldName, component)};
   }
   const auto names = fieldNames(frame);
-  throw Error(fmt::format("field: found \"{}\"; available in frame {}: {}.{}", name, frame.index,
+  throw Error(fmt::format("{}: found \"{}\"; available in frame {}: {}.{}", key, name, frame.index,
                           fmt::join(names, ", "), didYouMean(name, names)));
 }
 

@@ -44,7 +44,9 @@ struct FieldChoice {
 FieldChoice fieldInWords(const std::string& name, const std::string& component, bool isMagnitude,
                          const std::string& unit);
 
-/// The field of a name of `fieldNames`. Throws `Error` that lists them and tells the nearest.
-FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name);
+/// The field of a name of `fieldNames`. Throws `Error` that begins with the key that has the name, lists them and tells
+/// the nearest.
+FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, const std::string& name,
+                        const char* key = "field");
 
 }  // namespace burnish

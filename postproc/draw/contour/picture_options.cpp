@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/core/drawable_range.h"
+#include "engine/core/nearest.h"
 #include "postproc/draw/contour/contour_view.h"
 
 namespace burnish {
@@ -74,6 +75,33 @@ void checkPlanes(const PictureOptions& options, std::optional<int> dim, std::vec
     problems.push_back({key, "contact tractions act on the whole body; draw them without."});
 }
 
+/// Fields that no body can have.
+void checkChoice(const PictureOptions& options, std::optional<int> dim, std::vector<InputProblem>& problems) {
+  const auto checkField = [&](const char* key, const std::string& field) {
+    const std::vector<std::string> names = bodyFields();
+    if (!field.empty() && std::find(names.begin(), names.end(), field) == names.end())
+      problems.push_back(
+          {key, fmt::format("found the field \"{}\"; allowed: a field of bodies, such as von_mises.{}", field,
+                            didYouMean(field, names))});
+  };
+  const bool chooses = options.threshold || options.isosurfaces;
+  if (options.threshold) checkField("threshold", options.threshold->field);
+  if (options.isosurfaces) {
+    checkField("isosurfaces", options.isosurfaces->field);
+    if (options.threshold)
+      problems.push_back(
+          {"isosurfaces", "found beside threshold; the two exclude each other: give one of them."});
+    if (options.slice)
+      problems.push_back({"isosurfaces", "found beside slice, on which they are lines: take isolines."});
+    if (dim == 2)
+      problems.push_back(
+          {"isosurfaces",
+           "found in a plane body; allowed: in three-dimensional scenes alone; take isolines."});
+  }
+  if (chooses && options.arrows != ArrowField::None)
+    problems.push_back({"vectors", "arrows belong to the whole body; draw it without."});
+}
+
 void checkView(const PictureOptions& options, std::optional<int> dim, std::vector<InputProblem>& problems) {
   const auto isZ = [](const MirrorPlane& plane) { return plane.axis == 2; };
   if (dim == 2 && std::any_of(options.mirror.begin(), options.mirror.end(), isZ))
@@ -88,6 +116,16 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
         {"print_field",
          "found vector; a body in space is an image, in which what stands before hides what is behind: "
          "take image, or a slice."});
+  if (options.perspective && dim == 2)
+    problems.push_back({"perspective", "a plane body is seen as it is; draw it without."});
+  if (options.perspective && options.slice)
+    problems.push_back({"perspective", "found beside slice, which is seen as it is: draw it without."});
+  if (options.perspective && options.scaleBar)
+    problems.push_back(
+        {"scale_bar", "found beside perspective, where equal lengths are not seen equal: give one of them."});
+  if (options.cutFace == CutFace::Hatch && !options.cut)
+    problems.push_back(
+        {"cut_face", "found hatch, but there is no section beside the body that has the field: add cut."});
   if (options.hiddenLines != HiddenLines::Off && dim == 2)
     problems.push_back({"hidden_lines", "a plane body hides none of its lines; draw it without."});
   if (options.arrows == ArrowField::Traction && options.warp != 1.0)
@@ -107,10 +145,12 @@ void checkContactField(const PictureOptions& options, std::vector<InputProblem>&
   refuse(options.clip.has_value(), "clip");
   refuse(options.cut.has_value(), "cut");
   refuse(options.slice.has_value(), "slice");
+  refuse(options.threshold.has_value(), "threshold");
+  refuse(options.isosurfaces.has_value(), "isosurfaces");
   if (options.range && !statesOfContactField(options.field).empty())
     problems.push_back({"range", fmt::format("the states of {} have colours of their own; draw it without.",
                                              options.field)});
-  refuse(options.arrows == ArrowField::Displacement, "vectors");
+  refuse(options.arrows == ArrowField::Displacement || options.arrows == ArrowField::Principal, "vectors");
 }
 
 }  // namespace
@@ -211,6 +251,7 @@ std::vector<InputProblem> conflictsIn(const PictureOptions& options, std::option
   checkColors(options, problems);
   checkPlanes(options, dim, problems);
   checkView(options, dim, problems);
+  checkChoice(options, dim, problems);
   checkContactField(options, problems);
   return problems;
 }

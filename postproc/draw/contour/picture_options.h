@@ -9,6 +9,7 @@
 #include "engine/core/input_error.h"
 #include "engine/material/material.h"
 #include "postproc/draw/contour/color_range.h"
+#include "postproc/draw/contour/value_choice.h"
 #include "postproc/draw/page/picture_look.h"
 #include "postproc/draw/page/picture_size.h"
 #include "postproc/draw/page/view.h"
@@ -21,14 +22,23 @@
 /// that tests it.
 namespace burnish {
 
-/// What the arrows of a picture show: displacements on the body, or what tools do to its contact faces.
-enum class ArrowField { None, Displacement, Traction };
+/// What the arrows of a picture show: displacements on the body, what tools do to its contact faces, or crosses of
+/// the principal stresses.
+enum class ArrowField { None, Displacement, Traction, Principal };
 
 template <>
 struct EnumNames<ArrowField> {
-  static constexpr std::array values{std::pair{"none", ArrowField::None},
-                                     std::pair{"displacement", ArrowField::Displacement},
-                                     std::pair{"traction", ArrowField::Traction}};
+  static constexpr std::array values{
+      std::pair{"none", ArrowField::None}, std::pair{"displacement", ArrowField::Displacement},
+      std::pair{"traction", ArrowField::Traction}, std::pair{"principal", ArrowField::Principal}};
+};
+
+/// What the faces show that a cut or a slice makes.
+enum class CutFace { Field, Hatch };
+
+template <>
+struct EnumNames<CutFace> {
+  static constexpr std::array values{std::pair{"field", CutFace::Field}, std::pair{"hatch", CutFace::Hatch}};
 };
 
 /// What is drawn of the edges behind surfaces.
@@ -130,14 +140,19 @@ struct PictureOptions : PageLook, PictureDefaults, PrintOptions {
   ArrowField arrows = ArrowField::None;
   bool markExtremes = false;                   ///< signs where the field is smallest and largest
   bool controlNet = false;                     ///< draw the control points and the lines between them
+  bool scaleBar = false;                       ///< a line whose length in the body is told
+  std::optional<ValueBand> threshold;          ///< all else of the body is left out
+  std::optional<ChosenValues> isosurfaces;     ///< in space: these instead of the body
   double toolOpacity = 0.3;                    ///< of the tools in space, 1: hides what is behind
   HiddenLines hiddenLines = HiddenLines::Off;  ///< edges of body and tools that surfaces hide
-  double warp = 1.0;               ///< factor on the displacements of body and tools; values keep theirs
-  std::optional<int> subdivision;  ///< cells per knot span and direction; see `refineForView`
-  ViewName view;                   ///< auto of a slice: along its normal
+  double warp = 1.0;                  ///< factor on the displacements of body and tools; values keep theirs
+  std::optional<int> subdivision;     ///< cells per knot span and direction; see `refineForView`
+  ViewName view;                      ///< auto of a slice: along its normal
+  std::optional<double> perspective;  ///< in space: angle in degrees, see `eyeOf`; none: parallel
   std::optional<Eigen::AlignedBox2d> window;  ///< of the view's plane, that must be seen; see `contentOf`
   std::optional<CutPlane> cut;                ///< in space: what is on the eye's side of it is left out
   std::optional<CutPlane> slice;              ///< in space: only the section, seen against its normal
+  CutFace cutFace = CutFace::Field;           ///< what the section shows
   std::vector<std::string> bodies;            ///< the ones that are drawn, by name; all when empty
   std::vector<MirrorPlane> mirror;            ///< planes of symmetry, beyond which the images are drawn too
   std::array<int, 2> size{1600, 900};         ///< pixels
@@ -221,10 +236,19 @@ void describeMotion(Visitor& v, PictureOptions& s) {
 template <class Visitor>
 void describeParts(Visitor& v, PictureOptions& s) {
   describeBodies(v, s);
-  v.field("vectors", s.arrows, {},
-          "Draw arrows: displacement, or traction, what tools do to the body where they touch it.");
+  v.field(
+      "vectors", s.arrows, {},
+      "Draw arrows: displacement, or traction, what tools do to the body where they touch it; or crosses of "
+      "the principal stresses.");
   v.field("mark_extremes", s.markExtremes, {}, "Mark where the field is smallest and where it is largest.");
   v.field("control_net", s.controlNet, {}, "Draw the control points and the lines between them.");
+  v.field("scale_bar", s.scaleBar, {}, "Draw a line of a round length, which stands beside it.");
+  v.field(
+      "threshold", s.threshold, {},
+      "LO,HI, or FIELD=LO,HI: only the part of the body where the field that is drawn, or this one, lies between; "
+      "one of the two may be left out.");
+  v.field("isosurfaces", s.isosurfaces, {},
+          "Surfaces of equal value in a body in space, instead of it: their number, or FIELD=V,V,... (3D).");
   describeMotion(v, s);
   v.field("hidden_lines", s.hiddenLines, {},
           "Edges of body and tools that lie behind surfaces: off, or dashed (3D).");
@@ -254,10 +278,15 @@ void describeMirror(Visitor& v, PictureOptions& s) {
 template <class Visitor>
 void describeView(Visitor& v, PictureOptions& s) {
   describeEye(v, s);
+  v.field(
+      "perspective", s.perspective, {.atLeast = 1, .atMost = 120},
+      "Angle in degrees under which the longer side of the body is seen; a parallel projection when left out "
+      "(3D).");
   v.field("cut", s.cut, {},
           "Plane, x=V, y=V or z=V, or X,Y,Z,NX,NY,NZ: a point and a normal; what is on the eye's side of it "
           "is left out (3D).");
   v.field("slice", s.slice, {}, "Plane, given like that of cut; only the section is drawn (3D).");
+  v.field("cut_face", s.cutFace, {}, "What the section shows: the field, or a hatch (3D).");
   describeMirror(v, s);
 }
 

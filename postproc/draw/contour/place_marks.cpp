@@ -72,15 +72,15 @@ std::optional<std::array<int, 2>> extremeTuples(vtkDataArray& scalars) {
 }
 
 ExtremeMarks extremeMarks(const ExtremePlaces& places,
-                          const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen,
-                          const ViewAxes& axes, double side) {
-  const double height = std::sqrt(0.75) * side;
+                          const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen, const View& view,
+                          double side) {
   PolyBuilder areas, edges;
   for (const std::size_t end : {0U, 1U}) {
     const Eigen::Vector3d& place = places.drawn[end];
     if (!isSeen(place)) continue;
-    const Eigen::Vector3d right = 0.5 * side * axes.row(0).transpose();
-    const Eigen::Vector3d up = (end == 0 ? -height : height) / 3.0 * axes.row(1).transpose();
+    const double length = side / view.pixelsPerLengthAt(place), height = std::sqrt(0.75) * length;
+    const Eigen::Vector3d right = 0.5 * length * view.axes.row(0).transpose();
+    const Eigen::Vector3d up = (end == 0 ? -height : height) / 3.0 * view.axes.row(1).transpose();
     Eigen::Matrix3Xd corners(3, 3);
     corners << place + 2.0 * up, place - right - up, place + right - up;
     areas.addPolygon(areas.addPoints(corners));
@@ -92,13 +92,14 @@ ExtremeMarks extremeMarks(const ExtremePlaces& places,
   return {areas.finish(), edges.finish()};
 }
 
-vtkSmartPointer<vtkPolyData> ringMark(const Eigen::Vector3d& place, const ViewAxes& axes, double diameter) {
+vtkSmartPointer<vtkPolyData> ringMark(const Eigen::Vector3d& place, const View& view, double diameter) {
   constexpr int kCorners = 48;
+  const double radius = 0.5 * diameter / view.pixelsPerLengthAt(place);
   Eigen::Matrix3Xd corners(3, kCorners + 1);
   for (int k = 0; k <= kCorners; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / kCorners;
     corners.col(k) =
-        place + 0.5 * diameter * (axes.transpose() * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        place + radius * (view.axes.transpose() * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   PolyBuilder ring;
   ring.addLine(ring.addPoints(corners));

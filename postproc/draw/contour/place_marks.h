@@ -37,13 +37,13 @@ struct ExtremeMarks {
   vtkSmartPointer<vtkPolyData> areas, edges;
 };
 
-/// Signs of those places that are seen. side: of the triangles, as a length.
+/// Signs of those places that are seen. side: of the triangles, in pixels.
 ExtremeMarks extremeMarks(const ExtremePlaces& places,
-                          const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen,
-                          const ViewAxes& axes, double side);
+                          const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen, const View& view,
+                          double side);
 
-/// A ring round a place in the plane of a view.
-vtkSmartPointer<vtkPolyData> ringMark(const Eigen::Vector3d& place, const ViewAxes& axes, double diameter);
+/// A ring round a place in the plane of a view. diameter: in pixels.
+vtkSmartPointer<vtkPolyData> ringMark(const Eigen::Vector3d& place, const View& view, double diameter);
 
 /// "△ max at (1, 0.5), ▽ min at (0, 0)", without a sign for what is not seen. length: of the body, by which
 /// coordinates are rounded.

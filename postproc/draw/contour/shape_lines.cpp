@@ -38,11 +38,13 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData& surface) {
   return normals->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> silhouetteOf(vtkPolyData& surface, const Eigen::Vector3d& towardsEye) {
+vtkSmartPointer<vtkPolyData> silhouetteOf(vtkPolyData& surface, const View& view) {
+  if (surface.GetNumberOfPoints() == 0) return vtkSmartPointer<vtkPolyData>::New();
   vtkDataArray& normals = *surface.GetPointData()->GetNormals();
   Eigen::RowVectorXd facing(normals.GetNumberOfTuples());
   for (Eigen::Index k = 0; k < facing.size(); ++k)
-    facing(k) = Eigen::Map<const Eigen::Vector3d>(normals.GetTuple3(k)).dot(towardsEye);
+    facing(k) = Eigen::Map<const Eigen::Vector3d>(normals.GetTuple3(k))
+                    .dot(view.towardsEye(Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(k))));
   vtkNew<vtkPolyData> shape;
   shape->CopyStructure(&surface);
   shape->GetPointData()->SetScalars(makeArray("facing", facing, {}));

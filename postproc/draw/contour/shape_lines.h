@@ -16,8 +16,8 @@ vtkSmartPointer<vtkPolyData> withoutSeams(vtkPolyData& surface);
 /// The surface with normals at its points, for smooth shading and `silhouetteOf`; edges stay sharp.
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData& surface);
 
-/// Where a surface with normals turns away from the eye.
-vtkSmartPointer<vtkPolyData> silhouetteOf(vtkPolyData& surface, const Eigen::Vector3d& towardsEye);
+/// Where a surface with normals turns away from the eye of a view.
+vtkSmartPointer<vtkPolyData> silhouetteOf(vtkPolyData& surface, const View& view);
 
 /// Lines with the point data `kWayAlong`: how far one has come along each, in pixels of a view. Segments that follow
 /// one another are one line.

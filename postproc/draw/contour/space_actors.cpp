@@ -4,6 +4,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkLookupTable.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
@@ -12,6 +13,8 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
+
+#include <cmath>
 
 #include "postproc/draw/contour/shape_lines.h"
 
@@ -147,9 +150,65 @@ vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, do
   return actor;
 }
 
+namespace {
+
+/// Between which distances from an eye things are seen.
+std::array<double, 2> depthsOf(const Eye& eye, double distance) {
+  constexpr double kNearest = 0.4;
+  return {kNearest * eye.distance, eye.distance + distance};
+}
+
+/// Half of the height of a view at the plane of its picture.
+double halfHeight(const View& view) {
+  return view.area.height / (2.0 * view.pixelsPerLength);
+}
+
+void aimEye(vtkRenderer& renderer, const View& view, double distance) {
+  const Eye& eye = *view.eye;
+  const Eigen::Vector3d position = eye.position(view.axes),
+                        focus = position - eye.distance * view.towardsEye();
+  const Eigen::Vector2d aside = view.pixelsPerLength * (view.center - eye.at);
+  vtkCamera& camera = *renderer.GetActiveCamera();
+  camera.ParallelProjectionOff();
+  camera.SetFocalPoint(focus.x(), focus.y(), focus.z());
+  camera.SetPosition(position.x(), position.y(), position.z());
+  camera.SetViewUp(view.axes(1, 0), view.axes(1, 1), view.axes(1, 2));
+  camera.SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(halfHeight(view) / eye.distance)));
+  camera.SetWindowCenter(2.0 * aside.x() / view.area.width, 2.0 * aside.y() / view.area.height);
+  const auto [nearest, farthest] = depthsOf(eye, distance);
+  camera.SetClippingRange(nearest, farthest);
+}
+
+}  // namespace
+
+void lift(vtkActor& actor, const View& view, double length, double distance) {
+  if (!view.eye) {
+    const Eigen::Vector3d shift = length * view.towardsEye();
+    actor.SetPosition(shift.x(), shift.y(), shift.z());
+    return;
+  }
+  constexpr double kBeforeAll = 1.01;
+  const auto [nearest, farthest] = depthsOf(*view.eye, distance);
+  // Of a projection z = a w + b, where w is the distance along the line of sight.
+  const double a = (farthest + nearest) / (farthest - nearest),
+               b = -2.0 * farthest * nearest / (farthest - nearest);
+  actor.GetShaderProperty()->AddVertexShaderReplacement(
+      "//VTK::PositionVC::Impl", true,
+      fmt::format(
+          "//VTK::PositionVC::Impl\n  float liftedW = max(gl_Position.w - ({:.8e}), {:.8e});\n"
+          "  gl_Position = vec4(gl_Position.xy * (liftedW / gl_Position.w), {:.8e} * liftedW + ({:.8e}), "
+          "liftedW);\n",
+          length, kBeforeAll * nearest, a, b),
+      false);
+}
+
 void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance) {
   renderer.SetViewport(view.area.x / pictureSize[0], view.area.y / pictureSize[1],
                        view.area.right() / pictureSize[0], view.area.top() / pictureSize[1]);
+  if (view.eye) {
+    aimEye(renderer, view, distance);
+    return;
+  }
   const Eigen::Vector3d focus = view.axes.transpose() * view.center;
   const Eigen::Vector3d eye = focus + distance * view.towardsEye();
   vtkCamera& camera = *renderer.GetActiveCamera();
@@ -157,7 +216,7 @@ void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pict
   camera.SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera.SetPosition(eye.x(), eye.y(), eye.z());
   camera.SetViewUp(view.axes(1, 0), view.axes(1, 1), view.axes(1, 2));
-  camera.SetParallelScale(view.area.height / (2.0 * view.pixelsPerLength));
+  camera.SetParallelScale(halfHeight(view));
   renderer.ResetCameraClippingRange();
 }
 

@@ -35,8 +35,14 @@ vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, do
 /// The points as round dots. diameter: in pixels of the window.
 vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter);
 
+/// Moves an actor towards the eye by a length, before other things at its place. In perspective every point moves
+/// along its line of sight and at most to the front of what is seen, so that it stays where it is in the picture.
+/// distance: that of `aim`.
+void lift(vtkActor& actor, const View& view, double length, double distance);
+
 /// Lets a renderer show a view in its part of a picture of this size (pixels), when all actors have been
-/// added. distance: of the eye, large enough to have everything in front of it.
+/// added. distance: of the eye of a parallel view, large enough to have everything in front of it; in perspective, how
+/// far behind the plane of the eye one sees.
 void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance);
 
 }  // namespace burnish

@@ -108,12 +108,12 @@ ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& vis
   return drawing;
 }
 
-ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible,
-                          const Eigen::Vector3d& towardsEye, const std::optional<CutPlane>& cut) {
+ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const View& view,
+                          const std::optional<CutPlane>& cut) {
   const auto shape = withoutSeams(*toolOutline(tool, 3, visible));
   ToolDrawing drawing;
   drawing.surface = shape->GetPointData()->GetNormals() ? shape : withNormals(*shape);
-  drawing.lines = together(*edgesOf(*shape), *silhouetteOf(*drawing.surface, towardsEye));
+  drawing.lines = together(*edgesOf(*shape), *silhouetteOf(*drawing.surface, view));
   if (!cut) return drawing;
   const auto section = sectionOf(*shape, *cut);
   if (hasInside(tool.shape)) drawing.area = enclosedAreas(*section);

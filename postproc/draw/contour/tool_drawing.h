@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/results/result.h"
+#include "postproc/draw/page/view.h"
 #include "postproc/mesh/plane_section.h"
 
 class vtkPolyData;
@@ -26,8 +27,8 @@ ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& vis
 
 /// In space: the surface, its edges and where it turns away from the eye. With `cut` only what lies behind
 /// it, and the section.
-ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible,
-                          const Eigen::Vector3d& towardsEye, const std::optional<CutPlane>& cut = {});
+ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const View& view,
+                          const std::optional<CutPlane>& cut = {});
 
 /// The section of a tool in space, drawn as one in the plane.
 ToolDrawing drawToolSection(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const CutPlane& plane,

@@ -44,6 +44,9 @@ void requireForeign(const ForeignOptions& options, const std::filesystem::path& 
   refuse(options.controlNet, "control_net", "only bodies of burnish have control points");
   refuse(options.subdivision.has_value(), "subdivision", "only bodies of burnish have knot spans");
   refuse(options.arrows != ArrowField::None, "vectors", "only runs of burnish have arrows");
+  refuse(options.threshold.has_value(), "threshold", "only bodies of burnish are parted by values");
+  refuse(options.isosurfaces.has_value(), "isosurfaces",
+         "only bodies of burnish have surfaces of equal value");
   refuse(options.clip.has_value(), "clip", "only fields of runs of burnish have percentiles");
 }
 
@@ -260,6 +263,7 @@ class SubjectMaker {
     if (hasPlain) parts.plain = shaded(plain, subject.dim);
     for (const Faces& part : {faces, plain})
       if (part->GetNumberOfPoints() > 0) parts.box.extend(boxOf(*part));
+    parts.eye = eyeOf(options_, parts, subject.dim);
     if (options_.cut || options_.slice) cut(parts, cells, *(hasPlain ? together(*faces, *plain) : faces));
     return parts;
   }
@@ -361,7 +365,9 @@ std::string foreignFieldToShow(const ForeignFile& file, int instant) {
 
 FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions& options) {
   const ContourSubject subject = subjectOf(file, instant, options);
-  return {subject.ranges.whole, contentOf(subject.parts, subject.dim)};
+  FrameView view{.shown = subject.ranges.whole, .content = {}};
+  view.show(subject.parts, subject.dim);
+  return view;
 }
 
 ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,

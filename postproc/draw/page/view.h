@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <optional>
 
 namespace burnish {
 
@@ -16,18 +17,60 @@ struct PixelRect {
 /// Unit vectors of space that go right and up in a picture.
 using ViewAxes = Eigen::Matrix<double, 2, 3>;
 
-/// A parallel projection of space into a part of the picture.
+/// Unit vector from a picture with these axes towards the eye.
+inline Eigen::Vector3d towardsEye(const ViewAxes& axes) {
+  return axes.row(0).cross(axes.row(1)).transpose();
+}
+
+/// An eye at a finite distance that looks straight at a plane across the line of sight. Lengths in this plane are
+/// those of the picture, and what lies behind it is seen smaller.
+struct Eye {
+  Eigen::Vector2d at;     ///< coordinates along the axes of the view
+  double plane = 0.0;     ///< coordinate of the plane along the direction towards the eye
+  double distance = 1.0;  ///< from the plane
+
+  Eigen::Vector3d position(const ViewAxes& axes) const {
+    return axes.transpose() * at + (plane + distance) * towardsEye(axes);
+  }
+
+  /// How much larger a length at a point in space is seen than one in the plane.
+  double magnification(const ViewAxes& axes, const Eigen::Vector3d& point) const {
+    return distance / (plane + distance - towardsEye(axes).dot(point));
+  }
+
+  /// Where points in space (3 x points, before the eye) are seen in the plane: coordinates along the axes.
+  Eigen::Matrix2Xd project(const ViewAxes& axes, const Eigen::Matrix3Xd& points) const {
+    Eigen::Matrix2Xd projected = axes * points;
+    for (Eigen::Index k = 0; k < points.cols(); ++k)
+      projected.col(k) = at + magnification(axes, points.col(k)) * (projected.col(k) - at);
+    return projected;
+  }
+};
+
+/// A projection of space into a part of the picture: parallel, or of an eye.
 struct View {
   ViewAxes axes = ViewAxes::Identity();
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< projected point that lies in the middle of `area`
   double pixelsPerLength = 1.0;
-  PixelRect area;  ///< the part of the picture that shows space
+  PixelRect area;            ///< the part of the picture that shows space
+  std::optional<Eye> eye{};  ///< looks at the plane to which `center` and `pixelsPerLength` belong
 
   /// Unit vector from the picture towards the eye.
-  Eigen::Vector3d towardsEye() const { return axes.row(0).cross(axes.row(1)).transpose(); }
+  Eigen::Vector3d towardsEye() const { return burnish::towardsEye(axes); }
+
+  /// The same from a point in space.
+  Eigen::Vector3d towardsEye(const Eigen::Vector3d& point) const {
+    return eye ? (eye->position(axes) - point).normalized() : towardsEye();
+  }
+
+  /// Pixels per length at a point in space.
+  double pixelsPerLengthAt(const Eigen::Vector3d& point) const {
+    return eye ? pixelsPerLength * eye->magnification(axes, point) : pixelsPerLength;
+  }
 
   /// Where a position (2 or 3 coordinates) lies in the picture, in pixels from its lower left corner.
   Eigen::Vector2d pixel(const Eigen::VectorXd& position) const {
+    if (eye) return area.center() + pixelsPerLength * (eye->project(axes, position) - center);
     return area.center() + pixelsPerLength * (axes.leftCols(position.size()) * position - center);
   }
 };

@@ -1,0 +1,319 @@
+#include <gmock/gmock.h>
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "engine/core/error.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/value_parts.h"
+#include "tests/postproc/draw/contour_fixture.h"
+
+/// Parts of bodies that values choose, whose shapes are known: planes and spheres in a cube, rings in a ring.
+namespace burnish {
+namespace {
+
+using samples::Sample;
+
+/// The cube with `pressure` = x² + y² + z², which quadratic B-splines hold exactly.
+Sample radialCube(int spans = 3) {
+  Sample sample = samples::cube(spans);
+  const double h = 1.0 / spans;
+  const auto square = [&](double greville) {
+    const bool atEnd = greville < 1e-12 || greville > 1.0 - 1e-12;
+    return greville * greville - (atEnd ? 0.0 : h * h / 4.0);
+  };
+  const Eigen::MatrixXd& points = sample.model.mesh.patches.front().points;
+  sample.frame.fields["pressure"].values = points.unaryExpr(square).colwise().sum();
+  return sample;
+}
+
+/// Calls with the corners of the triangles of a surface; polygons are fans of them.
+template <class Visit>
+void forTriangles(vtkPolyData& surface, const Visit& visit) {
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < surface.GetNumberOfPolys(); ++cell) {
+    surface.GetPolys()->GetCellAtId(cell, ids);
+    const auto corner = [&](vtkIdType k) {
+      return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(ids->GetId(k))));
+    };
+    for (vtkIdType k = 1; k + 1 < ids->GetNumberOfIds(); ++k) visit(corner(0), corner(k), corner(k + 1));
+  }
+}
+
+double areaOf(vtkPolyData& surface) {
+  double area = 0.0;
+  forTriangles(surface, [&](const auto& a, const auto& b, const auto& c) {
+    area += 0.5 * (b - a).cross(c - a).norm();
+  });
+  return area;
+}
+
+/// Of a closed surface whose triangles go round counterclockwise from outside; about another point it is another
+/// one if there is a gap.
+double volumeOf(vtkPolyData& surface, const Eigen::Vector3d& about) {
+  double volume = 0.0;
+  forTriangles(surface, [&](const auto& a, const auto& b, const auto& c) {
+    volume += (a - about).dot((b - about).cross(c - about)) / 6.0;
+  });
+  return volume;
+}
+
+struct CubeOfValues {
+  explicit CubeOfValues(const Sample& ofSample)
+      : sample(ofSample), field(chooseField(sample.model, sample.frame, "pressure")) {}
+
+  ValueVolume cut(int perSpan) const {
+    return {sample.model.mesh, sample.frame.displacement, perSpan, field, field};
+  }
+
+  Sample sample;
+  FieldChoice field;
+};
+
+constexpr double kSingle = 1e-7;  // VTK clips and cuts with values in single precision
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+TEST(ValueVolumes, SurfaceOfARadialFieldTendsToTheSphere) {
+  const CubeOfValues cube(radialCube());
+  const double radius = 0.8, value = radius * radius;
+  const double exactArea = std::numbers::pi * value / 2.0,
+               exactVolume = std::numbers::pi * value * radius / 6.0;
+  double areaError = 0.0, volumeError = 0.0;
+  for (const int perSpan : {2, 4, 8, 16}) {
+    const ValueVolume volume = cube.cut(perSpan);
+    const auto surface = volume.surfacesAt({value}), part = volume.surfaceBetween({-kInfinite, value});
+    const double area = std::abs(areaOf(*surface) / exactArea - 1.0),
+                 enclosed = std::abs(volumeOf(*part, {0.0, 0.0, 0.0}) / exactVolume - 1.0);
+    EXPECT_NEAR(volumeOf(*part, {3.0, -2.0, 5.0}), volumeOf(*part, {0.0, 0.0, 0.0}), kSingle)
+        << "it is closed";
+    if (perSpan > 2) {
+      EXPECT_LT(area, 0.3 * areaError) << "second order, " << perSpan << " cells per span";
+      EXPECT_LT(enclosed, 0.3 * volumeError) << perSpan;
+    }
+    areaError = area;
+    volumeError = enclosed;
+    RecordProperty("area_" + std::to_string(perSpan), std::to_string(area));
+    RecordProperty("volume_" + std::to_string(perSpan), std::to_string(enclosed));
+  }
+  EXPECT_LT(areaError, 3e-4);
+  EXPECT_LT(volumeError, 6e-4);
+}
+
+TEST(ValueVolumes, NormalsOfSurfacesAreTheGradientDownwards) {
+  const CubeOfValues cube(radialCube());
+  const auto surface = cube.cut(4).surfacesAt({0.25, 0.64});
+  vtkDataArray& normals = *surface->GetPointData()->GetNormals();
+  ASSERT_GT(surface->GetNumberOfPoints(), 100);
+  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k) {
+    const Eigen::Vector3d x = Eigen::Map<const Eigen::Vector3d>(surface->GetPoint(k));
+    const Eigen::Vector3d normal = Eigen::Map<const Eigen::Vector3d>(normals.GetTuple3(k));
+    EXPECT_LT((normal + x.normalized()).norm(), 0.15) << x.transpose();  // one-sided at the faces of the cube
+    if (x.minCoeff() > 0.1) {
+      EXPECT_LT((normal + x.normalized()).norm(), 0.01) << x.transpose();
+    }
+  }
+}
+
+/// x + y + z = 3/2 is a regular hexagon that halves the cube, whatever the cells are.
+TEST(ValueVolumes, PlaneThroughALinearFieldIsExact) {
+  const CubeOfValues cube(samples::cube());
+  for (const int perSpan : {1, 3}) {
+    const ValueVolume volume = cube.cut(perSpan);
+    EXPECT_NEAR(areaOf(*volume.surfacesAt({1.5})), 3.0 * std::sqrt(3.0) / 4.0, 1e-9);
+    const auto upper = volume.surfaceBetween({1.5, kInfinite}), slab = volume.surfaceBetween({1.0, 2.0});
+    EXPECT_NEAR(volumeOf(*upper, {5.0, 1.0, -3.0}), 0.5, 1e-9);
+    EXPECT_NEAR(volumeOf(*slab, {5.0, 1.0, -3.0}), 1.0 - 2.0 / 6.0, 1e-9);
+    EXPECT_NEAR(areaOf(*volume.sectionBetween({{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}}, {1.0, 2.0})), 0.75,
+                kSingle);
+  }
+}
+
+/// A body twice as long has twice the volume: parts are chosen in the body as it is drawn.
+TEST(ValueVolumes, FollowTheDisplacements) {
+  Sample sample = samples::cube();
+  sample.frame.displacement.row(0) = sample.model.mesh.patches.front().points.row(0);
+  const CubeOfValues cube(sample);
+  EXPECT_NEAR(volumeOf(*cube.cut(2).surfaceBetween({-kInfinite, 1.0}), {1.0, 7.0, 0.0}), 2.0 / 6.0, 1e-9);
+}
+
+TEST(ValueVolumes, AreCutAsTheFieldAsks) {
+  const Sample linear = samples::cube(), radial = radialCube();
+  const auto cells = [](const Sample& sample, int least) {
+    return volumeSubdivision(sample.model.mesh, sample.frame.displacement,
+                             chooseField(sample.model, sample.frame, "pressure"), least);
+  };
+  EXPECT_EQ(cells(linear, 1), 1);
+  EXPECT_EQ(cells(linear, 4), 4);
+  // Off by 3 h²/4 with cells of size h = 1/(3 n), of a range of 3.
+  EXPECT_EQ(cells(radial, 1), std::ceil(std::sqrt(3.0 / 4.0 / 9.0 / 3e-3)));
+}
+
+class ChoiceImage : public ContourPictures {
+ protected:
+  static void expectRefused(const Sample& sample, const ContourOptions& options, const std::string& part) {
+    try {
+      contourImage(sample.model, sample.frame, options);
+      ADD_FAILURE() << "no error that says \"" << part << "\"";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(part));
+    }
+  }
+};
+
+/// von_mises = 100 (r - 1): from 30 to 60 is a ring of radii 1.3 and 1.6.
+TEST_F(ChoiceImage, ThresholdInThePlaneEndsWhereTheFieldHasTheValue) {
+  ContourOptions options = small("von_mises");
+  options.size = {800, 600};
+  options.threshold = ValueBand{"", {30.0, 60.0}};
+  const Picture picture = expectBaseline(samples::ring(), options, "ring_threshold");
+  const ColorScale scale("viridis", {0.0, 100.0}, 0);
+  const double pixel = 1.0 / view.pixelsPerLength;
+  for (const double angle : {0.1, 0.4, 0.8, 1.2, 1.5}) {
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    for (const double r : {1.3 + 3.0 * pixel, 1.45, 1.6 - 3.0 * pixel})
+      expectColor(picture, r * along, scale.color(100.0 * (r - 1.0)));
+    for (const double r : {1.1, 1.3 - 3.0 * pixel, 1.6 + 3.0 * pixel, 1.9})
+      expectColor(picture, r * along, options.theme.paper);
+  }
+  // Coloured pixels and the half of the lines round them.
+  int inside = 0;
+  for (double x = view.area.x + 0.5; x < view.area.right(); ++x)
+    for (double y = view.area.y + 0.5; y < view.area.top(); ++y) {
+      const Eigen::Vector2d at = view.center + (Eigen::Vector2d(x, y) - view.area.center()) * pixel;
+      if (at.norm() > 1.2 && at.norm() < 1.7 && at.minCoeff() > 0.02 &&
+          picture.at({x, y}) != options.theme.paper)
+        ++inside;
+    }
+  const double ring = std::numbers::pi / 4.0 * (1.6 * 1.6 - 1.3 * 1.3) - 2.0 * 0.02 * 0.3;
+  const double rims =
+      std::numbers::pi / 2.0 * (1.6 + 1.3) * pixel;  // a line covers half a pixel or more beyond
+  EXPECT_NEAR(inside * pixel * pixel, ring + rims, 0.012 * ring);
+}
+
+TEST_F(ChoiceImage, ThresholdByAnotherFieldKeepsTheColoursOfTheDrawnOne) {
+  Sample sample = samples::ring();
+  const Eigen::MatrixXd& points = sample.model.mesh.patches.front().points;
+  sample.frame.fields["pressure"] = {{}, "MPa", points.row(0), {}};
+  ContourOptions options = small("von_mises");
+  options.threshold = ValueBand{"pressure", {-kInfinite, 1.0}};
+  const Picture picture = drawn(sample, options);
+  const ColorScale scale("viridis", {0.0, 100.0}, 0);
+  expectColor(picture, Eigen::Vector2d(0.9, 1.2), scale.color(50.0));
+  expectColor(picture, Eigen::Vector2d(1.1, 1.2), options.theme.paper);
+}
+
+TEST_F(ChoiceImage, ThresholdInSpaceLeavesAPartOfTheBody) {
+  ContourOptions options = small("pressure");
+  options.threshold = ValueBand{"", {0.64, kInfinite}};
+  options.tools = false;
+  options.view.name = "-1,-0.9,-0.8";
+  options.occlusion = false;
+  const Picture picture = expectBaseline(radialCube(), options, "cube_threshold");
+  // Where the sphere nearly looks at the eye, beside the edges that end there, it has the colour of its value.
+  const Eigen::Vector3d on = 0.8 * Eigen::Vector3d(1.0, 0.95, 0.75).normalized();
+  expectColor(picture, on, ColorScale("viridis", {0.0, 3.0}, 0).color(0.64));
+}
+
+TEST_F(ChoiceImage, SurfacesOfEqualValueStandInTheGhostOfTheBody) {
+  ContourOptions options = small("pressure");
+  options.isosurfaces = ChosenValues{3, "", {}};
+  options.tools = false;
+  expectBaseline(radialCube(), options, "cube_isosurfaces");
+  options.isosurfaces = ChosenValues{0, "pressure", {1.5}};
+  options.view.name = "iso";
+  const Picture plane = drawn(samples::cube(), options);
+  const ColorScale scale("viridis", {0.0, 3.0}, 0);
+  for (const Eigen::Vector3d& x : {Eigen::Vector3d(0.35, 0.5, 0.65), {0.2, 0.5, 0.8}, {0.8, 0.3, 0.4}})
+    expectColor(plane, x, scale.color(1.5));
+  options.view.name = "auto";
+  options.knots = true;
+  options.cut = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  options.isosurfaces = ChosenValues{0, "pressure", {0.4, 0.8, 1.2}};
+  expectBaseline(radialCube(), options, "cube_isosurfaces_cut");
+}
+
+TEST_F(ChoiceImage, ThresholdHoldsForSections) {
+  ContourOptions options = small("pressure");
+  options.tools = false;
+  options.threshold = ValueBand{"", {1.0, 2.0}};
+  options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  const Picture slice = drawn(samples::cube(), options);
+  const ColorScale scale("viridis", {0.0, 3.0}, 0);
+  expectColor(slice, Eigen::Vector3d(0.3, 0.3, 0.5), scale.color(1.1));
+  expectColor(slice, Eigen::Vector3d(0.2, 0.2, 0.5), options.theme.paper);
+  expectColor(slice, Eigen::Vector3d(0.9, 0.9, 0.5), options.theme.paper);
+  options.slice.reset();
+  options.cut = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  options.occlusion = false;
+  const Picture cut = drawn(samples::cube(), options);
+  expectColor(cut, Eigen::Vector3d(0.3, 0.3, 0.5), scale.color(1.1));
+}
+
+/// Nothing is between the ends in a frame of a series: the ghost alone is drawn.
+TEST_F(ChoiceImage, NothingMayBeLeft) {
+  for (const bool inSpace : {false, true}) {
+    ContourOptions options = small(inSpace ? "pressure" : "von_mises");
+    options.threshold = ValueBand{"", {1e3, kInfinite}};
+    const Sample sample = inSpace ? samples::cube() : samples::ring();
+    const Picture picture = drawn(sample, options);
+    if (!inSpace) expectColor(picture, Eigen::Vector2d(1.0, 1.0), options.theme.paper);
+  }
+}
+
+TEST_F(ChoiceImage, MistakesAreTold) {
+  ContourOptions options = small("pressure");
+  options.threshold = ValueBand{"presure", {0.0, 1.0}};
+  expectRefused(samples::cube(), options,
+                "threshold: found the field \"presure\"; allowed: a field of bodies");
+  options.threshold = ValueBand{"plastic_strain", {0.0, 1.0}};
+  expectRefused(samples::cube(), options, "threshold: found \"plastic_strain\"; available in frame 0:");
+  options.threshold = ValueBand{"", {0.0, 1.0}};
+  options.arrows = ArrowField::Displacement;
+  expectRefused(samples::cube(), options, "vectors: arrows belong to the whole body");
+  options.arrows = ArrowField::None;
+  options.isosurfaces = ChosenValues{3, "", {}};
+  expectRefused(samples::cube(), options, "isosurfaces: found beside threshold");
+  options.threshold.reset();
+  options.slice = CutPlane{};
+  expectRefused(samples::cube(), options, "isosurfaces: found beside slice, on which they are lines");
+  options.slice.reset();
+  options.field = "von_mises";
+  expectRefused(samples::ring(), options, "isosurfaces: found in a plane body");
+  options = small("plastic_strain");
+  options.threshold = ValueBand{"plastic_strain", {0.0, 1.0}};
+  options.field = "von_mises";
+  expectRefused(samples::twoBodies(), options,
+                "threshold: stamp has no plastic_strain; draw the others with body");
+}
+
+TEST(ValueChoices, AreSpelled) {
+  const auto band = [](const char* text) { return Spelling<ValueBand>::read(text); };
+  EXPECT_EQ(band("von_mises=0.5,2")->field, "von_mises");
+  EXPECT_EQ(band("-1,2")->ends, (std::array{-1.0, 2.0}));
+  EXPECT_EQ(band(",0.1")->ends, (std::array{-kInfinite, 0.1}));
+  EXPECT_EQ(band("p=0.1,")->ends, (std::array{0.1, kInfinite}));
+  for (const char* text :
+       {"", ",", "1", "2,1", "1,1", "1,2,3", "=1,2", "nan,1", "1,inf", "a", "0,2e300", "x=", "0:1"})
+    EXPECT_FALSE(band(text)) << text;
+  for (const char* text : {"von_mises=0.5,2", "-1,2", ",0.1", "p=0.1,"})
+    EXPECT_EQ(Spelling<ValueBand>::write(*band(text)), text);
+  const auto values = [](const char* text) { return Spelling<ChosenValues>::read(text); };
+  EXPECT_EQ(values("3")->of({1.0, 5.0}), (std::vector{2.0, 3.0, 4.0}));
+  EXPECT_EQ(values("p=1.5")->of({0.0, 9.0}), std::vector{1.5});
+  for (const char* text : {"", "0", "21", "1.5", "1,2", "=1", "p=", "p=2,1", "p=1,nan", "x"})
+    EXPECT_FALSE(values(text)) << text;
+  for (const char* text : {"3", "von_mises=0.5,2"})
+    EXPECT_EQ(Spelling<ChosenValues>::write(*values(text)), text);
+  EXPECT_EQ(bandNote(*band("0.5,2"), "Pressure", "MPa"), "shown: Pressure from 0.5 to 2 MPa");
+  EXPECT_EQ(bandNote(*band("0.5,"), "Pressure", ""), "shown: Pressure from 0.5");
+  EXPECT_EQ(surfacesNote(*values("p=1,2"), "Pressure", "MPa"), "surfaces: Pressure = 1, 2 MPa");
+  EXPECT_EQ(surfacesNote(*values("1"), "Pressure", "MPa"), "1 surface: Pressure");
+}
+
+}  // namespace
+}  // namespace burnish
