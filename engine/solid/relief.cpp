@@ -27,7 +27,8 @@ Eigen::MatrixXd interpolated(const Patch<P, S>& surface, const Eigen::MatrixXd& 
   collocation.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(collocation);
   if (factor.info() != Eigen::Success) throw Error("the face has no interpolation at its anchors");
-  return factor.solve(values.transpose()).transpose();
+  const Eigen::MatrixXd right = values.transpose();
+  return Eigen::MatrixXd(factor.solve(right)).transpose();
 }
 
 }  // namespace
