@@ -109,10 +109,10 @@ std::pair<Law, LawFit> fitted(const Fitting<Law>& fitting, const std::vector<Mea
                             points.numLeftOut > 0 ? " (those without stress say nothing)" : ""));
   const auto fit = fitSeparable(modelOf(fitting, points), points.y, points.weights);
   if (!fit)
-    throw Error(
-        fmt::format("{}: no constants that make sense fit these points; do the columns hold what the law "
-                    "is about, in consistent units?",
-                    fitting.name));
+    throw Error(fmt::format(
+        "{}: no constants that make sense fit these points; {}do the columns hold what the law is about, in "
+        "consistent units?",
+        fitting.name, fitting.numShapes > 1 ? "do they tell so many terms apart, and " : ""));
   const auto round = [](double value) { return rounded(value); };
   Law law = fitting.make(fit->factors.unaryExpr(round), fit->shapes.unaryExpr(round));
   LawFit result;
@@ -296,7 +296,7 @@ LawFit fitYeoh(const std::vector<MeasuredCurve>& curves, const FitOptions& optio
 /// Whether the terms are of their own: with more terms than the points can tell apart, exponents draw near to one
 /// another, and factors without bound cancel.
 bool isOgden(const Ogden& energy) {
-  constexpr double kLargestShare = 100.0;  // of a term in the shear modulus
+  constexpr double kLargestShare = 10.0;  // of a term in the shear modulus
   const double mu = energy.shearModulus();
   if (!(mu > 0.0)) return false;
   for (std::size_t p = 0; p < energy.mu.size(); ++p)
@@ -368,7 +368,7 @@ const std::vector<FittableLaw>& fittableLaws() {
       {"neo-hookean", "neo-Hookean", FitData::RubberTests, 0, 0, fitNeoHookean},
       {"mooney-rivlin", "Mooney-Rivlin", FitData::RubberTests, 0, 0, fitMooneyRivlin},
       {"yeoh", "Yeoh", FitData::RubberTests, 0, 0, fitYeoh},
-      {"ogden", "Ogden", FitData::RubberTests, 3, static_cast<int>(IsochoricPoint::kMostPowers), fitOgden},
+      {"ogden", "Ogden", FitData::RubberTests, 3, 4, fitOgden},
       {"voce", "Voce", FitData::Flow, 0, 0, fitVoce},
   };
   return laws;

@@ -90,10 +90,8 @@ std::optional<SeparableFit> fitSeparable(const SeparableModel& model, const Eige
   std::ranges::stable_sort(fits, {}, &SeparableFit::rms);
   if (model.numShapes > 0) {
     fits.resize(std::min(fits.size(), kImproved));
-    std::vector<SeparableFit> better;
-    for (const SeparableFit& fit : fits) better.push_back(improved(projection, fit));
-    std::erase_if(better, [&](const SeparableFit& fit) { return !projection.admits(fit); });
-    fits.insert(fits.begin(), better.begin(), better.end());
+    for (SeparableFit& fit : fits) fit = improved(projection, fit);
+    std::erase_if(fits, [&](const SeparableFit& fit) { return !projection.admits(fit); });
     std::ranges::stable_sort(fits, {}, &SeparableFit::rms);
   }
   if (fits.empty()) return std::nullopt;

@@ -30,7 +30,7 @@ struct SeparableFit {
 
 /// The factors and shapes that make Σ (w (y − values))² smallest. Factors follow from shapes (variable
 /// projection), so that only shapes are sought: from every choice of starts, the best of which are improved by
-/// Levenberg and Marquardt's method. Nothing if the model admits no outcome.
+/// Levenberg and Marquardt's method. Nothing if the model admits none of them.
 std::optional<SeparableFit> fitSeparable(const SeparableModel& model, const Eigen::VectorXd& values,
                                          const Eigen::VectorXd& weights);
 
