@@ -77,18 +77,6 @@ struct BodyGrid {
   auto operator()(const CurvedCells& cells) const { return makeGrid(cells, frame, lengthUnit); }
 };
 
-struct KnotLines {
-  const FrameRecord& frame;
-  const std::string& lengthUnit;
-
-  auto operator()(const Tessellation& cells) const {
-    return makeSpanLines(cells.points(), std::nullopt, frame, lengthUnit);
-  }
-  auto operator()(const CurvedCells& cells) const {
-    return makeSpanLines(cells.points(), cells.family(), frame, lengthUnit);
-  }
-};
-
 const char* extensionOf(ExportPart kind, int pieces) {
   if (kind == ExportPart::Knots) return "vtu";
   if (kind != ExportPart::Body) return "vtp";
@@ -219,14 +207,22 @@ void VtuSeriesWriter::writeBodyPart(const Part& part, const ModelRecord& model,
   const fs::path path = file(part, frame.index);
   if (part.kind == ExportPart::Points) return writeVtkFile(*quadraturePoints(frame), frame.time, path);
   if (part.kind == ExportPart::Net) return writeVtkFile(*controlNet(model, frame), frame.time, path);
-  if (part.kind == ExportPart::Knots)
-    return writeVtkFile(*std::visit(KnotLines{frame, model.lengthUnit}, makeCells(meshOf(model, frame))),
-                        frame.time, path);
+  if (part.kind == ExportPart::Knots) return writeVtkFile(*knotLines(model, frame), frame.time, path);
   if (pieces_ > 1) return writePieces(part, model, frame);
   const BodyGrid grid{frame, model.lengthUnit};
   const BodyCells& cells = cells_[part.body.value_or(0)];
   writeVtkFile(*(frame.mesh ? std::visit(grid, makeCells(*frame.mesh)) : std::visit(grid, cells)), frame.time,
                path);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> VtuSeriesWriter::knotLines(const ModelRecord& model,
+                                                                const FrameRecord& frame) const {
+  const MeshRecord& mesh = meshOf(model, frame);
+  // Of Lagrange curves, VTK's filters for surfaces do not make lines but crash.
+  return cellKind_ == CellKind::Bezier ? makeSpanLines(CurvedCells(mesh, CurvedFamily::Bezier).points(),
+                                                       LineCells::Bezier, frame, model.lengthUnit)
+                                       : makeSpanLines(Tessellation(mesh, model.subdivision).points(),
+                                                       LineCells::Polylines, frame, model.lengthUnit);
 }
 
 void VtuSeriesWriter::writePieces(const Part& part, const ModelRecord& model,

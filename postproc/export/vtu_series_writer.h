@@ -1,4 +1,6 @@
 #pragma once
+#include <vtkSmartPointer.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -12,6 +14,8 @@
 #include "postproc/mesh/curved_cells.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/tessellation.h"
+
+class vtkUnstructuredGrid;
 
 namespace burnish {
 
@@ -28,7 +32,7 @@ enum class ExportPart {
   Contact,  ///< `contact_NAME_000000.vtp` for every tool and pair of faces, `self_contact_000000.vtp`
   Points,   ///< `points_000000.vtp`: values at the quadrature points, not projected
   Net,      ///< `net_000000.vtp`: the control net
-  Knots     ///< `knots_000000.vtu`: lines between knot spans, with the fields of the body
+  Knots  ///< `knots_000000.vtu`: lines between knot spans with the fields of the body, exact with Bezier cells
 };
 
 struct VtuOptions {
@@ -87,6 +91,7 @@ class VtuSeriesWriter {
   std::vector<BodyCells> makeAllCells() const;
   void writePart(const Part& part, const FrameRecord& frame) const;
   void writeBodyPart(const Part& part, const ModelRecord& model, const FrameRecord& frame) const;
+  vtkSmartPointer<vtkUnstructuredGrid> knotLines(const ModelRecord& model, const FrameRecord& frame) const;
   void writePieces(const Part& part, const ModelRecord& model, const FrameRecord& frame) const;
   void writeBlocks(int frame, const std::vector<std::size_t>& parts) const;
   std::filesystem::path file(const Part& part, int frame) const;

@@ -81,9 +81,9 @@ vtkSmartPointer<vtkDataArray> tuplesOf(vtkDataArray& all, vtkIdList& points) {
 }
 
 /// Gathers lines and the points that they need.
-class LineCells {
+class LineGrid {
  public:
-  explicit LineCells(const SpanPoints& points) : number_(static_cast<std::size_t>(points.size()), -1) {}
+  explicit LineGrid(const SpanPoints& points) : number_(static_cast<std::size_t>(points.size()), -1) {}
 
   void add(int type, Line line) {
     for (vtkIdType& point : line) {
@@ -115,21 +115,19 @@ class LineCells {
 
 }  // namespace
 
-vtkSmartPointer<vtkUnstructuredGrid> makeSpanLines(const SpanPoints& points,
-                                                   std::optional<CurvedFamily> family,
+vtkSmartPointer<vtkUnstructuredGrid> makeSpanLines(const SpanPoints& points, LineCells cells,
                                                    const FrameRecord& frame, const std::string& lengthUnit) {
-  LineCells cells(points);
+  LineGrid lines(points);
   for (const PatchLattice& lattice : points.patches())
     forEachLine(lattice, points.dim(), [&](const std::vector<Line>& spans) {
-      if (!family) return cells.add(VTK_POLY_LINE, joined(spans));
-      const int type = *family == CurvedFamily::Bezier ? VTK_BEZIER_CURVE : VTK_LAGRANGE_CURVE;
-      for (const Line& span : spans) cells.add(type, endsFirst(span));
+      if (cells == LineCells::Polylines) return lines.add(VTK_POLY_LINE, joined(spans));
+      for (const Line& span : spans) lines.add(VTK_BEZIER_CURVE, endsFirst(span));
     });
   vtkNew<vtkUnstructuredGrid> all;
   setPoints(*all, points, frame, true, lengthUnit);
-  if (family == CurvedFamily::Bezier)
+  if (cells == LineCells::Bezier)
     all->GetPointData()->SetRationalWeights(makeArray("RationalWeights", points.weights().transpose(), {}));
-  return cells.finish(*all);
+  return lines.finish(*all);
 }
 
 }  // namespace burnish

@@ -29,7 +29,8 @@ eye, up = @eye@, @up@
 center, width, height = @center@, @window@
 size = @size@
 
-paper, ink, tool, knot = @paper@, @ink@, @tool@, @line@
+paper, ink = @paper@, @ink@
+plain_color, tool_color, knot_color = @plain_color@, @tool_color@, @knot_color@
 tool_opacity = @opacity@
 light = @light@  # 0: colours as they are in the scale
 subdivision = @subdivision@  # of curved cells, when they are drawn
@@ -39,16 +40,21 @@ def rgb(color):
     return [int(color[k : k + 2], 16) / 255 for k in (1, 3, 5)]
 
 
-def show(name, visible=True):
-    block = ExtractBlock(registrationName=name, Input=series, Selectors=["/Root/" + name])
+def show(name, color, visible=True):
+    block = ExtractBlock(registrationName=name, Input=series, Selectors=[f'//*[@label="{name}"]'])
     display = Show(block, view)
     display.Visibility = visible
     display.ColorArrayName = ["POINTS", ""]
-    display.AmbientColor = display.DiffuseColor = rgb(tool)
+    display.AmbientColor = display.DiffuseColor = rgb(color)
     display.Ambient, display.Diffuse = 1 - light, light
     display.NonlinearSubdivisionLevel = subdivision
     display.LineWidth = 2
     return display
+
+
+def move_forward(display):
+    """Before the faces that it lies in."""
+    display.Position = [1e-3 * (width + height) * e for e in eye]
 
 
 folder = os.path.dirname(os.path.abspath(globals().get("__file__", "frames.py")))
@@ -61,21 +67,22 @@ view = GetActiveViewOrCreate("RenderView")
 view.ViewTime = animation.EndTime
 
 for name in plain:
-    show(name)
+    show(name, plain_color)
 for name in tools:
-    show(name).Opacity = tool_opacity
+    show(name, tool_color).Opacity = tool_opacity
 for name in knots:
-    display = show(name)
-    display.AmbientColor = display.DiffuseColor = rgb(knot)
+    display = show(name, knot_color)
     display.LineWidth = 1
-    display.Position = [1e-3 * (width + height) * e for e in eye]  # before the faces that they lie in
+    move_forward(display)
 for name in hidden:
-    show(name, False)
+    show(name, tool_color, False)
 for name in colored:
-    display = show(name)
-    display.LineWidth = 5
+    display = show(name, plain_color)
     ColorBy(display, ("POINTS", array, component) if component else ("POINTS", array))
     display.SetScalarBarVisibility(view, True)
+    if not name.startswith("body"):
+        display.LineWidth = 5
+        move_forward(display)
 
 if colored:
     scale = GetColorTransferFunction(array)

@@ -96,8 +96,10 @@ std::string textOf(const StateScript& script) {
        {"@size@", fmt::format("[{}, {}]", script.size[0], script.size[1])},
        {"@paper@", spelled(hex(script.theme.paper))},
        {"@ink@", spelled(hex(script.theme.ink))},
-       {"@tool@", spelled(hex(script.isFlat ? script.theme.softInk : script.theme.tool))},
-       {"@line@", spelled(hex(script.theme.knots))},
+       {"@plain_color@", spelled(hex(script.theme.tool))},
+       // Lines take a stronger colour than areas.
+       {"@tool_color@", spelled(hex(script.isFlat ? script.theme.softInk : script.theme.tool))},
+       {"@knot_color@", spelled(hex(script.theme.knots))},
        {"@opacity@", fmt::format("{:.6g}", script.isFlat ? 1.0 : script.toolOpacity)},
        {"@light@", fmt::format("{:.6g}", script.isFlat ? 0.0 : kSpaceLight)},
        {"@subdivision@", std::to_string(script.isCurved ? kCurvedSubdivision : 1)},

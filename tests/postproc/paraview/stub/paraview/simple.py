@@ -55,7 +55,7 @@ def GetActiveViewOrCreate(kind):
 
 def ExtractBlock(registrationName, Input, Selectors):
     (selector,) = Selectors
-    name = selector.removeprefix("/Root/")
+    name = selector.removeprefix('//*[@label="').removesuffix('"]')
     assert name == registrationName
     return Proxy(name=name, files=Input.blocks[name])
 
