@@ -42,6 +42,7 @@ void addVerifyCommand(CLI::App& app, Action& action);
 void addSchemaCommand(CLI::App& app, Action& action);
 void addExplainCommand(CLI::App& app, Action& action);
 void addValidateCommand(CLI::App& app, Action& action);
+void addWatchCommand(CLI::App& app, Action& action);
 void addInitCommand(CLI::App& app, Action& action);
 void addDoctorCommand(CLI::App& app, Action& action);
 void addHelpCommand(CLI::App& app, Action& action);

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -74,6 +75,12 @@ void printErrorText(std::string_view text) {
   flushOutput();
   const NoBrokenPipe guard;
   std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+std::size_t terminalColumns() {
+  constexpr std::size_t usual = 80;
+  winsize size{};
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
 }
 
 void flushOutput() {

@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -28,6 +29,9 @@ template <class... Values>
 void printError(fmt::format_string<Values...> format, Values&&... values) {
   printErrorText(fmt::format(format, std::forward<Values>(values)...));
 }
+
+/// Columns of the terminal that standard output is, or 80.
+std::size_t terminalColumns();
 
 /// Hands what was printed on standard output to the system.
 void flushOutput();

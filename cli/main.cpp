@@ -47,6 +47,7 @@ ExitCode execute(int argc, char** argv) {
   addSchemaCommand(app, action);
   addExplainCommand(app, action);
   addValidateCommand(app, action);
+  addWatchCommand(app, action);
   addInitCommand(app, action);
   addDoctorCommand(app, action);
   addHelpCommand(app, action);

@@ -132,6 +132,7 @@ const std::map<std::string, Maker>& makers() {
       {"BODY", ofLine(bodiesOf)},
       {"A-B", ofLine(framesOf)},
       {"EXPR", ofLine(columnsOf)},
+      {"COLUMN", ofLine(columnsOf)},
       {"FIGURE",
        [](const CLI::App&, const GivenLine& line) { return namesIn(line.argument({"STUDY"}), "figures"); }},
       {"COMMAND", [](const CLI::App& program, const GivenLine&) { return commandsOf(program); }},

@@ -1,7 +1,6 @@
 #include "cli/jobs/study_progress.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -51,12 +50,6 @@ std::string runText(const fs::path& directory) {
   } catch (const Error& error) {
     return error.what();
   }
-}
-
-std::size_t terminalColumns() {
-  constexpr std::size_t usual = 80;
-  winsize size{};
-  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
 }
 
 int numEnded(const std::vector<JobStatus>& all, const std::vector<std::size_t>& jobs) {

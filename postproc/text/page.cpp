@@ -1,5 +1,6 @@
 #include "postproc/text/page.h"
 
+#include <fmt/format.h>
 #include <vtkBase64Utilities.h>
 
 #include <string_view>
@@ -36,12 +37,16 @@ std::string filled(std::string_view text,
 }
 
 std::string htmlText(const HtmlPage& page) {
-  return filled(kCommonPage,
-                {{"/*script-source*/", page.script.empty() ? "'none'" : sourceOfHash(page.scriptHash)},
-                 {"/*title*/", escaped(page.title)},
-                 {"/*style*/", kCommonStyle + page.style},
-                 {"/*body*/", page.body},
-                 {"/*script*/", page.script}});
+  return filled(
+      kCommonPage,
+      {{"/*reload*/", page.reloadSeconds > 0
+                          ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", page.reloadSeconds)
+                          : ""},
+       {"/*script-source*/", page.script.empty() ? "'none'" : sourceOfHash(page.scriptHash)},
+       {"/*title*/", escaped(page.title)},
+       {"/*style*/", kCommonStyle + page.style},
+       {"/*body*/", page.body},
+       {"/*script*/", page.script}});
 }
 
 std::string escaped(const std::string& text) {

@@ -12,6 +12,7 @@ namespace burnish {
 struct HtmlPage {
   std::string title, style, body;
   std::string script{}, scriptHash{};
+  int reloadSeconds = 0;  ///< after which the page loads itself again; 0: never
 };
 
 std::string htmlText(const HtmlPage& page);
