@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"missingTop", &block, "steps:\n  - {until: 1, count: 20}\n  - {until: 2, count: 200}\n", "",
                 "basis: nurbs", "steps", "missing; required: a list of 1 or more mappings."},
         Mistake{"missingChoice", &block, "law: neo-hookean, ", "", "{E: 1.0", "material.law",
-                "missing; required: neo-hookean | j2 | mooney-rivlin | yeoh | ogden."}),
+                "missing; required: neo-hookean | j2 | chaboche | mooney-rivlin | yeoh | ogden."}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "found lagrang; allowed: nurbs | lagrange. Did you mean \"lagrange\"?"},
         Mistake{
             "law", &block, "law: neo-hookean", "law: neohookean", "neohookean", "material.law",
-            "found neohookean; allowed: neo-hookean | j2 | mooney-rivlin | yeoh | ogden. Did you mean \"neo-hookean\"?"},
+            "found neohookean; allowed: neo-hookean | j2 | chaboche | mooney-rivlin | yeoh | ogden. Did you mean \"neo-hookean\"?"},
         Mistake{
             "method", &block, "method: augmented-lagrangian", "method: magic", "magic", "contact[0].method",
             "found magic; allowed: augmented-lagrangian | integral-augmented-lagrangian | penalty | pointwise-penalty."},

@@ -307,12 +307,21 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
       "{law: linear, sigma0: 1, modulus: 0}",
       "{law: voce-linear, sigma0: 1, sigma_inf: 2, beta: 3, modulus: 4}",
       "{law: formula, formula: 80 + 90 * (1 - exp(-18 * ep))}",
+      "{law: ludwik, sigma0: 1, modulus: 2, exponent: 0.3}",
+      "{law: swift, modulus: 2, ep0: 0.01, exponent: 0.3}",
+      "{law: hockett-sherby, sigma0: 1, sigma_inf: 2, rate: 3, exponent: 0.5}",
   };
   const std::string creased =
       replaced(block, "functions: [49, 25]", "spans: [4, 4], grading: [s^2, s], creases: [[0.5], []]");
   std::vector<std::string> scenes{block, title + block, awkward, creased, net};
   for (const std::string& law : laws)
     scenes.push_back(replaced(net, hardening, "elastic: hencky, hardening: " + law));
+  const std::string metal = replaced(net, "law: j2", "law: chaboche");
+  for (const std::string more :
+       {"", ", back_stresses: [{modulus: 1, recovery: 2}, {modulus: 3}]", ", rate: {law: norton, K: 1, N: 5}",
+        ", rate: {law: johnson-cook, C: 0.1, rate0: 2}",
+        ", hill: {r0: 1, r45: 2, r90: 3, rolling: [0, 1, 0], transverse: [0, 0, 1]}, substeps: 3"})
+    scenes.push_back(replaced(metal, hardening, hardening + more));
   for (const std::string& yaml : scenes) {
     const Scene scene = parseScene(yaml, "test.yaml");
     const Scene again = parseScene(scene.resolvedYaml, "again.yaml");
