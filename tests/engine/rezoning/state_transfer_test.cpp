@@ -211,7 +211,9 @@ TEST_P(ReferenceStates, SplitDeformationsGiveTheSameStress) {
               1e-11 * (1.0 + whole->summary().plasticWorkIncrement));
   EXPECT_NEAR(split->weights().sum(), 1.0, 1e-12);  // the stress-free volume
   EXPECT_LT(test::tangentError(*split, 0.0, second, 1e-6), 1e-6);
-  if (split->hasSymmetricTangent()) EXPECT_LT(test::asymmetry(test::tangentOf(*split, 0.0, second)), 1e-12);
+  if (split->hasSymmetricTangent()) {
+    EXPECT_LT(test::asymmetry(test::tangentOf(*split, 0.0, second)), 1e-12);
+  }
 }
 
 /// What a rezoning asks the body for is what the law has stored, whatever the formulation.
