@@ -110,6 +110,8 @@ TEST(LogarithmicStrain, InThePlaneIsThatOfSpace) {
   }
 }
 
+__extension__ using Quad = __float128;
+
 /// In 113-bit arithmetic, from the formula with a quotient: differences of ln down to gaps of 1e-16 in relation to the
 /// numbers. Equal numbers have the limits −1/(2a²) and (1/a − p_ab)/(a − b).
 TEST(SecondDifferenceOfLog, HasAllItsDigits) {
@@ -120,16 +122,16 @@ TEST(SecondDifferenceOfLog, HasAllItsDigits) {
         for (const double middle : {0.1, 0.5, 0.93}) {
           const double gap = mantissa * std::pow(10.0, exponent);
           const double b = a * (1.0 + middle * gap), c = a * (1.0 + gap);
-          const __float128 A = a, B = b, C = c;
+          const Quad A = a, B = b, C = c;
           // ln(y/x) by the series of 2 artanh((y − x)/(y + x))
-          const auto log = [](__float128 x, __float128 y) {
-            const __float128 t = (y - x) / (y + x), square = t * t;
-            __float128 power = t, sum = 0;
+          const auto log = [](Quad x, Quad y) {
+            const Quad t = (y - x) / (y + x), square = t * t;
+            Quad power = t, sum = 0;
             for (int k = 1; k < 400; k += 2, power *= square) sum += power / k;
             return 2 * sum;
           };
           if (B == A || C == B) continue;
-          const __float128 exact = (log(A, B) / (B - A) - log(B, C) / (C - B)) / (A - C);
+          const Quad exact = (log(A, B) / (B - A) - log(B, C) / (C - B)) / (A - C);
           const auto expected = static_cast<double>(exact);
           // the quotient of 34 digits loses those of the gap
           EXPECT_NEAR(secondDifferenceOfLog(a, b, c) / expected, 1.0, 3e-14 + 1e-31 / gap / gap)
