@@ -83,15 +83,19 @@ std::pair<const char*, const char*> axisTitles(FitData data) {
   }
 }
 
-/// The law from where its test begins to the last point of the curve, or from the first one if that is before.
-ChartCurve lawCurve(const MeasuredCurve& measured, const LawFit& fit, FitData data) {
+/// The law from where its test begins to the last point of the curve, or from the first one if that is before, or
+/// if the start is nothing that a logarithmic axis shows.
+ChartCurve lawCurve(const MeasuredCurve& measured, const LawFit& fit, FitData data, const Chart& chart) {
   constexpr int kPieces = 300;
   const double start = data == FitData::RubberTests ? 1.0 : 0.0;
   const auto [first, last] = std::ranges::minmax_element(measured.x);
-  const double from = std::min(start, *first), to = std::max(start, *last);
+  const bool isFromFirst = chart.x.logarithmic || chart.y.logarithmic;
+  const double from = isFromFirst ? *first : std::min(start, *first);
+  const double to = isFromFirst ? *last : std::max(start, *last);
   ChartCurve curve;
   for (int k = 0; k <= kPieces; ++k) {
-    curve.x.push_back(from + (to - from) * k / kPieces);
+    const double share = static_cast<double>(k) / kPieces;
+    curve.x.push_back(chart.x.logarithmic ? from * std::pow(to / from, share) : from + (to - from) * share);
     curve.y.push_back(fit.value(measured.test, curve.x.back()));
   }
   return curve;
@@ -107,7 +111,7 @@ Chart chartOf(const FitArguments& arguments, const FittableLaw& law, const std::
                             .x = curves[k].x,
                             .y = curves[k].y,
                             .style = CurveStyle{number, 0, number, false}});
-    ChartCurve drawn = lawCurve(curves[k], fit, law.data);
+    ChartCurve drawn = lawCurve(curves[k], fit, law.data, chart);
     drawn.label = fmt::format("{}, {}", curves[k].name, law.words);
     drawn.style = CurveStyle{number, number, -1};
     chart.curves.push_back(std::move(drawn));
@@ -185,7 +189,8 @@ void addFitCommand(CLI::App& app, Action& action) {
       ->expected(1)
       ->take_all()
       ->type_name("MODE");
-  command->add_option("--terms", arguments->terms, "Number of terms of the law [ogden: 3]")->type_name("N");
+  command->add_option("--terms", arguments->terms, "Number of terms of the law [ogden: 3, chaboche: 2]")
+      ->type_name("N");
   command
       ->add_option("--residuals", arguments->residuals,
                    "What is made small: relative errors, or absolute ones [relative]")

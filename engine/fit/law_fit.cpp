@@ -217,6 +217,37 @@ void describe(Visitor& v, HardeningBlock& s) {
   v.field("hardening", s.hardening, {}, "");
 }
 
+/// Constants of cyclic plasticity, as a scene has them below `material`.
+struct CyclicLaw {
+  struct BackStress {
+    double modulus = 0.0;   ///< C
+    double recovery = 0.0;  ///< γ
+  };
+
+  LinearHardening yield;  ///< that stays the same
+  std::vector<BackStress> backStresses;
+
+  /// Amplitude of the stress in a stable cycle of plastic strain: σ_y + Σ C/γ tanh(γ Δ/2).
+  double amplitude(double range) const {
+    double stress = yield.sigma0;
+    for (const auto& [C, gamma] : backStresses) stress += C / gamma * std::tanh(0.5 * gamma * range);
+    return stress;
+  }
+};
+
+template <class Visitor>
+void describe(Visitor& v, CyclicLaw::BackStress& s) {
+  v.field("modulus", s.modulus, {}, "");
+  v.field("recovery", s.recovery, {}, "");
+}
+
+template <class Visitor>
+void describe(Visitor& v, CyclicLaw& s) {
+  HardeningParameters hardening = s.yield;
+  v.field("hardening", hardening, {}, "");
+  v.field("back_stresses", s.backStresses, {}, "");
+}
+
 template <class Energy>
 std::pair<Energy, LawFit> fitRubber(const Fitting<Energy>& fitting, const std::vector<MeasuredCurve>& curves,
                                     const FitOptions& options) {
@@ -361,6 +392,43 @@ LawFit fitVoce(const std::vector<MeasuredCurve>& curves, const FitOptions& optio
   return fit;
 }
 
+LawFit fitChaboche(const std::vector<MeasuredCurve>& curves, const FitOptions& options) {
+  const auto make = [](const Eigen::VectorXd& factors, const Eigen::VectorXd& gamma) {
+    CyclicLaw law{{.sigma0 = factors[0], .modulus = 0.0}, {}};
+    for (Eigen::Index k = 0; k < gamma.size(); ++k) law.backStresses.push_back({factors[k + 1], gamma[k]});
+    return law;
+  };
+  const auto admits = [](const CyclicLaw& law) {
+    return law.yield.sigma0 > 0.0 &&
+           std::ranges::all_of(law.backStresses, [](const CyclicLaw::BackStress& part) {
+             return part.modulus > 0.0 && part.recovery > 0.0;
+           });
+  };
+  auto [law, fit] = fitted<CyclicLaw>(
+      {.name = "chaboche",
+       .numFactors = options.terms + 1,
+       .numShapes = options.terms,
+       .starts = decades(0, 5, 4),
+       .make = make,
+       .value = [](const CyclicLaw& cyclic, RubberTest, double range) { return cyclic.amplitude(range); },
+       .admits = admits},
+      curves, options, "plastic range");
+  double largest = 0.0;
+  for (const MeasuredCurve& curve : curves) largest = std::max(largest, *std::ranges::max_element(curve.x));
+  for (const auto& [C, gamma] : law.backStresses) {
+    fit.account.push_back(fmt::format("back stress with recovery {}: saturates at {:.4g}", gamma, C / gamma));
+    if (0.5 * gamma * largest < 1.0)
+      fit.warnings.push_back(
+          fmt::format("the ranges end at {:.3g}, before the back stress with recovery {} saturates: "
+                      "its limit {:.4g} is extrapolated",
+                      largest, gamma, C / gamma));
+  }
+  fit.account.push_back(
+      "for `law: chaboche`, with E and nu; the yield stress stays the same in a stable cycle");
+  fit.yaml = yamlOf(std::move(law));
+  return fit;
+}
+
 }  // namespace
 
 const std::vector<FittableLaw>& fittableLaws() {
@@ -370,6 +438,7 @@ const std::vector<FittableLaw>& fittableLaws() {
       {"yeoh", "Yeoh", FitData::RubberTests, 0, 0, fitYeoh},
       {"ogden", "Ogden", FitData::RubberTests, 3, 4, fitOgden},
       {"voce", "Voce", FitData::Flow, 0, 0, fitVoce},
+      {"chaboche", "Chaboche", FitData::Cycles, 2, 4, fitChaboche},
   };
   return laws;
 }

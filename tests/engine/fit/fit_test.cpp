@@ -37,17 +37,18 @@ LawFit fitOf(const std::string& name, const std::vector<MeasuredCurve>& curves, 
   throw std::invalid_argument(name);
 }
 
-/// The number behind a key of the YAML, in a list if there are several.
+/// The numbers behind a key of the YAML, wherever it stands.
 std::vector<double> constants(const LawFit& fit, const std::string& key) {
   std::vector<double> numbers;
-  const std::size_t at = fit.yaml.find(" " + key + ": ");
-  if (at == std::string::npos) return numbers;
-  std::string text = fit.yaml.substr(at + key.size() + 3);
-  text = text.substr(0, text.find('\n'));
-  for (char& c : text)
-    if (c == '[' || c == ']' || c == ',') c = ' ';
-  std::istringstream words(text);
-  for (double number; words >> number;) numbers.push_back(number);
+  const std::string start = " " + key + ": ";
+  for (std::size_t at = fit.yaml.find(start); at != std::string::npos; at = fit.yaml.find(start, at + 1)) {
+    std::string text = fit.yaml.substr(at + start.size());
+    text = text.substr(0, text.find('\n'));
+    for (char& c : text)
+      if (c == '[' || c == ']' || c == ',') c = ' ';
+    std::istringstream words(text);
+    for (double number; words >> number;) numbers.push_back(number);
+  }
   return numbers;
 }
 
@@ -276,6 +277,28 @@ TEST(Fit, WarnsOfASaturationThatIsNotReached) {
     curve.y.push_back(100.0 + 100.0 * (1.0 - std::exp(-5.0 * ep)));
   }
   EXPECT_THAT(fitOf("voce", {curve}).warnings, Contains(HasSubstr("before the stress saturates")));
+}
+
+/// σ_a = σ_y + Σ C/γ tanh(γΔ/2) with three back stresses, at three ranges of an independent program and more of the
+/// same formula.
+TEST_F(MeasuredFile, OfStableCyclesHasTheBackStresses) {
+  const std::vector<std::pair<double, double>> parts{{1e5, 1000.0}, {2e4, 200.0}, {2e3, 10.0}};
+  std::string table = "plastic_range,amplitude\n0.002,297.896881\n0.01,386.142011\n0.04,439.407994\n";
+  for (double range = 2e-4; range < 0.5; range *= 1.4) {
+    double amplitude = 200.0;
+    for (const auto& [C, gamma] : parts) amplitude += C / gamma * std::tanh(0.5 * gamma * range);
+    table += fmt::format("{},{}\n", range, amplitude);
+  }
+  write(table);
+  const LawFit fit = fitOf("chaboche", readCyclicCurves({file_}), {.terms = 3});
+  EXPECT_LT(fit.rms, 1e-8);
+  EXPECT_THAT(constants(fit, "sigma0"), ElementsAre(near(200.0)));
+  EXPECT_THAT(constants(fit, "recovery"),
+              testing::UnorderedElementsAre(near(1000.0), near(200.0), near(10.0)));
+  EXPECT_THAT(constants(fit, "modulus"),
+              testing::UnorderedElementsAre(0.0, near(1e5), near(2e4), near(2e3)));  // 0: of the yield stress
+  EXPECT_NEAR(fit.value({}, 0.01), 386.142011, 1e-5);
+  EXPECT_THAT(fit.warnings, IsEmpty());
 }
 
 /// Variable projection on a curve of two exponentials, whatever the order of the starts.
