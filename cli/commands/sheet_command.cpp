@@ -12,6 +12,7 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/declared_options.h"
+#include "cli/output_target.h"
 #include "engine/core/error.h"
 #include "postproc/draw/page/picture_look.h"
 
@@ -29,8 +30,8 @@ struct SheetArguments {
 
 ExitCode sheet(const SheetArguments& arguments) {
   const std::size_t count = arguments.pictures.size();
-  if (arguments.sheet.extension() != ".png")
-    throw Error(fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png",
+  if (arguments.sheet.extension() != ".png" && !isStandardOutput(arguments.sheet))
+    throw Error(fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png, or -",
                             arguments.sheet.string()));
   if (!arguments.captions.empty() && arguments.captions.size() != count)
     throw Error(fmt::format("--caption: found {} captions for {} pictures; expected one for each",
@@ -44,8 +45,10 @@ ExitCode sheet(const SheetArguments& arguments) {
                           : static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
   PageLook look;
   arguments.look.readInto(look);
-  makeDirectoryOf(arguments.sheet);
-  drawSheet(panels, columns, arguments.width, arguments.sheet, themeOf(look));
+  const OutputTarget target(arguments.sheet, ".png");
+  makeDirectoryOf(target.file());
+  drawSheet(panels, columns, arguments.width, target.file(), themeOf(look));
+  target.finish();
   return ExitCode::Fine;
 }
 
@@ -66,8 +69,8 @@ void addSheetCommand(CLI::App& app, Action& action) {
       ->type_name("TEXT");
   command->add_option("--width", arguments->width, "Width of the sheet in pixels [1600]")->type_name("W");
   arguments->look.addTo(*command, PageLook{});
-  command->add_option("-o,--output", arguments->sheet, "Name of the sheet")
-      ->type_name("SHEET.png")
+  command->add_option("-o,--output", arguments->sheet, "Name of the sheet; - for standard output")
+      ->type_name("SHEET.png|-")
       ->required();
   command->callback([&action, arguments] { action = [arguments] { return sheet(*arguments); }; });
 }
