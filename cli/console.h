@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -14,10 +15,17 @@ namespace burnish {
 /// get their numbers, and lines meant for the terminal would land in them. To be called first in main().
 void openStandardDescriptors();
 
+/// What a word says: on a terminal that shows colours it is green, yellow or red.
+enum class Tone { Good, Doubtful, Bad };
+
+/// A word for standard output in its colour, if that is a terminal; not with NO_COLOR set, nor where TERM is dumb.
+std::string toned(Tone tone, const std::string& word);
+
 /// On standard output, buffered as that is.
 void printText(std::string_view text);
 
-/// On standard error, at once, behind what was printed on standard output before.
+/// On standard error, at once, behind what was printed on standard output before; on a terminal with a colour where a message
+/// begins.
 void printErrorText(std::string_view text);
 
 template <class... Values>

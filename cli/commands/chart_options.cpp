@@ -11,6 +11,7 @@
 
 #include "cli/arguments.h"
 #include "cli/offered_words.h"
+#include "cli/output_target.h"
 #include "engine/core/error.h"
 
 namespace burnish {
@@ -120,9 +121,18 @@ std::string runName(const fs::path& file, const std::string& usual) {
   return directory.empty() ? file.stem().string() : directory;
 }
 
+void writePicture(const Chart& chart, const ChartOutputs& outputs) {
+  const OutputTarget target(outputs.picture, ".png");
+  makeDirectoryOf(target.file());
+  drawChart(chart, target.file());
+  target.finish();
+}
+
 void checkOutputs(const ChartOutputs& outputs, std::vector<fs::path> inputs) {
   if (outputs.picture.empty() && outputs.csv.empty())
     throw Error("-o: found no name of a chart; expected one that ends in .png, .svg or .pdf, or --csv FILE");
+  if (outputs.printsData() && outputs.printsPicture())
+    throw Error("-o: found \"-\" beside --csv -; only one of them can be printed: give the other one a name");
   requireNotInput("-o", outputs.picture, inputs);
   inputs.push_back(outputs.picture);  // not read, but not to be replaced by the data either
   if (!outputs.printsData()) requireNotInput("--csv", outputs.csv, inputs);

@@ -34,6 +34,7 @@ struct ChartOutputs {
   std::string csv;  ///< a file, or - for standard output
 
   bool printsData() const { return csv == "-"; }
+  bool printsPicture() const { return picture == "-"; }
 };
 
 /// What help says that titles of axes are without these options.
@@ -73,7 +74,10 @@ std::vector<std::string> runNames(const ChartArguments& arguments,
 /// The name of the directory of a run, or of the file if it has another name than is usual.
 std::string runName(const std::filesystem::path& file, const std::string& usual);
 
-/// Throws `Error` if there is neither a picture nor a file of data, or if one of them is an input.
+/// Draws the chart into its file, or prints it as PNG.
+void writePicture(const Chart& chart, const ChartOutputs& outputs);
+
+/// Throws `Error` if there is neither a picture nor a file of data, if both are to be printed, or if one of them is an input.
 void checkOutputs(const ChartOutputs& outputs, std::vector<std::filesystem::path> inputs);
 
 }  // namespace burnish

@@ -15,9 +15,15 @@
 namespace burnish {
 namespace {
 
+/// As wide as its column, whatever its colour.
+std::string stateText(const Finding& finding) {
+  const std::string word = finding.isThere ? "ok" : "missing";
+  const Tone tone = finding.isThere ? Tone::Good : finding.needed.empty() ? Tone::Bad : Tone::Doubtful;
+  return toned(tone, word) + std::string(9 - word.size(), ' ');
+}
+
 std::string findingText(const Finding& finding) {
-  std::string text =
-      fmt::format("{:<9}{:<11}{}\n", finding.isThere ? "ok" : "missing", finding.name, finding.what);
+  std::string text = stateText(finding) + fmt::format("{:<11}{}\n", finding.name, finding.what);
   if (finding.isThere) return text;
   if (!finding.needed.empty()) text += fmt::format("{:20}needed for {}\n", "", finding.needed);
   return text + fmt::format("{:20}{}\n", "", finding.remedy);

@@ -7,13 +7,16 @@
 
 #include "cli/command.h"
 #include "cli/commands/foreign_text.h"
+#include "cli/commands/info_json.h"
 #include "cli/commands/info_text.h"
 #include "cli/console.h"
 #include "engine/core/error.h"
+#include "engine/schema/diagnostics.h"
 #include "postproc/foreign/foreign_file.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/scene/scene_listing.h"
 #include "postproc/study/study_listing.h"
+#include "postproc/text/json_text.h"
 
 namespace burnish {
 namespace {
@@ -22,8 +25,17 @@ namespace fs = std::filesystem;
 
 struct InfoArguments {
   fs::path path;
-  bool keys = false, studyKeys = false;
+  bool keys = false, studyKeys = false, json = false;
 };
+
+void printJson(const fs::path& path, bool isResult) {
+  if (isResult) return printText(compactText(resultJson(ResultReader(path)), kJsonDigits) + "\n");
+  if (!foreignKind(path).empty())
+    return printText(compactText(foreignJson(ForeignFile(path)), kJsonDigits) + "\n");
+  Diagnostics errors(path.string(), {});
+  const auto tree = parseYaml(readSceneDocument(path).scene.resolvedYaml, 0, errors);
+  printText(compactText(documentJson(tree.value()), kJsonDigits) + "\n");
+}
 
 ExitCode info(const InfoArguments& arguments) {
   if (arguments.keys) printText(describeScene());
@@ -34,7 +46,9 @@ ExitCode info(const InfoArguments& arguments) {
   if (!fs::exists(path, status))
     throw Error(fmt::format("{}: there is no such file or directory", path.string()));
   const bool isResult = fs::is_directory(path, status) || path.extension() == ".h5";
-  if (isResult)
+  if (arguments.json)
+    printJson(path, isResult);
+  else if (isResult)
     printText(resultText(ResultReader(path)));
   else
     printText(foreignKind(path).empty() ? sceneText(readSceneDocument(path).scene)
@@ -53,8 +67,14 @@ void addInfoCommand(CLI::App& app, Action& action) {
   command->add_flag("--keys", arguments->keys,
                     "List every key of a scene with its type, default and meaning");
   command->add_flag("--study-keys", arguments->studyKeys, "List every key of a study");
+  command->add_flag("--json", arguments->json,
+                    "Print what is in the result, scene or file as one JSON object");
   command->require_option(1, 3);
-  command->callback([&action, arguments] { action = [arguments] { return info(*arguments); }; });
+  command->callback([&action, arguments] {
+    if (arguments->json && arguments->path.empty())
+      throw CLI::RequiredError("a result, scene or file for --json");
+    action = [arguments] { return info(*arguments); };
+  });
 }
 
 }  // namespace burnish

@@ -33,19 +33,18 @@ ExitCode plot(const PlotArguments& arguments, const ChartOutputs& outputs) {
   checkOutputs(outputs, std::move(inputs));
   const PlottedChart plotted = chartOf(arguments);
   if (!outputs.picture.empty()) {
-    makeDirectoryOf(outputs.picture);
     Chart chart = plotted.chart;
     for (std::size_t k = 0; k < chart.curves.size(); ++k) chart.curves[k].label = plotted.legend[k];
     // What a single curve is, the axis says.
     chart.legend = chart.curves.size() > 1 || !arguments.chart.labels.empty();
-    drawChart(chart, outputs.picture);
+    writePicture(chart, outputs);
   }
   if (outputs.printsData())
     printText(chartDataText(plotted.chart));
   else if (!outputs.csv.empty())
     writeChartData(plotted.chart, outputs.csv);
   for (const LargestDifference& difference : plotted.differences)
-    if (outputs.printsData())
+    if (outputs.printsData() || outputs.printsPicture())
       printErrorText(differenceText(difference, arguments.x));
     else
       printText(differenceText(difference, arguments.x));
@@ -106,7 +105,8 @@ void addPlotCommand(CLI::App& app, Action& action) {
   addDrawingOptions(*command, arguments->chart, "directory, formula or both");
   command->add_option("--csv", outputs->csv, "Write the drawn points to this file too, or print them: -")
       ->type_name("FILE.csv|-");
-  command->add_option("-o,--output", outputs->picture, "Name of the chart")->type_name("CHART.png|svg|pdf");
+  command->add_option("-o,--output", outputs->picture, "Name of the chart; - for a PNG on standard output")
+      ->type_name("CHART.png|svg|pdf|-");
   command->callback([&action, arguments, outputs] {
     action = [arguments, outputs] { return plot(*arguments, *outputs); };
   });

@@ -27,10 +27,7 @@ ExitCode probe(const ProbeArguments& arguments, ChartOutputs outputs) {
   if (outputs.picture.extension() == ".csv" && outputs.csv.empty()) outputs = {{}, outputs.picture.string()};
   checkOutputs(outputs, std::move(inputs));
   const ProbedChart probed = probedChart(arguments, results);
-  if (!outputs.picture.empty()) {
-    makeDirectoryOf(outputs.picture);
-    drawChart(probed.chart, outputs.picture);
-  }
+  if (!outputs.picture.empty()) writePicture(probed.chart, outputs);
   if (outputs.printsData()) {
     printText(probed.table);
   } else if (!outputs.csv.empty()) {
@@ -67,8 +64,10 @@ void addProbeCommand(CLI::App& app, Action& action) {
   addDrawingOptions(*command, arguments->chart, "directory, time, field or several of them");
   command->add_option("--csv", outputs->csv, "Write a table of the values to this file too, or print it: -")
       ->type_name("FILE.csv|-");
-  command->add_option("-o,--output", outputs->picture, "Name of the chart, or of a table alone")
-      ->type_name("CHART.png|svg|pdf|csv");
+  command
+      ->add_option("-o,--output", outputs->picture,
+                   "Name of the chart, or of a table alone; - for a PNG on standard output")
+      ->type_name("CHART.png|svg|pdf|csv|-");
   command->callback([&action, arguments, outputs] {
     action = [arguments, outputs] { return probe(*arguments, *outputs); };
   });

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/commands/run_events.h"
 #include "cli/commands/run_outputs.h"
 #include "cli/console.h"
 #include "cli/faults.h"
@@ -32,6 +33,7 @@ struct RunArguments {
   std::vector<std::string> overrides;
   int threads = 0;
   bool quiet = false;
+  bool json = false;
   bool timings = false;
   bool noDoubts = false;
 };
@@ -148,12 +150,18 @@ ExitCode run(const RunArguments& arguments) {
                                                    : readSceneDocument(arguments.scene, arguments.overrides);
   OffscreenCanvas::saveMemory();  // for the solver
   const SignalGuard signals(SecondSignal::Ends);
-  RunOutputs outputs(document, arguments.directory, !arguments.quiet, !arguments.noDoubts);
+  const RunReport report = arguments.json    ? RunReport::Events
+                           : arguments.quiet ? RunReport::Nothing
+                                             : RunReport::Progress;
+  RunOutputs outputs(document, arguments.directory, report, !arguments.noDoubts);
   if (!arguments.resumes) ranks().first([&] { outputs.requireNoForeignFiles(); });
   const RunSummary summary = compute(document.scene, arguments, signals, outputs);
   ranks().first([&] {
     if (!summary.halted) outputs.finish(!summary.doubts.empty());
-    if (!arguments.quiet) printResults(arguments, summary, outputs);
+    if (arguments.json)
+      printEndEvent(summary, arguments.directory);
+    else if (!arguments.quiet)
+      printResults(arguments, summary, outputs);
   });
   flushOutput();
   return reportEnd(arguments, summary, outputs, signals.signal());
@@ -211,8 +219,13 @@ void addRunCommand(CLI::App& app, Action& action) {
       ->excludes(set);
   command->add_option("--threads", arguments->threads, "Number of threads; results do not depend on it [all]")
       ->check(CLI::Range(1, 1024));
-  command->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
-  command->add_flag("--timings", arguments->timings, "Print where the time went");
+  CLI::Option* quiet = command->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
+  CLI::Option* timings = command->add_flag("--timings", arguments->timings, "Print where the time went");
+  command
+      ->add_flag("--json", arguments->json,
+                 "Print a JSON object in a line for every step, frame and picture, and for the end")
+      ->excludes(quiet)
+      ->excludes(timings);
   command->add_flag("--no-doubts", arguments->noDoubts,
                     "Do not mark pictures of results that the run doubts");
   command->callback([&action, arguments] {

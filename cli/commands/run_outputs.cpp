@@ -9,6 +9,7 @@
 
 #include "cli/arguments.h"
 #include "cli/commands/document_places_check.h"
+#include "cli/commands/run_events.h"
 #include "cli/console.h"
 #include "cli/declared_options.h"
 #include "cli/foreign_files.h"
@@ -53,9 +54,9 @@ std::string probeCommand(const SceneProbe& probe, const fs::path& directory, con
 
 }  // namespace
 
-RunOutputs::RunOutputs(const SceneDocument& document, fs::path directory, bool showProgress, bool marksDoubts)
-    : document_(document), directory_(std::move(directory)), marksDoubts_(marksDoubts) {
-  if (showProgress) progress_.emplace();
+RunOutputs::RunOutputs(const SceneDocument& document, fs::path directory, RunReport report, bool marksDoubts)
+    : document_(document), directory_(std::move(directory)), report_(report), marksDoubts_(marksDoubts) {
+  if (report == RunReport::Progress) progress_.emplace();
 }
 
 void RunOutputs::requireNoForeignFiles() const {
@@ -103,10 +104,14 @@ void RunOutputs::onStart(const ModelRecord& model) {
 
 void RunOutputs::onStep(const RunProgress& progress) {
   if (progress_) progress_->show(progress);
+  if (report_ == RunReport::Events)
+    printStepEvent(progress,
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
 }
 
 void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
   if (vtu_) vtu_->write(frame);
+  if (report_ == RunReport::Events) printFrameEvent(frame.index, frame.time);
   drawDue(frame);
   lastFrame_ = frame;
 }
@@ -183,6 +188,7 @@ void RunOutputs::make(const char* what, const fs::path& file, const std::string&
     makeDirectory(file.parent_path());
     act();
     pictures_.push_back(file);
+    if (report_ == RunReport::Events) printPictureEvent(file);
   } catch (const Interrupted&) {
     note("");
   } catch (const Error& error) {

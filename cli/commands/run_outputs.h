@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -13,11 +14,14 @@
 
 namespace burnish {
 
+/// What a run prints while it goes on.
+enum class RunReport { Nothing, Progress, Events };
+
 /// What a run leaves beside its results: progress, VTU files, and the pictures and probes of the scene.
 class RunOutputs : public RunObserver {
  public:
   /// The document must outlive the object.
-  RunOutputs(const SceneDocument& document, std::filesystem::path directory, bool showProgress,
+  RunOutputs(const SceneDocument& document, std::filesystem::path directory, RunReport report,
              bool marksDoubts = true);
 
   /// Throws `Error` if the directory is not that of an earlier run and has files that the run would
@@ -77,7 +81,9 @@ class RunOutputs : public RunObserver {
 
   const SceneDocument& document_;
   std::filesystem::path directory_;
+  RunReport report_;
   std::optional<Progress> progress_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<ParaViewSeries> vtu_;
   bool marksDoubts_;
   bool isDoubtful_ = false;

@@ -16,6 +16,7 @@
 #include "cli/commands/picture_options.h"
 #include "cli/commands/picture_source.h"
 #include "cli/jobs/child_process.h"
+#include "cli/output_target.h"
 #include "engine/core/error.h"
 #include "postproc/draw/page/print_file.h"
 #include "postproc/draw/page/sheet.h"
@@ -202,8 +203,8 @@ class Panels {
 /// Throws `Error` for other endings than those of pictures, and for options that are those of the others.
 void checkOutput(const SheetArguments& arguments) {
   if (isPrintFile(arguments.sheet)) return;
-  if (arguments.sheet.extension() != ".png")
-    throw Error(fmt::format("-o: found \"{}\"; expected the name of a sheet that ends in .png, .pdf or .svg",
+  if (arguments.sheet.extension() != ".png" && !isStandardOutput(arguments.sheet))
+    throw Error(fmt::format("-o: found \"{}\"; expected the name of a sheet that ends in .png, .pdf or .svg, or -",
                             arguments.sheet.string()));
   requireNoPrintOptions(arguments.picture.picture);
 }
@@ -236,8 +237,10 @@ ExitCode sheet(const SheetArguments& arguments) {
     writePrint(page, arguments.sheet);
   } else {
     const std::vector<SheetPanel> pictures = panels.pictures();
-    makeDirectoryOf(arguments.sheet);
-    drawSheet(pictures, columns, sheetWidth, arguments.sheet, theme);
+    const OutputTarget target(arguments.sheet, ".png");
+    makeDirectoryOf(target.file());
+    drawSheet(pictures, columns, sheetWidth, target.file(), theme);
+    target.finish();
   }
   return ExitCode::Fine;
 }
@@ -270,8 +273,9 @@ void addSheetCommand(CLI::App& app, Action& action) {
   arguments->picture.picture.addTo(*command, PrintOptions{});
   command
       ->add_option("-o,--output", arguments->sheet,
-                   "Name of the sheet, .png, or .pdf or .svg for print, where a panel is 80 mm wide")
-      ->type_name("SHEET.png|pdf|svg")
+                   "Name of the sheet, .png, or .pdf or .svg for print, where a panel is 80 mm wide; - for a PNG on "
+                   "standard output")
+      ->type_name("SHEET.png|pdf|svg|-")
       ->required();
   command->callback([&action, arguments] { action = [arguments] { return sheet(*arguments); }; });
 }

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <json/value.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/command.h"
@@ -16,6 +19,7 @@
 #include "engine/core/error.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/study/study_reader.h"
+#include "postproc/text/json_text.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -26,6 +30,7 @@ namespace fs = std::filesystem;
 struct ValidateArguments {
   std::vector<fs::path> files;
   std::vector<std::string> overrides;
+  bool json = false;
 };
 
 /// Only studies have runs.
@@ -66,12 +71,30 @@ SceneReport validateScene(const fs::path& file, const std::vector<std::string>& 
   return report;
 }
 
-std::string sceneText(const SceneReport& report) {
-  return fmt::format("fine ({})\n  {}", report.summary, costText(report.cost));
+/// A file that was looked at, in words and as JSON.
+struct Validated {
+  std::string text;
+  Json::Value json;
+};
+
+Json::Value costJson(double bytes, double seconds) {
+  Json::Value value;
+  value["bytes"] = bytes;
+  value["seconds"] = seconds;
+  return value;
+}
+
+Validated sceneVerdict(const SceneReport& report) {
+  Json::Value json = costJson(report.cost.bytes, report.cost.seconds());
+  json["summary"] = report.summary;
+  json["steps"] = report.cost.steps;
+  json["warnings"] = Json::Value(Json::arrayValue);
+  for (const std::string& warning : report.warnings) json["warnings"].append(warning);
+  return {fmt::format("fine ({})\n  {}", report.summary, costText(report.cost)), json};
 }
 
 /// The same of a study: builds the models of all its runs, and throws `Error` with the faults of all.
-std::string validateStudy(const fs::path& file, const std::vector<std::string>& overrides) {
+Validated validateStudy(const fs::path& file, const std::vector<std::string>& overrides) {
   if (!overrides.empty())
     throw Error(fmt::format("{}: --set changes scenes, and this is a study; leave it out", file.string()));
   const Study study = readStudy(file);
@@ -88,19 +111,42 @@ std::string validateStudy(const fs::path& file, const std::vector<std::string>& 
     }
   }
   if (!faults.empty()) throw Error(fmt::format("{}", fmt::join(faults, "\n")));
-  return fmt::format(
-      "fine (a study of {} runs and {} figures)\n  its runs take about {} on one core, and {} each at most",
-      study.runs.size(), study.spec.figures.size(), secondsText(seconds), bytesText(bytes));
+  Json::Value json = costJson(bytes, seconds);
+  json["runs"] = static_cast<Json::UInt64>(study.runs.size());
+  json["figures"] = static_cast<Json::UInt64>(study.spec.figures.size());
+  return {
+      fmt::format(
+          "fine (a study of {} runs and {} figures)\n  its runs take about {} on one core, and {} each at most",
+          study.runs.size(), study.spec.figures.size(), secondsText(seconds), bytesText(bytes)),
+      json};
+}
+
+Json::Value problemsJson(const std::string& text) {
+  Json::Value json;
+  json["problems"] = Json::Value(Json::arrayValue);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) json["problems"].append(line);
+  return json;
+}
+
+void printVerdict(const fs::path& file, bool isFine, Json::Value json) {
+  json["file"] = file.string();
+  json["fine"] = isFine;
+  printText(compactText(json) + "\n");
 }
 
 ExitCode validate(const ValidateArguments& arguments) {
   bool allAreGood = true;
   for (const fs::path& file : arguments.files) {
     try {
-      printOut("{}: {}\n", file.string(),
-               isStudy(file) ? validateStudy(file, arguments.overrides)
-                             : sceneText(validateScene(file, arguments.overrides, "")));
+      Validated good = isStudy(file) ? validateStudy(file, arguments.overrides)
+                                     : sceneVerdict(validateScene(file, arguments.overrides, ""));
+      if (arguments.json)
+        printVerdict(file, true, std::move(good.json));
+      else
+        printOut("{}: {}\n", file.string(), good.text);
     } catch (const Error& error) {
+      if (arguments.json) printVerdict(file, false, problemsJson(error.what()));
       printError("{}\n", error.what());
       allAreGood = false;
     }
@@ -121,6 +167,7 @@ void addValidateCommand(CLI::App& app, Action& action) {
                    "path=value: change an entry of every scene, e.g. --set degree=3; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
+  command->add_flag("--json", arguments->json, "Print a JSON object in a line for each file");
   command->callback([&action, arguments] { action = [arguments] { return validate(*arguments); }; });
 }
 

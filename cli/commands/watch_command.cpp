@@ -81,7 +81,7 @@ std::string jsonOf(const RunState& state) {
     value["completed"] = state.account->completed;
     if (!state.account->completed) value["stopped_because"] = state.account->stoppedBecause;
   }
-  return compactText(value, 17);
+  return compactText(value, kJsonDigits);
 }
 
 /// Shows states one after the other: on a terminal over one another with a chart, elsewhere a line each.

@@ -5,6 +5,9 @@
 
 namespace burnish {
 
+/// Of numbers that are to be computed with.
+inline constexpr int kJsonDigits = 15;
+
 /// Without blanks and line ends; numbers with so many digits.
 std::string compactText(const Json::Value& value, int digits = 6);
 

@@ -6,6 +6,7 @@ Usage: strict_test.py BURNISH
 
 import csv
 import html.parser
+import json
 import pathlib
 import subprocess
 import sys
@@ -59,8 +60,55 @@ def run(*arguments):
         sys.exit(f"{arguments[1]} exits with {done.returncode}: {done.stderr}")
 
 
+def objects(*arguments, code=0):
+    """The JSON objects that a command prints, one in each line."""
+    done = subprocess.run(arguments, capture_output=True, text=True)
+    if done.returncode != code:
+        sys.exit(f"{arguments[1:]} exits with {done.returncode}: {done.stderr}")
+
+    def refused(word):
+        raise ValueError(f"{word} is no JSON")
+
+    return [json.loads(line, parse_constant=refused) for line in done.stdout.splitlines()]
+
+
 def array_names(file):
     return {array.get("Name") for array in xml.parse(file).getroot().iter("DataArray")}
+
+
+def check_json(burnish, work, scene, out, expect):
+    """What --json prints is JSON, and says what the files and tables say."""
+    events = objects(burnish, "run", scene, "-o", work / "told", "--json")
+    names = [event["event"] for event in events]
+    summary = yaml.safe_load((work / "told/summary.yaml").read_text(encoding="utf-8"))
+    expect(names[-1] == "end" and names.count("end") == 1, f"the events of a run are {names}")
+    expect(names.count("step") == summary["steps"] and names.count("picture") == 1, f"the events of a run are {names}")
+    expect([event["time"] for event in events if event["event"] == "frame"] == [0, 1], f"the frames are {events}")
+    steps = [event for event in events if event["event"] == "step"]
+    expect(steps[-1]["time"] == steps[-1]["end_time"] == 1, f"the last step is {steps[-1]}")
+    end = {key: value for key, value in events[-1].items() if key not in ("event", "directory")}
+    same = {key: value for key, value in summary.items() if isinstance(value, (bool, int)) or key == "program"}
+    expect({key: end.get(key) for key in same} == same, f"the end is {end} instead of {same}")
+    expect([doubt["what"] for doubt in end["doubts"]] == [doubt["what"] for doubt in summary["doubts"]], f"the doubts are {end}")
+    expect(abs(end["tolerance"] - float(summary["tolerance"])) < 1e-20, f"the end is {end}")
+    expect(set(end) == set(summary), f"the end has other entries than the summary: {set(end) ^ set(summary)}")
+
+    [result] = objects(burnish, "info", out, "--json")
+    expect(result["title"] == TITLE and result["dimensions"] == 2, f"the result is {result}")
+    expect(result["times"] == [0, 1] and result["tools"][0]["name"] == "disc", f"the result is {result}")
+    expect({field["name"]: field["unit"] for field in result["fields"]}["von_mises"] == STRESS, f"the result is {result}")
+    expect(result["summary"]["completed"] is True and "disc.fy" in result["columns"], f"the result is {result}")
+    [document] = objects(burnish, "info", scene, "--json")
+    expect(document["title"] == TITLE and document["units"]["stress"] == STRESS, f"the scene is {document}")
+    expect(document["material"]["nu"] == 0.3 and document["geometry"]["size"] == [2, 1], f"the scene is {document}")
+    body = sorted((out / "frames").glob("body_*.vtu"))[-1]
+    [foreign] = objects(burnish, "info", body, "--json")
+    expect(foreign["blocks"][0]["points"] > 0 and any(f["name"] == "von_mises" for f in foreign["fields"]), f"{foreign}")
+
+    (work / "bad.yaml").write_text("geometry: {}\n")
+    good, bad = objects(burnish, "validate", scene, work / "bad.yaml", "--json", code=2)
+    expect(good["fine"] is True and good["steps"] == 2 and good["warnings"] == [], f"validate says {good}")
+    expect(bad["fine"] is False and len(bad["problems"]) > 1, f"validate says {bad}")
 
 
 def main():
@@ -85,6 +133,8 @@ def main():
         run(burnish, "probe", out, "--face", "top", "-o", work / "probe.svg", "--csv", work / "probe.csv")
         run(burnish, "report", out, "-o", work / "report.html")
         run(burnish, "view", out, "-o", work / "view.html")
+
+        check_json(burnish, work, scene, out, expect)
 
         files = sorted(work.rglob("*.vt[up]")) + sorted(work.rglob("*.pvd")) + sorted(work.rglob("*.svg"))
         expect(len(files) > 20, f"only {len(files)} XML files were found")
