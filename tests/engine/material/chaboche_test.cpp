@@ -12,7 +12,7 @@
 #include "engine/material/logarithmic_strain.h"
 #include "tests/engine/material/material_checks.h"
 
-namespace burnish {
+namespace burnish::chaboche_test {
 namespace {
 
 using test::evaluate;
@@ -642,4 +642,4 @@ TEST(Chaboche, BoundsWhatItBeginsWith) {
 }
 
 }  // namespace
-}  // namespace burnish
+}  // namespace burnish::chaboche_test

@@ -7,7 +7,7 @@
 
 #include "tests/engine/material/material_checks.h"
 
-namespace burnish {
+namespace burnish::logarithmic_strain_test {
 namespace {
 
 /// T = T_0 + D E with a stress that is not coaxial with E and moduli without any symmetry.
@@ -141,4 +141,4 @@ TEST(SecondDifferenceOfLog, HasAllItsDigits) {
 }
 
 }  // namespace
-}  // namespace burnish
+}  // namespace burnish::logarithmic_strain_test
