@@ -38,9 +38,10 @@ std::vector<InputProblem> lockingWarnings(const Scene& scene, const Model<Dim>& 
     if (nu >= lockingRatio(degree))
       warnings.push_back(
           {scene.bodyKey(k, "material.nu"),
-           fmt::format("{} is nearly incompressible: the displacement formulation of degree {} locks from {} "
-                       "on, its forces are too large by 5 % and more; add formulation: fbar",
-                       nu, degree, lockingRatio(degree))});
+           fmt::format(
+               "{:.6g} is nearly incompressible: the displacement formulation of degree {} locks from {} "
+               "on, its forces are too large by 5 % and more; add formulation: fbar",
+               nu, degree, lockingRatio(degree))});
     if (flows(material))
       warnings.push_back(
           {scene.bodyKey(k, "material.law"),
