@@ -21,8 +21,10 @@
 #include "engine/core/interruption.h"
 #include "engine/core/nearest.h"
 #include "engine/results/result_reader.h"
+#include "postproc/export/nurbs_file.h"
 #include "postproc/paraview/paraview_series.h"
 #include "postproc/scene/scene_document.h"
+#include "postproc/text/text_file.h"
 
 namespace burnish {
 namespace {
@@ -34,7 +36,13 @@ struct ExportArguments {
   std::optional<std::string> parts;
   bool controlNet = false;
   int pieces = 1;
+  std::string format = "vtu", frame = "last";
 };
+
+enum class Format { Series, G2, Json };
+
+constexpr std::array kFormats{std::pair{"vtu", Format::Series}, std::pair{"g2", Format::G2},
+                              std::pair{"json", Format::Json}};
 
 constexpr std::array kCellKinds{std::pair{"linear", CellKind::Linear},
                                 std::pair{"lagrange", CellKind::Lagrange},
@@ -68,15 +76,33 @@ PictureOptions firstPictureOf(const ResultReader& result) {
   }
 }
 
-ExitCode exportResult(const ExportArguments& arguments) {
-  const SignalGuard signals(SecondSignal::Ends);
-  const VtuOptions options = optionsFrom(arguments);
-  const ResultReader reader(arguments.result);
-  const auto directory = arguments.directory.empty() ? reader.file().parent_path() : arguments.directory;
+void requireFrames(const ResultReader& reader) {
   if (reader.numFrames() == 0)
     throw Error(
         fmt::format("{}: the result has no frames to export; is the folder 'result' beside it missing?",
                     reader.file().string()));
+}
+
+/// One frame as one file.
+ExitCode exportNurbs(const ExportArguments& arguments, NurbsFormat format) {
+  if (arguments.directory.empty())
+    throw Error(fmt::format("-o: --format {} writes one file; name it, as in -o body.{}", arguments.format,
+                            arguments.format));
+  const ResultReader reader(arguments.result);
+  requireFrames(reader);
+  requireNotInput("-o", arguments.directory, {reader.file()});
+  const int frame = frameIndex(arguments.frame, reader.times());
+  writeText(nurbsText(reader.model(), reader.frame(frame), format), arguments.directory);
+  printOut("frame {} in {}\n", frame, arguments.directory.string());
+  return ExitCode::Fine;
+}
+
+ExitCode exportSeries(const ExportArguments& arguments) {
+  const SignalGuard signals(SecondSignal::Ends);
+  const VtuOptions options = optionsFrom(arguments);
+  const ResultReader reader(arguments.result);
+  const auto directory = arguments.directory.empty() ? reader.file().parent_path() : arguments.directory;
+  requireFrames(reader);
   if (!isOfARun(directory) && !hasSeries(directory)) requireAbsent(seriesFiles(directory));
   ParaViewSeries writer(directory, reader.model(), options, firstPictureOf(reader));
   for (int i = 0; i < reader.numFrames(); ++i) {
@@ -87,17 +113,31 @@ ExitCode exportResult(const ExportArguments& arguments) {
   return ExitCode::Fine;
 }
 
+ExitCode exportResult(const ExportArguments& arguments) {
+  switch (chosen("--format", arguments.format, kFormats)) {
+    case Format::G2:
+      return exportNurbs(arguments, NurbsFormat::G2);
+    case Format::Json:
+      return exportNurbs(arguments, NurbsFormat::Json);
+    case Format::Series:
+      break;
+  }
+  if (arguments.frame != "last")
+    throw Error("--frame: a series holds all frames; give it with --format g2 or json, which hold one");
+  return exportSeries(arguments);
+}
+
 }  // namespace
 
 void addExportCommand(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("export", "Write VTK files and a PVD collection for ParaView from the results");
+  CLI::App* command = app.add_subcommand(
+      "export", "Write VTK files and a PVD collection for ParaView from the results, or NURBS");
   const auto arguments = std::make_shared<ExportArguments>();
   command->add_option("RESULT", arguments->result, "Directory of a run or the result file in it")->required();
   command
       ->add_option("-o,--output", arguments->directory,
-                   "Directory for frames.pvd and frames/ [that of the result]")
-      ->type_name("DIR");
+                   "Directory for frames.pvd and frames/ [that of the result]; with g2 and json the file")
+      ->type_name("DIR|FILE");
   CLI::Option* cells =
       command
           ->add_option("--cells", arguments->cells,
@@ -112,13 +152,28 @@ void addExportCommand(CLI::App& app, Action& action) {
               "points), net (control net), knots (knot lines) [body,tools,contact]")
           ->type_name("PART,...");
   offerChoices(*parts, kParts);
+  CLI::Option* pieces =
+      command
+          ->add_option(
+              "--pieces", arguments->pieces,
+              "About so many files for each body and frame, which a .pvtu file names: for large bodies [1]")
+          ->check(CLI::Range(1, 100'000))
+          ->type_name("N");
+  CLI::Option* net =
+      command->add_flag("--control-net", arguments->controlNet, "Add the control net to the parts");
+  CLI::Option* format =
+      command
+          ->add_option(
+              "--format", arguments->format,
+              "vtu: the series; g2 (GoTools) or json (geomdl): the deformed bodies of a frame as NURBS "
+              "[vtu]")
+          ->type_name("vtu|g2|json");
+  offerChoices(*format, kFormats);
+  for (CLI::Option* ofSeries : {cells, parts, pieces, net}) ofSeries->excludes(format);
   command
-      ->add_option(
-          "--pieces", arguments->pieces,
-          "About so many files for each body and frame, which a .pvtu file names: for large bodies [1]")
-      ->check(CLI::Range(1, 100'000))
-      ->type_name("N");
-  command->add_flag("--control-net", arguments->controlNet, "Add the control net to the parts");
+      ->add_option("--frame", arguments->frame,
+                   "With g2 and json: number of the frame, last or end, or time=T [last]")
+      ->type_name("N|last|time=T");
   command->callback([&action, arguments] { action = [arguments] { return exportResult(*arguments); }; });
 }
 
