@@ -37,14 +37,16 @@ std::string filled(std::string_view text,
 }
 
 std::string htmlText(const HtmlPage& page) {
+  const bool isAlone = !page.styleHash.empty();
   return filled(
       kCommonPage,
       {{"/*reload*/", page.reloadSeconds > 0
                           ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", page.reloadSeconds)
                           : ""},
+       {"/*style-source*/", isAlone ? sourceOfHash(page.styleHash) : "'unsafe-inline'"},
        {"/*script-source*/", page.script.empty() ? "'none'" : sourceOfHash(page.scriptHash)},
        {"/*title*/", escaped(page.title)},
-       {"/*style*/", kCommonStyle + page.style},
+       {"/*style*/", isAlone ? page.style : kCommonStyle + page.style},
        {"/*body*/", page.body},
        {"/*script*/", page.script}});
 }

@@ -7,11 +7,11 @@
 namespace burnish {
 
 /// A page that is one file and asks nothing of the network: a policy in it forbids that, and every script but
-/// its own. All texts but the title are HTML, CSS and JavaScript as they are; the style adds to that of all
-/// pages. scriptHash: SHA-256 of the script, in hexadecimal digits.
+/// its own. All texts but the title are HTML, CSS and JavaScript as they are. scriptHash, styleHash: SHA-256 in
+/// hexadecimal digits. A style with a hash is all that the page has; one without adds to that of all pages.
 struct HtmlPage {
   std::string title, style, body;
-  std::string script{}, scriptHash{};
+  std::string script{}, scriptHash{}, styleHash{};
   int reloadSeconds = 0;  ///< after which the page loads itself again; 0: never
 };
 

@@ -81,6 +81,7 @@ struct FieldValues {
   std::string values;  ///< see `floatsText`
   Range extremes{};
   std::vector<int> without;  ///< bodies
+  Json::Value faces;         ///< of a contact field, with its values; null else
 };
 
 /// A field in all frames.
@@ -124,8 +125,9 @@ class PageData {
     data["origin"] = numbersJson(origin_);
     data["box"] = numbersJson(Eigen::Vector<double, 6>(
         (Eigen::Vector<double, 6>() << box_.min() - origin_, box_.max() - origin_).finished()));
-    data["light"] = themeJson(themeNamed("paper"));
-    data["dark"] = themeJson(themeNamed("dark"));
+    data["light"] = themeJson(options_.pageTheme ? *options_.pageTheme : themeNamed("paper"));
+    data["dark"] = themeJson(options_.pageTheme ? *options_.pageTheme : themeNamed("dark"));
+    data["isThemed"] = options_.pageTheme.has_value();
     data["toolOpacity"] = model.dim == 2 ? 1.0 : options_.toolOpacity;
     Json::Value& show = data["show"];
     show["bands"] = options_.bands;
@@ -155,7 +157,7 @@ class PageData {
   ContourOptions pictureOptions() const {
     ContourOptions picture(options_);
     picture.field = fields_.front().name;
-    picture.range = scaleOf(fields_.front()).range();
+    if (fields_.front().words.states.empty()) picture.range = scaleOf(fields_.front()).range();
     picture.clip.reset();  // it is in the range
     picture.window = options_.window.value_or(window_);
     picture.size = kFallbackSize;
@@ -186,7 +188,8 @@ class PageData {
     size_ += json["positions"].asString().size();
     for (ViewField& field : fields_) {
       add(field, model, frame, meshes_[number].nodes);
-      size_ += field.frames.back().values.size();
+      const FieldValues& added = field.frames.back();
+      size_ += added.values.size() + added.faces["points"].asString().size();
     }
     frames_.append(json);
   }
@@ -226,12 +229,15 @@ class PageData {
   void add(ViewField& field, const ModelRecord& model, const FrameRecord& frame,
            const std::vector<int>& nodes) {
     FieldChoice choice = chooseField(model, frame, field.name);
-    if (choice.faces)
-      throw Error(fmt::format(
-          "field: found \"{}\"; a page shows fields of bodies; draw those of contact with burnish render",
-          field.name));
+    if (choice.faces && (options_.warp != 1.0 || options_.clip))
+      throw Error(fmt::format("{}: {} belongs to the faces in contact; write the page without it",
+                              options_.clip ? "clip" : "warp", field.name));
     const FieldRange range = fieldRanges(model, frame, choice, model.subdivision, options_.clip);
-    FieldValues values{floatsText(choice.coefficients(Eigen::all, nodes)), range.whole, {}};
+    FieldValues values{"", range.whole, {}, {}};
+    if (choice.faces)
+      values.faces = partJson(choice.faces, origin_);
+    else
+      values.values = floatsText(choice.coefficients(Eigen::all, nodes));
     const std::vector<std::string> without = bodiesWithout(model, frame, field.name);
     for (std::size_t body = 0; body < model.bodies.size(); ++body)
       if (std::find(without.begin(), without.end(), model.bodies[body]) != without.end())
@@ -259,7 +265,10 @@ class PageData {
   }
 
   ScalarBar barOf(const ViewField& field, const Range& values) const {
-    return {scaleOf(field), {field.words.title, field.words.unit, values[0], values[1]}, 16.0, Theme()};
+    return {scaleOf(field),
+            {field.words.title, field.words.unit, values[0], values[1], field.words.states},
+            16.0,
+            Theme()};
   }
 
   Json::Value fieldJson(const ViewField& field) const {
@@ -276,6 +285,8 @@ class PageData {
     json["title"] = richJson(bar.title());
     json["components"] = static_cast<int>(field.words.coefficients.rows());
     json["nonNegative"] = field.words.isNonNegative;
+    json["isOfContact"] = field.words.faces != nullptr;
+    json["hasStates"] = !field.words.states.empty();
     json["colors"] = base64(colors);
     json["range"] = numbersJson(scale.range());
     json["ticks"] = numbersJson(ticks.values);
@@ -292,6 +303,7 @@ class PageData {
     json["smallest"] = richJson(bar.smallest());
     json["largest"] = richJson(bar.largest());
     json["without"] = numbersJson(values.without);
+    if (!values.faces.isNull()) json["faces"] = values.faces;
     return json;
   }
 
@@ -347,14 +359,13 @@ std::size_t writeView(const ResultReader& result, const std::vector<int>& frames
   const std::string picture =
       framePicture(result, result.frame(frames.back()), data.pictureOptions(), scratch.path());
   const Json::Value json = data.json();
-  const std::string text =
-      filled(kViewPage, {{"/*style-source*/", sourceOfHash(kViewStyleHash)},
-                         {"/*script-source*/", sourceOfHash(kViewScriptHash)},
-                         {"/*title*/", escaped(nameOf(json["title"].asString(), result))},
-                         {"/*style*/", kViewStyle},
-                         {"/*picture*/", pngUri(picture)},
-                         {"/*data*/", scriptText(json, kDigits)},
-                         {"/*script*/", kViewScript}});
+  const std::string text = htmlText(
+      {.title = nameOf(json["title"].asString(), result),
+       .style = kViewStyle,
+       .body = filled(kViewPage, {{"/*picture*/", pngUri(picture)}, {"/*data*/", scriptText(json, kDigits)}}),
+       .script = kViewScript,
+       .scriptHash = kViewScriptHash,
+       .styleHash = kViewStyleHash});
   requireSize(text.size(), options, html);
   writeText(text, html);
   return text.size();

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,8 @@ namespace burnish {
 
 /// What a page shows at first, and from where; the person in front of it changes most of it.
 struct ViewOptions : PictureOptions {
-  double maxSize = 15.0;  ///< of the page, in MB (10^6 bytes)
+  std::optional<ChosenTheme> pageTheme;  ///< light or dark as the browser is set when left out
+  double maxSize = 15.0;                 ///< of the page, in MB (10^6 bytes)
 };
 
 template <class Visitor>
@@ -20,6 +22,15 @@ void describe(Visitor& v, ViewOptions& s) {
   describeMotion(v, s);
   describeEye(v, s);
   describeMirror(v, s);
+  v.field(
+      "theme", s.pageTheme, {},
+      "Look of the page: paper, dark, slide, complas, or a YAML file with one of your own; light or dark as "
+      "the browser is set when left out.");
+  if constexpr (Fills<Visitor>)
+    if (s.pageTheme) {
+      s.theme = *s.pageTheme;
+      static_cast<PictureDefaults&>(s) = s.theme.picture;
+    }
   describe(v, static_cast<PictureDefaults&>(s));
   v.field("title", s.title, {.longest = kLongestShownText},
           "Title of the page, empty for none; that of the scene when left out.");
@@ -31,7 +42,7 @@ void describe(Visitor& v, ViewOptions& s) {
 /// is one file that asks nothing of the network. fields: names as `PictureOptions::field` has them, the first
 /// is shown at first; without any, those that are there of plastic strain, von Mises stress and displacement.
 /// Colours of a field go over all of these frames. Returns the size in bytes. Throws `Error` for an unknown
-/// field and one of contact, values that are not finite, a page above `maxSize`, and a file that cannot be
+/// field, warped or clipped ones of contact, values that are not finite, a page above `maxSize`, and a file that cannot be
 /// written.
 std::size_t writeView(const ResultReader& result, const std::vector<int>& frames,
                       const std::vector<std::string>& fields, const ViewOptions& options,

@@ -438,6 +438,49 @@ void main() {
   color = vec4(mix(hatch, paint.rgb, clamp(d - 0.5 * lines + 0.5, 0.55, 1.0)), 1);
 }`;
 
+// Values of contact stand at points of faces, between which they are interpolated.
+const contactVertex = header + `
+uniform mat4 view;
+uniform float nearer;
+layout(location = 0) in vec3 point;
+layout(location = 1) in float value;
+out vec3 X;
+out float VALUE;
+void main() {
+  X = point;
+  VALUE = value;
+  gl_Position = view * vec4(point, 1);
+  gl_Position.z -= nearer;
+}`;
+
+const contactLineVertex = header + widening + `
+layout(location = 0) in vec2 along;
+layout(location = 1) in vec3 begin;
+layout(location = 2) in vec3 end;
+layout(location = 3) in vec2 ends;
+out vec3 X;
+out float VALUE;
+void main() {
+  X = mix(begin, end, along.x);
+  VALUE = mix(ends.x, ends.y, along.x);
+  gl_Position = widened(view * vec4(X, 1), view * vec4(begin, 1), view * vec4(end, 1), along.y);
+}`;
+
+const contactFragment = header + clipping + lighting + `
+uniform sampler2D colors;
+uniform vec2 range;
+uniform int count, light;
+in vec3 X;
+in float VALUE;
+out vec4 color;
+void main() {
+  clip(X);
+  float place = (VALUE - range.x) / (range.y - range.x);
+  vec3 c = texelFetch(colors, ivec2(clamp(int(floor(place * float(count))), 0, count - 1), 0), 0).rgb;
+  if (light == 1) c *= lightOn(normalize(cross(dFdx(X), dFdy(X))), 0.6, 1.0);
+  color = vec4(c, 1);
+}`;
+
 const programs = new Map();
 
 /** The program of two shaders with the places of its uniforms, made once. */
@@ -557,7 +600,7 @@ function load() {
     loaded.body = body(data.meshes[record.mesh], record.positions);
     loaded.points = texelTexture(units.points, loaded.body.points);
   }
-  if (loaded.frame !== state.frame || loaded.field !== state.field) {
+  if ((loaded.frame !== state.frame || loaded.field !== state.field) && !data.fields[state.field].isOfContact) {
     gl.deleteTexture(loaded.values);
     const texels = fieldTexels(loaded.body.mesh, record.fields[state.field].values, data.fields[state.field].components);
     loaded.values = texelTexture(units.values, texels);
@@ -579,7 +622,7 @@ function load() {
 /** The colours of the field from the lowest to the highest value: smooth, or the bands' own. */
 function fieldColors() {
   const smooth = bytes(data.fields[state.field].colors), count = smooth.length / 3;
-  if (!state.bands) return smooth;
+  if (!state.bands || data.fields[state.field].hasStates) return smooth;
   const colors = new Uint8Array(3 * state.bands);
   for (let k = 0; k < state.bands; ++k) {
     const place = (state.bands === 1 ? 0.5 : k / (state.bands - 1)) * (count - 1);
@@ -670,12 +713,39 @@ function drawEdges(shape, unit, visible, cells, common, paint, width) {
   }
 }
 
+/** The faces of a contact field, over bodies without colours. */
+function drawContact(common) {
+  const field = data.fields[state.field], faces = data.frames[state.frame].fields[state.field].faces;
+  if (!faces) return;
+  const points = floats(faces.points), values = floats(faces.values);
+  const look = {...common, colors: {integer: units.colors}, range: field.range, count: {integer: loaded.colorCount}};
+  if (faces.segments) {
+    const ends = integers(faces.segments), list = [];
+    for (let k = 0; k + 1 < ends.length; k += 2) {
+      for (const end of [ends[k], ends[k + 1]]) list.push(...points.subarray(3 * end, 3 * end + 3));
+      list.push(values[ends[k]], values[ends[k + 1]]);
+    }
+    program("contact line", contactLineVertex, contactFragment).use({...look, light: {integer: 0}, width: 6 * common.lines});
+    drawInstances(grid(1, 1, true), list, [3, 3, 2]);
+  }
+  if (!faces.triangles) return;
+  program("contact", contactVertex, contactFragment).use({...look, light: {integer: state.light ? 1 : 0}});
+  const made = [buffer(points), buffer(values), buffer(new Uint32Array(integers(faces.triangles)), gl.ELEMENT_ARRAY_BUFFER)];
+  attribute(0, made[0], 3);
+  attribute(1, made[1], 1);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, made[2]);
+  gl.drawElements(gl.TRIANGLES, integers(faces.triangles).length, gl.UNSIGNED_INT, 0);
+  gl.disableVertexAttribArray(1);
+  for (const each of made) gl.deleteBuffer(each);
+}
+
 /** All of the surface that is visible, in colours. */
 function drawSurface(spans, cells, common) {
-  const field = data.fields[state.field], without = data.frames[state.frame].fields[state.field].without;
+  const field = data.fields[state.field], {without} = data.frames[state.frame].fields[state.field];
+  const isPlain = (span) => field.isOfContact || without.includes(span.body);
   const plainColor = middle(rgb(theme().tool), rgb(theme().paper));
   for (const plain of [0, 1])
-    for (const {p, q, list} of byDegrees(spans.filter((span) => without.includes(span.body) === Boolean(plain)), (s) => s)) {
+    for (const {p, q, list} of byDegrees(spans.filter((span) => isPlain(span) === Boolean(plain)), (s) => s)) {
       program(`surface ${p} ${q}`, surfaceVertex(p, q), surfaceFragment(p, q)).use({
         ...common, points: {integer: units.points}, values: {integer: units.values}, colors: {integer: units.colors},
         range: field.range, count: {integer: loaded.colorCount}, components: {integer: field.components},
@@ -753,6 +823,7 @@ function draw() {
   drawUndeformed();
   drawEdges(loaded.body, units.points, visible, cells, common, outline, lines);
   drawToolLines(common);
+  drawContact({...common, nearer: solid ? common.nearer + 0.002 * boxSize / depth : 0});
   if (solid) drawToolGlass(common);
   return {cells, spans: spans.length};
 }
@@ -962,7 +1033,17 @@ function showFallback() {
   clearInterval(player);
 }
 
+/** Colours of the page that go with a theme of its own. */
+function dressPage() {
+  const {paper, ink, soft} = theme();
+  const between = (part) => `color-mix(in srgb, ${ink} ${part}%, ${paper})`;
+  const colors = {"--paper": paper, "--ink": ink, "--soft": soft, "--line": between(18), "--panel": between(4)};
+  for (const [name, color] of Object.entries(colors)) document.documentElement.style.setProperty(name, color);
+  document.documentElement.style.colorScheme = dot(rgb(paper), [1, 1, 1]) < 1.5 ? "dark" : "light";
+}
+
 function start() {
+  if (data.isThemed) dressPage();
   document.body.classList.toggle("flat", !solid);
   byId("title").textContent = data.title;
   byId("picture").alt = `${data.title}: ${data.fields[0].words}`;

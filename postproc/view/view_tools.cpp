@@ -20,7 +20,14 @@ namespace {
 /// Length of a hatch as a part of the diagonal of the box.
 constexpr double kStroke = 0.004;
 
-/// Points with triangles, segments and, where there are any, normals; null without points.
+Json::Value vectorJson(const Eigen::Vector3d& vector) {
+  Json::Value json = Json::arrayValue;
+  for (const double x : vector) json.append(x);
+  return json;
+}
+
+}  // namespace
+
 Json::Value partJson(vtkPolyData* part, const Eigen::Vector3d& origin) {
   if (part == nullptr || part->GetNumberOfPoints() == 0) return Json::nullValue;
   vtkNew<vtkTriangleFilter> filter;
@@ -49,16 +56,13 @@ Json::Value partJson(vtkPolyData* part, const Eigen::Vector3d& origin) {
     for (vtkIdType k = 0; k < n.cols(); ++k) n.col(k) = Eigen::Vector3d(normals->GetTuple3(k));
     json["normals"] = floatsText(n);
   }
+  if (vtkDataArray* values = simple.GetPointData()->GetScalars()) {
+    Eigen::MatrixXd row(1, points.cols());
+    for (vtkIdType k = 0; k < row.cols(); ++k) row(k) = values->GetTuple1(k);
+    json["values"] = floatsText(row);
+  }
   return json;
 }
-
-Json::Value vectorJson(const Eigen::Vector3d& vector) {
-  Json::Value json = Json::arrayValue;
-  for (const double x : vector) json.append(x);
-  return json;
-}
-
-}  // namespace
 
 Json::Value viewTools(const std::vector<ToolRecord>& tools, int dim, const Eigen::AlignedBox3d& box,
                       const Eigen::Vector3d& origin, bool turns) {

@@ -6,7 +6,13 @@
 
 #include "engine/results/result.h"
 
+class vtkPolyData;
+
 namespace burnish {
+
+/// Points relative to the origin with `triangles`, `segments` and, where there are any, `normals` and the scalars of
+/// points as `values`; null without points.
+Json::Value partJson(vtkPolyData* part, const Eigen::Vector3d& origin);
 
 /// Tools in so many dimensions at their reference positions, cut off where they reach beyond the box: points about the
 /// `origin`, `triangles` and `segments` of them, in space `normals`; and the `pivot` and the `axis` about which

@@ -116,7 +116,8 @@ TEST_F(ViewCommand, RefusesWhatItCannotShow) {
   };
   expectRefused("-o page.pdf", "expected the name of a page that ends in .html");
   expectRefused("-o page.html --field strain", "strain");
-  expectRefused("-o page.html --field contact_pressure", "a page shows fields of bodies");
+  expectRefused("-o page.html --field contact_pressure --warp 2",
+                "warp: contact_pressure belongs to the faces");
   expectRefused("-o page.html --frame 7", "there is no frame 7");
   expectRefused("-o page.html --range 0,1", "--range: it goes with one field");
   expectRefused("-o page.html --max-size 0.01", "above --max-size 0.01");
@@ -366,6 +367,33 @@ found.push("closed " + grey(colourAt([0.13, 0.11, z])));
   EXPECT_THAT(out, HasSubstr("home 0.41,0.37,0.83\n")) << "(0.5, 0.45, 1), of length 1";
   EXPECT_THAT(out, AllOf(HasSubstr(" 0.000000,1.000000\n"), Not(HasSubstr("turned 0.41,0.37"))));
   EXPECT_THAT(out, HasSubstr("whole false\ncut z true\nplace 0.52\nclosed false<"));
+}
+
+TEST_F(ViewCommand, ContactFieldsLieAlongTheirFaces) {
+  if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
+  Sample rubbed = samples::rubbedSlab();
+  rubbed.model.tools.front().name = rubbed.frame.contact.front().tool;
+  write({rubbed});
+  const std::string out =
+      found("--tools off --undeformed off --field contact_pressure,sliding,plastic_strain", R"(
+const colourAt = (x, y) => {
+  draw();
+  const [a, b] = minus(projected(minus([x, y, 0], data.origin)), state.center), pixel = new Uint8Array(4);
+  gl.readPixels(Math.round(canvas.width / 2 + a * pixelsPerLength()), Math.round(canvas.height / 2 + b * pixelsPerLength()), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+  return [...pixel.slice(0, 3)].join();
+};
+found.push("middle " + colourAt(1.5, 0.85), "open " + colourAt(0.3, 0.946), "body " + colourAt(1.37, 0.43));
+found.push("words " + byId("field").selectedOptions[0].textContent + "; " + byId("largest").textContent);
+change({field: 1, bands: 5});
+found.push("stick " + colourAt(1.5, 0.85), "states " + byId("ticks").textContent);
+change({field: 2});
+found.push("strain " + (colourAt(1.37, 0.43) !== "238,238,238"));
+)");
+  EXPECT_THAT(out, AllOf(HasSubstr("open 68,1,84\n"), HasSubstr("body 238,238,238\n"),
+                         HasSubstr("words Contact pressure"), HasSubstr("strain true")));
+  EXPECT_THAT(out, testing::ContainsRegex("middle 2[45][0-9],2[23][0-9],[23][0-9]\n"));
+  EXPECT_THAT(out, HasSubstr("states openstickslip\n"));
+  EXPECT_EQ(console, "");
 }
 
 TEST_F(ViewCommand, PictureStandsInForWebGl) {

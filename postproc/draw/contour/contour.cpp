@@ -181,17 +181,29 @@ class ContourPicture {
     std::vector<ToolDrawing> tools{};
   };
 
+  /// Throws `Error` for a window in which nothing lies.
+  void requireSomethingSeen(const Eigen::AlignedBox2d& content) const {
+    if (!options_.window || options_.window->intersects(content)) return;
+    const auto words = [](const Eigen::AlignedBox2d& box) {
+      return fmt::format("{:.6g},{:.6g}", fmt::join(box.min(), ","), fmt::join(box.max(), ","));
+    };
+    throw Error(
+        fmt::format("zoom: found {}, where there is nothing to be seen; bodies and tools lie within {}",
+                    words(*options_.window), words(content)));
+  }
+
   Plan makePlan() const {
+    const Eigen::AlignedBox2d content = contentOf(parts_, subject_.dim);
+    requireSomethingSeen(content);
     const auto& [whole, unclipped] = subject_.ranges;
     const std::array<double, 2> shown = options_.range.value_or(unclipped);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
     const ScalarBar bar =
         scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales, marksExtremes());
-    Plan plan{
-        scale, bar,
-        layOutContour(size_, textSize_, options_.window ? *options_.window : contentOf(parts_, subject_.dim),
-                      parts_.axes, caption(options_.clip && shown != whole),
-                      options_.colorScale ? &bar : nullptr, theme_)};
+    Plan plan{scale, bar,
+              layOutContour(size_, textSize_, options_.window.value_or(content), parts_.axes,
+                            caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr,
+                            theme_)};
     plan.layout.view.eye = parts_.eye;
     for (const ShownTool& tool : parts_.tools) plan.tools.push_back(drawTool(tool, plan.layout.view));
     return plan;
@@ -421,8 +433,10 @@ class ContourPicture {
     if (parts_.ghost && !isFlat())
       all.push_back({silhouetteOf(*parts_.ghost, view), theme_.outline, line, kUndeformed, kGhostOpacity});
     for (const auto& part : {parts_.body, hatchesSection() ? nullptr : parts_.section})
-      if (part && options_.isolines > 0 && !options_.isosurfaces)
-        all.push_back({isolines(*part, plan.scale.range()), theme_.outline, 0.7 * line, kIsolines});
+      if (part && !options_.isosurfaces)
+        for (const Color& color : {theme_.outline, theme_.paper})
+          if (const std::vector<double> values = isolineValues(plan.scale, color); !values.empty())
+            all.push_back({isolines(*part, values), color, 0.7 * line, kIsolines});
     if (parts_.knots) all.push_back({parts_.knots, theme_.knots, 0.5 * line, kKnots, 0.5});
     if (parts_.net) {
       all.push_back({parts_.net, theme_.controlNet, 0.6 * line, kNet});
@@ -586,11 +600,23 @@ class ContourPicture {
     }
   }
 
-  vtkSmartPointer<vtkPolyData> isolines(vtkPolyData& part, const std::array<double, 2>& range) const {
+  /// Of the isolines in this colour: that of outlines, or of the paper where those would hardly be seen.
+  std::vector<double> isolineValues(const ColorScale& scale, const Color& color) const {
+    constexpr double kSeen = 1.3;
+    const auto [low, high] = scale.range();
+    std::vector<double> values;
+    for (int k = 0; k < options_.isolines; ++k) {
+      const double value = std::lerp(low, high, (k + 1.0) / (options_.isolines + 1.0));
+      const bool isSeen = contrastOf(theme_.outline, scale.color(value)) >= kSeen;
+      if (color == (isSeen ? theme_.outline : theme_.paper)) values.push_back(value);
+    }
+    return values;
+  }
+
+  static vtkSmartPointer<vtkPolyData> isolines(vtkPolyData& part, const std::vector<double>& values) {
     vtkNew<vtkContourFilter> filter;
     filter->SetInputData(&part);
-    for (int k = 0; k < options_.isolines; ++k)
-      filter->SetValue(k, std::lerp(range[0], range[1], (k + 1.0) / (options_.isolines + 1.0)));
+    for (std::size_t k = 0; k < values.size(); ++k) filter->SetValue(static_cast<int>(k), values[k]);
     filter->Update();
     return filter->GetOutput();
   }

@@ -109,7 +109,23 @@ vtkSmartPointer<vtkColorTransferFunction> transferFunction(const Colormap& map) 
   return function;
 }
 
+/// Relative luminance of a colour of sRGB.
+double lightOf(const Color& color) {
+  constexpr std::array weights{0.2126, 0.7152, 0.0722};
+  double light = 0.0;
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    const double part = color[c] / 255.0;
+    light += weights[c] * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+  }
+  return light;
+}
+
 }  // namespace
+
+double contrastOf(const Color& a, const Color& b) {
+  const auto [dark, bright] = std::minmax({lightOf(a), lightOf(b)});
+  return (bright + 0.05) / (dark + 0.05);
+}
 
 const std::vector<std::string>& colormapNames() {
   static const std::vector<std::string> names{"viridis",  "cividis", "batlow", "grey",

@@ -12,6 +12,10 @@ namespace burnish {
 
 using Color = std::array<unsigned char, 3>;  ///< red, green, blue
 
+/// How well one colour is told from another by their light alone: from 1, not at all, to 21, black from white (the
+/// contrast ratio of WCAG).
+double contrastOf(const Color& a, const Color& b);
+
 /// viridis, cividis, batlow and grey, whose lightness only grows; coolwarm, for values about a middle; turbo
 /// and rainbow.
 const std::vector<std::string>& colormapNames();
