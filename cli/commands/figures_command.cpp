@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <json/value.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -24,6 +25,7 @@
 #include "engine/core/atomic_file.h"
 #include "postproc/study/document.h"
 #include "postproc/study/study_reader.h"
+#include "postproc/text/json_text.h"
 
 namespace burnish {
 namespace {
@@ -40,7 +42,8 @@ struct FiguresArguments {
   fs::path document;
   fs::path gallery;
   std::optional<std::string> workflow;
-  fs::path results;       ///< of a workflow
+  fs::path results;  ///< of a workflow
+  bool json = false;
   bool drawOnly = false;  ///< in a process that another one has started
 };
 
@@ -80,24 +83,41 @@ void printResults(const StudyPlan& plan, const std::vector<JobStatus>& jobs, con
   flushOutput();
 }
 
+void printResultsJson(const StudyPlan& plan, const std::vector<JobStatus>& jobs,
+                      const FiguresArguments& arguments) {
+  Json::Value value;
+  value["runs"] = runsJson(plan, jobs);
+  value["figures"] = Json::Value(Json::arrayValue);
+  for (const PlannedFigure& figure : plan.figures) {
+    Json::Value& added = value["figures"].append(Json::Value());
+    added["name"] = figure.figure->name;
+    added["files"] = Json::Value(Json::arrayValue);
+    for (const fs::path& file : drawnFiles(arguments.output, figure.figure->name))
+      added["files"].append(file.string());
+  }
+  if (arguments.only.empty()) value["document"] = arguments.document.string();
+  printText(compactText(value, kJsonDigits) + "\n");
+}
+
 ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
   const DirectoryLock lock = lockOutput(arguments.output);
   const StudyPlan plan = planStudy(study, arguments.output, arguments.only, arguments.jobs);
-  announce(plan);
+  if (!arguments.json) announce(plan);
   prepareJobs(plan, arguments.output);
   PoolResult result;
   {
-    StudyProgress progress(plan);
-    result = runJobs(plan.jobs, arguments.jobs, progress);
+    const auto progress = progressOf(plan, !arguments.json);
+    result = runJobs(plan.jobs, arguments.jobs, *progress);
   }
   if (result.signal != 0) return interrupted(result.signal);
-  printResults(plan, result.jobs, arguments.output);
+  if (!arguments.json) printResults(plan, result.jobs, arguments.output);
   if (arguments.only.empty()) {
     const std::string csv = runsCsv(plan, result.jobs);
     writeFileAtomically(arguments.output / "runs.csv", std::as_bytes(std::span(csv)));
     writeDocument(study, arguments.output, {.file = arguments.document, .gallery = arguments.gallery});
-    printOut("document {}\n", arguments.document.string());
+    if (!arguments.json) printOut("document {}\n", arguments.document.string());
   }
+  if (arguments.json) printResultsJson(plan, result.jobs, arguments);
   const bool allFine = std::all_of(result.jobs.begin(), result.jobs.end(),
                                    [](const JobStatus& job) { return job.state == JobState::Fine; });
   return allFine ? ExitCode::Fine : ExitCode::Incomplete;
@@ -152,6 +172,8 @@ void addFiguresCommand(CLI::App& app, Action& action) {
                                        "Draw only this figure, from the runs that it needs; may be repeated")
                           ->type_name("FIGURE")
                           ->allow_extra_args(false);
+  CLI::Option* json = command->add_flag("--json", arguments->json,
+                                        "Print what became of runs and figures as one JSON object");
   command->add_option("--document", arguments->document, "Name of the document [NAME of the study.md in DIR]")
       ->type_name("FILE.md");
   command
@@ -164,7 +186,8 @@ void addFiguresCommand(CLI::App& app, Action& action) {
           ->type_name("KIND")
           ->excludes(jobs)
           ->excludes(only)
-          ->excludes(drawOnly);
+          ->excludes(drawOnly)
+          ->excludes(json);
   offerChoices(*workflow, kWorkflows);
   command
       ->add_option("--results", arguments->results,

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <json/value.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include "engine/core/error.h"
 #include "postproc/study/verification/check_table.h"
 #include "postproc/study/verification/verification_document.h"
+#include "postproc/text/json_text.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -31,6 +33,7 @@ struct VerifyArguments {
   int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   fs::path document;
   fs::path gallery;
+  bool json = false;
 };
 
 /// Control nets may lie beside the scenes that name them; only scenes have a geometry or
@@ -57,11 +60,11 @@ std::vector<fs::path> scenesIn(const fs::path& path) {
 int computeRuns(const std::vector<VerificationCase>& cases, const VerifyArguments& arguments) {
   const Study study = studyOf(cases);
   const StudyPlan plan = planStudy(study, arguments.directory, {}, arguments.jobs);
-  printOut("runs: {}, of which to compute: {}\n", plan.runs.size(), plan.jobs.size());
+  if (!arguments.json) printOut("runs: {}, of which to compute: {}\n", plan.runs.size(), plan.jobs.size());
   flushOutput();
   prepareJobs(plan, arguments.directory);
-  StudyProgress progress(plan);
-  return runJobs(plan.jobs, arguments.jobs, progress).signal;
+  const auto progress = progressOf(plan, !arguments.json);
+  return runJobs(plan.jobs, arguments.jobs, *progress).signal;
 }
 
 CaseOutcomes outcomesOf(const VerificationCase& verified, const fs::path& directory) {
@@ -88,6 +91,45 @@ bool printVerdicts(const std::vector<VerifiedCase>& cases) {
   return holding == all;
 }
 
+template <class Numbers>
+Json::Value numbersJson(const Numbers& numbers) {
+  Json::Value list(Json::arrayValue);
+  for (const auto& number : numbers) list.append(number ? Json::Value(*number) : Json::Value());
+  return list;
+}
+
+Json::Value rowJson(const CheckSpec& check, const CheckRow& row) {
+  Json::Value value;
+  value["check"] = check.name;
+  if (!row.family.empty()) value["family"] = row.family;
+  value["verdict"] = verdictText(row.verdict);
+  value["values"] = numbersJson(row.values);
+  if (!row.orders.empty()) value["orders"] = numbersJson(row.orders);
+  value["expected"] = row.expected;
+  value["tolerance"] = row.tolerance + (row.isShare ? " %" : "");
+  if (row.deviation) value["deviation"] = *row.deviation;
+  if (!row.problem.empty()) value["problem"] = row.problem;
+  return value;
+}
+
+/// An object in a line for each case; whether all checks hold.
+bool printJson(const std::vector<VerifiedCase>& cases) {
+  bool allHold = true;
+  for (const VerifiedCase& one : cases) {
+    Json::Value value;
+    value["case"] = one.verified->name;
+    value["title"] = one.verified->document.scene.title;
+    value["checks"] = Json::Value(Json::arrayValue);
+    for (const JudgedCheck& judged : one.judged)
+      for (const CheckRow& row : judged.rows) value["checks"].append(rowJson(*judged.check, row));
+    const bool holds = numHolding(one.judged) == one.judged.size();
+    value["holds"] = holds;
+    allHold = allHold && holds;
+    printText(compactText(value, kJsonDigits) + "\n");
+  }
+  return allHold;
+}
+
 ExitCode verify(const VerifyArguments& arguments) {
   std::vector<VerificationCase> cases;
   for (const fs::path& path : arguments.scenes)
@@ -102,14 +144,14 @@ ExitCode verify(const VerifyArguments& arguments) {
     auto judged = judgeChecks(one, outcomes);
     verified.push_back({&one, std::move(outcomes), std::move(judged)});
   }
-  const bool allHold = printVerdicts(verified);
+  const bool allHold = arguments.json ? printJson(verified) : printVerdicts(verified);
   if (!arguments.document.empty()) {
     const SignalGuard signals(SecondSignal::Ends);
     const fs::path pictures = arguments.gallery.empty()
                                   ? arguments.document.parent_path() / "images" / arguments.document.stem()
                                   : arguments.gallery;
     writeVerification(verified, arguments.document, pictures);
-    printOut("document {}\n", arguments.document.string());
+    if (!arguments.json) printOut("document {}\n", arguments.document.string());
   }
   return allHold ? ExitCode::Fine : ExitCode::ChecksFail;
 }
@@ -130,6 +172,8 @@ void addVerifyCommand(CLI::App& app, Action& action) {
       ->add_option("--gallery", arguments->gallery,
                    "Directory of the document's charts [images/NAME of the document, beside it]")
       ->type_name("DIR");
+  command->add_flag("--json", arguments->json,
+                    "Print a JSON object in a line for each scene instead of tables");
   command->callback([&action, arguments] { action = [arguments] { return verify(*arguments); }; });
 }
 

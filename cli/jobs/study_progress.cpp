@@ -162,4 +162,13 @@ void StudyProgress::clear() {
   linesShown_ = 0;
 }
 
+std::unique_ptr<JobObserver> progressOf(const StudyPlan& plan, bool isShown) {
+  struct Nothing : JobObserver {
+    void onEnd(std::size_t, const std::vector<JobStatus>&) override {}
+    void onWait(const std::vector<JobStatus>&) override {}
+  };
+  if (isShown) return std::make_unique<StudyProgress>(plan);
+  return std::make_unique<Nothing>();
+}
+
 }  // namespace burnish

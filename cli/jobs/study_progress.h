@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,8 @@ class StudyProgress : public JobObserver {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point lastShown_{};
 };
+
+/// That, or one that shows nothing.
+std::unique_ptr<JobObserver> progressOf(const StudyPlan& plan, bool isShown);
 
 }  // namespace burnish

@@ -59,6 +59,19 @@ std::string runsTable(const StudyPlan& plan, const std::vector<JobStatus>& jobs)
   return text;
 }
 
+Json::Value runsJson(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
+  Json::Value list(Json::arrayValue);
+  for (const PlannedRun& run : plan.runs) {
+    const Row row = rowOf(run, jobs);
+    Json::Value& added = list.append(Json::Value());
+    added["name"] = run.run->name;
+    added["state"] = row.state;
+    added["directory"] = run.directory.string();
+    for (const auto& [entry, number] : row.numbers) added[entry] = number;
+  }
+  return list;
+}
+
 std::string runsCsv(const StudyPlan& plan, const std::vector<JobStatus>& jobs) {
   std::vector<std::string> titles{"run", "state"};
   for (const Column& column : kTableColumns) titles.emplace_back(column.entry);

@@ -168,12 +168,10 @@ std::string roffItalic(const std::string& text) {
   return "\\fI" + roffText(text) + "\\fR";
 }
 
-RoffPage::RoffPage(const std::string& name, int section, const std::string& source,
-                   const std::string& about) {
-  // Without a date: equal programs write equal pages.
-  out_ = fmt::format(".TH {} {} \"\" {} {}\n", argument(inCapitals(name)), section, argument(source),
-                     argument("Manual of burnish"));
-  out_ += ".nh\n.ad l\n";
+RoffPage::RoffPage(const std::string& name, int section, const std::string& source, const std::string& about)
+    // Without a date: equal programs write equal pages.
+    : out_(fmt::format(".TH {} {} \"\" {} {}\n.nh\n.ad l\n", argument(inCapitals(name)), section,
+                       argument(source), argument("Manual of burnish"))) {
   this->section("NAME");
   line(roffText(name) + " \\- " + roffText(about));
 }

@@ -110,6 +110,20 @@ def check_json(burnish, work, scene, out, expect):
     expect(good["fine"] is True and good["steps"] == 2 and good["warnings"] == [], f"validate says {good}")
     expect(bad["fine"] is False and len(bad["problems"]) > 1, f"validate says {bad}")
 
+    checked = {**SCENE, "checks": [{"name": "force", "quantity": "disc.fy", "time": 1, "expect": "value", "value": 3.5,
+                                    "relative": 9, "source": "a guess"}]}
+    (work / "checked.yaml").write_text(yaml.safe_dump(checked, allow_unicode=True), encoding="utf-8")
+    [case] = objects(burnish, "verify", work / "checked.yaml", "-o", work / "verified", "--json")
+    expect(case["case"] == "checked" and case["holds"] is True and case["title"] == TITLE, f"verify says {case}")
+    expect(case["checks"][0]["verdict"] == "holds" and case["checks"][0]["values"][0] > 0, f"verify says {case}")
+
+    (work / "study.yaml").write_text("runs: [{name: a, scene: scene.yaml}]\n"
+                                     "figures: [{name: f, kind: history, runs: [a], y: disc.fy}]\n")
+    [study] = objects(burnish, "figures", work / "study.yaml", "-o", work / "study", "--json")
+    expect(study["runs"][0]["name"] == "a" and study["runs"][0]["state"] == "completed", f"figures says {study}")
+    expect(pathlib.Path(study["figures"][0]["files"][0]).exists(), f"figures says {study}")
+    expect(pathlib.Path(study["document"]).exists(), f"figures says {study}")
+
 
 def main():
     burnish = pathlib.Path(sys.argv[1]).resolve()

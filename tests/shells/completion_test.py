@@ -160,6 +160,8 @@ def check_candidates(program, place, failures):
     expect(["export", run, "--parts", "body,"], ["body,tools", "body,net"])
     expect(["plot", run, "--y", "disc."], ["disc.fy"], ["time"])
     expect(["plot", "--log", ""], ["x", "y2"])
+    expect(["watch", run, "--y", "disc."], ["disc.fy"])
+    expect(["init", "--kind", "pl"], ["plastic"])
     expect(["explain", "solver."], ["solver.tolerance"])
     expect(["explain", "--study", "figures."], ["figures.kind", "figures.name"])
     expect(["nonsense", ""], [])
