@@ -25,8 +25,8 @@ struct RenderArguments {
 
 /// Throws `Error` for other endings than those of pictures, and for options that are those of the others.
 void checkOutput(const RenderArguments& arguments) {
-  if (isPrintFile(arguments.picture) || isStandardOutput(arguments.picture)) return;
-  if (std::filesystem::path(arguments.picture).extension() != ".png")
+  if (isPrintFile(arguments.picture)) return;
+  if (!isStandardOutput(arguments.picture) && std::filesystem::path(arguments.picture).extension() != ".png")
     throw Error(
         fmt::format("-o: found \"{}\"; expected the name of a picture that ends in .png, .pdf or .svg, or -",
                     arguments.picture));

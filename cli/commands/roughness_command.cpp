@@ -161,6 +161,8 @@ ExitCode roughness(const RoughnessArguments& arguments) {
       throw Error(fmt::format(
           "{}: found other dimensions or units of length than those of {}; expected results alike",
           result.file().string(), files.front().string()));
+  if (arguments.json && arguments.outputs.printsData())
+    throw Error("--json: it and the profiles of --csv - would be printed together; expected one of them");
   const bool draws = !arguments.outputs.picture.empty() || !arguments.outputs.csv.empty();
   if (draws && dim == 3)
     throw Error("-o: an area has no profile; expected the numbers alone, or a plane body");

@@ -34,12 +34,13 @@ std::string renderCommand(const ScenePicture& picture, std::optional<double> tim
   const std::string frame = time ? fmt::format(" --frame time={}", *time) : "";
   const std::string range =
       picture.range ? fmt::format(" --range {},{}", (*picture.range)[0], (*picture.range)[1]) : "";
-  const std::string dpi = picture.dpi ? fmt::format(" --dpi {}", *picture.dpi) : "";
+  std::string print = picture.dpi ? fmt::format(" --dpi {}", *picture.dpi) : "";
+  if (picture.printField == PrintField::Vector) print += " --print-field vector";
   const std::string options =
       optionsText(static_cast<const PictureOptions&>(picture),
                   picturesOfSize(picture.isForPrint() ? kPrintSize : PictureOptions().size));
   return fmt::format("burnish render {} --field {}{}{}{}{} -o {}", shellWord(directory.string()),
-                     shellWord(picture.field), frame, range, dpi, options, shellWord(file.string()));
+                     shellWord(picture.field), frame, range, print, options, shellWord(file.string()));
 }
 
 /// The call that draws the chart of a probe from the results.

@@ -104,6 +104,7 @@ class Panels {
       ContourOptions& options = source.single.options;
       options.range = shared.range;
       options.window = shared.window;
+      options.eye = shared.eye;
       if (shared.range) options.clip.reset();
       if (shared.range) options.note = source.single.clipNote;
       options.size = panel;
@@ -204,8 +205,9 @@ class Panels {
 void checkOutput(const SheetArguments& arguments) {
   if (isPrintFile(arguments.sheet)) return;
   if (arguments.sheet.extension() != ".png" && !isStandardOutput(arguments.sheet))
-    throw Error(fmt::format("-o: found \"{}\"; expected the name of a sheet that ends in .png, .pdf or .svg, or -",
-                            arguments.sheet.string()));
+    throw Error(
+        fmt::format("-o: found \"{}\"; expected the name of a sheet that ends in .png, .pdf or .svg, or -",
+                    arguments.sheet.string()));
   requireNoPrintOptions(arguments.picture.picture);
 }
 
@@ -272,9 +274,10 @@ void addSheetCommand(CLI::App& app, Action& action) {
   arguments->picture.picture.addTo(*command, PanelSize{});
   arguments->picture.picture.addTo(*command, PrintOptions{});
   command
-      ->add_option("-o,--output", arguments->sheet,
-                   "Name of the sheet, .png, or .pdf or .svg for print, where a panel is 80 mm wide; - for a PNG on "
-                   "standard output")
+      ->add_option(
+          "-o,--output", arguments->sheet,
+          "Name of the sheet, .png, or .pdf or .svg for print, where a panel is 80 mm wide; - for a PNG on "
+          "standard output")
       ->type_name("SHEET.png|pdf|svg|-")
       ->required();
   command->callback([&action, arguments] { action = [arguments] { return sheet(*arguments); }; });

@@ -126,36 +126,44 @@ class CutPatch {
 
 using Corners = std::array<CutPatch::Point, 3>;
 
-/// Into how many parts the edges of a triangle go.
-int partsOf(const Corners& corners, const CutPatch& patch, const PositionTolerance& positions,
-            const ValueTolerance* values) {
-  Eigen::AlignedBox2d around;
-  for (const CutPatch::Point& corner : corners) around.extend(Eigen::Vector2d(positions.axes * corner.x));
+/// Into how many parts an edge goes: the same for both triangles that have it.
+int partsOf(const CutPatch::Point& one, const CutPatch::Point& other, const CutPatch& patch,
+            const PositionTolerance& positions, const ValueTolerance* values) {
+  Eigen::AlignedBox2d around(Eigen::Vector2d(positions.axes * one.x));
+  around.extend(Eigen::Vector2d(positions.axes * other.x));
   if (!around.intersects(positions.window)) return 1;
   const auto isTold = [&](const Eigen::VectorXd& value) {
     return value.size() > 1 || (value(0) > values->range[0] && value(0) < values->range[1]);
   };
+  const Eigen::Vector3d xi = 0.5 * (one.xi + other.xi), x = 0.5 * (one.x + other.x);
+  const CutPatch::Point middle = patch.pointAt(x, patch.snapped(xi));
   double worst = 0.0;  // difference over tolerance
-  for (std::size_t k = 0; k < 3; ++k) {
-    const CutPatch::Point &one = corners[k], &other = corners[(k + 1) % 3];
-    const Eigen::Vector3d xi = 0.5 * (one.xi + other.xi), x = 0.5 * (one.x + other.x);
-    const CutPatch::Point middle = patch.pointAt(x, xi);
-    if (patch.isOnFace(std::array{one.xi, other.xi}))
-      worst = std::max(worst, (middle.x - x).norm() / positions.length);
-    if (values != nullptr && (isTold(one.value) || isTold(other.value) || isTold(middle.value)))
-      worst = std::max(worst, (middle.value - 0.5 * (one.value + other.value)).norm() / values->value);
-  }
+  if (patch.isOnFace(std::array{one.xi, other.xi})) worst = (middle.x - x).norm() / positions.length;
+  if (values != nullptr && (isTold(one.value) || isTold(other.value) || isTold(middle.value)))
+    worst = std::max(worst, (middle.value - 0.5 * (one.value + other.value)).norm() / values->value);
   return std::clamp(static_cast<int>(std::ceil(std::sqrt(worst))), 1, kMostPartsOfEdge);
 }
 
-/// The points of a triangle whose edges go into so many parts, in rows of fewer and fewer.
-std::vector<CutPatch::Point> pointsIn(const Corners& corners, const CutPatch& patch, int parts) {
+/// The points of a triangle whose edges go into so many parts as the one of most, in rows of fewer and fewer. Those on an
+/// edge of fewer parts stand where its parts meet, so that triangles have the same points along their common edge.
+/// ofEdges: from each corner to the next one.
+std::vector<CutPatch::Point> pointsIn(const Corners& corners, const CutPatch& patch,
+                                      const std::array<int, 3>& ofEdges) {
+  const int parts = std::max({ofEdges[0], ofEdges[1], ofEdges[2]});
   std::vector<CutPatch::Point> points;
-  const double step = 1.0 / parts;
   for (int j = 0; j <= parts; ++j)
     for (int i = 0; i + j <= parts; ++i) {
-      const std::array shares{step * (parts - i - j), step * i, step * j};
-      const auto corner = std::find(shares.begin(), shares.end(), step * parts);
+      std::array<double, 3> shares{static_cast<double>(parts - i - j), static_cast<double>(i),
+                                   static_cast<double>(j)};
+      for (double& share : shares) share /= parts;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (shares[(k + 2) % 3] > 0.0) continue;
+        const double share = std::round(shares[(k + 1) % 3] * ofEdges[k]) / ofEdges[k];
+        shares[k] = 1.0 - share;
+        shares[(k + 1) % 3] = share;
+        shares[(k + 2) % 3] = 0.0;
+      }
+      const auto corner = std::find(shares.begin(), shares.end(), 1.0);
       if (corner != shares.end()) {
         points.push_back(corners[static_cast<std::size_t>(corner - shares.begin())]);
         continue;
@@ -233,8 +241,11 @@ SectionTriangles exactSection(const MeshRecord& mesh, const Eigen::MatrixXd& dis
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k)
       corners[k] = patch.pointAt(coarse[cell][k].x, patch.snapped(coarse[cell][k].xi));
-    parts[cell] = partsOf(corners, patch, positions, values);
-    points[cell] = pointsIn(corners, patch, parts[cell]);
+    std::array<int, 3> ofEdges{};
+    for (std::size_t k = 0; k < 3; ++k)
+      ofEdges[k] = partsOf(corners[k], corners[(k + 1) % 3], patch, positions, values);
+    parts[cell] = *std::max_element(ofEdges.begin(), ofEdges.end());
+    points[cell] = pointsIn(corners, patch, ofEdges);
   });
   std::vector<int> corners;
   int numPoints = 0;

@@ -26,6 +26,10 @@ ContourOptions shownWhole(const PictureOptions& picture) {
   options.cut.reset();
   options.slice.reset();
   options.mirror.clear();
+  options.perspective.reset();
+  options.threshold.reset();
+  options.isosurfaces.reset();
+  options.cutFace = CutFace::Field;
   options.arrows = ArrowField::None;
   options.warp = 1.0;
   options.controlNet = options.knots = options.markExtremes = options.undeformed = false;

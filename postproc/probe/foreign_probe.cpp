@@ -179,6 +179,34 @@ class ForeignCells {
 
   Eigen::VectorXd unknown() const { return Eigen::VectorXd::Constant(dim(), ProbePoint::kNone); }
 
+  /// The parameters of a curved cell at a position, by Newton's method from those that VTK finds in straight parts of it;
+  /// with the point there and the weights of the cell's points. False if it does not arrive.
+  static bool invert(vtkCell& cell, const Eigen::Vector3d& x, Eigen::Vector3d& parameters,
+                     Eigen::Vector3d& nearest, std::vector<double>& weights) {
+    constexpr int kMostSteps = 20;
+    constexpr double kStep = 1e-6, kArrived = 1e-12;
+    int part = 0;
+    const auto at = [&](Eigen::Vector3d place) {
+      Eigen::Vector3d position;
+      cell.EvaluateLocation(part, place.data(), position.data(), weights.data());
+      return position;
+    };
+    const Eigen::Index dim = cell.GetCellDimension();
+    for (int step = 0; step < kMostSteps; ++step) {
+      Eigen::MatrixXd slopes(3, dim);
+      for (Eigen::Index d = 0; d < dim; ++d)
+        slopes.col(d) = (at(parameters + kStep * Eigen::Vector3d::Unit(d)) -
+                         at(parameters - kStep * Eigen::Vector3d::Unit(d))) /
+                        (2.0 * kStep);
+      nearest = at(parameters);
+      const Eigen::VectorXd change = slopes.colPivHouseholderQr().solve(x - nearest);
+      if (!change.allFinite()) return false;
+      if (change.norm() <= kArrived) return true;
+      parameters.head(dim) += change;
+    }
+    return false;
+  }
+
   /// VTK's cells reach a thousandth beyond their faces, so that the one is taken in which a position lies best.
   std::optional<CellPlace> findIn(std::size_t number, const Eigen::VectorXd& position) const {
     constexpr double kOutside = 1e-9;  // of the size: numbers of a position are rounded
@@ -203,6 +231,7 @@ class ForeignCells {
       if (cell->EvaluatePosition(x.data(), nearest.data(), part, parameters.data(), square, weights.data()) !=
           1)
         continue;
+      if (!cell->IsLinear() && !invert(*cell, x, parameters, nearest, weights)) continue;
       const double beyond = cell->GetParametricDistance(parameters.data());
       if (beyond > least || (best && beyond >= least) || (nearest - x).norm() > 10.0 * tolerance) continue;
       least = beyond;

@@ -38,6 +38,9 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
           "found a field of contact, which faces alone have; expected a face of a plane body as place");
   require(ofContact == 0 || !spec.reference, "reference",
           "contact fields are measured along the deformed face; expected a probe without it");
+  const bool isState = std::ranges::count(spec.fields, "sliding") > 0;
+  require(!isState || (!spec.window && !spec.mean), "field",
+          "found sliding, which is a state and has no mean; expected it without window and mean");
   require(!spec.mean || spec.point.empty(), "mean", "is that of a path; expected no point beside it");
   return problems;
 }

@@ -185,6 +185,10 @@ Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::M
   tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, points.cols(), 64), [&](const auto& range) {
     for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
       const Eigen::Vector3d x = points.col(i), n = normals.col(i);
+      if (!(n.squaredNorm() > 0.0)) {  // of a face that has shrunk to a line or a point
+        shares(i) = 1.0;
+        continue;
+      }
       const Eigen::Vector3f amongBodies = (x + rays.amongBodies * n).cast<float>(),
                             amongTools = (x + rays.amongTools * n).cast<float>();
       const Eigen::Matrix3d frame = frameOf(n);

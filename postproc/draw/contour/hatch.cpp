@@ -25,7 +25,14 @@ vtkSmartPointer<vtkPolyData> hatchOf(vtkPolyData& section, const View& view, dou
   cutter->SetCutFunction(plane);
   cutter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   int count = 0;
-  for (double place = first + 0.5 * gap; place < last; place += gap) cutter->SetValue(count++, place);
+  double begin = first + 0.5 * gap;
+  if (!view.eye) {  // those alone that may be seen, where they would be in a picture of the whole
+    const double middle = across.dot(view.axes.transpose() * view.center),
+                 reach = 0.5 * std::hypot(view.area.width, view.area.height) / view.pixelsPerLength;
+    begin += gap * std::max(0.0, std::floor((middle - reach - begin) / gap));
+    last = std::min(last, middle + reach);
+  }
+  for (double place = begin; place < last; place += gap) cutter->SetValue(count++, place);
   cutter->SetNumberOfContours(count);
   if (count == 0) return vtkSmartPointer<vtkPolyData>::New();
   cutter->Update();

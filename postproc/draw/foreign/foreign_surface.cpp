@@ -217,7 +217,13 @@ vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells) {
   sides->SetInputConnection(surface->GetOutputPort());
   sides->SplittingOff();
   sides->Update();
-  return sides->GetOutput();
+  vtkSmartPointer<vtkPolyData> faces = sides->GetOutput();
+  if (faces->GetNumberOfPoints() == 0 || faces->GetPoints()->GetDataType() == VTK_DOUBLE) return faces;
+  vtkNew<vtkPoints> points;  // of curved cells VTK makes single precision
+  points->SetDataTypeToDouble();
+  points->DeepCopy(faces->GetPoints());
+  faces->SetPoints(points);
+  return faces;
 }
 
 vtkSmartPointer<vtkPolyData> withDrawnScalars(vtkPolyData& faces) {
