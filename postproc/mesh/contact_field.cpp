@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 
+#include "postproc/mesh/contact_surface.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/plane_section.h"
 #include "postproc/mesh/poly_builder.h"
@@ -182,7 +183,7 @@ vtkSmartPointer<vtkPolyData> contactFieldFaces(const ModelRecord& model, const F
   const std::string array = labelled(field.array, unitOf(model, field));
   vtkSmartPointer<vtkPolyData> faces;
   for (const ContactName& contact : contactsOf(frame)) {
-    const auto surface = contactSurface(model, frame, contact);
+    const auto surface = contactSurfaceToEdges(model, frame, contact);
     vtkDataArray* values = surface->GetPointData()->GetArray(array.c_str());
     if (values == nullptr) continue;  // there is no friction
     keepAmounts(*surface, *values);

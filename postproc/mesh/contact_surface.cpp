@@ -1,3 +1,5 @@
+#include "postproc/mesh/contact_surface.h"
+
 #include <fmt/format.h>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
@@ -6,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -42,9 +45,15 @@ struct FacePoints {
 };
 
 template <int Dim>
+Patch<Dim - 1, Dim> faceOf(const MeshRecord& mesh, const ContactRecord& contact,
+                           const Eigen::MatrixXd& displacement) {
+  return tracePatch(patchGeometry<Dim>(mesh.patches[static_cast<std::size_t>(contact.patch)], displacement),
+                    faceFromName<Dim>(contact.face));
+}
+
+template <int Dim>
 FacePoints facePoints(const MeshRecord& mesh, const ContactRecord& contact) {
-  const auto trace = tracePatch(patchGeometry<Dim>(mesh.patches[static_cast<std::size_t>(contact.patch)]),
-                                faceFromName<Dim>(contact.face));
+  const auto trace = faceOf<Dim>(mesh, contact, {});
   FacePoints face{.spans = {}, .perSpan = 0, .dim = Dim};
   for (int d = 0; d < Dim - 1; ++d)
     face.spans.extent[static_cast<std::size_t>(d)] = trace.basis().direction(d).numSpans();
@@ -56,17 +65,100 @@ FacePoints facePoints(const MeshRecord& mesh, const ContactRecord& contact) {
   return face;
 }
 
-void addCells(const FacePoints& face, const std::vector<vtkIdType>& ids, PolyBuilder& builder) {
-  const IndexBox points = face.points();
-  const auto id = [&](int i, int j) { return ids[face.place({i, j, 0})]; };
-  if (face.dim == 2) {
+/// The points of a face in rows and columns.
+struct FaceGrid {
+  IndexBox box;
+  Eigen::MatrixXd positions;            ///< dim x points, by their number in the box
+  std::vector<std::size_t> recordedAt;  ///< the place in the record of the point that has its values
+};
+
+FaceGrid gridOf(const FacePoints& face, const ContactRecord& contact) {
+  FaceGrid grid{face.points(), contact.quadraturePoints, {}};
+  for (int k = 0; k < grid.box.size(); ++k) {
+    grid.recordedAt.push_back(face.place(grid.box.index(k)));
+    grid.positions.col(k) = contact.quadraturePoints.col(static_cast<Eigen::Index>(grid.recordedAt.back()));
+  }
+  return grid;
+}
+
+/// The point that is nearest to a place, of some that are columns.
+Eigen::VectorXd nearestOf(const Eigen::MatrixXd& points, const Eigen::VectorXd& place) {
+  Eigen::Index nearest = 0;
+  (points.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
+  return points.col(nearest);
+}
+
+/// The ends of a face of a plane body, or the edges of one in space as points that lie close together.
+std::vector<Eigen::MatrixXd> edgesOf(const Patch<1, 2>& face) {
+  return {face.points().leftCols(1), face.points().rightCols(1)};
+}
+
+std::vector<Eigen::MatrixXd> edgesOf(const Patch<2, 3>& face) {
+  constexpr int kPerSpan = 64;
+  std::vector<Eigen::MatrixXd> edges;
+  for (int along = 0; along < 2; ++along) {
+    const std::vector<double> ways = subdividedSpans(face.basis().direction(along), kPerSpan);
+    const std::vector<double> across = subdividedSpans(face.basis().direction(1 - along), 1);
+    for (const double side : {across.front(), across.back()}) {
+      Eigen::MatrixXd& edge = edges.emplace_back(3, std::ssize(ways));
+      for (std::size_t k = 0; k < ways.size(); ++k) {
+        Eigen::Vector2d xi;
+        xi(along) = ways[k];
+        xi(1 - along) = side;
+        edge.col(static_cast<Eigen::Index>(k)) = face.position(xi);
+      }
+    }
+  }
+  return edges;
+}
+
+/// The grid with a row and a column more at each end, on the edges of the face.
+FaceGrid toEdges(const FaceGrid& inner, const std::vector<Eigen::MatrixXd>& edges) {
+  const Eigen::Index dim = inner.positions.rows();
+  const auto directions = static_cast<std::size_t>(dim) - 1;
+  FaceGrid grid{inner.box, {}, {}};
+  for (std::size_t d = 0; d < directions; ++d) grid.box.extent[d] += 2;
+  grid.positions.resize(dim, grid.box.size());
+  const auto innerOf = [&](IndexBox::Index index) {
+    for (std::size_t d = 0; d < directions; ++d)
+      index[d] = std::clamp(index[d] - 1, 0, inner.box.extent[d] - 1);
+    return inner.box.number(index);
+  };
+  // Images in mirrors may run the other way: a side of the grid lies at the edge that is nearest to its middle.
+  const auto edgeAt = [&](std::size_t d, bool atEnd) -> const Eigen::MatrixXd& {
+    IndexBox::Index middle{};
+    for (std::size_t e = 0; e < directions; ++e) middle[e] = grid.box.extent[e] / 2;
+    middle[d] = atEnd ? grid.box.extent[d] - 1 : 0;
+    const Eigen::VectorXd place = inner.positions.col(innerOf(middle));
+    return *std::min_element(edges.begin(), edges.end(), [&](const auto& a, const auto& b) {
+      return (nearestOf(a, place) - place).norm() < (nearestOf(b, place) - place).norm();
+    });
+  };
+  for (int k = 0; k < grid.box.size(); ++k) {
+    const IndexBox::Index index = grid.box.index(k);
+    const int from = innerOf(index);
+    grid.recordedAt.push_back(inner.recordedAt[static_cast<std::size_t>(from)]);
+    Eigen::VectorXd place = inner.positions.col(from);
+    for (int pass = 0; pass < 2; ++pass)  // a corner is found from the edge at which it lies
+      for (std::size_t d = 0; d < directions; ++d)
+        if (index[d] == 0 || index[d] == grid.box.extent[d] - 1)
+          place = nearestOf(edgeAt(d, index[d] != 0), place);
+    grid.positions.col(k) = place;
+  }
+  return grid;
+}
+
+void addCells(const FaceGrid& grid, const std::vector<vtkIdType>& ids, int dim, PolyBuilder& builder) {
+  const IndexBox& box = grid.box;
+  const auto id = [&](int i, int j) { return ids[static_cast<std::size_t>(box.number({i, j, 0}))]; };
+  if (dim == 2) {
     std::vector<vtkIdType> line;
-    for (int i = 0; i < points.extent[0]; ++i) line.push_back(id(i, 0));
+    for (int i = 0; i < box.extent[0]; ++i) line.push_back(id(i, 0));
     if (!line.empty()) builder.addLine(line);
     return;
   }
-  for (int j = 0; j + 1 < points.extent[1]; ++j)
-    for (int i = 0; i + 1 < points.extent[0]; ++i)
+  for (int j = 0; j + 1 < box.extent[1]; ++j)
+    for (int i = 0; i + 1 < box.extent[0]; ++i)
       builder.addPolygon({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
 }
 
@@ -97,8 +189,18 @@ std::vector<ContactName> contactsOf(const FrameRecord& frame) {
   return names;
 }
 
-vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
-                                            const ContactName& wanted) {
+namespace {
+
+FaceGrid gridToEdges(const FaceGrid& inner, const ModelRecord& model, const FrameRecord& frame,
+                     const ContactRecord& contact) {
+  const MeshRecord& mesh = meshOf(model, frame);
+  return toEdges(inner, model.dim == 2 ? edgesOf(faceOf<2>(mesh, contact, frame.displacement))
+                                       : edgesOf(faceOf<3>(mesh, contact, frame.displacement)));
+}
+
+/// toEdges: with points on the edges of the faces.
+vtkSmartPointer<vtkPolyData> surfaceOf(const ModelRecord& model, const FrameRecord& frame,
+                                       const ContactName& wanted, bool toEdges) {
   const MeshRecord& mesh = meshOf(model, frame);
   PolyBuilder builder;
   Eigen::MatrixXd values(kRows, 0);
@@ -107,13 +209,26 @@ vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const Fram
   for (const ContactRecord& contact : frame.contact) {
     if (ContactName{contact.tool, contact.pair} != wanted) continue;
     const FacePoints face = model.dim == 2 ? facePoints<2>(mesh, contact) : facePoints<3>(mesh, contact);
-    addCells(face, builder.addPoints(contact.quadraturePoints), builder);
-    const auto added = valuesOf(contact);
+    FaceGrid grid = gridOf(face, contact);
+    std::vector<std::size_t> from(
+        grid.recordedAt.size());  // places in the record, in the order of the points
+    std::vector<vtkIdType> ids;
+    if (toEdges && grid.box.size() > 0) {
+      grid = gridToEdges(grid, model, frame, contact);
+      ids = builder.addPoints(grid.positions);
+      from = grid.recordedAt;
+    } else {
+      std::iota(from.begin(), from.end(), std::size_t{0});
+      const std::vector<vtkIdType> recorded = builder.addPoints(contact.quadraturePoints);
+      for (const std::size_t place : grid.recordedAt) ids.push_back(recorded[place]);
+    }
+    addCells(grid, ids, model.dim, builder);
+    const Eigen::MatrixXd added = valuesOf(contact)(Eigen::all, from);
     values.conservativeResize(Eigen::NoChange, values.cols() + added.cols());
     values.rightCols(added.cols()) = added;
     rubs = rubs || !contact.quadratureSliding.empty();
-    sliding.insert(sliding.end(), contact.quadratureSliding.begin(), contact.quadratureSliding.end());
-    sliding.resize(static_cast<std::size_t>(values.cols()), 0);
+    for (const std::size_t place : from)
+      sliding.push_back(contact.quadratureSliding.empty() ? 0 : contact.quadratureSliding[place]);
   }
   std::vector<int> status;
   for (const double pressure : values.row(0)) status.push_back(pressure != 0.0 ? 1 : 0);
@@ -130,6 +245,18 @@ vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const Fram
   data.AddArray(makeArray(labelled("slipped", model.lengthUnit), values.row(8), {}));
   data.AddArray(makeIntegers("sliding", sliding));
   return surface;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> contactSurface(const ModelRecord& model, const FrameRecord& frame,
+                                            const ContactName& wanted) {
+  return surfaceOf(model, frame, wanted, false);
+}
+
+vtkSmartPointer<vtkPolyData> contactSurfaceToEdges(const ModelRecord& model, const FrameRecord& frame,
+                                                   const ContactName& wanted) {
+  return surfaceOf(model, frame, wanted, true);
 }
 
 }  // namespace burnish

@@ -173,11 +173,19 @@ class Mirror {
     for (auto& [name, field] : frame.fields) field.values = withImages(field.values, signsOf(field));
   }
 
+  /// The first direction of the image is reversed.
+  static std::string faceOfImage(const std::string& face) {
+    const FaceId id = faceFromName<3>(face);
+    return id / 2 == 0 ? faceName(1 - id) : face;
+  }
+
   void addContact() {
     std::vector<ContactRecord>& contact = whole_.frame.contact;
     const std::size_t count = contact.size();
     for (std::size_t k = 0; k < count; ++k) {
       ContactRecord copy = contact[k];
+      copy.patch += static_cast<int>(meshOf(whole_.model, whole_.frame).patches.size() / 2);
+      copy.face = faceOfImage(copy.face);
       for (int& node : copy.nodes) node = nodes_.image[static_cast<std::size_t>(node)];
       copy.quadraturePoints = image(copy.quadraturePoints, plane_);
       for (Eigen::MatrixXd* vectors :
