@@ -383,6 +383,11 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
     parts.net = controlNet(model, shape);
   }
   parts.eye = eyeOf(options, parts, model.dim);
+  if (options.cut && parts.eye &&
+      (parts.eye->position(parts.axes) - parts.plane->point).dot(parts.plane->normal) <= 0.0)
+    throw Error(
+        "cut: the eye is so near that it sees the plane from behind; choose another direction for the eye, or a "
+        "smaller angle of perspective");
   if (options.arrows != ArrowField::None) {
     const auto ground = arrowGround(parts, meshes.with(), model, frame, field, options);
     const View sight{.axes = parts.axes, .area = {}, .eye = parts.eye};

@@ -32,8 +32,8 @@ Range joined(const std::optional<Range>& a, const Range& b) {
 
 }  // namespace
 
-void FrameView::show(ContourParts parts, int dim) {
-  parts.eye.reset();
+void FrameView::show(ContourParts parts, int dim, const std::optional<Eye>& eye) {
+  parts.eye = eye;
   content = contentOf(parts, dim);
   nearest = nearestOf(parts);
 }
@@ -59,7 +59,8 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
                const std::function<FrameView(int frame, bool inRange, bool inWindow)>& look) {
   std::set<int> inRange, inWindow;
   if (!options.range) inRange.insert(ofRange.begin(), ofRange.end());
-  if (!options.window) inWindow.insert(ofWindow.begin(), ofWindow.end());
+  const bool isGiven = options.window.has_value();
+  if (!isGiven || options.perspective) inWindow.insert(ofWindow.begin(), ofWindow.end());
   std::set<int> frames = inRange;
   frames.insert(inWindow.begin(), inWindow.end());
   std::optional<Range> range;
@@ -78,8 +79,13 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
     options.clip.reset();  // it is in the range
   }
   if (inWindow.empty()) return;
-  options.window = window;
-  if (options.perspective) options.eye = eyeAt(*options.perspective, window, nearest);
+  if (options.perspective) {
+    options.eye = eyeAt(*options.perspective, window, nearest);
+    window.setEmpty();  // an eye sees less of what is farther away
+    for (const int k : inWindow)
+      if (!isGiven) window.extend(look(k, false, true).content);
+  }
+  if (!isGiven) options.window = window;
 }
 
 FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
@@ -88,7 +94,7 @@ FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const Co
     const FieldChoice field = chooseField(shownModel, shown, options.field);
     FrameView view;
     if (inRange) view.shown = rangesOf(shownModel, shown, field, options).shown;
-    if (inWindow) view.show(contourParts(shownModel, shown, field, options), shownModel.dim);
+    if (inWindow) view.show(contourParts(shownModel, shown, field, options), shownModel.dim, options.eye);
     return view;
   });
 }

@@ -366,7 +366,7 @@ std::string foreignFieldToShow(const ForeignFile& file, int instant) {
 FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions& options) {
   const ContourSubject subject = subjectOf(file, instant, options);
   FrameView view{.shown = subject.ranges.whole, .content = {}};
-  view.show(subject.parts, subject.dim);
+  view.show(subject.parts, subject.dim, options.eye);
   return view;
 }
 
