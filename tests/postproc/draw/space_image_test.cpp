@@ -6,8 +6,10 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/nurbs/shapes.h"
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/offscreen/offscreen_canvas.h"
+#include "tests/engine/analysis/model_samples.h"
 #include "tests/postproc/draw/contour_fixture.h"
 
 /// Cuts, slices and mirrors of a body in space, and tools of every shape, as those of contour_image_test.cpp.
@@ -53,6 +55,22 @@ TEST_F(SpaceImage, CutShowsTheFieldInside) {
       expectColor(plain, Eigen::Vector3d(x, y, 0.4), kCubeScale.color(x + y + 0.4));
   // The ball is cut too: its middle lies before the plane.
   expectColor(picture, Eigen::Vector3d(0.5, 1.25, 0.4), options.theme.tool);
+}
+
+/// One of its faces has shrunk to a point, another one to a line: there is no normal there.
+TEST_F(SpaceImage, CollapsedFacesHaveLight) {
+  const KnotVector knots = KnotVector::uniform(2, 2);
+  const Patch<3> octant = refined(ballOctant({0, 0, 0}, 1.0, {0, 1, 0}), {knots, knots, knots});
+  Sample sample{samples::modelOf(octant), {}};
+  sample.frame.displacement = Eigen::MatrixXd::Zero(3, sample.model.mesh.numNodes);
+  sample.frame.toolDisplacement = Eigen::MatrixXd::Zero(3, 0);
+  sample.frame.fields["pressure"] = {{}, "", octant.points().row(1)};
+  ContourOptions options = small("pressure");
+  options.range = {0.0, 1.0};
+  options.view = {.name = "xy"};
+  const Picture picture = drawn(sample, options);
+  const Color found = picture.at(view.area.center());
+  EXPECT_NE(found, options.theme.paper);
 }
 
 /// On a face that looks at the eye, which light leaves as it is, and inside the body.

@@ -86,6 +86,19 @@ TEST(ForeignProbe, VolumesAreLookedInto) {
   EXPECT_NEAR(run.points.back().values(0), 5.0, 1e-9);
 }
 
+/// A ring of curved cells, in which VTK finds places in straight parts alone.
+TEST(ForeignProbe, CurvedCellsHaveNoGaps) {
+  const ForeignFile file(sample("dealii.vtu"));
+  const Eigen::Vector2d begin(-0.9, -0.83), way(1.77, 1.73);
+  for (const ProbePoint& point : probedInstant(file, 0, along("-0.9,-0.83:0.87,0.9", {"potential"})).points) {
+    const double radius = point.current.norm();
+    if (std::abs(radius - 0.5) < 0.01 || std::abs(radius - 1.0) < 0.02) continue;  // the edges are chords
+    EXPECT_EQ(std::isfinite(point.values(0)), radius > 0.5 && radius < 1.0) << radius;
+    const Eigen::Vector2d from = point.current - begin;
+    EXPECT_LT(std::abs(from.x() * way.y() - from.y() * way.x()), 1e-8);  // it is where it should be
+  }
+}
+
 TEST(ForeignProbe, SaysWhatTheFileDoesNotHave) {
   const ForeignFile file(sample("meshio.vtu"));
   const auto message = [&](ProbeSpec spec) { return messageOf([&] { probedInstant(file, 0, spec); }); };
