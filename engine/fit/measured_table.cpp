@@ -45,6 +45,7 @@ MeasuredTable::MeasuredTable(const std::filesystem::path& path) : path_(path) {
     throw Error(fmt::format("{}: larger than 64 MB; allowed: a table of measured points", path.string()));
   std::string line;
   for (std::size_t number = 1; std::getline(file, line); ++number) {
+    if (number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // of spreadsheets
     const std::string_view text = trimmed(line);
     if (text.empty() || text.front() == '#') continue;
     std::vector<std::string> cells = cellsOf(text);

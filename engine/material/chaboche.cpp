@@ -82,13 +82,14 @@ State Chaboche::fromSpace(const State& moved) const {
   const MandelMatrix<3> toLaw = mandelRotation<3>(R).transpose();
   state.E = toLaw * moved.E;
   state.X = toLaw * moved.X;
+  const double reach = std::sqrt(axes_.eta.maxCoeff() / 1.5);  // of the direction of flow that goes farthest
   for (Eigen::Index i = 0; i < std::ssize(parameters_.backStresses); ++i) {
     const auto& [C, gamma] = parameters_.backStresses[static_cast<std::size_t>(i)];
     auto X = state.X.col(i);
     X.head<3>().array() -= X.head<3>().mean();
     // Beyond its bound the scalar equation of the flow might have no solution.
     const double size = equivalent(X);
-    if (gamma * size > C) X *= C / (gamma * size);
+    if (gamma * size > reach * C) X *= reach * C / (gamma * size);
   }
   return state;
 }
