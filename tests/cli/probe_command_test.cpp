@@ -229,7 +229,7 @@ TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
                 "no point of the path is in a body with the field in any of the frames");
   expectRefused("run --line 1,0:2,0 --body a", "body: found \"a\"");
   expectRefused("run --line 1,0:2,0 --frame 9", "--frame: there is no frame 9; the result has frames 0 to 4");
-  expectRefused("run --line 1,0:2,0 --field stres.xx", "--field: found \"stres.xx\"; expected");
+  expectRefused("run --line 1,0:2,0 --field stres.xx", "field: found \"stres.xx\"; available in frame");
   expectRefused("run --line 1,0:2,0 --field stress.xz", "Did you mean \"stress.xx\"?");
   expectRefused("run --line 1,0:2,0 --field stress.yz",
                 "field: found \"stress.yz\"; available in frame 4: displacement,");

@@ -45,6 +45,7 @@
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
 #include "postproc/offscreen/offscreen_canvas.h"
+#include "postproc/text/ticks.h"
 
 namespace burnish {
 namespace {
@@ -281,7 +282,8 @@ class ContourPicture {
     if (!options_.slice) return "";
     const Eigen::Vector3d normal = options_.slice->normal.normalized(), &point = options_.slice->point;
     for (Eigen::Index d = 0; d < 3; ++d)
-      if (std::abs(normal(d)) > 1.0 - 1e-12) return fmt::format("section {} = {:.6g}", "xyz"[d], point(d));
+      if (std::abs(normal(d)) > 1.0 - 1e-12)
+        return fmt::format("section {} = {}", "xyz"[d], numberText(point(d), 6));
     return fmt::format("section through ({:.6g}) across ({:.3g})", fmt::join(point, ", "),
                        fmt::join(normal, ", "));
   }

@@ -248,6 +248,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "found refine, which divides the knot spans of a control net; allowed: spans."},
         Mistake{"crease", &block, functions, "spans: [4, 4], creases: [[0.5], [0, 1.5]]", "1.5",
                 "geometry.creases[1][1]", "found 1.5; allowed: a number from 0 to 1."},
+        Mistake{"reliefFace", &block, functions, "spans: [4, 4], relief: [{face: up, height: 1}]", "up",
+                "geometry.relief[0].face", "'up' is not a face"},
+        Mistake{"reliefInTime", &block, functions, "spans: [4, 4], relief: [{face: top, height: 0.1*t}]",
+                "0.1*t", "geometry.relief[0].height",
+                "found \"0.1*t\", which depends on t; allowed: a formula in X, Y and Z"},
         Mistake{"creasesPerDirection", &block, functions, "spans: [4, 4], creases: [[0.5]]", "[[",
                 "geometry.creases", "found a list of 1; allowed: a list of 2, one entry per dimension"},
         Mistake{"creasesBesideFunctions", &block, functions, functions + ", creases: [[0.5], []]", "[49, 25]",
@@ -298,7 +303,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "key", &pair, "origin: [1, 0]", "orgin: [1, 0]", "orgin", "geometry.patches[1].orgin",
             "found an unknown key; allowed: name, shape, origin, size, functions, spans, refine, grading, "
-            "creases. Did you mean \"origin\"?"}),
+            "creases, relief. Did you mean \"origin\"?"}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
