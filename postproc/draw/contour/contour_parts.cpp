@@ -95,11 +95,11 @@ Subdivision firstCells(const MeshRecord& mesh, const ModelRecord& model, const C
 }
 
 /// Makes what has colours. mesh: of the bodies that have the field.
-void makeBody(ContourParts& parts, const MeshRecord& mesh, const ModelRecord& model, const FrameRecord& frame,
+void makeBody(ContourParts& parts, const MeshRecord& mesh, const Subdivision& cells, const FrameRecord& frame,
               const FieldChoice& field, const ContourOptions& options) {
   parts.body = field.faces;
   if (parts.body) return;
-  const BodySurface surface(mesh, firstCells(mesh, model, parts, options));
+  const BodySurface surface(mesh, cells);
   parts.body = surface.displaced(parts.displacement);
   setValues(*parts.body->GetPointData(), surface, frame, field, options);
 }
@@ -353,7 +353,10 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   parts.displacement = options.warp * frame.displacement;
   if (options.tools) parts.tools = shownTools(model, frame, options.warp);
   const FieldMesh meshes(model, frame, field.name);
-  makeBody(parts, meshes.with(), model, frame, field, options);
+  const Subdivision ofLines = firstCells(mesh, model, parts, options);
+  const bool allHaveIt = &meshes.with() == &mesh || field.faces;  // no body has a field of contact faces
+  makeBody(parts, meshes.with(), allHaveIt ? ofLines : firstCells(meshes.with(), model, parts, options),
+           frame, field, options);
   parts.box = boxOf(*parts.body);
   if (meshes.without() != nullptr) {
     const MeshRecord& without = *meshes.without();
@@ -361,7 +364,6 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
         BodySurface(without, firstCells(without, model, parts, options)).displaced(parts.displacement);
     parts.box.extend(boxOf(*parts.plain));
   }
-  const Subdivision ofLines = firstCells(mesh, model, parts, options);
   parts.outline = bodyOutline(mesh, parts.displacement, ofLines);
   const int ofUndeformed = subdivisionOf(model, options);
   if (options.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, ofUndeformed);
@@ -432,11 +434,12 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
     }
     if (sections.plain) sections.plain = exact(*meshes.without(), *sections.plain, nullptr).surface;
   }
+  std::optional<Subdivision> ofBody;
   if (field.faces) {
     parts.body = field.faces;
   } else {
-    const BodySurface surface = trianglesOf(
-        meshes.with(), withChosen(cells.ofValues(meshes.with(), parts.displacement), meshes.with()));
+    ofBody = withChosen(cells.ofValues(meshes.with(), parts.displacement), meshes.with());
+    const BodySurface surface = trianglesOf(meshes.with(), *ofBody);
     parts.body = surface.displaced(parts.displacement);
     parts.bodyLattices = surface.lattices();
     setDrawn(*parts.body, surface.evaluate(field.coefficients));
@@ -450,8 +453,11 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
   }
   // In space lines go along the cells, so that they do not go under them.
   const bool isInSpace = model.dim == 3 && !field.faces;
-  const Subdivision ofLines = withChosen(
-      isInSpace ? cells.ofValues(mesh, parts.displacement) : cells.ofLines(mesh, parts.displacement), mesh);
+  const bool areAlike = isInSpace && &meshes.with() == &mesh;
+  const Subdivision ofLines = areAlike ? *ofBody
+                                       : withChosen(isInSpace ? cells.ofValues(mesh, parts.displacement)
+                                                              : cells.ofLines(mesh, parts.displacement),
+                                                    mesh);
   const Eigen::MatrixXd* along = chosen ? &chosen->coefficients : nullptr;
   const Subdivision ofUndeformed = cells.ofLines(model.mesh, {});
   parts.outline = bodyOutline(mesh, parts.displacement, ofLines, along);

@@ -153,17 +153,7 @@ TEST(ValueVolumes, AreCutAsTheFieldAsks) {
   EXPECT_EQ(cells(radial, 1), std::ceil(std::sqrt(3.0 / 4.0 / 9.0 / 3e-3)));
 }
 
-class ChoiceImage : public ContourPictures {
- protected:
-  static void expectRefused(const Sample& sample, const ContourOptions& options, const std::string& part) {
-    try {
-      contourImage(sample.model, sample.frame, options);
-      ADD_FAILURE() << "no error that says \"" << part << "\"";
-    } catch (const Error& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(part));
-    }
-  }
-};
+class ChoiceImage : public ContourPictures {};
 
 /// von_mises = 100 (r - 1): from 30 to 60 is a ring of radii 1.3 and 1.6.
 TEST_F(ChoiceImage, ThresholdInThePlaneEndsWhereTheFieldHasTheValue) {

@@ -1,11 +1,14 @@
 #pragma once
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <string>
 
+#include "engine/core/error.h"
 #include "postproc/draw/contour/contour.h"
+#include "postproc/offscreen/offscreen_canvas.h"
 #include "tests/postproc/picture.h"
 #include "tests/postproc/sample_records.h"
 
@@ -47,6 +50,29 @@ class ContourPictures : public testing::Test {
     EXPECT_LE(difference(found, expected), kColorTolerance)
         << "at " << position.transpose() << ": found " << testing::PrintToString(found) << ", expected "
         << testing::PrintToString(expected);
+  }
+
+  /// What the error says that the picture ends with.
+  static void expectRefused(const samples::Sample& sample, const ContourOptions& options,
+                            const std::string& part) {
+    try {
+      contourImage(sample.model, sample.frame, options);
+      ADD_FAILURE() << "no error that says \"" << part << "\"";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(part));
+    }
+  }
+
+  /// A picture of 900 x 700 in one piece, and in strips.
+  void expectStripsAlike(const samples::Sample& sample, const ContourOptions& options) {
+    const Picture whole = drawn(sample, options);
+    OffscreenCanvas::saveMemory();
+    const Picture strips = drawn(sample, options);
+    int different = 0;
+    for (int x = 0; x < 900; ++x)
+      for (int y = 0; y < 700; ++y)
+        if (difference(whole.at({x + 0.5, y + 0.5}), strips.at({x + 0.5, y + 0.5})) > 2) ++different;
+    EXPECT_LE(different, 20);
   }
 
   std::filesystem::path dir;

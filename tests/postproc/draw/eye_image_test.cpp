@@ -112,14 +112,7 @@ TEST_F(EyeImage, PerspectiveIsTheSameInStrips) {
   options.perspective = 40.0;
   options.window = Eigen::AlignedBox2d(Eigen::Vector2d(0.2, -0.3), Eigen::Vector2d(1.4, 0.9));
   options.hiddenLines = HiddenLines::Dashed;
-  const Picture whole = drawn(samples::cube(), options);
-  OffscreenCanvas::saveMemory();
-  const Picture strips = drawn(samples::cube(), options);
-  int different = 0;
-  for (int x = 0; x < 900; ++x)
-    for (int y = 0; y < 700; ++y)
-      if (difference(whole.at({x + 0.5, y + 0.5}), strips.at({x + 0.5, y + 0.5})) > 2) ++different;
-  EXPECT_LE(different, 20);
+  expectStripsAlike(samples::cube(), options);
 }
 
 TEST(ScaleBars, AreRound) {

@@ -36,6 +36,18 @@ Eigen::Vector3d placeOf(vtkPolyData& data, vtkIdType k) {
   return Eigen::Map<const Eigen::Vector3d>(data.GetPoint(k));
 }
 
+/// Edges that only one triangle has.
+vtkSmartPointer<vtkPolyData> borderOf(vtkPolyData& shape) {
+  vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputData(&shape);
+  joined->SetTolerance(1e-9);
+  vtkNew<vtkFeatureEdges> border;
+  border->SetInputConnection(joined->GetOutputPort());
+  border->FeatureEdgesOff();
+  border->Update();
+  return border->GetOutput();
+}
+
 TEST(PictureSubdivision, KeepsCurvedEdgesWithinTheTolerance) {
   for (const Patch<2>& ring : {quarterRing(), lagrangeRing()})
     for (const double tolerance : {0.05, 0.005, 0.0005}) {
@@ -116,14 +128,8 @@ TEST(PictureSubdivision, LeavesNoCracksBetweenPatches) {
   values.coefficients(0, mesh.patches[2].nodes[7]) = 1.0;  // one patch needs many cells
   const auto shape =
       trianglesOf(mesh, pictureSubdivision(mesh, {}, {0.1, kEverything}, &values)).displaced({});
-  vtkNew<vtkCleanPolyData> joined;
-  joined->SetInputData(shape);
-  joined->SetTolerance(1e-9);
-  vtkNew<vtkFeatureEdges> border;
-  border->SetInputConnection(joined->GetOutputPort());
-  border->FeatureEdgesOff();
-  border->Update();
-  vtkPolyData& edges = *border->GetOutput();
+  const auto border = borderOf(*shape);
+  vtkPolyData& edges = *border;
   ASSERT_GT(edges.GetNumberOfPoints(), 0);
   for (vtkIdType k = 0; k < edges.GetNumberOfPoints(); ++k) {
     const double radius = placeOf(edges, k).norm();
@@ -147,14 +153,7 @@ TEST(PictureSubdivision, LeavesNoCracksBetweenPatchesInSpace) {
   for (const double tolerance : {0.1, 0.01}) {
     const Subdivision cells = pictureSubdivision(mesh, {}, {tolerance, kEverything}, &values);
     const auto shape = trianglesOf(mesh, cells).displaced({});
-    vtkNew<vtkCleanPolyData> joined;
-    joined->SetInputData(shape);
-    joined->SetTolerance(1e-9);
-    vtkNew<vtkFeatureEdges> border;
-    border->SetInputConnection(joined->GetOutputPort());
-    border->FeatureEdgesOff();
-    border->Update();
-    EXPECT_EQ(border->GetOutput()->GetNumberOfCells(), 0);  // the surface is closed
+    EXPECT_EQ(borderOf(*shape)->GetNumberOfCells(), 0);  // the surface is closed
     double worst = 0.0;
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < shape->GetNumberOfCells(); ++cell) {
