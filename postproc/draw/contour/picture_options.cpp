@@ -97,6 +97,13 @@ void checkChoice(const PictureOptions& options, std::optional<int> dim, std::vec
       problems.push_back(
           {"isosurfaces",
            "found in a plane body; allowed: in three-dimensional scenes alone; take isolines."});
+    if (options.isolines > 0 && drawsOwnIsosurfaces(options))
+      problems.push_back({"isolines",
+                          "found beside isosurfaces of the same field, on which it has one value each: give one of "
+                          "them, or isosurfaces of another field."});
+    if (options.cutFace == CutFace::Hatch)
+      problems.push_back(
+          {"cut_face", "found hatch beside isosurfaces, which have no section to be hatched: give one of them."});
   }
   if (chooses && options.arrows != ArrowField::None)
     problems.push_back({"vectors", "arrows belong to the whole body; draw it without."});
@@ -210,6 +217,10 @@ Theme themeOf(const PictureOptions& options) {
   Theme theme = themeOf(static_cast<const PageLook&>(options));
   if (options.background) theme.paper = *options.background;
   return theme;
+}
+
+bool drawsOwnIsosurfaces(const PictureOptions& options) {
+  return options.isosurfaces && (options.isosurfaces->field.empty() || options.isosurfaces->field == options.field);
 }
 
 std::array<int, 2> drawnSize(const PictureOptions& options) {

@@ -174,6 +174,9 @@ Options picturesOfSize(const std::array<int, 2>& size) {
 /// The theme with font and paper of the options.
 Theme themeOf(const PictureOptions& options);
 
+/// Whether a picture is of surfaces on which the drawn field itself has one value.
+bool drawsOwnIsosurfaces(const PictureOptions& options);
+
 /// Width and height in pixels of what is drawn: the size times the scale.
 std::array<int, 2> drawnSize(const PictureOptions& options);
 
