@@ -15,6 +15,7 @@
 #include <numeric>
 #include <vector>
 
+#include "postproc/draw/contour/streamlines.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/vtk_arrays.h"
@@ -126,7 +127,7 @@ bool isOnTop(const std::vector<Eigen::Vector2d>& places, std::size_t point,
 /// In which order points are taken, those that are equal at once.
 using Order = std::vector<std::array<double, 2>>;
 
-/// As they are numbered, along the lines of a mesh: on faces in space, a regular pattern.
+/// As they are numbered, along the lines of a mesh: on faces, a regular pattern.
 Order byNumber(std::size_t count) {
   Order order;
   for (std::size_t k = 0; k < count; ++k) order.push_back({static_cast<double>(k), 0.0});
@@ -149,12 +150,12 @@ Order fromMiddle(const std::vector<Eigen::Vector2d>& places, double same) {
 /// Numbers of points of which no two are seen closer than `gap`; of mirror images that are too close to one another
 /// none. isSeen: asked of a point that would be taken.
 std::vector<std::size_t> thinned(const std::vector<Eigen::Vector3d>& points, const View& view, double gap,
-                                 bool inSpace, const std::function<bool(const Eigen::Vector3d&)>& isSeen) {
+                                 bool asNumbered, const std::function<bool(const Eigen::Vector3d&)>& isSeen) {
   const double same = 1e-6 * gap;
   std::vector<Eigen::Vector2d> places;
   for (const Eigen::Vector3d& point : points)
     places.emplace_back(view.eye ? Eigen::Vector2d(view.eye->project(view.axes, point)) : view.axes * point);
-  const Order order = inSpace ? byNumber(points.size()) : fromMiddle(places, same);
+  const Order order = asNumbered ? byNumber(points.size()) : fromMiddle(places, same);
   std::vector<std::size_t> sorted(points.size());
   std::iota(sorted.begin(), sorted.end(), std::size_t{0});
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -200,6 +201,58 @@ std::string upTo(double largest, const std::string& unit) {
   return fmt::format("up to {}{}", numberText(largest, 3), unit.empty() ? "" : " " + unit);
 }
 
+/// An arrow along a line in a plane, with its tip at the end.
+void addCurvedArrow(PolyBuilder& areas, PolyBuilder& edges, const Eigen::Matrix3Xd& line,
+                    const Eigen::Vector3d& normal, double longest) {
+  const Eigen::Index last = line.cols() - 1;
+  Eigen::Index neck = last - 1;  // where the head begins
+  while (neck > 0 && (line.col(last) - line.col(neck)).norm() < kHead * longest) --neck;
+  const auto sideAt = [&](Eigen::Index k) {
+    return Eigen::Vector3d(
+        normal.cross(line.col(std::min(k + 1, last)) - line.col(std::max<Eigen::Index>(k - 1, 0)))
+            .normalized());
+  };
+  const Eigen::Vector3d acrossHead = normal.cross(line.col(last) - line.col(neck)).normalized();
+  Eigen::Matrix3Xd round(3, 2 * (neck + 1) + 4);  // the tip, down the left side, up the right one
+  round.col(0) = round.rightCols<1>() = line.col(last);
+  round.col(1) = line.col(neck) + kHeadHalfWidth * longest * acrossHead;
+  round.col(round.cols() - 2) = line.col(neck) - kHeadHalfWidth * longest * acrossHead;
+  for (Eigen::Index k = 0; k <= neck; ++k) {
+    const Eigen::Vector3d aside = kShaftHalfWidth * longest * sideAt(k);
+    round.col(2 + neck - k) = line.col(k) + aside;
+    round.col(3 + neck + k) = line.col(k) - aside;
+  }
+  const std::vector<vtkIdType> ids = areas.addPoints(round);
+  const auto count = ids.size();
+  areas.addPolygon({ids[0], ids[1], ids[count - 2]});
+  for (std::size_t k = 2; k + 2 < count / 2; ++k)
+    areas.addPolygon({ids[k], ids[k + 1], ids[count - 2 - k], ids[count - 1 - k]});
+  edges.addLine(edges.addPoints(round));
+}
+
+ContourArrows curvedArrows(const ModelRecord& model, vtkPolyData& body, const View& view, double longest) {
+  constexpr double kApart = 0.4;  // in longest arrows
+  vtkDataArray* normals = body.GetPointData()->GetNormals();
+  const Eigen::Vector3d normal =
+      normals && body.GetNumberOfPoints() > 0 ? tuple(*normals, 0) : view.towardsEye();
+  std::vector<Eigen::Vector3d> points, seeds;
+  double largest = 0.0;
+  vtkDataArray& u = *body.GetPointData()->GetArray("displacement");
+  for (vtkIdType k = 0; k < body.GetNumberOfPoints(); ++k) {
+    points.emplace_back(body.GetPoint(k));
+    largest = std::max(largest, tuple(u, k).norm());
+  }
+  for (const std::size_t k : thinned(points, view, kApart * longest, false, [](const auto&) { return true; }))
+    seeds.push_back(points[k]);
+  const std::vector<Eigen::Matrix3Xd> lines = evenStreamlines(body, normal, seeds, kApart * longest);
+  if (lines.empty()) return {nullptr, nullptr, "no displacement", nullptr, nullptr};
+  PolyBuilder areas, edges;
+  for (const Eigen::Matrix3Xd& line : lines) addCurvedArrow(areas, edges, line, normal, longest);
+  return {areas.finish(), edges.finish(),
+          fmt::format("streamlines of the displacement, {}", upTo(largest, model.lengthUnit)), nullptr,
+          nullptr};
+}
+
 ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& view, const Sight& sight,
                       double longest) {
   vtkDataArray& stress = *body.GetPointData()->GetArray("stress");
@@ -242,6 +295,7 @@ ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const Fr
                             vtkPolyData& body, vtkPolyData* before, const View& view, double longest) {
   if (field == ArrowField::None) return {};
   const Sight sight(field == ArrowField::Traction ? nullptr : before, view);
+  if (field == ArrowField::Streamlines) return curvedArrows(model, body, view, longest);
   if (field == ArrowField::Principal) return crosses(model, body, view, sight, longest);
   const bool traction = field == ArrowField::Traction;
   const VectorPoints all = traction ? tractions(model, frame) : displacements(body, view);
@@ -252,8 +306,8 @@ ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const Fr
 
   PolyBuilder areas, edges;
   for (const std::size_t k :
-       thinned(all.points, view, longest * (traction ? kTractionGap : kDisplacementGap), model.dim == 3,
-               [&](const Eigen::Vector3d& x) { return sight.sees(x); })) {
+       thinned(all.points, view, longest * (traction ? kTractionGap : kDisplacementGap),
+               traction || model.dim == 3, [&](const Eigen::Vector3d& x) { return sight.sees(x); })) {
     const Eigen::Vector3d along = all.vectors[k] * (longest / largest);
     const Eigen::Vector3d side = view.towardsEye(all.points[k]).cross(along);
     if (side.norm() < kShortest * longest) continue;

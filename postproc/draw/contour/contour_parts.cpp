@@ -69,7 +69,7 @@ void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame,
                const ContourOptions& options) {
   points.SetScalars(
       makeArray("drawn", field.drawnScalars(mesh.evaluate(field.coefficients)).transpose(), {}));
-  if (options.arrows == ArrowField::Displacement)
+  if (options.arrows == ArrowField::Displacement || options.arrows == ArrowField::Streamlines)
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
   if (options.arrows == ArrowField::Principal)
     points.AddArray(makeArray("stress", stressAt(mesh, frame), {}));

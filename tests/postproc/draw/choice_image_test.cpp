@@ -253,7 +253,8 @@ TEST_F(ChoiceImage, NothingMayBeLeft) {
     const Picture picture = drawn(sample, options);
     if (inSpace) {  // the ghost of the body, without colours
       const Color ghost = picture.at(view.pixel(Eigen::Vector3d(0.5, 0.5, 1.0)));
-      EXPECT_LE(*std::max_element(ghost.begin(), ghost.end()) - *std::min_element(ghost.begin(), ghost.end()), 8);
+      EXPECT_LE(*std::max_element(ghost.begin(), ghost.end()) - *std::min_element(ghost.begin(), ghost.end()),
+                8);
     } else {
       expectColor(picture, Eigen::Vector2d(1.0, 1.0), options.theme.paper);
     }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "postproc/draw/contour/streamlines.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "tests/postproc/sample_records.h"
@@ -113,9 +114,81 @@ TEST(ContourArrows, AreHiddenByWhatStandsBeforeThem) {
 TEST(ContourArrows, DistancesAreThoseThatTheEyeSees) {
   View view;
   view.eye = Eye{{0.0, 0.0}, 1.0, 1.0};
-  const Places far{{0, 0, -18}, {0.0, 0.3, -18}, {0.0, -0.3, -18}}, near{{0, 0, 1}, {0.0, 0.3, 1}, {0.0, -0.3, 1}};
+  const Places far{{0, 0, -18}, {0.0, 0.3, -18}, {0.0, -0.3, -18}},
+      near{{0, 0, 1}, {0.0, 0.3, 1}, {0.0, -0.3, 1}};
   EXPECT_EQ(beginsOf(far, 0.2, nullptr, true, view).size(), 1U);
   EXPECT_EQ(beginsOf(near, 0.2, nullptr, true, view).size(), 3U);
+}
+
+/// A square of triangles in the plane with this normal, in which vectors turn about the origin.
+vtkSmartPointer<vtkPolyData> turningSquare(const Eigen::Vector3d& normal) {
+  constexpr int kCells = 30;
+  Eigen::Matrix3Xd x(3, (kCells + 1) * (kCells + 1)), u(3, x.cols());
+  Eigen::Matrix3d frame;
+  frame << normal.unitOrthogonal(), normal.cross(normal.unitOrthogonal()), normal;
+  for (int j = 0; j <= kCells; ++j)
+    for (int i = 0; i <= kCells; ++i) {
+      const double a = 1.0 + 1.0 * i / kCells, b = -1.0 + 2.0 * j / kCells;
+      x.col(j * (kCells + 1) + i) = frame * Eigen::Vector3d(a, b, 0.7);
+      u.col(j * (kCells + 1) + i) = frame * Eigen::Vector3d(-b, a, 0.3);
+    }
+  PolyBuilder builder;
+  const std::vector<vtkIdType> ids = builder.addPoints(x);
+  for (int j = 0; j < kCells; ++j)
+    for (int i = 0; i < kCells; ++i) {
+      const auto at = [&](int di, int dj) {
+        return ids[static_cast<std::size_t>((j + dj) * (kCells + 1) + i + di)];
+      };
+      builder.addPolygon({at(0, 0), at(1, 0), at(1, 1)});
+      builder.addPolygon({at(0, 0), at(1, 1), at(0, 1)});
+    }
+  const auto square = builder.finish();
+  square->GetPointData()->AddArray(makeArray("displacement", u, {}));
+  return square;
+}
+
+Places pointsOf(vtkPolyData& surface) {
+  Places points;
+  for (vtkIdType k = 0; k < surface.GetNumberOfPoints(); ++k) points.emplace_back(surface.GetPoint(k));
+  return points;
+}
+
+/// Streamlines of a rotation are circles, whole and in its direction; what goes out of the plane does not count.
+TEST(Streamlines, OfARotationAreCircles) {
+  for (const Eigen::Vector3d& given : Places{{0, 0, 1}, {1, 2, -2}}) {
+    const Eigen::Vector3d normal = given.normalized();
+    const double distance = 0.1;
+    const auto square = turningSquare(normal);
+    const std::vector<Eigen::Matrix3Xd> lines = evenStreamlines(*square, normal, pointsOf(*square), distance);
+    ASSERT_GT(lines.size(), 8U);
+    std::vector<double> radii;
+    for (const Eigen::Matrix3Xd& line : lines) {
+      double smallest = HUGE_VAL, largest = 0.0;
+      for (Eigen::Index k = 0; k < line.cols(); ++k) {
+        EXPECT_NEAR(line.col(k).dot(normal), 0.7, 1e-12);
+        const double radius = normal.cross(line.col(k)).norm();
+        smallest = std::min(smallest, radius);
+        largest = std::max(largest, radius);
+        if (k > 0) {
+          EXPECT_GT(normal.dot(line.col(k - 1).cross(line.col(k))), 0.0) << "it turns about the normal";
+        }
+      }
+      EXPECT_LT(largest - smallest, 1e-3);
+      radii.push_back(smallest);
+    }
+    std::sort(radii.begin(), radii.end());
+    for (std::size_t k = 1; k < radii.size(); ++k)
+      if (radii[k] < 2.0) {  // beyond, the square has two parts of a circle
+        EXPECT_GT(radii[k] - radii[k - 1], 0.45 * distance);
+        EXPECT_LT(radii[k] - radii[k - 1], 2.0 * distance);
+      }
+  }
+}
+
+TEST(Streamlines, OfNothingAreNone) {
+  const auto still = turningSquare(Eigen::Vector3d::UnitZ());
+  still->GetPointData()->GetArray("displacement")->Fill(0.0);
+  EXPECT_TRUE(evenStreamlines(*still, Eigen::Vector3d::UnitZ(), pointsOf(*still), 0.1).empty());
 }
 
 }  // namespace
