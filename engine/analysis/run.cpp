@@ -314,11 +314,6 @@ void requireDivisible(const Scene& scene) {
     problems.push_back(
         {"solver.linear",
          "found direct, whose factors several processes cannot divide; allowed: multigrid, auto."});
-  const std::span<const BodySpec> bodies = scene.allBodies();
-  for (std::size_t number = 0; number < bodies.size(); ++number)
-    if (std::holds_alternative<Chaboche::Parameters>(bodies[number].material))
-      problems.push_back({scene.bodyKey(number, "material.law"),
-                          "found chaboche, which one process computes; allowed on several: another law."});
   if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
 }
 

@@ -138,7 +138,8 @@ Division divideUnknowns(const std::vector<CouplingGroups>& terms, const std::vec
     for (const int node : grid.nodes) {
       long count = 0;
       if (!isCounted[static_cast<std::size_t>(node)])
-        for (int k = 0; k < grid.width; ++k) count += couplings.of(grid.width * node + k);
+        for (int unknown = grid.width * node; unknown < grid.width * (node + 1); ++unknown)
+          if (unknown < couplings.size()) count += couplings.of(unknown);
       isCounted[static_cast<std::size_t>(node)] = true;
       weights.push_back(static_cast<double>(count));
     }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <numeric>
@@ -83,6 +84,20 @@ TEST(Division, CountsFreeUnknowns) {
   std::fill(prescribed.begin() + 120, prescribed.end(), true);
   const Division division = divideUnknowns({cellsOf(beam)}, prescribed, 240, {beam}, 0, 2);
   EXPECT_EQ(division.begins, (std::vector<int>{0, 60, 240}));
+}
+
+// As where the last face is moved. Memory that is read without having been set is full of rubbish here.
+TEST(Division, CountsNothingBehindTheLeadingUnknowns) {
+  const NodeGrid beam = gridOf({2, 2, 20});
+  std::vector<bool> prescribed(240, false);
+  std::fill(prescribed.begin() + 228, prescribed.end(), true);
+  const auto beginsWith = [&](int numLeading) {
+    return divideUnknowns({cellsOf(beam)}, prescribed, numLeading, {beam}, 0, 2).begins;
+  };
+  const std::vector<int> expected = beginsWith(240);
+  ASSERT_EQ(mallopt(M_PERTURB, 0x3f), 1);
+  EXPECT_EQ(beginsWith(228), expected);
+  mallopt(M_PERTURB, 0);
 }
 
 // The second grid begins with the last layer of the first one; unknowns 3 * 60 and those behind are of no node.
