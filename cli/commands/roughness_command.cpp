@@ -15,7 +15,6 @@
 #include "cli/commands/chart_options.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
-#include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/results/result_files.h"
@@ -110,26 +109,6 @@ std::string jsonOf(const std::vector<RoughnessRow>& rows, int dim, const std::st
   return compactText(list, kDigits) + "\n";
 }
 
-std::string csvOf(const std::vector<RoughnessRow>& rows, const std::vector<ChartCurve>& curves) {
-  std::vector<std::string> titles;
-  std::size_t longest = 0;
-  for (const ChartCurve& curve : curves) {
-    const std::string prefix = rows.size() > 1 ? curve.label + " " : "";
-    titles.push_back(prefix + "distance");
-    titles.push_back(prefix + "height");
-    longest = std::max(longest, curve.x.size());
-  }
-  std::string text = csvRow(titles) + "\n";
-  for (std::size_t k = 0; k < longest; ++k) {
-    std::vector<std::string> cells;
-    for (const ChartCurve& curve : curves)
-      for (const auto* values : {&curve.x, &curve.y})
-        cells.push_back(k < values->size() ? fmt::format("{}", (*values)[k]) : "");
-    text += csvRow(cells) + "\n";
-  }
-  return text;
-}
-
 std::vector<ChartCurve> curvesOf(const std::vector<RoughnessRow>& rows, bool severalTimes) {
   std::vector<ChartCurve> curves;
   for (const RoughnessRow& row : rows) {
@@ -185,9 +164,9 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     drawChart(chart, arguments.outputs.picture);
   }
   if (!arguments.outputs.csv.empty() && !arguments.outputs.printsData())
-    writeText(csvOf(rows, curves), arguments.outputs.csv);
+    writeText(curvesCsv(curves, "distance", "height"), arguments.outputs.csv);
   if (arguments.outputs.printsData())
-    printText(csvOf(rows, curves));
+    printText(curvesCsv(curves, "distance", "height"));
   else
     printText(arguments.json ? jsonOf(rows, dim, unit) : tableOf(rows, dim, unit));
   return ExitCode::Fine;
