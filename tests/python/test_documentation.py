@@ -5,6 +5,8 @@ import contextlib
 import doctest
 import importlib
 import io
+import json
+import os
 import pkgutil
 import re
 import subprocess
@@ -79,3 +81,18 @@ def test_example_of_a_test_on_the_page(tmp_path):
         subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "burnish.pytest_plugin", "-p", "no:cacheprovider", *options],
                        cwd=tmp_path, check=True, capture_output=True)
     assert (tmp_path / "baseline/press.png").exists()
+
+
+def test_notebook(tmp_path):
+    """It runs from its first cell to its last, and shows two pictures."""
+    text = (SOURCE / "docs/press.ipynb").read_text()
+    assert not any(cell.get("outputs") for cell in json.loads(text)["cells"])
+    (tmp_path / "press.ipynb").write_text(text)
+    done = subprocess.run(
+        [sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute", "--inplace", "press.ipynb"], cwd=tmp_path,
+        env={**os.environ, "JUPYTER_RUNTIME_DIR": str(tmp_path / "runtime"), "IPYTHONDIR": str(tmp_path / "ipython")},
+        capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    outputs = [output for cell in json.loads((tmp_path / "press.ipynb").read_text())["cells"] for output in cell.get("outputs", [])]
+    assert sum("image/png" in output.get("data", {}) for output in outputs) == 2
+    assert any("largest force" in "".join(output.get("text", "")) for output in outputs)
