@@ -34,6 +34,14 @@ def pages():
         yield path.relative_to(SOURCE), path.read_text("utf-8")
 
 
+def index():
+    """The first page; pages of docs that its lists do not name stand in one more list at their end."""
+    text = (HERE / "index.md").read_text("utf-8")
+    more = [place.with_suffix("").as_posix() for place, _ in pages()]
+    more = [page for page in more if not re.search(rf"^(.*<)?{page}>?$", text, re.MULTILINE)]
+    return text + ("\n```{toctree}\n:hidden:\n:caption: More\n\n" + "\n".join(more) + "\n```\n" if more else "")
+
+
 def lay_out(directory):
     """Pages, and what they show and link to, in the places that their links expect."""
     for place, text in pages():
@@ -44,8 +52,8 @@ def lay_out(directory):
         (directory / name).symlink_to(SOURCE / name)
     for path in [SOURCE / "LICENSE", *SOURCE.glob("docs/*.json")]:
         (directory / path.relative_to(SOURCE)).symlink_to(path)
-    for name in ("conf.py", "index.md"):
-        shutil.copy(HERE / name, directory)
+    shutil.copy(HERE / "conf.py", directory)
+    (directory / "index.md").write_text(index(), "utf-8")
     (directory / "_static/mathjax").mkdir(parents=True)
     shutil.copy(HERE / "site.css", directory / "_static")
     for part in MATHJAX_PARTS:
@@ -57,13 +65,25 @@ def lay_out(directory):
             shutil.copy(MATHJAX / part, target)
 
 
+def scenes_of_pictures():
+    """The scene or study of each picture of the gallery, None for those of no scene."""
+    scenes = {}
+    for picture in sorted((SOURCE / "images/gallery").glob("*.png")):
+        example = f"scenes/examples/{picture.stem.replace('-', '_')}.yaml"
+        scenes[picture.stem] = example if (SOURCE / example).is_file() else None
+    for scene, names in yaml.safe_load((HERE / "gallery.yaml").read_text("utf-8")).items():
+        if not (SOURCE / scene).is_file():
+            raise Problem(f"docs/site/gallery.yaml: there is no scene {scene}")
+        for name in names:
+            if name not in scenes:
+                raise Problem(f"docs/site/gallery.yaml: {scene}: there is no picture images/gallery/{name}.png")
+            scenes[name] = scene
+    return scenes
+
+
 def write_gallery(directory):
     """A page of cards, and for each picture one with its scene."""
-    scenes = yaml.safe_load((HERE / "gallery.yaml").read_text("utf-8"))
-    pictures = {path.stem for path in (SOURCE / "images/gallery").glob("*.png")}
-    for name in sorted(pictures ^ scenes.keys()):
-        raise Problem(f"docs/site/gallery.yaml: {name} is " + ("not in it, but in images/gallery; add it with its scene"
-                                                              if name in pictures else "in it, but not in images/gallery"))
+    scenes = scenes_of_pictures()
     told = {}
     for place, text in pages():
         for caption, name in PICTURE.findall(text):
@@ -82,10 +102,8 @@ def write_gallery(directory):
         cards.append(f'<figure><a class="picture" href="{name}.html"><img loading="lazy" src="../_images/{name}.png" '
                      f'alt="{html.escape(caption)}"></a><figcaption>{html.escape(title)}</figcaption></figure>')
         text = f"# {title}\n\n![{caption}](../images/gallery/{name}.png)\n\n{caption.rstrip('.')}. More: {link}.\n"
-        if scene != "none":
-            if not (SOURCE / scene).is_file():
-                raise Problem(f"docs/site/gallery.yaml: {name}: there is no scene {scene}")
-            command = "figures" if pathlib.Path(scene).stem in ("study", "friction") else "run"
+        if scene:
+            command = "figures" if "\nruns:" in (SOURCE / scene).read_text("utf-8") else "run"
             text += (f"\n## Its {'study' if command == 'figures' else 'scene'}\n\n    burnish {command} {scene}\n\n"
                      f"```{{literalinclude}} ../{scene}\n:language: yaml\n:class: scene\n```\n")
         (directory / "gallery" / f"{name}.md").write_text("---\norphan: true\n---\n\n" + text, "utf-8")
