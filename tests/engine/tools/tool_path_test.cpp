@@ -19,7 +19,7 @@ auto near(double value) {
 }
 
 TEST(ToolPath, APolylineIsTakenWithItsSpeed) {
-  PathSpec spec{PolylinePath{{{0.0, -0.1}, {3.0, -0.1}, {3.0, 0.9}}}};
+  PathSpec spec{.course = PolylinePath{{{0.0, -0.1}, {3.0, -0.1}, {3.0, 0.9}}}};
   spec.speed = 2.0;
   spec.begin = 1.0;
   const ToolPath path(spec, Vector3d::Zero());
@@ -38,7 +38,7 @@ TEST(ToolPath, ARasterComesDownGoesUpAndFeeds) {
   raster.stroke = {4.0, 0.0, 0.0};
   raster.feed = {0.0, 0.0, 3.0};
   raster.passes = 2;
-  PathSpec spec{raster};
+  PathSpec spec{.course = raster};
   spec.clearance = {0.0, 1.0, 0.0};
   const ToolPath path(spec, Vector3d::Zero());
   // down 1, pass 4, up 1, back 5 (4 and 3), down 1, pass 4, up 1
@@ -56,7 +56,7 @@ TEST(ToolPath, ARasterMayGoToAndFro) {
   raster.feed = {0.0, 0.0, 1.0};
   raster.passes = 3;
   raster.bothWays = true;
-  const ToolPath path({raster}, Vector3d::Zero());
+  const ToolPath path({.course = raster}, Vector3d::Zero());
   EXPECT_THAT(path.passEnds(), ElementsAre(near(4), near(9), near(14)));
   EXPECT_LT((path.displacement(6.0) - Vector3d(3.0, 0.0, 1.0)).norm(), kRounding);
   EXPECT_LT((path.displacement(14.0) - Vector3d(4.0, 0.0, 2.0)).norm(), kRounding);
@@ -68,7 +68,7 @@ TEST(ToolPath, AHelixKeepsItsDistanceAndItsSpeed) {
   helix.axis = Vector3d(0.0, 0.0, 2.0);
   helix.pitch = 0.5;
   helix.turns = 1.25;
-  PathSpec spec{helix};
+  PathSpec spec{.course = helix};
   spec.speed = 0.7;
   const Vector3d pivot(3.0, 0.0, 1.0);
   const ToolPath path(spec, pivot);
@@ -81,9 +81,10 @@ TEST(ToolPath, AHelixKeepsItsDistanceAndItsSpeed) {
     const Vector3d arm = pivot + path.displacement(t) - Vector3d(helix.center);
     EXPECT_NEAR(arm.head<2>().norm(), 2.0, 1e-12);
     const double step = 1e-5 * (t > 0.0 ? 1.0 : 0.0);
-    if (step > 0.0)
+    if (step > 0.0) {
       EXPECT_NEAR((path.displacement(t + step) - path.displacement(t - step)).norm() / (2.0 * step), 0.7,
                   1e-7);
+    }
   }
 }
 
