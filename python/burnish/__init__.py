@@ -21,12 +21,13 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .comparison import Comparison, Verdict, compare
-    from .errors import Error, UnknownName
-    from .fields import Field, Line
-    from .picture import Animation, Picture, animate, render
-    from .results import Contact, Frame, History, QuadraturePoints, Run, open
-    from .scene import RunStopped, Scene, Step, resume
+    from .comparison import Comparison as Comparison, Verdict as Verdict, compare as compare
+    from .errors import Error as Error, UnknownName as UnknownName
+    from .fields import Field as Field, Line as Line
+    from .picture import Animation as Animation, Picture as Picture, animate as animate, render as render
+    from .results import Contact as Contact, Frame as Frame, History as History, QuadraturePoints as QuadraturePoints
+    from .results import Run as Run, open as open
+    from .scene import RunStopped as RunStopped, Scene as Scene, Step as Step, resume as resume
 
 _PLACES = {
     "Animation": "picture",

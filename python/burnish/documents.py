@@ -30,4 +30,5 @@ def document(text: str) -> dict[str, Any]:
     >>> document("{tolerance: 1e-09, count: 4, tools: off, title: }")
     {'tolerance': 1e-09, 'count': 4, 'tools': 'off', 'title': None}
     """
-    return yaml.load(text, Loader=_Loader)
+    mapping: dict[str, Any] = yaml.load(text, Loader=_Loader)
+    return mapping

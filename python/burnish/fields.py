@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from .errors import Error
 from .places import Locator, Places
-from .splines import Floats
+from .splines import Floats, Patch
 
 if TYPE_CHECKING:
     from .results import Frame
@@ -113,8 +113,11 @@ class Field:
         return _evaluate(places, [(p, self._coefficients_of(k)) for k, p in enumerate(self.frame.patches)])
 
     def _shown(self, values: Floats, is_one: bool) -> Floats:
-        scalar = values if self.components else values[..., 0]
-        return scalar[0] if is_one else scalar
+        of_points: Floats = values if self.components else values[..., 0]
+        if not is_one:
+            return of_points
+        of_one: Floats = of_points[0]
+        return of_one
 
     def _of_material(self, positions: Floats) -> Places:
         undeformed = self.frame.run.locator
@@ -139,7 +142,7 @@ def _points(values: ArrayLike, dim: int, what: str) -> tuple[Floats, bool]:
     return np.atleast_2d(points), points.ndim == 1
 
 
-def _evaluate(places: Places, patches: Sequence[tuple]) -> Floats:
+def _evaluate(places: Places, patches: Sequence[tuple[Patch, Floats]]) -> Floats:
     """Values at places of (patch, coefficients of its functions): shape (points, components)."""
     values = np.full((len(places), patches[0][1].shape[1]), np.nan)
     for number, (patch, coefficients) in enumerate(patches):
@@ -153,4 +156,5 @@ def grid_shaped(values: Floats, rows: Sequence[Floats]) -> Floats:
     """Values of a lattice, first direction fastest, as an array with one axis per direction, the components last."""
     extents = [row.shape[0] for row in rows]
     shaped = values.reshape(*reversed(extents), values.shape[1])
-    return np.moveaxis(shaped, range(len(rows)), reversed(range(len(rows))))
+    directions = list(range(len(rows)))
+    return np.moveaxis(shaped, directions, directions[::-1])

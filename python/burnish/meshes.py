@@ -94,8 +94,8 @@ def _tensor(extents: list[int]) -> Integers:
 def _vtk_place(index: Integers, steps: list[int]) -> int:
     """Place of a point of a cell in VTK's order, which is that of straight cells for one step."""
     if len(steps) == 2:
-        return vtkHigherOrderQuadrilateral.PointIndexFromIJK(int(index[0]), int(index[1]), [*steps, 1])
-    return vtkHigherOrderHexahedron.PointIndexFromIJK(*(int(i) for i in index), steps)
+        return int(vtkHigherOrderQuadrilateral.PointIndexFromIJK(int(index[0]), int(index[1]), [*steps, 1]))
+    return int(vtkHigherOrderHexahedron.PointIndexFromIJK(*(int(i) for i in index), steps))
 
 
 def _chosen(frame: Frame, body: str | None) -> list[int]:

@@ -7,7 +7,6 @@ import os
 import struct
 import tempfile
 import zlib
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -126,7 +125,7 @@ def _chunks(png: bytes) -> dict[bytes, bytes]:
     return chunks
 
 
-def _unfiltered(filters: Sequence[int], rows: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def _unfiltered(filters: NDArray[np.uint8], rows: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Adds what PNG has subtracted: nothing (0), the pixel to the left (1), that above (2), their mean (3), or the one that Paeth's
     predictor chooses (4)."""
     pixels = rows.copy()

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 _FORMAT = 2  # of the files
 _AXES = ("x", "y", "z")
+_LONGEST_NUMBER = 25  # bytes of a number of a history, with its comma
 
 
 def open(result: str | os.PathLike[str]) -> Run:
@@ -293,6 +294,17 @@ class History(Mapping[str, "Floats"]):
             raise Error(f"{self.file}: {error}") from None
         values.flags.writeable = False
         return dict(zip(columns, values.T))
+
+
+def last_row(file: Path) -> dict[str, float]:
+    """The last row of a history that is finished, by columns, without reading the others."""
+    with file.open("rb") as table:
+        header = table.readline()
+        end = table.seek(0, os.SEEK_END)
+        columns = header.decode("utf-8").rstrip("\n").split(",")
+        table.seek(max(len(header), end - 2 * _LONGEST_NUMBER * len(columns)))
+        row = table.read().decode("utf-8").rsplit("\n", 2)[-2]
+    return dict(zip(columns, map(float, row.split(","))))
 
 
 @dataclass(frozen=True, eq=False)

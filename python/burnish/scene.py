@@ -16,7 +16,7 @@ from typing import Any
 from . import command
 from .documents import document
 from .errors import Error, UnknownName, unknown_name
-from .results import History, Run
+from .results import Run, last_row
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +33,7 @@ class Step:
     @cached_property
     def history(self) -> dict[str, float]:
         """The row of history.csv, by columns."""
-        return {column: float(values[-1]) for column, values in History(self.directory / "history.csv").items()}
+        return last_row(self.directory / "history.csv")
 
 
 class RunStopped(Error):
@@ -113,7 +113,7 @@ class Scene:
                                text=self._yaml if self.file is None else None)
         verdict = json.loads(printed)
         self._resolved = verdict["scene"]
-        return verdict["warnings"]
+        return list(verdict["warnings"])
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes the whole scene with every default filled in."""

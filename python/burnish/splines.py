@@ -192,7 +192,8 @@ class Patch:
     def values(self, coefficients: Floats, xi: Floats) -> Floats:
         """The sum of R_A c_A: coefficients (functions, components) to values (points, components)."""
         functions, R, _ = self.shape(xi)
-        return np.einsum("na,nac->nc", R, coefficients[functions])
+        values: Floats = np.einsum("na,nac->nc", R, coefficients[functions])
+        return values
 
     def lattice(self, coefficients: Floats, rows: Sequence[Floats]) -> Floats:
         """The same at a tensor product of points, given by a matrix (points, functions) per direction: shape
@@ -208,7 +209,7 @@ def _contract(coefficients: Floats, rows: Sequence[Floats]) -> Floats:
     """Applies a matrix in every direction to (functions, components)."""
     components = coefficients.shape[1]
     extents = [row.shape[1] for row in reversed(rows)]
-    values = coefficients.reshape(*extents, components)
+    values: Floats = coefficients.reshape(*extents, components)
     for d, row in enumerate(rows):
         axis = len(rows) - 1 - d
         values = np.moveaxis(np.tensordot(row, values, axes=(1, axis)), 0, axis)

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 import burnish
-from conftest import call, probe
+from burnish.results import last_row
+from conftest import probe
 from scenes import SCENES
 
 FIELDS = [["displacement.y"], ["stress.xx", "von_mises"]]  # of one unit each
@@ -161,12 +162,21 @@ def test_reading_while_a_run_goes_on(press, tmp_path):
         run.summary
 
 
+def test_last_row_of_a_history_that_grows(press, tmp_path):
+    file = tmp_path / "history.csv"
+    text = (press.directory / "history.csv").read_text()
+    for end in (len(text), len(text) - 1, len(text) - 40):
+        file.write_text(text[:end])
+        assert last_row(file) == {column: values[-1] for column, values in burnish.History(file).items()}
+
+
 def test_names_that_do_not_exist(press):
     frame = press.frames[-1]
     with pytest.raises(KeyError, match='found "von_mies".*Did you mean "von_mises"'):
         frame.field("von_mies")
     with pytest.raises(burnish.UnknownName, match='"disc.fz"'):
         press.history["disc.fz"]
+    assert frame.field("stress").at_points(np.empty((0, 2))).shape == (0, 4)
     assert "disc.fz" not in press.history and "disc.fy" in press.history
     with pytest.raises(burnish.Error, match="go from 0 to 1, 0 to 1"):
         frame.field("stress").at_parameters([1.5, 0])
