@@ -110,13 +110,14 @@ std::string jsonOf(const std::vector<RoughnessRow>& rows, int dim, const std::st
   return compactText(list, kDigits) + "\n";
 }
 
-std::string csvOf(const std::vector<RoughnessRow>& rows, const std::vector<ChartCurve>& curves) {
+std::string csvOf(const std::vector<RoughnessRow>& rows, const std::vector<ChartCurve>& curves,
+                  const std::string& unit) {
   std::vector<std::string> titles;
   std::size_t longest = 0;
   for (const ChartCurve& curve : curves) {
     const std::string prefix = rows.size() > 1 ? curve.label + " " : "";
-    titles.push_back(prefix + "distance");
-    titles.push_back(prefix + "height");
+    titles.push_back(withUnit(prefix + "distance", unit));
+    titles.push_back(withUnit(prefix + "height", unit));
     longest = std::max(longest, curve.x.size());
   }
   std::string text = csvRow(titles) + "\n";
@@ -165,7 +166,8 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     throw Error("--json: it and the profiles of --csv - would be printed together; expected one of them");
   const bool draws = !arguments.outputs.picture.empty() || !arguments.outputs.csv.empty();
   if (draws && dim == 3)
-    throw Error("-o: an area has no profile; expected the numbers alone, or a plane body");
+    throw Error(fmt::format("{}: an area has no profile; expected the numbers alone, or a plane body",
+                            arguments.outputs.picture.empty() ? "--csv" : "-o"));
   if (draws) checkOutputs(arguments.outputs, files);
   const bool named = results.size() > 1 || !arguments.chart.labels.empty();
   const std::vector<std::string> names =
@@ -185,9 +187,9 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     drawChart(chart, arguments.outputs.picture);
   }
   if (!arguments.outputs.csv.empty() && !arguments.outputs.printsData())
-    writeText(csvOf(rows, curves), arguments.outputs.csv);
+    writeText(csvOf(rows, curves, unit), arguments.outputs.csv);
   if (arguments.outputs.printsData())
-    printText(csvOf(rows, curves));
+    printText(csvOf(rows, curves, unit));
   else
     printText(arguments.json ? jsonOf(rows, dim, unit) : tableOf(rows, dim, unit));
   return ExitCode::Fine;
