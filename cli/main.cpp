@@ -64,7 +64,12 @@ ExitCode execute(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw Error(usageMessage(app, error));
   }
-  const ExitCode code = action();
+  ExitCode code{};
+  try {
+    code = action();
+  } catch (const Error& error) {
+    throw Error(withOption(app, error.what()));
+  }
   for (const std::string& warning : takeTextWarnings()) printError("warning: {}\n", warning);
   return code;
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <vector>
 
 #include "cli/command_tree.h"
@@ -43,6 +44,15 @@ std::string usageMessage(const CLI::App& app, const CLI::ParseError& error) {
   if (parsed.empty())
     return fmt::format("there is no command {}.{} {}", word, didYouMean(word, subcommandNames(app)), help);
   return fmt::format("burnish {} does not expect \"{}\"; {}", command.get_name(), word, help);
+}
+
+std::string withOption(const CLI::App& app, const std::string& sentence) {
+  std::string name = "--" + sentence.substr(0, sentence.find(": "));
+  std::ranges::replace(name, '_', '-');
+  for (const CLI::App* command : app.get_subcommands())
+    if (const CLI::Option* option = command->get_option_no_throw(name); option && option->count() > 0)
+      return name + sentence.substr(name.size() - 2);
+  return sentence;
 }
 
 }  // namespace burnish

@@ -144,7 +144,8 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     throw Error("--json: it and the profiles of --csv - would be printed together; expected one of them");
   const bool draws = !arguments.outputs.picture.empty() || !arguments.outputs.csv.empty();
   if (draws && dim == 3)
-    throw Error("-o: an area has no profile; expected the numbers alone, or a plane body");
+    throw Error(fmt::format("{}: an area has no profile; expected the numbers alone, or a plane body",
+                            arguments.outputs.picture.empty() ? "--csv" : "-o"));
   if (draws) checkOutputs(arguments.outputs, files);
   const bool named = results.size() > 1 || !arguments.chart.labels.empty();
   const std::vector<std::string> names =
@@ -164,9 +165,9 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     drawChart(chart, arguments.outputs.picture);
   }
   if (!arguments.outputs.csv.empty() && !arguments.outputs.printsData())
-    writeText(curvesCsv(curves, "distance", "height"), arguments.outputs.csv);
+    writeText(curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit)), arguments.outputs.csv);
   if (arguments.outputs.printsData())
-    printText(curvesCsv(curves, "distance", "height"));
+    printText(curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit)));
   else
     printText(arguments.json ? jsonOf(rows, dim, unit) : tableOf(rows, dim, unit));
   return ExitCode::Fine;

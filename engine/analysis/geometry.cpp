@@ -1,10 +1,14 @@
 #include "engine/analysis/geometry.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/core/input_error.h"
+#include "engine/core/quoted.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/scene/mesh_knots.h"
 #include "engine/solid/joined_body.h"
@@ -31,14 +35,24 @@ using Definitions = std::vector<DefinitionSpec>;
 template <int Dim>
 Patch<Dim> inRelief(Patch<Dim> patch, const Definitions& definitions,
                     const std::vector<ReliefSpec>& reliefs) {
-  for (const ReliefSpec& relief : reliefs) {
+  for (std::size_t k = 0; k < reliefs.size(); ++k) {
+    const ReliefSpec& relief = reliefs[k];
     const Formula height(relief.height, definitions);
-    patch =
-        withRelief<Dim>(patch, faceFromName<Dim>(relief.face), [&](const Eigen::Vector<double, Dim>& place) {
-          Eigen::Vector3d X = Eigen::Vector3d::Zero();
-          X.head<Dim>() = place;
-          return height(X, 0.0);
-        });
+    const auto heightAt = [&](const Eigen::Vector<double, Dim>& place) {
+      Eigen::Vector3d X = Eigen::Vector3d::Zero();
+      X.head<Dim>() = place;
+      const double found = height(X, 0.0);
+      if (!std::isfinite(found))
+        throw Error(
+            fmt::format("height: {} is {} at ({:.4g}); give a formula that is finite on all of the face",
+                        quoted(relief.height.text), found, fmt::join(place, ", ")));
+      return found;
+    };
+    try {
+      patch = withRelief<Dim>(patch, faceFromName<Dim>(relief.face), heightAt);
+    } catch (const Error& problem) {
+      throw Error(fmt::format("relief[{}]: {}", k, problem.what()));
+    }
   }
   return patch;
 }
@@ -73,8 +87,15 @@ NamedBody<Dim> joined(const BodySpec& spec, const Definitions& definitions,
         [&](const auto& shape) { return meshed<Dim>(spec, definitions, shape, patch.mesh); }, patch.shape));
     names.push_back(patch.name);
   }
-  auto body = joinedBody<Dim>(std::move(patches), names);
-  return {std::move(body), std::move(names)};
+  try {
+    auto body = joinedBody<Dim>(std::move(patches), names);
+    return {std::move(body), std::move(names)};
+  } catch (const Error& problem) {
+    const auto hasRelief = [](const PatchSpec& patch) { return !patch.mesh.relief.empty(); };
+    if (std::none_of(specs.begin(), specs.end(), hasRelief)) throw;
+    throw Error(fmt::format("{}; a relief moves the face of its patch alone: where patches meet, give none",
+                            problem.what()));
+  }
 }
 
 template <int Dim>

@@ -48,8 +48,9 @@ Extremes<Dim> cornerDeterminants(const Patch<Dim>& patch) {
   return found;
 }
 
+/// mesh: of the patch; path: of what has it.
 template <int Dim>
-void requirePositive(const Patch<Dim>& patch, const std::string& path) {
+void requirePositive(const Patch<Dim>& patch, const MeshSpec& mesh, const std::string& path) {
   constexpr double kRounding = 1e-9;
   const auto found = cornerDeterminants(patch);
   if (found.lowest >= -kRounding * std::max(found.highest, -found.lowest)) return;
@@ -57,9 +58,13 @@ void requirePositive(const Patch<Dim>& patch, const std::string& path) {
     throw InputError(path,
                      "the body is inside out: the determinant of its map is negative at all knots; reverse "
                      "the order of the control points in one direction");
-  throw InputError(path, fmt::format("the map is folded near ({:.4g}): its determinant is {:.3g}; move the "
-                                     "control points so that it is positive everywhere",
-                                     fmt::join(found.place, ", "), found.lowest));
+  const bool hasRelief = !mesh.relief.empty();
+  throw InputError(
+      hasRelief ? path + ".relief" : path,
+      fmt::format("the map is folded near ({:.4g}): its determinant is {:.3g}; {} so that it is "
+                  "positive everywhere",
+                  fmt::join(found.place, ", "), found.lowest,
+                  hasRelief ? "make heights smaller, or slopes flatter," : "move the control points"));
 }
 
 /// Samples of a face in order. The inner ones stand at odd places, so that lines which cross at round numbers
@@ -112,11 +117,16 @@ void requireSoundGeometry(const Model<Dim>& model, const Scene& scene) {
   InputProblems problems;
   for (std::size_t k = 0; k < model.bodies().size(); ++k) {
     const std::string path = scene.bodyKey(k, "geometry");
-    const bool several = std::holds_alternative<PatchesSpec>(scene.allBodies()[k].geometry.shape);
+    const GeometrySpec& geometry = scene.allBodies()[k].geometry;
+    const auto* several = std::get_if<PatchesSpec>(&geometry.shape);
     const auto& patches = model.bodies()[k].body.patches;
     for (std::size_t p = 0; p < patches.size(); ++p)
-      problems.gather(
-          [&] { requirePositive(patches[p], several ? fmt::format("{}.patches[{}]", path, p) : path); });
+      problems.gather([&] {
+        if (several)
+          requirePositive(patches[p], several->patches[p].mesh, fmt::format("{}.patches[{}]", path, p));
+        else
+          requirePositive(patches[p], geometry.mesh, path);
+      });
   }
   problems.throwIfAny();
   if constexpr (Dim == 2)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 namespace burnish {
 namespace {
@@ -25,6 +27,18 @@ double lockingRatio(int degree) {
   return kLockingRatios[static_cast<std::size_t>(std::min(degree, last) - 1)];
 }
 
+/// What a scene gives for the resistance to changes of volume: its key, and its value in words.
+std::pair<std::string, std::string> volumeConstant(const MaterialParameters& material, double nu) {
+  const std::optional<double> kappa = std::visit(
+      [](const auto& law) -> std::optional<double> {
+        if constexpr (requires { law.kappa; }) return law.kappa;
+        return std::nullopt;
+      },
+      material);
+  if (!kappa) return {"nu", fmt::format("{:.6g}", nu)};
+  return {"kappa", fmt::format("{:.6g}, a Poisson's ratio of {:.6g},", *kappa, nu)};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -35,13 +49,13 @@ std::vector<InputProblem> lockingWarnings(const Scene& scene, const Model<Dim>& 
     const Material material = model.bodies()[k].bulk->material();
     const double nu = poissonsRatio(material);
     const int degree = lowestDegree(model.bodies()[k].body);
+    const auto [key, value] = volumeConstant(scene.allBodies()[k].material, nu);
     if (nu >= lockingRatio(degree))
       warnings.push_back(
-          {scene.bodyKey(k, "material.nu"),
-           fmt::format(
-               "{:.6g} is nearly incompressible: the displacement formulation of degree {} locks from {} "
-               "on, its forces are too large by 5 % and more; add formulation: fbar",
-               nu, degree, lockingRatio(degree))});
+          {scene.bodyKey(k, "material." + key),
+           fmt::format("{} is nearly incompressible: the displacement formulation of degree {} locks from {} "
+                       "on, its forces are too large by 5 % and more; add formulation: fbar",
+                       value, degree, lockingRatio(degree))});
     if (flows(material))
       warnings.push_back(
           {scene.bodyKey(k, "material.law"),

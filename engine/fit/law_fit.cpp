@@ -219,27 +219,17 @@ void describe(Visitor& v, HardeningBlock& s) {
 
 /// Constants of cyclic plasticity, as a scene has them below `material`.
 struct CyclicLaw {
-  struct BackStress {
-    double modulus = 0.0;   ///< C
-    double recovery = 0.0;  ///< γ
-  };
-
   LinearHardening yield;  ///< that stays the same
   std::vector<BackStress> backStresses;
 
   /// Amplitude of the stress in a stable cycle of plastic strain: σ_y + Σ C/γ tanh(γ Δ/2).
   double amplitude(double range) const {
     double stress = yield.sigma0;
-    for (const auto& [C, gamma] : backStresses) stress += C / gamma * std::tanh(0.5 * gamma * range);
+    for (const auto& [C, gamma, exponent] : backStresses)
+      stress += C / gamma * std::tanh(0.5 * gamma * range);
     return stress;
   }
 };
-
-template <class Visitor>
-void describe(Visitor& v, CyclicLaw::BackStress& s) {
-  v.field("modulus", s.modulus, {}, "");
-  v.field("recovery", s.recovery, {}, "");
-}
 
 template <class Visitor>
 void describe(Visitor& v, CyclicLaw& s) {
@@ -399,8 +389,7 @@ LawFit fitChaboche(const std::vector<MeasuredCurve>& curves, const FitOptions& o
     return law;
   };
   const auto admits = [](const CyclicLaw& law) {
-    return law.yield.sigma0 > 0.0 &&
-           std::ranges::all_of(law.backStresses, [](const CyclicLaw::BackStress& part) {
+    return law.yield.sigma0 > 0.0 && std::ranges::all_of(law.backStresses, [](const BackStress& part) {
              return part.modulus > 0.0 && part.recovery > 0.0;
            });
   };
@@ -415,7 +404,7 @@ LawFit fitChaboche(const std::vector<MeasuredCurve>& curves, const FitOptions& o
       curves, options, "plastic range");
   double largest = 0.0;
   for (const MeasuredCurve& curve : curves) largest = std::max(largest, *std::ranges::max_element(curve.x));
-  for (const auto& [C, gamma] : law.backStresses) {
+  for (const auto& [C, gamma, exponent] : law.backStresses) {
     fit.account.push_back(fmt::format("back stress with recovery {}: saturates at {:.4g}", gamma, C / gamma));
     if (0.5 * gamma * largest < 1.0)
       fit.warnings.push_back(

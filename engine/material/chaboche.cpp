@@ -1,7 +1,9 @@
 #include "engine/material/chaboche.h"
 
-#include <Eigen/Geometry>
+#include <fmt/format.h>
+
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,12 +24,26 @@ double equivalent(const Eigen::Matrix<double, 6, 1>& X) {
   return std::sqrt(1.5) * X.norm();
 }
 
+/// What is carried of the axes' rotation: each entry.
+template <int... Numbers>
+std::vector<CarriedNumber<State>> axesNumbers(std::integer_sequence<int, Numbers...>) {
+  return {{{.name = std::string("axes_") + "xyz"[Numbers % 3] + "xyz"[Numbers / 3]},
+           [](State& state) -> double& { return state.Fp_inv(Numbers % 3, Numbers / 3); }}...};
+}
+
 /// Names and places of what is carried: of every back stress each component.
 template <int... Numbers>
 std::vector<CarriedNumber<State>> backStressNumbers(std::integer_sequence<int, Numbers...>) {
   static constexpr std::array kComponents{"xx", "yy", "zz", "xy", "yz", "zx"};
   return {{{.name = "X" + std::to_string(Numbers / 6 + 1) + "_" + kComponents[Numbers % 6]},
            [](State& state) -> double& { return state.X(Numbers % 6, Numbers / 6); }}...};
+}
+
+/// The rotation of the polar decomposition. Entries of rotations can be interpolated, whatever turns they stand for.
+Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& M) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
 }  // namespace
@@ -47,12 +63,10 @@ std::vector<StateField<State>> Chaboche::fields() {
 
 std::vector<CarriedNumber<State>> Chaboche::carried() {
   std::vector<CarriedNumber<State>> numbers{
-      {{.name = "e_p", .atLeast = 0.0}, [](State& state) -> double& { return state.e_p; }},
-      {{.name = "turn_x"}, [](State& state) -> double& { return state.turn.x(); }},
-      {{.name = "turn_y"}, [](State& state) -> double& { return state.turn.y(); }},
-      {{.name = "turn_z"}, [](State& state) -> double& { return state.turn.z(); }}};
-  const auto more = backStressNumbers(std::make_integer_sequence<int, 6 * kMostBackStresses>());
-  numbers.insert(numbers.end(), more.begin(), more.end());
+      {{.name = "e_p", .atLeast = 0.0}, [](State& state) -> double& { return state.e_p; }}};
+  for (const auto& more : {axesNumbers(std::make_integer_sequence<int, 9>()),
+                           backStressNumbers(std::make_integer_sequence<int, 6 * kMostBackStresses>())})
+    numbers.insert(numbers.end(), more.begin(), more.end());
   return numbers;
 }
 
@@ -66,25 +80,20 @@ State Chaboche::toSpace(const Eigen::Matrix3d& F, const State& state) const {
   State moved = state;
   const Eigen::Matrix3d R = LogarithmicStrain<3>(F * state.Fp_inv).rotation();
   moved.X = mandelRotation<3>(R) * state.X;
-  if (!parameters_.hill) return moved;  // the axes play no role
-  const Eigen::AngleAxisd turn(R);
-  moved.turn = turn.angle() * turn.axis();
+  moved.Fp_inv = parameters_.hill ? R : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   return moved;
 }
 
 State Chaboche::fromSpace(const State& moved) const {
   State state = moved;
-  const double angle = moved.turn.norm();
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  if (angle > 0.0) R = Eigen::AngleAxisd(angle, moved.turn / angle).toRotationMatrix();
-  state.turn.setZero();
-  state.Fp_inv = moved.Fp_inv * R;
+  const Eigen::Matrix3d R = nearestRotation(moved.Fp_inv);
+  state.Fp_inv = R;
   const MandelMatrix<3> toLaw = mandelRotation<3>(R).transpose();
   state.E = toLaw * moved.E;
   state.X = toLaw * moved.X;
   const double reach = std::sqrt(axes_.eta.maxCoeff() / 1.5);  // of the direction of flow that goes farthest
   for (Eigen::Index i = 0; i < std::ssize(parameters_.backStresses); ++i) {
-    const auto& [C, gamma] = parameters_.backStresses[static_cast<std::size_t>(i)];
+    const auto& [C, gamma, exponent] = parameters_.backStresses[static_cast<std::size_t>(i)];
     auto X = state.X.col(i);
     X.head<3>().array() -= X.head<3>().mean();
     // Beyond its bound the scalar equation of the flow might have no solution.
@@ -180,6 +189,14 @@ Eigen::Matrix3d Chaboche::elasticDeformation(const Eigen::Matrix3d& F, const Sta
 
 void check(const Chaboche::Parameters& law, const Problems& problems) {
   checkHardening(law.hardening, problems, "hardening");
+  for (std::size_t k = 0; k < law.backStresses.size(); ++k) {
+    const std::string key = fmt::format("back_stresses[{}]", k);
+    const BackStress& back = law.backStresses[k];
+    if (problems.clean(key) && back.exponent && back.recovery == 0.0)
+      problems.report(
+          key + ".exponent",
+          "found an exponent of a back stress that does not recover; allowed: with a recovery above 0.");
+  }
   if (law.hill) check(*law.hill, problems, "hill");
 }
 

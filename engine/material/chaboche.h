@@ -45,8 +45,6 @@ class Chaboche {
     double e_p = 0.0;                         ///< equivalent plastic strain
     Eigen::Matrix<double, 6, kMostBackStresses> X =
         Eigen::Matrix<double, 6, kMostBackStresses>::Zero();  ///< back stresses (Mandel)
-    /// Rotation vector of the axes, on the way to a new reference configuration; zero otherwise.
-    Eigen::Vector3d turn = Eigen::Vector3d::Zero();
 
     template <class F>
     void forEachMember(const F& f) {
@@ -54,7 +52,6 @@ class Chaboche {
       f(E);
       f(e_p);
       f(X);
-      f(turn);
     }
   };
 
@@ -65,7 +62,8 @@ class Chaboche {
   static State begin(const Eigen::Matrix3d& stretch);
 
   /// The state with what is carried referred to the axes of space at the deformation gradient F, and back: what
-  /// lies between points of different histories can be interpolated there alone.
+  /// lies between points of different histories can be interpolated there alone. `Fp_inv` is the rotation of the
+  /// axes then, what is nearest to one where it was interpolated; none where the axes play no role.
   State toSpace(const Eigen::Matrix3d& F, const State& state) const;
   State fromSpace(const State& state) const;
 
@@ -107,7 +105,7 @@ void describe(Visitor& v, Chaboche::Parameters& s) {
   describeElasticConstants(v, s.E, s.nu);
   v.field("hardening", s.hardening, {.required = true}, "Yield stress; isotropic hardening.");
   v.field("back_stresses", s.backStresses, {.maxEntries = kMostBackStresses},
-          "Kinematic hardening: back stresses after Armstrong and Frederick, which add up.");
+          "Kinematic hardening: back stresses, which add up.");
   v.field("rate", s.rate, {}, "Dependence on the rate; the time of the scene is that of its constants then.");
   v.field("hill", s.hill, {},
           "Anisotropy of a sheet after Hill (1948), with axes that turn with the material.");

@@ -26,13 +26,18 @@ struct HillYield {
   Eigen::Matrix3d axes() const;
 };
 
+/// Beyond this ratio and its inverse one of the directions would hardly yield at all.
+inline constexpr double kLeastRatio = 0.01;
+
 template <class Visitor>
 void describe(Visitor& v, HillYield& s) {
   v.field(
-      "r0", s.r0, {.required = true, .above = 0},
+      "r0", s.r0, {.required = true, .atLeast = kLeastRatio, .atMost = 1.0 / kLeastRatio},
       "Plastic strain across the width over that across the thickness of a strip along the rolling direction.");
-  v.field("r45", s.r45, {.required = true, .above = 0}, "The same at 45 degrees to it.");
-  v.field("r90", s.r90, {.required = true, .above = 0}, "The same at 90 degrees to it.");
+  v.field("r45", s.r45, {.required = true, .atLeast = kLeastRatio, .atMost = 1.0 / kLeastRatio},
+          "The same at 45 degrees to it.");
+  v.field("r90", s.r90, {.required = true, .atLeast = kLeastRatio, .atMost = 1.0 / kLeastRatio},
+          "The same at 90 degrees to it.");
   v.field("rolling", s.rolling, {.minEntries = 3, .maxEntries = 3},
           "Rolling direction at the start, in the coordinates x, y, z.");
   v.field("transverse", s.transverse, {.minEntries = 3, .maxEntries = 3},

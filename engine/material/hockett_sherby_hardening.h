@@ -24,7 +24,8 @@ void describe(Visitor& v, HockettSherbyHardening& s) {
   v.field("sigma_inf", s.sigmaInf, {.required = true, .above = 0, .unit = "stress"},
           "Yield stress at saturation.");
   v.field("rate", s.rate, {.required = true, .above = 0}, "Rate of saturation.");
-  v.field("exponent", s.exponent, {.required = true, .above = 0, .atMost = 1},
+  // The gamma function of its inverse overflows below 0.006.
+  v.field("exponent", s.exponent, {.required = true, .atLeast = 0.01, .atMost = 1},
           "Exponent of the plastic strain times the rate.");
 }
 

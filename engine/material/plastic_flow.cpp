@@ -1,10 +1,12 @@
 #include "engine/material/plastic_flow.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "engine/material/return_map.h"
 
@@ -39,6 +41,7 @@ class Unknown {
     return norton_ ? std::min(std::pow(strain / dt_, 1.0 / norton_->N), excess / norton_->K) : strain;
   }
 
+  double at(double strain) const { return norton_ ? std::pow(strain / dt_, 1.0 / norton_->N) : strain; }
   double strain(double u) const { return norton_ ? dt_ * std::pow(u, norton_->N) : u; }
   double slope(double u) const { return norton_ ? dt_ * norton_->N * std::pow(u, norton_->N - 1.0) : 1.0; }
 
@@ -79,7 +82,7 @@ struct FlowPoint {
     Vector Z = trialStress;
     double sum = 2.0 * law.mu * p, sum_p = 2.0 * law.mu;
     for (std::size_t i = 0; i < law.backStresses->size(); ++i) {
-      const auto& [C, gamma] = (*law.backStresses)[i];
+      const auto& [C, gamma, exponent] = (*law.backStresses)[i];
       const auto X = state.X.col(static_cast<Eigen::Index>(i));
       theta[i] = std::exp(-gamma * p);
       psi[i] = gamma == 0.0 ? p : -std::expm1(-gamma * p) / gamma;
@@ -125,6 +128,153 @@ std::optional<FlowPoint<Dim>> solveFlow(const FlowLaw& law, const YieldAxes<Dim>
     u = next;
   }
   return std::nullopt;
+}
+
+/// A back stress behind a step of the plastic strain `strain`, and its derivatives.
+template <int Dim>
+struct BackStressPoint {
+  Deviator<Dim> X;
+  DeviatorMatrix<Dim> byStrain, byOld;
+};
+
+/// p: equivalent plastic strain of the step; p_strain: its derivative.
+template <int Dim>
+BackStressPoint<Dim> recoveredAsArmstrongAndFrederick(const BackStress& law, const Deviator<Dim>& old,
+                                                      const Deviator<Dim>& strain, double p,
+                                                      const Deviator<Dim>& p_strain) {
+  const double C = 2.0 / 3.0 * law.modulus, gamma = law.recovery;
+  const double theta = std::exp(-gamma * p), psi = gamma == 0.0 ? p : -std::expm1(-gamma * p) / gamma;
+  const auto unit = DeviatorMatrix<Dim>::Identity();
+  const Deviator<Dim> byP = C * (theta - psi / p) / p * strain - gamma * theta * old;
+  return {theta * old + C * psi / p * strain,
+          C * psi / p * unit + byP.matrix() * p_strain.matrix().transpose(), theta * unit};
+}
+
+/// The root u of u + B u^(m+1) = tau, all of them positive.
+double recoveredShare(double B, double m, double tau) {
+  constexpr int kMost = 100;
+  double u = std::min(tau, std::pow(tau / B, 1.0 / (m + 1.0)));
+  // The left side is convex: from above, u falls towards the root.
+  for (int iteration = 0; iteration < kMost; ++iteration) {
+    const double power = B * std::pow(u, m);
+    const double next = u - (u + power * u - tau) / (1.0 + (m + 1.0) * power);
+    if (!(next < u * (1.0 - kRoundOff))) return next;
+    u = next;
+  }
+  return u;
+}
+
+/// X = θ X_tr with X_tr = X_n + ⅔ C ΔE^p, so that X̄/r = u follows from its value τ for X_tr: u + B u^(m+1) = τ with
+/// B = γ ⟨ΔE^p : X_tr⟩/X̄_tr.
+template <int Dim>
+BackStressPoint<Dim> recoveredAsOhnoAndWang(const BackStress& law, const Deviator<Dim>& old,
+                                            const Deviator<Dim>& strain) {
+  using Row = Eigen::Matrix<double, 1, kDeviator<Dim>>;
+  using Matrix = DeviatorMatrix<Dim>;
+  const double C = 2.0 / 3.0 * law.modulus, r = law.modulus / law.recovery, m = *law.exponent;
+  const auto unit = Matrix::Identity();
+  const Deviator<Dim> trial = old + C * strain;
+  const double size = std::sqrt(1.5) * trial.matrix().norm(), work = (strain * trial).sum();
+  if (!(work > 0.0) || !(law.recovery * work / size > 0.0)) return {trial, C * unit, unit};
+  const double tau = size / r, u = recoveredShare(law.recovery * work / size, m, tau);
+  const Row tau_trial = 1.5 / (size * r) * trial.matrix().transpose();
+  const double stiffness = 1.0 + (m + 1.0) * (tau - u) / u;
+  // trialBy: derivative of X_tr; workBy: of the work.
+  const auto derivative = [&](const Matrix& trialBy, const Row& workBy) -> Matrix {
+    const Row tauBy = tau_trial * trialBy;
+    const Row uBy = (tauBy - (tau - u) * (workBy / work - tauBy / tau)) / stiffness;
+    return u / tau * trialBy + trial.matrix() * (uBy - u / tau * tauBy) / tau;
+  };
+  const Row strainRow = strain.matrix().transpose();
+  return {u / tau * trial, derivative(C * unit, trial.matrix().transpose() + C * strainRow),
+          derivative(unit, strainRow)};
+}
+
+/// The equation R(ΔE^p) = 2μ ΔE^p + ΣX + Y ΔE^p/(η p) − dev T_tr = 0 at one ΔE^p, for recoveries that depend on its
+/// direction.
+template <int Dim>
+struct TensorFlowPoint {
+  using Vector = Deviator<Dim>;
+  using Matrix = DeviatorMatrix<Dim>;
+
+  double p;
+  Vector p_strain;  ///< derivative of p
+  YieldStress Y;
+  std::array<BackStressPoint<Dim>, kMostBackStresses> back;
+  Vector residual;
+  Matrix slope;
+
+  TensorFlowPoint(const FlowLaw& law, const YieldAxes<Dim>& axes, const Unknown& unknown,
+                  const Vector& trialStress, const FlowState<Dim>& state, const Vector& strain)
+      : p(std::sqrt((strain.square() / axes.eta).sum())),
+        p_strain(strain / (axes.eta * p)),
+        Y(unknown.yieldStress(unknown.at(p))),
+        residual(2.0 * law.mu * strain + Y.value * p_strain - trialStress) {
+    const double Y_p = Y.byUnknown / unknown.slope(unknown.at(p));
+    slope = (2.0 * law.mu + Y.value / (p * axes.eta)).matrix().asDiagonal();
+    slope += (Y_p - Y.value / p) * p_strain.matrix() * p_strain.matrix().transpose();
+    for (std::size_t i = 0; i < law.backStresses->size(); ++i) {
+      const BackStress& one = (*law.backStresses)[i];
+      const Vector old = state.X.col(static_cast<Eigen::Index>(i));
+      back[i] = one.exponent ? recoveredAsOhnoAndWang<Dim>(one, old, strain)
+                             : recoveredAsArmstrongAndFrederick<Dim>(one, old, strain, p, p_strain);
+      residual += back[i].X;
+      slope += back[i].byStrain;
+    }
+  }
+
+  bool isUsable() const { return Y.value > 0.0 && std::isfinite(Y.value + residual.sum() + slope.sum()); }
+};
+
+/// Newton from the plastic strain `start`, by shorter steps where the residual would grow.
+template <int Dim>
+std::optional<std::pair<Deviator<Dim>, TensorFlowPoint<Dim>>> solveTensorFlow(
+    const FlowLaw& law, const YieldAxes<Dim>& axes, const Unknown& unknown, const Deviator<Dim>& trialStress,
+    const FlowState<Dim>& state, const Deviator<Dim>& start) {
+  constexpr int kMostHalvings = 40;
+  Deviator<Dim> strain = start;
+  TensorFlowPoint<Dim> point(law, axes, unknown, trialStress, state, strain);
+  if (!point.isUsable()) return std::nullopt;
+  const double roundOff = kRoundOff * trialStress.matrix().norm();
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    const Deviator<Dim> step = -point.slope.partialPivLu().solve(point.residual.matrix()).array();
+    const double before = point.residual.matrix().norm();
+    const bool isLast = before <= roundOff || step.matrix().norm() <= kSmallStep * strain.matrix().norm();
+    double share = 1.0;
+    for (int halvings = 0;; ++halvings, share *= 0.5) {
+      const Deviator<Dim> next = strain + share * step;
+      const TensorFlowPoint<Dim> there(law, axes, unknown, trialStress, state, next);
+      if (there.isUsable() && (isLast || there.residual.matrix().norm() < before)) {
+        strain = next;
+        point = there;
+        break;
+      }
+      if (halvings == kMostHalvings) return std::nullopt;
+    }
+    if (isLast) return std::pair{strain, point};
+  }
+  return std::nullopt;
+}
+
+/// Goes on by the plastic strain that solves the tensor's equation, with derivatives as in `flow`.
+template <int Dim>
+void add(const Deviator<Dim>& strain, const TensorFlowPoint<Dim>& s, double mu, double part,
+         Eigen::Index count, FlowState<Dim>& state) {
+  using Matrix = DeviatorMatrix<Dim>;
+  Matrix right = 2.0 * mu * (part * Matrix::Identity() - state.dPlasticStrain);
+  right -= s.Y.byStrain * s.p_strain.matrix() * state.de_p;
+  for (Eigen::Index i = 0; i < count; ++i)
+    right -= s.back[static_cast<std::size_t>(i)].byOld * state.dX[static_cast<std::size_t>(i)];
+  const Matrix dStrain = s.slope.partialPivLu().solve(right);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    state.dX[n] = s.back[n].byStrain * dStrain + s.back[n].byOld * state.dX[n];
+    state.X.col(i) = s.back[n].X;
+  }
+  state.dPlasticStrain += dStrain;
+  state.de_p += s.p_strain.matrix().transpose() * dStrain;
+  state.plasticStrain += strain;
+  state.e_p += s.p;
 }
 
 }  // namespace
@@ -178,6 +328,15 @@ FlowResult flow(const FlowLaw& law, const YieldAxes<Dim>& axes, const Deviator<D
   const auto solution = solveFlow<Dim>(law, axes, unknown, trialStress, state, upper, trialNorm);
   if (!solution) return FlowResult::Failed;
   const FlowPoint<Dim>& s = *solution;
+  if (std::ranges::any_of(*law.backStresses,
+                          [](const BackStress& back) { return back.exponent.has_value(); })) {
+    // So far recoveries were those of Armstrong and Frederick.
+    const Vector start = s.p / s.Y.value * axes.eta * s.xi;
+    const auto solved = solveTensorFlow<Dim>(law, axes, unknown, trialStress, state, start);
+    if (!solved) return FlowResult::Failed;
+    add<Dim>(solved->first, solved->second, law.mu, part, count, state);
+    return FlowResult::Flows;
+  }
 
   // Derivatives: r is what ξ changes by at constant u.
   const auto unit = Matrix::Identity();
@@ -196,7 +355,7 @@ FlowResult flow(const FlowLaw& law, const YieldAxes<Dim>& axes, const Deviator<D
   state.dPlasticStrain += flowed.matrix() * (k_u * du + k_e * state.de_p) + k * dFlowed;
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto n = static_cast<std::size_t>(i);
-    const auto& [C, gamma] = (*law.backStresses)[n];
+    const auto& [C, gamma, exponent] = (*law.backStresses)[n];
     const double w = 2.0 / 3.0 * C * s.psi[n] / s.Y.value;
     const double w_u = (2.0 / 3.0 * C * s.theta[n] * s.p_u - w * s.Y.byUnknown) / s.Y.value;
     const double w_e = -w * s.Y.byStrain / s.Y.value;

@@ -34,10 +34,12 @@ struct YieldAxes {
   double norm(const Deviator<Dim>& t) const;
 };
 
-/// A back stress after Armstrong and Frederick: Ẋ = ⅔ C Ė^p − γ X ė.
+/// A back stress after Armstrong and Frederick, Ẋ = ⅔ C Ė^p − γ X ė, or with an exponent the second law of Ohno and
+/// Wang, Ẋ = ⅔ C Ė^p − γ (X̄/r)^m ⟨Ė^p : X/X̄⟩ X with r = C/γ, which hardly recovers below r.
 struct BackStress {
-  double modulus = 0.0;   ///< C
-  double recovery = 0.0;  ///< γ
+  double modulus = 0.0;              ///< C
+  double recovery = 0.0;             ///< γ
+  std::optional<double> exponent{};  ///< m
 };
 
 template <class Visitor>
@@ -46,6 +48,10 @@ void describe(Visitor& v, BackStress& s) {
           "Growth of the back stress per unit of plastic strain, at first.");
   v.field("recovery", s.recovery, {.atLeast = 0},
           "How fast it tends to modulus/recovery; 0 is linear kinematic hardening.");
+  v.field(
+      "exponent", s.exponent, {.atLeast = 0, .atMost = 1000},
+      "Recovery after Ohno and Wang, with this power of the back stress over modulus/recovery; the larger it "
+      "is, the less a metal ratchets. After Armstrong and Frederick when left out.");
 }
 
 inline constexpr int kMostBackStresses = 4;
@@ -85,7 +91,8 @@ enum class FlowResult { Elastic, Flows, Failed };
 ///
 /// Back stresses follow the exact solution in a constant direction, X = θ X_n + ⅔ C (ψ/Δe) ΔE^p with θ = exp(−γ Δe) and
 /// ψ = (1 − θ)/γ, so that one scalar equation is left, σ_H(ξ) = σ_y(e_p) with its dependence on the rate, for
-/// ξ = dev T − ΣX. Failed: there is no positive yield stress, or numbers overflow.
+/// ξ = dev T − ΣX. Those after Ohno and Wang follow the backward Euler rule, which leaves an equation for the tensor ΔE^p.
+/// Failed: there is no positive yield stress, or numbers overflow.
 template <int Dim>
 FlowResult flow(const FlowLaw& law, const YieldAxes<Dim>& axes, const Deviator<Dim>& strain, double part,
                 double dt, FlowState<Dim>& state);

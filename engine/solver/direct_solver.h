@@ -22,7 +22,8 @@ class DirectSolver final : public LinearSolver {
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy&) override { return solve(b); }
   Eigen::Index factorNonZeros() override;
   Definiteness definiteness() const override {
-    return isDefinite_ ? Definiteness::Definite : Definiteness::NotDefinite;
+    // Of a general matrix K's symmetric part is factorised, which then leaves no direction unstable.
+    return isDefinite_ || hasCompanion_ ? Definiteness::Definite : Definiteness::NotDefinite;
   }
 
   /// Factorisations that UMFPACK did.

@@ -26,6 +26,8 @@
 namespace burnish {
 namespace {
 
+constexpr const char* kFirstCells = "a cell of the first instant";
+
 /// A place in a cell of a block: its value is that of the points times the weights.
 struct CellPlace {
   std::size_t block = 0;
@@ -287,7 +289,7 @@ ProbedRun probedHistory(const ForeignFile& file, const std::vector<int>& instant
   run.dim = first.dim();
   std::optional<CellPlace> place;
   if (!asked.point.empty()) {
-    place = first.find(pointOf(asked, run.dim));
+    place = first.find(pointOf(asked, run.dim, kFirstCells));
     if (!place)
       throw Error(fmt::format("point: {} is in no cell of {}, which lies {}", asked.point, first.name(),
                               first.extent()));
@@ -310,7 +312,7 @@ ProbedRun probedHistory(const ForeignFile& file, const std::vector<int>& instant
       run.points.push_back(std::move(mean));
       continue;
     }
-    const Eigen::VectorXd position = pointOf(asked, cells.dim());
+    const Eigen::VectorXd position = pointOf(asked, cells.dim(), kFirstCells);
     const auto here = cells.hasCellsOf(first) ? place : cells.find(position);
     run.points.push_back(here ? cells.at(time, *here) : cells.outside(time, position));
   }

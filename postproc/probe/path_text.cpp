@@ -67,10 +67,10 @@ ProbePath pathOf(const ProbeSpec& spec, int dim) {
   return depthIn(spec, dim);
 }
 
-Eigen::VectorXd pointOf(const ProbeSpec& spec, int dim) {
+Eigen::VectorXd pointOf(const ProbeSpec& spec, int dim, const char* body) {
   if (const auto point = numbersIn(spec.point, dim)) return *point;
-  throw Error(fmt::format("point: found {}; expected {}, a position in the undeformed body",
-                          quoted(spec.point), axesWords(dim)));
+  throw Error(fmt::format("point: found {}; expected {}, a position in {}", quoted(spec.point),
+                          axesWords(dim), body));
 }
 
 }  // namespace burnish

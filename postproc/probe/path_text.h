@@ -11,6 +11,6 @@ namespace burnish {
 ProbePath pathOf(const ProbeSpec& spec, int dim);
 
 /// The place of `point`.
-Eigen::VectorXd pointOf(const ProbeSpec& spec, int dim);
+Eigen::VectorXd pointOf(const ProbeSpec& spec, int dim, const char* body = "the undeformed body");
 
 }  // namespace burnish

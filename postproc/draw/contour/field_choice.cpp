@@ -174,7 +174,9 @@ FieldChoice chooseField(const ModelRecord& model, const FrameRecord& frame, cons
             .isAboutZero = isAboutZero(fieldName),
             .words = wordsOf(fieldName, component)};
   }
-  const auto names = fieldNames(frame);
+  std::vector<std::string> names = fieldNames(frame);
+  if (std::string_view(key) != "field")  // faces have their fields to themselves
+    std::erase_if(names, [&](const std::string& one) { return isContactField(one); });
   throw Error(fmt::format("{}: found \"{}\"; available in frame {}: {}.{}", key, name, frame.index,
                           fmt::join(names, ", "), didYouMean(name, names)));
 }

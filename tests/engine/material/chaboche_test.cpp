@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "engine/material/j2_plasticity.h"
@@ -52,6 +55,14 @@ Chaboche::Parameters metal() {
 Chaboche::Parameters hardeningMetal() {
   Chaboche::Parameters p = metal();
   p.hardening = VoceHardening{200.0, 300.0, 20.0};
+  return p;
+}
+
+/// The same with recoveries after Ohno and Wang, but for the last one.
+Chaboche::Parameters ohnoWangMetal() {
+  Chaboche::Parameters p = hardeningMetal();
+  p.backStresses[0].exponent = 5.0;
+  p.backStresses[1].exponent = 100.0;
   return p;
 }
 
@@ -123,7 +134,8 @@ TYPED_TEST_SUITE(ChabocheTest, Dimensions);
 std::vector<Chaboche::Parameters> allKinds() {
   std::vector<Chaboche::Parameters> kinds{perfect(),        metal(),          hardeningMetal(),
                                           hardeningMetal(), hardeningMetal(), hardeningMetal(),
-                                          hardeningMetal(), hardeningMetal()};
+                                          hardeningMetal(), hardeningMetal(), ohnoWangMetal(),
+                                          ohnoWangMetal(),  ohnoWangMetal()};
   kinds[3].substeps = 5;
   kinds[4].rate = NortonRate{150.0, 5.0};
   kinds[5].rate = JohnsonCookRate{0.05, 1e-3};
@@ -131,6 +143,9 @@ std::vector<Chaboche::Parameters> allKinds() {
   kinds[7] = kinds[4];
   kinds[7].hill = sheet(0.4);
   kinds[7].substeps = 3;
+  kinds[9].substeps = 3;
+  kinds[9].hill = sheet(0.4);
+  kinds[10].rate = NortonRate{150.0, 5.0};
   return kinds;
 }
 
@@ -278,7 +293,8 @@ TEST(Chaboche, FollowsTheMonotonicCurve) {
 TEST(Chaboche, HasTheStableLoopOfItsPlasticRange) {
   const auto amplitude = [](double range) {
     double stress = 200.0;
-    for (const auto& [C, gamma] : metal().backStresses) stress += C / gamma * std::tanh(0.5 * gamma * range);
+    for (const auto& [C, gamma, exponent] : metal().backStresses)
+      stress += C / gamma * std::tanh(0.5 * gamma * range);
     return stress;
   };
   EXPECT_NEAR(amplitude(0.01), 386.142011, 1e-6);
@@ -314,6 +330,62 @@ TEST(Chaboche, RatchetsByTheClosedForm) {
       go(350.0);
       EXPECT_NEAR(bar.plasticStrain() - before, 0.003048560, 1e-9) << cycle;
     }
+  }
+}
+
+/// Plastic strain of the fifth cycle between −250 and 350, in so many steps each way.
+double ratchettingPerCycle(const BackStress& back, int steps) {
+  Chaboche::Parameters parameters = perfect();
+  parameters.backStresses = {back};
+  Bar bar(parameters);
+  double before = 0.0;
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    before = bar.plasticStrain();
+    for (const double to : {-250.0, 350.0}) {
+      const double from = bar.stress();
+      for (int k = 1; k <= steps; ++k) bar.pullTo(from + (to - from) * k / steps);
+    }
+  }
+  return bar.plasticStrain() - before;
+}
+
+/// Reference: ∫ s^(m+1)/(1 − s^(m+1)) ds r/C from 50/r to 150/r, as what recovers towards zero does so linearly.
+TEST(Chaboche, RatchetsLessWithARecoveryAfterOhnoAndWang) {
+  for (const auto& [m, expected] :
+       {std::pair{2.0, 0.000422491}, std::pair{5.0, 0.000084582}, std::pair{10.0, 0.000010798}}) {
+    const BackStress back{50000.0, 250.0, m};
+    const double coarse = ratchettingPerCycle(back, 160), fine = ratchettingPerCycle(back, 320);
+    EXPECT_NEAR((coarse - expected) / (fine - expected), 2.0, 0.1) << "of first order, m = " << m;
+    EXPECT_NEAR(2.0 * fine - coarse, expected, 0.01 * expected);
+  }
+}
+
+/// m → ∞ is the first law of Ohno and Wang, σ = σ_y + Σ min(C e_p, r), whose loops are closed.
+TEST(Chaboche, OfALargeExponentHasAThresholdOfRecovery) {
+  Chaboche::Parameters parameters = perfect();
+  parameters.backStresses = {{100000.0, 1000.0, 1000.0}, {20000.0, 200.0, 1000.0}, {5000.0, 20.0, 1000.0}};
+  Bar bar(parameters);
+  for (int k = 1; k <= 40; ++k) {
+    bar.stretchTo(0.0005 * k);
+    const double e = bar.state().e_p;
+    if (e == 0.0) continue;
+    const double expected =
+        200.0 + std::min(100000.0 * e, 100.0) + std::min(20000.0 * e, 100.0) + std::min(5000.0 * e, 250.0);
+    EXPECT_NEAR(bar.stress(), expected, 5e-3 * expected) << e;
+  }
+  EXPECT_LT(std::abs(ratchettingPerCycle({50000.0, 250.0, 1000.0}, 10)), 1e-12);
+}
+
+TEST(Chaboche, WithoutAnExponentRecoversAsOneOfExponentZeroIfFlowIsProportional) {
+  Chaboche::Parameters parameters = perfect(), other = perfect();
+  parameters.backStresses = {{20000.0, 200.0}};
+  other.backStresses = {{20000.0, 200.0, 0.0}};
+  other.substeps = 100;
+  Bar bar(parameters), same(other);
+  for (int k = 1; k <= 20; ++k) {
+    bar.stretchTo(0.001 * k);
+    same.stretchTo(0.001 * k);
+    EXPECT_NEAR(same.stress(), bar.stress(), 1e-3 * bar.stress());
   }
 }
 
@@ -635,10 +707,35 @@ TEST(Chaboche, BoundsWhatItBeginsWith) {
   state.X.setConstant(500.0);
   const State begun = law.fromSpace(state);
   for (int i = 0; i < 3; ++i) {
-    const auto& [C, gamma] = parameters.backStresses[static_cast<std::size_t>(i)];
+    const auto& [C, gamma, exponent] = parameters.backStresses[static_cast<std::size_t>(i)];
     EXPECT_NEAR(begun.X.col(i).head<3>().sum(), 0.0, 1e-10);
     EXPECT_NEAR(std::sqrt(1.5) * begun.X.col(i).norm(), C / gamma, 1e-9);
   }
+}
+
+/// Half-way between points that have turned by 10 degrees less and more.
+TEST(Chaboche, AxesOfASheetAreInterpolatedAtAnyTurn) {
+  Chaboche::Parameters parameters = perfect();
+  parameters.hill = sheet();
+  const Chaboche law(parameters);
+  const auto turned = [&](double degrees) {
+    return Eigen::Matrix3d(
+        Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()));
+  };
+  for (const double degrees : {0.0, 90.0, 170.0, 180.0, 190.0, 200.0, 350.0}) {
+    State one = law.toSpace(turned(degrees - 10.0), {}), other = law.toSpace(turned(degrees + 10.0), {});
+    State between;
+    for (const auto& number : Chaboche::carried())
+      number.of(between) = 0.5 * (number.of(one) + number.of(other));
+    EXPECT_LT((law.fromSpace(between).Fp_inv - turned(degrees)).norm(), 1e-14) << degrees;
+  }
+}
+
+/// As where a body begins with stresses alone.
+TEST(Chaboche, BeginsWithoutATurnWhereNothingIsSaidOfAxes) {
+  State state;
+  for (const auto& number : Chaboche::carried()) number.of(state) = 0.0;
+  EXPECT_EQ(Chaboche(perfect()).fromSpace(state).Fp_inv, Eigen::Matrix3d::Identity());
 }
 
 }  // namespace
