@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/cad/require_cad.h"
 #include "engine/core/error.h"
 #include "engine/core/module_function.h"
 
@@ -11,6 +12,10 @@ namespace {
 constexpr Module kModule{"burnish_occt.so", "OpenCASCADE", "BURNISH_OCCT"};
 
 }  // namespace
+
+void requireCad() {
+  moduleFunction(kModule, "burnishReadCad", "CAD");
+}
 
 CadSurface readCad(const CadRequest& request) {
   static auto* const read =

@@ -1,5 +1,6 @@
 #include "postproc/export/nurbs_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <json/json.h>
 
