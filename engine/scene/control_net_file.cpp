@@ -159,15 +159,18 @@ void complete(YamlNode& net, const std::string& path, NetOf what, const std::fil
   }
 }
 
-/// Keys of the curves and faces that a shape of bodies is made from.
+/// Adds the keys of the curves and faces that a shape is made from if it has this name.
+template <class Shape>
+void addNetsOf(const std::string& name, std::vector<std::string>& keys) {
+  if constexpr (requires { Shape::nets; })
+    if (name == Shape::kind.key) keys.assign(Shape::nets.begin(), Shape::nets.end());
+}
+
+/// The same of the shape of bodies with this name.
 template <class... Shape>
-std::vector<std::string> netsOf(const std::string& shape, const std::variant<Shape...>& /*all*/) {
+std::vector<std::string> netsOf(const std::string& name, const std::variant<Shape...>& /*all*/) {
   std::vector<std::string> keys;
-  const auto look = [&]<class S>(std::in_place_type_t<S>) {
-    if constexpr (requires { S::nets; })
-      if (shape == S::kind.key) keys.assign(S::nets.begin(), S::nets.end());
-  };
-  (look(std::in_place_type<Shape>), ...);
+  (addNetsOf<Shape>(name, keys), ...);
   return keys;
 }
 

@@ -94,7 +94,7 @@ void writeStep(const TopoDS_Compound& all, const std::vector<TopoDS_Face>& made,
       item->SetName(new TCollection_HAsciiString(faces[k].name.c_str()));
   StepData_StepWriter text(writer.Model());
   text.FloatWriter().SetFormat(kNumber);
-  text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
+  text.SendModel(opencascade::handle<StepData_Protocol>::DownCast(writer.WS()->Protocol()));
   std::ofstream out(file, std::ios::binary);
   if (!text.Print(out) || !out.flush()) throw Error("the file cannot be written");
 }

@@ -136,6 +136,8 @@ TEST(Sweep, AlongACurveKeepsItsSectionsWithinTheTolerance) {
         const Vector3d arm = patch.position({corner.x(), corner.y(), t}) - center;
         EXPECT_NEAR(arm.norm(), 0.1 * std::numbers::sqrt2, 2.0 * tolerance);
         EXPECT_NEAR(arm.dot(tangent), 0.0, 2.0 * tolerance) << "a section is normal to the path";
+        const Vector3d turning = patch.jacobian({corner.x(), corner.y(), t}).col(2) - line.jacobian(at);
+        EXPECT_NEAR(turning.dot(tangent.cross(arm)), 0.0, 100.0 * tolerance) << "and does not turn about it";
       }
     }
     // A section normal to the path whose middle is on it: the volume is area times length (Pappus).
