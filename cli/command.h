@@ -31,6 +31,7 @@ void addSheetCommand(CLI::App& app, Action& action);
 void addPlotCommand(CLI::App& app, Action& action);
 void addProbeCommand(CLI::App& app, Action& action);
 void addRoughnessCommand(CLI::App& app, Action& action);
+void addIndentationCommand(CLI::App& app, Action& action);
 void addFitCommand(CLI::App& app, Action& action);
 void addExportCommand(CLI::App& app, Action& action);
 void addInfoCommand(CLI::App& app, Action& action);

@@ -36,6 +36,7 @@ ExitCode execute(int argc, char** argv) {
   addPlotCommand(app, action);
   addProbeCommand(app, action);
   addRoughnessCommand(app, action);
+  addIndentationCommand(app, action);
   addFitCommand(app, action);
   addExportCommand(app, action);
   addInfoCommand(app, action);

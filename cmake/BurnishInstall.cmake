@@ -1,27 +1,37 @@
-# cmake --install: the program, the documentation, and what find_package(burnish) finds in other projects.
+# cmake --install: the program, the documentation, and what find_package(burnish) finds in other projects. Components are the packages
+# of cmake/BurnishPackage.cmake.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 if(BURNISH_PETSC)
-  install(TARGETS burnish_petsc LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/burnish")
+  install(TARGETS burnish_petsc LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/burnish" COMPONENT multigrid)
   file(RELATIVE_PATH libraries "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}/burnish")
   set_target_properties(burnish PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
 endif()
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md")
-install(DIRECTORY "${PROJECT_BINARY_DIR}/share/man/" DESTINATION "${CMAKE_INSTALL_MANDIR}" FILES_MATCHING PATTERN "*.[15]")
+install(DIRECTORY "${PROJECT_BINARY_DIR}/share/man/" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT program
+  FILES_MATCHING PATTERN "*.[15]")
 # Completions, where the shells of Debian look.
 set(completions "${PROJECT_SOURCE_DIR}/cli/completion/shells")
-install(FILES "${completions}/burnish.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME burnish)
-install(FILES "${completions}/_burnish" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
-install(FILES "${completions}/burnish.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+install(FILES "${completions}/burnish.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME burnish
+  COMPONENT program)
+install(FILES "${completions}/_burnish" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT program)
+install(FILES "${completions}/burnish.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT program)
 # For editors.
 install(FILES "${PROJECT_SOURCE_DIR}/docs/scene.schema.json" "${PROJECT_SOURCE_DIR}/docs/study.schema.json"
-  DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish")
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish" COMPONENT program)
 # Built in, but also what a theme of one's own starts from.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/postproc/draw/page/themes/" DESTINATION "${CMAKE_INSTALL_DATADIR}/burnish/themes"
+  COMPONENT program FILES_MATCHING PATTERN "*.yaml")
+install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  COMPONENT program)
+
+# The pages as they are, and as a site where scripts/site has built it.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
+  FILES_MATCHING PATTERN "*.md" PATTERN site EXCLUDE PATTERN images EXCLUDE)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/build/site/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/html" COMPONENT doc OPTIONAL)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/scenes/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
   FILES_MATCHING PATTERN "*.yaml")
-install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake"
   COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
@@ -30,4 +40,4 @@ install(FILES
   "${CMAKE_CURRENT_LIST_DIR}/burnishConfig.cmake"
   "${CMAKE_CURRENT_LIST_DIR}/BurnishImageTest.cmake"
   "${CMAKE_CURRENT_LIST_DIR}/BurnishRunImageTest.cmake"
-  DESTINATION "${CMAKE_INSTALL_DATADIR}/cmake/burnish")
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/cmake/burnish" COMPONENT program)

@@ -12,6 +12,7 @@
 #include "cli/arguments.h"
 #include "cli/offered_words.h"
 #include "cli/output_target.h"
+#include "engine/core/csv.h"
 #include "engine/core/error.h"
 
 namespace burnish {
@@ -77,6 +78,27 @@ void addDrawingOptions(CLI::App& command, ChartArguments& arguments, const char*
 std::optional<std::array<double, 2>> axisRange(const char* option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   return rangeFromText(option, text);
+}
+
+std::string curvesCsv(const std::vector<ChartCurve>& curves, const std::string& xTitle,
+                      const std::string& yTitle) {
+  std::vector<std::string> titles;
+  std::size_t longest = 0;
+  for (const ChartCurve& curve : curves) {
+    const std::string prefix = curves.size() > 1 ? curve.label + " " : "";
+    titles.push_back(prefix + xTitle);
+    titles.push_back(prefix + yTitle);
+    longest = std::max(longest, curve.x.size());
+  }
+  std::string text = csvRow(titles) + "\n";
+  for (std::size_t k = 0; k < longest; ++k) {
+    std::vector<std::string> cells;
+    for (const ChartCurve& curve : curves)
+      for (const auto* values : {&curve.x, &curve.y})
+        cells.push_back(k < values->size() ? fmt::format("{}", (*values)[k]) : "");
+    text += csvRow(cells) + "\n";
+  }
+  return text;
 }
 
 Chart emptyChart(const ChartArguments& arguments, const std::string& xTitle, const std::string& yTitle) {

@@ -52,6 +52,10 @@ void addPageOptions(CLI::App& command, ChartArguments& arguments);
 /// Adds these, labels and markers. usualLabel: what help says of a label that is not given.
 void addDrawingOptions(CLI::App& command, ChartArguments& arguments, const char* usualLabel);
 
+/// The points of curves as a table, two columns of each, with its label before their titles if there are several.
+std::string curvesCsv(const std::vector<ChartCurve>& curves, const std::string& xTitle,
+                      const std::string& yTitle);
+
 /// A chart without curves, whose axes have these titles unless others were given. Throws `Error` that names
 /// the option.
 Chart emptyChart(const ChartArguments& arguments, const std::string& xTitle, const std::string& yTitle);

@@ -34,8 +34,8 @@ PictureSource sourceOfRun(const PictureArguments& arguments) {
             const ContourOptions own = ownOptions(arguments, *result, first);
             return PictureSource::Single{
                 own, own.clip ? clipNote(*own.clip, result->model().dim) : "",
-                [=](int frame, bool inRange, bool inWindow) {
-                  return frameView(result->model(), result->frame(frame), own, inRange, inWindow);
+                [=](int frame, const ContourOptions& options, bool inRange, bool inWindow) {
+                  return frameView(result->model(), result->frame(frame), options, inRange, inWindow);
                 },
                 [=](int frame, const ContourOptions& options) {
                   return contourImage(result->model(), result->frame(frame), options);
@@ -91,8 +91,8 @@ PictureSource sourceOfForeign(const PictureArguments& arguments) {
               return changed;
             };
             return PictureSource::Single{own, "",
-                                         [=](int instant, bool /*inRange*/, bool /*inWindow*/) {
-                                           return foreignView(*file, instant, own);
+                                         [=](int instant, const ContourOptions& options, bool, bool) {
+                                           return foreignView(*file, instant, with(options));
                                          },
                                          [=](int instant, const ContourOptions& options) {
                                            return foreignImage(*file, instant, with(options));

@@ -24,7 +24,7 @@ struct PictureSource {
   struct Single {
     ContourOptions options;
     std::string clipNote;  ///< of colours that end at percentiles together with others; may be empty
-    std::function<FrameView(int frame, bool inRange, bool inWindow)> look;
+    std::function<FrameView(int frame, const ContourOptions& options, bool inRange, bool inWindow)> look;
     std::function<ContourImage(int frame, const ContourOptions& options)> image;
     std::function<PrintPage(int frame, const ContourOptions& options)> page;
   };

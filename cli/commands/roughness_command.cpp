@@ -15,7 +15,6 @@
 #include "cli/commands/chart_options.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
-#include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/results/result_files.h"
@@ -110,27 +109,6 @@ std::string jsonOf(const std::vector<RoughnessRow>& rows, int dim, const std::st
   return compactText(list, kDigits) + "\n";
 }
 
-std::string csvOf(const std::vector<RoughnessRow>& rows, const std::vector<ChartCurve>& curves,
-                  const std::string& unit) {
-  std::vector<std::string> titles;
-  std::size_t longest = 0;
-  for (const ChartCurve& curve : curves) {
-    const std::string prefix = rows.size() > 1 ? curve.label + " " : "";
-    titles.push_back(withUnit(prefix + "distance", unit));
-    titles.push_back(withUnit(prefix + "height", unit));
-    longest = std::max(longest, curve.x.size());
-  }
-  std::string text = csvRow(titles) + "\n";
-  for (std::size_t k = 0; k < longest; ++k) {
-    std::vector<std::string> cells;
-    for (const ChartCurve& curve : curves)
-      for (const auto* values : {&curve.x, &curve.y})
-        cells.push_back(k < values->size() ? fmt::format("{}", (*values)[k]) : "");
-    text += csvRow(cells) + "\n";
-  }
-  return text;
-}
-
 std::vector<ChartCurve> curvesOf(const std::vector<RoughnessRow>& rows, bool severalTimes) {
   std::vector<ChartCurve> curves;
   for (const RoughnessRow& row : rows) {
@@ -186,10 +164,13 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     makeDirectoryOf(arguments.outputs.picture);
     drawChart(chart, arguments.outputs.picture);
   }
+  const auto profilesCsv = [&] {
+    return curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit));
+  };
   if (!arguments.outputs.csv.empty() && !arguments.outputs.printsData())
-    writeText(csvOf(rows, curves, unit), arguments.outputs.csv);
+    writeText(profilesCsv(), arguments.outputs.csv);
   if (arguments.outputs.printsData())
-    printText(csvOf(rows, curves, unit));
+    printText(profilesCsv());
   else
     printText(arguments.json ? jsonOf(rows, dim, unit) : tableOf(rows, dim, unit));
   return ExitCode::Fine;

@@ -98,7 +98,10 @@ class Panels {
     std::vector<Looked> looked;
     shareView(shared, framesInRange(looked), framesInWindow(looked), [&](int k, bool inRange, bool inWindow) {
       const Looked& at = looked[static_cast<std::size_t>(k)];
-      return sources_[at.source].single.look(at.frame, inRange, inWindow);
+      const PictureSource::Single& single = sources_[at.source].single;
+      ContourOptions own = single.options;
+      own.eye = shared.eye;
+      return single.look(at.frame, own, inRange, inWindow);
     });
     for (Source& source : sources_) {
       ContourOptions& options = source.single.options;

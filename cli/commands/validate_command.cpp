@@ -17,6 +17,7 @@
 #include "cli/progress.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
+#include "engine/scene/scene_reading.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/study/study_reader.h"
 #include "postproc/text/json_text.h"
@@ -61,14 +62,26 @@ std::string costText(const CostEstimate& cost) {
       secondsText(cost.seconds()));
 }
 
-/// What is said of a good scene. Warnings begin with who has them.
-SceneReport validateScene(const fs::path& file, const std::vector<std::string>& overrides,
-                          const std::string& who) {
-  const SceneDocument document = readSceneDocument(file, overrides);
-  const SceneReport report = reportOf(document.scene);
+/// A document of a file, or of standard input for -, whose files are those of the working directory.
+SceneDocument readInput(const fs::path& file, const std::vector<std::string>& overrides) {
+  if (file != "-") return readSceneDocument(file, overrides);
+  return parseSceneDocument(readDocument("/dev/stdin", kSceneKind), "standard input", overrides);
+}
+
+/// A scene that can be computed, every default filled in, and what is said of it.
+struct GoodScene {
+  std::string resolvedYaml;
+  SceneReport report;
+};
+
+/// Warnings begin with who has them.
+GoodScene validateScene(const fs::path& file, const std::vector<std::string>& overrides,
+                        const std::string& who) {
+  const SceneDocument document = readInput(file, overrides);
+  SceneReport report = reportOf(document.scene);
   requirePlaces(document, report.model);
   for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);
-  return report;
+  return {document.scene.resolvedYaml, std::move(report)};
 }
 
 /// A file that was looked at, in words and as JSON.
@@ -84,10 +97,12 @@ Json::Value costJson(double bytes, double seconds) {
   return value;
 }
 
-Validated sceneVerdict(const SceneReport& report) {
+Validated sceneVerdict(const GoodScene& scene) {
+  const SceneReport& report = scene.report;
   Json::Value json = costJson(report.cost.bytes, report.cost.seconds());
   json["summary"] = report.summary;
   json["steps"] = report.cost.steps;
+  json["scene"] = scene.resolvedYaml;
   json["warnings"] = Json::Value(Json::arrayValue);
   for (const std::string& warning : report.warnings) json["warnings"].append(warning);
   return {fmt::format("fine ({})\n  {}", report.summary, costText(report.cost)), json};
@@ -103,7 +118,7 @@ Validated validateStudy(const fs::path& file, const std::vector<std::string>& ov
   for (const StudyRun& run : study.runs) {
     const std::string who = fmt::format("{}: run \"{}\": ", file.string(), run.name);
     try {
-      const CostEstimate cost = validateScene(run.scene, run.overrides, who).cost;
+      const CostEstimate cost = validateScene(run.scene, run.overrides, who).report.cost;
       bytes = std::max(bytes, cost.bytes);
       seconds += cost.seconds();
     } catch (const Error& error) {
@@ -161,13 +176,17 @@ void addValidateCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "validate", "Check scenes and studies, and whether they can be computed, without computing them");
   const auto arguments = std::make_shared<ValidateArguments>();
-  command->add_option("SCENE", arguments->files, "Scene or study files (YAML)")->required();
+  command
+      ->add_option("SCENE", arguments->files, "Scene or study files (YAML); - for a scene on standard input")
+      ->required();
   command
       ->add_option("--set", arguments->overrides,
                    "path=value: change an entry of every scene, e.g. --set degree=3; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  command->add_flag("--json", arguments->json, "Print a JSON object in a line for each file");
+  command->add_flag(
+      "--json", arguments->json,
+      "Print a JSON object in a line for each file; of a good scene also all of it, every default filled in");
   command->callback([&action, arguments] { action = [arguments] { return validate(*arguments); }; });
 }
 

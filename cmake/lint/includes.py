@@ -28,7 +28,7 @@ def room_of(path, table):
 def main(root):
     table = table_of((root / 'cmake/lint/includes.txt').read_text())
     complaints = [f'includes.txt: a circle among {", ".join(circle)}' for circle in [circle_in(table)] if circle]
-    for path in sorted(path for top in ('engine', 'postproc', 'cli') for path in (root / top).rglob('*.*')):
+    for path in sorted(path for top in ('engine', 'postproc', 'cli', 'python') for path in (root / top).rglob('*.*')):
         place = path.relative_to(root)
         if path.suffix not in ('.h', '.cpp') or place == pathlib.Path('cli/main.cpp'):
             continue

@@ -9,6 +9,7 @@
 
 #include "engine/analysis/check_model.h"
 #include "engine/analysis/geometry_check.h"
+#include "engine/analysis/initial_state.h"
 #include "engine/analysis/place_tools.h"
 #include "engine/analysis/tools.h"
 #include "engine/contact/face_partner.h"
@@ -63,6 +64,7 @@ class ModelBuilder {
 
   void addSelfContact(std::size_t number);
   void addStabilisation();
+  void addReleases();
 
   /// All unknowns are numbered.
   void closeNumbering();
@@ -81,7 +83,7 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
   for (std::size_t k = 0; k < model.bodies_.size(); ++k)
     problems.gather([&] {
       builder.addQuadrature(k);
-      builder.addBody(k, {});
+      builder.addBody(k, initialState(scene, k, model.bodies_[k].body, *model.bodies_[k].quadrature));
     });
   problems.throwIfAny();
   for (std::size_t k = 0; k < scene.loads.size(); ++k)
@@ -98,11 +100,12 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
     if (!scene.contact[k].against.empty()) problems.gather([&] { builder.addPair(k); });
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k)
     problems.gather([&] { builder.addSelfContact(k); });
-  if (!scene.stabilise) problems.gather([&] { requireSupported(model); });
+  if (!scene.stabilise) problems.gather([&] { requireSupported(scene, model); });
   problems.throwIfAny();
   builder.closeNumbering();
   requireFiniteFormulas(scene, model);
   model.start_ = placeTools(scene, model);
+  builder.addReleases();
   builder.addStabilisation();
   return std::move(builder.model_);
 }
@@ -119,7 +122,9 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const SpanQuadrature<Dim>& quadrature = builder.addQuadrature(k);
     std::optional<ReferenceState> reference;
-    if (k == number) {
+    if (k != number) {
+      reference = initialState(scene, k, model.bodies_[k].body, quadrature);
+    } else {
       reference = referenceState(quadrature, rezoned.states);
       reference->plasticWork = rezoned.plasticWork;
     }
@@ -355,6 +360,19 @@ void ModelBuilder<Dim>::addSelfContact(std::size_t number) {
     };
     model_->selfContacts_.push_back({place, reach, partnerContact(place, key, makePartner, options)});
   }
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addReleases() {
+  std::vector<ReleasedForces::Release> releases;
+  for (std::size_t k = 0; k < scene_.supports.size(); ++k) {
+    const SupportSpec& support = scene_.supports[k];
+    if (!support.until) continue;
+    const double end = support.releasedBy.value_or(scene_.steps.back().until);
+    releases.push_back({*support.until, end, model_->supports_.owned(k)});
+  }
+  if (releases.empty()) return;
+  model_->released_ = std::make_unique<ReleasedForces>(model_->numDisplacements(), std::move(releases));
 }
 
 template <int Dim>

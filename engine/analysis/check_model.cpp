@@ -64,15 +64,15 @@ Eigen::MatrixXd rigidMotions(const Body<Dim>& body) {
 }
 
 /// The supports hold a body if the values of its rigid motions at the unknowns that they prescribe are linearly
-/// independent.
+/// independent. time: behind which.
 template <int Dim>
-FreeMotions freeMotions(const Model<Dim>& model, const ModelBody<Dim>& body) {
+FreeMotions freeMotions(const Model<Dim>& model, const ModelBody<Dim>& body, double time) {
   constexpr double kRounding = 1e-10;
   const Eigen::MatrixXd motions = rigidMotions(body.body);
   const auto [first, end] = body.body.nodeRange();
   std::vector<int> held;
   for (int i = Dim * first; i < Dim * end; ++i)
-    if (model.prescribed()[static_cast<std::size_t>(i)]) held.push_back(i);
+    if (model.supports().holdsBehind(time, i)) held.push_back(i);
   const Eigen::MatrixXd atSupports = motions(held, Eigen::all);
   const auto rankOf = [&](const Eigen::MatrixXd& values) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(values);
@@ -172,22 +172,33 @@ void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const st
 }
 
 template <int Dim>
-void requireSupported(const Model<Dim>& model) {
+void requireSupported(const Scene& scene, const Model<Dim>& model) {
   InputProblems problems;
-  for (const ModelBody<Dim>& body : model.bodies())
-    problems.gather([&] {
-      const FreeMotions free = freeMotions(model, body);
-      if (free.count == 0) return;
-      if (body.name.empty())
-        throw InputError("supports", fmt::format("they leave the body free to move as a rigid whole in {} "
-                                                 "way{}; hold more components or faces",
-                                                 free.count, free.count == 1 ? "" : "s"));
+  const auto require = [&](const ModelBody<Dim>& body, double time, const std::string& key,
+                           const std::string& when) {
+    const FreeMotions free = freeMotions(model, body, time);
+    if (free.count == 0) return;
+    if (body.name.empty())
       throw InputError(
-          "supports",
-          fmt::format("body '{}': nothing holds it in {}; hold more of its components or faces{}", body.name,
-                      fmt::join(free.names, ", "),
-                      touches(model, body) ? ", or let stabilise hold it until contact does" : ""));
-    });
+          key, fmt::format("{} leave the body free to move as a rigid whole in {} way{}{}; hold "
+                           "more components or faces{}",
+                           when.empty() ? "they" : "the supports", free.count, free.count == 1 ? "" : "s",
+                           when, when.empty() ? "" : ", for instance single points (part: [0, 0])"));
+    throw InputError(
+        key, fmt::format("body '{}': nothing holds it in {}{}; hold more of its components or faces{}",
+                         body.name, fmt::join(free.names, ", "), when,
+                         touches(model, body) ? ", or let stabilise hold it until contact does" : ""));
+  };
+  for (const ModelBody<Dim>& body : model.bodies())
+    problems.gather([&] { require(body, 0.0, "supports", ""); });
+  problems.throwIfAny();
+  for (std::size_t k = 0; k < scene.supports.size(); ++k)
+    if (const auto& until = scene.supports[k].until)
+      for (const ModelBody<Dim>& body : model.bodies())
+        problems.gather([&] {
+          require(body, *until, fmt::format("supports[{}].until", k),
+                  fmt::format(" behind t = {:.6g}", *until));
+        });
   problems.throwIfAny();
 }
 
@@ -197,7 +208,7 @@ template void requireApart(const Model<2>&, double, const ContactSpec&, const st
 template void requireApart(const Model<3>&, double, const ContactSpec&, const std::string&);
 template void requireReachable(const Model<2>&, const ContactSpec&, const std::string&);
 template void requireReachable(const Model<3>&, const ContactSpec&, const std::string&);
-template void requireSupported(const Model<2>&);
-template void requireSupported(const Model<3>&);
+template void requireSupported(const Scene&, const Model<2>&);
+template void requireSupported(const Scene&, const Model<3>&);
 
 }  // namespace burnish

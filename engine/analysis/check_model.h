@@ -24,8 +24,9 @@ void requireApart(const Model<Dim>& model, double overlap, const ContactSpec& sp
 template <int Dim>
 void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place);
 
-/// Throws `InputError` if the supports leave a body free to move as a rigid whole.
+/// Throws `InputError` if the supports leave a body free to move as a rigid whole, at the start or when some of
+/// them have let go.
 template <int Dim>
-void requireSupported(const Model<Dim>& model);
+void requireSupported(const Scene& scene, const Model<Dim>& model);
 
 }  // namespace burnish

@@ -67,8 +67,29 @@ std::vector<Term*> Model<Dim>::terms() const {
   for (const auto& contact : selfContacts_) terms.push_back(contact.term.get());
   for (const auto& load : loads_) terms.push_back(load.get());
   for (const auto& load : toolLoads_) terms.push_back(load.term.get());
+  if (released_) terms.push_back(released_.get());
   if (stabilisation_) terms.push_back(stabilisation_.get());
   return terms;
+}
+
+template <int Dim>
+bool Model<Dim>::releaseBehind(double t) {
+  bool changes = false;
+  for (int unknown = 0; unknown < numDisplacements(); ++unknown) {
+    const auto k = static_cast<std::size_t>(unknown);
+    if (!prescribed_[k] || supports_.holdsBehind(t, unknown)) continue;
+    prescribed_[k] = false;
+    changes = true;
+  }
+  return changes;
+}
+
+template <int Dim>
+Eigen::VectorXd Model<Dim>::forcesOnSupports(const std::vector<Eigen::VectorXd>& forces) const {
+  Eigen::VectorXd total = Eigen::VectorXd::Zero(numUnknowns_);
+  for (const Eigen::VectorXd& force : forces) total += force;
+  if (released_) total.head(numDisplacements()) += released_->nodalForces();
+  return total;
 }
 
 template <int Dim>

@@ -14,6 +14,7 @@
 #include "engine/solid/bulk_term.h"
 #include "engine/solid/face_place.h"
 #include "engine/solid/load_term.h"
+#include "engine/solid/released_forces.h"
 #include "engine/solid/span_quadrature.h"
 #include "engine/solid/stabilisation.h"
 #include "engine/solver/stepping.h"
@@ -105,7 +106,8 @@ class Model {
   /// Null unless the scene asks for it.
   const Stabilisation<Dim>* stabilisation() const { return stabilisation_.get(); }
 
-  /// Bodies, contacts with tools, of pairs of faces, of faces with themselves, loads, loads of tools, stabilisation, in this order.
+  /// Bodies, contacts with tools, of pairs of faces, of faces with themselves, loads, loads of tools, forces of
+  /// supports that let go, stabilisation, in this order.
   std::vector<Term*> terms() const;
 
   int numDisplacements() const { return Dim * body_.numNodes; }
@@ -125,8 +127,19 @@ class Model {
   /// evaluated at. forces: of the terms, in their order.
   double stabilisedShare(const std::vector<Eigen::VectorXd>& forces) const;
 
-  /// One flag per unknown.
+  /// One flag per unknown; changes when supports let go.
   const std::vector<bool>& prescribed() const { return prescribed_; }
+
+  /// Frees the unknowns that no support holds behind time t. Returns whether there are any that were not free.
+  bool releaseBehind(double t);
+
+  /// Forces with which supports that have let go still hold the body; null if none ever does.
+  const ReleasedForces* released() const { return released_.get(); }
+  ReleasedForces* released() { return released_.get(); }
+
+  /// The sum of what all terms but the released forces add: what supports balance, those that have let go with
+  /// what they still carry. forces: of the terms, in their order.
+  Eigen::VectorXd forcesOnSupports(const std::vector<Eigen::VectorXd>& forces) const;
 
   /// Values of the prescribed unknowns at time t, zero elsewhere.
   Eigen::VectorXd target(double t) const;
@@ -154,6 +167,7 @@ class Model {
   std::vector<SelfContact<Dim>> selfContacts_;
   std::vector<std::unique_ptr<LoadTerm>> loads_;
   std::vector<CarriedLoad> toolLoads_;
+  std::unique_ptr<ReleasedForces> released_;
   std::unique_ptr<Stabilisation<Dim>> stabilisation_;
   std::vector<bool> prescribed_;
   std::vector<double> corners_;

@@ -110,24 +110,41 @@ std::vector<Eigen::Vector3d> pointsAround(const Eigen::Vector3d& middle, int dim
   return points;
 }
 
-/// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free degrees of freedom in
-/// which the shape of a tool moves in itself, for instance a disc that turns about its middle: no contact
-/// resists it there.
-void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize) {
-  constexpr double kNothing = 1e-8;
-  std::vector<std::size_t> dofs;
-  for (std::size_t dof = 0; dof < kToolDofs; ++dof)
-    if (tool.isFree(dof)) dofs.push_back(dof);
+/// By how much gaps of points around a tool change with its free degrees of freedom, points x `dofs`.
+Eigen::MatrixXd slopesOfGaps(const Tool& tool, const std::vector<std::size_t>& dofs, int dim,
+                             double bodySize) {
   const ToolPose pose = tool.pose(0.0);
   const auto points = pointsAround(tool.shape.middle(), dim, bodySize);
-  Eigen::MatrixXd slopes(points.size(), dofs.size());  // of the gap, by the free degrees of freedom
+  Eigen::MatrixXd slopes(points.size(), dofs.size());
   for (std::size_t k = 0; k < points.size(); ++k)
     slopes.row(static_cast<Eigen::Index>(k)) = tool.queryWithDofs(pose, points[k]).dDofs(dofs).transpose();
+  return slopes;
+}
+
+/// Slopes of gaps below this share of the number of points are none.
+constexpr double kNoSlope = 1e-8;
+
+/// Whether a tool is free to turn, and its shape moves in itself when it does, as that of a roller or a ball.
+bool spinsInItself(const Tool& tool, int dim, double bodySize) {
+  if (!tool.isFree(kTurn)) return false;
+  const Eigen::MatrixXd slopes = slopesOfGaps(tool, {kTurn}, dim, bodySize);
+  return slopes.norm() <= kNoSlope * static_cast<double>(slopes.rows());
+}
+
+/// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free degrees of freedom in
+/// which the shape of a tool moves in itself, for instance a disc that turns about its middle: no contact
+/// resists it there. spins: friction determines its turn.
+void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize, bool spins) {
+  std::vector<std::size_t> dofs;
+  for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+    if (tool.isFree(dof) && !(spins && dof == kTurn)) dofs.push_back(dof);
+  if (dofs.empty()) return;
+  const Eigen::MatrixXd slopes = slopesOfGaps(tool, dofs, dim, bodySize);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinV);
-  if (svd.singularValues().tail<1>()(0) > kNothing * static_cast<double>(points.size())) return;
+  if (svd.singularValues().tail<1>()(0) > kNoSlope * static_cast<double>(slopes.rows())) return;
   std::vector<std::string> keys;
   for (std::size_t k = 0; k < dofs.size(); ++k)
-    if (std::abs(svd.matrixV().rightCols<1>()(static_cast<Eigen::Index>(k))) > kNothing)
+    if (std::abs(svd.matrixV().rightCols<1>()(static_cast<Eigen::Index>(k))) > kNoSlope)
       keys.push_back(fmt::format("{}.{}", place, kCarryKeys[dofs[k]]));
   const std::string others =
       keys.size() == 1 ? ""
@@ -191,7 +208,11 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
     throw InputError(
         place,
         fmt::format("tool '{}' is free to move, but touches no face; name it under contact", tool.name));
-  requireDetermined(tool, place, Dim, bodySize);
+  const bool rubs =
+      std::ranges::any_of(pairs, [](const auto* pair) { return pair->options().hasFriction(); });
+  const bool spins = rubs && spinsInItself(tool, Dim, bodySize);
+  if (spins) load.term->steadyTurn(model.forceFloor() / bodySize);
+  requireDetermined(tool, place, Dim, bodySize, spins);
   pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
   const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
   if (!slides) {

@@ -18,6 +18,7 @@
 #include "engine/analysis/failure.h"
 #include "engine/analysis/frames.h"
 #include "engine/analysis/free_tools.h"
+#include "engine/analysis/initial_state.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/rezoner.h"
 #include "engine/analysis/run_output.h"
@@ -72,11 +73,14 @@ class Run {
     summary_.timings.total = seconds();
     if (rezoner_) archiveRezoner(archive);
     archive.part("stepping", simulation_->stepping);
+    if (archive.restores() && simulation_->model->releaseBehind(state().time))
+      simulation_ = letGo(scene_, *simulation_, team_);
     archive.part("newton", simulation_->newton);
     for (std::size_t k = 0; k < simulation_->terms.size(); ++k)
       archive.part(fmt::format("term{}", k), *simulation_->terms[k]);
     archive.part("recorder", simulation_->recorder);
     archive.part("summary", summary_);
+    if (hasInitialState(scene_)) archiveInitialState(archive);
     archive.part("output", output_);
     archive.field("step", step_);
     if (archive.restores()) secondsBefore_ = summary_.timings.total;
@@ -123,8 +127,12 @@ class Run {
 
   /// Brings lifted tools down and records the state at t = 0.
   Walk approach() {
-    const auto forces = simulation_->evaluateHere();
-    simulation_->recorder.update({state().time, state().x, forces.bulk}, forces.total, {});
+    auto forces = simulation_->evaluateHere();
+    if (hasInitialState(scene_)) {
+      summary_.initialStressChange = settleInitialState(*simulation_);
+      forces = simulation_->evaluateHere();
+    }
+    simulation_->recorder.update({state().time, state().x, forces.bulk}, forces.onSupports, {});
     for (Term* term : simulation_->terms) term->accept();
     Walk walk = Walk::Arrived;
     const double startTime = simulation_->model->startTime();
@@ -151,6 +159,7 @@ class Run {
     for (const TimePoint& point : grid) {
       if (point.time < state().time) continue;  // of a run that is resumed
       if (const Walk walk = walkTo(point); walk != Walk::Arrived) return walk;
+      letSupportsGo();
       if (point.frame && !output_.hasFrameAt(point.time)) writeFrame();
       if (point.corner) simulation_->stepping.forgetIncrement();
       if (halts_ && point.time < endTime_) return Walk::Halted;
@@ -170,6 +179,15 @@ class Run {
       });
     } while (walk == Walk::Halted && !halts_);
     return walk;
+  }
+
+  /// Frees what supports hold up to now and no longer, whose forces go to zero from here on.
+  void letSupportsGo() {
+    Model<Dim>& model = *simulation_->model;
+    if (model.released() == nullptr || !model.releaseBehind(state().time)) return;
+    model.released()->letGo(state().time, model.forcesOnSupports(simulation_->newton.forces()));
+    addCosts(summary_, *simulation_);
+    simulation_ = letGo(scene_, *simulation_, team_);
   }
 
   /// Records a step from t = 0 on.
@@ -271,6 +289,12 @@ class Run {
       if (archive.restores() && !rezoner_->records().empty()) simulation_ = rezoner_->restoredSimulation();
   }
 
+  void archiveInitialState(StateArchive& archive) {
+    double change = summary_.initialStressChange.value_or(0.0);
+    archive.field("initial_stress_change", change);
+    summary_.initialStressChange = change;
+  }
+
   SavedState save() {
     StateArchive saved;
     archive(saved);
@@ -314,6 +338,16 @@ void requireDivisible(const Scene& scene) {
     problems.push_back(
         {"solver.linear",
          "found direct, whose factors several processes cannot divide; allowed: multigrid, auto."});
+  for (std::size_t k = 0; k < scene.supports.size(); ++k)
+    if (scene.supports[k].until)
+      problems.push_back(
+          {fmt::format("supports[{}].until", k),
+           "found a support that lets go, which one process computes; allowed on several: none."});
+  const std::span<const BodySpec> bodies = scene.allBodies();
+  for (std::size_t number = 0; number < bodies.size(); ++number)
+    if (bodies[number].initial)
+      problems.push_back({scene.bodyKey(number, "initial"),
+                          "found an initial state, which one process computes; allowed on several: none."});
   if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
 }
 

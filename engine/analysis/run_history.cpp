@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/analysis/face_crossing.h"
+#include "engine/analysis/initial_state.h"
 #include "engine/core/stopwatch.h"
 #include "engine/fields/body_fields.h"
 
@@ -28,6 +29,7 @@ template <int Dim>
 RunHistory<Dim>::RunHistory(const Scene& scene, const Model<Dim>& model,
                             const std::vector<Projection<Dim>>& projections)
     : model_(model),
+      startsWithStress_(hasInitialState(scene)),
       projections_(projections),
       extremes_(extremesOf(model)),
       measures_(scene, model, projections),
@@ -73,7 +75,8 @@ double RunHistory<Dim>::workIncrement(const Eigen::VectorXd& x, const Eigen::Vec
   double work = 0.0;
   const Eigen::VectorXd increment = x - x_;
   for (Eigen::Index i = 0; i < model_.numDisplacements(); ++i)
-    if (model_.prescribed()[static_cast<std::size_t>(i)]) work += 0.5 * (force_(i) + force(i)) * increment(i);
+    if (model_.supports().prescribed()[static_cast<std::size_t>(i)])
+      work += 0.5 * (force_(i) + force(i)) * increment(i);
   if (loads_.size() > 0) work += 0.5 * (loads_ + loads).dot(increment.head(model_.numDisplacements()));
   return work;
 }
@@ -204,6 +207,7 @@ void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& 
   next.stabilisedShare = stabilisedShare;
   next.stabilisationWork = current_.stabilisationWork;
   if (const auto* stabilisation = model_.stabilisation()) next.stabilisationWork += stabilisation->work();
+  if (states_ == 1 && startsWithStress_) next.externalWork = next.energyFound();
   next.largestEnergy = std::max(current_.largestEnergy, std::abs(next.energyFound()));
   for (std::size_t k = 0; k < model_.bodies().size(); ++k) {
     const bool crosses = anyFaceCrossesItself(model_, model_.bodies()[k], x);

@@ -77,6 +77,7 @@ class RunHistory {
   Eigen::VectorXd loadForces() const;
 
   const Model<Dim>& model_;
+  bool startsWithStress_;  ///< whose energy counts as work done before the run
   const std::vector<Projection<Dim>>& projections_;
   std::vector<SpanExtremes<Dim>> extremes_;  ///< one per body
   Measures<Dim> measures_;

@@ -49,26 +49,35 @@ Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsM
 template <int Dim>
 typename Simulation<Dim>::Forces Simulation<Dim>::evaluateHere() {
   const auto& state = stepping.state();
-  Forces forces{{}, Eigen::VectorXd::Zero(model->numUnknowns()), true};
+  Forces forces;
   std::vector<Eigen::VectorXd> ofTerms;
   for (Term* term : terms) {
     Eigen::VectorXd& force = ofTerms.emplace_back(Eigen::VectorXd::Zero(model->numUnknowns()));
     Assembly out{force};
     if (!term->evaluate(state.time, state.x, out)) forces.admissible = false;
-    forces.total += force;
   }
+  forces.onSupports = model->forcesOnSupports(ofTerms);
   forces.bulk = model->bulkForces(ofTerms);
   return forces;
 }
 
 template <int Dim>
 void Simulation<Dim>::record() {
-  Eigen::VectorXd total = Eigen::VectorXd::Zero(model->numUnknowns());
-  for (const Eigen::VectorXd& force : newton.forces()) total += force;
   const Eigen::VectorXd bulk = model->bulkForces(newton.forces());
   recorder.update(
-      {stepping.state().time, stepping.state().x, bulk}, total,
+      {stepping.state().time, stepping.state().x, bulk}, model->forcesOnSupports(newton.forces()),
       {[this] { return newton.countUnstableDirections(); }, model->stabilisedShare(newton.forces())});
+}
+
+template <int Dim>
+std::unique_ptr<Simulation<Dim>> letGo(const Scene& scene, Simulation<Dim>& before, const Team& team) {
+  const SteppingState state = before.stepping.state();
+  StateArchive saved;
+  before.recorder.archive(saved);
+  auto next = std::make_unique<Simulation<Dim>>(scene, std::move(before.model), state, team);
+  StateArchive restored(saved.values());
+  next->recorder.archive(restored);
+  return next;
 }
 
 template <int Dim>
@@ -83,6 +92,8 @@ template std::vector<Projection<2>> projectionsOf(const Model<2>&);
 template std::vector<Projection<3>> projectionsOf(const Model<3>&);
 template std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions&, const Model<2>&, const Team&);
 template std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions&, const Model<3>&, const Team&);
+template std::unique_ptr<Simulation<2>> letGo(const Scene&, Simulation<2>&, const Team&);
+template std::unique_ptr<Simulation<3>> letGo(const Scene&, Simulation<3>&, const Team&);
 template struct Simulation<2>;
 template struct Simulation<3>;
 

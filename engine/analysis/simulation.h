@@ -30,7 +30,7 @@ struct Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   struct Forces {
-    Eigen::VectorXd bulk, total;
+    Eigen::VectorXd bulk, onSupports;  ///< of the bodies; see `Model::forcesOnSupports`
     bool admissible = true;
   };
 
@@ -50,5 +50,10 @@ struct Simulation {
   std::vector<Projection<Dim>> projections;  ///< one per body
   Recorder<Dim> recorder;
 };
+
+/// A simulation that goes on from the state of another one with its model, of which `Model::releaseBehind` has
+/// freed unknowns.
+template <int Dim>
+std::unique_ptr<Simulation<Dim>> letGo(const Scene& scene, Simulation<Dim>& before, const Team& team);
 
 }  // namespace burnish

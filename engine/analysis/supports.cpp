@@ -15,6 +15,7 @@ namespace burnish {
 namespace {
 
 constexpr std::array<const char*, 3> kComponents{"x", "y", "z"};
+constexpr double kForever = std::numeric_limits<double>::infinity();
 
 /// Anchors of the functions of a face, one parameter point per function, in the face's own order.
 template <int P>
@@ -78,11 +79,15 @@ Eigen::VectorXd Supports<Dim>::Motion::values(double t) const {
 
 template <int Dim>
 Supports<Dim>::Supports(const Scene& scene, const FaceFinder<Dim>& faces)
-    : prescribed_(static_cast<std::size_t>(Dim * faces.body().numNodes), false) {
+    : prescribed_(static_cast<std::size_t>(Dim * faces.body().numNodes), false),
+      heldUntil_(prescribed_.size(), -kForever) {
   constexpr int kSamples = 8;
   for (int k = 0; k <= kSamples; ++k) times_.push_back(scene.steps.back().until * k / kSamples);
-  for (const auto& support : scene.supports)
+  for (const auto& support : scene.supports) {
+    if (support.until) corners_.push_back(*support.until);
+    if (support.until) corners_.push_back(support.releasedBy.value_or(scene.steps.back().until));
     if (support.move) corners_.insert(corners_.end(), support.move->times.begin(), support.move->times.end());
+  }
   times_.insert(times_.end(), corners_.begin(), corners_.end());
   InputProblems problems;
   for (std::size_t k = 0; k < scene.supports.size(); ++k)
@@ -130,6 +135,7 @@ void Supports<Dim>::add(const SupportSpec& spec, const std::string& place, const
     const auto k = static_cast<std::size_t>(d);
     Motion motion;
     motion.place = place;
+    motion.until = spec.until.value_or(kForever);
     if (spec.move && schedules[k]->has_value()) {
       motion.schedule = {spec.move->times, **schedules[k]};
     } else if (spec.prescribe && formulas[k]->has_value()) {
@@ -175,11 +181,13 @@ void Supports<Dim>::append(Motion motion, const std::string& face, int component
     Eigen::VectorXd before = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(prescribed_.size()));
     Eigen::VectorXd now = before;
     for (const double t : times_) {
+      if (t > motion.until) continue;
       setValues(t, before);
       now(motion.unknowns) = motion.values(t);
       const double scale = std::max(before.cwiseAbs().maxCoeff(), now.cwiseAbs().maxCoeff());
       for (const int unknown : shared)
-        if (!(std::abs(before(unknown) - now(unknown)) <= 1e-9 * scale))
+        if (t <= heldUntil_[static_cast<std::size_t>(unknown)] &&
+            !(std::abs(before(unknown) - now(unknown)) <= 1e-9 * scale))
           throw InputError(
               motion.place,
               fmt::format("face '{}' meets another support where component {} is prescribed differently by "
@@ -189,15 +197,21 @@ void Supports<Dim>::append(Motion motion, const std::string& face, int component
     }
   }
   for (const int unknown : motion.unknowns) {
-    if (!prescribed_[static_cast<std::size_t>(unknown)]) owned_.back().push_back(unknown);
-    prescribed_[static_cast<std::size_t>(unknown)] = true;
+    const auto k = static_cast<std::size_t>(unknown);
+    if (motion.until <= heldUntil_[k]) continue;
+    if (prescribed_[k])
+      for (auto& others : owned_) std::erase(others, unknown);
+    prescribed_[k] = true;
+    owned_.back().push_back(unknown);
+    heldUntil_[k] = motion.until;
   }
   motions_.push_back(std::move(motion));
 }
 
 template <int Dim>
 void Supports<Dim>::setValues(double t, Eigen::VectorXd& x) const {
-  for (const Motion& motion : motions_) x(motion.unknowns) = motion.values(t);
+  for (const Motion& motion : motions_)
+    if (t <= motion.until * (1.0 + 1e-9)) x(motion.unknowns) = motion.values(t);
 }
 
 template <int Dim>

@@ -21,13 +21,19 @@ class Supports {
   /// points, and where two supports prescribe one component differently.
   Supports(const Scene& scene, const FaceFinder<Dim>& faces);
 
-  /// One flag per displacement component.
+  /// One flag per displacement component: whether a support holds it, if only for a time.
   const std::vector<bool>& prescribed() const { return prescribed_; }
 
-  /// Writes the values at time t into the prescribed entries.
+  /// Whether a support holds a displacement component behind time t.
+  bool holdsBehind(double t, int unknown) const {
+    return heldUntil_[static_cast<std::size_t>(unknown)] > t * (1.0 + 1e-9);
+  }
+
+  /// Writes the values at time t into the entries that are held up to then.
   void setValues(double t, Eigen::VectorXd& x) const;
 
-  /// Unknowns that a support prescribes, by its place in the scene, without those of a support before it.
+  /// Unknowns that a support prescribes, by its place in the scene, without those of one that holds them as
+  /// long or longer and comes before it.
   const std::vector<int>& owned(std::size_t support) const { return owned_[support]; }
 
   /// Times at which a schedule has a corner.
@@ -45,7 +51,8 @@ class Supports {
 
   /// Values of one component on the control points of one face over time.
   struct Motion {
-    std::string place;  ///< of the support in the scene
+    std::string place;   ///< of the support in the scene
+    double until = 0.0;  ///< infinite for one that never lets go
     std::vector<int> unknowns;
     Schedule schedule;               ///< the same for all; or, if there is one,
     std::optional<Formula> formula;  ///< interpolated
@@ -61,6 +68,7 @@ class Supports {
   void append(Motion motion, const std::string& face, int component);
 
   std::vector<bool> prescribed_;
+  std::vector<double> heldUntil_;  ///< per displacement component; below any time where it is free
   std::vector<Motion> motions_;
   std::vector<std::vector<int>> owned_;  ///< per support
   std::vector<double> corners_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/path_of_tool.h"
+
 namespace burnish {
 namespace {
 
@@ -12,6 +14,11 @@ std::vector<double> outputTimes(const Scene& scene, double end) {
   if (scene.output.every)
     for (long k = 1; static_cast<double>(k) * *scene.output.every < end * (1.0 + 1e-12); ++k)
       times.push_back(static_cast<double>(k) * *scene.output.every);
+  for (const ToolSpec& tool : scene.tools)
+    if (tool.path) {
+      const std::vector<double> ends = pathOf(tool).passEnds();
+      times.insert(times.end(), ends.begin(), ends.end());
+    }
   return times;
 }
 

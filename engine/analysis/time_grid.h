@@ -13,8 +13,8 @@ struct TimePoint {
   bool corner = false;       ///< a schedule bends here
 };
 
-/// Time points of a scene in order: ends of nominal steps, output times, times of wanted frames and corners
-/// of schedules. Times closer than a billionth of a step are one; corners and output times then keep their
+/// Time points of a scene in order: ends of nominal steps, output times, times of wanted frames, ends of the
+/// passes of tools (with a frame, so that a run can be resumed there) and corners of schedules. Times closer than a billionth of a step are one; corners and output times then keep their
 /// exact values. The last one has a frame.
 std::vector<TimePoint> timeGrid(const Scene& scene, const std::vector<double>& corners);
 

@@ -1,9 +1,12 @@
 #include "engine/analysis/tools.h"
 
 #include <array>
+#include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 
+#include "engine/scene/path_of_tool.h"
 #include "engine/tools/tool_shape.h"
 
 namespace burnish {
@@ -34,6 +37,19 @@ DofFunctions formulas(const std::array<const std::optional<FormulaText>*, kToolD
   return dofs;
 }
 
+/// Along the tool's path. A tool with the axis of a helix turns with its arm, so that it always shows the body the
+/// same side; others do not turn.
+DofFunctions alongPath(const ToolSpec& spec, const Eigen::Vector3d& axis) {
+  constexpr double kParallel = 1e-9;
+  const auto path = std::make_shared<const ToolPath>(pathOf(spec));
+  DofFunctions dofs;
+  for (std::size_t dof = 0; dof < kTurn; ++dof)
+    dofs[dof] = [path, dof](double t) { return path->displacement(t)(static_cast<Eigen::Index>(dof)); };
+  if (const double along = axis.dot(path->axis()); std::abs(along) > 1.0 - kParallel)
+    dofs[kTurn] = [path, sign = along > 0.0 ? 1.0 : -1.0](double t) { return sign * path->turn(t); };
+  return dofs;
+}
+
 }  // namespace
 
 std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int firstUnknown, double bodySize) {
@@ -48,6 +64,7 @@ std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int fir
     tool->motion = formulas({&p->x, &p->y, &p->z, &p->angle}, scene.definitions);
   if (tool->motion[kTurn])
     tool->motion[kTurn] = [degrees = tool->motion[kTurn]](double t) { return kRadians * degrees(t); };
+  if (spec.path) tool->motion = alongPath(spec, tool->axis);
   if (const auto& carry = spec.carry) {
     const std::array isFree{carry->x.has_value(), carry->y.has_value(), carry->z.has_value(),
                             carry->moment.has_value()};
@@ -70,6 +87,7 @@ std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene,
 std::vector<double> cornersOf(const ToolSpec& spec) {
   std::vector<double> times;
   if (spec.motion) times = spec.motion->times;
+  if (spec.path) times = pathOf(spec).corners();
   if (spec.carry && spec.carry->schedule)
     times.insert(times.end(), spec.carry->schedule->times.begin(), spec.carry->schedule->times.end());
   return times;

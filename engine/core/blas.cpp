@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -36,7 +37,7 @@ const char* fastestKernels() {
 
 constexpr const char* kKernelsChoice = "OPENBLAS_CORETYPE";
 
-/// Kernels that are to be asked for, or null where those that OpenBLAS has chosen, or the user, are right.
+/// Null for none.
 const char* kernelsToAskFor() {
   const std::string chosen = openblas_get_corename();
   if (chosen != "Prescott" && chosen != "Core2" && chosen != "Nehalem") return nullptr;
@@ -54,6 +55,11 @@ void useFastestBlasKernels(char** argv) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   if (!unknown)
     ::execv(program.c_str(), argv);  // comes back only if it fails, and then all goes on as it was
+}
+
+std::string_view blasKernelsToAskFor() {
+  const char* kernels = kernelsToAskFor();
+  return kernels != nullptr ? kernels : std::string_view();
 }
 
 std::string blasName() {

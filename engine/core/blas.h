@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <string>
+#include <string_view>
 
 namespace burnish {
 
@@ -9,6 +10,10 @@ namespace burnish {
 /// program is started again with the kernels that the processor's instruction sets allow, unless
 /// OPENBLAS_CORETYPE is set.
 void useFastestBlasKernels(char** argv);
+
+/// Kernels that OpenBLAS should be asked for by OPENBLAS_CORETYPE before it is loaded; empty where those that it has chosen, or the
+/// user, are right.
+std::string_view blasKernelsToAskFor();
 
 /// The library and the kernels that runs compute with: "OpenBLAS 0.3.21, kernels SkylakeX".
 std::string blasName();

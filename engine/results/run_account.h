@@ -127,6 +127,7 @@ struct RunAccount {
   std::optional<double> vonMisesMinimum;       ///< of a completed run
   std::optional<double> plasticStrainMinimum;  ///< of a completed run with plastic flow
   std::optional<double> stabilisedShare, largestStabilisedShare, stabilisationWork;  ///< with `stabilise`
+  std::optional<double> initialStressChange;                                         ///< with `initial`
   int failedRezonings = 0;
   long factorNonZeros = 0;
   long luFactorisations = 0;
@@ -162,6 +163,8 @@ void describe(Visitor& v, RunAccount& s) {
   v.field("factor_non_zeros", s.factorNonZeros, {}, "Non-zeros of the largest factorisation.");
   v.field("factorisation_seconds", s.timings.factorisation, {}, "Seconds for factorisations.");
   v.field("functions", s.functions, {}, "Basis functions of the body.");
+  v.field("initial_stress_change", s.initialStressChange, {},
+          "By how much the initial stress had to change to be in equilibrium, over its largest value.");
   v.field("iterations", s.iterations, {}, "Corrections of all attempts from t = 0 on.");
   v.field("largest_penetration", s.largestPenetration, {}, "Over quadrature points and all steps.");
   v.field("largest_stabilised_share", s.largestStabilisedShare, {},

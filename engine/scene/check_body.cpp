@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <set>
+#include <utility>
 
+#include "engine/core/quoted.h"
+#include "engine/material/initial_states.h"
 #include "engine/scene/check_context.h"
 #include "engine/schema/problems.h"
 
@@ -28,6 +33,38 @@ void checkMortarDegree(const CheckContext& c, std::size_t number) {
                          body.degree, highest));
 }
 
+/// Stress and plastic strain at the start: formulas of the place alone.
+void checkInitial(const CheckContext& c, std::size_t number) {
+  const BodySpec& body = c.scene.allBodies()[number];
+  const std::string path = c.scene.bodyKey(number, "initial");
+  if (!body.initial) return;
+  const auto check = [&](const std::string& key, const std::optional<FormulaText>& text) {
+    if (!text) return;
+    checkFormula(c, key, *text);
+    if (c.clean(key) && c.clean("definitions") && Formula(*text, c.scene.definitions).dependsOn("t"))
+      c.report(key, fmt::format("found {}, which depends on t; allowed: X, Y, Z and the definitions.",
+                                quoted(text->text)));
+  };
+  check(path + ".plastic_strain", body.initial->plasticStrain);
+  if (body.initial->plasticStrain && !carriesPlasticStrain(body.material) && c.clean(path))
+    c.report(path + ".plastic_strain",
+             "found for a material that does not flow; allowed: for one that does, or leave the key out.");
+  if (!body.initial->stress) return;
+  const InitialStressSpec& stress = *body.initial->stress;
+  const std::array<std::pair<const char*, const std::optional<FormulaText>*>, 6> components{
+      {{"xx", &stress.xx},
+       {"yy", &stress.yy},
+       {"zz", &stress.zz},
+       {"xy", &stress.xy},
+       {"yz", &stress.yz},
+       {"zx", &stress.zx}}};
+  for (const auto& [name, text] : components) check(fmt::format("{}.stress.{}", path, name), *text);
+  for (const auto& [name, text] : {components[4], components[5]})
+    if (const std::string key = fmt::format("{}.stress.{}", path, name);
+        *text && c.clean(key) && c.dimensionIsKnown() && c.scene.dim() == 2)
+      c.report(key, "found a component of three-dimensional scenes; allowed here: xx, yy, zz and xy.");
+}
+
 void checkBody(const CheckContext& c, std::size_t number) {
   const BodySpec& body = c.scene.allBodies()[number];
   checkGeometry(c, number);
@@ -37,6 +74,7 @@ void checkBody(const CheckContext& c, std::size_t number) {
              fmt::format("found {}; allowed: at least {}, the degree plus one.", *body.quadraturePoints,
                          body.degree + 1));
   checkMortarDegree(c, number);
+  checkInitial(c, number);
   checkMaterial(body.material, Problems(c.root, c.errors, c.scene.bodyKey(number, "material")),
                 c.dimensionIsKnown() && c.scene.dim() == 2);
 }

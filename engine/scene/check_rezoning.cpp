@@ -113,6 +113,7 @@ void checkRezoning(const CheckContext& c) {
            "a load on the body");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
     const std::string path = fmt::format("supports[{}]", k);
+    refuse(c, c.scene.supports[k].until.has_value(), path + ".until", "a support that lets go");
     if (!isMeshedAnew(c, c.scene.supports[k].place.body)) continue;
     refuse(c, c.scene.supports[k].prescribe.has_value(), path + ".prescribe",
            "displacements given by formulas of places, which new meshes would move,");

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/scene/check_context.h"
 #include "engine/scene/check_motion.h"
+#include "engine/scene/path_of_tool.h"
 #include "engine/tools/shape_problems.h"
 
 namespace burnish {
@@ -30,8 +34,59 @@ void checkAlongAxis(const CheckContext& c, const std::string& path, const Compon
                                                             std::string(key) == "x" ? across : around));
 }
 
+constexpr std::size_t kAxes = 3;
 constexpr const char* kAcross = "motion across the axis of revolution";
 constexpr const char* kTurning = "turn";
+
+/// The part of a path that is wrong, if there is one, and what is.
+struct PathProblem {
+  std::string key, text;
+};
+
+std::optional<PathProblem> problemOf(const PolylinePath& course, std::size_t dim) {
+  for (std::size_t k = 0; k < course.points.size(); ++k)
+    if (course.points[k].size() != dim)
+      return PathProblem{fmt::format("points[{}]", k),
+                         fmt::format("found {} coordinates; allowed: {}.", course.points[k].size(), dim)};
+  for (std::size_t k = 1; k < course.points.size(); ++k)
+    if (course.points[k] == course.points[k - 1])
+      return PathProblem{fmt::format("points[{}]", k),
+                         "found the point before it again; allowed: a point elsewhere."};
+  return std::nullopt;
+}
+
+std::optional<PathProblem> problemOf(const RasterPath& course, std::size_t /*dim*/) {
+  if (course.stroke.isZero(0.0)) return PathProblem{"stroke", "found no length; allowed: the way of a pass."};
+  return std::nullopt;
+}
+
+std::optional<PathProblem> problemOf(const HelixPath& course, std::size_t dim) {
+  if (dim == 2) return PathProblem{"course", "found helix in two dimensions; allowed: polyline, raster."};
+  if (course.axis.isZero(0.0))
+    return PathProblem{"axis", "found no direction; allowed: a vector that is not zero."};
+  return std::nullopt;
+}
+
+/// A path, alone and beside the end of the run.
+void checkPath(const CheckContext& c, const std::string& tool, const ToolSpec& spec) {
+  const std::string path = tool + ".path";
+  if (!c.clean(path) || !c.dimensionIsKnown()) return;
+  if (spec.motion || spec.prescribe)
+    return c.report(path, "found beside motion or prescribe; allowed: one of the three.");
+  if (c.scene.kinematics == KinematicsChoice::Axisymmetric)
+    return c.report(path, "found in axisymmetry; allowed: motion and prescribe along y.");
+  const auto dim = static_cast<std::size_t>(c.scene.dim());
+  if (const auto problem =
+          std::visit([&](const auto& course) { return problemOf(course, dim); }, spec.path->course))
+    return c.report(fmt::format("{}.{}", path, problem->key), problem->text);
+  if (!c.clean("steps") || !c.clean(tool)) return;
+  const double end = c.scene.steps.back().until, needed = pathOf(spec).end();
+  if (needed > end * (1.0 + 1e-9))
+    c.report(path,
+             fmt::format("found a path that takes until t = {:.6g}, after the end of the run at {:.6g}; "
+                         "allowed: more speed, or steps up to then.",
+                         needed, end));
+}
 
 void checkMotion(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
   if (tool.motion) {
@@ -46,12 +101,25 @@ void checkMotion(const CheckContext& c, const std::string& path, const ToolSpec&
   }
   if (tool.motion && tool.prescribe && c.clean(path + ".prescribe"))
     c.report(path + ".prescribe", "found beside motion; allowed: one of motion and prescribe.");
+  if (tool.path) checkPath(c, path, tool);
 }
 
 /// Whether a component of a prescribed motion is given, by the place of its key in x, y, z, turn.
 template <class Motion>
 bool isGiven(const std::optional<Motion>& motion, std::size_t dof) {
   return motion && dofsOf(*motion, "angle", motion->angle)[dof].second->has_value();
+}
+
+/// Whether a path takes its tool along an axis.
+bool movesAlong(const ToolPath& path, std::size_t axis) {
+  constexpr int kSamples = 200;
+  const auto at = [&](double t) { return path.displacement(t)(static_cast<Eigen::Index>(axis)); };
+  std::vector<double> times = path.corners();
+  for (int k = 1; k < kSamples; ++k)
+    times.push_back(std::lerp(times.front(), path.end(), 1.0 * k / kSamples));
+  const double first = at(times.front());
+  return std::ranges::any_of(
+      times, [&](double t) { return std::abs(at(t) - first) > 1e-12 * (1.0 + std::abs(first)); });
 }
 
 void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
@@ -65,6 +133,9 @@ void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& 
     if (dofs[k].second->has_value() && c.clean(key) &&
         (isGiven(tool.motion, k) || isGiven(tool.prescribe, k)))
       c.report(key, "found although the motion in this way is prescribed; allowed: one of the two.");
+    else if (dofs[k].second->has_value() && k < kAxes && tool.path && c.clean(path) &&
+             movesAlong(pathOf(tool), k))
+      c.report(key, "found although the path moves the tool in this way; allowed: one of the two.");
   }
   if (tool.carry->schedule && c.clean(place + ".schedule"))
     checkSchedule(c, place + ".schedule", *tool.carry->schedule);

@@ -69,6 +69,17 @@ struct GeometrySpec {
   MeshSpec mesh;  ///< unused with several patches, which have their own
 };
 
+/// Components of a Cauchy stress as formulas in X, Y, Z; those left out are zero.
+struct InitialStressSpec {
+  std::optional<FormulaText> xx, yy, zz, xy, yz, zx;
+};
+
+/// What a body has been through before the run.
+struct InitialSpec {
+  std::optional<InitialStressSpec> stress;   ///< comes into equilibrium before the first step
+  std::optional<FormulaText> plasticStrain;  ///< equivalent one, formula in X, Y, Z
+};
+
 /// What is a body's own.
 struct BodySpec {
   std::string name;  ///< empty for the one body of a scene without `bodies`
@@ -78,6 +89,7 @@ struct BodySpec {
   std::optional<int> quadraturePoints;  ///< per span and direction; degree + 1 when left out
   GeometrySpec geometry;
   MaterialParameters material;
+  std::optional<InitialSpec> initial;
 };
 
 /// A face of a patch, or a part of it.
@@ -102,6 +114,8 @@ struct SupportSpec {
   std::optional<MotionSpec> move;           ///< prescribed components; those left out are free
   std::optional<PrescribedSpec> prescribe;  ///< components that follow formulas; those left out are free
   bool symmetry = false;  ///< holds the component normal to a face that is flat and aligned with an axis
+  std::optional<double> until;       ///< lets go then; its force goes linearly to zero by
+  std::optional<double> releasedBy;  ///< this time; by the end of the run when left out
 };
 
 /// Exactly one of `traction`, `pressure`, `shear`, each on a face, and `bodyForce`; scaled by the schedule (1

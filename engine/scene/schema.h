@@ -75,12 +75,34 @@ void describeIntegration(Visitor& v, BodySpec& s, bool inherits = false) {
           "Gauss points of the body per knot span and direction; the degree plus one when left out.");
 }
 
+template <class Visitor>
+void describe(Visitor& v, InitialStressSpec& s) {
+  v.field("xx", s.xx, {.unit = "stress"}, "Along x; the radial one in axisymmetry.");
+  v.field("yy", s.yy, {.unit = "stress"}, "Along y.");
+  v.field("zz", s.zz, {.unit = "stress"},
+          "Along z; out of the plane, or around the axis, in two dimensions.");
+  v.field("xy", s.xy, {.unit = "stress"}, "Shear in x and y.");
+  v.field("yz", s.yz, {.unit = "stress"}, "Shear in y and z (3D).");
+  v.field("zx", s.zx, {.unit = "stress"}, "Shear in z and x (3D).");
+}
+
+template <class Visitor>
+void describe(Visitor& v, InitialSpec& s) {
+  v.field(
+      "stress", s.stress, {},
+      "Cauchy stress, formulas in X, Y and Z; components left out are zero. It comes into equilibrium before "
+      "the first step, and the summary says how far it had to change.");
+  v.field("plastic_strain", s.plasticStrain, {},
+          "Equivalent plastic strain, a formula in X, Y and Z; 0 when left out.");
+}
+
 /// unless: key that may stand in place of these two.
 template <class Visitor>
 void describeMatter(Visitor& v, BodySpec& s, const std::string& unless = {}) {
   v.field("geometry", s.geometry, {.required = true, .unless = unless},
           "Shape and mesh of the body; its dimension is the scene's.");
   v.field("material", s.material, {.required = true, .unless = unless}, "Material of the body.");
+  v.field("initial", s.initial, {}, "Stress and plastic strain that the body has before the run begins.");
 }
 
 template <class Visitor>

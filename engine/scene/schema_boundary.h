@@ -60,6 +60,11 @@ void describe(Visitor& v, SupportSpec& s) {
   v.field(
       "symmetry", s.symmetry, {},
       "Plane of symmetry: holds the component normal to the face, which is flat and aligned with an axis.");
+  v.field("until", s.until, {.above = 0, .unit = "time"},
+          "Time at which it lets go; to the end when left out. From then on its force goes linearly to zero, "
+          "step by step in balance, and the other supports hold what is left.");
+  v.field("released_by", s.releasedBy, {.above = 0, .unit = "time"},
+          "Time at which the force of a support that lets go is zero; the end of the run when left out.");
 }
 
 template <class Visitor>

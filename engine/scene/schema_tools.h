@@ -64,6 +64,7 @@ void describe(Visitor& v, ToolSpec& s) {
   v.field("motion", s.motion, {},
           "Motion over time as a table; at rest when left out, and so is a component left out.");
   v.field("prescribe", s.prescribe, {}, "Motion as formulas in t, instead of a table.");
+  v.field("path", s.path, {}, "Motion along a path, with a speed, instead of a table.");
   v.field(
       "carry", s.carry, {},
       "Forces and moment, formulas in t, that press the tool on the body; in these ways it is free to move.");

@@ -7,6 +7,7 @@
 #include "engine/core/formula.h"
 #include "engine/core/schedule.h"
 #include "engine/schema/coordinates.h"
+#include "engine/tools/tool_path.h"
 #include "engine/tools/tool_shape.h"
 
 /// The parts of a scene that describe how things move, and the rigid tools.
@@ -46,9 +47,10 @@ struct ToolSpec {
   bool inside = false;                                   ///< the body is in the hollow of the shape
   Point pivot;                                           ///< the shape's own middle when left out
   Eigen::Vector3d pivotAxis = Eigen::Vector3d::UnitZ();  ///< 3D only
-  /// At most one of the two; degrees of freedom that are in none of the three are held.
+  /// At most one of the three; degrees of freedom that are in none of them and carry nothing are held.
   std::optional<ToolMotionSpec> motion;
   std::optional<ToolPrescribedSpec> prescribe;
+  std::optional<PathSpec> path;
   std::optional<ToolCarrySpec> carry;
 };
 

@@ -16,6 +16,11 @@ constexpr double kLargestTurn = 0.2;
 ToolLoad::ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load)
     : tool_(tool), load_(std::move(load)) {}
 
+CouplingGroups ToolLoad::couplings() const {
+  if (steadiness_ == 0.0) return {};
+  return {{tool_.unknowns[kTurn]}};
+}
+
 bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   last_.emplace();
   for (std::size_t dof = 0; dof < kToolDofs; ++dof) {
@@ -28,6 +33,8 @@ bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
     }
     out.force(tool_.unknowns[dof]) -= load_[dof](std::max(t, 0.0)) / (dof == kTurn ? tool_.turnLength : 1.0);
   }
+  if (out.system != nullptr && steadiness_ > 0.0)
+    out.system->add(out.term, 0, Eigen::MatrixXd::Constant(1, 1, steadiness_));
   return true;
 }
 

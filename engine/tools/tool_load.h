@@ -16,7 +16,12 @@ class ToolLoad final : public Term {
   /// term.
   ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load);
 
-  CouplingGroups couplings() const override { return {}; }
+  CouplingGroups couplings() const override;
+
+  /// For a tool whose shape moves in itself when it turns, so that friction alone resists: while nothing rubs, the
+  /// turn stays as it is. To be called before the couplings are asked for. stiffness: of the unknown of the turn, in the
+  /// tangent alone, so small that it does not matter beside that of any contact.
+  void steadyTurn(double stiffness) { steadiness_ = stiffness; }
 
   /// Not admissible where a free degree of freedom has moved so far since the last accepted state that
   /// Newton's linearisation says nothing about the place it has come to.
@@ -42,6 +47,7 @@ class ToolLoad final : public Term {
   std::array<std::function<double(double)>, kToolDofs> load_;
   std::optional<std::array<double, kToolDofs>> accepted_, last_;  ///< values of the free unknowns
   std::optional<std::size_t> runaway_;
+  double steadiness_ = 0.0;
 };
 
 }  // namespace burnish

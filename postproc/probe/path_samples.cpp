@@ -83,6 +83,25 @@ class RunningIntegral {
   std::vector<Eigen::ArrayX2d> sums_;  ///< up to each point
 };
 
+/// Integrals of the fields, and of 1 where there is a value of them, over a panel, weighed by
+/// e^{-(distance - from)/penetration}.
+Eigen::ArrayX2d weighed(const PathProbe& probe, double from, double begin, double length,
+                        double penetration) {
+  static const QuadratureRule rule = gaussLegendre(kGaussPoints);
+  Eigen::ArrayX2d sum;
+  for (int q = 0; q < kGaussPoints; ++q) {
+    const double at = begin + rule.points(q) * length;
+    const Eigen::ArrayXd values = probe(at).values.array();
+    if (q == 0) sum.setZero(values.size(), 2);
+    const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(values.size());
+    const Eigen::ArrayXd weight =
+        values.isNaN().select(none, rule.weights(q) * length * std::exp(-(at - from) / penetration));
+    sum.col(0) += values.isNaN().select(none, values) * weight;
+    sum.col(1) += weight;
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::vector<ProbePoint> samplesAlong(const PathProbe& probe, double begin, double end, int count) {
@@ -107,6 +126,35 @@ std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<Probe
     const Eigen::ArrayX2d sum = integral.to(std::min(end, sample.at + 0.5 * width)) -
                                 integral.to(std::max(begin, sample.at - 0.5 * width));
     sample.values = sample.values.array().isNaN().select(sample.values, (sum.col(0) / sum.col(1)).matrix());
+  }
+  return samples;
+}
+
+std::vector<ProbePoint> penetrationAverages(const PathProbe& probe, std::vector<ProbePoint> samples,
+                                            double penetration, double end) {
+  constexpr double kLongestPanel =
+      0.5;                           // over the penetration: three points have ten digits of the weight there
+  constexpr double kDeepest = 40.0;  // where the weight is rounding
+  const double last = samples.back().at, bottom = std::min(end, last + kDeepest * penetration);
+  std::vector<ProbePoint> points = samples;
+  if (bottom > last) {
+    const int count = 2 + static_cast<int>((bottom - last) / (kLongestPanel * penetration));
+    const std::vector<ProbePoint> below = samplesAlong(probe, last, bottom, count);
+    points.insert(points.end(), below.begin() + 1, below.end());
+  }
+  Eigen::ArrayX2d deeper = Eigen::ArrayX2d::Zero(points.back().values.size(), 2);
+  for (std::size_t k = points.size() - 1; k-- > 0;) {
+    const double length = points[k + 1].at - points[k].at;
+    deeper *= std::exp(-length / penetration);
+    if (points[k].body != ProbePoint::kOutside && points[k + 1].body == points[k].body) {
+      const int panels = 1 + static_cast<int>(length / (kLongestPanel * penetration));
+      for (int panel = 0; panel < panels; ++panel)
+        deeper += weighed(probe, points[k].at, points[k].at + length * panel / panels, length / panels,
+                          penetration);
+    }
+    if (k < samples.size() && samples[k].body != ProbePoint::kOutside)
+      samples[k].values = samples[k].values.array().isNaN().select(samples[k].values,
+                                                                   (deeper.col(0) / deeper.col(1)).matrix());
   }
   return samples;
 }

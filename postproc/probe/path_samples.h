@@ -20,6 +20,11 @@ std::vector<ProbePoint> samplesAlong(const PathProbe& probe, double begin, doubl
 std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<ProbePoint> samples, double width,
                                        double begin, double end);
 
+/// The samples of a depth with what X-rays tell of what lies deeper instead of their own values: means with the
+/// weight e^{-(z - z_sample)/penetration}, over the parts up to `end` that lie in bodies with the field.
+std::vector<ProbePoint> penetrationAverages(const PathProbe& probe, std::vector<ProbePoint> samples,
+                                            double penetration, double end);
+
 /// Means of the fields over the parts of a path that lie in bodies with them; `kNone` without any. samples: of
 /// all of the path.
 Eigen::VectorXd meanAlong(const PathProbe& probe, std::vector<ProbePoint> samples);

@@ -224,6 +224,9 @@ std::vector<ProbePoint> probedPathIn(const ModelRecord& model, const FrameRecord
   if (options.window > 0.0)
     points = windowAverages(measured.probe, std::move(points), options.window, measured.ofWindows[0],
                             measured.ofWindows[1]);
+  if (options.penetration > 0.0)
+    points =
+        penetrationAverages(measured.probe, std::move(points), options.penetration, measured.ofWindows[1]);
   return points;
 }
 

@@ -43,6 +43,7 @@ struct ProbeOptions {
   ProbedBody body = ProbedBody::Deformed;
   int points = kProbePoints;  ///< at equal distances
   double window = 0.0;        ///< width of the window of averages; 0: values at points
+  double penetration = 0.0;   ///< of X-rays, see `penetrationAverages`; 0: values at points
 };
 
 /// The points of a path with the fields there. Throws `Error` for a path that does not fit the body: of another

@@ -31,6 +31,9 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
           "says where a path lies; the place of a point is always in the undeformed body");
   require(!spec.window || !spec.isOverTime(), "window",
           "says what values along a path are means of; expected no point and no mean beside it");
+  require(!spec.penetration || (!spec.depth.empty() && !spec.mean), "penetration",
+          "says how deep X-rays see; expected depth beside it, and no mean");
+  require(!spec.penetration || !spec.window, "penetration", "found beside window; expected one of the two");
   const auto ofContact = std::ranges::count_if(spec.fields, isContactField);
   require(ofContact == 0 || ofContact == std::ssize(spec.fields), "field",
           "found fields of contact and others; expected a chart for each");
@@ -39,7 +42,7 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
   require(ofContact == 0 || !spec.reference, "reference",
           "contact fields are measured along the deformed face; expected a probe without it");
   const bool isState = std::ranges::count(spec.fields, "sliding") > 0;
-  require(!isState || (!spec.window && !spec.mean), "field",
+  require(!isState || (!spec.window && !spec.penetration && !spec.mean), "field",
           "found sliding, which is a state and has no mean; expected it without window and mean");
   require(!spec.mean || spec.point.empty(), "mean", "is that of a path; expected no point beside it");
   return problems;

@@ -20,7 +20,8 @@ struct ProbeSpec {
   bool reference = false;                ///< the path lies in the undeformed body
   int points = kProbePoints;
   std::optional<double> window;
-  bool mean = false;  ///< of all of a path
+  std::optional<double> penetration;  ///< of X-rays
+  bool mean = false;                  ///< of all of a path
 
   /// A point is looked at over time, and so is the mean of a path.
   bool isOverTime() const { return mean || !point.empty(); }
@@ -53,6 +54,10 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
           "Points at equal distances; those where the path leaves a body are added.");
   v.field("window", s.window, {.above = 0, .unit = "length"},
           "Mean values of a window of this width along the path instead of values at points.");
+  v.field(
+      "penetration", s.penetration, {.above = 0, .unit = "length"},
+      "What X-rays with this depth of penetration tell at each depth, once all above it has been taken away: "
+      "means of what lies deeper with the weight exp(-depth/penetration).");
   v.field("mean", s.mean, {}, "The mean of all of the path over time instead of values along it.");
 }
 

@@ -57,7 +57,7 @@ ProbedFields fieldsOf(const ModelRecord& model, const FrameRecord& frame, const 
 
 ProbeOptions optionsOf(const ProbeSpec& spec) {
   return {spec.reference ? ProbedBody::Undeformed : ProbedBody::Deformed, spec.points,
-          spec.window.value_or(0.0)};
+          spec.window.value_or(0.0), spec.penetration.value_or(0.0)};
 }
 
 /// "the line", "face top", ...
@@ -78,6 +78,9 @@ std::string distanceWords(const ProbeSpec& spec) {
 std::string meanWords(const ProbeSpec& spec, const std::string& lengthUnit) {
   if (spec.window)
     return fmt::format(", mean over {}{}{}", *spec.window, lengthUnit.empty() ? "" : " ", lengthUnit);
+  if (spec.penetration)
+    return fmt::format(", as X-rays of penetration {}{}{} see it", *spec.penetration,
+                       lengthUnit.empty() ? "" : " ", lengthUnit);
   if (!spec.mean) return "";
   return fmt::format(", mean {} {}", spec.depth.empty() ? "along" : "below", pathWords(spec));
 }

@@ -143,6 +143,9 @@ AccountLines accountLines(const RunAccount& a, const HistoryTable& history) {
   if (a.contactParameter > 0.0)
     add("contact", fmt::format("parameter {:.4g}, worst averaged gap {:.2e}, tolerance {:.0e}",
                                a.contactParameter, a.worstConstraint, a.constraintTolerance));
+  if (a.initialStressChange)
+    add("initial stress", fmt::format("changed by {:.2g} % of its largest value to be in equilibrium",
+                                      100.0 * *a.initialStressChange));
   addEnd(lines, a, history);
   for (const ReactionRecord& reaction : a.reactions)
     lines.emplace_back(reaction.support, reactionText(reaction));

@@ -21,6 +21,7 @@
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/mesh/chosen_bodies.h"
+#include "postproc/mesh/contact_field.h"
 #include "postproc/text/json_text.h"
 #include "postproc/text/page.h"
 #include "postproc/text/text_file.h"
@@ -216,9 +217,16 @@ class PageData {
     return floatsText(points);
   }
 
+  /// Whether the page has what is inside bodies.
+  bool showsSections() const {
+    return result_.model().dim == 3 && options_.pageCutFace == CutFace::Field &&
+           std::any_of(fields_.begin(), fields_.end(),
+                       [](const ViewField& field) { return !isContactField(field.name); });
+  }
+
   /// Of a mesh in the page; frames between two remeshings have the same.
   std::size_t numberOf(const MeshRecord& mesh) {
-    ViewMesh view = viewMesh(mesh);
+    ViewMesh view = viewMesh(mesh, showsSections());
     const auto same = std::find_if(meshes_.begin(), meshes_.end(),
                                    [&](const ViewMesh& other) { return other.json == view.json; });
     if (same != meshes_.end()) return static_cast<std::size_t>(same - meshes_.begin());
@@ -336,13 +344,15 @@ std::string nameOf(const std::string& title, const ResultReader& result) {
   return title.empty() ? std::filesystem::absolute(result.file()).parent_path().filename().string() : title;
 }
 
-void requireSize(std::size_t bytes, const ViewOptions& options, const std::filesystem::path& html) {
+void requireSize(std::size_t bytes, int dim, const ViewOptions& options, const std::filesystem::path& html) {
   const double size = static_cast<double>(bytes) / kMegabyte;
   if (size > options.maxSize)
-    throw Error(
-        fmt::format("{}: the page would have {:.3g} MB or more, above --max-size {:.6g}; take fewer frames "
-                    "(--frames) or fields (--field), or allow more",
-                    html.string(), size, options.maxSize));
+    throw Error(fmt::format(
+        "{}: the page would have {:.3g} MB or more, above --max-size {:.6g}; take fewer frames (--frames) or fields "
+        "(--field), {}or allow more",
+        html.string(), size, options.maxSize,
+        dim == 3 && options.pageCutFace == CutFace::Field ? "leave out what is inside (--cut-face hatch), "
+                                                          : ""));
 }
 
 }  // namespace
@@ -353,7 +363,7 @@ std::size_t writeView(const ResultReader& result, const std::vector<int>& frames
   PageData data(result, fields.empty() ? usualFields(result, frames.back()) : fields, options);
   for (const int frame : frames) {
     data.add(frame);
-    requireSize(data.size(), options, html);
+    requireSize(data.size(), result.model().dim, options, html);
   }
   const ScratchDirectory scratch;
   const std::string picture =
@@ -366,7 +376,7 @@ std::size_t writeView(const ResultReader& result, const std::vector<int>& frames
        .script = kViewScript,
        .scriptHash = kViewScriptHash,
        .styleHash = kViewStyleHash});
-  requireSize(text.size(), options, html);
+  requireSize(text.size(), result.model().dim, options, html);
   writeText(text, html);
   return text.size();
 }

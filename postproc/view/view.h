@@ -12,6 +12,7 @@ namespace burnish {
 /// What a page shows at first, and from where; the person in front of it changes most of it.
 struct ViewOptions : PictureOptions {
   std::optional<ChosenTheme> pageTheme;  ///< light or dark as the browser is set when left out
+  CutFace pageCutFace = CutFace::Field;  ///< what sections show
   double maxSize = 15.0;                 ///< of the page, in MB (10^6 bytes)
 };
 
@@ -34,6 +35,8 @@ void describe(Visitor& v, ViewOptions& s) {
   describe(v, static_cast<PictureDefaults&>(s));
   v.field("title", s.title, {.longest = kLongestShownText},
           "Title of the page, empty for none; that of the scene when left out.");
+  v.field("cut_face", s.pageCutFace, {},
+          "What the section of a cut shows: the field, or a hatch, which makes the page smaller (3D).");
   v.field("max_size", s.maxSize, {.above = 0, .atMost = 1000}, "Largest size of the page, in MB.");
 }
 

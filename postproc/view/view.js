@@ -98,34 +98,34 @@ function zoomBy(factor, x = 0, y = 0) {
 function cutPlane() {
   if (!solid || !state.cut) return null;
   const k = "xyz".indexOf(state.cut), side = eye()[k] < 0 ? -1 : 1;
-  const place = data.box[k] + state.cutPlace * (data.box[k + 3] - data.box[k]);
-  return {normal: [0, 1, 2].map((d) => (d === k ? side : 0)), offset: side * place};
+  const inwards = 1e-6 * boxSize * Math.sign(0.5 - state.cutPlace);  // a face of the body is a section, too
+  const place = data.box[k] + state.cutPlace * (data.box[k + 3] - data.box[k]) + inwards;
+  return {axis: k, place, normal: [0, 1, 2].map((d) => (d === k ? side : 0)), offset: side * place};
 }
 
 // ---- Bodies
 
-/** Coefficients of a face (components x points of its lattice), times their weights, with the weights behind. */
-function lattice(face, values, components) {
-  const [u, v] = face.rows, size = components + 1, functions = u.functions;
-  const half = new Float64Array(size * u.first.length * v.functions);
-  const control = new Float64Array(size);
-  for (let j = 0; j < v.functions; ++j)
-    for (let i = 0; i < u.first.length; ++i)
-      for (let a = 0; a <= u.p; ++a) {
-        const k = j * functions + u.first[i] + a, factor = u.factors[i * (u.p + 1) + a];
-        const weight = face.weights ? face.weights[k] : 1, node = face.nodes[k];
-        for (let c = 0; c < components; ++c) control[c] = weight * values[node * components + c];
-        control[components] = weight;
-        for (let c = 0; c < size; ++c) half[(j * u.first.length + i) * size + c] += factor * control[c];
-      }
-  const row = u.first.length * size;
-  const result = new Float64Array(row * v.first.length);
-  for (let j = 0; j < v.first.length; ++j)
-    for (let a = 0; a <= v.p; ++a) {
-      const factor = v.factors[j * (v.p + 1) + a], from = (v.first[j] + a) * row;
-      for (let k = 0; k < row; ++k) result[j * row + k] += factor * half[from + k];
-    }
-  return result;
+/** Coefficients of a face or a volume (components x points of its lattice), times their weights, with the weights behind. */
+function lattice(part, values, components) {
+  let size = components + 1, list = new Float64Array(size * part.nodes.length);
+  part.nodes.forEach((node, k) => {
+    const weight = part.weights ? part.weights[k] : 1;
+    for (let c = 0; c < components; ++c) list[k * size + c] = weight * values[node * components + c];
+    list[k * size + components] = weight;
+  });
+  for (const row of part.rows) {
+    const count = row.first.length, outer = list.length / (size * row.functions), next = new Float64Array(outer * count * size);
+    for (let o = 0; o < outer; ++o)
+      for (let i = 0; i < count; ++i)
+        for (let a = 0; a <= row.p; ++a) {
+          const factor = row.factors[i * (row.p + 1) + a], from = (o * row.functions + row.first[i] + a) * size;
+          const to = (o * count + i) * size;
+          for (let k = 0; k < size; ++k) next[to + k] += factor * list[from + k];
+        }
+    list = next;
+    size *= count;
+  }
+  return list;
 }
 
 /** Largest length of vectors of three numbers, of a list of coefficients in rows. */
@@ -169,10 +169,10 @@ function measured(points, first, stride, p, q) {
 }
 
 for (const mesh of data.meshes)
-  for (const face of mesh.faces) {
-    face.nodes = integers(face.nodes);
-    face.weights = face.weights && floats(face.weights);
-    for (const row of face.rows) {
+  for (const part of [...mesh.faces, ...(mesh.volumes || [])]) {
+    part.nodes = integers(part.nodes);
+    part.weights = part.weights && floats(part.weights);
+    for (const row of part.rows) {
       row.first = integers(row.first);
       row.factors = floats(row.factors);
     }
@@ -218,6 +218,306 @@ function fieldTexels(mesh, valuesText, components) {
       texels[4 * texel + 3] = from[k + components];
     }
   return texels;
+}
+
+// ---- Sections
+
+const mostCellsOfSection = 16;    // of a span and direction
+const mostCellsOfAll = 40000;     // that lie in the plane
+const colorTolerance = 0.5 / 256; // of the scale
+const sectionNumbers = 7;         // place, value and parameters of a vertex
+
+/** Values of the p+1 Bernstein polynomials at t, into b behind `first`. */
+function bernstein(p, t, b, first) {
+  b[first] = 1;
+  for (let k = 1; k <= p; ++k) {
+    let last = 0;
+    for (let i = 0; i < k; ++i) {
+      const x = b[first + i];
+      b[first + i] = last + (1 - t) * x;
+      last = t * x;
+    }
+    b[first + k] = last;
+  }
+}
+
+/**
+ * Spans of the volumes of a frame with their control coefficients: X (x, y, z, weight), and F (components, weight) of a field;
+ * first direction fastest.
+ */
+function volumeSpans(mesh, positionsText) {
+  const positions = floats(positionsText), spans = [];
+  for (const volume of mesh.volumes) {
+    const points = lattice(volume, positions, 3), degrees = volume.rows.map(({p}) => p), counts = volume.rows.map(({first}) => first.length);
+    const [p, q, r] = degrees, [m, n] = counts;
+    const [columns, rows, layers] = counts.map((count, d) => (count - 1) / degrees[d]);
+    for (let l = 0; l < layers; ++l)
+      for (let j = 0; j < rows; ++j)
+        for (let i = 0; i < columns; ++i) {
+          const places = new Int32Array((p + 1) * (q + 1) * (r + 1));
+          let at = 0;
+          for (let c = 0; c <= r; ++c)
+            for (let b = 0; b <= q; ++b)
+              for (let a = 0; a <= p; ++a) places[at++] = i * p + a + m * (j * q + b + n * (l * r + c));
+          spans.push({volume, body: volume.body, degrees, places, points});
+        }
+  }
+  return spans;
+}
+
+/** Bezier coefficients of a polynomial of the span that vanishes on a plane across an axis; null if the plane does not cut the span. */
+function planePolynomial({places, points}, axis, place) {
+  const at = (k) => points[4 * places[k] + axis] - place * points[4 * places[k] + 3];
+  const isAbove = at(0) >= 0;
+  let k = 1;
+  while (k < places.length && at(k) >= 0 === isAbove) ++k;
+  return k === places.length ? null : Float64Array.from(places, (_, i) => at(i));
+}
+
+/** Middle and radius of a span's coefficients, and a bound of its second differences along any diagonal: of its place, once. */
+function measureSpan(span) {
+  const {places, points} = span, count = places.length, list = new Float64Array(3 * count);
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < count; ++k)
+    for (let c = 0; c < 3; ++c) {
+      const x = points[4 * places[k] + c] / points[4 * places[k] + 3];
+      list[3 * k + c] = x;
+      low[c] = Math.min(low[c], x);
+      high[c] = Math.max(high[c], x);
+    }
+  span.center = middle(low, high);
+  span.radius = Math.hypot(...minus(high, low)) / 2;
+  span.second = secondDifference(list, 3, span.degrees);
+}
+
+/** Of Bezier coefficients (components x points): the largest second derivative along a diagonal of the span, nearly. */
+function secondDifference(list, components, degrees) {
+  const counts = degrees.map((p) => p + 1), strides = [1, counts[0], counts[0] * counts[1]];
+  let sum = 0;
+  for (let d = 0; d < 3; ++d)
+    for (let e = d; e < 3; ++e) {
+      const ends = counts.map((count, k) => count - (k === d) - (k === e)), a = strides[d], b = strides[e];
+      let most = 0;
+      for (let z = 0; z < ends[2]; ++z)
+        for (let y = 0; y < ends[1]; ++y)
+          for (let x = 0; x < ends[0]; ++x) {
+            const k = x + y * strides[1] + z * strides[2];
+            let square = 0;
+            for (let c = 0; c < components; ++c) {
+              const at = (place) => list[place * components + c], off = at(k) - at(k + a) - at(k + b) + at(k + a + b);
+              square += off * off;
+            }
+            most = Math.max(most, square);
+          }
+      sum += (d === e ? degrees[d] * (degrees[d] - 1) : 2 * degrees[d] * degrees[e]) * Math.sqrt(most);
+    }
+  return sum;
+}
+
+/** The same of the field, whose coefficients are those of the volume that has the span. */
+function secondOfField({places, degrees}, values, components) {
+  const list = new Float64Array(components * places.length);
+  for (let k = 0; k < places.length; ++k) {
+    const from = places[k] * (components + 1);
+    for (let c = 0; c < components; ++c) list[k * components + c] = values[from + c] / values[from + components];
+  }
+  return secondDifference(list, components, degrees);
+}
+
+/**
+ * The six tetrahedra of a cell about its diagonal, along ways from one corner (0) to the opposite one (7), whose bits are directions;
+ * so neighbours cut their common face alike. Of each, by the corners above a plane as bits: three by three the edges that triangles
+ * have as corners, each with the corner where it begins and its directions.
+ */
+const tetrahedra = [[0, 1, 3, 7], [0, 1, 5, 7], [0, 2, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 4, 6, 7]].map((way) => {
+  const edge = (a, b) => [Math.min(a, b), a ^ b];
+  const triangles = Array.from({length: 16}, (_, mask) => {
+    const [below, above] = [0, 1].map((side) => way.filter((_, k) => (mask >> k & 1) === side));
+    if (below.length === 0 || above.length === 0) return [];
+    const [few, many] = below.length < above.length ? [below, above] : [above, below];
+    if (few.length === 1) return many.map((bits) => edge(few[0], bits));
+    const [a, b, c, d] = [[0, 0], [0, 1], [1, 1], [1, 0]].map(([i, j]) => edge(few[i], many[j]));
+    return [a, b, c, a, c, d];
+  });
+  return {way, triangles};
+});
+
+/** Triangles on a plane, span by span: their points lie where the plane cuts edges of tetrahedra, exactly, with the exact field. */
+class Section {
+  constructor(axis, place, cells) {
+    Object.assign(this, {axis, place, cells, count: 0, triangles: []});
+    this.vertices = new Float32Array(1 << 12);
+    const corners = (cells + 1) ** 3;
+    this.values = new Float64Array(corners);
+    this.known = new Int32Array(8 * corners);
+    this.steps = [0, 1, 2, 3, 4, 5, 6, 7].map((bits) => (bits & 1) + (bits & 2 ? cells + 1 : 0) + (bits & 4 ? (cells + 1) ** 2 : 0));
+    this.bases = new Map();
+  }
+
+  /** Bernstein polynomials of a degree at the corners. */
+  basis(p) {
+    if (!this.bases.has(p)) {
+      const b = new Float64Array((p + 1) * (this.cells + 1));
+      for (let i = 0; i <= this.cells; ++i) bernstein(p, i / this.cells, b, i * (p + 1));
+      this.bases.set(p, b);
+    }
+    return this.bases.get(p);
+  }
+
+  /** Values of a polynomial at all corners of the cells. */
+  tabulate(g, degrees) {
+    let list = g, inner = 1;
+    const n = this.cells + 1;
+    degrees.forEach((p, d) => {
+      const b = this.basis(p), outer = list.length / (inner * (p + 1));
+      const next = d === 2 ? this.values : new Float64Array(outer * n * inner);
+      for (let o = 0; o < outer; ++o)
+        for (let i = 0; i < n; ++i)
+          for (let k = 0; k < inner; ++k) {
+            let sum = 0;
+            for (let a = 0; a <= p; ++a) sum += b[i * (p + 1) + a] * list[(o * (p + 1) + a) * inner + k];
+            next[(o * n + i) * inner + k] = sum;
+          }
+      list = next;
+      inner *= n;
+    });
+  }
+
+  /** Products of Bernstein polynomials at a place of a span. */
+  weigh(degrees, u, v, w) {
+    const [p, q, r] = degrees;
+    if (!this.products || this.products.length !== (p + 1) * (q + 1) * (r + 1) || this.rows.length !== p + q + r + 3) {
+      this.products = new Float64Array((p + 1) * (q + 1) * (r + 1));
+      this.rows = new Float64Array(p + q + r + 3);
+    }
+    const b = this.rows, products = this.products;
+    bernstein(p, u, b, 0);
+    bernstein(q, v, b, p + 1);
+    bernstein(r, w, b, p + q + 2);
+    let at = 0;
+    for (let k = 0; k <= r; ++k)
+      for (let j = 0; j <= q; ++j) {
+        const both = b[p + q + 2 + k] * b[p + 1 + j];
+        for (let i = 0; i <= p; ++i) products[at++] = both * b[i];
+      }
+    return products;
+  }
+
+  /** Where the polynomial vanishes on the edge that leaves a corner in these directions. */
+  vertex(corner, bits) {
+    const key = 8 * corner + bits;
+    if (this.known[key] >= 0) return this.known[key];
+    const {span, g} = this, n = this.cells + 1, h = 1 / this.cells;
+    const u = (corner % n) * h, v = (Math.floor(corner / n) % n) * h, w = Math.floor(corner / (n * n)) * h;
+    const du = bits & 1 ? h : 0, dv = bits & 2 ? h : 0, dw = bits & 4 ? h : 0;
+    let a = 0, b = 1, fa = this.values[corner], fb = this.values[corner + this.steps[bits]], t = 0, last = 0, products;
+    const small = 1e-9 * Math.max(Math.abs(fa), Math.abs(fb));
+    for (let k = 0; k < 12; ++k) {  // regula falsi; the value at an end that stays twice is halved (Illinois)
+      t = fa === fb ? a : (a * fb - b * fa) / (fb - fa);
+      products = this.weigh(span.degrees, u + t * du, v + t * dv, w + t * dw);
+      let f = 0;
+      for (let i = 0; i < g.length; ++i) f += products[i] * g[i];
+      if (Math.abs(f) <= small) break;
+      const side = f < 0 === fa < 0 ? 1 : -1;
+      if (side > 0) [a, fa] = [t, f];
+      else [b, fb] = [t, f];
+      if (side === last && side > 0) fb *= 0.5;
+      if (side === last && side < 0) fa *= 0.5;
+      last = side;
+    }
+    return (this.known[key] = this.add(products, u + t * du, v + t * dv, w + t * dw));
+  }
+
+  /** A vertex of the span with its place, value and parameters. */
+  add(products, u, v, w) {
+    const {span: {places, points}, field, components} = this;
+    let x = 0, y = 0, z = 0, weight = 0, square = 0;
+    for (let i = 0; i < places.length; ++i) {
+      const factor = products[i], from = 4 * places[i];
+      x += factor * points[from];
+      y += factor * points[from + 1];
+      z += factor * points[from + 2];
+      weight += factor * points[from + 3];
+    }
+    let value = 0;
+    for (let c = 0; c < components; ++c) {
+      value = 0;
+      for (let i = 0; i < places.length; ++i) value += products[i] * field[places[i] * (components + 1) + c];
+      square += value * value;
+    }
+    if (components > 1) value = Math.sqrt(square);
+    const first = sectionNumbers * this.count;
+    if (first + sectionNumbers > this.vertices.length) {
+      const longer = new Float32Array(2 * this.vertices.length);
+      longer.set(this.vertices);
+      this.vertices = longer;
+    }
+    const into = this.vertices;
+    into[first] = x / weight;
+    into[first + 1] = y / weight;
+    into[first + 2] = z / weight;
+    into[first + 3] = value / weight;
+    into[first + 4] = u;
+    into[first + 5] = v;
+    into[first + 6] = w;
+    return this.count++;
+  }
+
+  /** Of the span whose polynomial of the plane is g, with the coefficients of a field on its volume. */
+  cut(span, g, field, components) {
+    Object.assign(this, {span, g, field, components});
+    this.tabulate(g, span.degrees);
+    this.known.fill(-1);
+    const {cells, values, steps} = this, n = cells + 1;
+    for (let z = 0; z < cells; ++z)
+      for (let y = 0; y < cells; ++y)
+        for (let x = 0; x < cells; ++x) {
+          const corner = x + n * (y + n * z);
+          let above = 0;
+          for (let k = 0; k < 8; ++k) above |= values[corner + steps[k]] >= 0 ? 1 << k : 0;
+          if (above === 0 || above === 255) continue;
+          for (const {way, triangles} of tetrahedra) {
+            let mask = 0;
+            for (let k = 0; k < 4; ++k) mask |= (above >> way[k] & 1) << k;
+            for (const [begin, bits] of triangles[mask]) this.triangles.push(this.vertex(corner + steps[begin], bits));
+          }
+        }
+  }
+}
+
+/** The section of what is visible, for so many pixels per length; made anew when it changes. */
+function shownSection({axis, place}, visible, scale) {
+  const record = data.frames[state.frame], {mesh} = loaded.body, field = data.fields[state.field];
+  if (!loaded.volumes) loaded.volumes = {spans: volumeSpans(mesh, record.positions)};
+  if (loaded.volumes.field !== state.field) {
+    const values = floats(record.fields[state.field].values);
+    loaded.volumes.field = state.field;
+    loaded.volumes.values = new Map(field.isOfContact ? [] : mesh.volumes.map((volume) => [volume, lattice(volume, values, field.components)]));
+    for (const span of loaded.volumes.spans) span.secondOfField = null;
+    loaded.section = null;
+  }
+  const {values} = loaded.volumes, range = field.range[1] - field.range[0], found = [];
+  let cells = 1;
+  for (const span of loaded.volumes.spans) {
+    if (isPlain(span.body)) continue;
+    const g = planePolynomial(span, axis, place);
+    if (!g) continue;
+    if (!span.center) measureSpan(span);
+    if (!visible(span)) continue;
+    span.secondOfField ??= secondOfField(span, values.get(span.volume), field.components);
+    found.push({span, g});
+    cells = Math.max(cells, Math.sqrt(span.second * scale / (8 * pixelTolerance)),
+                     Math.sqrt(span.secondOfField / range / (8 * colorTolerance)));
+  }
+  cells = clamp(Math.ceil(cells), 1, Math.max(1, Math.min(mostCellsOfSection, Math.floor(Math.sqrt(mostCellsOfAll / Math.max(1, found.length))))));
+  const last = loaded.section;
+  if (last && last.axis === axis && last.place === place && last.cells === cells && last.spans.length === found.length &&
+      found.every(({span}, k) => span === last.spans[k])) return last;
+  const section = new Section(axis, place, cells);
+  for (const {span, g} of found) section.cut(span, g, values.get(span.volume), field.components);
+  loaded.section = {axis, place, cells, spans: found.map(({span}) => span), triangles: new Uint32Array(section.triangles),
+                    vertices: section.vertices.subarray(0, sectionNumbers * section.count)};
+  return loaded.section;
 }
 
 // ---- The graphics card
@@ -310,12 +610,37 @@ float lightOn(vec3 normal, float least, float most) {
   return clamp((0.45 + 0.6 * lamps) / 1.018, least, most);
 }`;
 
-const surfaceFragment = (p, q) => header + evaluation(p, q) + clipping + lighting + `
-uniform sampler2D values, colors;
+/** Colours of values with isolines, which are of the paper's colour where the outline's would hardly be seen; knot lines. */
+const coloring = `
+uniform sampler2D colors;
 uniform vec2 range;
-uniform int count, components, light, plain;
-uniform float lines, isolines, nonNegative;
-uniform vec3 knotColor, outlineColor, plainColor;
+uniform int count;
+uniform float lines, isolines;
+uniform vec3 knotColor, outlineColor, paperColor;
+float luminance(vec3 c) {
+  return dot(mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, lessThanEqual(c, vec3(0.04045))), vec3(0.2126, 0.7152, 0.0722));
+}
+vec3 colorAt(float place) {
+  return texelFetch(colors, ivec2(clamp(int(floor(place * float(count))), 0, count - 1), 0), 0).rgb;
+}
+vec3 colored(float value) {
+  float place = (value - range.x) / (range.y - range.x);
+  vec3 c = colorAt(place);
+  if (isolines <= 0.0) return c;
+  float g = place * (isolines + 1.0), line = round(g), share = clamp(abs(g - line) / max(fwidth(g), 1e-9) - 0.35 * lines + 0.5, 0.0, 1.0);
+  if (line < 1.0 || line > isolines) return c;
+  float a = luminance(outlineColor), b = luminance(colorAt(line / (isolines + 1.0)));
+  return mix((max(a, b) + 0.05) / (min(a, b) + 0.05) < 1.3 ? paperColor : outlineColor, c, share);
+}
+vec3 withKnots(vec3 c, float pixels) {  // from the border of the span
+  return knotColor.r < 0.0 ? c : mix(c, knotColor, 0.5 * clamp(0.25 * lines + 0.5 - pixels, 0.0, 1.0));
+}`;
+
+const surfaceFragment = (p, q) => header + evaluation(p, q) + clipping + lighting + coloring + `
+uniform sampler2D values;
+uniform int components, light, plain;
+uniform float nonNegative;
+uniform vec3 plainColor;
 in vec2 UV;
 in vec3 X;
 in vec3 N;
@@ -327,18 +652,8 @@ void main() {
   vec3 f = h.xyz / h.w;
   float value = components == 1 ? f.x : components == 2 ? length(f.xy) : length(f);
   if (nonNegative > 0.0) value = max(value, 0.0);
-  float place = (value - range.x) / (range.y - range.x);
-  vec3 c = texelFetch(colors, ivec2(clamp(int(floor(place * float(count))), 0, count - 1), 0), 0).rgb;
-  if (plain == 1) c = plainColor;
-  if (isolines > 0.0 && plain == 0) {
-    float g = place * (isolines + 1.0), line = round(g);
-    if (line >= 1.0 && line <= isolines)
-      c = mix(outlineColor, c, clamp(abs(g - line) / max(fwidth(g), 1e-9) - 0.35 * lines + 0.5, 0.0, 1.0));
-  }
-  if (knotColor.r >= 0.0) {
-    vec2 d = min(UV, 1.0 - UV) / fwidth(UV);
-    c = mix(c, knotColor, 0.5 * clamp(0.25 * lines + 0.5 - min(d.x, d.y), 0.0, 1.0));
-  }
+  vec2 d = min(UV, 1.0 - UV) / fwidth(UV);
+  vec3 c = withKnots(plain == 1 ? plainColor : colored(value), min(d.x, d.y));
   if (light == 1) {
     float facing = abs(dot(normalize(N), eye));
     c *= plain == 1 ? lightOn(normalize(N), 0.0, 1.15) : lightOn(normalize(N), 0.6, 1.0);
@@ -438,6 +753,30 @@ void main() {
   color = vec4(mix(hatch, paint.rgb, clamp(d - 0.5 * lines + 0.5, 0.55, 1.0)), 1);
 }`;
 
+const sectionVertex = header + `
+uniform mat4 view;
+layout(location = 0) in vec4 point;  // with the value
+layout(location = 1) in vec3 uvw;
+out vec3 UVW;
+out float VALUE;
+void main() {
+  UVW = uvw;
+  VALUE = point.w;
+  gl_Position = view * vec4(point.xyz, 1);
+}`;
+
+const sectionFragment = header + coloring + `
+uniform float nonNegative;
+in vec3 UVW;
+in float VALUE;
+out vec4 color;
+void main() {
+  vec3 steps = fwidth(UVW), d = min(UVW, 1.0 - UVW) / max(steps, 1e-9);
+  float most = max(steps.x, max(steps.y, steps.z));
+  for (int k = 0; k < 3; ++k) if (steps[k] < 1e-3 * most) d[k] = 1e9;  // the plane goes along these knots
+  color = vec4(withKnots(colored(nonNegative > 0.0 ? max(VALUE, 0.0) : VALUE), min(d.x, min(d.y, d.z))), 1);
+}`;
+
 // Values of contact stand at points of faces, between which they are interpolated.
 const contactVertex = header + `
 uniform mat4 view;
@@ -466,17 +805,14 @@ void main() {
   gl_Position = widened(view * vec4(X, 1), view * vec4(begin, 1), view * vec4(end, 1), along.y);
 }`;
 
-const contactFragment = header + clipping + lighting + `
-uniform sampler2D colors;
-uniform vec2 range;
-uniform int count, light;
+const contactFragment = header + clipping + lighting + coloring + `
+uniform int light;
 in vec3 X;
 in float VALUE;
 out vec4 color;
 void main() {
   clip(X);
-  float place = (VALUE - range.x) / (range.y - range.x);
-  vec3 c = texelFetch(colors, ivec2(clamp(int(floor(place * float(count))), 0, count - 1), 0), 0).rgb;
+  vec3 c = colored(VALUE);
   if (light == 1) c *= lightOn(normalize(cross(dFdx(X), dFdy(X))), 0.6, 1.0);
   color = vec4(c, 1);
 }`;
@@ -525,12 +861,12 @@ function buffer(values, kind = gl.ARRAY_BUFFER) {
   return made;
 }
 
-/** Points an attribute to a buffer; `perInstance`: 1 for one entry per instance. */
-function attribute(location, values, size, perInstance = 0) {
+/** Points an attribute of each vertex to a buffer; in rows of so many numbers, behind the first of these. */
+function attribute(location, values, size, first = 0, numbers = size) {
   gl.bindBuffer(gl.ARRAY_BUFFER, values);
   gl.enableVertexAttribArray(location);
-  gl.vertexAttribPointer(location, size, gl.FLOAT, false, 0, 0);
-  gl.vertexAttribDivisor(location, perInstance);
+  gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * numbers, 4 * first);
+  gl.vertexAttribDivisor(location, 0);
 }
 
 const grids = new Map();
@@ -599,6 +935,7 @@ function load() {
     gl.deleteTexture(loaded.points);
     loaded.body = body(data.meshes[record.mesh], record.positions);
     loaded.points = texelTexture(units.points, loaded.body.points);
+    loaded.volumes = loaded.section = null;
   }
   if ((loaded.frame !== state.frame || loaded.field !== state.field) && !data.fields[state.field].isOfContact) {
     gl.deleteTexture(loaded.values);
@@ -713,12 +1050,21 @@ function drawEdges(shape, unit, visible, cells, common, paint, width) {
   }
 }
 
+/** How values of the field are coloured. */
+function fieldLook() {
+  const field = data.fields[state.field];
+  return {
+    colors: {integer: units.colors}, range: field.range, count: {integer: loaded.colorCount}, isolines: state.isolines,
+    nonNegative: field.nonNegative ? 1 : 0, knotColor: state.knots ? rgb(theme().knots) : [-1, -1, -1],
+    outlineColor: rgb(theme().outline), paperColor: rgb(theme().paper)};
+}
+
 /** The faces of a contact field, over bodies without colours. */
 function drawContact(common) {
   const field = data.fields[state.field], faces = data.frames[state.frame].fields[state.field].faces;
   if (!faces) return;
   const points = floats(faces.points), values = floats(faces.values);
-  const look = {...common, colors: {integer: units.colors}, range: field.range, count: {integer: loaded.colorCount}};
+  const look = {...common, ...fieldLook(), knotColor: [-1, -1, -1]};
   if (faces.segments) {
     const ends = integers(faces.segments), list = [];
     for (let k = 0; k + 1 < ends.length; k += 2) {
@@ -739,19 +1085,18 @@ function drawContact(common) {
   for (const each of made) gl.deleteBuffer(each);
 }
 
+/** Whether a body has no values of the field. */
+const isPlain = (body) => data.fields[state.field].isOfContact || data.frames[state.frame].fields[state.field].without.includes(body);
+
 /** All of the surface that is visible, in colours. */
 function drawSurface(spans, cells, common) {
-  const field = data.fields[state.field], {without} = data.frames[state.frame].fields[state.field];
-  const isPlain = (span) => field.isOfContact || without.includes(span.body);
+  const field = data.fields[state.field];
   const plainColor = middle(rgb(theme().tool), rgb(theme().paper));
   for (const plain of [0, 1])
-    for (const {p, q, list} of byDegrees(spans.filter((span) => isPlain(span) === Boolean(plain)), (s) => s)) {
+    for (const {p, q, list} of byDegrees(spans.filter(({body}) => isPlain(body) === Boolean(plain)), (s) => s)) {
       program(`surface ${p} ${q}`, surfaceVertex(p, q), surfaceFragment(p, q)).use({
-        ...common, points: {integer: units.points}, values: {integer: units.values}, colors: {integer: units.colors},
-        range: field.range, count: {integer: loaded.colorCount}, components: {integer: field.components},
-        light: {integer: solid && state.light ? 1 : 0}, plain: {integer: plain}, isolines: state.isolines,
-        nonNegative: field.nonNegative ? 1 : 0, knotColor: state.knots ? rgb(theme().knots) : [-1, -1, -1],
-        outlineColor: rgb(theme().outline), plainColor});
+        ...common, ...fieldLook(), points: {integer: units.points}, values: {integer: units.values},
+        components: {integer: field.components}, light: {integer: solid && state.light ? 1 : 0}, plain: {integer: plain}, plainColor});
       drawInstances(grid(cells, cells, false), list.flatMap((span) => [span.place, span.stride]), [2]);
     }
 }
@@ -780,6 +1125,20 @@ function drawCap(plane, spans, cells, common) {
   gl.disable(gl.STENCIL_TEST);
 }
 
+/** The field on the faces that a plane makes. */
+function drawSection(plane, visible, scale, common) {
+  const {vertices, triangles} = shownSection(plane, visible, scale);
+  if (triangles.length === 0) return;
+  program("section", sectionVertex, sectionFragment).use({...common, ...fieldLook()});
+  const made = [buffer(vertices), buffer(triangles, gl.ELEMENT_ARRAY_BUFFER)];
+  attribute(0, made[0], 4, 0, sectionNumbers);
+  attribute(1, made[0], 3, 4, sectionNumbers);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, made[1]);
+  gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0);
+  gl.disableVertexAttribArray(1);
+  for (const each of made) gl.deleteBuffer(each);
+}
+
 function draw() {
   load();
   const ratio = devicePixelRatio, width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
@@ -793,8 +1152,10 @@ function draw() {
     view[12 + row] = -factor * center;
   });
   view[15] = 1;
+  const plane = cutPlane(), lines = ratio * 1.25;
   const visible = ({center, radius}) => {
     const [x, y] = minus(projected(center), state.center), reach = radius + 4 / scale;
+    if (plane && dot(plane.normal, center) - radius > plane.offset) return false;
     return Math.abs(x) <= width / 2 / scale + reach && Math.abs(y) <= height / 2 / scale + reach;
   };
   const cellsOf = (spans) => {
@@ -802,7 +1163,6 @@ function draw() {
     return clamp(Math.ceil(Math.sqrt(second * scale / (4 * pixelTolerance))), solid ? 4 : 1, mostCells);
   };
   const spans = loaded.body.spans.filter(visible), cells = cellsOf(spans);
-  const plane = cutPlane(), lines = ratio * 1.25;
   const common = {view, lines, pixels: [width, height], right: state.right, up: state.up, eye: towards, nearer: solid ? 3 / scale / depth : 0,
     farther: solid ? 0.003 * boxSize / depth : 0,
     cut: plane ? [...plane.normal, plane.offset] : [0, 0, 0, 1]};
@@ -819,7 +1179,11 @@ function draw() {
   gl.depthFunc(gl.LEQUAL);
   if (!solid) drawToolAreas(common, [...rgb(theme().tool), 1]);
   drawSurface(spans, cells, common);
-  if (plane) drawCap(plane, spans, cells, common);
+  if (plane) {
+    const hatched = spans.filter(({body}) => !loaded.body.mesh.volumes || isPlain(body));
+    if (hatched.length > 0) drawCap(plane, hatched, cells, common);
+    if (loaded.body.mesh.volumes) drawSection(plane, visible, scale, common);
+  }
   drawUndeformed();
   drawEdges(loaded.body, units.points, visible, cells, common, outline, lines);
   drawToolLines(common);

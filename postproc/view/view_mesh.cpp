@@ -59,14 +59,15 @@ class NodeNumbers {
   std::map<int, int> numbers_;
 };
 
-Json::Value faceJson(const MeshRecord& mesh, const PatchSide& face, NodeNumbers& numbers) {
-  const PatchRecord& patch = mesh.patches[face.patch];
+/// Of a face, or of all of a patch.
+Json::Value partJson(const MeshRecord& mesh, const PatchSide& part, NodeNumbers& numbers) {
+  const PatchRecord& patch = mesh.patches[part.patch];
   Json::Value json;
   json["body"] = patch.body;
   json["rows"] = Json::arrayValue;
-  for (std::size_t d = 0; d < face.ends.size(); ++d)
-    if (face.ends[d] == End::None) json["rows"].append(rowJson(patch.directions[d]));
-  const std::vector<int> functions = functionsOn(patch, face);
+  for (std::size_t d = 0; d < part.ends.size(); ++d)
+    if (part.ends[d] == End::None) json["rows"].append(rowJson(patch.directions[d]));
+  const std::vector<int> functions = functionsOn(patch, part);
   std::vector<int> nodes;
   for (const int function : functions)
     nodes.push_back(numbers.of(patch.nodes[static_cast<std::size_t>(function)]));
@@ -105,12 +106,16 @@ std::string integersText(const std::vector<int>& values) {
   return base64({reinterpret_cast<const char*>(integers.data()), integers.size() * sizeof(std::int32_t)});
 }
 
-ViewMesh viewMesh(const MeshRecord& mesh) {
+ViewMesh viewMesh(const MeshRecord& mesh, bool withVolumes) {
   const PatchBorders borders(mesh);
   NodeNumbers numbers;
   ViewMesh view;
   view.json["faces"] = Json::arrayValue;
-  for (const PatchSide& face : borders.surface()) view.json["faces"].append(faceJson(mesh, face, numbers));
+  for (const PatchSide& face : borders.surface()) view.json["faces"].append(partJson(mesh, face, numbers));
+  if (withVolumes)
+    for (std::size_t k = 0; k < mesh.patches.size(); ++k)
+      view.json["volumes"].append(
+          partJson(mesh, {k, std::vector(mesh.patches[k].directions.size(), End::None)}, numbers));
   view.json["edges"] = edgesJson(mesh, borders);
   view.nodes = std::move(numbers.nodes);
   view.json["nodes"] = static_cast<int>(view.nodes.size());

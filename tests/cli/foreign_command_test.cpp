@@ -94,6 +94,39 @@ TEST_F(ForeignCommand, BlocksKeepTheirValuesWhereTheyMeet) {
   EXPECT_LE(between, 1);
 }
 
+/// A row of three cells with values x of points is cut at the values; cells with values of their own stay whole.
+TEST_F(ForeignCommand, ThresholdLeavesAPart) {
+  const std::string head =
+      "# vtk DataFile Version 3.0\nrow\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 2 1\nORIGIN 0 0 0\n"
+      "SPACING 1 1 1\n";
+  std::ofstream(dir_ / "points.vtk")
+      << head << "POINT_DATA 8\nSCALARS x double 1\nLOOKUP_TABLE default\n0 1 2 3 0 1 2 3\n";
+  std::ofstream(dir_ / "cells.vtk") << head
+                                    << "CELL_DATA 3\nSCALARS x double 1\nLOOKUP_TABLE default\n1 5 3\n";
+  const auto colored = [&](const std::string& options) {
+    const auto drawn =
+        burnish("render " + options + " --field x --size 800,300 --no-knots --title '' -o a.png");
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    const Picture picture = readPicture(dir_ / "a.png");
+    int count = 0;
+    for (int x = 0; x < picture.width; ++x) {
+      const Color& color = picture.at({x + 0.5, 0.7 * picture.height});
+      if (std::max({color[0], color[1], color[2]}) - std::min({color[0], color[1], color[2]}) > 30) ++count;
+    }
+    return count;
+  };
+  const int scale = colored("points.vtk --threshold 7,"), whole = colored("points.vtk") - scale;
+  ASSERT_GT(whole, 300);
+  EXPECT_LT(scale, 20);
+  EXPECT_NEAR(colored("points.vtk --threshold 0.75,2.25") - scale, whole / 2.0, 4.0);
+  EXPECT_NEAR(colored("points.vtk --threshold 2.1,") - scale, 0.3 * whole, 4.0);
+  EXPECT_NEAR(colored("cells.vtk --threshold 2,6") - scale, 2.0 * whole / 3.0, 4.0);
+  const auto named = burnish("render points.vtk --threshold von_mises=1,2 -o a.png");
+  EXPECT_EQ(named.code, 2);
+  EXPECT_THAT(named.err,
+              HasSubstr("threshold: files of other programs are parted by the field that is drawn alone"));
+}
+
 /// Three cells in a row with a value each, the largest in the middle.
 TEST_F(ForeignCommand, ExtremesOfCellsAreMarkedInTheirMiddles) {
   std::ofstream(dir_ / "row.vtk")

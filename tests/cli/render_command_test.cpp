@@ -325,6 +325,32 @@ TEST_F(RenderCommand, SheetDrawsFramesWithOneRangeAndOneWindow) {
   expectRefused("sheet run -o no.jpg", "ends in .png, .pdf or .svg");
 }
 
+/// A panel is filled as a picture of its size is.
+TEST_F(RenderCommand, SheetInPerspectiveFillsItsPanels) {
+  const samples::Sample cube = samples::cube();
+  ResultWriter(dir() / "cube", cube.model).append(cube.frame);
+  const auto colored = [](const fs::path& png) {
+    const Picture picture = readPicture(png);
+    int count = 0;
+    for (int x = 0; x < picture.width * 6 / 10; ++x)  // the scale stands to the right
+      for (int y = 0; y < picture.height; ++y) {
+        const Color c = picture.at({x + 0.5, y + 0.5});
+        count += std::max({c[0], c[1], c[2]}) - std::min({c[0], c[1], c[2]}) > 30 ? 1 : 0;
+      }
+    return count;
+  };
+  const std::string look = " --perspective 90 --tools off --text-size 12 ";
+  const Outcome drawn =
+      burnish("render cube --field pressure --title '' --size 400,300" + look + "-o single.png");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(burnish("sheet cube --field pressure --panel-size 400,300" + look + "-o panel.png").code, 0);
+  const double single = colored(dir() / "single.png");
+  EXPECT_GT(single, 10000.0);
+  const double share = colored(dir() / "panel.png") / single;
+  EXPECT_GT(share, 0.8);  // scales of panels have room for other numbers
+  EXPECT_LE(share, 1.0);
+}
+
 /// Types of the chunks of a PNG file in their order; of those of an animation with their numbers.
 std::vector<std::string> chunksOf(const fs::path& png) {
   const std::string bytes = readText(png);

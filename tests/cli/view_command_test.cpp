@@ -15,6 +15,7 @@
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/mesh/patch_geometry.h"
+#include "postproc/mesh/picture_planes.h"
 #include "postproc/text/page.h"
 #include "tests/cli/browser.h"
 #include "tests/postproc/sample_records.h"
@@ -245,7 +246,17 @@ std::string comparison(const Sample& sample, ContourOptions options, const fs::p
   options.undeformed = options.tools = false;
   options.size = {800, 500};
   const View view = drawContour(sample.model, sample.frame, options, dir / "picture.png");
-  return fmt::format(
+  std::string cut;
+  if (options.cut) {
+    Eigen::Index axis = 0;
+    options.cut->normal.cwiseAbs().maxCoeff(&axis);
+    cut = fmt::format(
+        "state.cut = \"xyz\"[{0}]; state.cutPlace = ({1:.17g} - data.origin[{0}] - data.box[{0}]) / (data.box[{0} + 3] - "
+        "data.box[{0}]);\n",
+        axis, options.cut->point(axis));
+  }
+  return cut +
+         fmt::format(
              "const png = \"{}\", levels = {}, scale = {:.17g}, center = [{:.17g}, {:.17g}], area = {{x: {:.17g}, y: "
              "{:.17g}, width: {:.17g}, height: {:.17g}}};",
              pngUri(readText(dir / "picture.png")), levels, view.pixelsPerLength, view.center.x(),
@@ -286,6 +297,118 @@ TEST_F(ViewCommand, BodiesInSpaceLookAsRenderDrawsThem) {
   EXPECT_GT(numberAfter(out, "calm"), 30'000) << out;
   EXPECT_EQ(numberAfter(out, "wrong"), 0) << out;
   EXPECT_EQ(numberAfter(out, "misplaced"), 0) << out;
+}
+
+/// The cube bent and bulged, with a field that bends within its spans.
+Sample bulgedCube() {
+  Sample sample = samples::cube();
+  const Eigen::MatrixXd x = sample.model.mesh.patches.front().points;
+  Eigen::MatrixXd& u = sample.frame.displacement;
+  Eigen::MatrixXd& pressure = sample.frame.fields["pressure"].values;
+  for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    const auto [a, b, c] = std::array{x(0, k), x(1, k), x(2, k)};
+    u.col(k) = Eigen::Vector3d(0.3 * c * (1 - c), 0.2 * a * b, 0.4 * a * (1 - a) * (0.5 + b) + 0.1 * b);
+    pressure(0, k) = a + b * b - 2.0 * a * c * (1 - c) * b;
+  }
+  return sample;
+}
+
+/// One cube beside another that has no pressure.
+Sample twoCubes() {
+  Sample sample = samples::cube();
+  MeshRecord& mesh = sample.model.mesh;
+  PatchRecord other = mesh.patches.front();
+  const int first = mesh.numNodes;
+  for (int& node : other.nodes) node += first;
+  other.points.row(0).array() += 1.5;
+  other.body = 1;
+  mesh.numNodes *= 2;
+  mesh.patches.push_back(std::move(other));
+  sample.model.bodies = {"block", "stamp"};
+  sample.frame.displacement = Eigen::MatrixXd::Zero(3, mesh.numNodes);
+  FieldRecord& pressure = sample.frame.fields.at("pressure");
+  pressure.values = pressure.values.replicate(1, 2).eval();
+  pressure.bodies = {"block"};
+  return sample;
+}
+
+TEST_F(ViewCommand, SectionsLookAsRenderDrawsThem) {
+  if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
+  const auto expectSame = [&](const Sample& sample, const char* plane) {
+    write({sample});
+    ContourOptions options;
+    options.field = "pressure";
+    options.occlusion = false;
+    options.cut = cutPlaneNamed(plane);
+    const std::string out =
+        found("--tools off --undeformed off --field pressure", comparison(sample, options, dir, 2));
+    EXPECT_GT(numberAfter(out, "calm"), 20'000) << plane << ": " << out;
+    EXPECT_LE(numberAfter(out, "worst"), 3) << plane << ": " << out;
+    EXPECT_LE(numberAfter(out, "wrong"), 1e-4 * numberAfter(out, "calm")) << plane << ": " << out;
+    EXPECT_EQ(numberAfter(out, "misplaced"), 0) << plane << ": " << out;
+  };
+  for (const char* plane : {"z=0.31", "z=0.7", "x=0.5", "y=0.333"}) expectSame(bulgedCube(), plane);
+  expectSame(samples::cube(), "z=0.5");
+}
+
+/// What is known of the section that is shown: its area, how far its corners are from the plane, and their values
+/// from x + y + z.
+constexpr const char* kMeasureSection = R"(
+const measure = (words) => {
+  draw();
+  const {axis, place, vertices, triangles} = loaded.section, corner = (k) => [...vertices.subarray(7 * k, 7 * k + 4)];
+  let area = 0, off = 0, wrong = 0;
+  for (let k = 0; k < triangles.length; k += 3) {
+    const [a, b, c] = [0, 1, 2].map((i) => corner(triangles[k + i]));
+    area += Math.hypot(...cross(minus(b, a), minus(c, a))) / 2;
+    for (const [x, y, z, value] of [a, b, c]) {
+      off = Math.max(off, Math.abs([x, y, z][axis] - place));
+      wrong = Math.max(wrong, Math.abs(Math.abs(x + data.origin[0]) + y + z + data.origin[1] + data.origin[2] - value));
+    }
+  }
+  found.push(words + " area " + area.toFixed(5) + " off " + (off < 1e-6) + " value " + (wrong < 1e-5));
+};
+)";
+
+TEST_F(ViewCommand, SectionsAreWholeAndExact) {
+  if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
+  write({samples::cube(), samples::meshedAnew(samples::cube(), samples::cube(4))});
+  const std::string out = found("--field pressure", std::string(kMeasureSection) + R"(
+for (const [cut, cutPlace] of [["z", 0.4], ["x", 0.5], ["y", 0.25], ["y", 0], ["x", 1]]) {
+  Object.assign(state, {cut, cutPlace, frame: 0});
+  measure(cut + cutPlace);
+  state.frame = 1;
+  measure(cut + cutPlace + " anew");
+}
+)");
+  for (const char* cut : {"z0.4", "x0.5", "y0.25", "y0", "x1"})
+    for (const char* mesh : {"", " anew"})
+      EXPECT_THAT(out, HasSubstr(fmt::format("{}{} area 1.00000 off true value true", cut, mesh)));
+  EXPECT_EQ(console, "");
+
+  write({samples::cube()});
+  EXPECT_THAT(found("--field pressure --mirror x",
+                    std::string(kMeasureSection) +
+                        "Object.assign(state, {cut: 'z', cutPlace: 0.4}); measure('both');"),
+              HasSubstr("both area 2.00000 off true value true"));
+  write({twoCubes()});
+  EXPECT_THAT(found("--tools off --undeformed off --field pressure", std::string(kMeasureSection) + R"(
+Object.assign(state, {cut: "z", cutPlace: 0.4});
+measure("block");
+const greyAt = (x) => {
+  const [a, b] = minus(projected(minus(x, data.origin)), state.center), pixel = new Uint8Array(4);
+  gl.readPixels(Math.round(canvas.width / 2 + a * pixelsPerLength()), Math.round(canvas.height / 2 + b * pixelsPerLength()), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+  return Math.max(...pixel.slice(0, 3)) - Math.min(...pixel.slice(0, 3)) < 12;
+};
+found.push("grey " + greyAt([0.53, 0.46, 0.4]) + " " + greyAt([2.03, 0.46, 0.4]));
+)"),
+              AllOf(HasSubstr("block area 1.00000 off true value true"), HasSubstr("grey false true<")))
+      << "the body without the field is hatched";
+  write({bulgedCube()});
+  EXPECT_THAT(found("--field displacement",
+                    std::string(kMeasureSection) +
+                        "Object.assign(state, {cut: 'x', cutPlace: 0.6}); measure('bulged');"),
+              HasSubstr(" off true "));
 }
 
 TEST_F(ViewCommand, PageObeysKeysAndControls) {
@@ -359,6 +482,8 @@ const z = data.box[5], inside = [0.13, 0.11, 0];
 found.push("whole " + grey(colourAt([0.13, 0.11, z])));
 press("z");
 found.push("cut " + state.cut + " " + grey(colourAt(inside)));
+delete loaded.body.mesh.volumes;
+found.push("hatched " + grey(colourAt(inside)));
 press("]");
 found.push("place " + state.cutPlace.toFixed(2));
 press("z");
@@ -366,7 +491,7 @@ found.push("closed " + grey(colourAt([0.13, 0.11, z])));
 )");
   EXPECT_THAT(out, HasSubstr("home 0.41,0.37,0.83\n")) << "(0.5, 0.45, 1), of length 1";
   EXPECT_THAT(out, AllOf(HasSubstr(" 0.000000,1.000000\n"), Not(HasSubstr("turned 0.41,0.37"))));
-  EXPECT_THAT(out, HasSubstr("whole false\ncut z true\nplace 0.52\nclosed false<"));
+  EXPECT_THAT(out, HasSubstr("whole false\ncut z false\nhatched true\nplace 0.52\nclosed false<"));
 }
 
 TEST_F(ViewCommand, ContactFieldsLieAlongTheirFaces) {

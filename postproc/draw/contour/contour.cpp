@@ -68,6 +68,7 @@ constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 /// Order in which things lie over each other in a flat picture; in space where they lie at the same place.
 enum Layer {
   kToolFill,
+  kPlainBody,
   kBody,
   kIsolines,
   kKnots,
@@ -435,7 +436,7 @@ class ContourPicture {
     if (parts_.ghost && !isFlat())
       all.push_back({silhouetteOf(*parts_.ghost, view), theme_.outline, line, kUndeformed, kGhostOpacity});
     for (const auto& part : {parts_.body, hatchesSection() ? nullptr : parts_.section})
-      if (part && !options_.isosurfaces)
+      if (part && !drawsOwnIsosurfaces(options_))
         for (const Color& color : {theme_.outline, theme_.paper})
           if (const std::vector<double> values = isolineValues(plan.scale, color); !values.empty())
             all.push_back({isolines(*part, values), color, 0.7 * line, kIsolines});
@@ -487,8 +488,8 @@ class ContourPicture {
       ghost->GetProperty()->FrontfaceCullingOn();  // so that nothing lies over the colours of what is left
       add(ghost, kBody);
     }
-    if (parts_.plain) add(plainActor(*parts_.plain, plainColor(), !isFlat(), 1.0), kBody);
-    if (parts_.plainSection) add(plainActor(*parts_.plainSection, plainColor(), false, 1.0), kBody);
+    if (parts_.plain) add(plainActor(*parts_.plain, plainColor(), !isFlat(), 1.0), kPlainBody);
+    if (parts_.plainSection) add(plainActor(*parts_.plainSection, plainColor(), false, 1.0), kPlainBody);
     for (const SpaceLines& part : bodyLines(plan)) addLines(part);
     for (const ToolDrawing& drawing : plan.tools) {
       if (drawing.area) add(plainActor(*drawing.area, theme_.tool, false, 1.0), kToolFill);
@@ -578,8 +579,8 @@ class ContourPicture {
     double part = 0.0;
     if (layer == kToolFill || layer == kToolLines) part = kLiftOfTool;
     if (layer == kContactFaces) part = kLiftOfFaces;
-    return part * lengthOf(parts_) +
-           kPixelsPerLayer * std::max(0.0, order - static_cast<double>(kBody)) / view.pixelsPerLength;
+    const double layers = layer == kToolFill ? 0.0 : order - static_cast<double>(kBody);
+    return part * lengthOf(parts_) + kPixelsPerLayer * layers / view.pixelsPerLength;
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {

@@ -2,14 +2,20 @@
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStaticCellLocator.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <vector>
 
+#include "postproc/draw/contour/streamlines.h"
 #include "postproc/mesh/frame_parts.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/vtk_arrays.h"
@@ -79,17 +85,98 @@ VectorPoints tractions(const ModelRecord& model, const FrameRecord& frame) {
   return result;
 }
 
-/// Numbers of points, taken one after the other, none of which is seen closer than `gap` to one before it.
-std::vector<std::size_t> thinned(const std::vector<Eigen::Vector3d>& points, const ViewAxes& axes,
-                                 double gap) {
-  std::vector<std::size_t> kept;
+/// Whether points of a body in space can be seen, or something stands before them.
+class Sight {
+ public:
+  /// before: surfaces that hide; null where nothing is hidden.
+  Sight(vtkPolyData* before, const View& view) : view_(view) {
+    if (!before || before->GetNumberOfCells() == 0) return;
+    length_ = before->GetLength();
+    locator_->SetDataSet(before);
+    locator_->BuildLocator();
+    isOpen_ = false;
+  }
+
+  bool sees(const Eigen::Vector3d& point) const {
+    constexpr double kStart = 2e-3;  // in lengths of what hides, so that facets do not hide their own points
+    if (isOpen_) return true;
+    const Eigen::Vector3d towards = view_.towardsEye(point), start = point + kStart * length_ * towards,
+                          end = point + 2.0 * length_ * towards;
+    double at = 0.0;
+    Eigen::Vector3d place, parameters;
+    int part = 0;
+    return locator_->IntersectWithLine(start.data(), end.data(), 0.0, at, place.data(), parameters.data(),
+                                       part) == 0;
+  }
+
+ private:
+  const View& view_;
+  vtkNew<vtkStaticCellLocator> locator_;
+  double length_ = 0.0;
+  bool isOpen_ = true;
+};
+
+/// Whether a point is seen where one of some others is, as points of patches that meet.
+bool isOnTop(const std::vector<Eigen::Vector2d>& places, std::size_t point,
+             const std::vector<std::size_t>& others, double distance) {
+  return std::any_of(others.begin(), others.end(), [&](std::size_t other) {
+    return (places[point] - places[other]).norm() <= 2.0 * distance;
+  });
+}
+
+/// In which order points are taken, those that are equal at once.
+using Order = std::vector<std::array<double, 2>>;
+
+/// As they are numbered, along the lines of a mesh: on faces, a regular pattern.
+Order byNumber(std::size_t count) {
+  Order order;
+  for (std::size_t k = 0; k < count; ++k) order.push_back({static_cast<double>(k), 0.0});
+  return order;
+}
+
+/// From the middle outwards, mirror images at once: in the plane, a pattern as symmetric as the points. same: length
+/// below which places are the same, as mirror images differ by rounding.
+Order fromMiddle(const std::vector<Eigen::Vector2d>& places, double same) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& place : places) box.extend(place);
+  Order order;
+  for (const Eigen::Vector2d& place : places) {
+    const Eigen::Vector2d away = (place - box.center()) / same;
+    order.push_back({std::round(away.norm()), -std::round(std::abs(away.x()))});
+  }
+  return order;
+}
+
+/// Numbers of points of which no two are seen closer than `gap`; of mirror images that are too close to one another
+/// none. isSeen: asked of a point that would be taken.
+std::vector<std::size_t> thinned(const std::vector<Eigen::Vector3d>& points, const View& view, double gap,
+                                 bool asNumbered, const std::function<bool(const Eigen::Vector3d&)>& isSeen) {
+  const double same = 1e-6 * gap;
   std::vector<Eigen::Vector2d> places;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Eigen::Vector2d place = axes * points[k];
-    const auto isNear = [&](const Eigen::Vector2d& other) { return (place - other).norm() < gap; };
-    if (std::any_of(places.begin(), places.end(), isNear)) continue;
-    kept.push_back(k);
-    places.push_back(place);
+  for (const Eigen::Vector3d& point : points)
+    places.emplace_back(view.eye ? Eigen::Vector2d(view.eye->project(view.axes, point)) : view.axes * point);
+  const Order order = asNumbered ? byNumber(points.size()) : fromMiddle(places, same);
+  std::vector<std::size_t> sorted(points.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](std::size_t a, std::size_t b) { return order[a] < order[b]; });
+
+  std::vector<std::size_t> kept;
+  const auto isFree = [&](std::size_t k, const std::vector<std::size_t>& others) {
+    return std::none_of(others.begin(), others.end(), [&](std::size_t other) {
+      return other != k && (places[k] - places[other]).norm() < gap;
+    });
+  };
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto last =
+        std::find_if(first, sorted.end(), [&](std::size_t k) { return order[k] != order[*first]; });
+    std::vector<std::size_t> images, taken;
+    for (auto k = first; k != last; ++k)
+      if (isFree(*k, kept) && !isOnTop(places, *k, images, same) && isSeen(points[*k])) images.push_back(*k);
+    for (const std::size_t k : images)
+      if (isFree(k, images)) taken.push_back(k);
+    kept.insert(kept.end(), taken.begin(), taken.end());
+    first = last;
   }
   return kept;
 }
@@ -114,7 +201,60 @@ std::string upTo(double largest, const std::string& unit) {
   return fmt::format("up to {}{}", numberText(largest, 3), unit.empty() ? "" : " " + unit);
 }
 
-ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& view, double longest) {
+/// An arrow along a line in a plane, with its tip at the end.
+void addCurvedArrow(PolyBuilder& areas, PolyBuilder& edges, const Eigen::Matrix3Xd& line,
+                    const Eigen::Vector3d& normal, double longest) {
+  const Eigen::Index last = line.cols() - 1;
+  Eigen::Index neck = last - 1;  // where the head begins
+  while (neck > 0 && (line.col(last) - line.col(neck)).norm() < kHead * longest) --neck;
+  const auto sideAt = [&](Eigen::Index k) {
+    return Eigen::Vector3d(
+        normal.cross(line.col(std::min(k + 1, last)) - line.col(std::max<Eigen::Index>(k - 1, 0)))
+            .normalized());
+  };
+  const Eigen::Vector3d acrossHead = normal.cross(line.col(last) - line.col(neck)).normalized();
+  Eigen::Matrix3Xd round(3, 2 * (neck + 1) + 4);  // the tip, down the left side, up the right one
+  round.col(0) = round.rightCols<1>() = line.col(last);
+  round.col(1) = line.col(neck) + kHeadHalfWidth * longest * acrossHead;
+  round.col(round.cols() - 2) = line.col(neck) - kHeadHalfWidth * longest * acrossHead;
+  for (Eigen::Index k = 0; k <= neck; ++k) {
+    const Eigen::Vector3d aside = kShaftHalfWidth * longest * sideAt(k);
+    round.col(2 + neck - k) = line.col(k) + aside;
+    round.col(3 + neck + k) = line.col(k) - aside;
+  }
+  const std::vector<vtkIdType> ids = areas.addPoints(round);
+  const auto count = ids.size();
+  areas.addPolygon({ids[0], ids[1], ids[count - 2]});
+  for (std::size_t k = 2; k + 2 < count / 2; ++k)
+    areas.addPolygon({ids[k], ids[k + 1], ids[count - 2 - k], ids[count - 1 - k]});
+  edges.addLine(edges.addPoints(round));
+}
+
+ContourArrows curvedArrows(const ModelRecord& model, vtkPolyData& body, const View& view, double longest) {
+  constexpr double kApart = 0.4;  // in longest arrows
+  vtkDataArray* normals = body.GetPointData()->GetNormals();
+  const Eigen::Vector3d normal =
+      normals && body.GetNumberOfPoints() > 0 ? tuple(*normals, 0) : view.towardsEye();
+  std::vector<Eigen::Vector3d> points, seeds;
+  double largest = 0.0;
+  vtkDataArray& u = *body.GetPointData()->GetArray("displacement");
+  for (vtkIdType k = 0; k < body.GetNumberOfPoints(); ++k) {
+    points.emplace_back(body.GetPoint(k));
+    largest = std::max(largest, tuple(u, k).norm());
+  }
+  for (const std::size_t k : thinned(points, view, kApart * longest, false, [](const auto&) { return true; }))
+    seeds.push_back(points[k]);
+  const std::vector<Eigen::Matrix3Xd> lines = evenStreamlines(body, normal, seeds, kApart * longest);
+  if (lines.empty()) return {nullptr, nullptr, "no displacement", nullptr, nullptr};
+  PolyBuilder areas, edges;
+  for (const Eigen::Matrix3Xd& line : lines) addCurvedArrow(areas, edges, line, normal, longest);
+  return {areas.finish(), edges.finish(),
+          fmt::format("streamlines of the displacement, {}", upTo(largest, model.lengthUnit)), nullptr,
+          nullptr};
+}
+
+ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& view, const Sight& sight,
+                      double longest) {
   vtkDataArray& stress = *body.GetPointData()->GetArray("stress");
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>> solutions;
@@ -126,7 +266,8 @@ ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& v
   }
   if (largest == 0.0) return {nullptr, nullptr, "no stress", nullptr, nullptr};
   PolyBuilder areas, edges, darkAreas, darkEdges;
-  for (const std::size_t k : thinned(points, view.axes, kCrossGap * longest))
+  for (const std::size_t k : thinned(points, view, kCrossGap * longest, model.dim == 3,
+                                     [&](const Eigen::Vector3d& x) { return sight.sees(x); }))
     for (Eigen::Index d = 0; d < model.dim; ++d) {
       const double value = solutions[k].eigenvalues()(d);
       Eigen::Vector3d along = Eigen::Vector3d::Zero();
@@ -151,9 +292,11 @@ ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& v
 }  // namespace
 
 ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const FrameRecord& frame,
-                            vtkPolyData& body, const View& view, double longest) {
+                            vtkPolyData& body, vtkPolyData* before, const View& view, double longest) {
   if (field == ArrowField::None) return {};
-  if (field == ArrowField::Principal) return crosses(model, body, view, longest);
+  const Sight sight(field == ArrowField::Traction ? nullptr : before, view);
+  if (field == ArrowField::Streamlines) return curvedArrows(model, body, view, longest);
+  if (field == ArrowField::Principal) return crosses(model, body, view, sight, longest);
   const bool traction = field == ArrowField::Traction;
   const VectorPoints all = traction ? tractions(model, frame) : displacements(body, view);
   double largest = 0.0;
@@ -163,7 +306,8 @@ ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const Fr
 
   PolyBuilder areas, edges;
   for (const std::size_t k :
-       thinned(all.points, view.axes, longest * (traction ? kTractionGap : kDisplacementGap))) {
+       thinned(all.points, view, longest * (traction ? kTractionGap : kDisplacementGap),
+               traction || model.dim == 3, [&](const Eigen::Vector3d& x) { return sight.sees(x); })) {
     const Eigen::Vector3d along = all.vectors[k] * (longest / largest);
     const Eigen::Vector3d side = view.towardsEye(all.points[k]).cross(along);
     if (side.norm() < kShortest * longest) continue;

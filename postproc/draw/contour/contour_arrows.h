@@ -20,11 +20,13 @@ struct ContourArrows {
 };
 
 /// Arrows that begin on the body (displacement) or end on its contact faces (traction), or crosses of pairs of arrows
-/// along the principal directions of stress, apart in tension and towards one another in compression. body: the drawn
+/// along the principal directions of stress, apart in tension and towards one another in compression, or curved arrows
+/// along displacements in a plane (streamlines), as far apart as even lines are. body: the drawn
 /// surface with the point data `displacement` or `stress` (xx, yy, zz, xy, yz, zx) and, in space, normals; of a body in
-/// space only what faces the eye of the view, of which axes and eye count, has arrows. longest: length of the longest
-/// arrow or pair; they keep most of it as their distance.
+/// space only what faces the eye of the view, of which axes and eye count, and is not hidden by `before` (null: nothing
+/// hides), has arrows; those of tractions, which lie under tools or between bodies, are drawn all. longest: length of
+/// the longest arrow or pair; they keep most of it as their distance.
 ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const FrameRecord& frame,
-                            vtkPolyData& body, const View& view, double longest);
+                            vtkPolyData& body, vtkPolyData* before, const View& view, double longest);
 
 }  // namespace burnish

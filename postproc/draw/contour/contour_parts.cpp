@@ -69,7 +69,7 @@ void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame,
                const ContourOptions& options) {
   points.SetScalars(
       makeArray("drawn", field.drawnScalars(mesh.evaluate(field.coefficients)).transpose(), {}));
-  if (options.arrows == ArrowField::Displacement)
+  if (options.arrows == ArrowField::Displacement || options.arrows == ArrowField::Streamlines)
     points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
   if (options.arrows == ArrowField::Principal)
     points.AddArray(makeArray("stress", stressAt(mesh, frame), {}));
@@ -253,6 +253,14 @@ vtkSmartPointer<vtkPolyData> arrowGround(const ContourParts& parts, const MeshRe
   return options.cut ? together(*behind(*ground, *parts.plane), *parts.section) : ground;
 }
 
+/// All of the bodies that may hide something.
+vtkSmartPointer<vtkPolyData> hidingParts(const ContourParts& parts) {
+  auto all = parts.body;
+  for (const auto& part : {parts.section, parts.plain, parts.plainSection})
+    if (part) all = together(*all, *part);
+  return all;
+}
+
 std::vector<ShownTool> shownTools(const ModelRecord& model, const FrameRecord& frame, double warp) {
   std::vector<ShownTool> tools;
   for (std::size_t k = 0; k < model.tools.size(); ++k) {
@@ -393,8 +401,9 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   if (options.arrows != ArrowField::None) {
     const auto ground = arrowGround(parts, meshes.with(), model, frame, field, options);
     const View sight{.axes = parts.axes, .area = {}, .eye = parts.eye};
-    parts.arrows =
-        contourArrows(options.arrows, model, frame, *ground, sight, arrowLength(*ground, sight, options));
+    const auto before = model.dim == 3 && !options.slice ? hidingParts(parts) : nullptr;
+    parts.arrows = contourArrows(options.arrows, model, frame, *ground, before, sight,
+                                 arrowLength(*ground, sight, options));
   }
   parts.mark = options.mark;
   if (options.markExtremes) parts.extremes = extremePlaces(model, frame, field, parts.displacement);
@@ -510,6 +519,7 @@ double lengthOf(const ContourParts& parts) {
 }
 
 Eigen::AlignedBox2d bodiesBox(const ContourParts& parts) {
+  if (parts.ghost) return boxOf(*parts.ghost, parts.axes, parts.eye);
   Eigen::AlignedBox2d box = boxOf(*parts.body, parts.axes, parts.eye);
   if (parts.plain) box.extend(boxOf(*parts.plain, parts.axes, parts.eye));
   return box;

@@ -36,7 +36,8 @@ FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const Co
                     bool inRange, bool inWindow);
 
 /// Gives options a range of colours and a window for several frames, unless they have one: those that hold all
-/// of the frames `ofRange`, and of the frames `ofWindow`. look: called once for each, tells what is asked for.
+/// of the frames `ofRange`, and of the frames `ofWindow`. look: called once for each, tells what is asked for; once more
+/// for the window as soon as perspective options have an eye.
 /// Throws `Interrupted`.
 void shareView(ContourOptions& options, const std::vector<int>& ofRange, const std::vector<int>& ofWindow,
                const std::function<FrameView(int frame, bool inRange, bool inWindow)>& look);

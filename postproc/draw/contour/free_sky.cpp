@@ -11,6 +11,8 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "engine/core/error.h"
@@ -56,7 +58,7 @@ class Embree {
   decltype(&rtcSetSceneBuildQuality) setSceneBuildQuality =
       find<decltype(&rtcSetSceneBuildQuality)>("rtcSetSceneBuildQuality");
   decltype(&rtcCommitScene) commitScene = find<decltype(&rtcCommitScene)>("rtcCommitScene");
-  decltype(&rtcOccluded1) occluded1 = find<decltype(&rtcOccluded1)>("rtcOccluded1");
+  decltype(&rtcOccluded8) occluded8 = find<decltype(&rtcOccluded8)>("rtcOccluded8");
   decltype(&rtcNewGeometry) newGeometry = find<decltype(&rtcNewGeometry)>("rtcNewGeometry");
   decltype(&rtcReleaseGeometry) releaseGeometry = find<decltype(&rtcReleaseGeometry)>("rtcReleaseGeometry");
   decltype(&rtcCommitGeometry) commitGeometry = find<decltype(&rtcCommitGeometry)>("rtcCommitGeometry");
@@ -72,6 +74,11 @@ constexpr Eigen::Index kRaysOfPoint = 256, kFewestRaysOfPoint = 64;
 
 /// Beyond these a point gets fewer.
 constexpr Eigen::Index kRaysOfPicture = 8'000'000;
+
+/// Rays that are followed together.
+constexpr int kPacket = 8;
+constexpr unsigned kAllOfPacket = (1U << kPacket) - 1U;
+using RayPacket = Eigen::Matrix<float, 3, kPacket>;
 
 /// Directions about the z axis, 3 x count, in a spiral whose turns have equal shares of cosine-weighted space.
 Eigen::Matrix3Xd spiral(Eigen::Index count) {
@@ -124,14 +131,33 @@ class FreeSky::Occluders {
   Occluders(const Occluders&) = delete;
   Occluders& operator=(const Occluders&) = delete;
 
-  bool stop(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float reach) const {
-    if (isEmpty_) return false;
+  /// Which of the rays from a point are stopped, of those that are asked for; all of these have bits.
+  unsigned stopped(const Eigen::Vector3f& origin, const RayPacket& directions, float reach,
+                   unsigned asked) const {
+    if (isEmpty_ || asked == 0) return 0;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay ray{origin.x(), origin.y(), origin.z(), 0.0F, direction.x(), direction.y(), direction.z(), 0.0F,
-               reach,      ~0U,        0U,         0U};
-    embree_.occluded1(scene_, &context, &ray);
-    return ray.tfar < 0.0F;
+    RTCRay8 rays;
+    alignas(32) std::array<int, kPacket> valid;
+    for (int k = 0; k < kPacket; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      valid[i] = (asked >> k & 1U) != 0 ? -1 : 0;
+      rays.org_x[k] = origin.x();
+      rays.org_y[k] = origin.y();
+      rays.org_z[k] = origin.z();
+      rays.dir_x[k] = directions(0, k);
+      rays.dir_y[k] = directions(1, k);
+      rays.dir_z[k] = directions(2, k);
+      rays.tnear[k] = rays.time[k] = 0.0F;
+      rays.tfar[k] = reach;
+      rays.mask[k] = ~0U;
+      rays.id[k] = rays.flags[k] = 0;
+    }
+    embree_.occluded8(valid.data(), scene_, &context, &rays);
+    unsigned stopped = 0;
+    for (int k = 0; k < kPacket; ++k)
+      if (rays.tfar[k] < 0.0F) stopped |= 1U << k;
+    return stopped & asked;
   }
 
  private:
@@ -179,7 +205,8 @@ Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::M
                                   const Rays& rays) const {
   Eigen::VectorXd shares(points.cols());
   if (points.cols() == 0) return shares;
-  const Eigen::Index count = std::clamp(kRaysOfPicture / points.cols(), kFewestRaysOfPoint, kRaysOfPoint);
+  const Eigen::Index wanted = std::clamp(kRaysOfPicture / points.cols(), kFewestRaysOfPoint, kRaysOfPoint),
+                     count = wanted / kPacket * kPacket;
   const Eigen::Matrix3Xd directions = spiral(count);
   const auto reach = static_cast<float>(rays.reach);
   tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, points.cols(), 64), [&](const auto& range) {
@@ -192,13 +219,15 @@ Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::M
       const Eigen::Vector3f amongBodies = (x + rays.amongBodies * n).cast<float>(),
                             amongTools = (x + rays.amongTools * n).cast<float>();
       const Eigen::Matrix3d frame = frameOf(n);
-      double sum = 0.0;
-      for (Eigen::Index k = 0; k < count; ++k) {
-        const Eigen::Vector3f direction = (frame * directions.col(k)).cast<float>();
-        if (bodies_->stop(amongBodies, direction, reach)) continue;
-        sum += tools_->stop(amongTools, direction, reach) ? 1.0 - toolOpacity_ : 1.0;
+      int free = 0, throughTools = 0;
+      for (Eigen::Index k = 0; k < count; k += kPacket) {
+        const RayPacket packet = (frame * directions.middleCols<kPacket>(k)).cast<float>();
+        const unsigned past = kAllOfPacket & ~bodies_->stopped(amongBodies, packet, reach, kAllOfPacket),
+                       dimmed = tools_->stopped(amongTools, packet, reach, past);
+        free += std::popcount(past & ~dimmed);
+        throughTools += std::popcount(dimmed);
       }
-      shares(i) = sum / static_cast<double>(count);
+      shares(i) = (free + (1.0 - toolOpacity_) * throughTools) / static_cast<double>(count);
     }
   });
   return shares;

@@ -97,6 +97,15 @@ void checkChoice(const PictureOptions& options, std::optional<int> dim, std::vec
       problems.push_back(
           {"isosurfaces",
            "found in a plane body; allowed: in three-dimensional scenes alone; take isolines."});
+    if (options.isolines > 0 && drawsOwnIsosurfaces(options))
+      problems.push_back(
+          {"isolines",
+           "found beside isosurfaces of the same field, on which it has one value each: give one of "
+           "them, or isosurfaces of another field."});
+    if (options.cutFace == CutFace::Hatch)
+      problems.push_back(
+          {"cut_face",
+           "found hatch beside isosurfaces, which have no section to be hatched: give one of them."});
   }
   if (chooses && options.arrows != ArrowField::None)
     problems.push_back({"vectors", "arrows belong to the whole body; draw it without."});
@@ -128,6 +137,8 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
         {"cut_face", "found hatch, but there is no section beside the body that has the field: add cut."});
   if (options.hiddenLines != HiddenLines::Off && dim == 2)
     problems.push_back({"hidden_lines", "a plane body hides none of its lines; draw it without."});
+  if (options.arrows == ArrowField::Streamlines && dim == 3 && !options.slice)
+    problems.push_back({"vectors", "found streamlines, which are drawn in a plane: add slice."});
   if (options.arrows == ArrowField::Traction && options.warp != 1.0)
     problems.push_back(
         {"warp", "contact tractions belong to the true displacements; draw them without a warp."});
@@ -150,7 +161,7 @@ void checkContactField(const PictureOptions& options, std::vector<InputProblem>&
   if (options.range && !statesOfContactField(options.field).empty())
     problems.push_back({"range", fmt::format("the states of {} have colours of their own; draw it without.",
                                              options.field)});
-  refuse(options.arrows == ArrowField::Displacement || options.arrows == ArrowField::Principal, "vectors");
+  refuse(options.arrows != ArrowField::None && options.arrows != ArrowField::Traction, "vectors");
 }
 
 }  // namespace
@@ -210,6 +221,11 @@ Theme themeOf(const PictureOptions& options) {
   Theme theme = themeOf(static_cast<const PageLook&>(options));
   if (options.background) theme.paper = *options.background;
   return theme;
+}
+
+bool drawsOwnIsosurfaces(const PictureOptions& options) {
+  return options.isosurfaces &&
+         (options.isosurfaces->field.empty() || options.isosurfaces->field == options.field);
 }
 
 std::array<int, 2> drawnSize(const PictureOptions& options) {

@@ -24,13 +24,14 @@ namespace burnish {
 
 /// What the arrows of a picture show: displacements on the body, what tools do to its contact faces, or crosses of
 /// the principal stresses.
-enum class ArrowField { None, Displacement, Traction, Principal };
+enum class ArrowField { None, Displacement, Traction, Principal, Streamlines };
 
 template <>
 struct EnumNames<ArrowField> {
   static constexpr std::array values{
       std::pair{"none", ArrowField::None}, std::pair{"displacement", ArrowField::Displacement},
-      std::pair{"traction", ArrowField::Traction}, std::pair{"principal", ArrowField::Principal}};
+      std::pair{"traction", ArrowField::Traction}, std::pair{"principal", ArrowField::Principal},
+      std::pair{"streamlines", ArrowField::Streamlines}};
 };
 
 /// What the faces show that a cut or a slice makes.
@@ -174,6 +175,9 @@ Options picturesOfSize(const std::array<int, 2>& size) {
 /// The theme with font and paper of the options.
 Theme themeOf(const PictureOptions& options);
 
+/// Whether a picture is of surfaces on which the drawn field itself has one value.
+bool drawsOwnIsosurfaces(const PictureOptions& options);
+
 /// Width and height in pixels of what is drawn: the size times the scale.
 std::array<int, 2> drawnSize(const PictureOptions& options);
 
@@ -239,7 +243,7 @@ void describeParts(Visitor& v, PictureOptions& s) {
   v.field(
       "vectors", s.arrows, {},
       "Draw arrows: displacement, or traction, what tools do to the body where they touch it; or crosses of "
-      "the principal stresses.");
+      "the principal stresses; or lines along the displacement.");
   v.field("mark_extremes", s.markExtremes, {}, "Mark where the field is smallest and where it is largest.");
   v.field("control_net", s.controlNet, {}, "Draw the control points and the lines between them.");
   v.field("scale_bar", s.scaleBar, {}, "Draw a line of a round length, which stands beside it.");

@@ -12,6 +12,8 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTableBasedClipDataSet.h>
+#include <vtkThreshold.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +46,8 @@ void requireForeign(const ForeignOptions& options, const std::filesystem::path& 
   refuse(options.controlNet, "control_net", "only bodies of burnish have control points");
   refuse(options.subdivision.has_value(), "subdivision", "only bodies of burnish have knot spans");
   refuse(options.arrows != ArrowField::None, "vectors", "only runs of burnish have arrows");
-  refuse(options.threshold.has_value(), "threshold", "only bodies of burnish are parted by values");
+  refuse(options.threshold && !options.threshold->field.empty(), "threshold",
+         "files of other programs are parted by the field that is drawn alone: leave its name out");
   refuse(options.isosurfaces.has_value(), "isosurfaces",
          "only bodies of burnish have surfaces of equal value");
   refuse(options.clip.has_value(), "clip", "only fields of runs of burnish have percentiles");
@@ -124,7 +127,7 @@ class SubjectMaker {
     const vtkSmartPointer<vtkPointSet> places = placesOf(*cells.with);
     subject.ranges.whole = rangeOf(*places);
     subject.ranges.shown = subject.ranges.whole;
-    subject.parts = partsOf(cells, subject);
+    subject.parts = options_.threshold ? chosenParts(cells, subject) : partsOf(cells, subject);
     subject.parts.mark = options_.mark;
     if (options_.markExtremes) subject.parts.extremes = extremesOf(*places, subject.dim);
     return subject;
@@ -268,6 +271,56 @@ class SubjectMaker {
     return parts;
   }
 
+  /// Those of the cells where the drawn field lies between the ends of the threshold: cells are cut where points have
+  /// the values, and left out whole where cells have them.
+  ContourParts chosenParts(const Cells& cells, ContourSubject& subject) const {
+    if (!choice_) throw Error("threshold: no field is drawn, whose values would choose; add field");
+    const std::array<double, 2>& ends = options_.threshold->ends;
+    subject.note = bandNote(*options_.threshold, subject.field.words, subject.field.unit);
+    const ContourParts whole = partsOf(cells, subject);
+    Cells chosen = cells;
+    chosen.without = Grid::New();
+    if (choice_->field.ofCells) {
+      chosen.with = cellsBetween(*cells.with, ends);
+    } else {
+      chosen.with = cutAt(chosen.with, ends[0], false);
+      chosen.with = cutAt(chosen.with, ends[1], true);
+    }
+    ContourParts parts = partsOf(chosen, subject);
+    parts.box = whole.box;
+    parts.eye = whole.eye;
+    parts.plane = whole.plane;
+    parts.undeformed = whole.undeformed;
+    parts.ghost = whole.plain ? together(*whole.body, *whole.plain) : whole.body;
+    parts.ghostOutline = whole.outline;
+    return parts;
+  }
+
+  static Grid cellsBetween(vtkUnstructuredGrid& cells, const std::array<double, 2>& ends) {
+    vtkNew<vtkThreshold> threshold;
+    threshold->SetInputData(&cells);
+    threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "drawn");
+    threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
+    threshold->SetLowerThreshold(ends[0]);
+    threshold->SetUpperThreshold(ends[1]);
+    threshold->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    threshold->Update();
+    return threshold->GetOutput();
+  }
+
+  /// What lies above a value, or below.
+  static Grid cutAt(const Grid& cells, double value, bool below) {
+    if (std::isinf(value) || cells->GetNumberOfCells() == 0) return cells;
+    vtkNew<vtkTableBasedClipDataSet> clip;
+    clip->SetInputData(cells);
+    clip->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "drawn");
+    clip->SetValue(value);
+    clip->SetInsideOut(below);
+    clip->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    clip->Update();
+    return clip->GetOutput();
+  }
+
   /// Of a plane mesh in the plane z = 0.
   static Faces facesOf(vtkUnstructuredGrid& cells, int dim) {
     const Faces faces = outerFaces(cells);
@@ -299,9 +352,9 @@ class SubjectMaker {
     const Faces section = sectionWith(*cells.with, *parts.plane);
     const Faces plainSection = sectionWith(*cells.without, *parts.plane);
     const Faces border = sectionOf(faces, *parts.plane);
-    if (border->GetNumberOfCells() == 0) throw planeMisses(options_, parts, instant_);
+    if (border->GetNumberOfCells() == 0 && !options_.threshold) throw planeMisses(options_, parts, instant_);
     if (options_.slice) {
-      if (section->GetNumberOfPolys() + plainSection->GetNumberOfPolys() == 0)
+      if (section->GetNumberOfPolys() + plainSection->GetNumberOfPolys() == 0 && !options_.threshold)
         throw Error(fmt::format("slice: {} has no volumes to slice; take cut", file_.file().string()));
       parts.body = section;
       parts.plain = plainSection->GetNumberOfPolys() > 0 ? plainSection : nullptr;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/scene/path_of_tool.h"
+
 namespace burnish {
 namespace {
 
@@ -23,6 +25,16 @@ Eigen::Vector2d displacement(const Formulas& formulas, const Eigen::Vector2d& X,
     return text ? Formula(*text, definitions)({X.x(), X.y(), 0.0}, t) : 0.0;
   };
   return {value(formulas.x), value(formulas.y)};
+}
+
+/// A path in the plane as a table.
+MotionSpec tableOf(const ToolPath& path) {
+  MotionSpec table{path.corners(), std::vector<double>(), std::vector<double>(), {}};
+  for (const double t : table.times) {
+    table.x->push_back(path.displacement(t).x());
+    table.y->push_back(path.displacement(t).y());
+  }
+  return table;
 }
 
 /// From begin to end in one; nothing for a point that does not move.
@@ -57,6 +69,7 @@ std::vector<Eigen::Vector2d> motionPhases(const MotionSpec& motion, double end) 
 std::vector<Eigen::Vector2d> motionPhases(const ToolSpec& tool,
                                           const std::vector<DefinitionSpec>& definitions, double end) {
   if (const auto& table = tool.motion) return motionPhases({table->times, table->x, table->y, table->z}, end);
+  if (tool.path) return motionPhases(tableOf(pathOf(tool)), end);
   return tool.prescribe ? wholeMotion(*tool.prescribe, {0.0, 0.0}, definitions, end)
                         : std::vector<Eigen::Vector2d>();
 }

@@ -251,7 +251,40 @@ TEST_F(ChoiceImage, NothingMayBeLeft) {
     options.threshold = ValueBand{"", {1e3, kInfinite}};
     const Sample sample = inSpace ? samples::cube() : samples::ring();
     const Picture picture = drawn(sample, options);
-    if (!inSpace) expectColor(picture, Eigen::Vector2d(1.0, 1.0), options.theme.paper);
+    if (inSpace) {  // the ghost of the body, without colours
+      const Color ghost = picture.at(view.pixel(Eigen::Vector3d(0.5, 0.5, 1.0)));
+      EXPECT_LE(*std::max_element(ghost.begin(), ghost.end()) - *std::min_element(ghost.begin(), ghost.end()),
+                8);
+    } else {
+      expectColor(picture, Eigen::Vector2d(1.0, 1.0), options.theme.paper);
+    }
+  }
+}
+
+/// On spheres about a corner the height is drawn with lines, which lie where it has their values.
+TEST_F(ChoiceImage, SurfacesOfOneFieldHaveIsolinesOfAnother) {
+  Sample sample = radialCube();
+  sample.frame.fields["height"] = {{}, "", sample.model.mesh.patches.front().points.row(1), {}};
+  ContourOptions options = small("height");
+  options.isosurfaces = ChosenValues{0, "pressure", {0.64}};
+  options.tools = false;
+  options.undeformed = false;
+  options.view.name = "1,1,1";
+  const Picture without = drawn(sample, options);
+  options.isolines = 3;
+  const Picture with = drawn(sample, options);
+  for (const double height : {0.1, 0.25, 0.35, 0.5, 0.6, 0.7}) {
+    // Of a quarter circle on the sphere, from one face of the cube to the other.
+    double darkest = 0.0;
+    for (const double angle : {0.2, 0.5, 0.8, 1.1, 1.3}) {
+      const double radius = std::sqrt(0.64 - height * height);
+      const Eigen::Vector2d at =
+          view.pixel(Eigen::Vector3d(radius * std::cos(angle), height, radius * std::sin(angle)));
+      darkest = std::max<double>(darkest, difference(with.at(at), without.at(at)));
+    }
+    const auto range = std::array{0.0, 1.0};  // of the body
+    const bool isLine = std::abs(4.0 * (height - range[0]) - std::round(4.0 * height)) < 1e-9;
+    EXPECT_EQ(darkest > 40.0, isLine) << height;
   }
 }
 
@@ -272,6 +305,16 @@ TEST_F(ChoiceImage, MistakesAreTold) {
   options.slice = CutPlane{};
   expectRefused(samples::cube(), options, "isosurfaces: found beside slice, on which they are lines");
   options.slice.reset();
+  options.isolines = 5;
+  expectRefused(samples::cube(), options, "isolines: found beside isosurfaces of the same field");
+  options.isosurfaces->field = "pressure";
+  expectRefused(samples::cube(), options, "isolines: found beside isosurfaces of the same field");
+  options.isolines = 0;
+  options.cut = CutPlane{};
+  options.cutFace = CutFace::Hatch;
+  expectRefused(samples::cube(), options, "cut_face: found hatch beside isosurfaces");
+  options.cut.reset();
+  options.cutFace = CutFace::Field;
   options.field = "von_mises";
   expectRefused(samples::ring(), options, "isosurfaces: found in a plane body");
   options = small("plastic_strain");

@@ -195,11 +195,35 @@ TEST_F(EyeImage, CrossesTellTensionFromCompression) {
     }
   EXPECT_GT(white, 300);
   EXPECT_GT(black, 100);
-  // The same of pure shear, whose principal directions are the diagonals.
-  stress.setZero();
+}
+
+/// The principal directions of pure shear are the diagonals: tension along one is compression along the other.
+TEST_F(EyeImage, CrossesOfShearAreDiagonal) {
+  Sample sample = samples::square();
+  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(4, sample.model.mesh.numNodes);
   stress.row(2).setConstant(1.0);
-  sample.frame.fields["stress"].values = stress;
-  drawn(sample, options);
+  sample.frame.displacement.setZero();
+  sample.frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "MPa", stress, {}};
+  ContourOptions options = small("pressure");
+  options.tools = false;
+  options.undeformed = false;
+  options.arrows = ArrowField::Principal;
+  options.size = {600, 500};
+  const Picture picture = drawn(sample, options);
+  const Eigen::Vector2d middle = view.area.center();
+  // The cross in the middle: bright along the rising diagonal, dark along the other.
+  const auto brightest = [&](const Eigen::Vector2d& along) {
+    int bright = 0;
+    for (double way = 4.0; way < 30.0; ++way)
+      for (const double sign : {-1.0, 1.0}) {
+        const Color c = picture.at(middle + sign * way * along.normalized());
+        bright = std::max<int>(bright, *std::min_element(c.begin(), c.end()));
+      }
+    return bright;
+  };
+  EXPECT_GT(brightest({1.0, 1.0}), 245);
+  const Color body = picture.at(middle + Eigen::Vector2d(25.0, 0.0));
+  EXPECT_LE(brightest({1.0, -1.0}), *std::max_element(body.begin(), body.end()));
 }
 
 TEST_F(EyeImage, CrossesLieOnBodiesInSpace) {

@@ -191,6 +191,18 @@ TEST(ProbeWindow, MeanOfASquareIsThatOfItsIntegral) {
     EXPECT_NEAR(point.values(0), std::pow(point.reference(1), 2) + width * width / 12.0, kExact);
 }
 
+TEST(ProbePenetration, WeighsALinearFieldByTheExponential) {
+  for (const double penetration : {0.03, 0.2, 5.0}) {
+    const auto points = probed(samples::cube(), "pressure", DepthPath{{"top", ""}, at({0.3, 1.0, 0.6}), 0.9},
+                               {.points = 10, .penetration = penetration});
+    for (const ProbePoint& point : points) {
+      const double below = 1.0 - point.at, rest = std::exp(-below / penetration);
+      EXPECT_NEAR(point.values(0), 1.9 - point.at - penetration + below * rest / (1.0 - rest), 1e-8)
+          << penetration;
+    }
+  }
+}
+
 TEST(ProbedMean, IsThatOfThePartsInTheBody) {
   const Sample slab = samples::slab(), two = samples::twoBodies();
   const ProbedFields strain(slab.model, slab.frame, {"plastic_strain"}),

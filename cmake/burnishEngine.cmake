@@ -1,0 +1,11 @@
+# burnish::engine and the libraries that it is made with.
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4)
+find_dependency(HDF5 COMPONENTS C)
+find_dependency(yaml-cpp)
+find_dependency(muparser)
+find_dependency(fmt)
+find_dependency(jsoncpp)
+find_dependency(TBB)
+find_dependency(CGAL)
+include("${CMAKE_CURRENT_LIST_DIR}/burnishEngineTargets.cmake")

@@ -1,0 +1,43 @@
+# Run by cpack in the folders that the packages are made of: what Debian asks of each of them, beyond `cmake --install`.
+cmake_minimum_required(VERSION 3.25)
+
+function(compress file)
+  execute_process(COMMAND gzip -9nf "${file}" COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+set(packages ${CPACK_BURNISH_PACKAGES})
+while(packages)
+  list(POP_FRONT packages component package)
+  set(root "${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX}")
+  if(NOT IS_DIRECTORY "${root}")
+    continue()
+  endif()
+  set(papers "${root}/share/doc/${package}")
+  file(COPY "${CPACK_BURNISH_SOURCE_DIR}/cmake/package/copyright" DESTINATION "${papers}" FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+  file(COPY_FILE "${CPACK_BURNISH_SOURCE_DIR}/CHANGELOG.md" "${papers}/changelog")
+  file(COPY_FILE "${CPACK_BURNISH_CHANGES}" "${papers}/changelog.Debian")
+  compress("${papers}/changelog")
+  compress("${papers}/changelog.Debian")
+  # It is in no need of a bug of Debian's that asks for it.
+  file(WRITE "${root}/share/lintian/overrides/${package}" "${package}: initial-upload-closes-no-bugs\n")
+  # Debian has the licence in a place of its own.
+  file(REMOVE "${papers}/LICENSE")
+  file(GLOB pages "${root}/share/man/man?/*.?")
+  foreach(page IN LISTS pages)
+    compress("${page}")
+  endforeach()
+  # Scripts of others are those of their packages.
+  set(static "${root}/share/doc/burnish/html/_static")
+  if(IS_DIRECTORY "${static}")
+    set(scripts ../../../../javascript)  # of /usr/share
+    file(REMOVE_RECURSE "${static}/mathjax")
+    file(CREATE_LINK "${scripts}/mathjax" "${static}/mathjax" SYMBOLIC)
+    foreach(script IN ITEMS doctools.js language_data.js searchtools.js sphinx_highlight.js jquery.js underscore.js)
+      if(EXISTS "/usr/share/javascript/sphinxdoc/1.0/${script}")
+        file(REMOVE "${static}/${script}")
+        file(CREATE_LINK "${scripts}/sphinxdoc/1.0/${script}" "${static}/${script}" SYMBOLIC)
+      endif()
+    endforeach()
+  endif()
+  execute_process(COMMAND chmod -R u=rwX,go=rX "${CPACK_TEMPORARY_DIRECTORY}/${component}" COMMAND_ERROR_IS_FATAL ANY)
+endwhile()

@@ -1,0 +1,104 @@
+#include "engine/tools/tool_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace burnish {
+namespace {
+
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+ToolPath::ToolPath(const PathSpec& spec, const Eigen::Vector3d& pivot)
+    : speed_(spec.speed), begin_(spec.begin), clearance_(spec.clearance), pivot_(pivot) {
+  std::visit([this](const auto& course) { lay(course); }, spec.course);
+}
+
+void ToolPath::goTo(const Eigen::Vector3d& to) {
+  const double length = (to - here_).norm();
+  if (length == 0.0) return;
+  const double turn = legs_.empty() ? 0.0 : legs_.back().turnTo;
+  legs_.push_back({end(), end() + length / speed_, here_, to, turn, turn});
+  here_ = to;
+}
+
+void ToolPath::lay(const PolylinePath& path) {
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& point : path.points) points.emplace_back(Point(point));
+  here_ = points.front() + clearance_;
+  for (const auto& point : points) goTo(point);
+  endPass();
+  goTo(points.back() + clearance_);
+}
+
+void ToolPath::lay(const RasterPath& path) {
+  here_ = path.start + clearance_;
+  for (int pass = 0; pass < path.passes; ++pass) {
+    const bool goesBack = path.bothWays && pass % 2 == 1;
+    const Eigen::Vector3d near = path.start + pass * path.feed, far = near + path.stroke;
+    const Eigen::Vector3d &from = goesBack ? far : near, &to = goesBack ? near : far;
+    goTo(from + clearance_);
+    goTo(from);
+    goTo(to);
+    endPass();
+    goTo(to + clearance_);
+  }
+}
+
+Eigen::Vector3d ToolPath::axis() const {
+  return helix_ ? Eigen::Vector3d(helix_->axis.normalized()) : Eigen::Vector3d::Zero();
+}
+
+Eigen::Vector3d ToolPath::onHelix(double turn) const {
+  const Eigen::Vector3d arm = pivot_ - helix_->center;
+  return Eigen::AngleAxisd(turn, axis()) * arm - arm + helix_->pitch * turn / kFullTurn * axis();
+}
+
+void ToolPath::lay(const HelixPath& path) {
+  helix_ = path;
+  const Eigen::Vector3d arm = pivot_ - path.center;
+  const double radius = (arm - axis().dot(arm) * axis()).norm();
+  const double perTurn = std::hypot(kFullTurn * radius, path.pitch) / speed_;
+  here_ = clearance_;
+  goTo(Eigen::Vector3d::Zero());
+  for (double done = 0.0; done < path.turns;) {
+    const double next = std::min(std::floor(done) + 1.0, path.turns);
+    const double from = kFullTurn * done, to = kFullTurn * next;
+    legs_.push_back({end(), end() + (next - done) * perTurn, here_, onHelix(to), from, to, true});
+    here_ = legs_.back().to;
+    done = next;
+    endPass();
+  }
+  goTo(here_ + Eigen::AngleAxisd(kFullTurn * path.turns, axis()) * clearance_);
+}
+
+const ToolPath::Leg* ToolPath::legAt(double t) const {
+  const auto after = std::upper_bound(legs_.begin(), legs_.end(), t,
+                                      [](double time, const Leg& leg) { return time < leg.begin; });
+  return after == legs_.begin() ? nullptr : &*std::prev(after);
+}
+
+Eigen::Vector3d ToolPath::displacement(double t) const {
+  const Leg* leg = legAt(t);
+  if (leg == nullptr) return legs_.empty() ? here_ : legs_.front().from;
+  const double share = std::min(1.0, (t - leg->begin) / (leg->end - leg->begin));
+  if (leg->isHelical && share < 1.0) return onHelix(std::lerp(leg->turnFrom, leg->turnTo, share));
+  return (1.0 - share) * leg->from + share * leg->to;
+}
+
+double ToolPath::turn(double t) const {
+  const Leg* leg = legAt(t);
+  if (leg == nullptr) return 0.0;
+  return std::lerp(leg->turnFrom, leg->turnTo, std::min(1.0, (t - leg->begin) / (leg->end - leg->begin)));
+}
+
+std::vector<double> ToolPath::corners() const {
+  std::vector<double> times{begin_};
+  for (const Leg& leg : legs_) times.push_back(leg.end);
+  return times;
+}
+
+}  // namespace burnish

@@ -1,0 +1,74 @@
+"""The commands of a page of the documentation that is meant to be followed from its first line to its last, and what it shows of them.
+
+Every block of ```sh is executed, one after another, in one empty directory; a block of ```text behind it holds lines that it prints; a
+block behind <!-- file: NAME --> is saved as NAME first. A picture of docs/images/tutorial is compared with the file of the same name
+that the commands have drawn.
+
+Usage: page_commands_test.py BURNISH PAGE [--write]     --write: makes the pictures anew; look at them before they are committed
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "tests"))
+from png_picture import Picture  # noqa: E402
+
+BLOCK = re.compile(r"(?:<!-- file: (?P<file>\S+) -->\n)?^```(?P<kind>sh|text|yaml)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+PICTURE = re.compile(r"\]\((?P<place>[\w./-]*images/tutorial/(?P<name>[\w-]+\.png))\)")
+
+
+def words_of(text):
+    return " ".join(text.split())
+
+
+def problems_of_blocks(page, directory, environment):
+    printed = ""
+    for block in BLOCK.finditer(page):
+        if block["file"]:
+            (directory / block["file"]).write_text(block["text"])
+        elif block["kind"] == "sh":
+            done = subprocess.run(["bash", "-euo", "pipefail", "-c", block["text"]], cwd=directory, env=environment,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            printed = words_of(done.stdout)
+            if done.returncode != 0:
+                yield f"{block['text'].strip()}\nended with {done.returncode}: {done.stdout.strip()}"
+        elif block["kind"] == "text":
+            for line in block["text"].splitlines():
+                if words_of(line) not in printed:
+                    yield f"\"{line.strip()}\" was not printed, but: {printed}"
+
+
+def problems_of_pictures(burnish, page, path, directory, writes):
+    for shown in PICTURE.finditer(page):
+        drawn = next(directory.rglob(shown["name"]), None)
+        kept = (path.parent / shown["place"]).resolve()
+        if drawn is None:
+            yield f"no command draws {shown['name']}"
+            continue
+        if writes:
+            kept.parent.mkdir(parents=True, exist_ok=True)
+            kept.write_bytes(Picture(drawn.read_bytes()).packed())
+        compared = subprocess.run([burnish, "compare", drawn, kept], capture_output=True, text=True)
+        if compared.returncode != 0:
+            yield (compared.stdout + compared.stderr).strip().splitlines()[-1]
+
+
+def main():
+    burnish, path, writes = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]), "--write" in sys.argv[3:]
+    page = path.read_text()
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name)
+        environment = {**os.environ, "PATH": f"{burnish.parent}{os.pathsep}{os.environ['PATH']}"}
+        wrong = list(problems_of_blocks(page, directory, environment))
+        wrong += problems_of_pictures(burnish, page, path, directory, writes)
+    print(*wrong, sep="\n")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,87 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "tests/engine/analysis/run_scene.h"
+
+/// Tools on paths: where they are, what they carry on the way, and how freely they roll.
+namespace burnish {
+namespace {
+
+using test::Outcome;
+using testing::HasSubstr;
+using Strings = std::vector<std::string>;
+
+/// An elastic slab that a roller is drawn along, pressed on by a force and free to turn.
+const std::string kRoller = R"(
+geometry: {shape: rectangle, size: [2.0, 0.5], spans: [40, 8], grading: [s, "1 - (1-s)^1.5"]}
+material: {law: neo-hookean, E: 100, nu: 0.3}
+supports: [{face: bottom, fix: [x, y]}]
+tools:
+  - name: roller
+    shape: cylinder
+    center: [0.6, 1.0]
+    radius: 0.5
+    carry: {y: -0.5, moment: 0, schedule: {times: [0, 1], values: [0, 1]}}
+    path: {course: polyline, points: [[0, 0], [0.5, 0]], speed: 0.5, begin: 1}
+contact: [{tool: roller, face: top, friction: 0.5}]
+solver: {tolerance: 1e-11}
+steps: [{until: 1, count: 4}, {until: 2, count: 20}]
+output: {vtu: false}
+)";
+
+Outcome ranRoller(const std::string& name, const Strings& overrides = {}) {
+  return test::run(parseScene(kRoller, "test.yaml", overrides), "path_" + name);
+}
+
+TEST(ToolOnAPath, CarriesItsForceAndRollsWithoutMomentAtEveryStep) {
+  const Outcome ran = ranRoller("rolls");
+  ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+  const auto& history = ran.history;
+  for (std::size_t k = 1; k < history.numRows(); ++k) {
+    const double force = 0.5 * std::min(1.0, history.column("time")[k]);
+    EXPECT_NEAR(history.column("roller.fy")[k], force, 1e-8 * 0.5) << k;
+    EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-10) << k;
+    EXPECT_NEAR(history.column("roller.ux")[k], 0.5 * std::max(0.0, history.column("time")[k] - 1.0), 1e-12)
+        << k;
+  }
+}
+
+TEST(ToolOnAPath, RollsWithoutSlipWhereFrictionIsLarge) {
+  const Outcome ran = ranRoller("no_slip");
+  const auto& angle = ran.history.column("roller.angle");
+  const double turned = (angle.back() - angle[4]) * std::acos(-1.0) / 180.0;
+  EXPECT_NEAR(turned, -0.5 / 0.5, 0.02) << "the strain of the face makes the rest";
+  EXPECT_LT(std::abs(ran.history.column("roller.fx").back()), 0.01 * 0.5)
+      << "nothing holds a free roller back";
+}
+
+TEST(ToolOnAPath, LeavesAFrameAfterEveryPass) {
+  const Outcome ran =
+      ranRoller("passes", {"tools[0].path={course: raster, stroke: [0.1, 0], passes: 3, both_ways: true, "
+                           "speed: 0.4, begin: 1}",
+                           "steps[1].count=4"});
+  ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+  EXPECT_EQ(ran.summary.frames, 5) << "start, three passes, end";
+}
+
+TEST(ToolOnAPath, WithAForceAcrossItHasToStayOutOfItsWay) {
+  const auto errorOf = [](const Strings& overrides) -> std::string {
+    try {
+      parseScene(kRoller, "test.yaml", overrides);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(errorOf({}), "no error");
+  EXPECT_THAT(errorOf({"tools[0].path.clearance=[0, 0.1]", "tools[0].path.speed=5"}),
+              HasSubstr("tools[0].carry.y: found although the path moves the tool in this way"));
+  EXPECT_THAT(errorOf({"tools[0].path.speed=0.1"}),
+              HasSubstr("tools[0].path: found a path that takes until t = 6"));
+}
+
+}  // namespace
+}  // namespace burnish

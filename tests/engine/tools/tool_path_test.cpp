@@ -1,0 +1,92 @@
+#include "engine/tools/tool_path.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace burnish {
+namespace {
+
+using Eigen::Vector3d;
+using testing::DoubleNear;
+using testing::ElementsAre;
+
+constexpr double kRounding = 1e-14;
+
+auto near(double value) {
+  return DoubleNear(value, 1e-12);
+}
+
+TEST(ToolPath, APolylineIsTakenWithItsSpeed) {
+  PathSpec spec{.course = PolylinePath{{{0.0, -0.1}, {3.0, -0.1}, {3.0, 0.9}}}};
+  spec.speed = 2.0;
+  spec.begin = 1.0;
+  const ToolPath path(spec, Vector3d::Zero());
+  EXPECT_THAT(path.corners(), ElementsAre(near(1.0), near(2.5), near(3.0)));
+  EXPECT_THAT(path.passEnds(), ElementsAre(near(3.0)));
+  EXPECT_LT((path.displacement(0.0) - Vector3d(0.0, -0.1, 0.0)).norm(), kRounding)
+      << "it waits where it begins";
+  EXPECT_LT((path.displacement(1.75) - Vector3d(1.5, -0.1, 0.0)).norm(), kRounding);
+  EXPECT_LT((path.displacement(2.75) - Vector3d(3.0, 0.4, 0.0)).norm(), kRounding);
+  EXPECT_LT((path.displacement(9.0) - Vector3d(3.0, 0.9, 0.0)).norm(), kRounding);
+}
+
+TEST(ToolPath, ARasterComesDownGoesUpAndFeeds) {
+  RasterPath raster;
+  raster.start = {0.0, -0.1, 0.0};
+  raster.stroke = {4.0, 0.0, 0.0};
+  raster.feed = {0.0, 0.0, 3.0};
+  raster.passes = 2;
+  PathSpec spec{.course = raster};
+  spec.clearance = {0.0, 1.0, 0.0};
+  const ToolPath path(spec, Vector3d::Zero());
+  // down 1, pass 4, up 1, back 5 (4 and 3), down 1, pass 4, up 1
+  EXPECT_THAT(path.corners(),
+              ElementsAre(0.0, near(1), near(5), near(6), near(11), near(12), near(16), near(17)));
+  EXPECT_THAT(path.passEnds(), ElementsAre(near(5), near(16)));
+  EXPECT_LT((path.displacement(0.0) - Vector3d(0.0, 0.9, 0.0)).norm(), kRounding);
+  EXPECT_LT((path.displacement(3.0) - Vector3d(2.0, -0.1, 0.0)).norm(), kRounding);
+  EXPECT_LT((path.displacement(14.0) - Vector3d(2.0, -0.1, 3.0)).norm(), kRounding);
+}
+
+TEST(ToolPath, ARasterMayGoToAndFro) {
+  RasterPath raster;
+  raster.stroke = {4.0, 0.0, 0.0};
+  raster.feed = {0.0, 0.0, 1.0};
+  raster.passes = 3;
+  raster.bothWays = true;
+  const ToolPath path({.course = raster}, Vector3d::Zero());
+  EXPECT_THAT(path.passEnds(), ElementsAre(near(4), near(9), near(14)));
+  EXPECT_LT((path.displacement(6.0) - Vector3d(3.0, 0.0, 1.0)).norm(), kRounding);
+  EXPECT_LT((path.displacement(14.0) - Vector3d(4.0, 0.0, 2.0)).norm(), kRounding);
+}
+
+TEST(ToolPath, AHelixKeepsItsDistanceAndItsSpeed) {
+  HelixPath helix;
+  helix.center = {1.0, 0.0, 0.0};
+  helix.axis = Vector3d(0.0, 0.0, 2.0);
+  helix.pitch = 0.5;
+  helix.turns = 1.25;
+  PathSpec spec{.course = helix};
+  spec.speed = 0.7;
+  const Vector3d pivot(3.0, 0.0, 1.0);
+  const ToolPath path(spec, pivot);
+  const double perTurn = std::hypot(2.0 * std::numbers::pi * 2.0, 0.5) / 0.7;
+  EXPECT_THAT(path.passEnds(), ElementsAre(near(perTurn), near(1.25 * perTurn)));
+  EXPECT_LT((path.displacement(perTurn) - Vector3d(0.0, 0.0, 0.5)).norm(), 1e-12);
+  EXPECT_LT((path.displacement(0.25 * perTurn) - Vector3d(-2.0, 2.0, 0.125)).norm(), 1e-12);
+  EXPECT_NEAR(path.turn(0.25 * perTurn), 0.5 * std::numbers::pi, 1e-12);
+  for (double t = 0.0; t < path.end(); t += 0.37) {
+    const Vector3d arm = pivot + path.displacement(t) - Vector3d(helix.center);
+    EXPECT_NEAR(arm.head<2>().norm(), 2.0, 1e-12);
+    const double step = 1e-5 * (t > 0.0 ? 1.0 : 0.0);
+    if (step > 0.0) {
+      EXPECT_NEAR((path.displacement(t + step) - path.displacement(t - step)).norm() / (2.0 * step), 0.7,
+                  1e-7);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace burnish

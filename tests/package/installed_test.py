@@ -1,0 +1,77 @@
+"""The installed program: it finds what it needs beside itself and nothing in the tree that built it, computes and draws in an empty
+environment; manual pages and completions lie where man and the shells look.
+
+Usage: installed_test.py CMAKE BUILD_DIRECTORY
+"""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+
+def call(*command, **options):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}: ended with {done.returncode}: {done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def problems_of_program(burnish, build):
+    found = call("readelf", "-d", burnish)
+    for path in re.findall(r"(?:RPATH|RUNPATH).*\[(.*)\]", found):
+        if not all(part.startswith("$ORIGIN") for part in path.split(":")):
+            yield f"the installed program looks for libraries in {path}"
+    if str(build) in call("ldd", burnish):
+        yield f"the installed program loads libraries of {build}"
+
+
+def problems_of_use(burnish, directory):
+    def use(*arguments):
+        return call(burnish, *arguments, cwd=directory, env={"PATH": "/usr/bin:/bin", "HOME": str(directory)})
+
+    findings = {finding["name"]: finding for finding in json.loads(use("doctor", "--json"))}
+    for name in ("OpenGL", "fonts", "multigrid"):
+        if not findings[name]["ok"]:
+            yield f"the installed program misses {name}: {findings[name]}"
+    use("init", "press")
+    use("run", "press.yaml", "-o", "out", "--quiet", "--set", "steps=[{until: 0.1, count: 1}]", "--set", "pictures=[]",
+        "--set", "output={}")
+    use("render", "out", "-o", "press.png", "--size", "300,200")
+    if not (directory / "press.png").read_bytes().startswith(b"\x89PNG"):
+        yield "press.png is no picture"
+
+
+def problems_of_files(prefix):
+    pages = call("man", "-M", prefix / "share/man", "-w", "burnish", "burnish-run", "burnish-scene", "burnish-study").split()
+    if len(pages) != 4:
+        yield f"man finds {pages} alone"
+    for place in ("bash-completion/completions/burnish", "zsh/vendor-completions/_burnish", "fish/vendor_completions.d/burnish.fish",
+                  "burnish/scene.schema.json", "burnish/themes/paper.yaml"):
+        if not (prefix / "share" / place).is_file():
+            yield f"share/{place} is not installed"
+    completes = f'. "{prefix}/share/bash-completion/completions/burnish"; complete -p burnish'
+    call("bash", "-c", completes)
+
+
+def main():
+    cmake, build = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name).resolve()
+        call(cmake, "--install", build, "--prefix", "/usr", "--component", "program", env={**os.environ, "DESTDIR": str(directory)})
+        call(cmake, "--install", build, "--prefix", "/usr", "--component", "multigrid", env={**os.environ, "DESTDIR": str(directory)})
+        # Where a package puts it, and then somewhere else: nothing may hang on the place.
+        prefix = directory / "elsewhere"
+        shutil.move(directory / "usr", prefix)
+        burnish = prefix / "bin/burnish"
+        wrong = [*problems_of_program(burnish, build), *problems_of_use(burnish, directory), *problems_of_files(prefix)]
+    print(*wrong, sep="\n")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
