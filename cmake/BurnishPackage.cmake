@@ -34,9 +34,12 @@ burnish_package(program burnish science "isogeometric elastoplastic contact, wit
   "Computes bodies made of NURBS that are pressed, dragged and ploughed by rigid\ntools and by one another, at large strains, with plastic flow, friction and\nmeshes that follow. Draws contour pictures, charts, videos and pages without a\ndisplay, and writes series for ParaView."
   PACKAGE_DEPENDS fonts-dejavu-core
   PACKAGE_RECOMMENDS "burnish-multigrid, libembree3-3"
-  PACKAGE_SUGGESTS "burnish-doc, ffmpeg, python3-burnish")
+  PACKAGE_SUGGESTS "burnish-cad, burnish-doc, ffmpeg, python3-burnish")
 burnish_package(multigrid burnish-multigrid science "isogeometric elastoplastic contact - large bodies in space"
   "The multigrid solver of burnish, for bodies that sparse factors are too large\nfor, also on several processes. It needs PETSc and MPI."
+  PACKAGE_DEPENDS "burnish (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+burnish_package(cad burnish-cad science "isogeometric elastoplastic contact - files of CAD"
+  "Reads and writes STEP and IGES for burnish. It needs OpenCASCADE."
   PACKAGE_DEPENDS "burnish (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 burnish_package(doc burnish-doc doc "isogeometric elastoplastic contact - documentation"
   "Pages, tutorial, gallery and examples of burnish, as text and as a site that is\nread without a network."
@@ -45,7 +48,11 @@ burnish_package(doc burnish-doc doc "isogeometric elastoplastic contact - docume
   PACKAGE_SHLIBDEPS OFF)
 burnish_package(python python3-burnish python "isogeometric elastoplastic contact - package of Python"
   "Reads results of burnish as arrays, and computes scenes in the process of Python."
-  PACKAGE_DEPENDS "python3, python3-numpy, python3-h5py, python3-yaml, burnish (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+  PACKAGE_DEPENDS "python3, python3-numpy, python3-h5py, python3-yaml, burnish (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})"
+  PACKAGE_RECOMMENDS python3-vtk9)
+burnish_package(development libburnish-dev libdevel "isogeometric elastoplastic contact - engine for programs of others"
+  "Headers and library of the engine of burnish, for scenes that are made, computed\nand read in a program of one's own."
+  PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, libsuitesparse-dev, libopenblas-dev, libhdf5-dev, libyaml-cpp-dev, libmuparser-dev, libjsoncpp-dev, libtbb-dev, libcgal-dev")
 
 # What every Debian package has to have. The date is that of SOURCE_DATE_EPOCH, where it is set.
 string(TIMESTAMP BURNISH_CHANGE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -54,7 +61,8 @@ configure_file("${CMAKE_CURRENT_LIST_DIR}/package/changelog.in" "${PROJECT_BINAR
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/package/complete.cmake")
 set(CPACK_BURNISH_SOURCE_DIR "${PROJECT_SOURCE_DIR}")
 set(CPACK_BURNISH_CHANGES "${PROJECT_BINARY_DIR}/package/changelog.Debian")
-set(CPACK_BURNISH_PACKAGES program burnish multigrid burnish-multigrid doc burnish-doc python python3-burnish)
+set(CPACK_BURNISH_PACKAGES program burnish multigrid burnish-multigrid cad burnish-cad doc burnish-doc python python3-burnish
+  development libburnish-dev)
 
 # Components without files, such as python where it is not built, are left out.
 get_cmake_property(CPACK_COMPONENTS_ALL COMPONENTS)

@@ -17,6 +17,8 @@
 #include "cli/foreign_files.h"
 #include "cli/jobs/child_process.h"
 #include "cli/offered_words.h"
+#include "engine/cad/cad_file.h"
+#include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/nearest.h"
@@ -39,10 +41,11 @@ struct ExportArguments {
   std::string format = "vtu", frame = "last";
 };
 
-enum class Format { Series, G2, Json };
+enum class Format { Series, G2, Json, Step, Iges };
 
 constexpr std::array kFormats{std::pair{"vtu", Format::Series}, std::pair{"g2", Format::G2},
-                              std::pair{"json", Format::Json}};
+                              std::pair{"json", Format::Json}, std::pair{"step", Format::Step},
+                              std::pair{"iges", Format::Iges}};
 
 constexpr std::array kCellKinds{std::pair{"linear", CellKind::Linear},
                                 std::pair{"lagrange", CellKind::Lagrange},
@@ -83,8 +86,24 @@ void requireFrames(const ResultReader& reader) {
                     reader.file().string()));
 }
 
+/// The unit that a scene names for its lengths; millimetres for one that no CAD file knows.
+LengthUnit unitOf(const std::string& label) {
+  for (const auto& [name, unit] : EnumNames<LengthUnit>::values)
+    if (label == name) return unit;
+  return LengthUnit::Millimetre;
+}
+
+void writeFaces(const ModelRecord& model, const FrameRecord& frame, CadFormat format,
+                const std::filesystem::path& file) {
+  const auto faces = nurbsFaces(model, frame);
+  if (file.has_parent_path()) makeDirectory(file.parent_path());
+  writeFileAtomically(file, [&](const std::filesystem::path& partial) {
+    writeCad(faces, unitOf(model.lengthUnit), format, partial.string());
+  });
+}
+
 /// One frame as one file.
-ExitCode exportNurbs(const ExportArguments& arguments, NurbsFormat format) {
+ExitCode exportNurbs(const ExportArguments& arguments, Format format) {
   if (arguments.directory.empty())
     throw Error(fmt::format("-o: --format {} writes one file; name it, as in -o body.{}", arguments.format,
                             arguments.format));
@@ -92,7 +111,17 @@ ExitCode exportNurbs(const ExportArguments& arguments, NurbsFormat format) {
   requireFrames(reader);
   requireNotInput("-o", arguments.directory, {reader.file()});
   const int frame = frameIndex(arguments.frame, reader.times());
-  writeText(nurbsText(reader.model(), reader.frame(frame), format), arguments.directory);
+  switch (format) {
+    case Format::Step:
+    case Format::Iges:
+      writeFaces(reader.model(), reader.frame(frame),
+                 format == Format::Step ? CadFormat::Step : CadFormat::Iges, arguments.directory);
+      break;
+    default:
+      writeText(nurbsText(reader.model(), reader.frame(frame),
+                          format == Format::G2 ? NurbsFormat::G2 : NurbsFormat::Json),
+                arguments.directory);
+  }
   printOut("frame {} in {}\n", frame, arguments.directory.string());
   return ExitCode::Fine;
 }
@@ -114,16 +143,11 @@ ExitCode exportSeries(const ExportArguments& arguments) {
 }
 
 ExitCode exportResult(const ExportArguments& arguments) {
-  switch (chosen("--format", arguments.format, kFormats)) {
-    case Format::G2:
-      return exportNurbs(arguments, NurbsFormat::G2);
-    case Format::Json:
-      return exportNurbs(arguments, NurbsFormat::Json);
-    case Format::Series:
-      break;
-  }
+  const Format format = chosen("--format", arguments.format, kFormats);
+  if (format != Format::Series) return exportNurbs(arguments, format);
   if (arguments.frame != "last")
-    throw Error("--frame: a series holds all frames; give it with --format g2 or json, which hold one");
+    throw Error(
+        "--frame: a series holds all frames; give it with --format g2, json, step or iges, which hold one");
   return exportSeries(arguments);
 }
 
@@ -135,8 +159,9 @@ void addExportCommand(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<ExportArguments>();
   command->add_option("RESULT", arguments->result, "Directory of a run or the result file in it")->required();
   command
-      ->add_option("-o,--output", arguments->directory,
-                   "Directory for frames.pvd and frames/ [that of the result]; with g2 and json the file")
+      ->add_option(
+          "-o,--output", arguments->directory,
+          "Directory for frames.pvd and frames/ [that of the result]; with one of the other formats the file")
       ->type_name("DIR|FILE");
   CLI::Option* cells =
       command
@@ -165,14 +190,14 @@ void addExportCommand(CLI::App& app, Action& action) {
       command
           ->add_option(
               "--format", arguments->format,
-              "vtu: the series; g2 (GoTools) or json (geomdl): the deformed bodies of a frame as NURBS "
-              "[vtu]")
-          ->type_name("vtu|g2|json");
+              "vtu: the series; g2 (GoTools) or json (geomdl): the deformed bodies of a frame as NURBS; step or iges: "
+              "their faces, for CAD [vtu]")
+          ->type_name("vtu|g2|json|step|iges");
   offerChoices(*format, kFormats);
   for (CLI::Option* ofSeries : {cells, parts, pieces, net}) ofSeries->excludes(format);
   command
       ->add_option("--frame", arguments->frame,
-                   "With g2 and json: number of the frame, last or end, or time=T [last]")
+                   "With formats of one frame: its number, last or end, or time=T [last]")
       ->type_name("N|last|time=T");
   command->callback([&action, arguments] { action = [arguments] { return exportResult(*arguments); }; });
 }

@@ -172,10 +172,12 @@ ExitCode indentation(const IndentationArguments& arguments) {
     drawChart(chart, arguments.outputs.picture);
   }
   if (arguments.outputs.printsData()) {
-    printText(curvesCsv(curves, "depth", "force"));
+    printText(curvesCsv(curves, withUnit("depth", units.length), withUnit("force", units.force)));
     return ExitCode::Fine;
   }
-  if (!arguments.outputs.csv.empty()) writeText(curvesCsv(curves, "depth", "force"), arguments.outputs.csv);
+  if (!arguments.outputs.csv.empty())
+    writeText(curvesCsv(curves, withUnit("depth", units.length), withUnit("force", units.force)),
+              arguments.outputs.csv);
   std::string text;
   Json::Value list(Json::arrayValue);
   for (std::size_t k = 0; k < runs.size(); ++k) {

@@ -164,13 +164,10 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     makeDirectoryOf(arguments.outputs.picture);
     drawChart(chart, arguments.outputs.picture);
   }
-  const auto profilesCsv = [&] {
-    return curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit));
-  };
   if (!arguments.outputs.csv.empty() && !arguments.outputs.printsData())
-    writeText(profilesCsv(), arguments.outputs.csv);
+    writeText(curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit)), arguments.outputs.csv);
   if (arguments.outputs.printsData())
-    printText(profilesCsv());
+    printText(curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit)));
   else
     printText(arguments.json ? jsonOf(rows, dim, unit) : tableOf(rows, dim, unit));
   return ExitCode::Fine;

@@ -154,7 +154,7 @@ ExitCode run(const RunArguments& arguments) {
                            : arguments.quiet ? RunReport::Nothing
                                              : RunReport::Progress;
   RunOutputs outputs(document, arguments.directory, report, !arguments.noDoubts);
-  if (!arguments.resumes) ranks().first([&] { outputs.requireNoForeignFiles(); });
+  if (!arguments.resumes) ranks().first([&] { outputs.takeDirectory(); });
   const RunSummary summary = compute(document.scene, arguments, signals, outputs);
   ranks().first([&] {
     if (!summary.halted) outputs.finish(!summary.doubts.empty());

@@ -56,25 +56,43 @@ std::string probeCommand(const SceneProbe& probe, const fs::path& directory, con
 }  // namespace
 
 RunOutputs::RunOutputs(const SceneDocument& document, fs::path directory, RunReport report, bool marksDoubts)
-    : document_(document), directory_(std::move(directory)), report_(report), marksDoubts_(marksDoubts) {
+    : document_(document),
+      directory_(std::move(directory)),
+      report_(report),
+      marksDoubts_(marksDoubts),
+      outdated_(drawnFiles(document)) {
   if (report == RunReport::Progress) progress_.emplace();
 }
 
-void RunOutputs::requireNoForeignFiles() const {
-  if (isOfARun(directory_)) return;
+void RunOutputs::takeDirectory() {
+  if (isOfARun(directory_)) {
+    try {
+      const std::vector<fs::path> earlier = drawnFiles(readResultDocument(directory_));
+      outdated_.insert(outdated_.end(), earlier.begin(), earlier.end());
+    } catch (const Error&) {
+      // What an unreadable result had drawn is not known, and stays.
+    }
+    return;
+  }
   std::vector<fs::path> files{directory_ / "history.csv", directory_ / "convergence.csv",
                               directory_ / "summary.yaml"};
   if (document_.scene.output.vtu)
     for (fs::path& file : seriesFiles(directory_)) files.push_back(std::move(file));
-  for (const ScenePicture& picture : document_.pictures) {
+  files.insert(files.end(), outdated_.begin(), outdated_.end());
+  requireAbsent(files);
+}
+
+std::vector<fs::path> RunOutputs::drawnFiles(const SceneDocument& document) const {
+  std::vector<fs::path> files;
+  for (const ScenePicture& picture : document.pictures) {
     files.push_back(pictureFile(picture, std::nullopt));
     for (const double time : picture.times) files.push_back(pictureFile(picture, time));
   }
-  for (const SceneProbe& probe : document_.probes) {
+  for (const SceneProbe& probe : document.probes) {
     files.push_back(probeFile(probe));
     files.push_back(probeFile(probe).replace_extension(".csv"));
   }
-  requireAbsent(files);
+  return files;
 }
 
 void RunOutputs::onModel(const ModelRecord& model) {
@@ -92,15 +110,8 @@ void RunOutputs::onStart(const ModelRecord& model) {
     vtu_.emplace(directory_, model, VtuOptions{.pieces = document_.scene.output.pieces},
                  firstPicture(document_));
   std::error_code absent;
-  for (const ScenePicture& picture : document_.pictures) {
-    // A picture of an earlier run would pass for one of this run if this one stops before.
-    fs::remove(pictureFile(picture, std::nullopt), absent);
-    for (const double time : picture.times) fs::remove(pictureFile(picture, time), absent);
-  }
-  for (const SceneProbe& probe : document_.probes) {
-    fs::remove(probeFile(probe), absent);
-    fs::remove(probeFile(probe).replace_extension(".csv"), absent);
-  }
+  // A picture of an earlier run would pass for one of this run, now or if this one stops before.
+  for (const fs::path& file : outdated_) fs::remove(file, absent);
 }
 
 void RunOutputs::onStep(const RunProgress& progress) {

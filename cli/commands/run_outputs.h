@@ -24,9 +24,9 @@ class RunOutputs : public RunObserver {
   RunOutputs(const SceneDocument& document, std::filesystem::path directory, RunReport report,
              bool marksDoubts = true);
 
-  /// Throws `Error` if the directory is not that of an earlier run and has files that the run would
-  /// overwrite.
-  void requireNoForeignFiles() const;
+  /// For a run that begins anew: throws `Error` if the directory is not that of an earlier run and has files that
+  /// the run would overwrite. Notes what an earlier run has drawn there, which goes when the run starts.
+  void takeDirectory();
 
   void onModel(const ModelRecord& model) override;
   void onWarnings(const std::vector<std::string>& warnings) override;
@@ -54,6 +54,9 @@ class RunOutputs : public RunObserver {
   const std::vector<Missing>& missing() const { return missing_; }
 
  private:
+  /// The files of all pictures, charts and tables that a document asks for.
+  std::vector<std::filesystem::path> drawnFiles(const SceneDocument& document) const;
+
   /// A chart; its table has the ending .csv.
   std::filesystem::path probeFile(const SceneProbe& probe) const;
   std::filesystem::path pictureFile(const ScenePicture& picture, std::optional<double> time) const;
@@ -86,6 +89,7 @@ class RunOutputs : public RunObserver {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<ParaViewSeries> vtu_;
   bool marksDoubts_;
+  std::vector<std::filesystem::path> outdated_;  ///< pictures and charts that an earlier run may have left
   bool isDoubtful_ = false;
   bool hasStarted_ = false;
   ModelRecord model_;

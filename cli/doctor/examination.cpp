@@ -12,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include "engine/cad/require_cad.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/memory_limit.h"
@@ -70,6 +71,11 @@ std::string multigridText() {
   return "PETSc and MPI";
 }
 
+std::string cadText() {
+  requireCad();
+  return "OpenCASCADE";
+}
+
 std::string occlusionText() {
   requireFreeSky();
   return "Embree 3";
@@ -98,6 +104,8 @@ std::vector<Examined> allExamined() {
        "install Embree (Debian: apt-get install libembree3-3)"},
       {"multigrid", "large bodies in space: solver: {linear: multigrid}", multigridText,
        "build the program with PETSc, that is without BURNISH_PETSC=OFF, and keep burnish_petsc.so with it"},
+      {"CAD", "tools from STEP and IGES files, and export to them", cadText,
+       "build the program with OpenCASCADE, that is without BURNISH_OCCT=OFF, and keep burnish_occt.so with it"},
       {"mpirun", "runs of several processes", [] { return programInPath("mpirun"); },
        "install MPI (Debian: apt-get install openmpi-bin)"},
       {"ffmpeg", "videos: .mp4 and .gif", [] { return programInPath("ffmpeg"); },

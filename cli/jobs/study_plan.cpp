@@ -65,12 +65,10 @@ void removeDrawn(const fs::path& directory, const std::string& figure) {
   fs::remove(recordFile(directory, figure), absent);
 }
 
-/// The knots of a shape before it is meshed. All named shapes have one span per direction.
-std::vector<KnotVector> shapeKnots(const ControlNetBody& net) {
-  return net.knotVectors();
-}
+/// The knots of a shape before it is meshed. Those that bring none have one span per direction.
 template <class Shape>
 std::vector<KnotVector> shapeKnots(const Shape& shape) {
+  if constexpr (BringsKnots<Shape>) return shape.knotVectors();
   return std::vector<KnotVector>(static_cast<std::size_t>(dimensionOf(shape)), KnotVector::uniform(1, 1));
 }
 

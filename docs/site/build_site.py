@@ -50,7 +50,7 @@ def lay_out(directory):
     for name in ("scenes", "images", "docs/images", "postproc/draw/page/themes"):
         (directory / name).parent.mkdir(parents=True, exist_ok=True)
         (directory / name).symlink_to(SOURCE / name)
-    for path in [SOURCE / "LICENSE", *SOURCE.glob("docs/*.json")]:
+    for path in [SOURCE / "LICENSE", *(path for path in SOURCE.glob("docs/*.*") if path.suffix != ".md")]:
         (directory / path.relative_to(SOURCE)).symlink_to(path)
     shutil.copy(HERE / "conf.py", directory)
     (directory / "index.md").write_text(index(), "utf-8")

@@ -17,14 +17,12 @@ namespace {
 /// Shapes of the other dimension do not reach this point: the dimension follows from the shape.
 template <int Dim, class Shape>
 Patch<Dim> coarse(const Shape& shape) {
-  if constexpr (Shape::kind.degrees.size() == Dim)
+  if constexpr (BringsKnots<Shape>)
+    return shape.template patch<Dim>();
+  else if constexpr (requires { requires Shape::kind.degrees.size() == Dim; })
     return shape.patch();
   else
     throw Error("geometry: the shape does not fit the number of dimensions");
-}
-template <int Dim>
-Patch<Dim> coarse(const ControlNetBody& net) {
-  return net.patch<Dim>();
 }
 
 using Definitions = std::vector<DefinitionSpec>;

@@ -170,6 +170,7 @@ Patch<P, S> lagrangeInterpolant(const Patch<P, S>& patch, int degree,
 template Patch<2, 2> refined(const Patch<2, 2>&, const std::vector<KnotVector>&);
 template Patch<3, 3> refined(const Patch<3, 3>&, const std::vector<KnotVector>&);
 template Patch<1, 2> refined(const Patch<1, 2>&, const std::vector<KnotVector>&);
+template Patch<1, 3> refined(const Patch<1, 3>&, const std::vector<KnotVector>&);
 template Patch<2, 2> lagrangeInterpolant(const Patch<2, 2>&, int, const std::vector<std::vector<double>>&);
 template Patch<3, 3> lagrangeInterpolant(const Patch<3, 3>&, int, const std::vector<std::vector<double>>&);
 

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <span>
 
 #include "engine/core/error.h"
@@ -32,7 +33,8 @@ class PatchCheck {
 
   template <class Shape>
   void operator()(const Shape& shape);
-  void operator()(const ControlNetBody& net);
+  template <BringsKnots Shape>
+  void operator()(const Shape& shape);
   void operator()(const PatchesSpec&) {}
 
   /// Number of basis functions as far as it is known.
@@ -51,7 +53,8 @@ class PatchCheck {
   void checkNumberOfFunctions(std::size_t direction) const;
   void checkCreases() const;
   void checkRelief(std::size_t dim) const;
-  void checkMesh(const std::vector<KnotVector>& shape);
+  void checkMesh(std::size_t dim, const std::function<std::vector<KnotVector>()>& knotsOfShape);
+  void countFunctions(const std::vector<KnotVector>& shape);
 
   const CheckContext& c_;
   std::size_t number_;
@@ -109,18 +112,22 @@ void PatchCheck::checkNamed(std::span<const int> degrees) {
     report("functions", "found functions beside creases, which add functions; allowed: spans.");
   if (clean("functions") && c_.cleanOf(number_, "degree") && c_.cleanOf(number_, "basis"))
     for (std::size_t d = 0; d < mesh_.functions.size(); ++d) checkNumberOfFunctions(d);
-  std::vector<KnotVector> shape;
-  for (const int degree : degrees) shape.push_back(KnotVector::uniform(degree, 1));
-  checkMesh(shape);
+  checkMesh(degrees.size(), [&] {
+    std::vector<KnotVector> shape;
+    for (const int degree : degrees) shape.push_back(KnotVector::uniform(degree, 1));
+    return shape;
+  });
 }
 
-void PatchCheck::operator()(const ControlNetBody& net) {
+template <BringsKnots Shape>
+void PatchCheck::operator()(const Shape& shape) {
   for (const auto& [name, given] :
        {std::pair{"functions", &mesh_.functions}, std::pair{"spans", &mesh_.spans}})
     if (!given->empty() && clean(name))
-      report(name, fmt::format("found {}, but a control net brings its own knots; allowed: refine.", name));
-  check(net, problems_);
-  if (!net.degrees.empty() && clean("degrees") && clean("knots")) checkMesh(net.knotVectors());
+      report(name, fmt::format("found {}, but {} brings its own knots; allowed: refine.", name, Shape::name));
+  check(shape, problems_);
+  if (shape.dim() == 0 || !clean("degrees") || !clean("profile.degrees")) return;
+  checkMesh(static_cast<std::size_t>(shape.dim()), [&] { return shape.knotVectors(); });
 }
 
 void PatchCheck::checkCreases() const {
@@ -154,15 +161,22 @@ void PatchCheck::checkRelief(std::size_t dim) const {
   }
 }
 
-/// `shape`: the knots of the shape in each direction.
-void PatchCheck::checkMesh(const std::vector<KnotVector>& shape) {
+/// knotsOfShape: in each direction; asked for if nothing is wrong with the shape.
+void PatchCheck::checkMesh(std::size_t dim, const std::function<std::vector<KnotVector>()>& knotsOfShape) {
   if (clean("creases")) checkCreases();
-  checkRelief(shape.size());
-  for (const char* name : {"functions", "spans", "refine", "grading", "creases"})
-    if (!clean(name)) return;
+  checkRelief(dim);
   if (!c_.clean(at_) || !c_.cleanOf(number_, "degree") || !c_.cleanOf(number_, "basis") ||
       !c_.clean("definitions"))
     return;
+  try {
+    countFunctions(knotsOfShape());
+  } catch (const Error& problem) {
+    c_.report(at_, fmt::format("{}.", problem.what()));
+  }
+}
+
+/// `shape`: the knots of the shape in each direction.
+void PatchCheck::countFunctions(const std::vector<KnotVector>& shape) {
   functions_ = 1.0;
   for (std::size_t d = 0; d < shape.size(); ++d)
     functions_ *= static_cast<double>(shape[d].numSpans()) * partsOf(body_, mesh_, d);
@@ -226,7 +240,8 @@ const char* sizeKey(const MeshSpec& mesh) {
 }  // namespace
 
 bool CheckContext::dimensionIsKnownOf(std::size_t body) const {
-  for (const char* key : {"shape", "degrees", "patches[0].shape", "patches[0].degrees"})
+  for (const char* key : {"shape", "degrees", "profile.degrees", "patches[0].shape", "patches[0].degrees",
+                          "patches[0].profile.degrees"})
     if (!clean(scene.bodyKey(body, fmt::format("geometry.{}", key)))) return false;
   return dimensionOf(scene.allBodies()[body].geometry.shape) > 0;
 }
@@ -234,7 +249,8 @@ bool CheckContext::dimensionIsKnownOf(std::size_t body) const {
 void checkPatchDimensions(const CheckContext& c) {
   const int dim = c.scene.dim();
   const auto check = [&](const std::string& path, int found, const char* first) {
-    if (c.clean(path + ".shape") && c.clean(path + ".degrees") && found > 0 && found != dim)
+    if (c.clean(path + ".shape") && c.clean(path + ".degrees") && c.clean(path + ".profile.degrees") &&
+        found > 0 && found != dim)
       c.report(path,
                fmt::format("found a shape of {} dimensions; allowed: {} dimensions, as the first {} has.",
                            found, dim, first));

@@ -82,13 +82,16 @@ bool hasCreases(const GeometrySpec& geometry) {
   return false;
 }
 
+/// Whether knots of a shape of its own stand several times inside. Only for one that is sound.
 bool hasRepeatedKnots(const GeometrySpec& geometry) {
-  const auto* net = std::get_if<ControlNetBody>(&geometry.shape);
-  if (net == nullptr) return false;
-  for (const auto& knots : net->knots)
-    for (std::size_t k = 1; k < knots.size(); ++k)
-      if (knots[k] == knots[k - 1] && knots[k] != knots.front() && knots[k] != knots.back()) return true;
-  return false;
+  return std::visit(
+      []<class Shape>(const Shape& shape) {
+        if constexpr (BringsKnots<Shape>)
+          for (const KnotVector& direction : shape.knotVectors())
+            if (direction.numFunctions() != direction.numSpans() + direction.degree()) return true;
+        return false;
+      },
+      geometry.shape);
 }
 
 }  // namespace
@@ -103,8 +106,10 @@ void checkRezoning(const CheckContext& c) {
   const auto key = [&](const char* name) { return c.scene.bodyKey(body, name); };
   if (std::holds_alternative<PatchesSpec>(geometry.shape))
     return c.report("rezoning", "found for a body of several patches; allowed: a body of one.");
+  const bool isNet = std::holds_alternative<ControlNetBody>(geometry.shape);
+  const bool hasCorners = c.clean(key("geometry")) && hasRepeatedKnots(geometry);
   refuse(c, hasCreases(geometry), key("geometry.creases"), "creases, which new meshes would lose,");
-  refuse(c, hasRepeatedKnots(geometry), key("geometry.knots"),
+  refuse(c, hasCorners, key(isNet ? "geometry.knots" : "geometry"),
          "knots that are repeated inside, whose corners new meshes would lose,");
   refuse(c, dependsOnRate(c.scene.allBodies()[body].material), key("material.rate"),
          "a rate, whose overstress would be lost where a new mesh settles in no time,");

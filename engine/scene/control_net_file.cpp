@@ -4,15 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <iterator>
 #include <optional>
 #include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/core/quoted.h"
+#include "engine/scene/net_formats.h"
 #include "engine/scene/tool_files.h"
 #include "engine/schema/yaml_document.h"
+#include "engine/solid/bodies/bodies.h"
 #include "engine/tools/tool_shape.h"
 
 namespace burnish {
@@ -20,7 +23,9 @@ namespace {
 
 const DocumentKind kNetKind{.name = "control net", .keys = "degrees, knots and points"};
 const std::vector<std::string> kKeys{"degrees", "knots", "points", "weights"};
-constexpr std::array<const char*, 3> kRequired{"degrees", "knots", "points"};
+
+/// What a net is for, which says what it must have.
+enum class NetOf { Body, Tool, Profile };
 
 bool isKey(const YamlNode& node) {
   return std::find(kKeys.begin(), kKeys.end(), node.key) != kKeys.end();
@@ -33,15 +38,41 @@ YamlNode* child(YamlNode& node, const std::string& key) {
   return it == node.children.end() ? nullptr : &*it;
 }
 
-void requireKeys(const YamlNode& holder, const std::string& path, const char* remedy, Diagnostics& errors) {
-  for (const char* key : kRequired)
-    if (holder.find(key) == nullptr)
+void requireKeys(const YamlNode& holder, const std::string& path, NetOf what, const char* remedy,
+                 Diagnostics& errors) {
+  const bool isProfile = what == NetOf::Profile;
+  for (const char* key : {"degrees", "knots", "points"})
+    if (holder.find(key) == nullptr && !(isProfile && std::string(key) == "knots"))
       errors.add(holder.place, fmt::format("{}.{}", path, key),
-                 fmt::format("missing; required: degrees, knots and points{}.", remedy));
+                 fmt::format("missing; required: {}{}.",
+                             isProfile ? "degrees and points" : "degrees, knots and points", remedy));
 }
 
-/// The mapping in a file; without a value its problem is reported, at `place` if it cannot be read.
-std::optional<YamlNode> readNet(const std::filesystem::path& file, const Place& place,
+/// The net that a scene's `entry` chooses.
+std::optional<YamlNode> chosen(std::vector<YamlNode> nets, const YamlNode* entry, const Place& place,
+                               const std::string& path, Diagnostics& errors) {
+  if (entry == nullptr) {
+    if (nets.size() == 1) return std::move(nets.front());
+    errors.add(
+        place, path + ".file",
+        fmt::format("found a file of {} objects; allowed: one, or entry: 0 to {} beside file, which chooses.",
+                    nets.size(), nets.size() - 1));
+    return std::nullopt;
+  }
+  std::size_t number = nets.size();
+  std::from_chars(entry->text.data(), entry->text.data() + entry->text.size(), number);
+  if (number < nets.size()) return std::move(nets[number]);
+  errors.add(
+      entry->place, path + ".entry",
+      fmt::format("found {}; allowed: a whole number from 0 to {}, for the {} of the file.",
+                  entry->kind == YamlNode::Kind::Scalar ? shortened(entry->text) : entry->describe(),
+                  nets.size() - 1, nets.size() == 1 ? "one object" : fmt::format("{} objects", nets.size())));
+  return std::nullopt;
+}
+
+/// The mapping in a file; without a value its problem is reported, at `place` if it cannot be read. entry: which of
+/// several, or null.
+std::optional<YamlNode> readNet(const std::filesystem::path& file, const YamlNode* entry, const Place& place,
                                 const std::string& path, Diagnostics& errors) {
   std::string text;
   try {
@@ -50,18 +81,48 @@ std::optional<YamlNode> readNet(const std::filesystem::path& file, const Place& 
     errors.add(place, path + ".file", fmt::format("{}.", problem.what()));
     return std::nullopt;
   }
-  auto net = parseYaml(text, errors.addFile(file.string()), errors, path);
-  if (net && net->kind != YamlNode::Kind::Mapping) {
+  const int source = errors.addFile(file.string());
+  if (file.extension() == ".g2") {
+    auto nets = netsOfG2(text, source, path, errors);
+    return nets ? chosen(std::move(*nets), entry, place, path, errors) : std::nullopt;
+  }
+  auto net = parseYaml(text, source, errors, path);
+  if (!net) return std::nullopt;
+  if (net->kind == YamlNode::Kind::Mapping && net->find("shape") != nullptr) {
+    auto nets = netsOfJson(*net, path, errors);
+    return nets ? chosen(std::move(*nets), entry, place, path, errors) : std::nullopt;
+  }
+  if (net->kind != YamlNode::Kind::Mapping) {
     errors.add(
         net->place, path,
         fmt::format("found {}; allowed: a mapping of degrees, knots, points and weights.", net->describe()));
     return std::nullopt;
   }
-  return net;
+  std::vector<YamlNode> one;
+  one.push_back(std::move(*net));
+  return chosen(std::move(one), entry, place, path, errors);
+}
+
+/// Points of the plane z = 0 lose their third coordinate where a net of two dimensions is meant: other programs
+/// write it always.
+void flatten(YamlNode& net, NetOf what) {
+  const YamlNode* degrees = net.find("degrees");
+  YamlNode* points = child(net, "points");
+  if (degrees == nullptr || points == nullptr) return;
+  if (degrees->children.size() != (what == NetOf::Tool ? 1 : 2) && what != NetOf::Profile) return;
+  const auto isFlat = [](const YamlNode& point) {
+    double z = 1.0;
+    if (point.children.size() != 3) return false;
+    const std::string& text = point.children[2].text;
+    std::from_chars(text.data(), text.data() + text.size(), z);
+    return z == 0.0;
+  };
+  if (!std::ranges::all_of(points->children, isFlat)) return;
+  for (YamlNode& point : points->children) point.children.pop_back();
 }
 
 /// The keys of a file take the place of its name.
-void insertFile(YamlNode& shape, const std::string& path, const std::filesystem::path& directory,
+void insertFile(YamlNode& shape, const std::string& path, NetOf what, const std::filesystem::path& directory,
                 Diagnostics& errors) {
   const YamlNode name = *shape.find("file");
   for (const YamlNode& other : shape.children)
@@ -70,36 +131,58 @@ void insertFile(YamlNode& shape, const std::string& path, const std::filesystem:
           other.keyPlace, fmt::format("{}.{}", path, other.key),
           fmt::format("found {} beside file; allowed: all of the control net either here or in the file.",
                       other.key));
-  auto net = readNet(directory / name.text, name.place, path, errors);
-  std::erase_if(shape.children, [](const YamlNode& c) { return c.key == "file"; });
+  auto net = readNet(directory / name.text, shape.find("entry"), name.place, path, errors);
+  std::erase_if(shape.children, [](const YamlNode& c) { return c.key == "file" || c.key == "entry"; });
   if (!net) return;
   for (const YamlNode& found : net->children)
     if (!isKey(found))
       errors.add(found.keyPlace, fmt::format("{}.{}", path, found.key),
                  fmt::format("found an unknown key; allowed: {}.{}", fmt::join(kKeys, ", "),
                              didYouMean(found.key, kKeys)));
-  requireKeys(*net, path, "", errors);
+  requireKeys(*net, path, what, "", errors);
   std::erase_if(net->children, [](const YamlNode& c) { return !isKey(c); });
+  flatten(*net, what);
   std::move(net->children.begin(), net->children.end(), std::back_inserter(shape.children));
 }
 
-bool isNetOfBody(const std::string& shape) {
-  return shape == "control-net";
-}
-bool isNetOfTool(const std::string& shape) {
-  return fileOf(shape) == ShapeFile::ControlNet;
+/// A control net at a path.
+void complete(YamlNode& net, const std::string& path, NetOf what, const std::filesystem::path& directory,
+              Diagnostics& errors) {
+  const YamlNode* file = net.find("file");
+  if (file == nullptr || (file->kind == YamlNode::Kind::Scalar && file->text.empty())) {
+    if (const YamlNode* entry = net.find("entry"))
+      errors.add(entry->keyPlace, path + ".entry",
+                 "found without file; allowed: beside the file of which it is one.");
+    requireKeys(net, path, what, ", or a file that holds them", errors);
+  } else if (file->kind == YamlNode::Kind::Scalar) {
+    insertFile(net, path, what, directory, errors);
+  }
 }
 
-/// A shape that may be a control net, at a path.
-void complete(YamlNode& shape, const std::string& path, const std::filesystem::path& directory,
-              Diagnostics& errors, bool (*isNet)(const std::string&) = isNetOfBody) {
+/// Adds the keys of the curves and faces that a shape is made from if it has this name.
+template <class Shape>
+void addNetsOf(const std::string& name, std::vector<std::string>& keys) {
+  if constexpr (requires { Shape::nets; })
+    if (name == Shape::kind.key) keys.assign(Shape::nets.begin(), Shape::nets.end());
+}
+
+/// The same of the shape of bodies with this name.
+template <class... Shape>
+std::vector<std::string> netsOf(const std::string& name, const std::variant<Shape...>& /*all*/) {
+  std::vector<std::string> keys;
+  (addNetsOf<Shape>(name, keys), ...);
+  return keys;
+}
+
+/// The shape of a body or of one of its patches.
+void completeShape(YamlNode& shape, const std::string& path, const std::filesystem::path& directory,
+                   Diagnostics& errors) {
   const YamlNode* kind = shape.find("shape");
-  if (kind == nullptr || !isNet(kind->text)) return;
-  const YamlNode* file = shape.find("file");
-  if (file == nullptr || (file->kind == YamlNode::Kind::Scalar && file->text.empty()))
-    requireKeys(shape, path, ", or a file that holds them", errors);
-  else if (file->kind == YamlNode::Kind::Scalar)
-    insertFile(shape, path, directory, errors);
+  if (kind == nullptr) return;
+  if (kind->text == ControlNetBody::kind.key) complete(shape, path, NetOf::Body, directory, errors);
+  for (const std::string& key : netsOf(kind->text, BodyShape()))
+    if (YamlNode* net = child(shape, key); net != nullptr && net->kind == YamlNode::Kind::Mapping)
+      complete(*net, fmt::format("{}.{}", path, key), NetOf::Profile, directory, errors);
 }
 
 /// The geometry of a body whose keys begin with `prefix`.
@@ -107,18 +190,20 @@ void completeGeometry(YamlNode& body, const std::string& prefix, const std::file
                       Diagnostics& errors) {
   YamlNode* geometry = child(body, "geometry");
   if (geometry == nullptr) return;
-  complete(*geometry, prefix + "geometry", directory, errors);
+  completeShape(*geometry, prefix + "geometry", directory, errors);
   YamlNode* patches = child(*geometry, "patches");
   if (patches == nullptr || patches->kind != YamlNode::Kind::Sequence) return;
   for (std::size_t i = 0; i < patches->children.size(); ++i)
-    complete(patches->children[i], fmt::format("{}geometry.patches[{}]", prefix, i), directory, errors);
+    completeShape(patches->children[i], fmt::format("{}geometry.patches[{}]", prefix, i), directory, errors);
 }
 
 }  // namespace
 
 void insertControlNetFiles(YamlNode& root, const std::filesystem::path& directory, Diagnostics& errors) {
   forEachToolShape(root, [&](YamlNode& tool, const std::string& path) {
-    complete(tool, path, directory, errors, isNetOfTool);
+    if (const YamlNode* kind = tool.find("shape");
+        kind != nullptr && fileOf(kind->text) == ShapeFile::ControlNet)
+      complete(tool, path, NetOf::Tool, directory, errors);
   });
   completeGeometry(root, "", directory, errors);
   YamlNode* bodies = child(root, "bodies");

@@ -5,13 +5,13 @@
 
 namespace burnish {
 
-/// Dimensions of a shape; 0 for a control net without degrees. Of several patches, those of the first.
+/// Dimensions of a shape; 0 where they follow from degrees that are not there. Of several patches, those of the first.
 template <class Shape>
-int dimensionOf(const Shape& /*shape*/) {
-  return static_cast<int>(Shape::kind.degrees.size());
-}
-inline int dimensionOf(const ControlNetBody& net) {
-  return static_cast<int>(net.degrees.size());
+int dimensionOf(const Shape& shape) {
+  if constexpr (BringsKnots<Shape>)
+    return shape.dim();
+  else
+    return static_cast<int>(Shape::kind.degrees.size());
 }
 int dimensionOf(const PatchesSpec& body);
 template <class... Shape>

@@ -17,9 +17,10 @@ constexpr double kOnEdge = 1e-12;
 
 }  // namespace
 
-CurvedFacets::CurvedFacets(SurfaceMesh surface)
+CurvedFacets::CurvedFacets(SurfaceMesh surface, std::vector<Eigen::Matrix3d> normals)
     : surface_(std::move(surface)),
       corners_(static_cast<int>(surface_.cells.rows())),
+      normals_(std::move(normals)),
       tree_(surface_.points, surface_.cells) {
   findNeighbours();
   findNormals();
@@ -91,11 +92,12 @@ Eigen::Vector3d CurvedFacets::fanNormal(Eigen::Index cell, int corner) const {
 
 void CurvedFacets::findNormals() {
   const Eigen::Index cells = surface_.cells.cols();
-  normals_.assign(static_cast<std::size_t>(cells), Eigen::Matrix3d::Zero());
+  normals_.resize(static_cast<std::size_t>(cells), Eigen::Matrix3d::Zero());
   means_.assign(static_cast<std::size_t>(surface_.points.cols()), Eigen::Vector3d::Zero());
   for (Eigen::Index c = 0; c < cells; ++c)
     for (int k = 0; k < corners_; ++k) {
-      normals_[static_cast<std::size_t>(c)].col(k) = fanNormal(c, k).normalized();
+      auto normal = normals_[static_cast<std::size_t>(c)].col(k);
+      if (normal.isZero(0.0)) normal = fanNormal(c, k).normalized();
       const auto at = [&](int corner) -> Eigen::Vector3d {
         return surface_.points.col(surface_.cells(corner % corners_, c));
       };

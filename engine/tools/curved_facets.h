@@ -13,7 +13,9 @@ namespace burnish {
 /// more than 30 degrees each side keeps its own. Beyond a rim the surface goes on straight.
 class CurvedFacets {
  public:
-  explicit CurvedFacets(SurfaceMesh surface);
+  /// normals: those that are known, as columns for the corners of each cell, in the order of the cells; zero columns,
+  /// and all if there is no entry, are found.
+  explicit CurvedFacets(SurfaceMesh surface, std::vector<Eigen::Matrix3d> normals = {});
 
   const SurfaceMesh& surface() const { return surface_; }
 

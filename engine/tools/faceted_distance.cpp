@@ -44,8 +44,9 @@ Eigen::Matrix<double, 3, 4> cubicSplines(double u) {
 
 }  // namespace
 
-FacetedDistance::FacetedDistance(SurfaceMesh surface, std::optional<double> smoothing)
-    : facets_(std::move(surface)),
+FacetedDistance::FacetedDistance(SurfaceMesh surface, std::optional<double> smoothing,
+                                 std::vector<Eigen::Matrix3d> normals)
+    : facets_(std::move(surface), std::move(normals)),
       dim_(static_cast<int>(facets_.surface().cells.rows())),
       spacing_(smoothing.value_or(defaultSpacing(facets_.surface()))) {}
 

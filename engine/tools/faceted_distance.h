@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "engine/tools/curved_facets.h"
 #include "engine/tools/gap_query.h"
@@ -18,7 +19,9 @@ namespace burnish {
 /// and kept; the answers do not depend on the order of the questions. To be asked from one thread at a time.
 class FacetedDistance {
  public:
-  FacetedDistance(SurfaceMesh surface, std::optional<double> smoothing);
+  /// normals: those that are known, see `CurvedFacets`.
+  FacetedDistance(SurfaceMesh surface, std::optional<double> smoothing,
+                  std::vector<Eigen::Matrix3d> normals = {});
 
   const SurfaceMesh& surface() const { return facets_.surface(); }
 

@@ -1,9 +1,11 @@
 #pragma once
 #include <Eigen/Dense>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/nurbs/net_words.h"
 #include "engine/nurbs/patch.h"
 #include "engine/tools/gap_query.h"
 #include "engine/tools/rigid_shape.h"
@@ -45,6 +47,7 @@ struct NurbsTool {
                                   ShapeFile::ControlNet};
 
   std::string file;                        ///< its other keys are put in when the scene is read
+  std::optional<int> entry;                ///< which one of several in the file; taken away with it
   std::vector<int> degrees;                ///< one per direction of the curve or surface
   std::vector<std::vector<double>> knots;  ///< per direction
   std::vector<std::vector<double>> points;
@@ -56,9 +59,8 @@ struct NurbsTool {
 
 template <class Visitor>
 void describe(Visitor& v, NurbsTool& s) {
-  v.field("file", s.file, {},
-          "YAML file that holds degrees, knots, points and weights, beside the scene; instead of giving them "
-          "here.");
+  v.field("file", s.file, {}, kNetFileSentence);
+  v.field("entry", s.entry, {.atLeast = 0}, kNetEntrySentence);
   v.field("degrees", s.degrees, {.atLeast = 1, .atMost = 10, .minEntries = 1, .maxEntries = 2},
           "Degree in the direction of a curve (two dimensions), in both directions of a surface (3D).");
   v.field("knots", s.knots, {.minEntries = 1, .maxEntries = 2}, "An open knot vector for each direction.");

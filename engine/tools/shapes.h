@@ -6,6 +6,7 @@
 
 #include "engine/schema/alternatives.h"
 #include "engine/tools/box.h"
+#include "engine/tools/cad_tool.h"
 #include "engine/tools/cone.h"
 #include "engine/tools/cylinder.h"
 #include "engine/tools/die.h"
@@ -34,7 +35,8 @@ using SimpleShape = std::variant<Plane,         //
                                  BoxTool,       //
                                  NurbsTool,     //
                                  PolylineTool,  //
-                                 MeshTool>;
+                                 MeshTool,      //
+                                 CadTool>;
 
 template <class... Shape>
 std::array<ShapeKind, sizeof...(Shape)> kindsOf(const std::variant<Shape...>& /*shape*/) {

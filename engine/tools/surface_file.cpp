@@ -137,13 +137,7 @@ void requireAreas(const std::vector<Point>& points, const Polygons& polygons) {
 }
 
 /// A mesh without coincident points, its faces oriented alike.
-Mesh meshOf(const std::filesystem::path& file, double scale) {
-  std::vector<Point> points;
-  Polygons polygons;
-  if (!readPolygonSoup(file, points, polygons) || polygons.empty())
-    throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
-  requireUsable(points, polygons);
-  for (Point& p : points) p = Point(scale * p.x(), scale * p.y(), scale * p.z());
+Mesh meshOf(std::vector<Point> points, Polygons polygons) {
   snap(points);
   pmp::merge_duplicate_points_in_polygon_soup(points, polygons);
   requireAreas(points, polygons);
@@ -216,6 +210,15 @@ SurfaceMesh exported(const Mesh& mesh) {
   return surface;
 }
 
+SurfaceMesh surfaceOf(std::vector<Point> points, Polygons polygons, bool open) {
+  Mesh mesh = meshOf(std::move(points), std::move(polygons));
+  requireTriangles(mesh);
+  requireSound(mesh, open);
+  if (CGAL::is_closed(mesh)) pmp::orient_to_bound_a_volume(mesh);
+  mesh.collect_garbage();
+  return exported(mesh);
+}
+
 }  // namespace
 
 void requireFile(const std::filesystem::path& file, const char* kind) {
@@ -231,15 +234,26 @@ void requireFile(const std::filesystem::path& file, const char* kind) {
 SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool open) {
   requireFile(file, "mesh");
   try {
-    Mesh mesh = meshOf(file, scale);
-    requireTriangles(mesh);
-    requireSound(mesh, open);
-    if (CGAL::is_closed(mesh)) pmp::orient_to_bound_a_volume(mesh);
-    mesh.collect_garbage();
-    return exported(mesh);
+    std::vector<Point> points;
+    Polygons polygons;
+    if (!readPolygonSoup(file, points, polygons) || polygons.empty())
+      throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
+    requireUsable(points, polygons);
+    for (Point& p : points) p = Point(scale * p.x(), scale * p.y(), scale * p.z());
+    return surfaceOf(std::move(points), std::move(polygons), open);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()));
   }
+}
+
+SurfaceMesh soundSurface(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xi& cells, bool open) {
+  std::vector<Point> corners;
+  for (const auto& p : points.colwise()) corners.emplace_back(p.x(), p.y(), p.z());
+  Polygons triangles;
+  for (const auto& cell : cells.colwise())
+    triangles.push_back({static_cast<std::size_t>(cell(0)), static_cast<std::size_t>(cell(1)),
+                         static_cast<std::size_t>(cell(2))});
+  return surfaceOf(std::move(corners), std::move(triangles), open);
 }
 
 }  // namespace burnish

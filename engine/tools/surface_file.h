@@ -15,4 +15,7 @@ void requireFile(const std::filesystem::path& file, const char* kind);
 /// triangles, intersections, more than two triangles at an edge, and a rim unless the surface may be `open`.
 SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool open);
 
+/// The same of triangles (numbers of their corners) in the columns of `cells`.
+SurfaceMesh soundSurface(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xi& cells, bool open);
+
 }  // namespace burnish

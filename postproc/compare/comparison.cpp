@@ -9,6 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "postproc/compare/baseline_place.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -165,11 +166,17 @@ std::vector<std::string> acceptActual(std::vector<Comparison>& comparisons,
                      [&](const Comparison& comparison) { return matches(pattern, comparison); }))
       throw Error(fmt::format("--accept: found no picture \"{}\".{}", pattern, didYouMean(pattern, names)));
 
+  std::vector<Comparison*> chosen;
+  for (Comparison& comparison : comparisons)
+    if (isAcceptable(comparison.verdict) &&
+        std::any_of(patterns.begin(), patterns.end(),
+                    [&](const std::string& pattern) { return matches(pattern, comparison); }))
+      chosen.push_back(&comparison);
+  for (const Comparison* comparison : chosen)
+    requireInBaselines(comparison->name, comparison->baseline, comparison->baseline);
   std::vector<std::string> accepted;
-  for (Comparison& comparison : comparisons) {
-    const bool chosen = std::any_of(patterns.begin(), patterns.end(),
-                                    [&](const std::string& pattern) { return matches(pattern, comparison); });
-    if (!chosen || !isAcceptable(comparison.verdict)) continue;
+  for (Comparison* each : chosen) {
+    Comparison& comparison = *each;
     writeText(readText(comparison.actual), comparison.baseline);
     comparison = compareFiles(comparison.name, comparison.actual, comparison.baseline, rule);
     accepted.push_back(comparison.name);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <system_error>
 
 #include "engine/core/error.h"
 #include "engine/core/version.h"
@@ -44,6 +45,17 @@ Json::Value pairJson(const Comparison& comparison, const PictureRule& rule) {
 }
 
 }  // namespace
+
+void requireNoOtherPage(const fs::path& directory) {
+  constexpr std::string_view kOfAllPages = "<footer id=\"accept\"";  // in those of former versions, too
+  const fs::path file = directory / "index.html";
+  std::error_code absent;
+  if (fs::exists(file, absent) && readText(file).find(kOfAllPages) == std::string::npos)
+    throw Error(
+        fmt::format("{}: found a page that is no report of burnish compare, which is not overwritten; "
+                    "name another directory",
+                    file.string()));
+}
 
 fs::path writeReport(const ReportPage& page, const fs::path& directory) {
   Json::Value data;

@@ -20,6 +20,9 @@ struct ReportPage {
   std::vector<Json::Value> pairs;
 };
 
+/// Throws `Error` if DIRECTORY/index.html is there and is no page of pairs: it is not overwritten.
+void requireNoOtherPage(const std::filesystem::path& directory);
+
 /// Writes DIRECTORY/index.html, one page that shows every pair, failures first, and needs nothing else: no
 /// network, no other file. Returns its name. Throws `Error` if it cannot be written.
 std::filesystem::path writeReport(const ReportPage& page, const std::filesystem::path& directory);

@@ -4,7 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/results/check_records.h"
@@ -111,7 +115,106 @@ std::string jsonText(const NurbsPatch& patch, const std::string& name) {
                             fmt::join(points, ", "), fmt::join(weights, ", "));
 }
 
+/// A face of a patch: its two directions, and its functions, first direction fastest.
+struct FaceOfPatch {
+  std::array<std::size_t, 2> directions{};
+  std::vector<Eigen::Index> functions;
+};
+
+FaceOfPatch faceOfPatch(const NurbsPatch& patch, FaceId face) {
+  IndexBox box;
+  for (std::size_t d = 0; d < 3; ++d) box.extent[d] = patch.directions[d].count();
+  const auto normal = static_cast<std::size_t>(face / 2);
+  FaceOfPatch found{.directions = {normal == 0 ? 1U : 0U, normal == 2 ? 1U : 2U}};
+  IndexBox::Index index{};
+  index[normal] = face % 2 == 0 ? 0 : box.extent[normal] - 1;
+  const auto [u, v] = found.directions;
+  for (index[v] = 0; index[v] < box.extent[v]; ++index[v])
+    for (index[u] = 0; index[u] < box.extent[u]; ++index[u]) found.functions.push_back(box.number(index));
+  return found;
+}
+
+std::vector<int> nodesOf(const PatchRecord& record, const FaceOfPatch& face) {
+  std::vector<int> nodes;
+  for (const Eigen::Index a : face.functions) nodes.push_back(record.nodes[static_cast<std::size_t>(a)]);
+  return nodes;
+}
+
+/// Whether all lines of a face in one of its directions are the same line, or points. count: functions in its first direction.
+bool isCollapsed(const std::vector<int>& nodes, int count) {
+  bool alongFirst = true, alongSecond = true;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const std::size_t column = k % static_cast<std::size_t>(count);
+    alongFirst = alongFirst && nodes[k] == nodes[k - column];
+    alongSecond = alongSecond && nodes[k] == nodes[column];
+  }
+  return alongFirst || alongSecond;
+}
+
+CadFace cadFace(const NurbsPatch& patch, const FaceOfPatch& face, bool reversed, std::string name) {
+  CadFace made{.reversed = reversed, .name = std::move(name)};
+  for (std::size_t d = 0; d < 2; ++d) {
+    made.degrees[d] = patch.directions[face.directions[d]].degree;
+    made.knots[d] = patch.directions[face.directions[d]].knots;
+  }
+  made.points = Eigen::Matrix3Xd::Zero(3, std::ssize(face.functions));
+  made.points.topRows(patch.points.rows()) = patch.points(Eigen::all, face.functions);
+  made.weights = patch.weights(face.functions);
+  return made;
+}
+
+/// In a patch of right-handed parameters ∂1 x ∂2 points inwards on these of its faces.
+bool pointsInwards(FaceId face) {
+  const bool isEnd = face % 2 == 1;
+  return face / 2 == 1 ? isEnd : !isEnd;
+}
+
+std::vector<NurbsPatch> patchesOf(const MeshRecord& mesh, const FrameRecord& frame) {
+  std::vector<NurbsPatch> patches;
+  for (const PatchRecord& patch : mesh.patches) patches.push_back(nurbsOf(patch, frame.displacement));
+  return patches;
+}
+
+std::string nameOf(const ModelRecord& model, const PatchRecord& patch) {
+  return model.bodies.empty() ? "body" : model.bodies[static_cast<std::size_t>(patch.body)];
+}
+
 }  // namespace
+
+std::vector<CadFace> nurbsFaces(const ModelRecord& model, const FrameRecord& frame) {
+  checkFrame(frame, model, fmt::format("frame {}", frame.index));
+  const MeshRecord& mesh = meshOf(model, frame);
+  const std::vector<NurbsPatch> patches = patchesOf(mesh, frame);
+  std::vector<CadFace> faces;
+  if (model.dim == 2) {
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      FaceOfPatch all{.directions = {0, 1}};
+      for (Eigen::Index a = 0; a < patches[k].points.cols(); ++a) all.functions.push_back(a);
+      faces.push_back(
+          cadFace(patches[k], all, false, fmt::format("{}.{}", nameOf(model, mesh.patches[k]), k + 1)));
+    }
+    return faces;
+  }
+  const auto sortedNodes = [&](std::size_t k, FaceId face) {
+    auto nodes = nodesOf(mesh.patches[k], faceOfPatch(patches[k], face));
+    std::ranges::sort(nodes);
+    return nodes;
+  };
+  std::map<std::vector<int>, int> count;  // of the faces with the same nodes
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    for (FaceId face = 0; face < 6; ++face) ++count[sortedNodes(k, face)];
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    for (FaceId face = 0; face < 6; ++face) {
+      const FaceOfPatch found = faceOfPatch(patches[k], face);
+      if (count[sortedNodes(k, face)] > 1 ||
+          isCollapsed(nodesOf(mesh.patches[k], found), patches[k].directions[found.directions[0]].count()))
+        continue;
+      faces.push_back(
+          cadFace(patches[k], found, pointsInwards(face),
+                  fmt::format("{}.{}.{}", nameOf(model, mesh.patches[k]), k + 1, faceName(face))));
+    }
+  return faces;
+}
 
 std::string nurbsText(const ModelRecord& model, const FrameRecord& frame, NurbsFormat format) {
   checkFrame(frame, model, fmt::format("frame {}", frame.index));
@@ -119,9 +222,8 @@ std::string nurbsText(const ModelRecord& model, const FrameRecord& frame, NurbsF
   std::vector<std::string> shapes;
   for (const PatchRecord& patch : meshOf(model, frame).patches) {
     const NurbsPatch nurbs = nurbsOf(patch, frame.displacement);
-    const std::string body =
-        model.bodies.empty() ? "body" : model.bodies[static_cast<std::size_t>(patch.body)];
-    format == NurbsFormat::G2 ? void(g2 += g2Text(nurbs)) : shapes.push_back(jsonText(nurbs, body));
+    format == NurbsFormat::G2 ? void(g2 += g2Text(nurbs))
+                              : shapes.push_back(jsonText(nurbs, nameOf(model, patch)));
   }
   if (format == NurbsFormat::G2) return g2;
   return fmt::format(

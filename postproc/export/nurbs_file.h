@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
+#include <vector>
 
+#include "engine/cad/cad_file.h"
 #include "engine/results/result.h"
 
 namespace burnish {
@@ -14,5 +16,10 @@ enum class NurbsFormat {
 /// The patches of a frame on the current positions, exactly. Those of Lagrange elements are written as B-splines with
 /// multiple knots. Throws `Error` if frame and model disagree.
 std::string nurbsText(const ModelRecord& model, const FrameRecord& frame, NurbsFormat format);
+
+/// The same for CAD: the patches of plane bodies, in z = 0; in space the faces of the bodies, without those at which patches
+/// are joined and those that collapse to a line or a point. Their names are BODY.PATCH.FACE, with the number of the patch from
+/// 1. Throws `Error` if frame and model disagree.
+std::vector<CadFace> nurbsFaces(const ModelRecord& model, const FrameRecord& frame);
 
 }  // namespace burnish

@@ -1,8 +1,9 @@
-"""The commands of a page of the documentation that is meant to be followed from its first line to its last, and what it shows of them.
+"""The commands of a page of the documentation, run from the first to the last in one directory that holds the scenes, and what the page
+shows of them.
 
-Every block of ```sh is executed, one after another, in one empty directory; a block of ```text behind it holds lines that it prints; a
-block behind <!-- file: NAME --> is saved as NAME first. A picture of docs/images/tutorial is compared with the file of the same name
-that the commands have drawn.
+Run are all blocks of ```sh, indented blocks behind <!-- run -->, and what stands in a comment <!-- run: COMMAND -->, which prepares
+something that a page takes for granted. A block of ```text behind one holds lines that it prints; a block behind <!-- file: NAME --> is
+saved as NAME first. A picture of docs/images/tutorial is compared with the file of the same name that the commands have drawn.
 
 Usage: page_commands_test.py BURNISH PAGE [--write]     --write: makes the pictures anew; look at them before they are committed
 """
@@ -13,12 +14,16 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "tests"))
 from png_picture import Picture  # noqa: E402
 
-BLOCK = re.compile(r"(?:<!-- file: (?P<file>\S+) -->\n)?^```(?P<kind>sh|text|yaml)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(
+    r"^<!-- run: (?P<prepares>[^\n]*) -->$"
+    r"|^<!-- run -->\n\n(?P<indented>(?:    [^\n]*\n)+)"
+    r"|(?:^<!-- file: (?P<file>\S+) -->\n)?^```(?P<kind>sh|text|yaml)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 PICTURE = re.compile(r"\]\((?P<place>[\w./-]*images/tutorial/(?P<name>[\w-]+\.png))\)")
 
 
@@ -29,14 +34,15 @@ def words_of(text):
 def problems_of_blocks(page, directory, environment):
     printed = ""
     for block in BLOCK.finditer(page):
+        commands = block["prepares"] or block["indented"] or (block["text"] if block["kind"] == "sh" else None)
         if block["file"]:
             (directory / block["file"]).write_text(block["text"])
-        elif block["kind"] == "sh":
-            done = subprocess.run(["bash", "-euo", "pipefail", "-c", block["text"]], cwd=directory, env=environment,
+        elif commands:
+            done = subprocess.run(["bash", "-euo", "pipefail", "-c", textwrap.dedent(commands)], cwd=directory, env=environment,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
             printed = words_of(done.stdout)
             if done.returncode != 0:
-                yield f"{block['text'].strip()}\nended with {done.returncode}: {done.stdout.strip()}"
+                yield f"{commands.strip()}\nended with {done.returncode}: {done.stdout.strip()}"
         elif block["kind"] == "text":
             for line in block["text"].splitlines():
                 if words_of(line) not in printed:
@@ -63,6 +69,7 @@ def main():
     page = path.read_text()
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
+        (directory / "scenes").symlink_to(SOURCE / "scenes")
         environment = {**os.environ, "PATH": f"{burnish.parent}{os.pathsep}{os.environ['PATH']}"}
         wrong = list(problems_of_blocks(page, directory, environment))
         wrong += problems_of_pictures(burnish, page, path, directory, writes)

@@ -1,40 +1,30 @@
 #pragma once
-#include <string>
 #include <vector>
 
-#include "engine/nurbs/knot_vector.h"
-#include "engine/nurbs/patch.h"
 #include "engine/schema/alternatives.h"
+#include "engine/solid/bodies/net.h"
 
 namespace burnish {
 
-class Problems;
-
-/// Control points, weights and knot vectors given in the scene, or in a YAML file of the same keys.
-/// `degrees`, `knots` one entry per direction; points with the first direction fastest; weights may be left
-/// out (all 1).
-struct ControlNetBody {
+/// A body whose control points, weights and knots are given.
+struct ControlNetBody : Net {
   static constexpr PartKind kind{"control-net",
                                  "Control points, weights and knots; needs no functions or spans."};
+  static constexpr const char* name = "a control net";
 
-  std::string file;  ///< relative to the scene's file; replaced by its contents when the scene is read
-  std::vector<int> degrees;
-  std::vector<std::vector<double>> knots;
-  std::vector<std::vector<double>> points;
-  std::vector<double> weights;
-
-  /// Throws `Error` if one of them is none.
-  std::vector<KnotVector> knotVectors() const;
+  /// 0 without degrees.
+  int dim() const { return static_cast<int>(degrees.size()); }
 
   template <int Dim>
-  Patch<Dim> patch() const;
+  Patch<Dim> patch() const {
+    return Net::patch<Dim, Dim>();
+  }
 };
 
 template <class Visitor>
 void describe(Visitor& v, ControlNetBody& s) {
-  v.field("file", s.file, {},
-          "YAML file that holds the other keys of the control net, beside the scene; instead of giving them "
-          "here.");
+  v.field("file", s.file, {}, kNetFileSentence);
+  v.field("entry", s.entry, {.atLeast = 0}, kNetEntrySentence);
   v.field("degrees", s.degrees, {.atLeast = 1, .atMost = 10, .minEntries = 2, .maxEntries = 3},
           "Degree in each of the two or three parametric directions.");
   v.field("knots", s.knots, {.minEntries = 2, .maxEntries = 3}, "An open knot vector for each direction.");

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/results/result_files.h"
 #include "engine/results/result_reader.h"
+#include "postproc/compare/baseline_place.h"
 #include "postproc/compare/data/run_series.h"
 #include "postproc/compare/data/vtk_series.h"
 #include "postproc/text/text_file.h"
@@ -97,6 +98,17 @@ void copyResult(const fs::path& from, const fs::path& to) {
   writeText(readText(source), target);
 }
 
+/// Throws `Error` if a baseline or its frames lie elsewhere, beyond a symbolic link.
+void requireInPlace(const DataPair& pair) {
+  const bool isResult = pair.kind == ComparedKind::Result;
+  const fs::path file = isResult ? modelFileOf(pair.baseline) : pair.baseline;
+  // Of one result that is named as a directory, this is the place.
+  const fs::path kept = isResult && pair.name.empty() ? file.parent_path() : pair.baseline;
+  const std::string name = isResult || !pair.name.empty() ? pair.name : file.filename().string();
+  requireInBaselines(name, kept, file);
+  if (isResult) requireInBaselines(name, kept, frameFile(file, 0));
+}
+
 /// Whether a file names others, which a copy of it would not have.
 bool namesOthers(const DataPair& pair) {
   constexpr std::array kEndings{".pvd", ".pvtu", ".pvtp", ".vtm", ".case"};
@@ -135,6 +147,8 @@ std::vector<ResultComparison> compareData(ComparedKind kind, const fs::path& act
 }
 
 std::vector<std::string> makeBaseline(std::vector<ResultComparison>& comparisons, const DataRule& rule) {
+  for (const ResultComparison& comparison : comparisons)
+    if (isToBeUpdated(comparison)) requireInPlace(comparison.pair);
   std::vector<std::string> lines;
   for (ResultComparison& comparison : comparisons) {
     if (!isToBeUpdated(comparison)) continue;

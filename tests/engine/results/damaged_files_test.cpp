@@ -232,6 +232,25 @@ TEST_F(DamagedFiles, ControlNets) {
   expectRefusedOrRead(file, read);
 }
 
+TEST_F(DamagedFiles, ControlNetsOfOtherPrograms) {
+  const std::vector<std::pair<std::string, std::string>> nets{
+      {"net.g2",
+       "200 1 0 0\n2 1\n2 2\n0 0 1 1\n3 3\n0 0 0 1 1 1\n1 0 1\n2 0 1\n0.7 0.7 0.7\n1.4 1.4 0.7\n0 1 1\n0 2 1\n"},
+      {"net.json",
+       "{\"shape\": {\"data\": [{\"degree_u\": 1, \"degree_v\": 1, \"knotvector_u\": [0, 0, 1, 1], \"knotvector_v\": [0, 0, 1, 1], "
+       "\"control_points\": {\"points\": [[0, 0], [0, 1], [1, 0], [1, 1]]}}]}}"}};
+  for (const auto& [name, text] : nets) {
+    const fs::path scene =
+        write("scene.yaml", "geometry: {shape: control-net, file: " + name +
+                                "}\nmaterial: {law: neo-hookean, E: 1, nu: 0.3}\n"
+                                "supports: [{face: bottom, fix: [x, y]}]\nsteps: [{until: 1, count: 2}]\n");
+    const fs::path file = write(name.c_str(), text);
+    const auto read = [&scene] { readScene(scene); };
+    ASSERT_NO_THROW(read());
+    expectRefusedOrRead(file, read);
+  }
+}
+
 TEST_F(DamagedFiles, ScenesAndStudies) {
   write("net.yaml", kNet);
   const fs::path scene = write("scene.yaml", kScene);

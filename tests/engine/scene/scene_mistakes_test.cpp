@@ -289,7 +289,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"shape", &pair, "shape: rectangle, origin", "shape: patches, origin", "patches",
                 "geometry.patches[1].shape",
                 "found patches; allowed: rectangle | annulus | disc | ellipse | box | tube | cylinder | "
-                "ball-octant | control-net."},
+                "ball-octant | extrusion | revolution | sweep | coons | control-net."},
         Mistake{"dimension", &pair, "rectangle, origin: [1, 0], size: [1, 1], spans: [2, 2]",
                 "box, size: [1, 1, 1], spans: [2, 2, 2]", "{name: b", "geometry.patches[1]",
                 "found a shape of 3 dimensions; allowed: 2 dimensions, as the first patch has."},

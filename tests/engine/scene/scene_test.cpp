@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -267,6 +268,100 @@ TEST_F(ControlNetFile, isNamedWithLineAndColumnWhenItIsWrong) {
   EXPECT_EQ(errorWith("- 1\n"),
             "nets/ring.yaml:1:1: geometry: found a list of 1 entry; allowed: a mapping of "
             "degrees, knots, points and weights.");
+}
+
+/// The ring as GoTools has it, in space; the weight is one that numbers are divided by exactly.
+const std::string kRingG2 =
+    "200 1 0 4 10 20 30 255\n3 1\n2 2\n0 0 1 1\n3 3\n0 0 0 1 1 1\n"
+    "1 0 0 1\n2 0 0 1\n0.5 +0.5 0 0.5\n1 1 0 .5\n0 1 0 1e0\n0 2 0 1\n";
+
+/// The same as geomdl writes it: the second direction fastest.
+const std::string kRingJson =
+    "{\"shape\": {\"type\": \"surface\", \"count\": 1, \"data\": [\n"
+    "  {\"type\": \"spline\", \"rational\": true, \"dimension\": 3, \"degree_u\": 1, \"degree_v\": 2,\n"
+    "   \"knotvector_u\": [0.0, 0.0, 1.0, 1.0], \"knotvector_v\": [0, 0, 0, 1, 1, 1], \"size_u\": 2, \"size_v\": 3,\n"
+    "   \"control_points\": {\"points\": [[1, 0, 0], [1, 1, 0.0], [0, 1, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]],\n"
+    "   \"weights\": [1, 0.5, 1, 1, 0.5, 1]}, \"delta\": [0.05, 0.05], \"reversed\": 0}\n]}}\n";
+
+TEST_F(ControlNetFile, ofOtherProgramsIsTheSameNet) {
+  for (const auto& [name, text] : {std::pair{"ring.g2", kRingG2}, std::pair{"ring.json", kRingJson}}) {
+    write((std::string("nets/") + name).c_str(), text);
+    const Scene scene = readScene(directory_ / "scene.yaml", {std::string("geometry.file=nets/") + name});
+    const auto& net = std::get<ControlNetBody>(scene.body.geometry.shape);
+    EXPECT_EQ(net.degrees, (std::vector<int>{1, 2}));
+    EXPECT_EQ(net.knots, (std::vector<std::vector<double>>{{0, 0, 1, 1}, {0, 0, 0, 1, 1, 1}}));
+    EXPECT_EQ(net.points, (std::vector<std::vector<double>>{{1, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}}))
+        << name;
+    EXPECT_EQ(net.weights, (std::vector<double>{1, 1, 0.5, 0.5, 1, 1}));
+  }
+}
+
+TEST_F(ControlNetFile, ofSeveralObjectsNeedsAnEntry) {
+  write("nets/two.g2", kRingG2 + "\n" + replaced(kRingG2, "0 2 0 1\n", "0 3 0 1\n"));
+  const auto read = [&](const std::vector<std::string>& overrides) {
+    std::vector<std::string> all{"geometry.file=nets/two.g2"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return readScene(directory_ / "scene.yaml", all);
+  };
+  EXPECT_EQ(std::get<ControlNetBody>(read({"geometry.entry=1"}).body.geometry.shape).points.back(),
+            (std::vector<double>{0, 3}));
+  const auto errorOf = [&](const std::vector<std::string>& overrides) -> std::string {
+    try {
+      read(overrides);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(errorOf({}),
+              testing::HasSubstr("geometry.file: found a file of 2 objects; allowed: one, or entry: 0 to 1"));
+  EXPECT_THAT(errorOf({"geometry.entry=2"}),
+              testing::HasSubstr("geometry.entry: found 2; allowed: a whole number from 0 to 1"));
+}
+
+TEST_F(ControlNetFile, ofOtherProgramsIsNamedWithItsPlaceWhenItIsWrong) {
+  const auto errorOf = [&](const std::string& name, const std::string& text) -> std::string {
+    write(("nets/" + name).c_str(), text);
+    try {
+      readScene(directory_ / "scene.yaml", {"geometry.file=nets/" + name});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(
+      errorOf("ring.g2", replaced(kRingG2, "1e0", "one")),
+      HasSubstr("nets/ring.g2:11:7: geometry: found one where a weight should stand; allowed: a number."));
+  EXPECT_THAT(errorOf("ring.g2", replaced(kRingG2, "1 1 0 .5", "1 1 0 -.5")),
+              HasSubstr("found a weight of -0.5; allowed: a number above 0."));
+  EXPECT_THAT(errorOf("ring.g2", replaced(kRingG2, "0 2 0 1\n", "")),
+              HasSubstr("the file ends where a coordinate should stand."));
+  EXPECT_THAT(errorOf("ring.g2", replaced(kRingG2, "200 1", "210 1")),
+              HasSubstr("nets/ring.g2:1:1: geometry: found an object of class 210"));
+  EXPECT_THAT(errorOf("ring.g2", replaced(kRingG2, "0 0 0 1 1 1", "0 0 0 1 1 0")),
+              HasSubstr("nets/ring.g2:6:1: geometry.knots[1]: knot vector"));
+  EXPECT_THAT(
+      errorOf("ring.json", replaced(kRingJson, "[2, 2, 0], ", "")),
+      HasSubstr(
+          "nets/ring.json:4:33: geometry: found 5 points; allowed: 6, as many as the knots make basis functions."));
+  EXPECT_THAT(errorOf("ring.json", replaced(kRingJson, "\"degree_v\": 2", "\"degree_v\": 2.5")),
+              HasSubstr("found 2.5; allowed: a degree, a whole number from 1 to 10."));
+  EXPECT_THAT(errorOf("ring.json", "{\"shape\": 3}"), HasSubstr("found 3 as shape; allowed: a mapping."));
+}
+
+TEST_F(ControlNetFile, ofAProfileOrAToolIsFlattenedWhereThePlaneIsMeant) {
+  write("nets/line.g2", "100 1 0 0\n3 0\n2 2\n0 0 1 1\n1 0 0\n0 0 0\n");
+  write("made.yaml",
+        "geometry: {shape: extrusion, profile: {file: nets/line.g2}, vector: [0, -1]}\n"
+        "material: {law: neo-hookean, E: 1, nu: 0.3}\nsteps: [{until: 1, count: 1}]\n"
+        "tools: [{name: wall, shape: nurbs, file: nets/line.g2}]\n");
+  const Scene scene = readScene(directory_ / "made.yaml");
+  EXPECT_EQ(scene.dim(), 2);
+  EXPECT_EQ(std::get<ExtrusionBody>(scene.body.geometry.shape).profile.points,
+            (std::vector<std::vector<double>>{{1, 0}, {0, 0}}));
+  EXPECT_EQ(std::get<NurbsTool>(scene.tools.at(0).shape).points,
+            (std::vector<std::vector<double>>{{1, 0}, {0, 0}}));
 }
 
 TEST_F(ControlNetFile, thatIsNotThereIsReportedWhereItIsNamed) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <utility>
 
 namespace burnish {
 namespace {
@@ -18,8 +19,14 @@ auto near(double value) {
   return DoubleNear(value, 1e-12);
 }
 
+PathSpec along(PathCourse course) {
+  PathSpec spec;
+  spec.course = std::move(course);
+  return spec;
+}
+
 TEST(ToolPath, APolylineIsTakenWithItsSpeed) {
-  PathSpec spec{.course = PolylinePath{{{0.0, -0.1}, {3.0, -0.1}, {3.0, 0.9}}}};
+  PathSpec spec = along(PolylinePath{{{0.0, -0.1}, {3.0, -0.1}, {3.0, 0.9}}});
   spec.speed = 2.0;
   spec.begin = 1.0;
   const ToolPath path(spec, Vector3d::Zero());
@@ -38,7 +45,7 @@ TEST(ToolPath, ARasterComesDownGoesUpAndFeeds) {
   raster.stroke = {4.0, 0.0, 0.0};
   raster.feed = {0.0, 0.0, 3.0};
   raster.passes = 2;
-  PathSpec spec{.course = raster};
+  PathSpec spec = along(raster);
   spec.clearance = {0.0, 1.0, 0.0};
   const ToolPath path(spec, Vector3d::Zero());
   // down 1, pass 4, up 1, back 5 (4 and 3), down 1, pass 4, up 1
@@ -56,7 +63,7 @@ TEST(ToolPath, ARasterMayGoToAndFro) {
   raster.feed = {0.0, 0.0, 1.0};
   raster.passes = 3;
   raster.bothWays = true;
-  const ToolPath path({.course = raster}, Vector3d::Zero());
+  const ToolPath path(along(raster), Vector3d::Zero());
   EXPECT_THAT(path.passEnds(), ElementsAre(near(4), near(9), near(14)));
   EXPECT_LT((path.displacement(6.0) - Vector3d(3.0, 0.0, 1.0)).norm(), kRounding);
   EXPECT_LT((path.displacement(14.0) - Vector3d(4.0, 0.0, 2.0)).norm(), kRounding);
@@ -68,7 +75,7 @@ TEST(ToolPath, AHelixKeepsItsDistanceAndItsSpeed) {
   helix.axis = Vector3d(0.0, 0.0, 2.0);
   helix.pitch = 0.5;
   helix.turns = 1.25;
-  PathSpec spec{.course = helix};
+  PathSpec spec = along(helix);
   spec.speed = 0.7;
   const Vector3d pivot(3.0, 0.0, 1.0);
   const ToolPath path(spec, pivot);

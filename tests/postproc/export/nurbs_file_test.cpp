@@ -1,15 +1,21 @@
 #include "postproc/export/nurbs_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <json/json.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "engine/nurbs/patch.h"
+#include "engine/scene/reader.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "tests/postproc/sample_records.h"
 
@@ -115,6 +121,80 @@ TEST(NurbsFile, HoldsTheDeformedBodyExactly) {
   const samples::Sample cube = samples::cube();
   EXPECT_LT(distance<3>(cube, readG2(nurbsText(cube.model, cube.frame, NurbsFormat::G2))), 2e-15);
   EXPECT_LT(distance<3>(cube, readJson(nurbsText(cube.model, cube.frame, NurbsFormat::Json))), 2e-15);
+}
+
+/// The body of a scene that takes a file.
+Net netOf(const std::string& text, const char* name, int entry) {
+  const auto directory =
+      std::filesystem::path(testing::TempDir()) / ("nurbs_file_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(directory);
+  std::ofstream(directory / name) << text;
+  const Scene scene = parseScene(
+      fmt::format(
+          "geometry: {{shape: control-net, file: {}, entry: {}}}\nmaterial: {{law: neo-hookean, E: 1, nu: 0.3}}\n"
+          "steps: [{{until: 1, count: 1}}]\n",
+          name, entry),
+      (directory / "scene.yaml").string());
+  std::filesystem::remove_all(directory);
+  return std::get<ControlNetBody>(scene.body.geometry.shape);
+}
+
+/// The largest difference of a point of a net from those of a patch on current positions; infinite if knots or weights are not the
+/// same bits.
+double off(const Net& net, const PatchRecord& patch, const Eigen::MatrixXd& displacement) {
+  for (std::size_t d = 0; d < patch.directions.size(); ++d)
+    if (net.degrees.at(d) != patch.directions[d].degree || net.knots.at(d) != patch.directions[d].knots)
+      return INFINITY;
+  double largest = 0.0;
+  for (Eigen::Index a = 0; a < patch.points.cols(); ++a) {
+    const auto k = static_cast<std::size_t>(a);
+    if ((net.weights.empty() ? 1.0 : net.weights.at(k)) != patch.weights(a)) return INFINITY;
+    for (Eigen::Index c = 0; c < patch.points.rows(); ++c)
+      largest = std::max(largest, std::abs(net.points.at(k).at(static_cast<std::size_t>(c)) -
+                                           (patch.points(c, a) + displacement(c, patch.nodes[k]))));
+  }
+  return largest;
+}
+
+TEST(NurbsFile, IsReadBackByScenesToTheLastBit) {
+  int rational = 0;
+  for (const samples::Sample& sample :
+       {samples::slab(), samples::ring(), samples::square(), samples::twoBodies(), samples::cube()}) {
+    const auto& patches = meshOf(sample.model, sample.frame).patches;
+    const std::string g2 = nurbsText(sample.model, sample.frame, NurbsFormat::G2);
+    const std::string json = nurbsText(sample.model, sample.frame, NurbsFormat::Json);
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      if (patches[k].directions[0].family != BasisFamily::BSpline) continue;
+      const bool isRational = (patches[k].weights.array() != patches[k].weights(0)).any();
+      rational += isRational;
+      EXPECT_EQ(off(netOf(json, "body.json", static_cast<int>(k)), patches[k], sample.frame.displacement),
+                0.0);
+      EXPECT_LE(off(netOf(g2, "body.g2", static_cast<int>(k)), patches[k], sample.frame.displacement),
+                isRational ? 1e-15 : 0.0);
+    }
+  }
+  EXPECT_GT(rational, 0);
+}
+
+TEST(NurbsFile, FacesForCadAreThoseOfTheBodyWithTheBodyBehindThem) {
+  const samples::Sample cube = samples::cube();
+  const auto faces = nurbsFaces(cube.model, cube.frame);
+  ASSERT_EQ(faces.size(), 6U);
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const CadFace& face : faces) middle += face.points.rowwise().mean() / 6.0;
+  for (const CadFace& face : faces) {
+    const Patch<2, 3> surface(
+        TensorBasis<2>({UnivariateBasis::bspline(KnotVector(face.degrees[0], face.knots[0])),
+                        UnivariateBasis::bspline(KnotVector(face.degrees[1], face.knots[1]))}),
+        face.points, face.weights);
+    const Eigen::Vector2d at(surface.basis().direction(0).parameterAt(0.4),
+                             surface.basis().direction(1).parameterAt(0.6));
+    const auto J = surface.jacobian(at);
+    const Eigen::Vector3d normal = (face.reversed ? -1.0 : 1.0) * J.col(0).cross(J.col(1));
+    EXPECT_GT(normal.dot(surface.position(at) - middle), 0.0) << face.name;
+  }
+  EXPECT_EQ(faces.back().name.substr(faces.back().name.find('.')), ".1.front");
+  EXPECT_EQ(nurbsFaces(samples::slab().model, samples::slab().frame).size(), 1U);
 }
 
 }  // namespace

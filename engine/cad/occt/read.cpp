@@ -1,0 +1,276 @@
+#include <BRepAdaptor_Curve2d.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <Poly_Triangulation.hxx>
+#include <STEPControl_Reader.hxx>
+#include <Standard_Failure.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_TShape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/cad/cad_file.h"
+#include "engine/cad/occt/units.h"
+#include "engine/core/error.h"
+
+namespace burnish {
+namespace {
+
+struct Model {
+  std::unique_ptr<XSControl_Reader> reader;
+  TopoDS_Shape shape;
+  bool isStep = true;
+};
+
+/// A file as a shape in millimetres.
+Model modelOf(const std::string& file) {
+  std::string kind = std::filesystem::path(file).extension().string();
+  std::ranges::transform(kind, kind.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool isStep = kind == ".step" || kind == ".stp";
+  if (!isStep && kind != ".iges" && kind != ".igs")
+    throw Error(fmt::format("found the ending {}; allowed: .step, .stp, .iges and .igs", kind));
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  takeMillimetres();
+  Model model;
+  model.isStep = isStep;
+  if (isStep)
+    model.reader = std::make_unique<STEPControl_Reader>();
+  else
+    model.reader = std::make_unique<IGESControl_Reader>();
+  if (model.reader->ReadFile(file.c_str()) != IFSelect_RetDone)
+    throw Error(fmt::format("this is no {} file that can be read", isStep ? "STEP" : "IGES"));
+  model.reader->TransferRoots();
+  if (model.reader->NbShapes() > 0) model.shape = model.reader->OneShape();
+  if (model.shape.IsNull()) throw Error("found no shape in the file; allowed: faces, shells or solids");
+  return model;
+}
+
+/// The names that a file gives to its faces and solids.
+std::map<const TopoDS_TShape*, std::string> namesOf(const Model& model) {
+  std::map<const TopoDS_TShape*, std::string> names;
+  const Handle(Transfer_TransientProcess) process = model.reader->WS()->TransferReader()->TransientProcess();
+  for (int k = 1; k <= process->NbMapped(); ++k) {
+    const Handle(Standard_Transient) entity = process->Mapped(k);
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    if (shape.IsNull()) continue;
+    Handle(TCollection_HAsciiString) name;
+    if (const auto item = Handle(StepRepr_RepresentationItem)::DownCast(entity); !item.IsNull())
+      name = item->Name();
+    if (const auto item = Handle(IGESData_IGESEntity)::DownCast(entity); !item.IsNull() && item->HasName())
+      name = item->NameValue();
+    if (!name.IsNull() && !name->IsEmpty()) names.emplace(shape.TShape().get(), name->ToCString());
+  }
+  return names;
+}
+
+/// The part of a kind with this name, or else this number from 1.
+TopoDS_Shape partOf(const Model& model, TopAbs_ShapeEnum kind, const char* word, const std::string& wanted) {
+  constexpr std::size_t kNamed = 10;
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(model.shape, kind, parts);
+  const auto nameOf = namesOf(model);
+  std::vector<std::string> names;
+  for (int k = 1; k <= parts.Extent(); ++k) {
+    const auto name = nameOf.find(parts(k).TShape().get());
+    if (name == nameOf.end()) continue;
+    if (name->second == wanted) return parts(k);
+    if (names.size() < kNamed) names.push_back(name->second);
+  }
+  int number = 0;
+  const char* end = wanted.data() + wanted.size();
+  const auto [stop, fault] = std::from_chars(wanted.data(), end, number);
+  if (fault == std::errc() && stop == end && number >= 1 && number <= parts.Extent()) return parts(number);
+  if (parts.Extent() == 0) throw Error(fmt::format("found no {} in the file", word));
+  throw Error(
+      fmt::format("found no {} {}; allowed: a number from 1 to {}{}", word, wanted, parts.Extent(),
+                  names.empty() ? "" : fmt::format(", or a name such as {}", fmt::join(names, ", "))));
+}
+
+std::vector<TopoDS_Face> facesOf(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, TopAbs_FACE, map);
+  std::vector<TopoDS_Face> faces;
+  for (int k = 1; k <= map.Extent(); ++k) faces.push_back(TopoDS::Face(map(k)));
+  return faces;
+}
+
+/// Whether all edges of a face run along the ends of its parameters.
+bool isUntrimmed(const TopoDS_Face& face, const std::array<double, 4>& bounds) {
+  constexpr int kSamples = 8;
+  int wires = 0;
+  for (TopExp_Explorer wire(face, TopAbs_WIRE); wire.More(); wire.Next()) ++wires;
+  if (wires > 1) return false;
+  const double closeU = 1e-6 * (bounds[1] - bounds[0]), closeV = 1e-6 * (bounds[3] - bounds[2]);
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+    const BRepAdaptor_Curve2d curve(TopoDS::Edge(edge.Current()), face);
+    std::array<bool, 4> isOn{true, true, true, true};
+    for (int k = 0; k <= kSamples; ++k) {
+      const gp_Pnt2d p = curve.Value(
+          std::lerp(curve.FirstParameter(), curve.LastParameter(), static_cast<double>(k) / kSamples));
+      for (std::size_t side = 0; side < 4; ++side)
+        isOn[side] =
+            isOn[side] && std::abs((side < 2 ? p.X() : p.Y()) - bounds[side]) < (side < 2 ? closeU : closeV);
+    }
+    if (std::ranges::none_of(isOn, [](bool on) { return on; })) return false;
+  }
+  return true;
+}
+
+/// The face as a NURBS surface, unless it is trimmed.
+std::optional<CadFace> exactFace(const TopoDS_Face& face, double scale) {
+  std::array<double, 4> bounds{};
+  BRepTools::UVBounds(face, bounds[0], bounds[1], bounds[2], bounds[3]);
+  if (!isUntrimmed(face, bounds)) return std::nullopt;
+  const Handle(Geom_Surface) whole = BRep_Tool::Surface(face);
+  Handle(Geom_BSplineSurface) surface = GeomConvert::SurfaceToBSplineSurface(
+      new Geom_RectangularTrimmedSurface(whole, bounds[0], bounds[1], bounds[2], bounds[3]));
+  surface->SetUNotPeriodic();
+  surface->SetVNotPeriodic();
+  surface->Segment(bounds[0], bounds[1], bounds[2],
+                   bounds[3]);  // the knots at the ends as often as they should stand
+  CadFace exact;
+  exact.degrees = {surface->UDegree(), surface->VDegree()};
+  const int n = surface->NbUPoles(), m = surface->NbVPoles();
+  for (int k = 1; k <= surface->NbUKnots(); ++k)
+    exact.knots[0].insert(exact.knots[0].end(), static_cast<std::size_t>(surface->UMultiplicity(k)),
+                          surface->UKnot(k));
+  for (int k = 1; k <= surface->NbVKnots(); ++k)
+    exact.knots[1].insert(exact.knots[1].end(), static_cast<std::size_t>(surface->VMultiplicity(k)),
+                          surface->VKnot(k));
+  exact.points.resize(3, n * m);
+  exact.weights.resize(n * m);
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < n; ++i) {
+      const gp_Pnt p = surface->Pole(i + 1, j + 1);
+      exact.points.col(i + n * j) = scale * Eigen::Vector3d(p.X(), p.Y(), p.Z());
+      exact.weights(i + n * j) = surface->Weight(i + 1, j + 1);
+    }
+  exact.reversed = face.Orientation() == TopAbs_REVERSED;
+  return exact;
+}
+
+double extentOf(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box);
+  if (box.IsVoid()) throw Error("found nothing that has an extent; allowed: faces, shells or solids");
+  std::array<double, 6> b{};
+  box.Get(b[0], b[1], b[2], b[3], b[4], b[5]);
+  return std::max({b[3] - b[0], b[4] - b[1], b[5] - b[2]});
+}
+
+/// Triangles that are nowhere farther than `tolerance`, in millimetres, from the faces.
+void triangulate(const TopoDS_Shape& shape, double tolerance, double scale, CadSurface& surface) {
+  constexpr double kAngle = 0.2;      // radians between the normals of neighbours
+  constexpr double kNoNormal = 1e-9;  // at a pole, where the surface has none by its parameters
+  BRepMesh_IncrementalMesh(shape, tolerance, false, kAngle, false);
+  std::vector<Eigen::Vector3d> points, normals;
+  std::vector<Eigen::Vector3i> cells;
+  for (const TopoDS_Face& face : facesOf(shape)) {
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
+    if (mesh.IsNull() || !mesh->HasUVNodes())
+      throw Error("found a face that cannot be divided into triangles");
+    const int first = static_cast<int>(points.size());
+    const BRepGProp_Face oriented(face);
+    for (int k = 1; k <= mesh->NbNodes(); ++k) {
+      const gp_Pnt p = mesh->Node(k).Transformed(location.Transformation());
+      points.emplace_back(scale * p.X(), scale * p.Y(), scale * p.Z());
+      gp_Pnt place;
+      gp_Vec normal;
+      oriented.Normal(mesh->UVNode(k).X(), mesh->UVNode(k).Y(), place, normal);
+      const Eigen::Vector3d n(normal.X(), normal.Y(), normal.Z());
+      normals.push_back(n.norm() > kNoNormal ? n.normalized() : Eigen::Vector3d::Zero());
+    }
+    for (int k = 1; k <= mesh->NbTriangles(); ++k) {
+      std::array<int, 3> corner{};
+      mesh->Triangle(k).Get(corner[0], corner[1], corner[2]);
+      if (face.Orientation() == TopAbs_REVERSED) std::swap(corner[1], corner[2]);
+      const Eigen::Vector3i cell = Eigen::Vector3i(corner[0], corner[1], corner[2]).array() + (first - 1);
+      const auto at = [&](int c) { return points[static_cast<std::size_t>(cell(c))]; };
+      // Triangles at a pole have two corners there.
+      if (at(0) != at(1) && at(1) != at(2) && at(2) != at(0)) cells.push_back(cell);
+    }
+  }
+  surface.points.resize(3, std::ssize(points));
+  surface.cells.resize(3, std::ssize(cells));
+  surface.normals.resize(3, std::ssize(points));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    surface.points.col(static_cast<Eigen::Index>(k)) = points[k];
+    surface.normals.col(static_cast<Eigen::Index>(k)) = normals[k];
+  }
+  for (std::size_t k = 0; k < cells.size(); ++k) surface.cells.col(static_cast<Eigen::Index>(k)) = cells[k];
+}
+
+/// Faces that are loose in the file, joined where their edges lie on one another.
+TopoDS_Shape sewn(const TopoDS_Shape& shape, double extent) {
+  BRepBuilderAPI_Sewing sewing(1e-5 * extent);
+  sewing.Add(shape);
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+void readSurface(const CadRequest& request, CadSurface& surface) {
+  const Model model = modelOf(request.file);
+  TopoDS_Shape shape = model.shape;
+  if (!request.face.empty()) shape = partOf(model, TopAbs_FACE, "face", request.face);
+  if (!request.solid.empty()) shape = partOf(model, TopAbs_SOLID, "solid", request.solid);
+  const auto faces = facesOf(shape);
+  if (faces.empty()) throw Error("found no face in the file; allowed: faces, shells or solids");
+  const double scale = 1.0 / millimetresOf(request.unit), extent = extentOf(shape);
+  if (faces.size() == 1) surface.exact = exactFace(faces.front(), scale);
+  if (surface.exact) return;
+  if (!model.isStep && faces.size() > 1) shape = sewn(shape, extent);
+  const double tolerance = request.tolerance ? *request.tolerance / scale : 1e-3 * extent;
+  triangulate(shape, tolerance, scale, surface);
+}
+
+}  // namespace
+}  // namespace burnish
+
+extern "C" void burnishReadCad(const burnish::CadRequest& request, burnish::CadSurface& surface,
+                               std::string& problem) {
+  try {
+    burnish::readSurface(request, surface);
+  } catch (const Standard_Failure& failure) {
+    problem = fmt::format("OpenCASCADE cannot read it ({})", failure.GetMessageString());
+  } catch (const std::exception& failure) {
+    problem = failure.what();
+  }
+}

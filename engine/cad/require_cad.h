@@ -1,0 +1,8 @@
+#pragma once
+
+namespace burnish {
+
+/// Loads the library with OpenCASCADE. Throws `Error` if it is not there.
+void requireCad();
+
+}  // namespace burnish

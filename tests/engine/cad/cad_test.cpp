@@ -1,0 +1,228 @@
+// Tools from CAD files that OpenCASCADE has written, and surfaces that are written for it.
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "engine/cad/cad_file.h"
+#include "engine/core/error.h"
+#include "engine/nurbs/shapes.h"
+#include "engine/tools/cad_tool.h"
+#include "engine/tools/sphere.h"
+
+namespace burnish {
+namespace {
+
+using Eigen::Vector3d;
+using testing::HasSubstr;
+
+/// Files in a directory of their own.
+class Cad : public testing::Test {
+ protected:
+  Cad() : directory_(std::filesystem::path(testing::TempDir()) / ("cad_" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(directory_);
+  }
+  ~Cad() override { std::filesystem::remove_all(directory_); }
+
+  std::string path(const char* name) const { return (directory_ / name).string(); }
+
+  std::string step(const char* name, const TopoDS_Shape& shape, const char* unit = "MM") const {
+    STEPControl_Controller::Init();
+    Interface_Static::SetCVal("write.step.unit", unit);
+    STEPControl_Writer writer;
+    EXPECT_EQ(writer.Transfer(shape, STEPControl_AsIs), IFSelect_RetDone);
+    EXPECT_EQ(writer.Write(path(name).c_str()), IFSelect_RetDone);
+    return path(name);
+  }
+
+  std::string iges(const char* name, const TopoDS_Shape& shape) const {
+    IGESControl_Controller::Init();
+    IGESControl_Writer writer("MM", 0);
+    writer.AddShape(shape);
+    writer.ComputeModel();
+    EXPECT_TRUE(writer.Write(path(name).c_str()));
+    return path(name);
+  }
+
+  std::filesystem::path directory_;
+};
+
+TopoDS_Shape ball() {
+  return BRepPrimAPI_MakeSphere(gp_Pnt(1.0, 2.0, 3.0), 2.5).Solid();
+}
+
+/// A punch: a cylinder about z whose lower edge is rounded.
+TopoDS_Shape punch() {
+  const TopoDS_Shape cylinder =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 3.0, 5.0).Solid();
+  BRepFilletAPI_MakeFillet fillet(cylinder);
+  for (TopExp_Explorer edge(cylinder, TopAbs_EDGE); edge.More(); edge.Next()) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Current()));
+    if (curve.GetType() == GeomAbs_Circle && curve.Circle().Location().Z() < 1e-9)
+      fillet.Add(1.0, TopoDS::Edge(edge.Current()));
+  }
+  return fillet.Shape();
+}
+
+/// The largest difference of gap and normal from those of a sphere, outside and inside.
+double offFrom(const RigidShape& shape, const Vector3d& center, double radius) {
+  std::mt19937 generator(3);
+  std::normal_distribution<double> normal;
+  double largest = 0.0;
+  for (int k = 0; k < 300; ++k) {
+    const Vector3d direction = Vector3d::NullaryExpr([&] { return normal(generator); }).normalized();
+    const double gap = (k % 7 - 2) * 0.1 * radius;
+    const GapQuery query = shape.query(center + (radius + gap) * direction);
+    largest = std::max({largest, std::abs(query.gap - gap), radius * (query.normal - direction).norm()});
+  }
+  return largest;
+}
+
+std::string errorOf(const CadTool& tool) {
+  try {
+    tool.made();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST_F(Cad, ABallOfOneFaceIsTheSphereExactly) {
+  for (const std::string& file :
+       {step("ball.step", ball()), step("ball.STP", ball()), iges("ball.igs", ball())})
+    EXPECT_LT(offFrom(CadTool{.file = file}.made(), {1, 2, 3}, 2.5), 1e-9) << file;
+}
+
+TEST_F(Cad, LengthsAreConvertedFromTheUnitOfTheFileIntoThatOfTheScene) {
+  // OpenCASCADE's lengths are millimetres; the file gives them in its own unit.
+  for (const char* unit : {"MM", "M", "INCH"}) {
+    const std::string file = step("ball.step", ball(), unit);
+    EXPECT_LT(offFrom(CadTool{.file = file}.made(), {1, 2, 3}, 2.5), 1e-9) << unit;
+    EXPECT_LT(offFrom(CadTool{.file = file, .unit = LengthUnit::Metre}.made(), {1e-3, 2e-3, 3e-3}, 2.5e-3),
+              1e-12)
+        << unit;
+    EXPECT_LT(offFrom(CadTool{.file = file, .unit = LengthUnit::Inch, .scale = 25.4}.made(), {1, 2, 3}, 2.5),
+              1e-9)
+        << unit;
+  }
+}
+
+TEST_F(Cad, ASolidOfSeveralFacesIsMeshedToItsTolerance) {
+  const std::string file = step("punch.step", punch());
+  const RigidShape shape = CadTool{.file = file, .tolerance = 0.002, .smoothing = 0.05}.made();
+  EXPECT_NEAR(shape.query({0.5, 0.3, -1.0}).gap, 1.0, 0.004) << "below the flat";
+  EXPECT_NEAR(shape.query({4.0, 0.0, 3.0}).gap, 1.0, 0.004) << "beside the cylinder";
+  const Vector3d corner = Vector3d(2.0, 0.0, 1.0) + 1.5 * Vector3d(1.0, 0.0, -1.0).normalized();
+  EXPECT_NEAR(shape.query(corner).gap, 0.5, 0.004) << "at the rounded edge, of radius 1";
+  EXPECT_LT(shape.query({0.0, 0.0, 0.5}).gap, 0.0);
+  EXPECT_NEAR(shape.halfThickness(), 2.5, 0.01);
+}
+
+TEST_F(Cad, AFaceIsChosenByNumberAndASolidByNumber) {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(-9, 0, 0), 1.0, 1.0, 1.0).Solid());
+  builder.Add(both, ball());
+  const std::string file = step("two.step", both);
+  EXPECT_LT(offFrom(CadTool{.file = file, .solid = "2"}.made(), {1, 2, 3}, 2.5), 1e-9);
+  EXPECT_LT(offFrom(CadTool{.file = file, .face = "7"}.made(), {1, 2, 3}, 2.5), 1e-9);
+  EXPECT_NEAR((CadTool{.file = file, .face = "1"}.made().query({-10.0, 0.5, 0.5}).gap), 1.0, 1e-12)
+      << "the side of the box at x = -9, exact, with the box behind it";
+  EXPECT_THAT(errorOf({.file = file, .face = "8"}),
+              HasSubstr("two.step: found no face 8; allowed: a number from 1 to 7"));
+  EXPECT_THAT(errorOf({.file = file, .solid = "punch"}),
+              HasSubstr("two.step: found no solid punch; allowed: a number from 1 to 2"));
+}
+
+TEST_F(Cad, ATrimmedFaceIsMeshedAndMustBeAllowedARim) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 4.0, 4.0, 1.0).Solid();
+  const TopoDS_Shape hole =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(2, 2, -1), gp_Dir(0, 0, 1)), 1.0, 3.0).Solid();
+  const std::string file = step("plate.step", BRepAlgoAPI_Cut(plate, hole).Shape());
+  EXPECT_NEAR((CadTool{.file = file, .tolerance = 1e-3, .smoothing = 0.05}.made().query({2.5, 2.0, 0.5}).gap),
+              0.5, 0.002)
+      << "in the hole";
+  int trimmed = 0;
+  for (const char* face : {"1", "2", "3", "4", "5", "6", "7"})
+    trimmed += errorOf({.file = file, .face = face}).find("on a rim") != std::string::npos;
+  EXPECT_EQ(trimmed, 2) << "above and below; the others are whole";
+}
+
+TEST_F(Cad, FilesThatAreNoneAreNamed) {
+  std::ofstream(path("text.step")) << "ISO-10303-21;\nnothing\n";
+  std::ofstream(path("text.igs")) << "nothing\n";
+  std::ofstream(path("empty.step"));
+  EXPECT_THAT(errorOf({.file = path("text.step")}),
+              HasSubstr("text.step: this is no STEP file that can be read"));
+  EXPECT_THAT(errorOf({.file = path("empty.step")}),
+              HasSubstr("empty.step: this is no STEP file that can be read"));
+  EXPECT_THAT(errorOf({.file = path("text.igs")}), HasSubstr("text.igs: "));
+  EXPECT_THAT(errorOf({.file = path("none.step")}), HasSubstr("none.step: there is no such file"));
+  std::ofstream(path("ball.stl")) << "solid\n";
+  EXPECT_THAT(errorOf({.file = path("ball.stl")}),
+              HasSubstr("ball.stl: found the ending .stl; allowed: .step, .stp, .iges and .igs"));
+}
+
+/// Quarter of a cylinder, with a name.
+CadFace quarter() {
+  const Patch<2> ring = annulus({0.0, 0.0}, 1.0 / 3.0, 2.0, 0.1, 1.5);
+  CadFace face{.degrees = {1, 2},
+               .knots = {ring.basis().direction(0).knots(), ring.basis().direction(1).knots()},
+               .name = "quarter"};
+  face.points = Eigen::Matrix3Xd::Constant(3, 6, std::numbers::pi);
+  face.points.topRows<2>() = ring.points();
+  face.weights = ring.weights();
+  return face;
+}
+
+TEST_F(Cad, SurfacesAreReadBackAsTheyWereWritten) {
+  const CadFace written = quarter();
+  for (const CadFormat format : {CadFormat::Step, CadFormat::Iges})
+    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Metre}) {
+      const std::string file = path(format == CadFormat::Step ? "face.step" : "face.igs");
+      writeCad({written}, unit, format, file);
+      const CadSurface read = readCad({.file = file, .unit = unit});
+      ASSERT_TRUE(read.exact) << file;
+      EXPECT_EQ(read.exact->degrees, written.degrees);
+      EXPECT_EQ(read.exact->knots, written.knots);
+      EXPECT_LT((read.exact->points - written.points).cwiseAbs().maxCoeff(), 1e-12);
+      EXPECT_LT((read.exact->weights - written.weights).cwiseAbs().maxCoeff(), 1e-12);
+      EXPECT_FALSE(read.exact->reversed);
+    }
+}
+
+TEST_F(Cad, FacesHaveTheirNamesInStep) {
+  CadFace other = quarter();
+  other.name = "body.top";
+  other.points.row(2).array() += 1.0;
+  writeCad({quarter(), other}, LengthUnit::Millimetre, CadFormat::Step, path("faces.step"));
+  const CadSurface read = readCad({.file = path("faces.step"), .face = "body.top"});
+  ASSERT_TRUE(read.exact);
+  EXPECT_NEAR(read.exact->points(2, 0), std::numbers::pi + 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace burnish
