@@ -54,11 +54,11 @@ void requirePositive(const Patch<Dim>& patch, const MeshSpec& mesh, const std::s
   constexpr double kRounding = 1e-9;
   const auto found = cornerDeterminants(patch);
   if (found.lowest >= -kRounding * std::max(found.highest, -found.lowest)) return;
-  if (found.highest <= 0.0)
+  const bool hasRelief = !mesh.relief.empty();
+  if (found.highest <= 0.0 && !hasRelief)
     throw InputError(path,
                      "the body is inside out: the determinant of its map is negative at all knots; reverse "
                      "the order of the control points in one direction");
-  const bool hasRelief = !mesh.relief.empty();
   throw InputError(
       hasRelief ? path + ".relief" : path,
       fmt::format("the map is folded near ({:.4g}): its determinant is {:.3g}; {} so that it is "
