@@ -13,9 +13,9 @@ namespace burnish {
 /// A NURBS surface in space. points: first direction fastest.
 struct CadFace {
   std::array<int, 2> degrees{};
-  std::array<std::vector<double>, 2> knots;
-  Eigen::Matrix3Xd points;
-  Eigen::VectorXd weights;
+  std::array<std::vector<double>, 2> knots{};
+  Eigen::Matrix3Xd points{};
+  Eigen::VectorXd weights{};
   bool reversed = false;  ///< the solid is in front of the normal ∂1 x ∂2, not behind it
   std::string name{};
 };

@@ -118,7 +118,7 @@ std::string jsonText(const NurbsPatch& patch, const std::string& name) {
 /// A face of a patch: its two directions, and its functions, first direction fastest.
 struct FaceOfPatch {
   std::array<std::size_t, 2> directions{};
-  std::vector<Eigen::Index> functions;
+  std::vector<Eigen::Index> functions{};
 };
 
 FaceOfPatch faceOfPatch(const NurbsPatch& patch, FaceId face) {
