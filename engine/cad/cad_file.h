@@ -22,12 +22,12 @@ struct CadFace {
 
 /// What of a file is read, and how.
 struct CadRequest {
-  std::string file;
-  std::string face,
-      solid;  ///< name or number from 1; at most one of the two, all of the file when both are empty
+  std::string file{};
+  std::string face{},
+      solid{};  ///< name or number from 1; at most one of the two, all of the file when both are empty
   LengthUnit unit = LengthUnit::Millimetre;  ///< into which lengths are converted
   std::optional<double>
-      tolerance;  ///< of the mesh, in that unit; a 1000th of the largest extent when left out
+      tolerance{};  ///< of the mesh, in that unit; a 1000th of the largest extent when left out
 };
 
 /// A surface out of a file: exact if it is a single face without trimming curves, else triangles.

@@ -42,7 +42,7 @@ double volume(const std::string& geometry) {
   return SpanQuadrature<Dim>(made<Dim>(geometry), 12).volume();
 }
 
-std::string errorOf(const std::string& geometry) {
+std::string refusalOf(const std::string& geometry) {
   try {
     sceneOf(geometry);
   } catch (const Error& error) {
@@ -132,7 +132,7 @@ TEST(Sweep, AlongACurveKeepsItsSectionsWithinTheTolerance) {
       const double t = k / 100.0;
       const Eigen::Matrix<double, 1, 1> at(t);
       const Vector3d center = line.position(at), tangent = line.jacobian(at).normalized();
-      for (const Vector2d corner : {Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1)}) {
+      for (const Vector2d& corner : {Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1)}) {
         const Vector3d arm = patch.position({corner.x(), corner.y(), t}) - center;
         EXPECT_NEAR(arm.norm(), 0.1 * std::numbers::sqrt2, 2.0 * tolerance);
         EXPECT_NEAR(arm.dot(tangent), 0.0, 2.0 * tolerance) << "a section is normal to the path";
@@ -183,35 +183,36 @@ TEST(Coons, WithAnArcHasTheAreaBelowItAndTheArcOnItsFace) {
 }
 
 TEST(MadeBodies, SayWhereTheirCurvesDoNotFit) {
-  const std::string open = errorOf(
+  const std::string open = refusalOf(
       "shape: coons, " + kLines +
       "top: {degrees: [1], points: [[0, 1], [4, 2.5]]}, left: {degrees: [1], points: [[0, 0], [0, 1]]}");
   EXPECT_THAT(
       open, HasSubstr("geometry.top: found a curve that ends at (4, 2.5), 0.5 from (4, 2), where right ends; "
                       "allowed: curves that meet in the corner of right and top."));
-  EXPECT_THAT(errorOf("shape: extrusion, profile: {degrees: [2], points: [[0, 0], [1, 0]]}, vector: [0, 1]"),
-              HasSubstr("geometry.profile.points: found 2 points; allowed for degree 2: at least 3."));
   EXPECT_THAT(
-      errorOf("shape: extrusion, profile: {degrees: [1], points: [[0, 0], [1, 0]]}, vector: [0, 0, 1]"),
+      refusalOf("shape: extrusion, profile: {degrees: [2], points: [[0, 0], [1, 0]]}, vector: [0, 1]"),
+      HasSubstr("geometry.profile.points: found 2 points; allowed for degree 2: at least 3."));
+  EXPECT_THAT(
+      refusalOf("shape: extrusion, profile: {degrees: [1], points: [[0, 0], [1, 0]]}, vector: [0, 0, 1]"),
       HasSubstr("geometry.vector: found a list of 3; allowed: a list of 2"));
   EXPECT_THAT(
-      errorOf(
+      refusalOf(
           "shape: extrusion, profile: {degrees: [1], points: [[0, 0], [1, 0]]}, vector: [0, 1], spans: [2, 2]"),
       HasSubstr("geometry.spans: found spans, but an extrusion brings its own knots; allowed: refine."));
   EXPECT_THAT(
-      errorOf("shape: revolution, profile: {points: [[0, 0], [1, 0]]}, angle: 90"),
+      refusalOf("shape: revolution, profile: {points: [[0, 0], [1, 0]]}, angle: 90"),
       HasSubstr(
           "geometry.profile.degrees: missing; required: degrees and points, or a file that holds them."));
   EXPECT_THAT(
-      errorOf(
+      refusalOf(
           "shape: revolution, profile: {degrees: [1], points: [[1, 0], [2, 0]]}, axis: [1, 0, 0], angle: 90"),
       HasSubstr("geometry.axis: found an axis in the plane; allowed in two dimensions: [0, 0, 1]."));
   EXPECT_THAT(
-      errorOf(
+      refusalOf(
           "shape: sweep, profile: {degrees: [1], points: [[1, 0], [2, 0]]}, path: {degrees: [1], points: [[0, 0], [0, 1], [1, 1]]}"),
       HasSubstr("geometry: the path has a corner at its parameter 0.5; allowed: a smooth path"));
   EXPECT_THAT(
-      errorOf(
+      refusalOf(
           "shape: coons, " + kLines +
           "top: {degrees: [1], points: [[0, 1], [4, 2]]}, left: {degrees: [1, 1], points: [[0, 0], [0, 1], [1, 0], [1, 1]]}"),
       HasSubstr("geometry.left.degrees: found a face; allowed: a curve, of one degree."));

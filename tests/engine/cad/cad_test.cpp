@@ -22,6 +22,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <string>
@@ -100,6 +101,14 @@ double offFrom(const RigidShape& shape, const Vector3d& center, double radius) {
   return largest;
 }
 
+CadTool toolOf(
+    const std::string& file, const std::function<void(CadTool&)>& set = [](CadTool&) {}) {
+  CadTool tool;
+  tool.file = file;
+  set(tool);
+  return tool;
+}
+
 std::string errorOf(const CadTool& tool) {
   try {
     tool.made();
@@ -112,18 +121,25 @@ std::string errorOf(const CadTool& tool) {
 TEST_F(Cad, ABallOfOneFaceIsTheSphereExactly) {
   for (const std::string& file :
        {step("ball.step", ball()), step("ball.STP", ball()), iges("ball.igs", ball())})
-    EXPECT_LT(offFrom(CadTool{.file = file}.made(), {1, 2, 3}, 2.5), 1e-9) << file;
+    EXPECT_LT(offFrom(toolOf(file).made(), {1, 2, 3}, 2.5), 1e-9) << file;
 }
 
 TEST_F(Cad, LengthsAreConvertedFromTheUnitOfTheFileIntoThatOfTheScene) {
   // OpenCASCADE's lengths are millimetres; the file gives them in its own unit.
   for (const char* unit : {"MM", "M", "INCH"}) {
     const std::string file = step("ball.step", ball(), unit);
-    EXPECT_LT(offFrom(CadTool{.file = file}.made(), {1, 2, 3}, 2.5), 1e-9) << unit;
-    EXPECT_LT(offFrom(CadTool{.file = file, .unit = LengthUnit::Metre}.made(), {1e-3, 2e-3, 3e-3}, 2.5e-3),
+    EXPECT_LT(offFrom(toolOf(file).made(), {1, 2, 3}, 2.5), 1e-9) << unit;
+    EXPECT_LT(offFrom(toolOf(file, [](CadTool& tool) { tool.unit = LengthUnit::Metre; }).made(),
+                      {1e-3, 2e-3, 3e-3}, 2.5e-3),
               1e-12)
         << unit;
-    EXPECT_LT(offFrom(CadTool{.file = file, .unit = LengthUnit::Inch, .scale = 25.4}.made(), {1, 2, 3}, 2.5),
+    EXPECT_LT(offFrom(toolOf(file,
+                             [](CadTool& tool) {
+                               tool.unit = LengthUnit::Inch;
+                               tool.scale = 25.4;
+                             })
+                          .made(),
+                      {1, 2, 3}, 2.5),
               1e-9)
         << unit;
   }
@@ -131,7 +147,10 @@ TEST_F(Cad, LengthsAreConvertedFromTheUnitOfTheFileIntoThatOfTheScene) {
 
 TEST_F(Cad, ASolidOfSeveralFacesIsMeshedToItsTolerance) {
   const std::string file = step("punch.step", punch());
-  const RigidShape shape = CadTool{.file = file, .tolerance = 0.002, .smoothing = 0.05}.made();
+  const RigidShape shape = toolOf(file, [](CadTool& tool) {
+                             tool.tolerance = 0.002;
+                             tool.smoothing = 0.05;
+                           }).made();
   EXPECT_NEAR(shape.query({0.5, 0.3, -1.0}).gap, 1.0, 0.004) << "below the flat";
   EXPECT_NEAR(shape.query({4.0, 0.0, 3.0}).gap, 1.0, 0.004) << "beside the cylinder";
   const Vector3d corner = Vector3d(2.0, 0.0, 1.0) + 1.5 * Vector3d(1.0, 0.0, -1.0).normalized();
@@ -147,13 +166,14 @@ TEST_F(Cad, AFaceIsChosenByNumberAndASolidByNumber) {
   builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(-9, 0, 0), 1.0, 1.0, 1.0).Solid());
   builder.Add(both, ball());
   const std::string file = step("two.step", both);
-  EXPECT_LT(offFrom(CadTool{.file = file, .solid = "2"}.made(), {1, 2, 3}, 2.5), 1e-9);
-  EXPECT_LT(offFrom(CadTool{.file = file, .face = "7"}.made(), {1, 2, 3}, 2.5), 1e-9);
-  EXPECT_NEAR((CadTool{.file = file, .face = "1"}.made().query({-10.0, 0.5, 0.5}).gap), 1.0, 1e-12)
+  EXPECT_LT(offFrom(toolOf(file, [](CadTool& tool) { tool.solid = "2"; }).made(), {1, 2, 3}, 2.5), 1e-9);
+  EXPECT_LT(offFrom(toolOf(file, [](CadTool& tool) { tool.face = "7"; }).made(), {1, 2, 3}, 2.5), 1e-9);
+  EXPECT_NEAR((toolOf(file, [](CadTool& tool) { tool.face = "1"; }).made().query({-10.0, 0.5, 0.5}).gap), 1.0,
+              1e-12)
       << "the side of the box at x = -9, exact, with the box behind it";
-  EXPECT_THAT(errorOf({.file = file, .face = "8"}),
+  EXPECT_THAT(errorOf(toolOf(file, [](CadTool& tool) { tool.face = "8"; })),
               HasSubstr("two.step: found no face 8; allowed: a number from 1 to 7"));
-  EXPECT_THAT(errorOf({.file = file, .solid = "punch"}),
+  EXPECT_THAT(errorOf(toolOf(file, [](CadTool& tool) { tool.solid = "punch"; })),
               HasSubstr("two.step: found no solid punch; allowed: a number from 1 to 2"));
 }
 
@@ -162,12 +182,20 @@ TEST_F(Cad, ATrimmedFaceIsMeshedAndMustBeAllowedARim) {
   const TopoDS_Shape hole =
       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(2, 2, -1), gp_Dir(0, 0, 1)), 1.0, 3.0).Solid();
   const std::string file = step("plate.step", BRepAlgoAPI_Cut(plate, hole).Shape());
-  EXPECT_NEAR((CadTool{.file = file, .tolerance = 1e-3, .smoothing = 0.05}.made().query({2.5, 2.0, 0.5}).gap),
+  EXPECT_NEAR((toolOf(file,
+                      [](CadTool& tool) {
+                        tool.tolerance = 1e-3;
+                        tool.smoothing = 0.05;
+                      })
+                   .made()
+                   .query({2.5, 2.0, 0.5})
+                   .gap),
               0.5, 0.002)
       << "in the hole";
   int trimmed = 0;
   for (const char* face : {"1", "2", "3", "4", "5", "6", "7"})
-    trimmed += errorOf({.file = file, .face = face}).find("on a rim") != std::string::npos;
+    trimmed += errorOf(toolOf(file, [&face](CadTool& tool) { tool.face = face; })).find("on a rim") !=
+               std::string::npos;
   EXPECT_EQ(trimmed, 2) << "above and below; the others are whole";
 }
 
@@ -175,14 +203,14 @@ TEST_F(Cad, FilesThatAreNoneAreNamed) {
   std::ofstream(path("text.step")) << "ISO-10303-21;\nnothing\n";
   std::ofstream(path("text.igs")) << "nothing\n";
   std::ofstream(path("empty.step"));
-  EXPECT_THAT(errorOf({.file = path("text.step")}),
+  EXPECT_THAT(errorOf(toolOf(path("text.step"))),
               HasSubstr("text.step: this is no STEP file that can be read"));
-  EXPECT_THAT(errorOf({.file = path("empty.step")}),
+  EXPECT_THAT(errorOf(toolOf(path("empty.step"))),
               HasSubstr("empty.step: this is no STEP file that can be read"));
-  EXPECT_THAT(errorOf({.file = path("text.igs")}), HasSubstr("text.igs: "));
-  EXPECT_THAT(errorOf({.file = path("none.step")}), HasSubstr("none.step: there is no such file"));
+  EXPECT_THAT(errorOf(toolOf(path("text.igs"))), HasSubstr("text.igs: "));
+  EXPECT_THAT(errorOf(toolOf(path("none.step"))), HasSubstr("none.step: there is no such file"));
   std::ofstream(path("ball.stl")) << "solid\n";
-  EXPECT_THAT(errorOf({.file = path("ball.stl")}),
+  EXPECT_THAT(errorOf(toolOf(path("ball.stl"))),
               HasSubstr("ball.stl: found the ending .stl; allowed: .step, .stp, .iges and .igs"));
 }
 
