@@ -77,6 +77,9 @@ std::string textOf(const Indentation& run, const IndentationUnits& units) {
       lineOf("hardness", "H", found.hardness, units.stress,
              run.computed ? computed(run.computed->hardness, units.stress) : "") +
       lineOf("factor of the stiffness", "β", run.beta, "") + lineOf("Poisson's ratio", "ν", run.nu, "");
+  if (!run.computed)
+    text +=
+        fmt::format("no computed area: {}\n", run.noArea.empty() ? "the face ends inside of it" : run.noArea);
   if (run.sceneModulus)
     text += lineOf("modulus of the scene", "E", *run.sceneModulus, units.stress,
                    fmt::format("; found {}{}", inPercent(run.modulus, *run.sceneModulus),

@@ -95,6 +95,25 @@ std::optional<Radius> contactRadius(const FrameRecord& frame, const std::string&
   return std::nullopt;
 }
 
+/// From the last row of a hold at the largest depth or force to where the force grows again, or ends.
+IndentationCurve unloadingOf(const IndentationCurve& curve, std::size_t largest) {
+  constexpr double kSame = 1e-9;
+  const auto holds = [&](std::size_t k) {
+    return curve.depths[k] >= curve.depths[largest] - kSame * std::abs(curve.depths[largest]) ||
+           curve.forces[k] >= curve.forces[largest] * (1.0 - kSame);
+  };
+  std::size_t begin = largest;
+  while (begin + 1 < curve.forces.size() && holds(begin + 1)) ++begin;
+  std::size_t end = begin + 1;
+  while (end < curve.forces.size() && curve.forces[end] > 0.0 && curve.forces[end] <= curve.forces[end - 1])
+    ++end;
+  const auto part = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                               all.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  return {part(curve.depths), part(curve.forces)};
+}
+
 std::optional<int> frameAt(const ResultReader& result, double time) {
   const std::vector<double> times = result.times();
   for (std::size_t k = 0; k < times.size(); ++k)
@@ -134,14 +153,17 @@ Indentation indentationOf(const ResultReader& result, const IndentationSpec& spe
       std::max_element(found.curve.forces.begin(), found.curve.forces.end()) - found.curve.forces.begin());
   if (found.curve.forces.empty() || found.curve.forces[found.largest] == 0.0)
     throw Error(fmt::format("tool: {} exerts no force in this run", quoted(tool.name)));
-  const auto from = static_cast<std::ptrdiff_t>(found.largest);
-  const IndentationCurve unloading{{found.curve.depths.begin() + from, found.curve.depths.end()},
-                                   {found.curve.forces.begin() + from, found.curve.forces.end()}};
+  const IndentationCurve unloading = unloadingOf(found.curve, found.largest);
   found.found = oliverPharr(unloading, placed.indenter, {spec.fit[0], spec.fit[1], spec.epsilon, found.beta});
   found.modulus = (1.0 - found.nu * found.nu) * found.found.modulus;
 
-  const auto frame = frameAt(result, history.column("time")[found.largest]);
-  if (!frame || findColumn(history, tool.name + ".contact_area") == nullptr) return found;
+  const double time = history.column("time")[found.largest];
+  const auto frame = frameAt(result, time);
+  if (findColumn(history, tool.name + ".contact_area") == nullptr)
+    found.noArea = "method integral-augmented-lagrangian alone knows pressures at points";
+  else if (!frame)
+    found.noArea = fmt::format("there is no frame at t = {:.6g}, where the force is largest", time);
+  if (!found.noArea.empty()) return found;
   if (const auto radius = contactRadius(result.frame(*frame), tool.name)) {
     const double area = std::numbers::pi * radius->value * radius->value;
     const ModulusAndHardness with = withArea(found.found, area, found.beta);

@@ -46,6 +46,7 @@ struct Indentation {
     double area, uncertainty, modulus, hardness;
   };
   std::optional<Computed> computed;
+  std::string noArea;  ///< why it is not known
 };
 
 /// Throws `Error` that begins with an option for a run that is none: a body that is not of revolution, a tool that is no

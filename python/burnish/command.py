@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Iterable, Mapping
@@ -29,6 +30,7 @@ def call(arguments: Iterable[str], text: str | None = None, fine: Iterable[int] 
                           capture_output=True, check=False)
     if done.returncode not in fine:
         message = done.stderr.decode("utf-8", "replace").strip().removeprefix("burnish: ")
+        message = re.sub(r"^--([\w-]+):", lambda option: option[1].replace("-", "_") + ":", message)
         raise Error(message or f"burnish ended with code {done.returncode}")
     return done.stdout
 

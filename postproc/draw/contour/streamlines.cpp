@@ -104,17 +104,20 @@ class DrawnPoints {
   Line points_;
 };
 
-/// The part of a way before it comes too near to lines before, or back to where it was.
-Line freePart(const Line& way, const DrawnPoints& drawn, double distance) {
+/// The part of a way before it comes too near to lines before, back to where it was, or to the other way from its seed,
+/// as it does round a loop.
+Line freePart(const Line& way, const Line& other, const DrawnPoints& drawn, double distance) {
   const double near = kCloserAtEnds * distance;
-  const auto lag =
-      static_cast<Eigen::Index>(std::lround(2.0 / kStep));  // what is so near along the way may be near
+  const auto lag = std::lround(2.0 / kStep);  // points that are so few steps apart may be near
+  const auto areNear = [&](const auto& points, const Eigen::Vector3d& point) {
+    return (points.colwise() - point).colwise().norm().minCoeff() < near;
+  };
   Eigen::Index count = 0;
   for (; count < way.cols(); ++count) {
     const Eigen::Vector3d point = way.col(count);
     if (drawn.areNear(point, near)) break;
-    if (count > lag && (way.leftCols(count - lag).colwise() - point).colwise().norm().minCoeff() < near)
-      break;
+    if (count > lag && areNear(way.leftCols(count - lag), point)) break;
+    if (other.cols() > lag && areNear(other.rightCols(other.cols() - lag), point)) break;
   }
   return way.leftCols(count);
 }
@@ -147,7 +150,8 @@ std::vector<Eigen::Matrix3Xd> evenStreamlines(vtkPolyData& surface, const Eigen:
   for (std::size_t k = 0; k < allWays.size(); ++k) {
     const auto& [with, against] = allWays[k];
     if (drawn.areNear(begins.col(static_cast<Eigen::Index>(k)), distance)) continue;
-    const Line after = freePart(with, drawn, distance), before = freePart(against, drawn, distance);
+    const Line after = freePart(with, {}, drawn, distance),
+               before = freePart(against, after, drawn, distance);
     Line line(3, before.cols() + std::max<Eigen::Index>(after.cols() - 1, 0));
     line << before.rowwise().reverse(), after.rightCols(line.cols() - before.cols());
     if (before.cols() == 0) line = after;

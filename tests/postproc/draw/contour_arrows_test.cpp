@@ -185,6 +185,30 @@ TEST(Streamlines, OfARotationAreCircles) {
   }
 }
 
+/// Round a middle inside the square lines close, once and not a second time beside themselves.
+TEST(Streamlines, GoRoundALoopOnce) {
+  const auto square = turningSquare(Eigen::Vector3d::UnitZ());
+  vtkDataArray& u = *square->GetPointData()->GetArray("displacement");
+  const Eigen::Vector3d middle(square->GetCenter());
+  for (vtkIdType k = 0; k < square->GetNumberOfPoints(); ++k) {
+    const Eigen::Vector3d x = Eigen::Map<const Eigen::Vector3d>(square->GetPoint(k)) - middle;
+    u.SetTuple3(k, -x.y(), x.x(), 0.0);
+  }
+  const std::vector<Eigen::Matrix3Xd> lines =
+      evenStreamlines(*square, Eigen::Vector3d::UnitZ(), pointsOf(*square), 0.1);
+  int loops = 0;
+  for (const Eigen::Matrix3Xd& line : lines) {
+    double turned = 0.0;
+    for (Eigen::Index k = 1; k < line.cols(); ++k) {
+      const Eigen::Vector3d a = line.col(k - 1) - middle, b = line.col(k) - middle;
+      turned += std::atan2(a.cross(b).z(), a.dot(b));
+    }
+    EXPECT_LT(turned, 2.0 * M_PI);
+    loops += turned > 1.4 * M_PI ? 1 : 0;
+  }
+  EXPECT_GT(loops, 1);
+}
+
 TEST(Streamlines, OfNothingAreNone) {
   const auto still = turningSquare(Eigen::Vector3d::UnitZ());
   still->GetPointData()->GetArray("displacement")->Fill(0.0);

@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "unknown", &block, "degree: 2", "degre: 2", "degre", "degre",
             "found an unknown key; allowed: title, units, basis, degree, kinematics, formulation, "
-            "quadrature_points, definitions, geometry, material, bodies, supports, loads, tools, contact, "
+            "quadrature_points, definitions, geometry, material, initial, bodies, supports, loads, tools, contact, "
             "self_contact, steps, solver, stabilise, rezoning, output, pictures, probes, measures, variants, checks, "
             "charts. Did you mean \"degree\"?"},
         Mistake{"pairLength", &block, "{field: von_mises,", "{field: von_mises, size: [800],", "[800]",
