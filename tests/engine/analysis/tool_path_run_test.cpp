@@ -5,11 +5,13 @@
 
 #include "engine/core/error.h"
 #include "tests/engine/analysis/run_scene.h"
+#include "tests/engine/scene/scene_samples.h"
 
 /// Tools on paths: where they are, what they carry on the way, and how freely they roll.
 namespace burnish {
 namespace {
 
+using samples::replaced;
 using test::Outcome;
 using testing::HasSubstr;
 using Strings = std::vector<std::string>;
@@ -65,6 +67,34 @@ TEST(ToolOnAPath, LeavesAFrameAfterEveryPass) {
                            "steps[1].count=4"});
   ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
   EXPECT_EQ(ran.summary.frames, 5) << "start, three passes, end";
+}
+
+/// The roller, whose height the path prescribes: pressed in, moved, lifted, taken on and pressed in again.
+const std::string kLiftedRoller = replaced(
+    replaced(kRoller, "carry: {y: -0.5, moment: 0, schedule: {times: [0, 1], values: [0, 1]}}",
+             "carry: {moment: 0}"),
+    "path: {course: polyline, points: [[0, 0], [0.5, 0]], speed: 0.5, begin: 1}",
+    "path: {course: raster, start: [0, -0.01], stroke: [0.2, 0], feed: [0.1, 0], passes: 2, speed: 0.6, "
+    "clearance: [0, 0.05]}");
+
+TEST(ToolOnAPath, ThatOnlyTurnsFreelyIsLiftedAndComesDownAgain) {
+  const Outcome ran =
+      test::run(parseScene(kLiftedRoller, "test.yaml", {"steps=[{until: 1.5, count: 60}]"}), "path_lifted");
+  ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+  const auto& history = ran.history;
+  const auto &height = history.column("roller.uy"), &force = history.column("roller.fy"),
+             &angle = history.column("roller.angle");
+  int presses = 0;
+  for (std::size_t k = 1; k < history.numRows(); ++k) {
+    EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-10) << k;
+    if (height[k] > 0.0 && height[k - 1] > 0.0) {
+      EXPECT_EQ(force[k], 0.0) << k;
+      EXPECT_NEAR(angle[k], angle[k - 1], 0.05) << "degrees: nothing turns it in the air";
+    }
+    if (force[k] > 0.0 && force[k - 1] == 0.0) ++presses;
+  }
+  EXPECT_EQ(presses, 2);
+  EXPECT_NEAR(angle.back() * std::acos(-1.0) / 180.0, -2.0 * 0.2 / 0.5, 0.05) << "it rolls in both passes";
 }
 
 TEST(ToolOnAPath, WithAForceAcrossItHasToStayOutOfItsWay) {
