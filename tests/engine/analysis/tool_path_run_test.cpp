@@ -113,5 +113,29 @@ TEST(ToolOnAPath, WithAForceAcrossItHasToStayOutOfItsWay) {
               HasSubstr("tools[0].path: found a path that takes until t = 6"));
 }
 
+TEST(ToolOnAPath, RefusesAHelixThatGoesNowhere) {
+  const auto errorOf = [](const Strings& overrides) -> std::string {
+    try {
+      parseScene(R"(
+geometry: {shape: box, size: [1, 1, 1], spans: [2, 2, 2]}
+material: {law: neo-hookean, E: 1, nu: 0.3}
+supports: [{face: bottom, fix: [x, y, z]}]
+tools: [{name: ball, shape: sphere, center: [0.5, 0.3, 1.3], radius: 0.2}]
+contact: [{tool: ball, face: back}]
+steps: [{until: 9, count: 1}]
+)",
+                 "test.yaml", overrides);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const std::string helix = "tools[0].path={course: helix, center: [0.5, 0.3, 0], speed: 1, ";
+  EXPECT_THAT(errorOf({helix + "clearance: [0, 0, 0.1]}"}),
+              HasSubstr("tools[0].path: found a helix that goes nowhere"));
+  EXPECT_EQ(errorOf({helix + "pitch: 0.1}"}), "no error");
+  EXPECT_EQ(errorOf({helix + "turns: 1}", "tools[0].pivot=[0.7, 0.3, 1.3]"}), "no error");
+}
+
 }  // namespace
 }  // namespace burnish
