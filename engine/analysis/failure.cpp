@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/analysis/free_tools.h"
+#include "engine/scene/support_names.h"
 
 namespace burnish {
 namespace {
@@ -90,6 +91,23 @@ std::vector<std::string> toolFindings(const Model<Dim>& model) {
   return findings;
 }
 
+/// Supports that are letting go behind time t.
+std::vector<std::string> releaseFindings(const Scene& scene, double t) {
+  constexpr double kRounding = 1e-9;
+  const std::vector<std::string> names = supportNames(scene);
+  std::vector<std::string> findings;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const SupportSpec& support = scene.supports[k];
+    const double end = support.releasedBy.value_or(scene.steps.back().until);
+    if (support.until && *support.until <= t * (1.0 + kRounding) && t < end)
+      findings.push_back(fmt::format(
+          "support '{}' was letting go, from t = {:.6g} to {:.6g}: its face is free while forces still press on it, "
+          "under which a slender body buckles; prescribe it back to where it carries nothing before it lets go",
+          names[k], *support.until, end));
+  }
+  return findings;
+}
+
 /// minJ: the smallest J of the last iterate. changes: see `ContactFindings`.
 std::string adviceFor(double minJ, int changes) {
   if (minJ < kDistortedJ)
@@ -104,7 +122,7 @@ std::string adviceFor(double minJ, int changes) {
 }  // namespace
 
 template <int Dim>
-Failure diagnose(const Simulation<Dim>& simulation) {
+Failure diagnose(const Scene& scene, const Simulation<Dim>& simulation) {
   const Model<Dim>& model = *simulation.model;
   const Stepping& stepping = simulation.stepping;
   const NewtonReport& report = stepping.lastFailure();
@@ -122,10 +140,11 @@ Failure diagnose(const Simulation<Dim>& simulation) {
       fmt::format("the smallest J is {:.3g}{}", minJ,
                   model.bodies().size() > 1 ? fmt::format(", in body '{}'", folding.name) : ""));
   std::ranges::copy(toolFindings(model), std::back_inserter(findings));
+  std::ranges::copy(releaseFindings(scene, stepping.state().time), std::back_inserter(findings));
   return {fmt::format("{}", fmt::join(findings, "; ")), adviceFor(minJ, contact.changes)};
 }
 
-template Failure diagnose(const Simulation<2>&);
-template Failure diagnose(const Simulation<3>&);
+template Failure diagnose(const Scene&, const Simulation<2>&);
+template Failure diagnose(const Scene&, const Simulation<3>&);
 
 }  // namespace burnish

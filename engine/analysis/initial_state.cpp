@@ -89,6 +89,21 @@ double largestNorm(const Eigen::MatrixXd& tensors) {
   return largest;
 }
 
+/// What is said of a stress with which a point of the material has no state. flows: whether the law has a yield stress.
+std::string unbearable(const Eigen::Matrix3d& stress, const std::string& place, bool flows) {
+  const double pressure = -stress.trace() / 3.0;
+  const double mises = std::sqrt(1.5) * (stress + pressure * Eigen::Matrix3d::Identity()).norm();
+  if (flows)
+    return fmt::format(
+        "found a von Mises stress of {:.6g} at {}, with which the material flows at once or that it "
+        "cannot bear; allowed: below the yield stress",
+        mises, place);
+  return fmt::format(
+      "found a von Mises stress of {:.6g} and a pressure of {:.6g} at {}; the law has no state with this "
+      "stress, allowed: smaller ones",
+      mises, pressure, place);
+}
+
 }  // namespace
 
 bool hasInitialState(const Scene& scene) {
@@ -117,15 +132,8 @@ std::optional<ReferenceState> initialState(const Scene& scene, std::size_t numbe
       throw InputError(key + ".plastic_strain",
                        fmt::format("found {:.6g} at {}; allowed: at least 0", e_p, placeText()));
     auto state = stateWithStress(material, stress, e_p);
-    if (!state) {
-      const double mises =
-          std::sqrt(1.5) * (stress - stress.trace() / 3.0 * Eigen::Matrix3d::Identity()).norm();
-      throw InputError(
-          key + ".stress",
-          fmt::format("found a von Mises stress of {:.6g} at {}, with which the material flows at "
-                      "once or that it cannot bear; allowed: below the yield stress",
-                      mises, placeText()));
-    }
+    if (!state)
+      throw InputError(key + ".stress", unbearable(stress, placeText(), carriesPlasticStrain(spec.material)));
     if (all.b_e.empty()) {
       all.kinds = state->kinds;
       all.numbers.resize(state->numbers.rows(), X.cols());

@@ -196,8 +196,8 @@ void requireTouch(const Pairs<Dim>& pairs, const Tool& tool, double bodySize, co
                                         tool.name));
 }
 
-/// Brings a tool with free degrees of freedom into touch with the body. x: unknowns of the start, in which
-/// its displacement is written.
+/// Brings a tool with free degrees of freedom into touch with the body, unless all that is free is the turn of one
+/// that moves in itself. x: unknowns of the start, in which its displacement is written.
 template <int Dim>
 void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& load, Eigen::VectorXd& x) {
   const Tool& tool = *model.tools()[load.tool];
@@ -213,8 +213,9 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
   const bool spins = rubs && spinsInItself(tool, Dim, bodySize);
   if (spins) load.term->steadyTurn(model.forceFloor() / bodySize);
   requireDetermined(tool, place, Dim, bodySize, spins);
-  pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
   const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
+  if (spins && !slides) return;  // touches where its motion takes it, and keeps its turn where it does not
+  pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
   if (!slides) {
     requireTouch<Dim>(pairs, tool, bodySize, place);
     return;

@@ -233,7 +233,7 @@ class Run {
     summary_.completed = walk == Walk::Arrived;
     summary_.halted = walk == Walk::Halted;
     if (walk == Walk::Failed) {
-      const Failure failure = diagnose(*simulation_);
+      const Failure failure = diagnose(scene_, *simulation_);
       summary_.stoppedBecause = failure.findings;
       summary_.advice = failure.advice;
       keepLastState();

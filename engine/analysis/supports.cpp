@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -69,7 +70,7 @@ Eigen::Vector<double, P> nearestOf(const std::vector<Eigen::Vector<double, P>>& 
 
 template <int Dim>
 Eigen::VectorXd Supports<Dim>::Motion::values(double t) const {
-  const double time = std::max(t, 0.0);  // lifted tools come down before
+  const double time = std::clamp(t, 0.0, until);  // lifted tools come down before
   if (!formula) return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(unknowns.size()), schedule(time));
   const Eigen::Matrix3Xd& places = interpolation->places;
   Eigen::VectorXd atPlaces(places.cols());
@@ -217,12 +218,15 @@ void Supports<Dim>::setValues(double t, Eigen::VectorXd& x) const {
 template <int Dim>
 void Supports<Dim>::requireFinite(const std::vector<double>& times) const {
   InputProblems problems;
-  for (const Motion& motion : motions_)
-    if (motion.formula)
-      problems.gather([&] {
-        placed(motion.place + ".prescribe",
-               [&] { burnish::requireFinite({*motion.formula}, motion.interpolation->places, times); });
-      });
+  for (const Motion& motion : motions_) {
+    if (!motion.formula) continue;
+    std::vector<double> held;
+    std::ranges::copy_if(times, std::back_inserter(held), [&](double t) { return t <= motion.until; });
+    problems.gather([&] {
+      placed(motion.place + ".prescribe",
+             [&] { burnish::requireFinite({*motion.formula}, motion.interpolation->places, held); });
+    });
+  }
   problems.throwIfAny();
 }
 

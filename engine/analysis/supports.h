@@ -39,7 +39,8 @@ class Supports {
   /// Times at which a schedule has a corner.
   const std::vector<double>& corners() const { return corners_; }
 
-  /// Throws `InputError` at every support whose formulas have no finite value at one of these times.
+  /// Throws `InputError` at every support whose formulas have no finite value at one of these times up to which it
+  /// holds.
   void requireFinite(const std::vector<double>& times) const;
 
  private:

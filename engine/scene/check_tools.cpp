@@ -67,6 +67,15 @@ std::optional<PathProblem> problemOf(const HelixPath& course, std::size_t dim) {
   return std::nullopt;
 }
 
+/// Whether a course goes round an axis on which the tool's pivot is, and not along it.
+bool goesNowhere(const PathCourse& course, const ToolSpec& tool) {
+  constexpr double kRounding = 1e-9;
+  const auto* helix = std::get_if<HelixPath>(&course);
+  if (helix == nullptr) return false;
+  const Eigen::Vector3d arm = pivotOf(tool) - helix->center;
+  return std::hypot(helix->axis.normalized().cross(arm).norm(), helix->pitch) <= kRounding * arm.norm();
+}
+
 /// A path, alone and beside the end of the run.
 void checkPath(const CheckContext& c, const std::string& tool, const ToolSpec& spec) {
   const std::string path = tool + ".path";
@@ -80,6 +89,11 @@ void checkPath(const CheckContext& c, const std::string& tool, const ToolSpec& s
           std::visit([&](const auto& course) { return problemOf(course, dim); }, spec.path->course))
     return c.report(fmt::format("{}.{}", path, problem->key), problem->text);
   if (!c.clean("steps") || !c.clean(tool)) return;
+  if (goesNowhere(spec.path->course, spec))
+    return c.report(
+        path,
+        "found a helix that goes nowhere, as its axis leads through the tool's pivot; allowed: a tool "
+        "off the axis, or a pitch that is not zero.");
   const double end = c.scene.steps.back().until, needed = pathOf(spec).end();
   if (needed > end * (1.0 + 1e-9))
     c.report(path,

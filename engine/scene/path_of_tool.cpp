@@ -2,10 +2,12 @@
 
 namespace burnish {
 
+Eigen::Vector3d pivotOf(const ToolSpec& tool) {
+  return tool.pivot.empty() ? makeShape(tool.shape, tool.inside).middle() : Eigen::Vector3d(tool.pivot);
+}
+
 ToolPath pathOf(const ToolSpec& tool) {
-  const Eigen::Vector3d pivot =
-      tool.pivot.empty() ? makeShape(tool.shape, tool.inside).middle() : Eigen::Vector3d(tool.pivot);
-  return {*tool.path, pivot};
+  return {*tool.path, pivotOf(tool)};
 }
 
 }  // namespace burnish

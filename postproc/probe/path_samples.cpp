@@ -132,29 +132,33 @@ std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<Probe
 
 std::vector<ProbePoint> penetrationAverages(const PathProbe& probe, std::vector<ProbePoint> samples,
                                             double penetration, double end) {
-  constexpr double kLongestPanel =
-      0.5;                           // over the penetration: three points have ten digits of the weight there
-  constexpr double kDeepest = 40.0;  // where the weight is rounding
+  constexpr double kDeepest = 40.0;      // over the penetration: where the weight is rounding
+  constexpr double kLongestPanel = 0.5;  // likewise: three points have ten digits of the weight there
+  const auto panelsOf = [&](double length) {
+    return 1 + static_cast<int>(length / penetration / kLongestPanel);
+  };
   const double last = samples.back().at, bottom = std::min(end, last + kDeepest * penetration);
   std::vector<ProbePoint> points = samples;
   if (bottom > last) {
-    const int count = 2 + static_cast<int>((bottom - last) / (kLongestPanel * penetration));
-    const std::vector<ProbePoint> below = samplesAlong(probe, last, bottom, count);
+    const std::vector<ProbePoint> below = samplesAlong(probe, last, bottom, 1 + panelsOf(bottom - last));
     points.insert(points.end(), below.begin() + 1, below.end());
   }
   Eigen::ArrayX2d deeper = Eigen::ArrayX2d::Zero(points.back().values.size(), 2);
   for (std::size_t k = points.size() - 1; k-- > 0;) {
-    const double length = points[k + 1].at - points[k].at;
-    deeper *= std::exp(-length / penetration);
+    throwIfInterrupted();
+    const double whole = points[k + 1].at - points[k].at, length = std::min(whole, kDeepest * penetration);
+    deeper *= std::exp(-whole / penetration);
     if (points[k].body != ProbePoint::kOutside && points[k + 1].body == points[k].body) {
-      const int panels = 1 + static_cast<int>(length / (kLongestPanel * penetration));
+      const int panels = panelsOf(length);
       for (int panel = 0; panel < panels; ++panel)
         deeper += weighed(probe, points[k].at, points[k].at + length * panel / panels, length / panels,
                           penetration);
     }
-    if (k < samples.size() && samples[k].body != ProbePoint::kOutside)
-      samples[k].values = samples[k].values.array().isNaN().select(samples[k].values,
-                                                                   (deeper.col(0) / deeper.col(1)).matrix());
+    if (k >= samples.size() || samples[k].body == ProbePoint::kOutside) continue;
+    // Where nothing lies deeper that has the field, the value at the point is the limit of the means above it.
+    const Eigen::ArrayXd mean =
+        (deeper.col(1) > 0.0).select(deeper.col(0) / deeper.col(1), samples[k].values.array());
+    samples[k].values = samples[k].values.array().isNaN().select(samples[k].values, mean.matrix());
   }
   return samples;
 }

@@ -21,7 +21,8 @@ std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<Probe
                                        double begin, double end);
 
 /// The samples of a depth with what X-rays tell of what lies deeper instead of their own values: means with the
-/// weight e^{-(z - z_sample)/penetration}, over the parts up to `end` that lie in bodies with the field.
+/// weight e^{-(z - z_sample)/penetration}, over the parts up to `end` that lie in bodies with the field; the value at
+/// the sample where there is nothing below it.
 std::vector<ProbePoint> penetrationAverages(const PathProbe& probe, std::vector<ProbePoint> samples,
                                             double penetration, double end);
 

@@ -65,6 +65,19 @@ TEST(InitialState, OfStressesNextToNoneToo) {
                 1e-12);
 }
 
+TEST(InitialState, OfRubberMayBeLarge) {
+  const Material rubber = NeoHookean({100.0, 0.3});
+  for (const double size : {-500.0, -90.0, 90.0, 500.0}) {
+    const Eigen::Matrix3d stress = Eigen::Vector3d(0.0, size, 0.1 * size).asDiagonal();
+    const auto state = stateWithStress(rubber, stress, 0.0);
+    ASSERT_TRUE(state) << size;
+    EXPECT_LT((stressIn(rubber, *state) - stress).norm(), 1e-9 * std::abs(size)) << size;
+  }
+  const Eigen::Matrix3d tension = 100.0 * Eigen::Matrix3d::Identity();
+  EXPECT_FALSE(stateWithStress(rubber, tension, 0.0))
+      << "rubber that is pulled on all sides gives way before";
+}
+
 TEST(InitialState, DoesNotExistAboveTheYieldStress) {
   const HardeningParameters linear = LinearHardening{2.0, 5.0};
   const Material metal = J2Plasticity({100.0, 0.3, ElasticLaw::Hencky, linear});
@@ -160,6 +173,9 @@ TEST(InitialState, RefusesWhatMakesNoSense) {
   EXPECT_EQ(errorOfHeld({}), "no error");
   EXPECT_THAT(errorOfHeld({"initial.stress.xx=-3"}),
               HasSubstr("initial.stress: found a von Mises stress of "));
+  EXPECT_THAT(errorOfHeld({"material={law: neo-hookean, E: 1, nu: 0.3}", "measures=[]",
+                           "initial.stress={xx: 1, yy: 1, zz: 1}"}),
+              HasSubstr("; the law has no state with this stress"));
   EXPECT_THAT(errorOfHeld({"initial.stress.xx=1/(Y - Y)"}), HasSubstr("initial.stress.xx: "));
   EXPECT_THAT(errorOfHeld({"initial.stress.xx=t"}),
               HasSubstr("initial.stress.xx: found \"t\", which depends on t"));

@@ -19,17 +19,17 @@ Scene coarseIroning(const std::string& basis) {
 }
 
 /// A disc above a block, which carries a load.
-Scene discAboveBlock(const std::string& carry) {
+Scene discAboveBlock(const std::string& carry, const std::string& friction = "0") {
   return parseScene(fmt::format(R"(
 degree: 2
 geometry: {{shape: rectangle, origin: [0, 0], size: [2, 1], spans: [8, 4]}}
 material: {{law: neo-hookean, E: 10.0, nu: 0.3}}
 supports: [{{face: bottom, fix: [x, y]}}]
 tools: [{{name: disc, shape: cylinder, center: [1, 1.8], radius: 0.5, carry: {{{}}}}}]
-contact: [{{tool: disc, face: top}}]
+contact: [{{tool: disc, face: top, friction: {}}}]
 steps: [{{until: 1, count: 4}}]
 )",
-                                carry),
+                                carry, friction),
                     "disc");
 }
 
@@ -63,6 +63,11 @@ TEST(PlaceTools, AToolThatCarriesALoadBeginsInTouchWithTheBody) {
   EXPECT_GT(pose.displacement(1), -0.4);
   EXPECT_EQ(pose.displacement(0), 0.0);
   EXPECT_NEAR(smallestGapAt(*model, pose), 0.0, 1e-8);
+}
+
+TEST(PlaceTools, AToolThatOnlyTurnsFreelyAndInItselfNeedNotTouch) {
+  const auto model = buildModel<2>(discAboveBlock("moment: 0", "0.3"));
+  EXPECT_NEAR(smallestGapAt(*model, model->tools().front()->pose(0.0)), 0.3, 0.1) << "it stays where it is";
 }
 
 TEST(PlaceTools, ALoadThatLeadsAwayFromTheBodyIsRefused) {

@@ -151,6 +151,13 @@ std::string errorOfBlock(const Strings& overrides, const std::string& yaml = kBl
   return "no error";
 }
 
+TEST(Release, AsksFormulasForNothingBehindIt) {
+  const std::string root = replaced(kBlock, "move: {times: [0, 1], x: [0, 0.2], y: [0, 0.1]}",
+                                    "prescribe: {x: 0.1 - 0.1*sqrt(1 - t)}");
+  EXPECT_EQ(errorOfBlock({}, root), "no error");
+  EXPECT_THAT(errorOfBlock({"supports[1].until=1.5"}, root), HasSubstr("supports[1].prescribe: "));
+}
+
 TEST(Release, RefusesWhatMakesNoSense) {
   EXPECT_EQ(errorOfBlock({}), "no error");
   EXPECT_THAT(errorOfBlock({"supports[1].until=3"}),

@@ -191,6 +191,19 @@ TEST(ProbeWindow, MeanOfASquareIsThatOfItsIntegral) {
     EXPECT_NEAR(point.values(0), std::pow(point.reference(1), 2) + width * width / 12.0, kExact);
 }
 
+TEST(ProbePenetration, ThatIsSmallGivesTheValuesAtThePointsThemselves) {
+  const DepthPath depth{{"top", ""}, at({0.3, 1.0, 0.6}), 1.0};
+  const auto exact = probed(samples::cube(), "pressure", depth, {.points = 10});
+  for (const double penetration : {1e-8, 1e-12, 1e-17, 1e-300, 5e-324}) {
+    const auto points =
+        probed(samples::cube(), "pressure", depth, {.points = 10, .penetration = penetration});
+    ASSERT_EQ(points.size(), exact.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+      EXPECT_NEAR(points[k].values(0), exact[k].values(0), 2.0 * penetration + kExact)
+          << penetration << " " << k;
+  }
+}
+
 TEST(ProbePenetration, WeighsALinearFieldByTheExponential) {
   for (const double penetration : {0.03, 0.2, 5.0}) {
     const auto points = probed(samples::cube(), "pressure", DepthPath{{"top", ""}, at({0.3, 1.0, 0.6}), 0.9},
