@@ -659,10 +659,14 @@ void main() {
     c *= plain == 1 ? lightOn(normalize(N), 0.0, 1.15) : lightOn(normalize(N), 0.6, 1.0);
     c = mix(outlineColor, c, smoothstep(0.4 * lines, 1.4 * lines, facing / max(fwidth(facing), 1e-4)));
   }
+  float depth = gl_FragCoord.z, steep = fwidth(depth);
   if (cut.xyz != vec3(0)) {
     float before = cut.w - dot(cut.xyz, X);
-    c = mix(outlineColor, c, clamp(before / max(fwidth(before), 1e-9) - lines + 0.5, 0.0, 1.0));
+    float behind = clamp(before / max(fwidth(before), 1e-9) - lines + 0.5, 0.0, 1.0);
+    c = mix(outlineColor, c, behind);
+    if (behind < 1.0) depth -= 2.0 * lines * steep;  // over the section also where the face looks away
   }
+  gl_FragDepth = depth;
   color = vec4(c, 1);
 }`;
 

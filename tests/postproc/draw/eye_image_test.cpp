@@ -171,21 +171,31 @@ TEST_F(EyeImage, SectionIsHatched) {
   EXPECT_NEAR(lines, std::abs(across.dot(end - begin)) / gap, 2.0);
 }
 
-/// Tension along x and compression along y: white arrows that part, black ones that meet.
-TEST_F(EyeImage, CrossesTellTensionFromCompression) {
+/// The square under a uniform stress, undeformed.
+Sample stressedSquare(double xx, double yy, double xy) {
   Sample sample = samples::square();
-  const Eigen::Index nodes = sample.model.mesh.numNodes;
-  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(4, nodes);
-  stress.row(0).setConstant(2.0);
-  stress.row(1).setConstant(-1.0);
+  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(4, sample.model.mesh.numNodes);
+  stress.row(0).setConstant(xx);
+  stress.row(1).setConstant(yy);
+  stress.row(2).setConstant(xy);
   sample.frame.displacement.setZero();
   sample.frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "MPa", stress, {}};
-  ContourOptions options = small("pressure");
+  return sample;
+}
+
+ContourOptions crossesAlone() {
+  ContourOptions options;
+  options.field = "pressure";
   options.tools = false;
   options.undeformed = false;
   options.arrows = ArrowField::Principal;
   options.size = {600, 500};
-  const Picture picture = expectBaseline(sample, options, "square_principal");
+  return options;
+}
+
+/// Tension along x and compression along y: white arrows that part, black ones that meet.
+TEST_F(EyeImage, CrossesTellTensionFromCompression) {
+  const Picture picture = expectBaseline(stressedSquare(2.0, -1.0, 0.0), crossesAlone(), "square_principal");
   int white = 0, black = 0;
   for (double x = view.area.x + 3.0; x < view.area.right() - 3.0; ++x)
     for (double y = view.area.y + 3.0; y < view.area.top() - 3.0; ++y) {
@@ -199,17 +209,7 @@ TEST_F(EyeImage, CrossesTellTensionFromCompression) {
 
 /// The principal directions of pure shear are the diagonals: tension along one is compression along the other.
 TEST_F(EyeImage, CrossesOfShearAreDiagonal) {
-  Sample sample = samples::square();
-  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(4, sample.model.mesh.numNodes);
-  stress.row(2).setConstant(1.0);
-  sample.frame.displacement.setZero();
-  sample.frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "MPa", stress, {}};
-  ContourOptions options = small("pressure");
-  options.tools = false;
-  options.undeformed = false;
-  options.arrows = ArrowField::Principal;
-  options.size = {600, 500};
-  const Picture picture = drawn(sample, options);
+  const Picture picture = drawn(stressedSquare(0.0, 0.0, 1.0), crossesAlone());
   const Eigen::Vector2d middle = view.area.center();
   // The cross in the middle: bright along the rising diagonal, dark along the other.
   const auto brightest = [&](const Eigen::Vector2d& along) {
