@@ -11,6 +11,7 @@
 #include "engine/analysis/geometry_check.h"
 #include "engine/analysis/initial_state.h"
 #include "engine/analysis/place_tools.h"
+#include "engine/analysis/release_end.h"
 #include "engine/analysis/tools.h"
 #include "engine/contact/face_partner.h"
 #include "engine/contact/partner_contact.h"
@@ -368,7 +369,7 @@ void ModelBuilder<Dim>::addReleases() {
   for (std::size_t k = 0; k < scene_.supports.size(); ++k) {
     const SupportSpec& support = scene_.supports[k];
     if (!support.until) continue;
-    const double end = support.releasedBy.value_or(scene_.steps.back().until);
+    const double end = releaseEnd(scene_, support);
     releases.push_back({*support.until, end, model_->supports_.owned(k)});
   }
   if (releases.empty()) return;

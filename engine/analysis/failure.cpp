@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/analysis/free_tools.h"
+#include "engine/analysis/release_end.h"
 #include "engine/scene/support_names.h"
 
 namespace burnish {
@@ -98,7 +99,7 @@ std::vector<std::string> releaseFindings(const Scene& scene, double t) {
   std::vector<std::string> findings;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const SupportSpec& support = scene.supports[k];
-    const double end = support.releasedBy.value_or(scene.steps.back().until);
+    const double end = releaseEnd(scene, support);
     if (support.until && *support.until <= t * (1.0 + kRounding) && t < end)
       findings.push_back(fmt::format(
           "support '{}' was letting go, from t = {:.6g} to {:.6g}: its face is free while forces still press on it, "

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/analysis/release_end.h"
 #include "engine/core/input_error.h"
 
 namespace burnish {
@@ -86,7 +87,7 @@ Supports<Dim>::Supports(const Scene& scene, const FaceFinder<Dim>& faces)
   for (int k = 0; k <= kSamples; ++k) times_.push_back(scene.steps.back().until * k / kSamples);
   for (const auto& support : scene.supports) {
     if (support.until) corners_.push_back(*support.until);
-    if (support.until) corners_.push_back(support.releasedBy.value_or(scene.steps.back().until));
+    if (support.until) corners_.push_back(releaseEnd(scene, support));
     if (support.move) corners_.insert(corners_.end(), support.move->times.begin(), support.move->times.end());
   }
   times_.insert(times_.end(), corners_.begin(), corners_.end());
