@@ -88,36 +88,24 @@ std::vector<Ways> traced(vtkPolyData& flat, const Eigen::Matrix3Xd& seeds, doubl
   return ways;
 }
 
-/// Points of lines that are drawn.
-class DrawnPoints {
- public:
-  void add(const Line& line) {
-    points_.conservativeResize(3, points_.cols() + line.cols());
-    points_.rightCols(line.cols()) = line;
-  }
-  bool areNear(const Eigen::Vector3d& point, double distance) const {
-    return points_.cols() > 0 &&
-           (points_.colwise() - point).colwise().squaredNorm().minCoeff() < distance * distance;
-  }
-
- private:
-  Line points_;
-};
+/// Whether one of some points (3 x points) is nearer than a distance.
+template <class Points>
+bool areNear(const Points& points, const Eigen::Vector3d& point, double distance) {
+  return points.cols() > 0 &&
+         (points.colwise() - point).colwise().squaredNorm().minCoeff() < distance * distance;
+}
 
 /// The part of a way before it comes too near to lines before, back to where it was, or to the other way from its seed,
-/// as it does round a loop.
-Line freePart(const Line& way, const Line& other, const DrawnPoints& drawn, double distance) {
+/// as it does round a loop. drawn: points of those lines.
+Line freePart(const Line& way, const Line& other, const Line& drawn, double distance) {
   const double near = kCloserAtEnds * distance;
   const auto lag = std::lround(2.0 / kStep);  // points that are so few steps apart may be near
-  const auto areNear = [&](const auto& points, const Eigen::Vector3d& point) {
-    return (points.colwise() - point).colwise().norm().minCoeff() < near;
-  };
   Eigen::Index count = 0;
   for (; count < way.cols(); ++count) {
     const Eigen::Vector3d point = way.col(count);
-    if (drawn.areNear(point, near)) break;
-    if (count > lag && areNear(way.leftCols(count - lag), point)) break;
-    if (other.cols() > lag && areNear(other.rightCols(other.cols() - lag), point)) break;
+    if (areNear(drawn, point, near)) break;
+    if (count > lag && areNear(way.leftCols(count - lag), point, near)) break;
+    if (other.cols() > lag && areNear(other.rightCols(other.cols() - lag), point, near)) break;
   }
   return way.leftCols(count);
 }
@@ -145,18 +133,19 @@ std::vector<Eigen::Matrix3Xd> evenStreamlines(vtkPolyData& surface, const Eigen:
   begins.row(2).setZero();
 
   std::vector<Line> lines;
-  DrawnPoints drawn;
+  Line drawn(3, 0);
   const std::vector<Ways> allWays = traced(*flat, begins, distance);
   for (std::size_t k = 0; k < allWays.size(); ++k) {
     const auto& [with, against] = allWays[k];
-    if (drawn.areNear(begins.col(static_cast<Eigen::Index>(k)), distance)) continue;
+    if (areNear(drawn, begins.col(static_cast<Eigen::Index>(k)), distance)) continue;
     const Line after = freePart(with, {}, drawn, distance),
                before = freePart(against, after, drawn, distance);
     Line line(3, before.cols() + std::max<Eigen::Index>(after.cols() - 1, 0));
     line << before.rowwise().reverse(), after.rightCols(line.cols() - before.cols());
     if (before.cols() == 0) line = after;
     if (lengthOf(line) < distance) continue;
-    drawn.add(line);
+    drawn.conservativeResize(3, drawn.cols() + line.cols());
+    drawn.rightCols(line.cols()) = line;
     line.row(2).setConstant(depth);
     lines.emplace_back(toPlane.transpose() * line);
   }
