@@ -31,6 +31,7 @@
 #include "postproc/draw/contour/hatch.h"
 #include "postproc/draw/contour/occlusion.h"
 #include "postproc/draw/contour/page_lines.h"
+#include "postproc/draw/contour/peeling_renderer.h"
 #include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/contour/scalar_bar.h"
 #include "postproc/draw/contour/scale_bar.h"
@@ -292,7 +293,8 @@ class ContourPicture {
   vtkSmartPointer<vtkImageData> capture(const Color& background, const Plan& plan) const {
     const ContourLayout& layout = plan.layout;
     OffscreenCanvas canvas(size_[0], size_[1]);
-    vtkNew<vtkRenderer> paper, space;
+    vtkNew<vtkRenderer> paper;
+    vtkNew<PeelingRenderer> space;
     addLayers(canvas, background, *paper, *space, layout.view, size_);
     paint(texts(layout, plan.bar), *paper, canvas.supersampling());
     drawSpace(*space, canvas.supersampling(), plan, Shown::Everything);
@@ -326,7 +328,8 @@ class ContourPicture {
   vtkSmartPointer<vtkImageData> captureSpace(const Color& background, const View& printed,
                                              const std::array<int, 2>& pixels, const Plan& plan) const {
     OffscreenCanvas canvas(pixels[0], pixels[1]);
-    vtkNew<vtkRenderer> paper, space;
+    vtkNew<vtkRenderer> paper;
+    vtkNew<PeelingRenderer> space;
     addLayers(canvas, background, *paper, *space, printed, pixels);
     drawSpace(*space, canvas.supersampling() * dotsPerPixel(), plan,
               isFlat() ? Shown::Areas : Shown::Everything);
@@ -497,6 +500,7 @@ class ContourPicture {
         add(plainActor(*drawing.surface, theme_.tool, true, options_.toolOpacity), kToolFill);
       if (drawing.lines) addLines(toolLines(drawing));
     }
+    peelTools(renderer, plan);
     if (what == Shown::Areas) return;
     if (options_.hiddenLines == HiddenLines::Dashed && !isFlat()) {
       const double dash = kDash * textSize_;
@@ -513,6 +517,15 @@ class ContourPicture {
     if (arrows.darkAreas)
       drawArrows(renderer, *arrows.darkAreas, *arrows.darkEdges, kBlack, scale * lineWidth(), view);
     drawMarks(renderer, scale * lineWidth(), view);
+  }
+
+  /// Lets the two sides of every translucent tool be blended in their order.
+  void peelTools(vtkRenderer& renderer, const Plan& plan) const {
+    if (options_.toolOpacity == 1.0) return;
+    const auto tools =
+        std::ranges::count_if(plan.tools, [](const ToolDrawing& tool) { return tool.surface != nullptr; });
+    renderer.SetUseDepthPeeling(tools > 0);
+    renderer.SetMaximumNumberOfPeels(1 + static_cast<int>(tools));
   }
 
   void addLifted(vtkRenderer& renderer, const vtkSmartPointer<vtkActor>& actor, const View& view,

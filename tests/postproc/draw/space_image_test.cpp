@@ -167,6 +167,29 @@ TEST_F(SpaceImage, ToolLetsTheBodyShineThroughUnlessItIsOpaque) {
   EXPECT_GE(spread(through), 40);
 }
 
+/// Both sides of a tool are seen through each other, whether or not something of the picture has no body behind it.
+TEST_F(SpaceImage, ToolHasTheSameColourWhereABodyFillsThePicture) {
+  ContourOptions options = small("pressure");
+  options.view.name = "0,1,0";
+  const std::vector<Eigen::Vector3d> points{{0.4, 1.0, 0.4}, {0.5, 1.0, 0.55}, {0.65, 1.0, 0.6}};
+  const auto colours = [&](bool tools) {
+    options.tools = tools;
+    const Picture picture = drawn(samples::cube(), options);
+    std::vector<Color> result;
+    for (const Eigen::Vector3d& point : points) result.push_back(picture.at(view.pixel(point)));
+    return result;
+  };
+  const std::vector<Color> whole = colours(true), bare = colours(false);
+  const Eigen::Vector2d middle = view.axes * Eigen::Vector3d(0.5, 1.0, 0.5), half(0.15, 0.15);
+  options.window = {middle - half, middle + half};
+  const std::vector<Color> part = colours(true);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(part[k][c], whole[k][c], 2) << k;
+      EXPECT_GE(std::abs(part[k][1] - bare[k][1]), 20) << k;
+    }
+}
+
 /// The block shades nothing of itself but stands on the ground; a ball near it takes light from its upper face.
 TEST_F(SpaceImage, OcclusionDarkensTheGroundAndWhatIsNear) {
   Sample sample = samples::cube();
