@@ -78,10 +78,11 @@ struct Sample {
 };
 
 const std::vector<Sample>& samplesOfPrograms() {
-  static const std::vector<Sample> all{
-      {"meshio.vtu", {49, 54}},   {"meshio.vtk", {49, 54}},  {"a.exo", {64, 27}},
-      {"h5py.vtkhdf", {27, 8}},   {"dealii.vtu", {512, 32}}, {"getfem.vtu", {91, 18}},
-      {"paraview.ex2", {47, 14}}, {"cgns.cgns", {12, 2}},    {"tri.case", {4, 2}}};
+  static const std::vector<Sample> all{{"meshio.vtu", {49, 54}},   {"meshio.vtk", {49, 54}},
+                                       {"a.exo", {64, 27}},        {"h5py.vtkhdf", {27, 8}},
+                                       {"dealii.vtu", {512, 32}},  {"getfem.vtu", {91, 18}},
+                                       {"paraview.ex2", {47, 14}}, {"cgns.cgns", {12, 2}},
+                                       {"tri.case", {4, 2}},       {"calculix.vtu", {56, 4}}};
   return all;
 }
 

@@ -26,6 +26,18 @@ ProbeSpec along(const std::string& line, const std::vector<std::string>& fields)
   return spec;
 }
 
+/// A cantilever of curved cells, whose end was moved down by 0.1.
+TEST(ForeignProbe, EndOfACantileverIsWhereItWasMovedTo) {
+  const ForeignFile file(sample("calculix.vtu"));
+  const ProbedRun run =
+      probedInstant(file, 0, along("4,0.05,0.1:4,0.95,0.8", {"displacement.y", "displacement.z"}));
+  ASSERT_GT(run.points.size(), 10U);
+  for (const ProbePoint& point : run.points) {
+    EXPECT_NEAR(point.values(0), -0.1, 1e-9);
+    EXPECT_NEAR(point.values(1), 0.0, 2e-3);  // across it the end is free
+  }
+}
+
 /// Triangles and quadrilaterals whose points have the stresses x and y, and in their cells the numbers 0 and 1.
 TEST(ForeignProbe, ValuesAreThoseOfTheCells) {
   const ForeignFile file(sample("meshio.vtu"));
