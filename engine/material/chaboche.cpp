@@ -11,6 +11,7 @@
 #include "engine/material/logarithmic_strain.h"
 #include "engine/material/plastic_strain_field.h"
 #include "engine/material/push_forward.h"
+#include "engine/material/return_map.h"
 #include "engine/material/volume_change.h"
 #include "engine/schema/problems.h"
 
@@ -107,6 +108,7 @@ Chaboche::Chaboche(const Parameters& parameters)
     : parameters_(parameters),
       moduli_(parameters.E, parameters.nu),
       hardening_(HardeningLaws::make(parameters.hardening)),
+      rate_(parameters.rate ? std::optional(RateLaws::make(*parameters.rate)) : std::nullopt),
       planeAxes_(parameters.hill),
       axes_(parameters.hill) {}
 
@@ -147,7 +149,7 @@ bool Chaboche::evaluate(const Eigen::Matrix3d& F, double dt, const State& old, S
   const MandelVector<Dim> E_n = old.E.template head<kSize>();
   const Deviator<Dim> e_n = basis.transpose() * E_n, e_tr = basis.transpose() * E_tr;
 
-  const FlowLaw law{moduli_.mu, &hardening_, &parameters_.backStresses, &parameters_.rate};
+  const FlowLaw law{moduli_.mu, &hardening_, &parameters_.backStresses, &rate_};
   const int parts = parameters_.substeps;
   FlowState<Dim> flowing;
   flowing.e_p = old.e_p;
@@ -197,6 +199,11 @@ void check(const Chaboche::Parameters& law, const Problems& problems) {
           key + ".exponent",
           "found an exponent of a back stress that does not recover; allowed: with a recovery above 0.");
   }
+  if (law.rate && problems.clean("hardening"))
+    if (const auto* formula = std::get_if<FormulaRate::Parameters>(&*law.rate)) {
+      const Hardening hardening = HardeningLaws::make(law.hardening);
+      check(*formula, problems, "rate", [&](double e) { return hardeningAt(hardening, e).sigma_y; });
+    }
   if (law.hill) check(*law.hill, problems, "hill");
 }
 

@@ -32,7 +32,7 @@ class Chaboche {
     double nu = 0.0;  ///< Poisson's ratio, (-1, 0.5)
     HardeningParameters hardening{};
     std::vector<BackStress> backStresses;  ///< at most `kMostBackStresses`
-    std::optional<RateLaw> rate;
+    std::optional<RateParameters> rate;
     std::optional<HillYield> hill;
     int substeps = 1;
   };
@@ -96,6 +96,7 @@ class Chaboche {
   Parameters parameters_;
   ElasticModuli moduli_;
   Hardening hardening_;
+  std::optional<RateLaw> rate_;
   YieldAxes<2> planeAxes_;
   YieldAxes<3> axes_;
 };

@@ -34,6 +34,7 @@ class Unknown {
     if (!law.rate->has_value() || !std::isfinite(dt)) return;
     norton_ = std::get_if<NortonRate>(&**law.rate);
     johnsonCook_ = std::get_if<JohnsonCookRate>(&**law.rate);
+    formula_ = std::get_if<FormulaRate>(&**law.rate);
   }
 
   /// For an upper bound of p, and the stress by which the trial state is beyond the yield surface.
@@ -49,6 +50,11 @@ class Unknown {
     const double p = strain(u);
     const auto [sigma_y, hardening] = hardeningAt(*law_.hardening, e_p_ + p);
     if (norton_) return {sigma_y + norton_->K * u, hardening * slope(u) + norton_->K, hardening};
+    if (formula_) {
+      const FormulaRate::FlowStress flow = formula_->at(sigma_y, e_p_ + p, p / dt_);
+      const double byStrain = flow.byYieldStress * hardening + flow.byStrain;
+      return {flow.value, byStrain + flow.byRate / dt_, byStrain};
+    }
     const double ratio = johnsonCook_ ? p / (dt_ * johnsonCook_->rate0) : 0.0;
     if (!(ratio > 1.0)) return {sigma_y, hardening, hardening};
     const double factor = 1.0 + johnsonCook_->C * std::log(ratio);
@@ -60,6 +66,7 @@ class Unknown {
   double e_p_, dt_;
   const NortonRate* norton_ = nullptr;
   const JohnsonCookRate* johnsonCook_ = nullptr;
+  const FormulaRate* formula_ = nullptr;
 };
 
 /// The scalar equation g(u) = σ_H(ξ) − Y = 0 at one u, and what follows from it. Derivatives with respect to u end in _u.

@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "engine/material/formula_rate.h"
 #include "engine/material/law_list.h"
 
 /// How the stress beyond the yield stress depends on the rate of plastic strain. Every law has
@@ -39,11 +40,12 @@ void describe(Visitor& v, JohnsonCookRate& s) {
           "Rate up to which the yield stress stays as it is.");
 }
 
-using RateLaws = LawList<NortonRate, JohnsonCookRate>;
+using RateLaws = LawList<NortonRate, JohnsonCookRate, FormulaRate>;
 using RateLaw = RateLaws::Any;
+using RateParameters = RateLaws::Parameters;
 
 template <class Visitor>
-void describe(Visitor& v, RateLaw& s) {
+void describe(Visitor& v, RateParameters& s) {
   RateLaws::describe(v, s, "How the stress depends on the rate of plastic strain.");
 }
 

@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -146,6 +148,9 @@ std::vector<Chaboche::Parameters> allKinds() {
   kinds[9].substeps = 3;
   kinds[9].hill = sheet(0.4);
   kinds[10].rate = NortonRate{150.0, 5.0};
+  kinds.push_back(hardeningMetal());
+  kinds.back().rate = FormulaRate::Parameters{"sigma_y*(1 + 0.3*ep*rate) + 150*rate^0.2"};
+  kinds.back().substeps = 2;
   return kinds;
 }
 
@@ -451,6 +456,47 @@ TEST(Chaboche, JohnsonCookMultipliesTheYieldStress) {
     for (int k = 1; k <= 5; ++k) bar.stretchTo(0.01 * k);
     EXPECT_NEAR(bar.stress(), 200.0 * (1.0 + 0.05 * std::log(std::max(1.0, rate / 1e-2))), 1e-8) << rate;
   }
+}
+
+/// Laws that have names of their own, told as formulas.
+TEST(Chaboche, FormulaOfTheRateIsTheLawThatItTells) {
+  using Told = std::pair<RateParameters, std::string>;
+  for (const auto& [named, formula] :
+       {Told{NortonRate{150.0, 5.0}, "sigma_y + 150*rate^(1/5)"},
+        {JohnsonCookRate{0.05, 1e-2}, "sigma_y*(1 + 0.05*ln(max(1, rate/0.01)))"},
+        {NortonRate{90.0, 1.0}, "200 + 100*(1 - exp(-20*ep)) + 90*rate"}})
+    for (const double dt : {1e-4, 0.1, 1e3}) {
+      Chaboche::Parameters expected = hardeningMetal(), parameters = hardeningMetal();
+      expected.rate = named;
+      parameters.rate = FormulaRate::Parameters{formula};
+      const auto [old, F] = flowed<3>(WithStep{Chaboche(hardeningMetal())});
+      for (const double amount : {0.003, 0.03}) {
+        const Eigen::Matrix3d next = test::skewed<3>(amount) * F;
+        const auto one = evaluate<3>(WithStep{Chaboche(expected), dt}, next, old).response;
+        const auto other = evaluate<3>(WithStep{Chaboche(parameters), dt}, next, old).response;
+        EXPECT_LT((one.tau - other.tau).norm(), 1e-10 * one.tau.norm()) << formula << " " << dt;
+        EXPECT_LT((one.c - other.c).norm(), 1e-8 * one.c.norm()) << formula << " " << dt;
+      }
+    }
+}
+
+TEST(Chaboche, FormulaOfTheRateServesManyThreads) {
+  Chaboche::Parameters parameters = hardeningMetal();
+  parameters.rate = FormulaRate::Parameters{"sigma_y*(1 + ep) + 150*rate^0.2"};
+  const WithStep law{Chaboche(parameters)};
+  constexpr int kThreads = 4, kPoints = 200;
+  const auto stressAt = [&](int k) {
+    return evaluate<3>(law, test::skewed<3>(0.001 * (k + 1))).response.tau;
+  };
+  std::vector<decltype(stressAt(0))> expected, found(kPoints);
+  for (int k = 0; k < kPoints; ++k) expected.push_back(stressAt(k));
+  std::vector<std::jthread> threads;
+  for (int t = 0; t < kThreads; ++t)
+    threads.emplace_back([&, t] {
+      for (int k = t; k < kPoints; k += kThreads) found[static_cast<std::size_t>(k)] = stressAt(k);
+    });
+  threads.clear();
+  EXPECT_EQ(found, expected);
 }
 
 /// The flow equation has its root for rates of all orders.

@@ -415,6 +415,7 @@ TEST(Scene, resolvedYamlReadsBackToTheSameScene) {
   for (const std::string more :
        {"", ", back_stresses: [{modulus: 1, recovery: 2}, {modulus: 3}]", ", rate: {law: norton, K: 1, N: 5}",
         ", rate: {law: johnson-cook, C: 0.1, rate0: 2}",
+        ", rate: {law: formula, formula: \"sigma_y*(1 + rate^0.2)\"}",
         ", hill: {r0: 1, r45: 2, r90: 3, rolling: [0, 1, 0], transverse: [0, 0, 1]}, substeps: 3"})
     scenes.push_back(replaced(metal, hardening, hardening + more));
   for (const std::string& yaml : scenes) {
