@@ -45,27 +45,50 @@ std::vector<ProbedRun> probedRuns(const ProbeSource& result, const std::string& 
   return runs;
 }
 
-std::vector<ProbedRun> allRuns(const ProbeArguments& arguments, const std::vector<ProbeSource>& results,
-                               const ProbeSpec& spec) {
+/// Calls `act` with each result and its name, which is empty for the only one.
+template <class Act>
+void forEachResult(const ProbeArguments& arguments, const std::vector<ProbeSource>& results, const Act& act) {
   const bool named = results.size() > 1 || !arguments.chart.labels.empty();
   std::vector<std::filesystem::path> files;
   for (const ProbeSource& result : results) files.push_back(result.file);
   const std::vector<std::string> names =
       runNames(arguments.chart, files, modelFile({}).string(), arguments.results);
-  std::vector<ProbedRun> runs;
   for (std::size_t k = 0; k < results.size(); ++k) {
     try {
-      for (ProbedRun& run : probedRuns(results[k], named ? names[k] : "", spec, arguments.frame))
-        runs.push_back(std::move(run));
+      act(results[k], named ? names[k] : "");
     } catch (const Error& error) {
       if (results.size() == 1) throw;
       throw Error(fmt::format("{}: {}", arguments.results[k].string(), error.what()));
     }
   }
+}
+
+std::vector<ProbedRun> allRuns(const ProbeArguments& arguments, const std::vector<ProbeSource>& results,
+                               const ProbeSpec& spec) {
+  std::vector<ProbedRun> runs;
+  forEachResult(arguments, results, [&](const ProbeSource& result, const std::string& name) {
+    for (ProbedRun& run : probedRuns(result, name, spec, arguments.frame)) runs.push_back(std::move(run));
+  });
   return runs;
 }
 
 }  // namespace
+
+std::string depthNumbersTable(const ProbeArguments& arguments, const std::vector<ProbeSource>& results) {
+  const ProbeSpec spec = specOf(arguments);
+  std::vector<DepthNumbersAt> rows;
+  const ProbeSource& first = results.front();
+  forEachResult(arguments, results, [&](const ProbeSource& result, const std::string& name) {
+    if (result.stressUnit != first.stressUnit || result.units.length != first.units.length)
+      throw Error(fmt::format("--numbers: found other units than those of {}; expected results alike",
+                              first.file.string()));
+    for (const int index : frameIndices(arguments.frame.empty() ? "last" : arguments.frame, result.times)) {
+      throwIfInterrupted();
+      rows.push_back({name, result.times[static_cast<std::size_t>(index)], result.depthNumbers(index, spec)});
+    }
+  });
+  return tableOf(rows, first.units, first.stressUnit);
+}
 
 ProbedChart probedChart(const ProbeArguments& arguments, const std::vector<ProbeSource>& results) {
   const ProbeSpec spec = specOf(arguments);

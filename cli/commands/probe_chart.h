@@ -23,6 +23,10 @@ struct ProbedChart {
   std::string table;  ///< CSV
 };
 
+/// What the profiles of `--depth` say as wholes, as CSV: a row for each result and frame. Throws `Error` as
+/// `depthNumbers` does, and for results of several units.
+std::string depthNumbersTable(const ProbeArguments& arguments, const std::vector<ProbeSource>& results);
+
 /// results: one per path of the arguments. Throws `Error` for an option that does not fit the results or other
 /// options.
 ProbedChart probedChart(const ProbeArguments& arguments, const std::vector<ProbeSource>& results);

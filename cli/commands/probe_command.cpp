@@ -18,21 +18,38 @@
 namespace burnish {
 namespace {
 
-ExitCode probe(const ProbeArguments& arguments, ChartOutputs outputs) {
+/// To a file, which is none of those that were read, or with - to standard output.
+void writeNumbers(const std::string& table, const std::string& file,
+                  const std::vector<std::filesystem::path>& inputs) {
+  if (file == "-") return printText(table);
+  requireNotInput("--numbers", file, inputs);
+  makeDirectoryOf(file);
+  writeText(table, file);
+}
+
+ExitCode probe(const ProbeArguments& arguments, ChartOutputs outputs, const std::string& numbers) {
   const SignalGuard signals(SecondSignal::Ends);
   std::vector<ProbeSource> results;
   std::vector<std::filesystem::path> inputs;
   for (const std::filesystem::path& result : arguments.results)
     inputs.push_back(results.emplace_back(probeSource(result)).file);
+  if (!numbers.empty() && outputs.picture.empty() && outputs.csv.empty()) {
+    writeNumbers(depthNumbersTable(arguments, results), numbers, inputs);
+    return ExitCode::Fine;
+  }
   if (outputs.picture.extension() == ".csv" && outputs.csv.empty()) outputs = {{}, outputs.picture.string()};
-  checkOutputs(outputs, std::move(inputs));
+  if (numbers == "-" && outputs.printsData())
+    throw Error("--numbers: they and the values of --csv - would be printed together; expected one of them");
+  checkOutputs(outputs, inputs);
   const ProbedChart probed = probedChart(arguments, results);
+  const std::string asWhole = numbers.empty() ? "" : depthNumbersTable(arguments, results);
   if (!outputs.picture.empty()) writePicture(probed.chart, outputs);
   if (outputs.printsData()) {
     printText(probed.table);
   } else if (!outputs.csv.empty()) {
     writeText(probed.table, outputs.csv);
   }
+  if (!numbers.empty()) writeNumbers(asWhole, numbers, inputs);
   return ExitCode::Fine;
 }
 
@@ -68,8 +85,13 @@ void addProbeCommand(CLI::App& app, Action& action) {
       ->add_option("-o,--output", outputs->picture,
                    "Name of the chart, or of a table alone; - for a PNG on standard output")
       ->type_name("CHART.png|svg|pdf|csv|-");
-  command->callback([&action, arguments, outputs] {
-    action = [arguments, outputs] { return probe(*arguments, *outputs); };
+  const auto numbers = std::make_shared<std::string>();
+  command
+      ->add_option("--numbers", *numbers,
+                   "Of --depth: write what the profile says as a whole to this file, or print it: -")
+      ->type_name("FILE.csv|-");
+  command->callback([&action, arguments, outputs, numbers] {
+    action = [arguments, outputs, numbers] { return probe(*arguments, *outputs, *numbers); };
   });
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <system_error>
 
+#include "engine/core/error.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/foreign/foreign_picture.h"
 #include "postproc/probe/foreign_probe.h"
@@ -17,15 +18,22 @@ ProbeSource probeSource(const std::filesystem::path& result) {
             [file](int frame, const ProbeSpec& spec) { return probedInstant(*file, frame, spec); },
             [file](const std::vector<int>& frames, const ProbeSpec& spec) {
               return probedHistory(*file, frames, spec);
+            },
+            [](int, const ProbeSpec&) -> DepthNumbers {
+              throw Error("--numbers: only runs of burnish have faces with names; expected a run");
             }};
   }
   const auto run = std::make_shared<const ResultReader>(result);
   return {
-      run->file(), run->times(),
+      run->file(),
+      run->times(),
       [run](int frame, const ProbeSpec& spec) { return probedFrame(run->model(), run->frame(frame), spec); },
       [run](const std::vector<int>& frames, const ProbeSpec& spec) {
         return probedHistory(*run, frames, spec);
-      }};
+      },
+      [run](int frame, const ProbeSpec& spec) { return depthNumbers(run->model(), run->frame(frame), spec); },
+      derivedUnits(run->model()),
+      run->model().stressUnit};
 }
 
 }  // namespace burnish

@@ -1,8 +1,10 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
+#include "postproc/probe/depth_numbers.h"
 #include "postproc/probe/probe_spec.h"
 #include "postproc/probe/probed_run.h"
 
@@ -14,6 +16,9 @@ struct ProbeSource {
   std::vector<double> times;  ///< of the frames
   std::function<ProbedRun(int frame, const ProbeSpec& spec)> inFrame;
   std::function<ProbedRun(const std::vector<int>& frames, const ProbeSpec& spec)> overTime;
+  std::function<DepthNumbers(int frame, const ProbeSpec& spec)> depthNumbers;
+  DerivedUnits units{};  ///< empty of files of other programs
+  std::string stressUnit{};
 };
 
 /// Throws `Error` for what cannot be read.

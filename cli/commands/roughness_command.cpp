@@ -3,9 +3,11 @@
 #include <json/json.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +19,7 @@
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
+#include "engine/results/history.h"
 #include "engine/results/result_files.h"
 #include "engine/results/result_reader.h"
 #include "postproc/surface/face_roughness.h"
@@ -43,6 +46,68 @@ struct RoughnessRow {
   int samplingLengths = 1;
   Profile profile{};
 };
+
+/// What the command looks at: a run, or a profile that was measured.
+struct RoughnessSource {
+  std::filesystem::path file;
+  std::optional<ResultReader> result;  ///< of a run
+  Eigen::Matrix2Xd measured;           ///< else places and heights
+  std::string unit;                    ///< of lengths
+
+  int dim() const { return result ? result->model().dim : 2; }
+};
+
+bool isTable(const std::filesystem::path& file) {
+  std::error_code status;
+  return file.extension() == ".csv" && !std::filesystem::is_directory(file, status);
+}
+
+/// The name of a column without its unit in brackets, and the unit.
+std::pair<std::string, std::string> nameAndUnit(const std::string& column) {
+  const std::size_t open = column.find(" [");
+  if (open == std::string::npos || !column.ends_with(']')) return {column, ""};
+  return {column.substr(0, open), column.substr(open + 2, column.size() - open - 3)};
+}
+
+/// Throws `Error` that names the file for one that is no table of places, which increase, and heights.
+Eigen::Matrix2Xd measuredProfile(const HistoryTable& table) {
+  const std::string file = table.path.string();
+  if (table.columns.size() != 2)
+    throw Error(
+        fmt::format("{}: found {} columns; expected two, places along the profile and heights, each with "
+                    "its unit in brackets, such as x [mm]",
+                    file, table.columns.size()));
+  if (table.numRows() < 2)
+    throw Error(fmt::format("{}: found {} rows; expected two or more", file, table.numRows()));
+  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(table.numRows()));
+  for (Eigen::Index k = 0; k < points.cols(); ++k) {
+    const auto row = static_cast<std::size_t>(k);
+    points.col(k) << table.values[0][row], table.values[1][row];
+    if (!points.col(k).allFinite())
+      throw Error(fmt::format("{}: row {} is not finite; expected numbers", file, k + 1));
+    if (k > 0 && !(points(0, k) > points(0, k - 1)))
+      throw Error(fmt::format("{}: found the place {} in row {} behind {}; expected places that increase",
+                              file, points(0, k), k + 1, points(0, k - 1)));
+  }
+  return points;
+}
+
+/// Heights at equal distances, those of the file among them where it has equal distances. Throws `Error` as
+/// `roughnessOf`.
+RoughnessRow rowOf(const Eigen::Matrix2Xd& measured, const RoughnessSpec& spec, const std::string& run) {
+  constexpr int kPerPoint = 4;
+  const Profile profile = profileOf(measured, kPerPoint * (static_cast<int>(measured.cols()) - 1) + 1);
+  const ProfileRoughness found = roughnessOf(profile, spec.cutoff);
+  RoughnessRow row{run,
+                   std::numeric_limits<double>::quiet_NaN(),
+                   found.a,
+                   found.q,
+                   found.z,
+                   found.length,
+                   found.samplingLengths};
+  row.profile = spec.cutoff ? roughnessProfile(levelled(profile), *spec.cutoff) : levelled(profile);
+  return row;
+}
 
 std::vector<RoughnessRow> rowsOf(const ResultReader& result, const std::string& frames,
                                  const RoughnessSpec& spec, const std::string& run) {
@@ -72,6 +137,36 @@ std::vector<RoughnessRow> rowsOf(const ResultReader& result, const std::string& 
   return rows;
 }
 
+/// Throws `Error` for what cannot be read, and for options that do not fit it.
+RoughnessSource sourceOf(const std::filesystem::path& path, const RoughnessSpec& spec) {
+  if (isTable(path)) {
+    if (!spec.within.empty())
+      throw Error(
+          fmt::format("--within: {} was measured and has no undeformed body; expected runs", path.string()));
+    const HistoryTable table = readHistory(path);
+    RoughnessSource source{path, {}, measuredProfile(table), nameAndUnit(table.columns[0]).second};
+    if (nameAndUnit(table.columns[1]).second != source.unit)
+      throw Error(fmt::format("{}: found the columns {} and {}; expected one unit of both", path.string(),
+                              table.columns[0], table.columns[1]));
+    return source;
+  }
+  if (spec.face.empty()) throw Error("--face: found no face; expected one, such as top");
+  ResultReader result(path);
+  const std::string unit = result.model().lengthUnit;
+  const std::filesystem::path file = result.file();
+  return {file, std::move(result), {}, unit};
+}
+
+std::vector<RoughnessRow> rowsOf(const RoughnessSource& source, const std::string& frames,
+                                 const RoughnessSpec& spec, const std::string& run) {
+  if (source.result) return rowsOf(*source.result, frames, spec, run);
+  try {
+    return {rowOf(source.measured, spec, run)};
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", source.file.string(), error.what()));
+  }
+}
+
 /// "R" of profiles, "S" of areas.
 std::string letterOf(int dim) {
   return dim == 2 ? "R" : "S";
@@ -85,8 +180,9 @@ std::string tableOf(const std::vector<RoughnessRow>& rows, int dim, const std::s
   text += fmt::format("{}{:>12} {:>14} {:>14} {:>14}\n", named ? fmt::format("{:<20} ", "run") : "", "time",
                       column("a"), column("q"), column("z"));
   for (const RoughnessRow& row : rows)
-    text += fmt::format("{}{:>12.6g} {:>14.6g} {:>14.6g} {:>14.6g}\n",
-                        named ? fmt::format("{:<20} ", row.run) : "", row.time, row.a, row.q, row.z);
+    text +=
+        fmt::format("{}{:>12} {:>14.6g} {:>14.6g} {:>14.6g}\n", named ? fmt::format("{:<20} ", row.run) : "",
+                    std::isnan(row.time) ? "measured" : fmt::format("{:.6g}", row.time), row.a, row.q, row.z);
   return text;
 }
 
@@ -97,7 +193,7 @@ std::string jsonOf(const std::vector<RoughnessRow>& rows, int dim, const std::st
   for (const RoughnessRow& row : rows) {
     Json::Value object;
     object["run"] = row.run;
-    object["time"] = row.time;
+    object["time"] = std::isnan(row.time) ? Json::Value() : Json::Value(row.time);
     object["unit"] = unit;
     object[letter + "a"] = row.a;
     object[letter + "q"] = row.q;
@@ -114,7 +210,8 @@ std::vector<ChartCurve> curvesOf(const std::vector<RoughnessRow>& rows, bool sev
   for (const RoughnessRow& row : rows) {
     ChartCurve curve;
     curve.label = row.run;
-    if (severalTimes) curve.label += fmt::format("{}t = {:.6g}", row.run.empty() ? "" : " at ", row.time);
+    if (severalTimes && !std::isnan(row.time))
+      curve.label += fmt::format("{}t = {:.6g}", row.run.empty() ? "" : " at ", row.time);
     for (Eigen::Index k = 0; k < row.profile.heights.size(); ++k) {
       curve.x.push_back(row.profile.begin + static_cast<double>(k) * row.profile.spacing);
       curve.y.push_back(row.profile.heights(k));
@@ -128,18 +225,17 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   const SignalGuard signals(SecondSignal::Ends);
   RoughnessSpec spec;
   arguments.face.readInto(spec);
-  if (spec.face.empty()) throw Error("--face: found no face; expected one, such as top");
-  std::vector<ResultReader> results;
+  std::vector<RoughnessSource> sources;
   std::vector<std::filesystem::path> files;
-  for (const std::filesystem::path& result : arguments.results)
-    files.push_back(results.emplace_back(result).file());
-  const int dim = results.front().model().dim;
-  const std::string unit = results.front().model().lengthUnit;
-  for (const ResultReader& result : results)
-    if (result.model().dim != dim || result.model().lengthUnit != unit)
+  for (const std::filesystem::path& path : arguments.results)
+    files.push_back(sources.emplace_back(sourceOf(path, spec)).file);
+  const int dim = sources.front().dim();
+  const std::string unit = sources.front().unit;
+  for (const RoughnessSource& source : sources)
+    if (source.dim() != dim || source.unit != unit)
       throw Error(fmt::format(
           "{}: found other dimensions or units of length than those of {}; expected results alike",
-          result.file().string(), files.front().string()));
+          source.file.string(), files.front().string()));
   if (arguments.json && arguments.outputs.printsData())
     throw Error("--json: it and the profiles of --csv - would be printed together; expected one of them");
   const bool draws = !arguments.outputs.picture.empty() || !arguments.outputs.csv.empty();
@@ -147,19 +243,19 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     throw Error(fmt::format("{}: an area has no profile; expected the numbers alone, or a plane body",
                             arguments.outputs.picture.empty() ? "--csv" : "-o"));
   if (draws) checkOutputs(arguments.outputs, files);
-  const bool named = results.size() > 1 || !arguments.chart.labels.empty();
+  const bool named = sources.size() > 1 || !arguments.chart.labels.empty();
   const std::vector<std::string> names =
       runNames(arguments.chart, files, modelFile({}).string(), arguments.results);
-  checkLabels(arguments.chart, results.size(), results.size(), "results");
+  checkLabels(arguments.chart, sources.size(), sources.size(), "results");
   std::vector<RoughnessRow> rows;
-  for (std::size_t k = 0; k < results.size(); ++k)
-    for (RoughnessRow& row : rowsOf(results[k], arguments.frame, spec, named ? names[k] : ""))
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    for (RoughnessRow& row : rowsOf(sources[k], arguments.frame, spec, named ? names[k] : ""))
       rows.push_back(std::move(row));
-  const std::vector<ChartCurve> curves = curvesOf(rows, rows.size() > results.size());
+  const std::vector<ChartCurve> curves = curvesOf(rows, rows.size() > sources.size());
   if (!arguments.outputs.picture.empty()) {
-    Chart chart =
-        emptyChart(arguments.chart, withUnit("Distance along face " + spec.face, unit),
-                   withUnit(spec.cutoff ? "Height of roughness" : "Height about the mean line", unit));
+    Chart chart = emptyChart(
+        arguments.chart, withUnit(spec.face.empty() ? "Distance" : "Distance along face " + spec.face, unit),
+        withUnit(spec.cutoff ? "Height of roughness" : "Height about the mean line", unit));
     chart.curves = curves;
     makeDirectoryOf(arguments.outputs.picture);
     drawChart(chart, arguments.outputs.picture);
@@ -178,7 +274,10 @@ ExitCode roughness(const RoughnessArguments& arguments) {
 void addRoughnessCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("roughness", "Tell how rough a face is: Ra, Rq, Rz, or Sa, Sq, Sz");
   const auto arguments = std::make_shared<RoughnessArguments>();
-  command->add_option("RESULT", arguments->results, "Directories of runs or the result files in them")
+  command
+      ->add_option(
+          "RESULT", arguments->results,
+          "Directories of runs, the result files in them, or measured profiles: CSV, places and heights")
       ->required();
   command
       ->add_option("--frame", arguments->frame,

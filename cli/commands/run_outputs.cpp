@@ -20,6 +20,7 @@
 #include "engine/schema/leaf.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/page/doubt_mark.h"
+#include "postproc/probe/depth_numbers.h"
 #include "postproc/probe/probed_run.h"
 #include "postproc/text/text_file.h"
 
@@ -91,6 +92,7 @@ std::vector<fs::path> RunOutputs::drawnFiles(const SceneDocument& document) cons
   for (const SceneProbe& probe : document.probes) {
     files.push_back(probeFile(probe));
     files.push_back(probeFile(probe).replace_extension(".csv"));
+    if (hasDepthNumbers(probe)) files.push_back(probeFile(probe).replace_extension(".numbers.csv"));
   }
   return files;
 }
@@ -188,6 +190,10 @@ void RunOutputs::draw(const SceneProbe& probe) {
   make("chart", file, probeCommand(probe, directory_, file), [&] {
     const std::vector<ProbedRun> probed = probedRuns(ResultReader(directory_), probe, probe.times);
     writeText(tableOf(probe, probed), fs::path(file).replace_extension(".csv"));
+    if (hasDepthNumbers(probe))
+      writeText(tableOf(depthNumbersOf(ResultReader(directory_), probe, probe.times), derivedUnits(model_),
+                        model_.stressUnit),
+                fs::path(file).replace_extension(".numbers.csv"));
     drawChart(chartOf(probe, probed), file);
   });
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -22,6 +24,7 @@ constexpr double kGivenOutside = 1e-6, kMovedOutside = 1e-3;
 
 constexpr double kLongestLine = 1000;  // by the size of the body; of longer ones borders would be blurred
 constexpr int kFaceStarts = 20;        // of the search for the nearest point of a face, per direction
+constexpr int kSpotLines = 32;         // parallel lines whose mean stands for a spot
 
 /// A path as a function of the distance.
 struct MeasuredPath {
@@ -78,6 +81,7 @@ class PathMaker {
   MeasuredPath operator()(const DepthPath& path) const {
     const FacePlace face = facePlace(model_, frame_, path.address);
     const MeshPlace<Dim> start = onFace(face, parameters(face, path.place));
+    if (options_.spot > 0.0) return belowSpot(face, start, path.length);
     const Point begin = bodies_.patch(start.patch).position(start.xi), inward = -outwardNormal(face, start);
     const PathProbe probe = straight(begin, inward, start);
     const double whole = depthAt(probe, smallestStep(start, face));
@@ -88,6 +92,55 @@ class PathMaker {
   }
 
  private:
+  /// Means over parallel lines that begin on the face, side by side over the length of the spot, across its chord; the
+  /// positions are those of the line in the middle.
+  MeasuredPath belowSpot(const FacePlace& face, const MeshPlace<Dim>& middle,
+                         const std::optional<double>& length) const {
+    if constexpr (Dim == 2) {
+      const ArcLengthCurve curve(trace(face));
+      const double at = curve.lengthTo(middle.xi(1 - face.face / 2)), begin = at - 0.5 * options_.spot,
+                   end = at + 0.5 * options_.spot;
+      if (!(begin >= 0.0 && end <= curve.length()))
+        throw Error(
+            fmt::format("spot: found a length of {:.6g} around {:.6g} along the face, which is {:.6g} long; "
+                        "expected one that does not reach beyond its ends",
+                        options_.spot, at, curve.length()));
+      const Point chord = curve.at(end) - curve.at(begin);
+      Point inward = Point(chord(1), -chord(0)).normalized();
+      if (inward.dot(outwardNormal(face, middle)) > 0.0) inward = -inward;
+      const auto from = [&](double place) {
+        return straight(curve.at(place), inward,
+                        onFace(face, Eigen::Vector<double, 1>(curve.parameterAt(place))));
+      };
+      std::vector<PathProbe> lines;
+      double whole = std::numeric_limits<double>::max();
+      for (int k = 0; k < kSpotLines; ++k) {
+        lines.push_back(from(std::lerp(begin, end, (k + 0.5) / kSpotLines)));
+        whole = std::min(whole, depthAt(lines.back(), smallestStep(middle, face)));
+      }
+      if (!(whole > 0.0))
+        throw Error(fmt::format("spot: the body has no depth below all of it; expected a shorter one than {}",
+                                options_.spot));
+      const auto mean = [line = from(at), lines = std::move(lines)](double distance) {
+        ProbePoint point = line(distance);
+        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(point.values.size());
+        int count = 0;
+        for (const PathProbe& one : lines) {
+          const ProbePoint found = one(distance);
+          if (found.body == ProbePoint::kOutside) continue;
+          sum += found.values.array();
+          ++count;
+          if (point.body == ProbePoint::kOutside) point = found;
+        }
+        if (count > 0) point.values = sum.matrix() / count;
+        return point;
+      };
+      return {mean, length ? std::min(*length, whole) : whole, {0.0, whole}};
+    } else {
+      throw Error("spot: is a length along a face of a plane body; expected --depth alone in space");
+    }
+  }
+
   bool deformed() const { return options_.body == ProbedBody::Deformed; }
 
   void requireNotTooLong(const char* what, double length) const {

@@ -43,12 +43,13 @@ struct ProbeOptions {
   ProbedBody body = ProbedBody::Deformed;
   int points = kProbePoints;  ///< at equal distances
   double window = 0.0;        ///< width of the window of averages; 0: values at points
+  double spot = 0.0;          ///< length along the face over which values of a `DepthPath` are means; 0: none
   double penetration = 0.0;   ///< of X-rays, see `penetrationAverages`; 0: values at points
 };
 
 /// The points of a path with the fields there. Throws `Error` for a path that does not fit the body: of another
-/// dimension, of no length, wholly outside, of a face that is none, or of an area; and if nothing on it has a
-/// field.
+/// dimension, of no length, wholly outside, of a face that is none, or of an area; for a spot that reaches beyond the
+/// face; and if nothing on it has a field.
 std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& frame,
                                    const ProbedFields& fields, const ProbePath& path,
                                    const ProbeOptions& options = {});

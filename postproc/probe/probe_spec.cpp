@@ -25,6 +25,8 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
   };
   require(!spec.length || !spec.depth.empty(), "length",
           "says how deep depth goes; expected depth beside it");
+  require(!spec.spot || !spec.depth.empty(), "spot",
+          "is a length along the face of a depth; expected depth beside it");
   require(spec.patch.empty() || !spec.face.empty() || !spec.depth.empty(), "patch",
           "names the patch of a face; expected face or depth beside it");
   require(!spec.reference || spec.point.empty(), "reference",

@@ -13,7 +13,7 @@ namespace burnish {
 /// What is looked at, as the options of the command and studies spell it. Empty texts: not given.
 struct ProbeSpec {
   std::string line, face, depth, point;  ///< one of them
-  std::optional<double> length;          ///< of `depth`
+  std::optional<double> length, spot;    ///< of `depth`
   std::string patch;                     ///< of the face
   std::vector<std::string> bodies;       ///< all when empty
   std::vector<std::string> fields;       ///< what one most probably wants to see when empty
@@ -21,11 +21,29 @@ struct ProbeSpec {
   int points = kProbePoints;
   std::optional<double> window;
   std::optional<double> penetration;  ///< of X-rays
+  double hardenedBelow = 0.002;       ///< plastic strain, of `DepthNumbers`
   bool mean = false;                  ///< of all of a path
 
   /// A point is looked at over time, and so is the mean of a path.
   bool isOverTime() const { return mean || !point.empty(); }
 };
+
+/// Where a depth profile begins, and how far it goes.
+template <class Visitor>
+void describeDepth(Visitor& v, ProbeSpec& s, const Rule& ofPlace) {
+  v.field(
+      "depth", s.depth, ofPlace,
+      "FACE@S or FACE@X,Y, in space with Z: values along the inward normal of a face, from a length along "
+      "it, or from the point of it that is nearest to a position.");
+  v.field("length", s.length, {.above = 0, .unit = "length"},
+          "How far depth goes; to where it leaves the body when left out.");
+  v.field(
+      "spot", s.spot, {.above = 0, .unit = "length"},
+      "Means over this length along a face of a plane body instead of values below one place: what a beam "
+      "of that width sees at each depth.");
+  v.field("hardened_below", s.hardenedBelow, {.above = 0},
+          "Plastic strain below which metal does not count as hardened, in the numbers of a depth profile.");
+}
 
 /// ofFields: rule of the names of fields.
 template <class Visitor>
@@ -33,12 +51,7 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
   v.field("line", s.line, {},
           "X0,Y0:X1,Y1, in space with Z: values along the straight line between two points.");
   v.field("face", s.face, {}, "Values along a face of a plane body: left, right, bottom or top.");
-  v.field(
-      "depth", s.depth, {},
-      "FACE@S or FACE@X,Y, in space with Z: values along the inward normal of a face, from a length along "
-      "it, or from the point of it that is nearest to a position.");
-  v.field("length", s.length, {.above = 0, .unit = "length"},
-          "How far depth goes; to where it leaves the body when left out.");
+  describeDepth(v, s, {});
   v.field("point", s.point, {},
           "X,Y, in space with Z: values over time at a point of the material, by its place in the undeformed "
           "body.");

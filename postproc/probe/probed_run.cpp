@@ -57,7 +57,7 @@ ProbedFields fieldsOf(const ModelRecord& model, const FrameRecord& frame, const 
 
 ProbeOptions optionsOf(const ProbeSpec& spec) {
   return {spec.reference ? ProbedBody::Undeformed : ProbedBody::Deformed, spec.points,
-          spec.window.value_or(0.0), spec.penetration.value_or(0.0)};
+          spec.window.value_or(0.0), spec.spot.value_or(0.0), spec.penetration.value_or(0.0)};
 }
 
 /// "the line", "face top", ...
@@ -76,13 +76,17 @@ std::string distanceWords(const ProbeSpec& spec) {
 
 /// What the values are means of; empty for values at points.
 std::string meanWords(const ProbeSpec& spec, const std::string& lengthUnit) {
-  if (spec.window)
-    return fmt::format(", mean over {}{}{}", *spec.window, lengthUnit.empty() ? "" : " ", lengthUnit);
+  const auto measured = [&](double length) {
+    return fmt::format("{}{}{}", length, lengthUnit.empty() ? "" : " ", lengthUnit);
+  };
+  std::string words;
+  if (spec.spot) words += fmt::format(", mean over a spot of {}", measured(*spec.spot));
+  if (spec.window) words += fmt::format(", mean over {}", measured(*spec.window));
   if (spec.penetration)
-    return fmt::format(", as X-rays of penetration {}{}{} see it", *spec.penetration,
-                       lengthUnit.empty() ? "" : " ", lengthUnit);
-  if (!spec.mean) return "";
-  return fmt::format(", mean {} {}", spec.depth.empty() ? "along" : "below", pathWords(spec));
+    words += fmt::format(", as X-rays of penetration {} see it", measured(*spec.penetration));
+  if (spec.mean)
+    words += fmt::format(", mean {} {}", spec.depth.empty() ? "along" : "below", pathWords(spec));
+  return words;
 }
 
 /// What the fields have in common, as in "Cauchy stress" of two components, else all of them.
@@ -186,21 +190,34 @@ ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& fram
   return run;
 }
 
-std::vector<ProbedRun> probedRuns(const ResultReader& result, const ProbeSpec& spec,
-                                  const std::vector<double>& times) {
+std::vector<int> framesAt(const ResultReader& result, const std::vector<double>& times) {
   const std::vector<double> all = result.times();
   if (all.empty()) throw Error(fmt::format("{} has no frames yet", result.file().string()));
-  std::vector<int> frames(all.size());
-  std::iota(frames.begin(), frames.end(), 0);
-  if (spec.isOverTime()) return {probedHistory(result, frames, spec)};
-  std::vector<ProbedRun> runs;
-  for (const double time : times.empty() ? std::vector{all.back()} : times) {
-    throwIfInterrupted();
+  if (times.empty()) return {static_cast<int>(all.size()) - 1};
+  std::vector<int> frames;
+  for (const double time : times) {
     const auto frame = std::ranges::find_if(all, [&](double own) { return isSameTime(own, time); });
     if (frame == all.end())
       throw Error(fmt::format("{} has no frame of the time {}", result.file().string(), time));
-    runs.push_back(probedFrame(result.model(), result.frame(static_cast<int>(frame - all.begin())), spec));
-    if (times.size() > 1) runs.back().name = fmt::format("t = {:.6g}", time);
+    frames.push_back(static_cast<int>(frame - all.begin()));
+  }
+  return frames;
+}
+
+std::vector<ProbedRun> probedRuns(const ResultReader& result, const ProbeSpec& spec,
+                                  const std::vector<double>& times) {
+  if (spec.isOverTime()) {
+    if (result.numFrames() == 0) throw Error(fmt::format("{} has no frames yet", result.file().string()));
+    std::vector<int> frames(static_cast<std::size_t>(result.numFrames()));
+    std::iota(frames.begin(), frames.end(), 0);
+    return {probedHistory(result, frames, spec)};
+  }
+  std::vector<ProbedRun> runs;
+  for (const int index : framesAt(result, times)) {
+    throwIfInterrupted();
+    const FrameRecord frame = result.frame(index);
+    runs.push_back(probedFrame(result.model(), frame, spec));
+    if (times.size() > 1) runs.back().name = fmt::format("t = {:.6g}", frame.time);
   }
   return runs;
 }

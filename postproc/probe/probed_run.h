@@ -33,8 +33,12 @@ ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const 
 /// and if there is no value in any of them.
 ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& frames, const ProbeSpec& spec);
 
+/// The frames of these times, the last one if there is none. Throws `Error` for a result without frames, and for a time
+/// without a frame.
+std::vector<int> framesAt(const ResultReader& result, const std::vector<double>& times);
+
 /// The same of a whole result: over time in all of its frames, or else in those of these times, the last one if there
-/// is none, each named by its time if there are several. Throws `Error` for a time without a frame, too.
+/// is none, each named by its time if there are several. Throws `Error` as `framesAt`, too.
 std::vector<ProbedRun> probedRuns(const ResultReader& result, const ProbeSpec& spec,
                                   const std::vector<double>& times);
 

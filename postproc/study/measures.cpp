@@ -11,7 +11,10 @@
 #include "engine/core/nearest.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/mesh/patch_geometry.h"
+#include "postproc/probe/depth_numbers.h"
+#include "postproc/probe/probed_run.h"
 #include "postproc/study/evidence/reductions.h"
+#include "postproc/surface/face_roughness.h"
 
 namespace burnish {
 namespace {
@@ -46,6 +49,33 @@ Measured valueOr(std::optional<double> value, const std::string& note) {
   return value ? Measured{value, {}} : Measured{{}, note};
 }
 
+/// A field over the depth, where the body has it.
+Series profileIn(const ResultReader& result, const FrameRecord& frame, const ProbeSpec& place) {
+  Series series;
+  for (const ProbePoint& point : probedFrame(result.model(), frame, place).points) {
+    if (std::isnan(point.values(0))) continue;
+    series.x.push_back(point.at);
+    series.y.push_back(point.values(0));
+  }
+  return series;
+}
+
+Measured compareProfiles(const RunData& own, const RunData& other, const ProfileMeasure& measure) {
+  const ResultReader results[] = {own.result(), other.result()};
+  const RunData* runs[] = {&own, &other};
+  Series profiles[2];
+  for (int k = 0; k < 2; ++k) {
+    const FrameAt at = frameAt(*runs[k], results[k], measure.time.value_or(kEndOfRun));
+    if (at.stoppedBefore) return {{}, (k == 0 ? "" : "the other run: ") + stoppedText(at.frame.time)};
+    profiles[k] = profileIn(results[k], at.frame, measure.place);
+  }
+  double scale = 0.0;
+  for (const double y : profiles[1].y) scale = std::max(scale, std::abs(y));
+  if (scale == 0.0) return {{}, "the other run is zero everywhere"};
+  const auto largest = largestDifference(profiles[0], profiles[1]);
+  return largest ? Measured{*largest / scale, {}} : Measured{{}, "no common depth"};
+}
+
 /// Evaluates what a measure says on the results of one run.
 class Evaluation {
  public:
@@ -75,6 +105,38 @@ class Evaluation {
     const RunData otherData(other, studyDirectory_);
     return compareHistories(data_.history(), data_.stoppedAt(), otherData.history(), otherData.stoppedAt(),
                             measure);
+  }
+
+  Measured operator()(const DepthMeasure& measure) const {
+    const ResultReader result = data_.result();
+    const FrameAt at = frameAt(data_, result, measure.time.value_or(kEndOfRun));
+    if (at.stoppedBefore) return {{}, stoppedText(at.frame.time)};
+    const DepthNumbers numbers = depthNumbers(result.model(), at.frame, measure.place);
+    const auto row = std::ranges::find(kDepthNumbers, measure.number, &DepthNumberRow::name);
+    const double value = numbers.*row->value;
+    return std::isnan(value) ? Measured{{}, "the body has none"} : Measured{value, {}};
+  }
+
+  Measured operator()(const ProfileMeasure& measure) const {
+    const StudyRun& other = runNamed(study_, fillIn(measure.other, data_.run().parameters));
+    if (!hasEnded(other, studyDirectory_)) return {{}, fmt::format("no results of {}", other.label)};
+    return compareProfiles(data_, RunData(other, studyDirectory_), measure);
+  }
+
+  Measured operator()(const RoughnessMeasure& measure) const {
+    const ResultReader result = data_.result();
+    const FrameAt at = frameAt(data_, result, measure.time.value_or(kEndOfRun));
+    if (at.stoppedBefore) return {{}, stoppedText(at.frame.time)};
+    const ModelRecord& model = result.model();
+    std::array<double, 3> numbers{};
+    if (model.dim == 2) {
+      const ProfileRoughness found = faceProfile(model, at.frame, measure.face).roughness;
+      numbers = {found.a, found.q, found.z};
+    } else {
+      const AreaRoughness found = faceArea(model, at.frame, measure.face);
+      numbers = {found.a, found.q, found.z};
+    }
+    return {numbers[static_cast<std::size_t>(measure.number)], {}};
   }
 
   Measured operator()(const ConvergenceMeasure&) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/schema/leaf.h"
 #include "postproc/draw/contour/picture_options.h"
+#include "postproc/probe/depth_numbers.h"
 #include "postproc/study/evidence/quantity.h"
 #include "postproc/study/evidence/schema_reduction.h"
 
@@ -11,6 +12,13 @@ struct EnumNames<LineReduction> {
   static constexpr std::array values{std::pair{"variation", LineReduction::Variation},
                                      std::pair{"max", LineReduction::Max},
                                      std::pair{"min", LineReduction::Min}};
+};
+
+template <>
+struct EnumNames<RoughnessMeasure::Number> {
+  static constexpr std::array values{std::pair{"a", RoughnessMeasure::Number::A},
+                                     std::pair{"q", RoughnessMeasure::Number::Q},
+                                     std::pair{"z", RoughnessMeasure::Number::Z}};
 };
 
 /// A curve y(x) of a history: the same for charts and measures.
@@ -67,18 +75,61 @@ template <class Visitor>
 void describe(Visitor&, ConvergenceMeasure&) {}
 
 template <class Visitor>
+void describeTime(Visitor& v, std::optional<double>& time) {
+  v.field("time", time, {.atLeast = 0, .unit = "time"}, "Time of the frame; the end when left out.");
+}
+
+/// The place of a depth profile in a measure.
+template <class Visitor>
+void describeProfile(Visitor& v, ProbeSpec& s) {
+  describeDepth(v, s, {.required = true});
+  v.field("patch", s.patch, {}, "Patch of the face, in a body of several.");
+  v.field("body", s.bodies, {}, "The body of the face, of several.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, DepthMeasure& s) {
+  describeProfile(v, s.place);
+  v.field("number", s.number, {.required = true, .choices = depthNumberNames()},
+          "Which of the numbers of a depth profile.");
+  describeTime(v, s.time);
+}
+
+template <class Visitor>
+void describe(Visitor& v, ProfileMeasure& s) {
+  describeProfile(v, s.place);
+  v.field("field", s.place.fields, {.required = true, .choices = bodyFields()}, "One field, of the profile.");
+  v.field("other", s.other, {.required = true}, "Name of the run to compare with, braces filled in.");
+  describeTime(v, s.time);
+}
+
+template <class Visitor>
+void describe(Visitor& v, RoughnessMeasure& s) {
+  describe(v, s.face);
+  v.field("number", s.number, {},
+          "Which number: a, q or z, of Ra, Rq, Rz of a profile or Sa, Sq, Sz of an area.");
+  describeTime(v, s.time);
+}
+
+template <class Visitor>
 void describe(Visitor& v, MeasureSpec& s) {
   v.field("name", s.name, {.required = true, .identifier = true}, "Name, for claims.");
   v.field("title", s.title, {.required = true, .longest = kLongestShownText}, "Heading of its column.");
-  v.alternatives("kind", s.what,
-                 {{{"history", "A number of a curve of the history."},
-                   {"summary", "A number that the run says about itself at its end."},
-                   {"line", "A number of a field along a line through the body."},
-                   {"difference",
-                    "The largest |difference| of a curve from that of another run, as a part of the other's "
-                    "largest |y|."},
-                   {"convergence", "Median order of convergence of Newton's method over the steps."}}},
-                 "Where the number comes from.");
+  v.alternatives(
+      "kind", s.what,
+      {{{"history", "A number of a curve of the history."},
+        {"summary", "A number that the run says about itself at its end."},
+        {"line", "A number of a field along a line through the body."},
+        {"difference",
+         "The largest |difference| of a curve from that of another run, as a part of the other's "
+         "largest |y|."},
+        {"convergence", "Median order of convergence of Newton's method over the steps."},
+        {"depth", "A number of a depth profile: whether its section is in balance, what is left, how deep."},
+        {"profile",
+         "The largest |difference| of a depth profile from that of another run, as a part of the "
+         "other's largest magnitude."},
+        {"roughness", "Roughness of a face."}}},
+      "Where the number comes from.");
 }
 
 }  // namespace burnish

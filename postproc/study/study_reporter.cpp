@@ -31,6 +31,15 @@ void StudyReporter::checkPicture(const std::string& path, const PictureOptions& 
 }
 
 void StudyReporter::checkMeasure(const std::string& path, const MeasureSpec& measure) const {
+  const auto checkPlace = [&](const ProbeSpec& place) {
+    for (const InputProblem& problem : conflictsIn(place)) report(path + "." + problem.path, problem.text);
+  };
+  if (const auto* depth = std::get_if<DepthMeasure>(&measure.what)) checkPlace(depth->place);
+  if (const auto* profile = std::get_if<ProfileMeasure>(&measure.what)) {
+    checkPlace(profile->place);
+    if (profile->place.fields.size() != 1)
+      report(path + ".field", fmt::format("found {} fields; allowed: one.", profile->place.fields.size()));
+  }
   const auto* history = std::get_if<HistoryMeasure>(&measure.what);
   if (history == nullptr) return;
   const bool isAt = history->reduce == Reduction::At;
@@ -66,9 +75,11 @@ void RunReporter::checkLooks(const std::string& path, const CurveLooks& looks, c
 void RunReporter::checkReferences(const std::string& path, const MeasureSpec& measure,
                                   const Runs& runs) const {
   const auto* difference = std::get_if<DifferenceMeasure>(&measure.what);
-  if (difference == nullptr) return;
+  const auto* profile = std::get_if<ProfileMeasure>(&measure.what);
+  if (difference == nullptr && profile == nullptr) return;
+  const std::string& other = difference != nullptr ? difference->other : profile->other;
   for (const StudyRun* run : runs)
-    if (!checkRunName(path + ".other", difference->other, run->parameters)) return;
+    if (!checkRunName(path + ".other", other, run->parameters)) return;
 }
 
 bool RunReporter::checkRunName(const std::string& path, const std::string& text,

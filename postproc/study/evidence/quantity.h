@@ -7,6 +7,8 @@
 
 #include "engine/core/formula.h"
 #include "engine/results/history.h"
+#include "postproc/probe/probe_spec.h"
+#include "postproc/surface/face_roughness.h"
 
 /// What is read off a run: the quantities of checks of scenes and of measures of studies.
 namespace burnish {
@@ -55,8 +57,32 @@ struct DifferenceMeasure {
 /// show, from `convergence.csv`.
 struct ConvergenceMeasure {};
 
-using Quantity =
-    std::variant<HistoryMeasure, SummaryMeasure, LineMeasure, DifferenceMeasure, ConvergenceMeasure>;
+/// A number of `DepthNumbers`, of a place with `depth`, at a time or at the end.
+struct DepthMeasure {
+  ProbeSpec place;
+  std::string number;
+  std::optional<double> time;
+};
+
+/// How far a depth profile of a field is from that of another run at the same time: the largest |difference| as a part
+/// of the other's largest magnitude.
+struct ProfileMeasure {
+  ProbeSpec place;  ///< with one field
+  std::string other;
+  std::optional<double> time;
+};
+
+/// Ra, Rq or Rz of a face of a plane body, Sa, Sq or Sz of one in space, at a time or at the end.
+struct RoughnessMeasure {
+  enum class Number { A, Q, Z };
+
+  RoughnessSpec face;
+  Number number = Number::A;
+  std::optional<double> time;
+};
+
+using Quantity = std::variant<HistoryMeasure, SummaryMeasure, LineMeasure, DifferenceMeasure,
+                              ConvergenceMeasure, DepthMeasure, ProfileMeasure, RoughnessMeasure>;
 
 /// A quantity of a study, with a name.
 struct MeasureSpec {

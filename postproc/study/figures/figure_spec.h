@@ -9,6 +9,7 @@
 #include "postproc/study/figures/history_figure.h"
 #include "postproc/study/figures/probe_figure.h"
 #include "postproc/study/figures/refinement_figure.h"
+#include "postproc/study/figures/roughness_figure.h"
 #include "postproc/study/figures/setup_figure.h"
 #include "postproc/study/figures/sheet_figure.h"
 #include "postproc/study/figures/surface_figure.h"
@@ -19,6 +20,7 @@ namespace burnish {
 using FigureKind = std::variant<HistoryFigure,     //
                                 SurfaceFigure,     //
                                 ProbeFigure,       //
+                                RoughnessFigure,   //
                                 RefinementFigure,  //
                                 SheetFigure,       //
                                 SetupFigure,       //

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "postproc/probe/depth_numbers.h"
 #include "postproc/probe/probe_spec.h"
 #include "postproc/probe/probed_run.h"
 #include "tests/message_of.h"
@@ -84,6 +85,78 @@ TEST(ProbedLine, IsInterruptedWhereItLeavesTheBody) {
   EXPECT_NEAR(borders[1], 3.0 * s, 3.0 * kBorder);
   EXPECT_NEAR(borders[2], 3.0 * (1.0 - s), 3.0 * kBorder);
   EXPECT_NEAR(borders[3], 3.0, 3.0 * kBorder);
+}
+
+TEST(ProbedDepth, IsTheMeanOverASpotOfTheFace) {
+  // 4 s (1 - s) t², s = X/3, over X = 1.5 ± 0.5.
+  const ProbeOptions spot{.body = ProbedBody::Undeformed, .points = 11, .spot = 1.0};
+  const DepthPath below{{"top", ""}, at({1.5})};
+  for (const ProbePoint& point : inside(probed(samples::slab(), "plastic_strain", below, spot))) {
+    const double t = 1.0 - point.at;
+    EXPECT_NEAR(point.values(0), (1.0 - 4.0 / 9.0 / 12.0) * t * t, 5e-5);
+    EXPECT_NEAR(point.reference(0), 1.5, kBorder);
+  }
+  EXPECT_THAT(messageOf([&] {
+                probed(samples::slab(), "plastic_strain", {DepthPath{{"top", ""}, at({0.4})}}, spot);
+              }),
+              HasSubstr("spot: found a length of 1 around 0.4 along the face, which is 3 long"));
+  EXPECT_THAT(messageOf([&] {
+                probed(samples::cube(), "pressure", {DepthPath{{"top", ""}, at({0.5, 0.5, 1.0})}}, spot);
+              }),
+              HasSubstr("spot: is a length along a face of a plane body"));
+}
+
+/// The slab turned by 0.3, with a stress along it that grows by 400 from -200 at the face above, 20 across it, and a
+/// plastic strain of 0.01 there that fades to 0.
+Sample bentSlab() {
+  Sample sample = samples::slab();
+  const Eigen::MatrixXd& X = sample.model.mesh.patches.front().points;
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.3).toRotationMatrix();
+  sample.frame.displacement = turn * X - X;
+  Eigen::MatrixXd stress(4, X.cols());
+  for (Eigen::Index a = 0; a < X.cols(); ++a) {
+    const Eigen::Matrix2d turned =
+        turn * Eigen::Vector2d(200.0 - 400.0 * X(1, a), 20.0).asDiagonal() * turn.transpose();
+    stress.col(a) << turned(0, 0), turned(1, 1), turned(0, 1), 1000.0;
+  }
+  sample.frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "MPa", stress};
+  sample.frame.fields["plastic_strain"].values = 0.01 * X.row(1);
+  return sample;
+}
+
+TEST(DepthNumbers, AreThoseOfABentStripHoweverItLies) {
+  const Sample sample = bentSlab();
+  ProbeSpec spec;
+  spec.depth = "top@1.2";
+  const DepthNumbers numbers = depthNumbers(sample.model, sample.frame, spec);
+  EXPECT_NEAR(numbers.depth, 1.0, 1e-8);
+  EXPECT_NEAR(numbers.force, 0.0, 1e-6);
+  EXPECT_NEAR(numbers.moment, -400.0 / 12.0, 1e-3);
+  EXPECT_NEAR(numbers.balance, 0.0, 1e-8);
+  EXPECT_NEAR(numbers.unsteadiness, 0.1, 1e-8);
+  EXPECT_NEAR(numbers.atFace, -200.0, 1e-6);
+  EXPECT_NEAR(numbers.lowest, -200.0, 1e-6);
+  EXPECT_NEAR(numbers.lowestAt, 0.0, 1e-8);
+  EXPECT_NEAR(numbers.compressedDepth, 0.5, 1e-8);
+  EXPECT_NEAR(numbers.hardenedDepth, 0.8, 1e-8);
+  spec.length = 0.25;
+  spec.hardenedBelow = 0.02;
+  const DepthNumbers part = depthNumbers(sample.model, sample.frame, spec);
+  EXPECT_NEAR(part.force, -200.0 * 0.25 + 0.5 * 400.0 * 0.25 * 0.25, 1e-6);
+  EXPECT_NEAR(part.compressedDepth, 0.25, 1e-8);
+  EXPECT_EQ(part.hardenedDepth, 0.0);
+}
+
+TEST(DepthNumbers, AreNotANumberWhereABodyHasNone) {
+  ProbeSpec spec;
+  spec.depth = "top@0.5,0.5,1";
+  const Sample cube = samples::cube();
+  const DepthNumbers numbers = depthNumbers(cube.model, cube.frame, spec);
+  EXPECT_NEAR(numbers.depth, 1.0, 1e-8);
+  EXPECT_TRUE(std::isnan(numbers.force));
+  EXPECT_TRUE(std::isnan(numbers.hardenedDepth));
+  spec.reference = true;
+  EXPECT_THAT(messageOf([&] { depthNumbers(cube.model, cube.frame, spec); }), HasSubstr("reference: "));
 }
 
 TEST(ProbedLine, GoesThroughLagrangeElementsAndSpace) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/core/error.h"
+#include "engine/results/result_files.h"
 #include "postproc/study/claims.h"
 #include "postproc/study/evidence/reductions.h"
 #include "postproc/study/evidence/refinement.h"
@@ -213,6 +214,37 @@ TEST(EvaluateMeasure, ReadsTheResultsOfARun) {
   EXPECT_THAT(value(0, {"d", "D", toFine}).value, Optional(DoubleNear(1.25 / (1 + 4.0 / 256) - 1, 1e-9)));
   EXPECT_THROW(value(0, {"n", "N", SummaryMeasure{"iteratons"}}), Error);
   EXPECT_THROW(value(0, {"l", "L", LineMeasure{.field = "plastic_strain", .time = 0.7}}), Error);
+}
+
+TEST(EvaluateMeasure, ReadsDepthsProfilesAndRoughness) {
+  const ScratchDirectory directory;
+  const Study study = madeUpStudy(directory.path());
+  const auto value = [&](std::size_t run, const Quantity& quantity) {
+    return evaluateMeasure(study, study.runs[run], {"m", "M", quantity}, directory.path());
+  };
+  ProbeSpec place;
+  place.depth = "top@1.5,1";
+  // In the middle the strain is t² at the time 1, and the slab pressed to 0.85.
+  EXPECT_THAT(value(0, DepthMeasure{place, "hardened_depth", 1.0}).value,
+              Optional(DoubleNear(0.85 * (1.0 - std::sqrt(0.002)), 1e-3)));
+  EXPECT_EQ(value(0, DepthMeasure{place, "force", 1.0}).note, "the body has none");
+  EXPECT_THAT(value(0, DepthMeasure{place, "depth", {}}).value, Optional(DoubleNear(0.85, 1e-8)));
+
+  RoughnessMeasure roughness;
+  roughness.face.face = "top";
+  roughness.number = RoughnessMeasure::Number::Z;
+  EXPECT_THAT(value(0, roughness).value, Optional(DoubleNear(0.15, 1e-9)));
+
+  const Sample sample = slab();
+  const std::filesystem::path other = runDirectory(directory.path(), study.runs[1]);
+  removeResult(modelFile(other));
+  ResultWriter result(other, sample.model);
+  FrameRecord frame = sample.frame;
+  frame.fields["plastic_strain"].values *= 1.25;
+  result.append(frame);
+  place.fields = {"plastic_strain"};
+  EXPECT_THAT(value(0, ProfileMeasure{place, study.runs[1].name, {}}).value,
+              Optional(DoubleNear((2.0 - 1.25) / 1.25, 1e-6)));
 }
 
 TEST(EvaluateMeasure, MarksWhatARunThatStoppedCannotShow) {

@@ -1,0 +1,82 @@
+#pragma once
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/results/result_reader.h"
+#include "postproc/probe/probe_spec.h"
+#include "postproc/text/units.h"
+
+namespace burnish {
+
+/// What a depth profile says as a whole: whether the section is in balance, what is left and how deep. σ is the stress
+/// along the face, across the profile, of bodies in plane strain; elsewhere all that is made of it is not a number (kNone),
+/// and so is the hardened depth of bodies without plastic strain. Forces are per unit of depth.
+struct DepthNumbers {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  double depth = 0.0;      ///< h, of the profile: of the whole section where it goes to the other face
+  double force = kNone;    ///< N = ∫ σ dz
+  double moment = kNone;   ///< M = ∫ σ (h/2 - z) dz, positive with tension at the face
+  double balance = kNone;  ///< |N| / (h max|σ|)
+  double unsteadiness =
+      kNone;              ///< max(|stress across|, |shear|) / max|σ|: 0 where nothing changes along the face
+  double atFace = kNone;  ///< σ at the face
+  double lowest = kNone;  ///< smallest σ
+  double lowestAt = kNone;  ///< the depth of it
+  double compressedDepth =
+      kNone;  ///< where σ is zero first below its smallest value; 0 if that is no compression
+  double hardenedDepth = kNone;  ///< where the plastic strain falls below the limit of the spec for good
+};
+
+/// What a number is measured in.
+enum class DepthUnit { Length, Stress, Force, Moment, None };
+
+struct DepthNumberRow {
+  const char* name;
+  double DepthNumbers::*value;
+  DepthUnit unit;
+};
+
+/// All of them, in the order of tables.
+inline constexpr std::array<DepthNumberRow, 10> kDepthNumbers{{
+    {"depth", &DepthNumbers::depth, DepthUnit::Length},
+    {"force", &DepthNumbers::force, DepthUnit::Force},
+    {"moment", &DepthNumbers::moment, DepthUnit::Moment},
+    {"balance", &DepthNumbers::balance, DepthUnit::None},
+    {"unsteadiness", &DepthNumbers::unsteadiness, DepthUnit::None},
+    {"at_face", &DepthNumbers::atFace, DepthUnit::Stress},
+    {"lowest", &DepthNumbers::lowest, DepthUnit::Stress},
+    {"lowest_at", &DepthNumbers::lowestAt, DepthUnit::Length},
+    {"compressed_depth", &DepthNumbers::compressedDepth, DepthUnit::Length},
+    {"hardened_depth", &DepthNumbers::hardenedDepth, DepthUnit::Length},
+}};
+
+/// The names of `kDepthNumbers`.
+std::vector<std::string> depthNumberNames();
+
+/// The numbers of the profile that a spec with `depth` names, in the deformed body, from its points. Throws `Error` for
+/// a spec without `depth` or with `reference`, and for a place that the body does not have.
+DepthNumbers depthNumbers(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec);
+
+/// Whether a spec is that of a profile which has numbers.
+bool hasDepthNumbers(const ProbeSpec& spec);
+
+/// The numbers of an instant of a run.
+struct DepthNumbersAt {
+  std::string run;  ///< empty for the only one
+  double time = 0.0;
+  DepthNumbers numbers;
+};
+
+/// Of all frames of these times, the last one if there is none. Throws `Error` as above, and for a time without a
+/// frame.
+std::vector<DepthNumbersAt> depthNumbersOf(const ResultReader& result, const ProbeSpec& spec,
+                                           const std::vector<double>& times);
+
+/// As CSV: the run where one has a name, the time, and the numbers with their units.
+std::string tableOf(const std::vector<DepthNumbersAt>& rows, const DerivedUnits& units,
+                    const std::string& stressUnit);
+
+}  // namespace burnish
