@@ -14,7 +14,8 @@ bool memoryIsLimited();
 /// Bytes up to the closest limit; the largest number without one.
 std::uint64_t freeMemory();
 
-/// Throws `Error` unless as many bytes are free. purpose: what needs them, such as "drawing".
-void requireMemory(std::uint64_t bytes, const char* purpose);
+/// Throws `Error` unless as many bytes are free. purpose: what needs them, such as "drawing". mapped: bytes of libraries that will be
+/// loaded for it, which take address space, but are no data.
+void requireMemory(std::uint64_t bytes, const char* purpose, std::uint64_t mapped = 0);
 
 }  // namespace burnish

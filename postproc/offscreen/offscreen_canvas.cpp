@@ -21,16 +21,13 @@
 
 #include "engine/core/interruption.h"
 #include "engine/core/memory_limit.h"
-#include "postproc/offscreen/quiet_libraries.h"
+#include "postproc/offscreen/open_gl.h"
 
 #ifdef VTK_OPENGL_HAS_OSMESA
 #include <vtkOSOpenGLRenderWindow.h>
 #else
-#include <GL/osmesa.h>
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-
-#include "engine/core/error.h"
 #endif
 
 namespace burnish {
@@ -48,39 +45,10 @@ class Context {
 
 #else
 
-/// An OSMesa context. VTK draws into framebuffers that it allocates itself, so the context's own buffer is
-/// one pixel: at full size it would only cost memory.
+/// VTK draws into framebuffers that it allocates itself.
 class Context {
  public:
-  Context() {
-    prepareMesa();
-    constexpr std::array attributes{OSMESA_FORMAT,
-                                    OSMESA_RGBA,
-                                    OSMESA_DEPTH_BITS,
-                                    24,
-                                    OSMESA_PROFILE,
-                                    OSMESA_CORE_PROFILE,
-                                    OSMESA_CONTEXT_MAJOR_VERSION,
-                                    3,
-                                    OSMESA_CONTEXT_MINOR_VERSION,
-                                    2,
-                                    0};
-    context_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
-    if (!context_ || !current()) {
-      if (context_) OSMesaDestroyContext(context_);
-      throw Error(
-          "OSMesa gives no OpenGL 3.2 context; Mesa 13 or newer is needed (Debian package libosmesa6)");
-    }
-  }
-  ~Context() {
-    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-    OSMesaDestroyContext(context_);
-  }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-
-  /// Contexts are current by thread, one at a time.
-  void makeCurrent() { current(); }
+  void makeCurrent() { context_->makeCurrent(); }
 
   vtkSmartPointer<vtkRenderWindow> makeWindow() {
     const auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
@@ -96,10 +64,7 @@ class Context {
   }
 
  private:
-  bool current() { return OSMesaMakeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1); }
-
-  std::array<unsigned char, 4> pixel_{};
-  OSMesaContext context_ = nullptr;
+  std::unique_ptr<GlContext> context_ = openGl().makeContext();
 };
 
 #endif
@@ -124,6 +89,9 @@ int stripsFor(int width, int height) {
 int rowsFor(int height, int strips) {
   return (height + strips - 1) / strips;
 }
+
+/// Address space of Mesa's and LLVM's libraries.
+constexpr std::uint64_t kLibraries = 180 * kMegabyte;
 
 /// Bytes that a picture takes (measured, and a little more): Mesa, which ends the program where it gets less,
 /// with its compiler; the buffers of a strip; the picture itself and as a PNG.
@@ -253,7 +221,8 @@ OffscreenCanvas::OffscreenCanvas(int width, int height)
     : height_(height), strips_(stripsFor(width, height)), overlap_(strips_ == 1 ? 0 : kOverlap) {
   throwIfInterrupted();
   std::unique_ptr<Surface>& idle = Surface::idle();
-  requireMemory(memoryFor(width, height, strips_, idle != nullptr), "drawing");
+  requireMemory(memoryFor(width, height, strips_, idle != nullptr), "drawing",
+                openGlIsLoaded() ? 0 : kLibraries);
   surface_ = idle ? std::move(idle) : std::make_unique<Surface>();
   surface_->makeCurrent();
   window().SetSize(width * kFactor, rowsFor(height, strips_) * kFactor + 2 * overlap_);

@@ -1,5 +1,6 @@
 #include "postproc/offscreen/opengl_name.h"
 
+#include <fmt/format.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
@@ -9,6 +10,7 @@
 
 #include "engine/core/error.h"
 #include "postproc/offscreen/offscreen_canvas.h"
+#include "postproc/offscreen/open_gl.h"
 
 namespace burnish {
 namespace {
@@ -33,7 +35,8 @@ std::string openGlName() {
   if (pixel[0] != 255 || pixel[1] != 0 || pixel[2] != 51)
     throw Error("OpenGL draws other colours than it is told");
   const std::string told = canvas.window().ReportCapabilities();
-  return rowOf(told, "OpenGL renderer string:") + ", " + rowOf(told, "OpenGL version string:");
+  return fmt::format("{}, {}, through {}", rowOf(told, "OpenGL renderer string:"),
+                     rowOf(told, "OpenGL version string:"), openGl().name());
 }
 
 }  // namespace burnish

@@ -42,6 +42,8 @@ void silenceVtk() {
 void prepareMesa() {
   const char* driver = std::getenv("GALLIUM_DRIVER");
   if (driver != nullptr && std::string_view(driver) != "softpipe") ::setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
+  ::setenv("EGL_LOG_LEVEL", "fatal", 1);
   std::error_code problem;
   const std::filesystem::path place = shaderCache();
   std::filesystem::create_directories(place / "mesa_shader_cache", problem);

@@ -7,8 +7,8 @@ namespace burnish {
 void silenceVtk();
 
 /// Keeps the environment from harming Mesa: without a place for compiled shaders it would print so on
-/// standard error, and a driver that is not one of its own for software would end the program. To be called
-/// before there is a context.
+/// standard error, and a driver that is not one of its own for software would end the program, or draw other
+/// pictures on other graphics cards. To be called before there is a context.
 void prepareMesa();
 
 }  // namespace burnish

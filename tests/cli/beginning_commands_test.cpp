@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -85,6 +87,27 @@ TEST_F(Doctor, TellsWhatToDoAboutTheRest) {
   const Outcome scratchless = burnish("doctor", "TMPDIR=/nowhere");
   EXPECT_EQ(scratchless.code, 1);
   EXPECT_THAT(scratchless.out, HasSubstr("missing  scratch"));
+}
+
+TEST_F(Doctor, TellsWhichLibraryDraws) {
+  const auto openGl = [&](const std::string& environment) {
+    const Json::Value found = named(findings(burnish("doctor --json", environment)), "OpenGL");
+    return (found["ok"].asBool() ? "ok: " : "missing: ") + found["found"].asString();
+  };
+  EXPECT_THAT(openGl(""), AllOf(StartsWith("ok: llvmpipe"), EndsWith(", through OSMesa")));
+  EXPECT_THAT(openGl("BURNISH_GL=osmesa"), EndsWith(", through OSMesa"));
+  EXPECT_THAT(openGl("BURNISH_GL=egl"), AllOf(StartsWith("ok: llvmpipe"), EndsWith(", through EGL")));
+  EXPECT_EQ(openGl("BURNISH_GL=glx"),
+            "missing: environment variable BURNISH_GL: found 'glx'; allowed: osmesa, egl");
+
+  const auto spoil = [&](const char* library) { std::ofstream(dir / library) << "no library\n"; };
+  spoil("libOSMesa.so.8");
+  EXPECT_THAT(openGl("LD_LIBRARY_PATH=$PWD"), EndsWith(", through EGL")) << "where OSMesa is not there";
+  EXPECT_THAT(openGl("LD_LIBRARY_PATH=$PWD BURNISH_GL=osmesa"),
+              StartsWith("missing: libOSMesa.so.8 cannot be loaded: it is not installed"));
+  spoil("libEGL.so.1");
+  EXPECT_THAT(openGl("LD_LIBRARY_PATH=$PWD"), AllOf(StartsWith("missing: libOSMesa.so.8 cannot be loaded"),
+                                                    HasSubstr("; and libEGL.so.1 cannot be loaded")));
 }
 
 TEST_F(Init, EveryKindIsAGoodSceneWithoutWarnings) {

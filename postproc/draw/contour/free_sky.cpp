@@ -1,6 +1,5 @@
 #include "postproc/draw/contour/free_sky.h"
 
-#include <dlfcn.h>
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -16,10 +15,11 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/core/late_library.h"
 
 namespace burnish {
 
-/// Embree, loaded when the first picture needs it: it takes memory that other commands may not have.
+/// Embree, loaded when the first picture needs it.
 class Embree {
  public:
   /// Throws `Error` where it cannot be loaded.
@@ -29,24 +29,20 @@ class Embree {
   }
 
  private:
+  static LateLibrary load() {
+    try {
+      return {"libembree3.so.3", "libembree3-3"};
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}; draw with occlusion off", error.what()));
+    }
+  }
+
   template <class Function>
   Function find(const char* name) const {
-    void* found = dlsym(library_, name);
-    if (found == nullptr) throw Error(fmt::format("{} has no {}; draw with occlusion off", kName, name));
-    return reinterpret_cast<Function>(found);
+    return library_.find<Function>(name);
   }
 
-  static void* open() {
-    if (void* library = dlopen(kName, RTLD_NOW | RTLD_LOCAL)) return library;
-    throw Error(fmt::format(
-        "{} cannot be loaded: it is not installed (Debian package libembree3-3), or there is not enough memory; "
-        "draw with occlusion off",
-        kName));
-  }
-
-  static constexpr const char* kName = "libembree3.so.3";
-
-  void* library_ = open();
+  LateLibrary library_ = load();
 
  public:
   decltype(&rtcNewDevice) newDevice = find<decltype(&rtcNewDevice)>("rtcNewDevice");
