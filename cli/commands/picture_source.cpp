@@ -68,6 +68,8 @@ ForeignOptions ownForeignOptions(const PictureArguments& arguments, const Foreig
 /// How these instants are drawn.
 ForeignOptions foreignOptions(const PictureArguments& arguments, const ForeignFile& file,
                               const std::vector<int>& frames) {
+  if (!arguments.field.empty() && file.times().size() > 1)
+    requireForeignFields(file, frames, arguments.field);
   const std::vector<int> ofWindow = frames.size() > 1 ? frames : std::vector<int>();
   return withCommonView(ownForeignOptions(arguments, file, frames.front()), file,
                         framesOfRange(arguments.range, frames, static_cast<int>(instantsOf(file).size())),

@@ -3,10 +3,12 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include "engine/results/result.h"
+#include "postproc/mesh/picture_planes.h"
 
 class vtkPolyData;
 
@@ -60,7 +62,14 @@ Eigen::Matrix3Xd toolLandmarks(const ToolRecord& tool, const Eigen::AlignedBox3d
 
 /// The surface of a tool. In 2D one polyline: a plane is a segment that passes the whole of `box`, a cylinder
 /// or a sphere a closed circle whose points in their order are also its polygon; of other shapes segments.
-/// In 3D polygons, planes and cylinders cut off a little outside the box; a sphere has its normals.
-vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box);
+/// In 3D polygons, planes and cylinders cut off a little outside the box; a sphere has its normals. error: how far chords may lie
+/// inside of their circle, as far as that takes no more than some ten thousand polygons; without it as is fine enough for most pictures, and
+/// never coarser.
+vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box,
+                                         double error = HUGE_VAL);
+
+/// Segments where a plane cuts the surface of a tool in space; chords are off by `error` at most.
+vtkSmartPointer<vtkPolyData> toolSection(const ToolRecord& tool, const Eigen::AlignedBox3d& box,
+                                         const CutPlane& plane, double error);
 
 }  // namespace burnish

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "postproc/mesh/plane_section.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/recorded_shape.h"
 #include "postproc/mesh/vtk_arrays.h"
@@ -19,21 +20,30 @@ namespace {
 
 constexpr int kCircleSegments = 360;
 
-/// Points of a circle, not closed: 3 x kCircleSegments. The axes are orthonormal.
+/// A number of chords, `fewest` times a power of two, from which a circle is no farther than `error`; `most` at most.
+int segmentsOf(double radius, double error, int fewest, int most) {
+  int count = fewest;
+  while (count < most && radius * (1.0 - std::cos(std::numbers::pi / count)) > error) count *= 2;
+  return count;
+}
+
+/// Points of a circle, not closed: 3 x n. The axes are orthonormal.
 Eigen::MatrixXd circlePoints(const Eigen::Vector3d& center, double radius, const Eigen::Vector3d& axis1,
-                             const Eigen::Vector3d& axis2) {
-  Eigen::MatrixXd points(3, kCircleSegments);
-  for (int i = 0; i < kCircleSegments; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kCircleSegments;
+                             const Eigen::Vector3d& axis2, double error) {
+  constexpr int kMost = 256 * kCircleSegments;
+  const int count = segmentsOf(radius, error, kCircleSegments, kMost);
+  Eigen::MatrixXd points(3, count);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / count;
     points.col(i) = center + radius * (std::cos(angle) * axis1 + std::sin(angle) * axis2);
   }
   return points;
 }
 
-vtkSmartPointer<vtkPolyData> closedCircle(const Eigen::Vector3d& center, double radius) {
+vtkSmartPointer<vtkPolyData> closedCircle(const Eigen::Vector3d& center, double radius, double error) {
   PolyBuilder builder;
-  std::vector<vtkIdType> points =
-      builder.addPoints(circlePoints(center, radius, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()));
+  std::vector<vtkIdType> points = builder.addPoints(
+      circlePoints(center, radius, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), error));
   points.push_back(points.front());
   builder.addLine(points);
   return builder.finish();
@@ -66,6 +76,7 @@ vtkSmartPointer<vtkPolyData> cellsOf(const SurfaceMesh& mesh) {
 
 struct PlanarOutline {
   const Eigen::AlignedBox3d& box;
+  double error;
 
   vtkSmartPointer<vtkPolyData> operator()(const Plane& plane) const {
     const Eigen::Vector3d foot = nearestPoint(plane, box);
@@ -78,16 +89,17 @@ struct PlanarOutline {
     return builder.finish();
   }
   vtkSmartPointer<vtkPolyData> operator()(const Cylinder& cylinder) const {
-    return closedCircle(cylinder.center, cylinder.radius);
+    return closedCircle(cylinder.center, cylinder.radius, error);
   }
   vtkSmartPointer<vtkPolyData> operator()(const Sphere& sphere) const {
-    return closedCircle(sphere.center, sphere.radius);
+    return closedCircle(sphere.center, sphere.radius, error);
   }
   vtkSmartPointer<vtkPolyData> operator()(const SurfaceMesh& mesh) const { return cellsOf(mesh); }
 };
 
 struct SpatialOutline {
   const Eigen::AlignedBox3d& box;
+  double error;
 
   vtkSmartPointer<vtkPolyData> operator()(const Plane& plane) const {
     const Eigen::Vector3d n = plane.normal.normalized(), foot = nearestPoint(plane, box);
@@ -112,8 +124,8 @@ struct SpatialOutline {
     const Eigen::Vector3d foot = cylinder.center - axis.dot(cylinder.center) * axis;
     const auto [begin, end] = extentAlong(axis);
     PolyBuilder builder;
-    const auto lower = builder.addPoints(circlePoints(foot + begin * axis, cylinder.radius, a, b));
-    const auto upper = builder.addPoints(circlePoints(foot + end * axis, cylinder.radius, a, b));
+    const auto lower = builder.addPoints(circlePoints(foot + begin * axis, cylinder.radius, a, b, error));
+    const auto upper = builder.addPoints(circlePoints(foot + end * axis, cylinder.radius, a, b, error));
     for (std::size_t i = 0; i < lower.size(); ++i) {
       const std::size_t next = (i + 1) % lower.size();
       builder.addPolygon({lower[i], lower[next], upper[next], upper[i]});
@@ -129,8 +141,10 @@ struct SpatialOutline {
     source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     source->SetCenter(center.x(), center.y(), center.z());
     source->SetRadius(sphere.radius);
-    source->SetThetaResolution(96);
-    source->SetPhiResolution(48);
+    constexpr int kMeridians = 96, kMostMeridians = 4 * kMeridians;
+    const int meridians = segmentsOf(sphere.radius, error, kMeridians, kMostMeridians);
+    source->SetThetaResolution(meridians);
+    source->SetPhiResolution(meridians / 2);
     source->Update();
     const auto surface = vtkSmartPointer<vtkPolyData>::New();
     surface->SetPoints(source->GetOutput()->GetPoints());
@@ -155,8 +169,26 @@ struct SpatialOutline {
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box) {
-  return dim == 2 ? std::visit(PlanarOutline{box}, tool.shape) : std::visit(SpatialOutline{box}, tool.shape);
+vtkSmartPointer<vtkPolyData> toolOutline(const ToolRecord& tool, int dim, const Eigen::AlignedBox3d& box,
+                                         double error) {
+  return dim == 2 ? std::visit(PlanarOutline{box, error}, tool.shape)
+                  : std::visit(SpatialOutline{box, error}, tool.shape);
+}
+
+vtkSmartPointer<vtkPolyData> toolSection(const ToolRecord& tool, const Eigen::AlignedBox3d& box,
+                                         const CutPlane& plane, double error) {
+  const auto* sphere = std::get_if<Sphere>(&tool.shape);
+  if (!sphere) return sectionOf(*toolOutline(tool, 3, box, error), plane);
+  const Eigen::Vector3d normal = plane.normal.normalized(), a = normal.unitOrthogonal();
+  const double height = normal.dot(sphere->center - plane.point),
+               square = sphere->radius * sphere->radius - height * height;
+  PolyBuilder builder;
+  if (square <= 0.0) return builder.finish();
+  const auto points = builder.addPoints(
+      circlePoints(sphere->center - height * normal, std::sqrt(square), a, normal.cross(a), error));
+  for (std::size_t k = 0; k < points.size(); ++k)
+    builder.addLine({points[k], points[(k + 1) % points.size()]});
+  return builder.finish();
 }
 
 }  // namespace burnish

@@ -282,7 +282,10 @@ ProbedRun probedHistory(const ForeignFile& file, const std::vector<int>& instant
   requireForeign(spec, file);
   ProbeSpec asked = spec;
   for (auto instant = instants.begin(); asked.fields.empty() && instant != instants.end(); ++instant)
-    if (const std::string field = foreignFieldToShow(file, *instant); !field.empty()) asked.fields = {field};
+    if (const std::string field =
+            foreignFieldToShow(foreignFieldsOf(file.blocks(static_cast<std::size_t>(*instant))));
+        !field.empty())
+      asked.fields = {field};
   ProbedRun run;
   run.isForeign = true;
   const ForeignCells first(file, instants.front(), asked, Absent::Unknown);

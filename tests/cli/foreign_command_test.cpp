@@ -67,6 +67,30 @@ TEST_F(ForeignCommand, CellsHaveTheirColoursInTheirPlaces) {
   EXPECT_GE(lastOfFirst + 3, firstOfLast);
 }
 
+/// A series that begins with its mesh alone: this is drawn without colours, and the rest with its field.
+TEST_F(ForeignCommand, FieldOfASeriesIsThatOfItsFirstInstantWithOne) {
+  const std::string series = sample("fenicsx.pvd");
+  for (const char* more : {"", " --field displacement --warp 1"}) {
+    ASSERT_EQ(burnish("render " + series + " --frame all --size 400,300 -o 'f{frame}.png'" + more).code, 0);
+    for (int k = 0; k < 3; ++k) {
+      const Picture picture = readPicture(dir_ / ("f" + std::to_string(k) + ".png"));
+      int colourful = 0;
+      for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+          const Color& c = picture.at({x + 0.5, y + 0.5});
+          if (std::max({c[0], c[1], c[2]}) - std::min({c[0], c[1], c[2]}) > 30) ++colourful;
+        }
+      if (k == 0)
+        EXPECT_LT(colourful, 4000) << more;  // those of the colour scale
+      else
+        EXPECT_GT(colourful, 15000) << k << more;
+    }
+  }
+  const auto refused = burnish("render " + series + " --frame 0 --field displacement -o a.png");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("field: found \"displacement\"; frame 0 has none"));
+}
+
 /// Two squares side by side, each with its own value at all its points.
 TEST_F(ForeignCommand, BlocksKeepTheirValuesWhereTheyMeet) {
   for (const int k : {0, 1})

@@ -448,7 +448,10 @@ class ContourPicture {
       all.push_back({parts_.net, theme_.controlNet, 0.6 * line, kNet});
       all.push_back({parts_.net, theme_.controlNet, 4.0 * line, kNet, 1.0, true});
     }
-    if (parts_.undeformed) all.push_back({parts_.undeformed, theme_.undeformed, 0.8 * line, kUndeformed});
+    // In space lines are hidden by those that lie before them: of one that has hardly moved only the other one is drawn.
+    if (parts_.undeformed)
+      all.push_back({isFlat() ? parts_.undeformed : movedLines(*parts_.undeformed, view, 1.5 * line),
+                     theme_.undeformed, 0.8 * line, kUndeformed});
     all.push_back({parts_.outline, theme_.outline, line, kBodyOutline});
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(isOfContact() && part == parts_.body))
@@ -599,9 +602,10 @@ class ContourPicture {
   ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
     const Eigen::AlignedBox3d visible = visibleBox(view);
     const double stroke = textSize_ * 0.6 / view.pixelsPerLength;
-    if (subject_.dim == 2) return drawPlaneTool(tool.record, visible, stroke, tool.turn);
-    if (options_.slice) return drawToolSection(tool.record, visible, *parts_.plane, stroke);
-    return drawSpaceTool(tool.record, visible, view, parts_.plane);
+    const double error = 0.25 / (dotsPerPixel() * view.pixelsPerLength);
+    if (subject_.dim == 2) return drawPlaneTool(tool.record, visible, stroke, tool.turn, error);
+    if (options_.slice) return drawToolSection(tool.record, visible, *parts_.plane, stroke, error);
+    return drawSpaceTool(tool.record, visible, view, error, parts_.plane);
   }
 
   /// In front of everything: white with a dark edge or the other way round, which is seen on every colour.

@@ -236,9 +236,22 @@ void cutParts(ContourParts& parts, const PartSections& sections, const ModelReco
   parts.body = behind(*parts.body, plane);
   if (parts.plain) parts.plain = behind(*parts.plain, plane);
   parts.outline = together(*behind(*parts.outline, plane), *border);
-  if (parts.undeformed) parts.undeformed = behind(*parts.undeformed, plane);
+  if (parts.undeformed) {
+    const BodySurface surface(model.mesh, ofUndeformed);
+    const auto faces = surface.displaced({});
+    if (&mesh == &model.mesh) setMoved(*faces, *surface.displaced(parts.displacement));
+    parts.undeformed = together(*behind(*parts.undeformed, plane), *sectionOf(*faces, plane));
+  }
   if (parts.knots)
     parts.knots = together(*parts.knots, *behind(*knotLines(mesh, parts.displacement, ofLines), plane));
+}
+
+/// With what has become of its points, unless the frame has a mesh of its own.
+vtkSmartPointer<vtkPolyData> undeformedOutline(const ModelRecord& model, const MeshRecord& mesh,
+                                               const ContourParts& parts, const Subdivision& subdivision) {
+  auto outline = bodyOutline(model.mesh, {}, subdivision);
+  if (&mesh == &model.mesh) setMoved(*outline, *bodyOutline(mesh, parts.displacement, subdivision));
+  return outline;
 }
 
 /// What arrows of displacements stand on: equally many points per knot span, whatever the picture takes.
@@ -374,7 +387,7 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
   }
   parts.outline = bodyOutline(mesh, parts.displacement, ofLines);
   const int ofUndeformed = subdivisionOf(model, options);
-  if (options.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, ofUndeformed);
+  if (options.undeformed) parts.undeformed = undeformedOutline(model, mesh, parts, ofUndeformed);
   if (options.cut || options.slice) {
     parts.plane = shownPlane(options, parts);
     const VolumeSections volumes(meshes, model, frame, field, options, parts);
@@ -470,7 +483,7 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
   const Eigen::MatrixXd* along = chosen ? &chosen->coefficients : nullptr;
   const Subdivision ofUndeformed = cells.ofLines(model.mesh, {});
   parts.outline = bodyOutline(mesh, parts.displacement, ofLines, along);
-  if (parts.undeformed) parts.undeformed = bodyOutline(model.mesh, {}, ofUndeformed);
+  if (parts.undeformed) parts.undeformed = undeformedOutline(model, mesh, parts, ofUndeformed);
   if (parts.plane)
     cutParts(parts, sections, model, mesh, options, ofLines, ofUndeformed);
   else if (parts.knots)

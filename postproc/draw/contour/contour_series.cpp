@@ -69,7 +69,7 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
   for (const int k : frames) {
     throwIfInterrupted();
     const FrameView view = look(k, inRange.contains(k), inWindow.contains(k));
-    if (inRange.contains(k)) range = joined(range, view.shown);
+    if (inRange.contains(k) && view.shown) range = joined(range, *view.shown);
     if (!inWindow.contains(k)) continue;
     window.extend(view.content);
     nearest = std::max(nearest, view.nearest);

@@ -24,9 +24,9 @@ struct ContourParts;
 
 /// What one of several frames needs of what they share.
 struct FrameView {
-  std::array<double, 2> shown{};  ///< its range of colours
-  Eigen::AlignedBox2d content;    ///< what must be seen of it, projected in parallel or as the eye sees it
-  double nearest = 0.0;           ///< see `nearestOf`
+  std::optional<std::array<double, 2>> shown{};  ///< its range of colours, if it shows a field
+  Eigen::AlignedBox2d content;  ///< what must be seen of it, projected in parallel or as the eye sees it
+  double nearest = 0.0;         ///< see `nearestOf`
 
   /// That these parts, of a body of `dim` dimensions, must be seen, in parallel or by an eye.
   void show(ContourParts parts, int dim, const std::optional<Eye>& eye);

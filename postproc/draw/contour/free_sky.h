@@ -36,6 +36,7 @@ class FreeSky {
 
  private:
   class Occluders;
+  double scale_;  ///< of lengths, for the rays
   std::unique_ptr<Occluders> bodies_, tools_;
   double toolOpacity_;
 };

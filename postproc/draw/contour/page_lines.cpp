@@ -7,16 +7,19 @@
 #include <vtkClipPolyData.h>
 #include <vtkContourFilter.h>
 #include <vtkDataArray.h>
-#include <vtkFeatureEdges.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStaticCleanPolyData.h>
 #include <vtkStripper.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace burnish {
 namespace {
@@ -75,7 +78,7 @@ vtkSmartPointer<vtkPolyData> joined(vtkPolyData& cells) {
   alone->SetPoints(cells.GetPoints());
   alone->SetPolys(cells.GetPolys());
   alone->GetPointData()->SetScalars(cells.GetPointData()->GetScalars());
-  vtkNew<vtkCleanPolyData> clean;
+  vtkNew<vtkStaticCleanPolyData> clean;  // quick with a million points
   clean->SetInputData(alone);
   clean->SetTolerance(kSamePoint);
   clean->ConvertPolysToLinesOff();
@@ -104,17 +107,31 @@ void addBends(const PagePoints& line, std::size_t begin, std::size_t end, PagePo
   addBends(line, farthest, end, kept);
 }
 
-/// The edges that only one of joined cells has.
+/// The edges that only one of joined cells has. Code of our own: vtkFeatureEdges asks for too much memory with two million cells.
 vtkSmartPointer<vtkPolyData> bordersOf(vtkPolyData& cells) {
-  vtkNew<vtkFeatureEdges> borders;
-  borders->SetInputData(&cells);
-  borders->BoundaryEdgesOn();
-  borders->FeatureEdgesOff();
-  borders->ManifoldEdgesOff();
-  borders->NonManifoldEdgesOff();
-  borders->ColoringOff();
-  borders->Update();
-  return borders->GetOutput();
+  using Edge = std::array<vtkIdType, 2>;
+  std::vector<Edge> edges;
+  vtkNew<vtkIdList> ids;
+  vtkCellArray& polygons = *cells.GetPolys();
+  for (vtkIdType cell = 0; cell < polygons.GetNumberOfCells(); ++cell) {
+    polygons.GetCellAtId(cell, ids);
+    for (vtkIdType k = 0, count = ids->GetNumberOfIds(); k < count; ++k) {
+      const vtkIdType a = ids->GetId(k), b = ids->GetId((k + 1) % count);
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::ranges::sort(edges);
+  vtkNew<vtkCellArray> single;
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::find_if(edge, edges.end(), [&](const Edge& other) { return other != *edge; });
+    if (next - edge == 1) single->InsertNextCell(2, edge->data());
+    edge = next;
+  }
+  const auto borders = vtkSmartPointer<vtkPolyData>::New();
+  borders->SetPoints(cells.GetPoints());
+  borders->SetLines(single);
+  borders->GetPointData()->SetScalars(cells.GetPointData()->GetScalars());
+  return borders;
 }
 
 /// Segments round regions as closed lines with as few points as show them.

@@ -12,6 +12,8 @@
 #include <vtkPolyDataNormals.h>
 #include <vtkStripper.h>
 
+#include <array>
+#include <stdexcept>
 #include <vector>
 
 #include "postproc/mesh/poly_builder.h"
@@ -79,6 +81,38 @@ vtkSmartPointer<vtkPolyData> withWayAlong(vtkPolyData& lines, const View& view) 
   result->GetPointData()->AddArray(
       makeArray(kWayAlong, Eigen::Map<const Eigen::RowVectorXd>(ways.data(), std::ssize(ways)), {}));
   return result;
+}
+
+void setMoved(vtkPolyData& before, vtkPolyData& after) {
+  const vtkIdType count = before.GetNumberOfPoints();
+  if (after.GetNumberOfPoints() != count) throw std::logic_error("lines before and after a motion differ");
+  Eigen::Matrix3Xd moved(3, count);
+  for (vtkIdType k = 0; k < count; ++k)
+    moved.col(k) = Eigen::Vector3d(after.GetPoint(k)) - Eigen::Vector3d(before.GetPoint(k));
+  before.GetPointData()->AddArray(makeArray(kMoved, moved, {}));
+}
+
+vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, double pixels) {
+  vtkDataArray* moved = lines.GetPointData()->GetArray(kMoved);
+  if (moved == nullptr) return &lines;
+  const auto isMoved = [&](vtkIdType point) {
+    const Eigen::Vector3d by(moved->GetTuple3(point));
+    return view.pixelsPerLengthAt(Eigen::Vector3d(lines.GetPoint(point))) * (view.axes * by).norm() >= pixels;
+  };
+  vtkNew<vtkCellArray> segments;
+  vtkNew<vtkIdList> ids;
+  vtkCellArray& all = *lines.GetLines();
+  for (vtkIdType cell = 0; cell < all.GetNumberOfCells(); ++cell) {
+    all.GetCellAtId(cell, ids);
+    for (vtkIdType k = 1; k < ids->GetNumberOfIds(); ++k) {
+      const std::array<vtkIdType, 2> ends{ids->GetId(k - 1), ids->GetId(k)};
+      if (isMoved(ends[0]) || isMoved(ends[1])) segments->InsertNextCell(2, ends.data());
+    }
+  }
+  const auto kept = vtkSmartPointer<vtkPolyData>::New();
+  kept->SetPoints(lines.GetPoints());
+  kept->SetLines(segments);
+  return kept;
 }
 
 vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData& surface) {

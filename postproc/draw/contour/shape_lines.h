@@ -24,6 +24,15 @@ vtkSmartPointer<vtkPolyData> silhouetteOf(vtkPolyData& surface, const View& view
 inline constexpr const char* kWayAlong = "way_along";
 vtkSmartPointer<vtkPolyData> withWayAlong(vtkPolyData& lines, const View& view);
 
+/// Point data: by what a point has moved, three components.
+inline constexpr const char* kMoved = "moved";
+
+/// Gives points `kMoved`, to the points of the same numbers after it.
+void setMoved(vtkPolyData& before, vtkPolyData& after);
+
+/// The segments of lines with `kMoved` that are seen to have moved by so many pixels, at one end at least; all of lines without it.
+vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, double pixels);
+
 /// The border of a surface and its sharp edges.
 vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData& surface);
 

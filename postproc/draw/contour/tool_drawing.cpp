@@ -93,8 +93,8 @@ vtkSmartPointer<vtkPolyData> withRadius(vtkPolyData& circle, const RecordedShape
 }  // namespace
 
 ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, double stroke,
-                          std::optional<double> turn) {
-  const auto outline = toolOutline(tool, 2, visible);
+                          std::optional<double> turn, double error) {
+  const auto outline = toolOutline(tool, 2, visible, error);
   ToolDrawing drawing;
   if (const auto normal = planeNormal(tool.shape)) {
     drawing.lines = hatchedLine(*outline, *normal, stroke);
@@ -109,13 +109,13 @@ ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& vis
 }
 
 ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const View& view,
-                          const std::optional<CutPlane>& cut) {
-  const auto shape = withoutSeams(*toolOutline(tool, 3, visible));
+                          double error, const std::optional<CutPlane>& cut) {
+  const auto shape = withoutSeams(*toolOutline(tool, 3, visible, error));
   ToolDrawing drawing;
   drawing.surface = shape->GetPointData()->GetNormals() ? shape : withNormals(*shape);
   drawing.lines = together(*edgesOf(*shape), *silhouetteOf(*drawing.surface, view));
   if (!cut) return drawing;
-  const auto section = sectionOf(*shape, *cut);
+  const auto section = toolSection(tool, visible, *cut, error);
   if (hasInside(tool.shape)) drawing.area = enclosedAreas(*section);
   drawing.surface = behind(*drawing.surface, *cut);
   drawing.lines = together(*behind(*drawing.lines, *cut), *section);
@@ -123,8 +123,8 @@ ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& vis
 }
 
 ToolDrawing drawToolSection(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const CutPlane& plane,
-                            double stroke) {
-  const auto section = sectionOf(*toolOutline(tool, 3, visible), plane);
+                            double stroke, double error) {
+  const auto section = toolSection(tool, visible, plane, error);
   if (section->GetNumberOfCells() == 0) return {};
   if (const auto flat = planeNormal(tool.shape)) {
     const Eigen::Vector3d across = plane.normal.normalized();

@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <optional>
 
 #include "engine/results/result.h"
@@ -21,17 +22,17 @@ struct ToolDrawing {
 
 /// In the plane: what is closed as an area with its outline, else a line with hatches on the side of the
 /// tool. visible: the box that is seen; stroke: length of a hatch; turn: of a disc, which then has a radius
-/// that shows it, in radians.
+/// that shows it, in radians; error: as of `toolOutline`.
 ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, double stroke,
-                          std::optional<double> turn = {});
+                          std::optional<double> turn = {}, double error = HUGE_VAL);
 
 /// In space: the surface, its edges and where it turns away from the eye. With `cut` only what lies behind
 /// it, and the section.
 ToolDrawing drawSpaceTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const View& view,
-                          const std::optional<CutPlane>& cut = {});
+                          double error, const std::optional<CutPlane>& cut = {});
 
 /// The section of a tool in space, drawn as one in the plane.
 ToolDrawing drawToolSection(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, const CutPlane& plane,
-                            double stroke);
+                            double stroke, double error);
 
 }  // namespace burnish

@@ -94,6 +94,14 @@ struct Cells {
   Grid with, without, undeformed;
 };
 
+/// Those of the first instant from a number on that has any.
+std::vector<ForeignField> fieldsFrom(const ForeignFile& file, std::size_t first) {
+  const std::size_t count = instantsOf(file).size();
+  std::vector<ForeignField> fields;
+  for (std::size_t k = first; k < count && fields.empty(); ++k) fields = foreignFieldsOf(file.blocks(k));
+  return fields;
+}
+
 class SubjectMaker {
  public:
   SubjectMaker(const ForeignFile& file, int instant, const ForeignOptions& options)
@@ -104,6 +112,9 @@ class SubjectMaker {
         fields_(foreignFieldsOf(blocks_)) {
     requireForeign(options, file.file());
   }
+
+  /// Whether the instant has a field that is drawn.
+  bool hasField() const { return choice_.has_value(); }
 
   ContourSubject make() {
     ContourSubject subject;
@@ -125,7 +136,7 @@ class SubjectMaker {
                         (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
     subject.dim = isFlat ? 2 : 3;
     const vtkSmartPointer<vtkPointSet> places = placesOf(*cells.with);
-    subject.ranges.whole = rangeOf(*places);
+    subject.ranges.whole = choice_ || !options_.range ? rangeOf(*places) : *options_.range;
     subject.ranges.shown = subject.ranges.whole;
     subject.parts = options_.threshold ? chosenParts(cells, subject) : partsOf(cells, subject);
     subject.parts.mark = options_.mark;
@@ -136,6 +147,10 @@ class SubjectMaker {
  private:
   void choose(FieldChoice& words) {
     const std::vector<double>& times = file_.times();
+    if (fields_.empty() && times.size() > 1) {  // a mesh, before what was computed on it
+      words = wordsOf(chooseForeignField(fieldsFrom(file_, 0), options_.field));
+      return;
+    }
     choice_ = chooseForeignField(fields_, options_.field,
                                  times.size() < 2 ? "the file"
                                                   : fmt::format("frame {} (t = {:.6g})", instant_,
@@ -150,7 +165,7 @@ class SubjectMaker {
 
   Cells collect(ContourSubject& subject) {
     const ForeignField* displacement = displacementAmong(fields_);
-    if (options_.addedWarp != 0.0 && displacement == nullptr)
+    if (options_.addedWarp != 0.0 && displacement == nullptr && choice_)
       throw Error(fmt::format(
           "warp: {} has no vector called displacement, displacements, disp, displ or u at its points",
           file_.file().string()));
@@ -159,7 +174,7 @@ class SubjectMaker {
       const Grid grid = bareGrid(block);
       if (options_.addedWarp != 0.0) {
         if (options_.undeformed) undeformed.push_back(bareGrid(block));
-        warp(*grid, block, *displacement, options_.addedWarp);
+        if (displacement != nullptr) warp(*grid, block, *displacement, options_.addedWarp);
       }
       const Eigen::VectorXd values = choice_ ? choice_->valuesOf(block) : Eigen::VectorXd();
       if (values.size() > 0) {
@@ -394,16 +409,15 @@ class SubjectMaker {
   std::optional<ForeignChoice> choice_;
 };
 
-ContourSubject subjectOf(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  return SubjectMaker(file, instant, options).make();
-}
-
-/// What is left of the options for a subject, whose parts have what is added to its displacements.
-ContourOptions drawnOptions(const ForeignOptions& options) {
+/// Calls draw with the subject, and with what is left of the options for it, as its parts have what is added to its displacements.
+template <class Draw>
+auto drawn(const ForeignFile& file, int instant, const ForeignOptions& options, const Draw& draw) {
+  SubjectMaker maker(file, instant, options);
+  const ContourSubject subject = maker.make();
   ContourOptions own = options;
   own.warp = 1.0;
-  own.colorScale = options.colorScale && !options.field.empty();
-  return own;
+  own.colorScale = options.colorScale && !options.field.empty() && (maker.hasField() || options.range);
+  return draw(subject, own);
 }
 
 }  // namespace
@@ -412,13 +426,24 @@ std::vector<double> instantsOf(const ForeignFile& file) {
   return file.times().empty() ? std::vector<double>{0.0} : file.times();
 }
 
-std::string foreignFieldToShow(const ForeignFile& file, int instant) {
-  return foreignFieldToShow(foreignFieldsOf(file.blocks(static_cast<std::size_t>(instant))));
+std::string foreignFieldToShow(const ForeignFile& file, int first) {
+  return foreignFieldToShow(fieldsFrom(file, static_cast<std::size_t>(first)));
+}
+
+void requireForeignFields(const ForeignFile& file, const std::vector<int>& instants,
+                          const std::string& asked) {
+  for (const int k : instants)
+    if (!foreignFieldsOf(file.blocks(static_cast<std::size_t>(k))).empty()) return;
+  chooseForeignField(
+      {}, asked,
+      instants.size() == 1 ? fmt::format("frame {}", instants.front()) : "what is drawn of the file");
 }
 
 FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  const ContourSubject subject = subjectOf(file, instant, options);
-  FrameView view{.shown = subject.ranges.whole, .content = {}};
+  SubjectMaker maker(file, instant, options);
+  const ContourSubject subject = maker.make();
+  FrameView view{.content = {}};
+  if (maker.hasField()) view.shown = subject.ranges.whole;
   view.show(subject.parts, subject.dim, options.eye);
   return view;
 }
@@ -431,11 +456,15 @@ ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
 }
 
 ContourImage foreignImage(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  return contourImage(subjectOf(file, instant, options), drawnOptions(options));
+  return drawn(file, instant, options, [](const ContourSubject& subject, const ContourOptions& own) {
+    return contourImage(subject, own);
+  });
 }
 
 PrintPage foreignPage(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  return contourPage(subjectOf(file, instant, options), drawnOptions(options));
+  return drawn(file, instant, options, [](const ContourSubject& subject, const ContourOptions& own) {
+    return contourPage(subject, own);
+  });
 }
 
 void drawForeign(const ForeignFile& file, const std::vector<int>& instants, const ForeignOptions& options,

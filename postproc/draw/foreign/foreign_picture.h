@@ -20,8 +20,13 @@ struct ForeignOptions : ContourOptions {
 /// Times of the file's instants; 0 for one without a time.
 std::vector<double> instantsOf(const ForeignFile& file);
 
-/// The field that is drawn unless one is asked for; empty for a file without fields, whose shape alone is drawn.
-std::string foreignFieldToShow(const ForeignFile& file, int instant);
+/// The field that is drawn from an instant on unless one is asked for, of the first that has any; empty where none has,
+/// whose shape alone is drawn.
+std::string foreignFieldToShow(const ForeignFile& file, int first);
+
+/// Throws `Error` if none of these instants has fields: then there is none to ask for.
+void requireForeignFields(const ForeignFile& file, const std::vector<int>& instants,
+                          const std::string& asked);
 
 /// The options with a range of colours and a window for several instants, as `withCommonView` has them. Throws
 /// `Error` as `drawForeign` does.

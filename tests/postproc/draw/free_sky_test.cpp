@@ -53,6 +53,18 @@ TEST(FreeSky, BesideAWallIsThatOfTheFormFactor) {
         << d;
 }
 
+/// In whichever unit lengths are told.
+TEST(FreeSky, DoesNotDependOnTheSize) {
+  for (const double size : {1e-20, 1e19, 1e30}) {
+    Eigen::Matrix<double, 3, 4> corners;
+    corners << 0, 0, 0, 0, -500, 500, 500, -500, 0, 0, 1, 1;
+    const FreeSky sky({polygon(size * corners)}, {}, 1.0);
+    EXPECT_NEAR(sky.sharesAt(Vector3d(size, 0.0, 0.0), Vector3d::UnitZ(), {size * kFar})(0),
+                1.0 - 0.5 * (1.0 - std::sqrt(0.5)), kRayTolerance)
+        << size;
+  }
+}
+
 TEST(FreeSky, UnderADiscIsThatOfTheFormFactor) {
   Eigen::Matrix3Xd circle(3, 720);
   for (Eigen::Index k = 0; k < circle.cols(); ++k) {
