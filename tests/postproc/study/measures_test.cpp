@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "engine/core/error.h"
-#include "engine/results/result_files.h"
 #include "postproc/study/claims.h"
 #include "postproc/study/evidence/reductions.h"
 #include "postproc/study/evidence/refinement.h"
@@ -237,11 +236,12 @@ TEST(EvaluateMeasure, ReadsDepthsProfilesAndRoughness) {
 
   const Sample sample = slab();
   const std::filesystem::path other = runDirectory(directory.path(), study.runs[1]);
-  removeResult(modelFile(other));
+  const RunAccount account = readSummary(other);
   ResultWriter result(other, sample.model);
   FrameRecord frame = sample.frame;
   frame.fields["plastic_strain"].values *= 1.25;
   result.append(frame);
+  writeSummary(other, account);
   place.fields = {"plastic_strain"};
   EXPECT_THAT(value(0, ProfileMeasure{place, study.runs[1].name, {}}).value,
               Optional(DoubleNear((2.0 - 1.25) / 1.25, 1e-6)));

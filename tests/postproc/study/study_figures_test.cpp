@@ -144,6 +144,20 @@ TEST_F(StudyFigures, SurfaceChartShowsTheContactAtEachTime) {
   EXPECT_LT(lines, 40 * 2 / 3 + 4);
 }
 
+TEST_F(StudyFigures, RoughnessHasTheProfileOfEachRunAndTime) {
+  RoughnessFigure spec;
+  spec.runs = {"nurbs-fine"};
+  spec.times = {1.0, 2.0};
+  spec.timeLabels = {"before", "after"};
+  spec.face.face = "top";
+  EXPECT_THAT(draw("r", spec), ElementsAre("r.png", "r.csv"));
+  const std::string table = text("r.csv");
+  EXPECT_THAT(table, HasSubstr("NURBS, fine, before"));
+  EXPECT_THAT(table, HasSubstr("NURBS, fine, after"));
+  // A parabola 0.15 deep begins 0.1 above its mean line.
+  EXPECT_NEAR(std::stod(table.substr(table.find("\n0,") + 3)), 0.1, 1e-4);
+}
+
 TEST_F(StudyFigures, ProbeHasACurveForEachRunAndTime) {
   ProbeFigure spec;
   spec.runs = {"nurbs-fine", "lagrange-fine"};
