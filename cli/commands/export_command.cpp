@@ -18,6 +18,7 @@
 #include "cli/jobs/child_process.h"
 #include "cli/offered_words.h"
 #include "engine/cad/cad_file.h"
+#include "engine/cad/unit_label.h"
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
@@ -86,19 +87,13 @@ void requireFrames(const ResultReader& reader) {
                     reader.file().string()));
 }
 
-/// The unit that a scene names for its lengths; millimetres for one that no CAD file knows.
-LengthUnit unitOf(const std::string& label) {
-  for (const auto& [name, unit] : EnumNames<LengthUnit>::values)
-    if (label == name) return unit;
-  return LengthUnit::Millimetre;
-}
-
 void writeFaces(const ModelRecord& model, const FrameRecord& frame, CadFormat format,
                 const std::filesystem::path& file) {
   const auto faces = nurbsFaces(model, frame);
   if (file.has_parent_path()) makeDirectory(file.parent_path());
   writeFileAtomically(file, [&](const std::filesystem::path& partial) {
-    writeCad(faces, unitOf(model.lengthUnit), format, partial.string());
+    writeCad(faces, lengthUnitOf(model.lengthUnit).value_or(LengthUnit::Millimetre), format,
+             partial.string());
   });
 }
 

@@ -38,7 +38,8 @@ struct CadSurface {
   Eigen::Matrix3Xi cells;    ///< corners counterclockwise seen from outside
 };
 
-/// Throws `Error` if the file cannot be read or does not hold what is asked for, or without OpenCASCADE.
+/// Reads in a process of its own: OpenCASCADE ends its process on some damaged files. Throws `Error` if the file cannot be read or
+/// does not hold what is asked for, or without OpenCASCADE.
 CadSurface readCad(const CadRequest& request);
 
 enum class CadFormat { Step, Iges };

@@ -1,27 +1,13 @@
 #pragma once
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <string>
 #include <vector>
 
+#include "engine/core/byte_stream.h"
 #include "postproc/foreign/foreign_source.h"
 
-/// What goes from the process of a reader to the program: numbers, texts and blocks as bytes.
+/// What goes from the process of a reader to the program.
 namespace burnish {
 
-/// Takes, or fills, so many bytes.
-using TakeBytes = std::function<void(const void* bytes, std::size_t count)>;
-using FillBytes = std::function<void(void* bytes, std::size_t count)>;
-
-void send(std::int64_t number, const TakeBytes& take);
-void send(const std::string& text, const TakeBytes& take);
-void send(const std::vector<double>& numbers, const TakeBytes& take);
 void send(const std::vector<ForeignBlock>& blocks, const TakeBytes& take);
-
-std::int64_t receiveNumber(const FillBytes& fill);
-std::string receiveText(const FillBytes& fill);
-std::vector<double> receiveNumbers(const FillBytes& fill);
 std::vector<ForeignBlock> receiveBlocks(const FillBytes& fill);
 
 }  // namespace burnish

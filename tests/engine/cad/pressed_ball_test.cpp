@@ -16,16 +16,18 @@
 namespace burnish {
 namespace {
 
-/// Force on the tool at the end of a run in which it goes 0.1 into a block; `tool`: its keys.
-double forceOf(const std::string& tool, const std::filesystem::path& directory) {
+/// Force on the tool at the end of a run in which it goes 0.1 into a block; `tool`: its keys, `length`: label of lengths.
+double forceOf(const std::string& tool, const std::filesystem::path& directory,
+               const std::string& length = "") {
   const Scene scene =
       parseScene(fmt::format("geometry: {{shape: box, size: [2, 2, 1], spans: [6, 6, 3]}}\n"
                              "material: {{law: neo-hookean, E: 1, nu: 0.3}}\n"
                              "supports: [{{face: back, fix: [x, y, z]}}]\n"
                              "tools: [{{name: ball, {}, motion: {{times: [0, 1], z: [0, -0.1]}}}}]\n"
                              "contact: [{{tool: ball, face: front}}]\n"
-                             "steps: [{{until: 1, count: 2}}]\noutput: {{vtu: false}}\n",
-                             tool),
+                             "steps: [{{until: 1, count: 2}}]\noutput: {{vtu: false}}\n"
+                             "units: {{length: '{}'}}\n",
+                             tool, length),
                  (directory / "scene.yaml").string());
   const auto outcome = test::run(scene, "pressed_ball");
   EXPECT_TRUE(outcome.summary.completed);
@@ -44,6 +46,12 @@ TEST(PressedBall, HasTheForceOfTheSphere) {
   const double fromCad = forceOf("shape: cad, file: ball.step", directory.path());
   EXPECT_GT(exact, 0.01);
   EXPECT_NEAR(fromCad, exact, 1e-7 * exact);
+
+  // The scene's own label is the unit that lengths are converted into, unless the tool says another.
+  const std::string thousandth = "shape: cad, file: ball.step, scale: 0.001";
+  EXPECT_NEAR(forceOf(thousandth + ", unit: um", directory.path(), "m"), exact, 1e-7 * exact);
+  EXPECT_NEAR(forceOf(thousandth, directory.path(), "um"), exact, 1e-7 * exact);
+  EXPECT_NEAR(forceOf("shape: cad, file: ball.step", directory.path(), "some length"), exact, 1e-7 * exact);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include "tests/engine/scene/scene_samples.h"
 #include "tests/engine/scene/two_bodies_sample.h"
+#include "tests/example_scenes.h"
 
 namespace burnish {
 namespace {
@@ -518,13 +519,9 @@ TEST(PaperScenes, holdTheConstantsOfTheStudy) {
 }
 
 TEST(ExampleScenes, areRead) {
-  int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(scenes / "examples")) {
-    if (entry.path().extension() != ".yaml") continue;
-    EXPECT_NO_THROW(readScene(entry.path())) << entry.path();
-    ++count;
-  }
-  EXPECT_GE(count, 3);
+  const auto examples = samples::exampleScenes();
+  for (const auto& file : examples) EXPECT_NO_THROW(readScene(file)) << file;
+  EXPECT_GE(examples.size(), 3u);
 }
 
 TEST(SceneBodies, TakeWhatTheyDoNotSayFromTheScene) {

@@ -17,6 +17,7 @@
 #include "engine/schema/declaration_collector.h"
 #include "postproc/scene/scene_listing.h"
 #include "tests/engine/scene/scene_mistakes.h"
+#include "tests/example_scenes.h"
 
 /// What a scene's file says beyond what the engine computes: pictures, variants, checks, charts.
 namespace burnish {
@@ -278,13 +279,9 @@ const std::filesystem::path scenes = std::filesystem::path(BURNISH_SOURCE_DIR) /
 TEST(SceneDocument, OfThePaperAndTheExamplesAreRead) {
   for (const char* file : {"paper/elastic.yaml", "paper/plastic.yaml"})
     EXPECT_THAT(readSceneDocument(scenes / file).pictures.at(0).times, ElementsAre(1.0, 1.5, 2.0)) << file;
-  int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(scenes / "examples")) {
-    if (entry.path().extension() != ".yaml") continue;
-    EXPECT_NO_THROW(readSceneDocument(entry.path())) << entry.path();
-    ++count;
-  }
-  EXPECT_GE(count, 3);
+  const auto examples = samples::exampleScenes();
+  for (const auto& file : examples) EXPECT_NO_THROW(readSceneDocument(file)) << file;
+  EXPECT_GE(examples.size(), 3u);
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+#pragma once
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+
+#include "engine/core/byte_stream.h"
+
+namespace burnish {
+
+/// Reads a file in a process of its own, with the readers of other libraries: on a damaged file these may end their process, come to
+/// no end or take all memory.
+class ReadingProcess {
+ public:
+  /// What is done there for a question: it is worked out, and how it is sent is returned. `Error`s and `std::bad_alloc` that are thrown
+  /// reach the one who asked, and end the process.
+  using Send = std::function<void(const TakeBytes&)>;
+  using Answer = std::function<Send(std::int64_t question)>;
+
+  /// Starts the process. Throws `Error` if that is not possible.
+  ReadingProcess(std::filesystem::path file, const Answer& answer);
+  ~ReadingProcess();
+  ReadingProcess(const ReadingProcess&) = delete;
+  ReadingProcess& operator=(const ReadingProcess&) = delete;
+
+  const std::filesystem::path& file() const { return file_; }
+
+  /// Asks, and has the answer received. Throws `Error`, also if the process has ended or takes too long, and `Interrupted`.
+  void ask(std::int64_t question, const std::function<void(const FillBytes&)>& receive);
+
+ private:
+  void fillWith(void* bytes, std::size_t count);
+  void stop();
+  int waitForEnd();
+
+  std::filesystem::path file_;
+  ::pid_t process_ = -1;
+  int questions_ = -1, answers_ = -1;
+  std::chrono::steady_clock::time_point deadline_;
+};
+
+}  // namespace burnish
