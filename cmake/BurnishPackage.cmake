@@ -1,5 +1,14 @@
 # cpack -G DEB: a Debian package for each component of cmake/BurnishInstall.cmake; scripts/package builds and checks them.
-set(BURNISH_MAINTAINER "The authors of burnish <burnish@packages.invalid>" CACHE STRING "Who answers for the packages: NAME <ADDRESS>")
+# Who builds packages for others answers for them, and says so as for every package of Debian; else they are of the authors, who have no
+# address of their own.
+file(STRINGS "${PROJECT_SOURCE_DIR}/CITATION.cff" authors REGEX "^  - name: ")
+list(GET authors 0 author)
+string(REPLACE "  - name: " "" author "${author}")
+set(maintainer "${author} <burnish@example.org>")
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
+set(BURNISH_MAINTAINER "${maintainer}" CACHE STRING "Who answers for the packages: NAME <ADDRESS>")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME burnish)
