@@ -224,7 +224,8 @@ void ModelBuilder<Dim>::addTool(std::size_t number) {
   const Tool& tool = *model_->tools_.back();
   model_->numForces_ += static_cast<int>(tool.freeUnknowns().size());
   model_->numUnknowns_ = model_->numForces_;
-  if (auto load = makeToolLoad(spec, scene_, tool)) model_->toolLoads_.push_back({number, std::move(load)});
+  if (auto load = makeToolLoad(spec, scene_, tool, model_->body_.size()))
+    model_->toolLoads_.push_back({number, std::move(load)});
   const auto corners = cornersOf(spec);
   model_->corners_.insert(model_->corners_.end(), corners.begin(), corners.end());
 }

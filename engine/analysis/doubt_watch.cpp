@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "engine/analysis/contact_side.h"
+#include "engine/analysis/pressed_part.h"
+#include "engine/scene/path_of_tool.h"
 
 namespace burnish {
 namespace {
@@ -52,7 +54,10 @@ DoubtWatch<Dim>::DoubtWatch(const Scene& scene, const Model<Dim>& model)
       toolDoubts_(toolWatch_.sentences().size()),
       tipDoubts_(model.contacts().size()),
       tips_(model.contacts().size()),
-      touched_(model.tools().size(), false) {}
+      touched_(model.tools().size(), false) {
+  for (const ToolSpec& tool : scene.tools)
+    paths_.push_back(tool.path ? std::optional(pathOf(tool)) : std::nullopt);
+}
 
 template <int Dim>
 void DoubtWatch<Dim>::note(Condition condition, bool holds, double time, double value) {
@@ -74,6 +79,7 @@ void DoubtWatch<Dim>::update(const RunHistory<Dim>& history, const std::function
   note(Condition::Stabilisation, s.stabilisedShare > limitOf(Condition::Stabilisation), s.time,
        s.stabilisedShare);
   watchContacts(history);
+  watchPaths(s.time);
   if (history.numStates() > kCoarseStates) watchWork(history);
   watchTools(s, history.x());
 }
@@ -113,6 +119,18 @@ void DoubtWatch<Dim>::watchContacts(const RunHistory<Dim>& history) {
   note(Condition::Penetration, refinement > 1.0, time, refinement);
   note(Condition::LostContact, lost, time);
   note(Condition::InsideTheBody, inside > limitOf(Condition::InsideTheBody), time, inside);
+}
+
+/// Where the forces of passes are full: while a tool comes down its contact is small in any case.
+template <int Dim>
+void DoubtWatch<Dim>::watchPaths(double time) {
+  double coarseness = 0.0;
+  for (const auto& pair : model_.contacts()) {
+    if (!paths_[pair.tool] || !paths_[pair.tool]->hasFullForce(time)) continue;
+    const auto [area, largestSpan] = pressedPart(*pair.term);
+    if (area > 0.0) coarseness = std::max(coarseness, largestSpan / (2.0 * halfWidthOf<Dim>(area)));
+  }
+  note(Condition::CoarsePath, coarseness * limitOf(Condition::CoarsePath) > 1.0, time, coarseness);
 }
 
 template <int Dim>

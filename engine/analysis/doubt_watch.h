@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "engine/analysis/tip_watch.h"
 #include "engine/analysis/tool_watch.h"
 #include "engine/results/doubts.h"
+#include "engine/tools/tool_path.h"
 
 namespace burnish {
 
@@ -43,6 +45,7 @@ class DoubtWatch {
  private:
   void note(Condition condition, bool holds, double time, double value = 0.0);
   void watchContacts(const RunHistory<Dim>& history);
+  void watchPaths(double time);
   void watchWork(const RunHistory<Dim>& history);
   void watchTools(const StateQuantities& current, const Eigen::VectorXd& x);
   bool hasLostResolution(const ContactPair<Dim>& pair) const;
@@ -50,7 +53,8 @@ class DoubtWatch {
 
   const Model<Dim>& model_;
   SceneTraits scene_;
-  const ModelBody<Dim>* rezoned_;  ///< the body that is meshed anew; null for none
+  const ModelBody<Dim>* rezoned_;               ///< the body that is meshed anew; null for none
+  std::vector<std::optional<ToolPath>> paths_;  ///< per tool
   ToolWatch<Dim> toolWatch_;
   TipWatch<Dim> tipWatch_;
   std::array<Doubt, kConditions> doubts_{};

@@ -30,9 +30,9 @@ std::string placeOf(const Model<Dim>& model, int unknown) {
                        kAxes[static_cast<std::size_t>(unknown % Dim)]);
   }
   for (const auto& tool : model.tools())
-    for (std::size_t dof = 0; dof < kToolDofs; ++dof)
+    for (std::size_t dof = 0; dof < kAllToolDofs; ++dof)
       if (tool->unknowns[dof] == unknown)
-        return fmt::format("tool '{}', {}", tool->name, dof == kTurn ? "in its turn" : kAxes[dof]);
+        return fmt::format("tool '{}', {}", tool->name, dof >= kTurn ? "in its turn" : kAxes[dof]);
   return "a constraint";
 }
 

@@ -13,6 +13,13 @@ std::string pulledTool(const Model<Dim>& model) {
 }
 
 template <int Dim>
+std::string toolHeldBack(const Model<Dim>& model) {
+  for (const auto& load : model.toolLoads())
+    if (load.term->carriesTooLittle()) return load.term->tool().name;
+  return {};
+}
+
+template <int Dim>
 std::string runawayKey(const Model<Dim>& model) {
   for (const auto& load : model.toolLoads())
     if (const auto dof = load.term->runaway())
@@ -22,6 +29,8 @@ std::string runawayKey(const Model<Dim>& model) {
 
 template std::string pulledTool(const Model<2>&);
 template std::string pulledTool(const Model<3>&);
+template std::string toolHeldBack(const Model<2>&);
+template std::string toolHeldBack(const Model<3>&);
 template std::string runawayKey(const Model<2>&);
 template std::string runawayKey(const Model<3>&);
 

@@ -7,12 +7,18 @@
 namespace burnish {
 
 /// Keys of a tool's degrees of freedom under `carry`.
-inline constexpr std::array<const char*, kToolDofs> kCarryKeys{"x", "y", "z", "moment"};
+inline constexpr std::array<const char*, kAllToolDofs> kCarryKeys{"x",    "y",    "z",   "moment",
+                                                                  "spin", "spin", "spin"};
 
 /// Name of a tool that has to be held by what it carries to stay in touch with the body, in the state that
 /// the terms have been evaluated at; empty if there is none.
 template <int Dim>
 std::string pulledTool(const Model<Dim>& model);
+
+/// Name of a tool that its path keeps from carrying its force in the middle of a pass, in the same state; empty if there
+/// is none.
+template <int Dim>
+std::string toolHeldBack(const Model<Dim>& model);
 
 /// Key of a free degree of freedom (`tools[0].carry.x`) in which a tool has moved too far since the last
 /// accepted state; empty if none has.

@@ -125,6 +125,10 @@ struct ToolRow {
 
 using State = const StateQuantities&;
 
+double degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
+
 constexpr ToolRow kTool[] = {
     {".ux",
      {"Displacement of {} in x", Length},
@@ -165,7 +169,23 @@ constexpr ToolRow kTool[] = {
     {".angle",
      {"Turn of {}", Degrees},
      Where::NotInAxisymmetry,
-     [](State s, std::size_t k) { return s.toolPoses[k].angle * 180.0 / std::numbers::pi; }},
+     [](State s, std::size_t k) { return degrees(s.toolPoses[k].angle); }},
+};
+
+/// Of balls that spin.
+constexpr ToolRow kSpinning[] = {
+    {".angle_x",
+     {"Turn of {} about x, added up", Degrees},
+     Where::InSpace,
+     [](State s, std::size_t k) { return degrees(s.toolPoses[k].spin(0)); }},
+    {".angle_y",
+     {"Turn of {} about y, added up", Degrees},
+     Where::InSpace,
+     [](State s, std::size_t k) { return degrees(s.toolPoses[k].spin(1)); }},
+    {".angle_z",
+     {"Turn of {} about z, added up", Degrees},
+     Where::InSpace,
+     [](State s, std::size_t k) { return degrees(s.toolPoses[k].spin(2)); }},
 };
 
 /// Of tools that a pair touches with the integral method.
@@ -330,6 +350,7 @@ std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& 
       addTool(columns, rows, model.tools()[k]->name, k, Dim == 3, model.body().axisymmetric);
     };
     addRows(kTool);
+    if (model.tools()[k]->spins()) addRows(kSpinning);
     if (hasPair(model, k, isIntegral)) addRows(kArea);
     if (!hasPair(model, k, rubs)) continue;
     addRows(kToolFriction);
@@ -368,7 +389,7 @@ std::optional<ColumnMeaning> columnMeaning(const std::string& column, const std:
   };
   const bool isTool =
       tools ? std::find(tools->begin(), tools->end(), owner) != tools->end() : has(".ux") && has(".fx");
-  if (isTool) return ownersMeaning<ToolRow>(column, owner, {kTool, kArea, kToolFriction});
+  if (isTool) return ownersMeaning<ToolRow>(column, owner, {kTool, kSpinning, kArea, kToolFriction});
   if (has(".pressed")) return ownersMeaning<PairRow>(column, owner, {kPair});
   if (has(".min_detJ")) return ownersMeaning<BodyRow>(column, owner, {kEachBody});
   return std::nullopt;

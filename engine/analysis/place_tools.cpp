@@ -124,20 +124,51 @@ Eigen::MatrixXd slopesOfGaps(const Tool& tool, const std::vector<std::size_t>& d
 /// Slopes of gaps below this share of the number of points are none.
 constexpr double kNoSlope = 1e-8;
 
-/// Whether a tool is free to turn, and its shape moves in itself when it does, as that of a roller or a ball.
-bool spinsInItself(const Tool& tool, int dim, double bodySize) {
-  if (!tool.isFree(kTurn)) return false;
+/// Whether the shape of a tool moves in itself when it turns about its axis, as that of a roller or a ball.
+bool turnsInItself(const Tool& tool, int dim, double bodySize) {
   const Eigen::MatrixXd slopes = slopesOfGaps(tool, {kTurn}, dim, bodySize);
   return slopes.norm() <= kNoSlope * static_cast<double>(slopes.rows());
 }
 
+/// Throws `InputError` at `place` unless a tool is a ball about its pivot, and rubs.
+void requireBall(Tool tool, double bodySize, bool rubs, const std::string& place) {
+  for (int d = 0; d < 3; ++d) {
+    tool.axis = Eigen::Vector3d::Unit(d);
+    if (!turnsInItself(tool, 3, bodySize))
+      throw InputError(
+          place,
+          fmt::format("tool '{}' is no ball about its pivot; spin is for spheres that turn about their "
+                      "middle. Give other tools a moment about their pivot_axis",
+                      tool.name));
+  }
+  if (!rubs)
+    throw InputError(
+        place, fmt::format("nothing turns tool '{}', as no contact of it has friction; leave spin out, or "
+                           "give its contact friction",
+                           tool.name));
+}
+
+/// Throws `InputError` at `place` if the force that a tool carries in its holder ever pulls it off the body.
+void requirePressed(const ToolLoad& load, const ToolLoad::Holder& holder, double end,
+                    const std::string& place) {
+  constexpr int kSamples = 1000;
+  for (int k = 0; k <= kSamples; ++k) {
+    const double t = end * k / kSamples, force = load.force(t)(static_cast<Eigen::Index>(holder.dof));
+    if (holder.sign * force < 0.0)
+      throw InputError(place,
+                       fmt::format("found {:.4g} at t = {:.4g}, a force along clearance that lifts the tool; "
+                                   "allowed: forces that press it on the body",
+                                   force, t));
+  }
+}
+
 /// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free degrees of freedom in
 /// which the shape of a tool moves in itself, for instance a disc that turns about its middle: no contact
-/// resists it there. spins: friction determines its turn.
-void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize, bool spins) {
+/// resists it there. turns: friction determines its turn.
+void requireDetermined(const Tool& tool, const std::string& place, int dim, double bodySize, bool turns) {
   std::vector<std::size_t> dofs;
   for (std::size_t dof = 0; dof < kToolDofs; ++dof)
-    if (tool.isFree(dof) && !(spins && dof == kTurn)) dofs.push_back(dof);
+    if (tool.isFree(dof) && !(turns && dof == kTurn)) dofs.push_back(dof);
   if (dofs.empty()) return;
   const Eigen::MatrixXd slopes = slopesOfGaps(tool, dofs, dim, bodySize);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinV);
@@ -196,8 +227,8 @@ void requireTouch(const Pairs<Dim>& pairs, const Tool& tool, double bodySize, co
                                         tool.name));
 }
 
-/// Brings a tool with free degrees of freedom into touch with the body, unless all that is free is the turn of one
-/// that moves in itself. x: unknowns of the start, in which its displacement is written.
+/// Brings a tool with free degrees of freedom into touch with the body, unless its path does, or all that is free are
+/// turns in which it moves in itself. x: unknowns of the start, in which its displacement is written.
 template <int Dim>
 void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& load, Eigen::VectorXd& x) {
   const Tool& tool = *model.tools()[load.tool];
@@ -210,11 +241,23 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
         fmt::format("tool '{}' is free to move, but touches no face; name it under contact", tool.name));
   const bool rubs =
       std::ranges::any_of(pairs, [](const auto* pair) { return pair->options().hasFriction(); });
-  const bool spins = rubs && spinsInItself(tool, Dim, bodySize);
-  if (spins) load.term->steadyTurn(model.forceFloor() / bodySize);
-  requireDetermined(tool, place, Dim, bodySize, spins);
+  const double steadiness = model.forceFloor() / bodySize;
+  if (tool.spins()) requireBall(tool, bodySize, rubs, place + ".spin");
+  const bool turns = rubs && tool.isFree(kTurn) && turnsInItself(tool, Dim, bodySize);
+  if (turns || tool.spins()) load.term->steadyTurns(steadiness);
+  requireDetermined(tool, place, Dim, bodySize, turns);
+  if (auto& holder = load.term->holder()) {
+    const auto dof = static_cast<Eigen::Index>(holder->dof);
+    requirePressed(*load.term, *holder, scene.steps.back().until,
+                   fmt::format("{}.{}", place, kCarryKeys[holder->dof]));
+    holder->stiffness = steadiness / kForceFloor;  // that of the body
+    holder->steadiness = steadiness;
+    x(tool.unknowns[holder->dof]) = tool.pose(0.0).displacement(dof);
+    return;  // its path takes it to the body
+  }
   const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
-  if (spins && !slides) return;  // touches where its motion takes it, and keeps its turn where it does not
+  if ((turns || tool.spins()) && !slides)
+    return;  // touches where its motion takes it, and keeps its turn elsewhere
   pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
   if (!slides) {
     requireTouch<Dim>(pairs, tool, bodySize, place);
@@ -225,9 +268,10 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
     throw InputError(
         place, fmt::format("tool '{}' carries no force at any time; give it one, or prescribe its motion",
                            tool.name));
+  const Eigen::Vector3d start = tool.pose(0.0).displacement;
   const Eigen::Vector3d shift = shiftToTouch<Dim>(pairs, tool, direction, bodySize, place);
   for (std::size_t dof = 0; dof < kTurn; ++dof)
-    if (tool.isFree(dof)) x(tool.unknowns[dof]) = shift(static_cast<Eigen::Index>(dof));
+    if (tool.isFree(dof)) x(tool.unknowns[dof]) = (start + shift)(static_cast<Eigen::Index>(dof));
 }
 
 }  // namespace

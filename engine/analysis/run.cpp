@@ -20,6 +20,7 @@
 #include "engine/analysis/free_tools.h"
 #include "engine/analysis/initial_state.h"
 #include "engine/analysis/model.h"
+#include "engine/analysis/path_steps.h"
 #include "engine/analysis/rezoner.h"
 #include "engine/analysis/run_output.h"
 #include "engine/analysis/scene_report.h"
@@ -49,6 +50,7 @@ class Run {
         team_(*options.team),
         observer_(observer),
         simulation_(simulationFrom(scene, std::move(model), team_)),
+        pathSteps_(scene),
         output_(directory, checkedRecord(resumes), simulation_->recorder.columns(), resumes,
                 simulation_->newton.linearSolver().isIterative(), observer, team_) {
     if constexpr (Dim == 2)
@@ -82,6 +84,7 @@ class Run {
     archive.part("summary", summary_);
     if (hasInitialState(scene_)) archiveInitialState(archive);
     archive.part("output", output_);
+    archive.part("path_steps", pathSteps_);
     archive.field("step", step_);
     if (archive.restores()) secondsBefore_ = summary_.timings.total;
   }
@@ -156,9 +159,14 @@ class Run {
     const auto grid = timeGrid(scene_, simulation_->model->corners());
     endTime_ = grid.back().time;
     rezoningIsDue_ = needsRezoning();
+    double from = 0.0;
     for (const TimePoint& point : grid) {
+      const double before = std::exchange(from, point.time);
       if (point.time < state().time) continue;  // of a run that is resumed
-      if (const Walk walk = walkTo(point); walk != Walk::Arrived) return walk;
+      const bool isNew = state().time < point.time;
+      const double step = pathSteps_.size(before, point.time, point.nominalStep);
+      if (const Walk walk = walkTo(point.time, step); walk != Walk::Arrived) return walk;
+      if (isNew) pathSteps_.measure(*simulation_->model, point.time);
       letSupportsGo();
       if (point.frame && !output_.hasFrameAt(point.time)) writeFrame();
       if (point.corner) simulation_->stepping.forgetIncrement();
@@ -168,11 +176,11 @@ class Run {
   }
 
   /// Steps to a time point, and remeshes the body on the way whenever that is due.
-  Walk walkTo(const TimePoint& point) {
+  Walk walkTo(double time, double nominal) {
     Walk walk = Walk::Arrived;
     do {
       if (std::exchange(rezoningIsDue_, false)) rezone();
-      walk = simulation_->stepping.advance(point.time, point.nominalStep, [this](const StepReport& step) {
+      walk = simulation_->stepping.advance(time, nominal, [this](const StepReport& step) {
         takeIn(step);
         rezoningIsDue_ = needsRezoning();
         return !halts_ && !rezoningIsDue_;
@@ -210,6 +218,12 @@ class Run {
           fmt::format("tool '{}' is pulled off the body by the load that it carries; a tool with a free way "
                       "has to be pressed on the body, or its motion prescribed",
                       pulled));
+    if (const std::string held = toolHeldBack(*simulation_->model); !held.empty())
+      throw RunError(
+          fmt::format("tool '{}' does not carry its force in a pass, as its path keeps it from going deep "
+                      "enough; begin the passes deeper in the body (path.start or path.points), the force "
+                      "keeps the tool from going so far",
+                      held));
   }
 
   void writeFrame() {
@@ -260,6 +274,7 @@ class Run {
     summary_.timings.total = seconds();
     describeEnd(summary_, *simulation_);
     describeRanks(summary_, *simulation_, team_);
+    summary_.pathSteps = pathSteps_.records();
     if (!rezoner_) return;
     summary_.rezonings = rezoner_->records();
     summary_.rezonedBody = scene_.rezoning->body;
@@ -312,6 +327,7 @@ class Run {
   const Team& team_;
   RunObserver& observer_;
   std::unique_ptr<Simulation<Dim>> simulation_;
+  PathSteps pathSteps_;
   RunOutput output_;
   std::optional<Rezoner> rezoner_;
   RunSummary summary_;

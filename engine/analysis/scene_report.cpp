@@ -18,6 +18,7 @@
 #include "engine/analysis/simulation.h"
 #include "engine/analysis/softening.h"
 #include "engine/analysis/unrecovered.h"
+#include "engine/scene/path_mesh.h"
 #include "engine/scene/scene_places.h"
 
 namespace burnish {
@@ -85,6 +86,26 @@ std::vector<InputProblem> toolWarnings(const Scene& scene, const Model<Dim>& mod
   return warnings;
 }
 
+/// Of boxes whose ends are too near to the passes that their mesh is made for.
+std::vector<InputProblem> roomWarnings(const Scene& scene) {
+  std::vector<InputProblem> warnings;
+  for (std::size_t k = 0; k < scene.allBodies().size(); ++k) {
+    if (!scene.allBodies()[k].geometry.mesh.resolution) continue;
+    const auto [beside, below] = pathRoom(scene, k);
+    const auto warn = [&](const char* where, double found, double wanted) {
+      if (found < wanted)
+        warnings.push_back(
+            {scene.bodyKey(k, "geometry.resolution"),
+             fmt::format("the box ends {:.2g} half widths of the contact {} the passes, where the stress "
+                         "that they leave still feels it; make it larger by {:.2g} of them",
+                         found, where, wanted - found)});
+    };
+    warn("beside", beside, kRoomBeside);
+    warn("below", below, kRoomBelow);
+  }
+  return warnings;
+}
+
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -120,6 +141,7 @@ std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& mo
   for (std::size_t k = 0; k < scene.allBodies().size(); ++k)
     for (auto& [path, text] : recoveryWarnings(scene.allBodies()[k].material))
       warnings.push_back({scene.bodyKey(k, path), std::move(text)});
+  std::ranges::move(roomWarnings(scene), std::back_inserter(warnings));
   std::ranges::move(toolWarnings(scene, model), std::back_inserter(warnings));
   if (scene.wanted.onlyWarns) std::ranges::move(unknownColumns(scene, columns), std::back_inserter(warnings));
   return warnings;

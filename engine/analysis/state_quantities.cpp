@@ -27,6 +27,7 @@ void StateQuantities::archive(StateArchive& archive) {
     const std::string name = fmt::format("tool{}_", k);
     archive.field(name + "displacement", toolPoses[k].displacement);
     archive.field(name + "angle", toolPoses[k].angle);
+    archive.field(name + "spin", toolPoses[k].spin);
     archive.field(name + "force", toolForces[k]);
     archive.field(name + "moment", toolMoments[k]);
     ToolTouch& touch = toolTouches[k];

@@ -15,6 +15,10 @@ namespace {
 using TimeFunction = std::function<double(double)>;
 using DofFunctions = std::array<TimeFunction, kToolDofs>;
 
+/// Half width of a contact that is large for a ball, over its radius. As what resists the spin of a ball about the
+/// normal is friction within the contact, the moments on the ball are weighed as forces with this arm.
+constexpr double kContactShare = 0.05;
+
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 /// Values over the same times; empty functions for components that are left out.
@@ -70,18 +74,32 @@ std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int fir
                             carry->moment.has_value()};
     for (std::size_t dof = 0; dof < kToolDofs; ++dof)
       if (isFree[dof]) tool->unknowns[dof] = firstUnknown++;
+    for (std::size_t d = 0; d < kSpins && carry->spin; ++d) tool->unknowns[kSpin + d] = firstUnknown++;
+    if (carry->spin) {
+      tool->turnLength = kContactShare * tool->shape.halfThickness();
+      tool->motion[kTurn] = {};
+    }
   }
   return tool;
 }
 
-std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene, const Tool& tool) {
+std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene, const Tool& tool,
+                                       double bodySize) {
   if (!spec.carry) return nullptr;
   const auto& carry = *spec.carry;
   DofFunctions loads = formulas({&carry.x, &carry.y, &carry.z, &carry.moment}, scene.definitions);
   if (carry.schedule)
     for (auto& load : loads)
       if (load) load = [load, factor = *carry.schedule](double t) { return factor(t) * load(t); };
-  return std::make_unique<ToolLoad>(tool, std::move(loads));
+  const std::optional<std::size_t> pressed = dofInHolder(spec);
+  if (!pressed) return std::make_unique<ToolLoad>(tool, std::move(loads), bodySize);
+  const auto path = std::make_shared<const ToolPath>(pathOf(spec));
+  loads[*pressed] = [load = loads[*pressed], path](double t) { return path->forceShare(t) * load(t); };
+  auto load = std::make_unique<ToolLoad>(tool, std::move(loads), bodySize);
+  load->setHolder({.dof = *pressed,
+                   .sign = spec.path->clearance(static_cast<Eigen::Index>(*pressed)) > 0.0 ? -1.0 : 1.0,
+                   .mustCarry = [path](double t) { return path->hasFullForce(t); }});
+  return load;
 }
 
 std::vector<double> cornersOf(const ToolSpec& spec) {

@@ -12,6 +12,8 @@ template <int Dim>
 ToolPartner<Dim>::ToolPartner(const Tool& tool) : tool_(tool), passage_(tool) {
   for (std::size_t dof = 0; dof < kToolDofs; ++dof)
     if (tool.isFree(dof)) dofs_.push_back(dof);
+  for (std::size_t dof = kSpin; dof < kAllToolDofs; ++dof)
+    if (tool.isFree(dof)) spins_.push_back(dof);
 }
 
 template <int Dim>
@@ -84,15 +86,17 @@ Eigen::Vector3d ToolPartner<Dim>::movedFoot(const SlavePoint<Dim>& point) const 
   x.head<Dim>() = point.xAccepted;
   const GapQuery accepted = tool_.query(acceptedPose_, x);
   const Eigen::Vector3d inTool = tool_.toReference(acceptedPose_, x - accepted.gap * accepted.normal);
-  return Eigen::AngleAxisd(pose_.angle, tool_.axis) * (inTool - tool_.pivot) + tool_.pivot +
-         pose_.displacement;
+  const Eigen::Vector3d arm = inTool - tool_.pivot;
+  if (tool_.spins()) return spun().rotation * arm + pivot();
+  return Eigen::AngleAxisd(pose_.angle, tool_.axis) * arm + tool_.pivot + pose_.displacement;
 }
 
 template <int Dim>
 typename ToolPartner<Dim>::Rows ToolPartner<Dim>::relativeMotion(const SlavePoint<Dim>& point,
-                                                                 const Eigen::Vector3d& y) const {
+                                                                 const Eigen::Vector3d& y,
+                                                                 const Eigen::Matrix3d& spin) const {
   const Eigen::Index n = point.R.size();
-  Rows motion(Dim, Dim * n + std::ssize(dofs_));
+  Rows motion(Dim, Dim * n + std::ssize(dofs_) + std::ssize(spins_));
   for (Eigen::Index a = 0; a < n; ++a)
     motion.template middleCols<Dim>(Dim * a) = point.R(a) * Eigen::Matrix<double, Dim, Dim>::Identity();
   for (std::size_t k = 0; k < dofs_.size(); ++k) {
@@ -100,6 +104,11 @@ typename ToolPartner<Dim>::Rows ToolPartner<Dim>::relativeMotion(const SlavePoin
         dofs_[k] == kTurn ? Eigen::Vector3d((tool_.axis / tool_.turnLength).cross(y - pivot()))
                           : Eigen::Vector3d(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(dofs_[k])));
     motion.col(Dim * n + static_cast<Eigen::Index>(k)) = -velocity.head<Dim>();
+  }
+  for (std::size_t k = 0; k < spins_.size(); ++k) {
+    const Eigen::Vector3d turn = spin.col(static_cast<Eigen::Index>(spins_[k] - kSpin)) / tool_.turnLength;
+    motion.col(Dim * n + static_cast<Eigen::Index>(dofs_.size() + k)) =
+        -turn.cross(y - pivot()).template head<Dim>();
   }
   return motion;
 }
@@ -109,13 +118,21 @@ typename ToolPartner<Dim>::Rows ToolPartner<Dim>::normalMotion(const SlavePoint<
   ToolGap storage;
   const ToolGap& found = queryAt(point, storage);
   const Eigen::Index n = point.R.size();
-  Rows motion(Dim, Dim * n + std::ssize(dofs_));
+  Rows motion = Rows::Zero(Dim, Dim * n + std::ssize(dofs_) + std::ssize(spins_));
   for (Eigen::Index a = 0; a < n; ++a)
     motion.template middleCols<Dim>(Dim * a) =
         point.R(a) * found.point.dNormal.template topLeftCorner<Dim, Dim>();
   if (!dofs_.empty())
-    motion.rightCols(std::ssize(dofs_)) = found.dNormal.template topRows<Dim>()(Eigen::all, dofs_);
+    motion.middleCols(Dim * n, std::ssize(dofs_)) = found.dNormal.template topRows<Dim>()(Eigen::all, dofs_);
   return motion;
+}
+
+template <int Dim>
+void ToolPartner<Dim>::addSpins(ContactPoint<Dim>& contact) const {
+  for (const std::size_t dof : spins_) contact.unknowns.push_back(tool_.unknowns[dof]);
+  const auto size = std::ssize(contact.unknowns);
+  contact.dGap.conservativeResizeLike(Eigen::VectorXd::Zero(size));
+  if (contact.d2Gap.size() > 0) contact.d2Gap.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
 }
 
 template <int Dim>
@@ -128,8 +145,9 @@ void ToolPartner<Dim>::addSlip(const SlavePoint<Dim>& point, ContactPoint<Dim>& 
   const Rows turn = normalMotion(point);
   contact.frame = frame.vectors;
   contact.slip = contact.frame.transpose() * v;
-  contact.virtualSlip = relativeMotion(point, x).transpose() * contact.frame;
-  contact.dSlip = relativeMotion(point, y).transpose() * contact.frame;
+  contact.virtualSlip = relativeMotion(point, x, Eigen::Matrix3d::Identity()).transpose() * contact.frame;
+  contact.dSlip = relativeMotion(point, y, spun().byVector).transpose() * contact.frame;
+  addSpins(contact);
   for (std::size_t alpha = 0; alpha < frame.byNormal.size(); ++alpha)
     contact.dSlip.col(static_cast<Eigen::Index>(alpha)) +=
         turn.transpose() * (frame.byNormal[alpha].transpose() * v);
@@ -148,14 +166,22 @@ Eigen::MatrixXd ToolPartner<Dim>::frictionTangent(const SlavePoint<Dim>& point,
   Eigen::Matrix<double, Dim, Dim> byNormal = traction(0) * frame.byNormal[0];
   for (std::size_t alpha = 1; alpha < frame.byNormal.size(); ++alpha)
     byNormal += traction(static_cast<Eigen::Index>(alpha)) * frame.byNormal[alpha];
-  Eigen::MatrixXd K = relativeMotion(point, x).transpose() * (byNormal * normalMotion(point));
-  if (!tool_.isFree(kTurn)) return K;
-  const Eigen::Vector3d moment = t.cross(tool_.axis / tool_.turnLength);  // t · (a × Δ) = (t × a) · Δ
-  const Eigen::Index n = point.R.size(), row = K.rows() - 1;              // the turn comes last
-  for (Eigen::Index a = 0; a < n; ++a)
-    K.row(row).template segment<Dim>(Dim * a) -= point.R(a) * moment.head<Dim>().transpose();
-  for (std::size_t k = 0; k + 1 < dofs_.size(); ++k)
-    K(row, Dim * n + static_cast<Eigen::Index>(k)) += moment(static_cast<Eigen::Index>(dofs_[k]));
+  Eigen::MatrixXd K =
+      relativeMotion(point, x, Eigen::Matrix3d::Identity()).transpose() * (byNormal * normalMotion(point));
+  const Eigen::Index n = point.R.size();
+  const auto addTurn = [&](Eigen::Index row, const Eigen::Vector3d& axis) {
+    const Eigen::Vector3d moment = t.cross(axis / tool_.turnLength);  // t · (a × Δ) = (t × a) · Δ
+    for (Eigen::Index a = 0; a < n; ++a)
+      K.row(row).template segment<Dim>(Dim * a) -= point.R(a) * moment.head<Dim>().transpose();
+    for (std::size_t k = 0; k < dofs_.size(); ++k)
+      if (dofs_[k] != kTurn)
+        K(row, Dim * n + static_cast<Eigen::Index>(k)) += moment(static_cast<Eigen::Index>(dofs_[k]));
+  };
+  const Eigen::Index behindDofs = Dim * n + std::ssize(dofs_);
+  if (tool_.isFree(kTurn)) addTurn(behindDofs - 1, tool_.axis);  // the turn comes last among these
+  for (std::size_t k = 0; k < spins_.size(); ++k)
+    addTurn(behindDofs + static_cast<Eigen::Index>(k),
+            Eigen::Vector3d::Unit(static_cast<Eigen::Index>(spins_[k] - kSpin)));
   return K;
 }
 
@@ -208,6 +234,7 @@ void ToolPartner<Dim>::archive(StateArchive& archive) {
   archive.field("has_accepted", hasAccepted_);
   archive.field("accepted_displacement", acceptedPose_.displacement);
   archive.field("accepted_angle", acceptedPose_.angle);
+  if (tool_.spins()) archive.field("accepted_spin", acceptedPose_.spin);
   Eigen::VectorXd frame(Dim * Dim);
   frame << n0_, E_.reshaped();
   archive.fixedField("frame", frame);

@@ -18,6 +18,9 @@ namespace burnish {
 /// two unit vectors E_α across a mean normal n_0 are carried to n by the smallest rotation,
 ///
 ///     e_α = E_α - (n·E_α)/(1 + n_0·n) (n_0 + n).
+///
+/// A ball that spins turns within a step by the rotation vector θ; then w(y) = J(θ) δθ × (y - c) (`turned`), and
+/// w(x) = δψ × (x - c) with the turns δψ about x, y and z, whose equations say that no moment about c is left.
 template <int Dim>
 class ToolPartner final : public Partner<Dim> {
  public:
@@ -46,11 +49,19 @@ class ToolPartner final : public Partner<Dim> {
   /// Where the matter of the tool is now that was the foot of a point in the accepted state.
   Eigen::Vector3d movedFoot(const SlavePoint<Dim>& point) const;
 
-  /// δx - w(y): the way of a point of the face less that of the tool's matter at y.
-  Rows relativeMotion(const SlavePoint<Dim>& point, const Eigen::Vector3d& y) const;
+  /// Turn of a ball that spins since the accepted state.
+  TurnByVector spun() const { return turned(pose_.spin - acceptedPose_.spin); }
+
+  /// δx - w(y): the way of a point of the face less that of the tool's matter at y. spin: turns of a ball by the
+  /// unknowns of its spin.
+  Rows relativeMotion(const SlavePoint<Dim>& point, const Eigen::Vector3d& y,
+                      const Eigen::Matrix3d& spin) const;
 
   /// δn.
   Rows normalMotion(const SlavePoint<Dim>& point) const;
+
+  /// The unknowns of the spin, on which the gap does not depend.
+  void addSpins(ContactPoint<Dim>& contact) const;
 
   /// A mean of the tool's normals, in which points near to it count most.
   Vector meanNormal() const;
@@ -58,7 +69,8 @@ class ToolPartner final : public Partner<Dim> {
   void chooseAccepted();
 
   const Tool& tool_;
-  std::vector<std::size_t> dofs_;  ///< free ones
+  std::vector<std::size_t> dofs_;   ///< free ones that gaps depend on
+  std::vector<std::size_t> spins_;  ///< free ones that slip alone depends on
   ToolPassage passage_;
   ToolPose pose_;
   std::vector<ToolGap> queries_;  ///< at the face's quadrature points

@@ -118,6 +118,16 @@ constexpr std::array<Row, kConditions> kTable{{
        return fmt::format("{} (at t = {:.5g}), for the last time at t = {:.5g}", worstShare(doubt),
                           doubt.worstTime, doubt.lastTime);
      }},
+    {Condition::CoarsePath, 4,
+     [](double limit, const SceneTraits&) {
+       return fmt::format(
+           "fewer than {} knot spans over the width of the contact under a tool in a pass: what it leaves is "
+           "coarse; `resolution` makes a mesh that suits a path",
+           countText(limit));
+     },
+     [](const Doubt& doubt) {
+       return fmt::format("at worst {:.2g} (at t = {:.5g})", 1.0 / doubt.worst, doubt.worstTime);
+     }},
 }};
 
 constexpr bool isInOrder() {

@@ -19,12 +19,14 @@ enum class Condition : std::size_t {
   Balance,        ///< of work and energies
   Unstable,       ///< equilibrium
   Stabilisation,  ///< carries a share of the forces
+  CoarsePath,     ///< too few knot spans under a tool on its path
 };
-inline constexpr std::size_t kConditions = 9;
+inline constexpr std::size_t kConditions = 10;
 
 /// The limit of a condition: shares of a knot span (Penetration), of the body's size (NewBoundary), of a
 /// pair's force (InsideTheBody), of the work done (Balance) and of the largest force (Stabilisation); a
-/// volume ratio (SmallJ); a number of control points (LostContact) and of directions (Unstable).
+/// volume ratio (SmallJ); a number of control points (LostContact), of directions (Unstable) and of knot spans over the
+/// width of a contact (CoarsePath).
 double limitOf(Condition condition);
 
 /// The other limit of penetration: a share of the tool's radius.

@@ -80,6 +80,25 @@ void describe(Visitor& v, RezoningRecord& s) {
   v.field("iterations", s.iterations, {.required = true}, "Iterations to equilibrium on the new mesh.");
 }
 
+/// Steps of a tool on a path that are chosen by the half width of its contact.
+struct PathStepsRecord {
+  std::string tool;
+  double time = 0.0;
+  double halfWidth = 0.0;
+  double longest = 0.0;
+};
+
+template <class Visitor>
+void describe(Visitor& v, PathStepsRecord& s) {
+  v.field("tool", s.tool, {.required = true}, "Name of the tool.");
+  v.field("time", s.time, {.required = true},
+          "When the contact was measured, at the first full force of a pass.");
+  v.field("half_width", s.halfWidth, {.required = true},
+          "Half its width in two dimensions; in three the radius of a circle of its area.");
+  v.field("longest", s.longest, {.required = true},
+          "Longest way of the tool in a step of a pass from then on.");
+}
+
 /// Seconds by part of the program.
 struct RunTimings {
   double assembly = 0.0;
@@ -101,6 +120,7 @@ struct RunAccount {
   std::vector<std::string> warnings;
   std::vector<std::string> idleTools;
   std::vector<ReactionRecord> reactions;
+  std::vector<PathStepsRecord> pathSteps;
   std::vector<RezoningRecord> rezonings;
   std::string rezonedBody;  ///< name of the body that is meshed anew; empty in a scene of one body
   std::string rezoningFailure;
@@ -146,6 +166,7 @@ void describe(Visitor& v, RunAccount& s) {
   v.field("warnings", s.warnings, {}, "What is probably not meant in the scene, with its keys.");
   v.field("idle_tools", s.idleTools, {}, "Tools with contact pairs that have never touched the body.");
   v.field("reactions", s.reactions, {}, "One entry for each support.");
+  v.field("path_steps", s.pathSteps, {}, "One entry for each tool with `step_per_half_width`.");
   v.field("rezonings", s.rezonings, {}, "One entry for each time that the body was meshed anew.");
   v.field("rezoned_body", s.rezonedBody, {}, "Which body, if there are several.");
   v.field("rezoning_failure", s.rezoningFailure, {}, "Why the last one failed that did.");

@@ -6,11 +6,13 @@
 #include <span>
 
 #include "engine/core/error.h"
+#include "engine/core/input_error.h"
 #include "engine/core/quoted.h"
 #include "engine/nurbs/patch.h"
 #include "engine/scene/check_context.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
+#include "engine/scene/path_mesh.h"
 #include "engine/schema/problems.h"
 
 namespace burnish {
@@ -49,6 +51,7 @@ class PatchCheck {
   }
 
   void checkArcDegree(const char* shape) const;
+  void checkResolution() const;
   void checkNamed(std::span<const int> degrees);
   void checkNumberOfFunctions(std::size_t direction) const;
   void checkCreases() const;
@@ -82,6 +85,27 @@ void PatchCheck::checkArcDegree(const char* shape) const {
             body_.degree, shape));
 }
 
+/// Of the one box of a body. What is wrong with tools and contacts is said there.
+void PatchCheck::checkResolution() const {
+  for (const auto& [name, isGiven] :
+       {std::pair{"functions", !mesh_.functions.empty()}, std::pair{"spans", !mesh_.spans.empty()},
+        std::pair{"grading", !mesh_.grading.empty()}})
+    if (isGiven && clean(name))
+      report(name, fmt::format("found {} beside resolution; allowed: one of the two.", name));
+  if (!clean("resolution") || !c_.clean("tools") || !c_.clean("contact")) return;
+  if (&mesh_ != &body_.geometry.mesh)
+    return report("resolution",
+                  "found in one of several patches; allowed: in a body of one box or rectangle.");
+  try {
+    requirePathMesh(c_.scene, number_);
+  } catch (const InputError& error) {
+    const auto& [path, text] = error.problems().front();
+    c_.report(path.empty() ? key("resolution") : fmt::format("{}.{}", key("resolution"), path), text);
+  } catch (const Error&) {
+    // What is wrong with the tool or the contact is said there.
+  }
+}
+
 void PatchCheck::checkNumberOfFunctions(std::size_t direction) const {
   const int p = body_.degree;
   const int n = mesh_.functions[direction];
@@ -99,7 +123,9 @@ void PatchCheck::checkNumberOfFunctions(std::size_t direction) const {
 
 /// Shapes of one knot span per direction, with the degrees that describe them exactly.
 void PatchCheck::checkNamed(std::span<const int> degrees) {
-  if (clean("functions") && clean("spans")) {
+  if (mesh_.resolution) {
+    checkResolution();
+  } else if (clean("functions") && clean("spans")) {
     if (mesh_.functions.empty() && mesh_.spans.empty())
       c_.report(at_,
                 "found neither functions nor spans; allowed: exactly one of the two, such as spans: [8, 4].");
@@ -125,6 +151,9 @@ void PatchCheck::operator()(const Shape& shape) {
        {std::pair{"functions", &mesh_.functions}, std::pair{"spans", &mesh_.spans}})
     if (!given->empty() && clean(name))
       report(name, fmt::format("found {}, but {} brings its own knots; allowed: refine.", name, Shape::name));
+  if (mesh_.resolution && clean("resolution"))
+    report("resolution",
+           fmt::format("found resolution, but {} brings its own knots; allowed: refine.", Shape::name));
   check(shape, problems_);
   if (shape.dim() == 0 || !clean("degrees") || !clean("profile.degrees")) return;
   checkMesh(static_cast<std::size_t>(shape.dim()), [&] { return shape.knotVectors(); });
@@ -209,7 +238,8 @@ void checkNoCommonMesh(const CheckContext& c, const std::string& at, const MeshS
   for (const auto& [name, empty] :
        {std::pair{"functions", mesh.functions.empty()}, std::pair{"spans", mesh.spans.empty()},
         std::pair{"refine", mesh.refine.empty()}, std::pair{"grading", mesh.grading.empty()},
-        std::pair{"creases", mesh.creases.empty()}, std::pair{"relief", mesh.relief.empty()}}) {
+        std::pair{"creases", mesh.creases.empty()}, std::pair{"relief", mesh.relief.empty()},
+        std::pair{"resolution", !mesh.resolution}}) {
     const std::string path = fmt::format("{}.{}", at, name);
     if (!empty && c.clean(path))
       c.report(path, fmt::format("found {} beside patches; allowed: in each of the patches.", name));
@@ -234,6 +264,7 @@ double checkPatches(const CheckContext& c, std::size_t body, const std::string& 
 /// The key that says how fine a single shape is.
 const char* sizeKey(const MeshSpec& mesh) {
   if (!mesh.spans.empty()) return "spans";
+  if (mesh.resolution) return "resolution";
   return mesh.functions.empty() ? "refine" : "functions";
 }
 

@@ -58,13 +58,20 @@ inline void checkTable(const CheckContext& c, const std::string& path, const std
       checkLength(c, fmt::format("{}.{}", path, key), (*component)->size(), times.size());
 }
 
+/// Formulas, each judged by `check`.
+template <class Check>
+void checkEachFormula(const CheckContext& c, const std::string& path,
+                      const Components<FormulaText>& components, const Check& check) {
+  for (const auto& [key, component] : components)
+    if (*component) check(c, fmt::format("{}.{}", path, key), **component);
+}
+
 /// Components as formulas, each judged by `check`.
 template <class Check>
 void checkFormulas(const CheckContext& c, const std::string& path, const Components<FormulaText>& components,
                    const Check& check) {
   checkPresence(c, path, components);
-  for (const auto& [key, component] : components)
-    if (*component) check(c, fmt::format("{}.{}", path, key), **component);
+  checkEachFormula(c, path, components, check);
 }
 
 }  // namespace burnish

@@ -76,6 +76,23 @@ bool goesNowhere(const PathCourse& course, const ToolSpec& tool) {
   return std::hypot(helix->axis.normalized().cross(arm).norm(), helix->pitch) <= kRounding * arm.norm();
 }
 
+/// The way on which the force of a pass comes and goes.
+void checkRamp(const CheckContext& c, const std::string& path, const ToolSpec& spec) {
+  if (spec.path->ramp == 0.0) return;
+  if (!dofInHolder(spec))
+    return c.report(
+        path + ".ramp",
+        "found although the tool carries no force along clearance; allowed: with carry in the direction "
+        "in which clearance lifts the tool, on polyline and raster.");
+  const ToolPath laid = pathOf(spec);
+  for (const ToolPath::Pass& pass : laid.passes())
+    if (const double length = spec.path->speed * (pass.end - pass.begin); 2.0 * spec.path->ramp > length)
+      return c.report(path + ".ramp",
+                      fmt::format("found {:.6g}, twice, in a pass that is {:.6g} long; allowed: at most "
+                                  "half of a pass.",
+                                  spec.path->ramp, length));
+}
+
 /// A path, alone and beside the end of the run.
 void checkPath(const CheckContext& c, const std::string& tool, const ToolSpec& spec) {
   const std::string path = tool + ".path";
@@ -94,6 +111,7 @@ void checkPath(const CheckContext& c, const std::string& tool, const ToolSpec& s
         path,
         "found a helix that goes nowhere, as its axis leads through the tool's pivot; allowed: a tool "
         "off the axis, or a pitch that is not zero.");
+  checkRamp(c, path, spec);
   const double end = c.scene.steps.back().until, needed = pathOf(spec).end();
   if (needed > end * (1.0 + 1e-9))
     c.report(path,
@@ -136,11 +154,28 @@ bool movesAlong(const ToolPath& path, std::size_t axis) {
       times, [&](double t) { return std::abs(at(t) - first) > 1e-12 * (1.0 + std::abs(first)); });
 }
 
+/// What the scene alone says of a ball that spins; whether the shape is one is seen when the tool is made.
+void checkSpin(const CheckContext& c, const std::string& place, const ToolSpec& tool) {
+  const std::string path = place + ".spin";
+  if (!tool.carry->spin || !c.clean(path)) return;
+  const auto isTurned = [](const auto& motion) { return motion && motion->angle; };
+  if (c.dimensionIsKnown() && c.scene.dim() == 2)
+    c.report(path, "found true in two dimensions; allowed: moment: 0, with which a disc turns freely.");
+  else if (tool.carry->moment)
+    c.report(path, "found true beside moment; allowed: one of the two.");
+  else if (isTurned(tool.motion) || isTurned(tool.prescribe))
+    c.report(path, "found true although the turn of the tool is prescribed; allowed: one of the two.");
+  else if (tool.inside)
+    c.report(path, "found true for a hollow; allowed: for balls.");
+}
+
 void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
   if (!tool.carry) return;
   const std::string place = path + ".carry";
   const auto dofs = dofsOf(*tool.carry, "moment", tool.carry->moment);
-  checkFormulas(c, place, dofs, checkTimeFormula);
+  if (!tool.carry->spin) checkPresence(c, place, dofs);
+  checkEachFormula(c, place, dofs, checkTimeFormula);
+  checkSpin(c, place, tool);
   checkAlongAxis(c, place, dofs, "force across the axis of revolution", "moment");
   for (std::size_t k = 0; k < dofs.size(); ++k) {
     const std::string key = fmt::format("{}.{}", place, dofs[k].first);
@@ -148,7 +183,7 @@ void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& 
         (isGiven(tool.motion, k) || isGiven(tool.prescribe, k)))
       c.report(key, "found although the motion in this way is prescribed; allowed: one of the two.");
     else if (dofs[k].second->has_value() && k < kAxes && tool.path && c.clean(path) &&
-             movesAlong(pathOf(tool), k))
+             dofInHolder(tool) != k && movesAlong(pathOf(tool), k))
       c.report(key, "found although the path moves the tool in this way; allowed: one of the two.");
   }
   if (tool.carry->schedule && c.clean(place + ".schedule"))

@@ -49,6 +49,10 @@ std::vector<double> gradedFractions(const FormulaText& text, const std::vector<D
   return fractions;
 }
 
+bool hasPathMesh(const MeshSpec& mesh) {
+  return mesh.resolution && !mesh.resolution->breaks.empty();
+}
+
 bool areEqual(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](double x, double y) { return std::abs(x - y) <= kSmallest; });
@@ -58,6 +62,7 @@ bool areEqual(const std::vector<double>& a, const std::vector<double>& b) {
 
 int partsOf(const BodySpec& body, const MeshSpec& mesh, std::size_t direction) {
   if (!mesh.spans.empty()) return mesh.spans[direction];
+  if (hasPathMesh(mesh)) return static_cast<int>(mesh.resolution->breaks[direction].size()) + 1;
   if (!mesh.refine.empty()) return mesh.refine[direction];
   if (mesh.functions.empty()) return 1;
   const int functions = mesh.functions[direction];
@@ -67,7 +72,8 @@ int partsOf(const BodySpec& body, const MeshSpec& mesh, std::size_t direction) {
 KnotVector meshKnots(const BodySpec& body, const std::vector<DefinitionSpec>& definitions,
                      const MeshSpec& mesh, std::size_t direction, const KnotVector& shape) {
   const int parts = partsOf(body, mesh, direction);
-  std::vector<double> fractions = equalFractions(parts);
+  std::vector<double> fractions =
+      hasPathMesh(mesh) ? mesh.resolution->breaks[direction] : equalFractions(parts);
   if (!mesh.grading.empty()) {
     const FormulaText& text = mesh.grading[direction];
     const auto graded = gradedFractions(text, definitions, parts);

@@ -1,5 +1,8 @@
 #include "engine/scene/path_of_tool.h"
 
+#include <array>
+#include <variant>
+
 namespace burnish {
 
 Eigen::Vector3d pivotOf(const ToolSpec& tool) {
@@ -8,6 +11,14 @@ Eigen::Vector3d pivotOf(const ToolSpec& tool) {
 
 ToolPath pathOf(const ToolSpec& tool) {
   return {*tool.path, pivotOf(tool)};
+}
+
+std::optional<std::size_t> dofInHolder(const ToolSpec& tool) {
+  if (!tool.path || !tool.carry || std::holds_alternative<HelixPath>(tool.path->course)) return std::nullopt;
+  const std::array carried{tool.carry->x.has_value(), tool.carry->y.has_value(), tool.carry->z.has_value()};
+  for (std::size_t dof = 0; dof < carried.size(); ++dof)
+    if (carried[dof] && tool.path->clearance(static_cast<Eigen::Index>(dof)) != 0.0) return dof;
+  return std::nullopt;
 }
 
 }  // namespace burnish

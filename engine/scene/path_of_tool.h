@@ -1,4 +1,7 @@
 #pragma once
+#include <cstddef>
+#include <optional>
+
 #include "engine/scene/tool_spec.h"
 
 namespace burnish {
@@ -9,5 +12,9 @@ Eigen::Vector3d pivotOf(const ToolSpec& tool);
 
 /// The path of a tool that has one, from its place in the scene. Throws `Error` if the shape cannot be made.
 ToolPath pathOf(const ToolSpec& tool);
+
+/// The direction (0 for x) in which a tool carries a force and its path lifts it, if there is one: it sits in a holder
+/// there that follows the path and presses it on.
+std::optional<std::size_t> dofInHolder(const ToolSpec& tool);
 
 }  // namespace burnish

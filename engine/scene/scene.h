@@ -36,6 +36,17 @@ struct ReliefSpec {
   FormulaText height;  ///< of X, Y, Z on the face as it would be without; along the outward normal
 };
 
+/// A mesh of a box or a rectangle that suits all passes of a tool on a path.
+struct ResolutionSpec {
+  std::string along;       ///< name of the tool
+  double halfWidth = 0.0;  ///< of its contact
+  int spansPerWidth = 8;
+  double growth = 1.3;  ///< of knot spans, from one to the next
+
+  /// The inner breakpoints, in (0, 1), per direction. Not read: `resolveMeshes` finds them.
+  std::vector<std::vector<double>> breaks{};
+};
+
 /// How a shape is divided into knot spans.
 struct MeshSpec {
   /// Number of basis functions per direction; or `spans`: number of knot spans. Exactly one of the two for
@@ -46,7 +57,8 @@ struct MeshSpec {
   std::vector<FormulaText> grading;  ///< breakpoint of s in [0, 1], per direction; growing from 0 to 1
   /// Per direction the breakpoints, in [0, 1], across which the basis is continuous only.
   std::vector<std::vector<double>> creases;
-  std::vector<ReliefSpec> relief;  ///< one after the other
+  std::vector<ReliefSpec> relief;            ///< one after the other
+  std::optional<ResolutionSpec> resolution;  ///< instead of functions, spans and grading
 };
 
 /// One of several patches.

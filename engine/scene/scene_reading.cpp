@@ -9,6 +9,7 @@
 #include "engine/scene/check_context.h"
 #include "engine/scene/control_net_file.h"
 #include "engine/scene/end_of_run.h"
+#include "engine/scene/path_mesh.h"
 #include "engine/scene/scene_places.h"
 #include "engine/scene/tool_files.h"
 #include "engine/schema/overrides.h"
@@ -74,6 +75,7 @@ void takeDefaults(Scene& scene, const YamlNode& root) {
       takeDefaults(scene.bodies[k], scene.body, list->children[k], root);
   else if (root.find("degree") == nullptr)
     takeDegreeOfNets(scene.body);
+  resolveMeshes(scene);
 }
 
 void checkDimensions(const std::vector<DimensionedList>& lists, int dim, Diagnostics& errors) {

@@ -14,6 +14,20 @@ void describe(Visitor& v, ReliefSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, ResolutionSpec& s) {
+  v.field("along", s.along, {.required = true, .identifier = true},
+          "Name of the tool, which has a path and a contact with a face of the body.");
+  v.field("half_width", s.halfWidth, {.required = true, .above = 0, .unit = "length"},
+          "Half width of its contact, as far as it is known: the radius of a circle under a ball.");
+  v.field(
+      "spans_per_width", s.spansPerWidth, {.atLeast = 2, .atMost = 100},
+      "Knot spans over the width of the contact, on all of the passes and a width beyond them. The first one into "
+      "the depth is half as long.");
+  v.field("growth", s.growth, {.above = 1, .atMost = 4},
+          "Factor by which knot spans grow from one to the next, beyond the passes and into the depth.");
+}
+
+template <class Visitor>
 void describe(Visitor& v, MeshSpec& s) {
   v.field("functions", s.functions, {.atLeast = 2, .atMost = 10000, .perDimension = true},
           "Number of basis functions in each direction; give either this or spans.");
@@ -26,6 +40,8 @@ void describe(Visitor& v, MeshSpec& s) {
           "ones, such as s^2.");
   v.field("creases", s.creases, {.perDimension = true},
           "For each direction the breakpoints, from 0 to 1, at which NURBS are continuous only.");
+  v.field("resolution", s.resolution, {},
+          "Of a box or a rectangle: knot spans that suit all passes of a tool on a path, instead of spans.");
   v.field(
       "relief", s.relief, {},
       "Roughness or waves on faces: at the anchors of the mesh (Greville abscissae, nodes) exact, inside fading "

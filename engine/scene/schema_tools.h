@@ -46,6 +46,10 @@ void describe(Visitor& v, ToolCarrySpec& s) {
   v.field("y", s.y, {.unit = "force"}, "Force in y; on the whole ring in axisymmetry.");
   v.field("z", s.z, {.unit = "force"}, "Force in z (3D).");
   v.field("moment", s.moment, {.unit = "force times length"}, "Moment about the axis through the pivot.");
+  v.field(
+      "spin", s.spin, {},
+      "A ball that turns freely about all axes through its middle, as friction turns it (3D): no moment about "
+      "any of them is left.");
   v.field("schedule", s.schedule, {}, "Factor over time; 1 when left out.");
 }
 

@@ -38,6 +38,7 @@ struct ToolPrescribedSpec {
 struct ToolCarrySpec {
   std::optional<FormulaText> x, y, z;
   std::optional<FormulaText> moment;
+  bool spin = false;                 ///< a ball: free to turn about all axes through its middle
   std::optional<Schedule> schedule;  ///< factor over time
 };
 

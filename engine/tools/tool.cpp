@@ -2,8 +2,30 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace burnish {
+namespace {
+
+Eigen::Matrix3d crossWith(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return m;
+}
+
+}  // namespace
+
+TurnByVector turned(const Eigen::Vector3d& theta) {
+  constexpr double kSmall = 1e-4;  // below it the next terms of the series are lost in rounding
+  const double squared = theta.squaredNorm(), angle = std::sqrt(squared);
+  const bool isSmall = angle < kSmall;
+  const double sine = isSmall ? 1.0 - squared / 6.0 : std::sin(angle) / angle;
+  const double half = isSmall ? 0.5 - squared / 24.0 : (1.0 - std::cos(angle)) / squared;
+  const double third = isSmall ? 1.0 / 6.0 - squared / 120.0 : (1.0 - sine) / squared;
+  const Eigen::Matrix3d T = crossWith(theta), T2 = T * T;
+  return {Eigen::Matrix3d::Identity() + sine * T + half * T2,
+          Eigen::Matrix3d::Identity() + half * T + third * T2};
+}
 
 std::vector<int> Tool::freeUnknowns() const {
   std::vector<int> numbers;
@@ -14,7 +36,7 @@ std::vector<int> Tool::freeUnknowns() const {
 ToolPose Tool::pose(double t) const {
   const double moved = std::max(t, 0.0);
   const auto value = [&](std::size_t dof) { return motion[dof] ? motion[dof](moved) : 0.0; };
-  ToolPose pose{{value(0), value(1), value(2)}, value(kTurn)};
+  ToolPose pose{{value(0), value(1), value(2)}, value(kTurn), Eigen::Vector3d::Zero()};
   if (t < 0.0 && approachTime > 0.0) pose.displacement += -t / approachTime * lift;
   return pose;
 }
@@ -24,6 +46,9 @@ ToolPose Tool::pose(double t, const Eigen::VectorXd& x) const {
   for (std::size_t dof = 0; dof < kTurn; ++dof)
     if (isFree(dof)) result.displacement(static_cast<Eigen::Index>(dof)) = x(unknowns[dof]);
   if (isFree(kTurn)) result.angle = x(unknowns[kTurn]) / turnLength;
+  if (spins())
+    for (std::size_t d = 0; d < kSpins; ++d)
+      result.spin(static_cast<Eigen::Index>(d)) = x(unknowns[kSpin + d]) / turnLength;
   return result;
 }
 

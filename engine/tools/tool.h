@@ -14,11 +14,27 @@ namespace burnish {
 inline constexpr std::size_t kToolDofs = 4;
 inline constexpr std::size_t kTurn = 3;
 
+/// Those of a ball that spins: its turns about x, y and z come behind.
+inline constexpr std::size_t kSpin = kToolDofs;
+inline constexpr std::size_t kSpins = 3;
+inline constexpr std::size_t kAllToolDofs = kToolDofs + kSpins;
+
 /// Place of a rigid tool: turned about the axis through its pivot, then displaced.
 struct ToolPose {
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
   double angle = 0.0;  ///< radians
+
+  /// Of a ball that spins: its turns about x, y and z, added up step by step (radians). They are no orientation,
+  /// which does not matter for a ball; how it turns within a step is `turned` of their difference.
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
 };
+
+/// A turn by a rotation vector θ (radians), of at most half a turn, with its derivative: δφ = byVector δθ, where
+/// the turned vector y moves by δφ × y.
+struct TurnByVector {
+  Eigen::Matrix3d rotation, byVector;
+};
+TurnByVector turned(const Eigen::Vector3d& theta);
 
 /// Gap at a point and its derivatives with respect to the point and to the degrees of freedom of the tool.
 struct ToolGap {
@@ -38,9 +54,9 @@ struct Tool {
   /// Prescribed degrees of freedom from t = 0 on, the turn in radians; at rest where empty.
   std::array<std::function<double(double)>, kToolDofs> motion{};
 
-  /// Numbers of the unknowns of the free degrees of freedom; -1 for prescribed ones. The unknown of the turn
-  /// is the angle times `turnLength`, so that all unknowns are lengths and their residuals forces.
-  std::array<int, kToolDofs> unknowns{-1, -1, -1, -1};
+  /// Numbers of the unknowns of the free degrees of freedom; -1 for prescribed ones. The unknowns of turns are
+  /// angles times `turnLength`, so that all unknowns are lengths and their residuals forces.
+  std::array<int, kAllToolDofs> unknowns{-1, -1, -1, -1, -1, -1, -1};
   double turnLength = 1.0;
 
   /// Before t = 0 the tool may come down from a lifted position: displacement `lift` at t = -approachTime,
@@ -49,6 +65,9 @@ struct Tool {
   double approachTime = 0.0;
 
   bool isFree(std::size_t dof) const { return unknowns[dof] >= 0; }
+
+  /// Whether it is a ball that turns freely about all axes through its pivot, its middle. No gap depends on that.
+  bool spins() const { return isFree(kSpin); }
 
   /// Unknowns of the free degrees of freedom, in their order.
   std::vector<int> freeUnknowns() const;

@@ -13,28 +13,45 @@ constexpr double kLargestTurn = 0.2;
 
 }  // namespace
 
-ToolLoad::ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load)
-    : tool_(tool), load_(std::move(load)) {}
+ToolLoad::ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load,
+                   double farthestWay)
+    : tool_(tool), load_(std::move(load)), farthestWay_(farthestWay) {}
 
 CouplingGroups ToolLoad::couplings() const {
-  if (steadiness_ == 0.0) return {};
-  return {{tool_.unknowns[kTurn]}};
+  CouplingGroups groups;
+  for (std::size_t dof = kTurn; dof < kAllToolDofs && steadiness_ > 0.0; ++dof)
+    if (tool_.isFree(dof)) groups.push_back({tool_.unknowns[dof]});
+  if (holder_) groups.push_back({tool_.unknowns[holder_->dof]});
+  return groups;
+}
+
+ToolLoad::Carried ToolLoad::carriedAt(std::size_t dof, double t, double value) const {
+  if (dof >= kSpin) return {0.0, steadiness_};
+  const double force = load_[dof](std::max(t, 0.0));
+  if (dof == kTurn) return {force / tool_.turnLength, steadiness_};
+  if (!holder_ || holder_->dof != dof) return {force, 0.0};
+  const double pushedBack = holder_->sign * (tool_.motion[dof](std::max(t, 0.0)) - value);
+  const double resistance = holder_->stiffness * pushedBack;
+  if (resistance >= holder_->sign * force) return {force, holder_->steadiness};
+  return {holder_->sign * resistance, holder_->stiffness, true};
 }
 
 bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   last_.emplace();
-  for (std::size_t dof = 0; dof < kToolDofs; ++dof) {
+  for (std::size_t dof = 0; dof < kAllToolDofs; ++dof) {
     if (!tool_.isFree(dof)) continue;
     const double value = (*last_)[dof] = x(tool_.unknowns[dof]);
-    const double farthest = (dof == kTurn ? kLargestTurn : 1.0) * tool_.turnLength;
+    const double farthest = dof >= kTurn ? kLargestTurn * tool_.turnLength : farthestWay_;
     if (accepted_ && std::abs(value - (*accepted_)[dof]) > farthest) {
       runaway_ = dof;
       return false;
     }
-    out.force(tool_.unknowns[dof]) -= load_[dof](std::max(t, 0.0)) / (dof == kTurn ? tool_.turnLength : 1.0);
+    const Carried carried = carriedAt(dof, t, value);
+    out.force(tool_.unknowns[dof]) -= carried.load;
+    if (holder_ && holder_->dof == dof) carriesTooLittle_ = carried.isLess && holder_->mustCarry(t);
+    if (out.system != nullptr && carried.slope > 0.0)
+      out.system->add({tool_.unknowns[dof]}, Eigen::MatrixXd::Constant(1, 1, carried.slope));
   }
-  if (out.system != nullptr && steadiness_ > 0.0)
-    out.system->add(out.term, 0, Eigen::MatrixXd::Constant(1, 1, steadiness_));
   return true;
 }
 
@@ -44,7 +61,7 @@ void ToolLoad::archive(StateArchive& archive) {
   archive.field("accepted", values);
   if (!archive.restores()) return;
   accepted_.reset();
-  if (values.size() == kToolDofs) std::ranges::copy(values, accepted_.emplace().begin());
+  if (values.size() == kAllToolDofs) std::ranges::copy(values, accepted_.emplace().begin());
 }
 
 Eigen::Vector3d ToolLoad::force(double t) const {

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "engine/solver/term.h"
 #include "engine/tools/tool.h"
@@ -10,18 +11,40 @@
 namespace burnish {
 
 /// Forces and the moment that a tool carries in its free degrees of freedom.
+///
+/// A tool whose path lifts it sits in a holder that follows the path and presses it on with a force F, like that of
+/// a machine: in the air it is where the path takes it; on the body it is pushed back into the holder, which resists
+/// with the stiffness k, until it carries F, and then it finds its depth by itself. With u, the way that it is pushed
+/// back, what it carries is
+///
+///     P = min(F, k u).
 class ToolLoad final : public Term {
  public:
-  /// load: per degree of freedom, in time; empty for those that are prescribed. The tool must outlive the
-  /// term.
-  ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load);
+  /// load: per degree of freedom, in time; empty for those that are prescribed. A ball that spins carries no moment.
+  /// farthestWay: the longest displacement of one step. The tool must outlive the term.
+  ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load, double farthestWay);
 
   CouplingGroups couplings() const override;
 
-  /// For a tool whose shape moves in itself when it turns, so that friction alone resists: while nothing rubs, the
-  /// turn stays as it is. To be called before the couplings are asked for. stiffness: of the unknown of the turn, in the
-  /// tangent alone, so small that it does not matter beside that of any contact.
-  void steadyTurn(double stiffness) { steadiness_ = stiffness; }
+  /// For a tool whose shape moves in itself when it turns, so that friction alone resists: while nothing rubs, its
+  /// turns stay as they are. To be called before the couplings are asked for. stiffness: of the unknowns of turns, in
+  /// the tangent alone, so small that it does not matter beside that of any contact.
+  void steadyTurns(double stiffness) { steadiness_ = stiffness; }
+
+  /// A degree of freedom in which the tool sits in a holder at the place of its prescribed motion.
+  struct Holder {
+    std::size_t dof;
+    double sign;                            ///< of the forces that press the tool on: 1 or -1
+    std::function<bool(double)> mustCarry;  ///< whether the tool is to carry F at a time
+    double stiffness = 0.0;                 ///< k
+
+    /// Of the unknown in the tangent while the tool carries F, so small that it does not matter beside any contact.
+    double steadiness = 0.0;
+  };
+
+  /// To be called before the couplings are asked for.
+  void setHolder(Holder holder) { holder_ = std::move(holder); }
+  std::optional<Holder>& holder() { return holder_; }
 
   /// Not admissible where a free degree of freedom has moved so far since the last accepted state that
   /// Newton's linearisation says nothing about the place it has come to.
@@ -37,7 +60,11 @@ class ToolLoad final : public Term {
   /// one.
   std::optional<std::size_t> runaway() const { return runaway_; }
 
-  /// Force that the tool carries at time t, zero in prescribed degrees of freedom; that of t = 0 before.
+  /// Whether the tool was to carry F in the last evaluation, but was not pushed back far enough.
+  bool carriesTooLittle() const { return carriesTooLittle_; }
+
+  /// Force that the tool carries at time t, or F of a holder; zero in prescribed degrees of freedom; that of t = 0
+  /// before.
   Eigen::Vector3d force(double t) const;
 
   const Tool& tool() const { return tool_; }
@@ -45,9 +72,20 @@ class ToolLoad final : public Term {
  private:
   const Tool& tool_;
   std::array<std::function<double(double)>, kToolDofs> load_;
-  std::optional<std::array<double, kToolDofs>> accepted_, last_;  ///< values of the free unknowns
+  /// What the tool carries in a degree of freedom, how that falls with its unknown, and whether that is less than F.
+  struct Carried {
+    double load = 0.0, slope = 0.0;
+    bool isLess = false;
+  };
+  Carried carriedAt(std::size_t dof, double t, double value) const;
+
+  using Values = std::array<double, kAllToolDofs>;
+  std::optional<Values> accepted_, last_;  ///< of the free unknowns
   std::optional<std::size_t> runaway_;
+  double farthestWay_;
   double steadiness_ = 0.0;
+  std::optional<Holder> holder_;
+  bool carriesTooLittle_ = false;
 };
 
 }  // namespace burnish

@@ -10,10 +10,17 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
+/// Share of the force with which a tool with a ramp touches.
+constexpr double kTouchingShare = 0.05;
+
 }  // namespace
 
 ToolPath::ToolPath(const PathSpec& spec, const Eigen::Vector3d& pivot)
-    : speed_(spec.speed), begin_(spec.begin), clearance_(spec.clearance), pivot_(pivot) {
+    : speed_(spec.speed),
+      begin_(spec.begin),
+      rampTime_(spec.ramp / spec.speed),
+      clearance_(spec.clearance),
+      pivot_(pivot) {
   std::visit([this](const auto& course) { lay(course); }, spec.course);
 }
 
@@ -29,6 +36,8 @@ void ToolPath::lay(const PolylinePath& path) {
   std::vector<Eigen::Vector3d> points;
   for (const auto& point : path.points) points.emplace_back(Point(point));
   here_ = points.front() + clearance_;
+  goTo(points.front());
+  beginPass();
   for (const auto& point : points) goTo(point);
   endPass();
   goTo(points.back() + clearance_);
@@ -42,6 +51,7 @@ void ToolPath::lay(const RasterPath& path) {
     const Eigen::Vector3d &from = goesBack ? far : near, &to = goesBack ? near : far;
     goTo(from + clearance_);
     goTo(from);
+    beginPass();
     goTo(to);
     endPass();
     goTo(to + clearance_);
@@ -66,6 +76,7 @@ void ToolPath::lay(const HelixPath& path) {
   goTo(Eigen::Vector3d::Zero());
   for (double done = 0.0; done < path.turns;) {
     const double next = std::min(std::floor(done) + 1.0, path.turns);
+    beginPass();
     const double from = kFullTurn * done, to = kFullTurn * next;
     legs_.push_back({end(), end() + (next - done) * perTurn, here_, onHelix(to), from, to, true});
     here_ = legs_.back().to;
@@ -98,7 +109,35 @@ double ToolPath::turn(double t) const {
 std::vector<double> ToolPath::corners() const {
   std::vector<double> times{begin_};
   for (const Leg& leg : legs_) times.push_back(leg.end);
+  if (rampTime_ == 0.0) return times;
+  for (const Pass& pass : passes_) {
+    times.push_back(fullForceIn(pass).begin);
+    times.push_back(fullForceIn(pass).end);
+  }
   return times;
+}
+
+std::vector<double> ToolPath::passEnds() const {
+  std::vector<double> times;
+  for (const Pass& pass : passes_) times.push_back(pass.end);
+  return times;
+}
+
+bool ToolPath::hasFullForce(double t) const {
+  constexpr double kRounding = 1e-12;
+  return std::ranges::any_of(passes_, [&](const Pass& pass) {
+    const auto [begin, end] = fullForceIn(pass);
+    return t >= begin * (1.0 - kRounding) && t <= end * (1.0 + kRounding);
+  });
+}
+
+double ToolPath::forceShare(double t) const {
+  if (rampTime_ == 0.0) return 1.0;
+  const auto pass =
+      std::ranges::find_if(passes_, [&](const Pass& one) { return t >= one.begin && t <= one.end; });
+  if (pass == passes_.end()) return kTouchingShare;
+  const double fromEnds = std::min(t - pass->begin, pass->end - t);
+  return std::lerp(kTouchingShare, 1.0, std::min(1.0, fromEnds / rampTime_));
 }
 
 }  // namespace burnish

@@ -72,6 +72,9 @@ struct PathSpec {
   double speed = 1.0;
   double begin = 0.0;   ///< time at which the tool sets off
   Direction clearance;  ///< from where the tool comes down, and to where it is lifted; none when left out
+  double ramp =
+      0.0;  ///< way at the begin and the end of a pass on which the force on the tool comes and goes
+  std::optional<double> stepPerHalfWidth;  ///< largest way of a step in a pass, over the contact's half width
 };
 
 template <class Visitor>
@@ -82,6 +85,14 @@ void describe(Visitor& v, PathSpec& s) {
   v.field("clearance", s.clearance, {.unit = "length"},
           "Away from the body: by so much the tool is off it before a pass, comes down, and is lifted after "
           "it. A helix turns it with the tool. Without it the tool begins and ends where the passes do.");
+  v.field(
+      "ramp", s.ramp, {.atLeast = 0, .unit = "length"},
+      "Way at the begin of a pass on which the force that the tool carries along clearance comes up from a "
+      "twentieth, with which it touches, and at the end of the pass goes back to that.");
+  v.field(
+      "step_per_half_width", s.stepPerHalfWidth, {.above = 0},
+      "Largest way of the tool in a step of a pass, over the half width of its contact at the first full force; "
+      "the steps of the scene are divided so.");
 }
 
 /// Where a tool on a path is.
@@ -99,11 +110,27 @@ class ToolPath {
   /// Unit vector along the axis of a helix; zero on other paths.
   Eigen::Vector3d axis() const;
 
-  /// Times at which the direction changes, in order, the begin and the end among them.
+  /// Times at which the direction changes, in order, the begin and the end among them; behind these those at which
+  /// the share of the force has a corner.
   std::vector<double> corners() const;
 
+  /// Share of the force across the path that the tool carries at time t.
+  double forceShare(double t) const;
+
+  struct Pass {
+    double begin, end;  ///< times
+  };
+
+  /// In order. Of a helix: its turns.
+  const std::vector<Pass>& passes() const { return passes_; }
+
   /// Times at which a pass (of a helix, a turn) is done, in order.
-  const std::vector<double>& passEnds() const { return passEnds_; }
+  std::vector<double> passEnds() const;
+
+  /// Whether it is in the part of a pass in which the force is full, its ends included.
+  bool hasFullForce(double t) const;
+
+  double speed() const { return speed_; }
 
   double end() const { return legs_.empty() ? begin_ : legs_.back().end; }
 
@@ -123,19 +150,23 @@ class ToolPath {
   /// A straight way to a displacement.
   void goTo(const Eigen::Vector3d& to);
 
-  void endPass() { passEnds_.push_back(end()); }
+  /// From when to when the force of a pass is full.
+  Pass fullForceIn(const Pass& pass) const { return {pass.begin + rampTime_, pass.end - rampTime_}; }
+
+  void beginPass() { passes_.push_back({end(), end()}); }
+  void endPass() { passes_.back().end = end(); }
 
   /// Displacement of the tool when it has turned about the axis of a helix.
   Eigen::Vector3d onHelix(double turn) const;
 
   const Leg* legAt(double t) const;
 
-  double speed_, begin_;
+  double speed_, begin_, rampTime_;
   Eigen::Vector3d clearance_, pivot_;
   std::optional<HelixPath> helix_;
   Eigen::Vector3d here_ = Eigen::Vector3d::Zero();  ///< displacement at the end of the last leg
   std::vector<Leg> legs_;
-  std::vector<double> passEnds_;
+  std::vector<Pass> passes_;
 };
 
 }  // namespace burnish

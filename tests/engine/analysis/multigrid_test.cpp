@@ -211,6 +211,21 @@ steps: [{until: 1, count: 2}]
             20.0);
 }
 
+TEST(Multigrid, BallThatSpins) {
+  EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + R"(
+tools:
+  - name: ball
+    shape: sphere
+    center: [0, 0, 0.5]
+    radius: 0.5
+    carry: {z: -0.01, spin: true, schedule: {times: [0, 1], values: [0.1, 1]}}
+    prescribe: {x: "0.06*max(t - 1, 0)", y: "0.03*max(t - 1, 0)"}
+contact: [{tool: ball, face: front, friction: 0.3}]
+steps: [{until: 1, count: 2}, {until: 2, count: 2}]
+)"),
+            40.0);
+}
+
 /// Incomplete factors are given up, and tried again: what is known of that goes on with the run.
 TEST(Multigrid, AResumedRunHasTheSameBits) {
   const std::string scene =

@@ -2,6 +2,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,29 @@ inline Outcome run(const Scene& scene, const std::string& name, int threads = 0)
   outcome.model = reader.model();
   outcome.lastFrame = reader.frame(reader.numFrames() - 1);
   return outcome;
+}
+
+/// `history.csv` of a run, and of one of the same scene that is halted after every step and resumed.
+struct HaltedHistory {
+  std::string whole, halted;
+  int halts = 0;
+};
+
+inline HaltedHistory haltedAfterEveryStep(const Scene& scene, const std::string& name) {
+  const ScratchDirectory whole(name + "_whole"), part(name + "_part");
+  const auto historyIn = [](const ScratchDirectory& directory) {
+    std::ifstream in(directory.path() / "history.csv", std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  RunObserver silent;
+  runScene(scene, whole.path(), {}, silent);
+  const RunOptions halting{.halt = [] { return true; }};
+  HaltedHistory found;
+  for (RunSummary summary = runScene(scene, part.path(), halting, silent); summary.halted; ++found.halts)
+    summary = resumeRun(readResultScene(part.path()), part.path(), halting, silent);
+  found.whole = historyIn(whole);
+  found.halted = historyIn(part);
+  return found;
 }
 
 }  // namespace burnish::test

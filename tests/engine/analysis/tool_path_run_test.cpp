@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/core/error.h"
@@ -97,6 +98,100 @@ TEST(ToolOnAPath, ThatOnlyTurnsFreelyIsLiftedAndComesDownAgain) {
   EXPECT_NEAR(angle.back() * std::acos(-1.0) / 180.0, -2.0 * 0.2 / 0.5, 0.05) << "it rolls in both passes";
 }
 
+/// The roller in a holder: lifted between two passes, with a force that comes and goes.
+const std::string kHeldRoller = replaced(
+    replaced(kRoller, "moment: 0, schedule: {times: [0, 1], values: [0, 1]}}", "moment: 0}"),
+    "path: {course: polyline, points: [[0, 0], [0.5, 0]], speed: 0.5, begin: 1}",
+    "path: {course: raster, start: [0, -0.04], stroke: [0.3, 0], feed: [0.1, 0], passes: 2, speed: 0.6, "
+    "clearance: [0, 0.05], ramp: 0.06}");
+
+/// Times of its way: down 0.05, along 0.3, up 0.05, back 0.2, down, along, up.
+constexpr double kDown = 0.05 / 0.6, kPass = 0.5, kBack = 1.0 / 3.0, kRamp = 0.1;
+
+Scene heldRoller(const Strings& more = {}) {
+  Strings overrides{"steps=[{until: 2, count: 60}]"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return parseScene(kHeldRoller, "test.yaml", overrides);
+}
+
+TEST(ToolOnAPath, ThatCarriesAForceIsLiftedBetweenItsPasses) {
+  const Outcome ran = test::run(heldRoller(), "path_held");
+  ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+  const auto& history = ran.history;
+  const auto &times = history.column("time"), &height = history.column("roller.uy"),
+             &force = history.column("roller.fy");
+  int full = 0, inTheAir = 0;
+  for (std::size_t k = 1; k < history.numRows(); ++k) {
+    const double second = kDown + kPass + kDown + kBack;
+    const double sinceDown = times[k] - kDown - (times[k] > second ? second : 0.0);
+    const double fromEnds = std::min(sinceDown, kPass - sinceDown);
+    const double most = 0.5 * std::lerp(0.05, 1.0, std::clamp(fromEnds / kRamp, 0.0, 1.0));
+    EXPECT_LE(force[k], most * (1.0 + 1e-8)) << times[k];
+    EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-10) << times[k];
+    if (fromEnds > 0.0) EXPECT_NEAR(force[k], most, 1e-8 * 0.5) << times[k];
+    if (fromEnds > kRamp) ++full;
+    if (height[k] <= 0.0) continue;
+    ++inTheAir;
+    EXPECT_EQ(force[k], 0.0) << times[k];
+  }
+  EXPECT_GT(full, 15);
+  EXPECT_GT(inTheAir, 10);
+  EXPECT_NEAR(height.back(), 0.01, 1e-6) << "lifted from where the path was";
+}
+
+TEST(ToolOnAPath, ThatItsPathKeepsFromItsForceEndsTheRun) {
+  const Outcome ran = test::run(heldRoller({"tools[0].path.start=[0, -0.001]"}), "path_shallow");
+  EXPECT_FALSE(ran.summary.completed);
+  EXPECT_THAT(ran.summary.stoppedBecause, HasSubstr("tool 'roller' does not carry its force in a pass"));
+}
+
+TEST(ToolOnAPath, TakesStepsByTheHalfWidthOfItsContact) {
+  const Outcome ran = test::run(heldRoller({"tools[0].path.step_per_half_width=0.5", "tools[0].path.passes=1",
+                                            "steps=[{until: 1, count: 20}]"}),
+                                "path_steps");
+  ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+  ASSERT_EQ(ran.summary.pathSteps.size(), 1u);
+  const auto& steps = ran.summary.pathSteps.front();
+  EXPECT_EQ(steps.tool, "roller");
+  EXPECT_NEAR(steps.time, kDown + kRamp, 1e-12);
+  EXPECT_NEAR(steps.halfWidth, std::sqrt(4.0 * 0.5 * 0.5 * (1.0 - 0.09) / (std::acos(-1.0) * 100.0)),
+              0.2 * steps.halfWidth)
+      << "Hertz";
+  EXPECT_DOUBLE_EQ(steps.longest, 0.5 * steps.halfWidth);
+  const auto &times = ran.history.column("time"), &way = ran.history.column("roller.ux");
+  int inPass = 0;
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    if (times[k - 1] < steps.time - 1e-12 || times[k] > kDown + kPass + 1e-12) continue;
+    ++inPass;
+    EXPECT_LE(way[k] - way[k - 1], steps.longest * (1.0 + 1e-9)) << times[k];
+  }
+  EXPECT_GE(inPass, static_cast<int>(0.24 / steps.longest));
+}
+
+TEST(ToolOnAPath, IsDoubtedWhereSpansAreLargeAgainstItsContact) {
+  const auto isDoubted = [](const Strings& geometry) {
+    Strings overrides{"tools[0].path.passes=1", "steps=[{until: 0.8, count: 16}]"};
+    overrides.insert(overrides.end(), geometry.begin(), geometry.end());
+    const Outcome ran = test::run(heldRoller(overrides), "path_doubt");
+    EXPECT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+    return std::ranges::any_of(ran.summary.doubts, [](const DoubtRecord& doubt) {
+      return doubt.what.starts_with("fewer than four knot spans over the width of the contact");
+    });
+  };
+  EXPECT_TRUE(isDoubted({})) << "two spans";
+  EXPECT_FALSE(
+      isDoubted({"geometry={shape: rectangle, size: [2.0, 0.5], resolution: {along: roller, "
+                 "half_width: 0.054}}"}));
+}
+
+TEST(ToolOnAPath, GoesOnWithTheSameBitsWhenHaltedAfterEveryStep) {
+  const Scene scene = heldRoller({"tools[0].path.step_per_half_width=0.9", "tools[0].path.stroke=[0.2, 0]",
+                                  "steps=[{until: 1.7, count: 15}]"});
+  const test::HaltedHistory found = test::haltedAfterEveryStep(scene, "path");
+  EXPECT_GE(found.halts, 15);
+  EXPECT_EQ(found.halted, found.whole);
+}
+
 TEST(ToolOnAPath, WithAForceAcrossItHasToStayOutOfItsWay) {
   const auto errorOf = [](const Strings& overrides) -> std::string {
     try {
@@ -107,8 +202,10 @@ TEST(ToolOnAPath, WithAForceAcrossItHasToStayOutOfItsWay) {
     return "no error";
   };
   EXPECT_EQ(errorOf({}), "no error");
-  EXPECT_THAT(errorOf({"tools[0].path.clearance=[0, 0.1]", "tools[0].path.speed=5"}),
+  EXPECT_THAT(errorOf({"tools[0].path.points=[[0, 0], [0.5, 0.1]]", "tools[0].path.speed=1"}),
               HasSubstr("tools[0].carry.y: found although the path moves the tool in this way"));
+  EXPECT_THAT(errorOf({"tools[0].path.ramp=0.1"}),
+              HasSubstr("tools[0].path.ramp: found although the tool carries no force along clearance"));
   EXPECT_THAT(errorOf({"tools[0].path.speed=0.1"}),
               HasSubstr("tools[0].path: found a path that takes until t = 6"));
 }

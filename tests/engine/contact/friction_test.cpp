@@ -22,6 +22,7 @@ struct Case {
   std::optional<double> shearLimit{};
   std::string law{};  ///< instead of mu
   Enforcement method = Enforcement::IntegralAugmentedLagrangian;
+  bool spins = false;  ///< a ball about its middle
 
   bool sticks() const { return mu == 0.0 || mu > 1.0; }
 
@@ -37,11 +38,20 @@ struct Case {
 };
 
 template <int Dim>
-Tool movedTool(Tool tool, bool isFree, int firstUnknown) {
+Tool movedTool(Tool tool, const Case& c, int firstUnknown) {
+  if (c.spins) {
+    tool.pivot = tool.shape.middle();
+    tool.turnLength = 0.3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      tool.unknowns[k] = firstUnknown + static_cast<int>(k);
+      tool.unknowns[kSpin + k] = firstUnknown + 3 + static_cast<int>(k);
+    }
+    return tool;
+  }
   tool.pivot = {0.3, 0.8, 0.1};
   if (Dim == 3) tool.axis = Eigen::Vector3d(0.2, -0.3, 1.0).normalized();
   tool.turnLength = 1.7;
-  if (isFree) {
+  if (c.isFree) {
     for (std::size_t dof = 0; dof < kToolDofs; ++dof)
       tool.unknowns[dof] = firstUnknown + static_cast<int>(dof);
   } else {
@@ -63,8 +73,10 @@ struct Rubbed {
 
   Rubbed(Body<Dim> itsBody, FaceId face, const Tool& itsTool, const Case& c)
       : body(std::move(itsBody)),
-        first(Dim * body.numNodes + (c.isFree ? static_cast<int>(kToolDofs) : 0)),
-        tool(movedTool<Dim>(itsTool, c.isFree, Dim * body.numNodes)),
+        first(Dim * body.numNodes + (c.spins    ? 6
+                                     : c.isFree ? static_cast<int>(kToolDofs)
+                                                : 0)),
+        tool(movedTool<Dim>(itsTool, c, Dim * body.numNodes)),
         contact(makePartnerContact<Dim>(
             body, 0, face, onTool<Dim>(tool), c.options(), first,
             std::vector<bool>(static_cast<std::size_t>(Dim * body.numNodes), false), {})),
@@ -155,6 +167,50 @@ INSTANTIATE_TEST_SUITE_P(MortarPenalty, FrictionInSpace,
                          testing::ValuesIn(casesOf(Enforcement::MortarPenalty)));
 INSTANTIATE_TEST_SUITE_P(PointwisePenalty, FrictionInSpace,
                          testing::ValuesIn(casesOf(Enforcement::PointwisePenalty)));
+
+/// A ball that spins, of the method.
+std::vector<Case> spinning() {
+  std::vector<Case> cases;
+  for (const auto& [name, method] : EnumNames<Enforcement>::values)
+    for (const double mu : {0.0, 0.1, 5.0}) cases.push_back({.mu = mu, .method = method, .spins = true});
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Spinning, FrictionInSpace, testing::ValuesIn(spinning()));
+
+TEST(FrictionOnASpinningBall, ItsEquationsAreItsMoments) {
+  for (const Case& c : spinning()) {
+    Rubbed rubbed = rubbedBox(c);
+    const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
+    const ContactState& state = rubbed.term.state();
+    const int unknown = 3 * rubbed.body.numNodes;
+    EXPECT_NEAR((force.segment<3>(unknown) + state.reaction).norm(), 0.0, 1e-14);
+    EXPECT_NEAR((force.segment<3>(unknown + 3) + state.moment / rubbed.tool.turnLength).norm(), 0.0, 1e-14);
+    EXPECT_GT(state.moment.norm(), 1e-6);
+  }
+}
+
+/// Body and ball that turn together by a large angle do not slip, and the ball turns as its spin says.
+TEST(FrictionOnASpinningBall, IsIndifferentToRigidMotions) {
+  Rubbed rubbed = rubbedBox({.mu = 0.1, .spins = true});
+  static_cast<void>(test::forceOf(rubbed.term, 1.0, rubbed.x));
+  rubbed.term.accept();
+  const Eigen::Vector3d reaction = rubbed.term.state().reaction;
+  const Eigen::Vector3d theta(0.5, -0.3, 0.8), shift(0.2, -0.4, 0.1);
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(theta.norm(), theta.normalized()).toRotationMatrix();
+  const int unknown = 3 * rubbed.body.numNodes;
+  const Eigen::Vector3d center = rubbed.tool.pivot + rubbed.x.segment<3>(unknown);
+  Eigen::VectorXd x = rubbed.x;
+  for (int a = 0; a < rubbed.body.numNodes; ++a) {
+    const Eigen::Vector3d X = rubbed.body.nodePositions().col(a), was = X + x.segment<3>(3 * a);
+    x.segment<3>(3 * a) = R * (was - center) + center + shift - X;
+  }
+  x.segment<3>(unknown) += shift;
+  x.segment<3>(unknown + 3) += theta * rubbed.tool.turnLength;
+  static_cast<void>(test::forceOf(rubbed.term, 1.0, x));
+  EXPECT_NEAR(rubbed.term.state().slip.norm(), 0.0, 1e-13);
+  EXPECT_GT(reaction.norm(), 1e-4);
+}
 
 TEST(FrictionLaw, IsAskedWithTruePressureSlipTimeAndPlace) {
   ContactOptions options;

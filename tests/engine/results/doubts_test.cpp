@@ -19,6 +19,7 @@ TEST(Doubts, SentencesSayTheirLimits) {
   EXPECT_THAT(sentenceOf(Condition::NewBoundary, {}), HasSubstr("0.5 % of the body's size"));
   EXPECT_THAT(sentenceOf(Condition::Balance, {}), HasSubstr("more than 10 % of the work"));
   EXPECT_THAT(sentenceOf(Condition::Stabilisation, {}), HasSubstr("more than 1 % of the largest force"));
+  EXPECT_THAT(sentenceOf(Condition::CoarsePath, {}), HasSubstr("fewer than four knot spans"));
 }
 
 TEST(Doubts, SentencesAdviseWhatTheSceneDoesNotHaveYet) {

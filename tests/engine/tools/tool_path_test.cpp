@@ -57,6 +57,26 @@ TEST(ToolPath, ARasterComesDownGoesUpAndFeeds) {
   EXPECT_LT((path.displacement(14.0) - Vector3d(2.0, -0.1, 3.0)).norm(), kRounding);
 }
 
+TEST(ToolPath, ARampTakesTheForceUpAndDownInEveryPass) {
+  RasterPath raster;
+  raster.stroke = {4.0, 0.0, 0.0};
+  raster.feed = {0.0, 0.0, 3.0};
+  raster.passes = 2;
+  PathSpec spec = along(raster);
+  spec.speed = 2.0;
+  spec.clearance = {0.0, 1.0, 0.0};
+  spec.ramp = 1.0;
+  const ToolPath path(spec, Vector3d::Zero());  // the first pass from 0.5 to 2.5
+  for (const double t : {0.0, 0.3, 0.5, 2.5, 2.6}) EXPECT_DOUBLE_EQ(path.forceShare(t), 0.05) << t;
+  for (const double t : {0.75, 2.25}) EXPECT_DOUBLE_EQ(path.forceShare(t), 0.525) << t;
+  for (const double t : {1.0, 1.7, 2.0}) {
+    EXPECT_DOUBLE_EQ(path.forceShare(t), 1.0) << t;
+    EXPECT_TRUE(path.hasFullForce(t)) << t;
+  }
+  for (const double t : {0.99, 2.01, 3.0}) EXPECT_FALSE(path.hasFullForce(t)) << t;
+  EXPECT_THAT(path.corners(), testing::IsSupersetOf({near(1.0), near(2.0), near(6.5), near(7.5)}));
+}
+
 TEST(ToolPath, ARasterMayGoToAndFro) {
   RasterPath raster;
   raster.stroke = {4.0, 0.0, 0.0};
