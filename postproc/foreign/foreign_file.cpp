@@ -92,7 +92,6 @@ void writeAll(int pipe, const void* bytes, std::size_t count) {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
   ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // files are only read, perhaps while they are written
   setLimits();
-  noteComplaints();
   const TakeBytes take = [answers](const void* bytes, std::size_t count) { writeAll(answers, bytes, count); };
   const auto answer = [&](const auto& make) {
     try {
@@ -149,6 +148,7 @@ class ForeignFile::Reader {
 
  private:
   void start() {
+    loadReaders();  // once for all processes
     std::array<int, 2> questions{}, answers{};
     if (::pipe2(questions.data(), O_CLOEXEC) != 0) throw cannotStart();
     if (::pipe2(answers.data(), O_CLOEXEC) != 0) {
