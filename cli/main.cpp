@@ -5,10 +5,10 @@
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/fastest_program.h"
 #include "cli/faults.h"
 #include "cli/ranks.h"
 #include "cli/usage_error.h"
-#include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/version.h"
 #include "postproc/draw/page/font.h"
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
   const bool computing = argc > 1 && computes(argv[1]);
   if (computing) {
     std::signal(SIGPIPE, SIG_IGN);  // whoever reads the progress may go away; the results are still wanted
-    useFastestBlasKernels(argv);
+    startFastest(argv);
   }
   silenceVtk();
   const ExitCode done = guarded([&] {

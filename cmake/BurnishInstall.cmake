@@ -5,15 +5,29 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 set(modules "${CMAKE_INSTALL_LIBDIR}/burnish")  # where the program looks for what it loads later
+install(TARGETS burnish_readers LIBRARY DESTINATION "${modules}" COMPONENT program)
 if(BURNISH_PETSC)
   install(TARGETS burnish_petsc LIBRARY DESTINATION "${modules}" COMPONENT multigrid)
 endif()
 if(BURNISH_HAS_OCCT)
   install(TARGETS burnish_occt LIBRARY DESTINATION "${modules}" COMPONENT cad)
 endif()
-if(BURNISH_PETSC OR BURNISH_HAS_OCCT)
+if(NOT CMAKE_INSTALL_RPATH)
   file(RELATIVE_PATH libraries "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}/burnish")
   set_target_properties(burnish PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
+endif()
+# The same, compiled for newer processors; the program starts it where it can (cli/fastest_program.h).
+set(BURNISH_NEWER_BUILD "" CACHE PATH "Build directory (preset package-newer) of the program for processors with AVX2, to be installed, too")
+if(BURNISH_NEWER_BUILD AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  set(newer "${modules}/x86-64-v3")
+  install(PROGRAMS "${BURNISH_NEWER_BUILD}/burnish" DESTINATION "${newer}" COMPONENT program)
+  install(FILES "${BURNISH_NEWER_BUILD}/burnish_readers.so" DESTINATION "${newer}" COMPONENT program)
+  if(BURNISH_PETSC)
+    install(FILES "${BURNISH_NEWER_BUILD}/burnish_petsc.so" DESTINATION "${newer}" COMPONENT multigrid)
+  endif()
+  if(BURNISH_HAS_OCCT)
+    install(FILES "${BURNISH_NEWER_BUILD}/burnish_occt.so" DESTINATION "${newer}" COMPONENT cad)
+  endif()
 endif()
 install(DIRECTORY "${PROJECT_BINARY_DIR}/share/man/" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT program
   FILES_MATCHING PATTERN "*.[15]")
@@ -34,7 +48,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" 
 
 # The pages as they are, and as a site where scripts/site has built it.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
-  FILES_MATCHING PATTERN "*.md" PATTERN site EXCLUDE PATTERN images EXCLUDE)
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.ipynb" PATTERN site EXCLUDE PATTERN images EXCLUDE)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/build/site/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/html" COMPONENT doc OPTIONAL)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/scenes/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.step")

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include "cli/fastest_program.h"
 #include "engine/cad/require_cad.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
@@ -31,6 +32,12 @@ namespace fs = std::filesystem;
 
 std::string gigabytes(double bytes) {
   return fmt::format("{:.1f} GB", 1e-9 * bytes);
+}
+
+std::string processorText() {
+  const std::string program = programForProcessor();
+  return fmt::format("{} threads at a time", std::thread::hardware_concurrency()) +
+         (program.empty() ? "" : ", which compute with AVX2: " + program);
 }
 
 std::string memoryText() {
@@ -92,8 +99,7 @@ struct Examined {
 std::vector<Examined> allExamined() {
   return {
       {"program", "", programName, ""},
-      {"processor", "",
-       [] { return fmt::format("{} threads at a time", std::thread::hardware_concurrency()); }, ""},
+      {"processor", "", processorText, ""},
       {"memory", "", memoryText, ""},
       {"scratch", "", scratchText, "make TMPDIR the name of a directory that can be written to"},
       {"BLAS", "", blasName, ""},

@@ -16,12 +16,10 @@ constexpr std::int64_t kTimes = -1;
 
 /// What the process that reads keeps between two questions: the file that was opened by the first of them.
 ReadingProcess::Answer answerFrom(const fs::path& file) {
+  loadReaders();  // here, once for all processes
   const auto source = std::make_shared<std::unique_ptr<ForeignSource>>();
   return [file, source](std::int64_t question) -> ReadingProcess::Send {
-    if (!*source) {
-      noteComplaints();
-      *source = openForeign(file);
-    }
+    if (!*source) *source = openForeign(file);
     if (question == kTimes) return [times = (*source)->times()](const TakeBytes& take) { send(times, take); };
     return [blocks = (*source)->blocks(static_cast<std::size_t>(question))](const TakeBytes& take) {
       send(blocks, take);

@@ -34,11 +34,11 @@ std::string foreignKind(const std::filesystem::path& file);
 /// All endings with a reader.
 std::vector<std::string> foreignEndings();
 
-/// Opens a file by its ending. Throws `Error` for a file that is not there, or none of its ending, or damaged.
-/// VTK's messages must go to a `ComplaintWindow`.
-std::unique_ptr<ForeignSource> openForeign(const std::filesystem::path& file);
+/// Loads VTK's readers, which takes some hundredths of a second. Throws `Error` if they are not installed.
+void loadReaders();
 
-/// From now on VTK's errors are noted in this process; `openForeign` and `blocks` throw for them.
-void noteComplaints();
+/// Opens a file by its ending. Throws `Error` for a file that is not there, or none of its ending, or damaged.
+/// From now on VTK's errors are noted in this process: `blocks` throws for them, too.
+std::unique_ptr<ForeignSource> openForeign(const std::filesystem::path& file);
 
 }  // namespace burnish

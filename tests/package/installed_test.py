@@ -1,5 +1,5 @@
 """The installed program: it finds what it needs beside itself and nothing in the tree that built it, computes and draws in an empty
-environment; manual pages and completions lie where man and the shells look.
+environment, reads files of other programs, and leaves computing to a program for newer processors that lies beside it; manual pages and completions lie where man and the shells look.
 
 Usage: installed_test.py CMAKE BUILD_DIRECTORY
 """
@@ -44,6 +44,27 @@ def problems_of_use(burnish, directory):
     use("render", "out", "-o", "press.png", "--size", "300,200")
     if not (directory / "press.png").read_bytes().startswith(b"\x89PNG"):
         yield "press.png is no picture"
+    (directory / "tetrahedron.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    if "4 cells" not in use("info", "tetrahedron.obj"):
+        yield "the installed program cannot read tetrahedron.obj"
+
+
+def problems_of_newer_program(burnish, directory):
+    """A program in the place of the one for newer processors that says how it was started."""
+    newer = next(burnish.parent.parent.glob("lib/**/burnish_readers.so")).parent / "x86-64-v3/burnish"
+    newer.parent.mkdir()
+    newer.write_text('#!/bin/sh\necho "newer $@"\n')
+    newer.chmod(0o755)
+    processor = set(re.search("flags.*", pathlib.Path("/proc/cpuinfo").read_text())[0].split())
+    is_new = {"avx2", "fma", "bmi2"} <= processor
+    for words, is_left in (("run press.yaml --threads 1", True), ("verify press.yaml", True), ("figures press.yaml", True),
+                           ("run --help", True), ("--version", False), ("help run", False)):
+        found = call(burnish, *words.split(), cwd=directory) if is_new or not is_left else ""
+        if (found == f"newer {words}\n") != (is_left and is_new):
+            yield f"burnish {words}: said {found}"
+    newer.chmod(0o644)
+    if not call(burnish, "run", "--help", cwd=directory).startswith("Compute"):
+        yield "without a program for newer processors the installed one does not compute"
 
 
 def problems_of_files(prefix):
@@ -68,7 +89,8 @@ def main():
         prefix = directory / "elsewhere"
         shutil.move(directory / "usr", prefix)
         burnish = prefix / "bin/burnish"
-        wrong = [*problems_of_program(burnish, build), *problems_of_use(burnish, directory), *problems_of_files(prefix)]
+        wrong = [*problems_of_program(burnish, build), *problems_of_use(burnish, directory), *problems_of_files(prefix),
+                 *problems_of_newer_program(burnish, directory)]
     print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)
 

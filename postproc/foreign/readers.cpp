@@ -1,0 +1,445 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkAbstractArray.h>
+#include <vtkAppendFilter.h>
+#include <vtkCGNSReader.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkDataSetReader.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkExodusIIReader.h>
+#include <vtkGenericEnSightReader.h>
+#include <vtkHDFReader.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <vtkPLYReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLRectilinearGridReader.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUtilities.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/quoted.h"
+#include "postproc/foreign/announced_counts.h"
+#include "postproc/foreign/check_grid.h"
+#include "postproc/foreign/foreign_formats.h"
+#include "postproc/foreign/foreign_source.h"
+#include "postproc/foreign/lower_case.h"
+
+/// A module: VTK's readers bring along libraries for the network, for MPI and for pictures, which take as long to load as the rest
+/// of the program, and which most commands never need.
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+int numComplaints = 0;
+std::string firstComplaint;
+
+/// What VTK says, without the place in its source; of letters of the file among it those alone that can be shown.
+std::string complaintIn(const std::string& text) {
+  constexpr std::size_t kLongest = 160;
+  const std::size_t place = text.find("): ");
+  std::string words = place == std::string::npos ? text : text.substr(place + 3);
+  words.erase(std::min(words.find('\n'), words.size()));
+  std::erase_if(words, [](unsigned char letter) { return letter < ' ' || letter > '~'; });
+  return words.substr(0, kLongest);
+}
+
+/// What the reader said, behind a sentence of what is wrong.
+std::string complaintText() {
+  return firstComplaint.empty() ? "" : "; its reader says: " + firstComplaint;
+}
+
+/// Counts errors of VTK; warnings are the reader's own business.
+class ComplaintWindow : public vtkOutputWindow {
+ public:
+  static ComplaintWindow* New();
+  void DisplayText(const char* /*text*/) override {}
+  void DisplayErrorText(const char* text) override {
+    ++numComplaints;
+    // That the pipeline failed is said of every reader.
+    if (firstComplaint.empty() &&
+        std::string_view(text).find("returned failure for request") == std::string_view::npos)
+      firstComplaint = complaintIn(text);
+  }
+};
+vtkStandardNewMacro(ComplaintWindow);
+
+Error cannotBeRead(const fs::path& file) {
+  const ForeignFormat* format = foreignFormat(file);
+  return Error(fmt::format("{}: this is no {} of its ending, or it is damaged{}", file.string(),
+                           format != nullptr ? format->words : "file", complaintText()));
+}
+
+void requireThere(const fs::path& file) {
+  std::error_code status;
+  if (!fs::exists(file, status)) throw Error(fmt::format("{}: there is no such file", file.string()));
+  if (!fs::is_regular_file(file, status)) throw Error(fmt::format("{}: this is no file", file.string()));
+}
+
+/// Throws `Error` for a file of VTK's XML that was cut off: its last values may be missing without a word of
+/// the reader.
+void requireEnd(const fs::path& file) {
+  constexpr std::streamoff kTail = 100;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  stream.seekg(std::max<std::streamoff>(stream.tellg() - kTail, 0));
+  const std::string tail{std::istreambuf_iterator<char>(stream), {}};
+  if (tail.find("</VTKFile>") == std::string::npos) throw cannotBeRead(file);
+}
+
+/// Arrays of numbers with names, one per point or cell; names that are there twice get a number.
+void tidyArrays(vtkDataSetAttributes& data, vtkIdType count) {
+  std::set<std::string> names;
+  for (int k = data.GetNumberOfArrays() - 1; k >= 0; --k) {
+    vtkDataArray* numbers = data.GetArray(k);
+    if (!numbers || numbers->GetNumberOfTuples() != count || numbers->GetNumberOfComponents() < 1)
+      data.RemoveArray(k);
+    else if (!numbers->GetName() || *numbers->GetName() == '\0')
+      numbers->SetName(fmt::format("array {}", k).c_str());
+  }
+  for (int k = 0; k < data.GetNumberOfArrays(); ++k) {
+    std::string name = data.GetArray(k)->GetName();
+    while (!names.insert(name).second) name += "_2";
+    data.GetArray(k)->SetName(name.c_str());
+  }
+}
+
+/// Checked, as an unstructured grid, and tried with the filter on which pictures build.
+vtkSmartPointer<vtkUnstructuredGrid> gridOf(vtkDataSet& data, const fs::path& file) {
+  if (!isSound(data)) throw cannotBeRead(file);
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(&data);
+  if (!grid) {
+    vtkNew<vtkAppendFilter> append;
+    append->AddInputData(&data);
+    append->Update();
+    grid = append->GetOutput();
+  }
+  tidyArrays(*grid->GetPointData(), grid->GetNumberOfPoints());
+  if (file.extension() == ".obj") grid->GetCellData()->RemoveArray("GroupIds");  // not in the file
+  tidyArrays(*grid->GetCellData(), grid->GetNumberOfCells());
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(grid);
+  surface->Update();
+  return grid;
+}
+
+std::string nameIn(vtkInformation* information) {
+  const char* name = information && information->Has(vtkCompositeDataSet::NAME())
+                         ? information->Get(vtkCompositeDataSet::NAME())
+                         : nullptr;
+  return name ? name : "";
+}
+
+/// Data sets that are not empty, with the names of their places.
+void addBlocks(std::vector<ForeignBlock>& blocks, vtkDataObject* object, const std::string& name,
+               const fs::path& file) {
+  if (auto* data = vtkDataSet::SafeDownCast(object)) {
+    if (data->GetNumberOfPoints() > 0 || data->GetNumberOfCells() > 0)
+      blocks.push_back({name, gridOf(*data, file)});
+    return;
+  }
+  auto* tree = vtkMultiBlockDataSet::SafeDownCast(object);
+  for (unsigned k = 0; tree && k < tree->GetNumberOfBlocks(); ++k) {
+    const std::string own = nameIn(tree->HasMetaData(k) ? tree->GetMetaData(k) : nullptr);
+    const bool isGroup = vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(k)) != nullptr;
+    // Readers put blocks into groups for their kind, which is no name of a block.
+    addBlocks(blocks, tree->GetBlock(k),
+              isGroup       ? name
+              : own.empty() ? fmt::format("block {}", blocks.size())
+                            : own,
+              file);
+  }
+}
+
+/// One file read by one of VTK's readers.
+class ReaderSource : public ForeignSource {
+ public:
+  /// prepare: after the reader knows what is in the file, says that all of it is wanted.
+  ReaderSource(fs::path file, vtkSmartPointer<vtkAlgorithm> reader, const std::function<void()>& prepare)
+      : file_(std::move(file)), reader_(std::move(reader)) {
+    reader_->UpdateInformation();
+    if (prepare) prepare();
+    vtkInformation& information = *reader_->GetOutputInformation(0);
+    auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+    for (int k = 0; information.Has(key) && k < information.Length(key); ++k)
+      times_.push_back(information.Get(key)[k]);
+    if (!std::is_sorted(times_.begin(), times_.end())) throw cannotBeRead(file_);
+    if (times_ == std::vector{0.0}) times_.clear();  // readers say so of files without times
+  }
+
+  std::vector<double> times() override { return times_; }
+
+  std::vector<ForeignBlock> blocks(std::size_t instant) override {
+    if (times_.empty())
+      reader_->Update();
+    else
+      reader_->UpdateTimeStep(times_.at(instant));
+    std::vector<ForeignBlock> blocks;
+    addBlocks(blocks, reader_->GetOutputDataObject(0), "", file_);
+    try {
+      requireAnnounced(file_, blocks);
+    } catch (const Error& error) {
+      throw Error(error.what() + complaintText());
+    }
+    if (numComplaints > 0) throw cannotBeRead(file_);
+    return blocks;
+  }
+
+ private:
+  fs::path file_;
+  vtkSmartPointer<vtkAlgorithm> reader_;
+  std::vector<double> times_;
+};
+
+template <class Reader>
+std::unique_ptr<ForeignSource> readWith(const fs::path& file) {
+  const auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(file.c_str());
+  return std::make_unique<ReaderSource>(file, reader, nullptr);
+}
+
+template <class Reader>
+std::unique_ptr<ForeignSource> readXmlWith(const fs::path& file) {
+  requireEnd(file);
+  return readWith<Reader>(file);
+}
+
+std::unique_ptr<ForeignSource> readLegacy(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkDataSetReader>::New();
+  reader->SetFileName(file.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+  return std::make_unique<ReaderSource>(file, reader, nullptr);
+}
+
+std::unique_ptr<ForeignSource> readExodus(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkExodusIIReader>::New();
+  reader->SetFileName(file.c_str());
+  reader->ApplyDisplacementsOff();  // a picture warps by them where it is asked to
+  reader->GenerateObjectIdCellArrayOff();
+  return std::make_unique<ReaderSource>(file, reader, [reader] {
+    reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+    reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  });
+}
+
+std::unique_ptr<ForeignSource> readCgns(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkCGNSReader>::New();
+  reader->SetFileName(file.c_str());
+  return std::make_unique<ReaderSource>(file, reader, [reader] {
+    reader->EnableAllBases();
+    reader->EnableAllFamilies();
+    reader->EnableAllPointArrays();
+    reader->EnableAllCellArrays();
+  });
+}
+
+std::unique_ptr<ForeignSource> readEnSight(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
+  reader->SetCaseFileName(fs::absolute(file).c_str());
+  reader->ReadAllVariablesOn();
+  return std::make_unique<ReaderSource>(file, reader, nullptr);
+}
+
+std::string textIn(vtkXMLDataElement& element, const char* attribute) {
+  const char* text = element.GetAttribute(attribute);
+  return text ? text : "";
+}
+
+vtkSmartPointer<vtkXMLDataElement> rootOf(const fs::path& file) {
+  return vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
+}
+
+std::unique_ptr<ForeignSource> openFile(const fs::path& file);
+
+/// The files that a `.pvtu` or `.pvtp` file names. VTK's reader of them is silent about damaged ones.
+class PieceSource : public ForeignSource {
+ public:
+  explicit PieceSource(const fs::path& file) {
+    const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
+    const char* kind = endingOf(file) == ".pvtu" ? "PUnstructuredGrid" : "PPolyData";
+    vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(kind) : nullptr;
+    for (int k = 0; whole && k < whole->GetNumberOfNestedElements(); ++k)
+      if (vtkXMLDataElement& element = *whole->GetNestedElement(k); textIn(element, "Source") != "")
+        pieces_.push_back(file.parent_path() / textIn(element, "Source"));
+    if (pieces_.empty()) throw cannotBeRead(file);
+  }
+
+  std::vector<ForeignBlock> blocks(std::size_t /*instant*/) override {
+    std::vector<ForeignBlock> all;
+    for (std::size_t k = 0; k < pieces_.size(); ++k)
+      for (ForeignBlock& block : openPart(pieces_[k])->blocks(0))
+        all.push_back({fmt::format("piece {}", k), block.grid});
+    return all;
+  }
+
+  /// One of the files that another one names, which itself names none.
+  static std::unique_ptr<ForeignSource> openPart(const fs::path& file) {
+    const std::string ending = endingOf(file);
+    if (ending == ".vtu" || ending == ".vtp") return openFile(file);
+    throw Error(fmt::format("{}: found the ending {}; expected .vtu or .vtp", file.string(), quoted(ending)));
+  }
+
+ private:
+  std::vector<fs::path> pieces_;
+};
+
+double timeIn(const char* text, const fs::path& file) {
+  const std::string_view word = text ? text : "";
+  double time = 0.0;
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), time);
+  if (status != std::errc() || end != word.data() + word.size() || !std::isfinite(time))
+    throw Error(fmt::format("{}: found the timestep {}; expected a number", file.string(),
+                            quoted(std::string(word))));
+  return time;
+}
+
+/// A ParaView collection: files by their times, those of one time in the order of the file.
+class CollectionSource : public ForeignSource {
+ public:
+  explicit CollectionSource(const fs::path& file) {
+    const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
+    vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
+    if (!collection) throw Error(fmt::format("{}: found no collection of VTK files in it", file.string()));
+    std::map<double, std::vector<Entry>> byTime;
+    for (int k = 0; k < collection->GetNumberOfNestedElements(); ++k) {
+      vtkXMLDataElement& element = *collection->GetNestedElement(k);
+      const std::string name = textIn(element, "name"), part = textIn(element, "part");
+      byTime[timeIn(element.GetAttribute("timestep"), file)].push_back(
+          {name.empty() && !part.empty() ? "part " + part : name,
+           file.parent_path() / textIn(element, "file")});
+    }
+    if (byTime.empty()) throw Error(fmt::format("{}: the collection is empty", file.string()));
+    for (auto& [time, entries] : byTime) {
+      times_.push_back(time);
+      entries_.push_back(std::move(entries));
+    }
+  }
+
+  std::vector<double> times() override { return times_; }
+
+  std::vector<ForeignBlock> blocks(std::size_t instant) override {
+    std::vector<ForeignBlock> all;
+    for (const Entry& entry : entries_.at(instant))
+      for (ForeignBlock& block : openEntry(entry.file)->blocks(0))
+        all.push_back({block.name.empty()   ? entry.name
+                       : entry.name.empty() ? block.name
+                                            : entry.name + ", " + block.name,
+                       block.grid});
+    return all;
+  }
+
+ private:
+  struct Entry {
+    std::string name;
+    fs::path file;
+  };
+
+  /// What has no times of its own.
+  static std::unique_ptr<ForeignSource> openEntry(const fs::path& file) {
+    constexpr std::array kEndings{".vtu", ".vtp", ".vts", ".vtr", ".vti", ".pvtu", ".pvtp", ".vtm", ".vtk"};
+    const std::string ending = endingOf(file);
+    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return openFile(file);
+    throw Error(fmt::format("{}: found the ending {}; expected {}", file.string(), quoted(ending),
+                            fmt::join(kEndings, ", ")));
+  }
+
+  std::vector<double> times_;
+  std::vector<std::vector<Entry>> entries_;
+};
+
+template <class Source>
+std::unique_ptr<ForeignSource> make(const fs::path& file) {
+  return std::make_unique<Source>(file);
+}
+
+/// How each of `kForeignFormats` is opened.
+struct Opening {
+  std::string_view ending;
+  std::unique_ptr<ForeignSource> (*open)(const fs::path& file);
+};
+
+constexpr std::array kOpenings{Opening{".case", readEnSight},
+                               Opening{".cgns", readCgns},
+                               Opening{".e", readExodus},
+                               Opening{".ex2", readExodus},
+                               Opening{".exo", readExodus},
+                               Opening{".obj", readWith<vtkOBJReader>},
+                               Opening{".ply", readWith<vtkPLYReader>},
+                               Opening{".pvd", make<CollectionSource>},
+                               Opening{".pvtp", make<PieceSource>},
+                               Opening{".pvtu", make<PieceSource>},
+                               Opening{".stl", readWith<vtkSTLReader>},
+                               Opening{".vti", readXmlWith<vtkXMLImageDataReader>},
+                               Opening{".vtk", readLegacy},
+                               Opening{".vtkhdf", readWith<vtkHDFReader>},
+                               Opening{".vtm", readXmlWith<vtkXMLMultiBlockDataReader>},
+                               Opening{".vtp", readXmlWith<vtkXMLPolyDataReader>},
+                               Opening{".vtr", readXmlWith<vtkXMLRectilinearGridReader>},
+                               Opening{".vts", readXmlWith<vtkXMLStructuredGridReader>},
+                               Opening{".vtu", readXmlWith<vtkXMLUnstructuredGridReader>}};
+static_assert(std::ranges::equal(kOpenings, kForeignFormats, {}, &Opening::ending, &ForeignFormat::ending));
+
+std::unique_ptr<ForeignSource> openFile(const fs::path& file) {
+  const auto* found = std::ranges::find(kOpenings, endingOf(file), &Opening::ending);
+  if (found == kOpenings.end())
+    throw Error(fmt::format("{}: found the ending {}; expected one of a format that VTK reads", file.string(),
+                            quoted(file.extension().string())));
+  requireThere(file);
+  numComplaints = 0;
+  firstComplaint.clear();
+  auto source = found->open(file);
+  if (numComplaints > 0) throw cannotBeRead(file);
+  return source;
+}
+
+/// From now on VTK's errors are noted in this process.
+void noteComplaints() {
+  vtkObject::GlobalWarningDisplayOn();
+  const vtkNew<ComplaintWindow> window;
+  vtkOutputWindow::SetInstance(window);
+}
+
+}  // namespace
+}  // namespace burnish
+
+extern "C" burnish::ForeignSource* burnishOpenForeign(const std::filesystem::path& file) {
+  burnish::noteComplaints();
+  return burnish::openFile(file).release();
+}
