@@ -7,7 +7,12 @@
 /// and to memory, and not passed by value, which without AVX is another convention for calls.
 namespace burnish {
 
+/// As many as a register holds, which is four with AVX and two without: more are carried through memory, ten times as slowly.
+#ifdef __AVX__
 inline constexpr int kLanes = 4;
+#else
+inline constexpr int kLanes = 2;
+#endif
 using Lanes [[gnu::vector_size(kLanes * sizeof(double))]] = double;
 
 /// The next multiple of the number of lanes.
