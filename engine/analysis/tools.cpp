@@ -15,10 +15,6 @@ namespace {
 using TimeFunction = std::function<double(double)>;
 using DofFunctions = std::array<TimeFunction, kToolDofs>;
 
-/// Half width of a contact that is large for a ball, over its radius. As what resists the spin of a ball about the
-/// normal is friction within the contact, the moments on the ball are weighed as forces with this arm.
-constexpr double kContactShare = 0.05;
-
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 /// Values over the same times; empty functions for components that are left out.
@@ -76,7 +72,7 @@ std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int fir
       if (isFree[dof]) tool->unknowns[dof] = firstUnknown++;
     for (std::size_t d = 0; d < kSpins && carry->spin; ++d) tool->unknowns[kSpin + d] = firstUnknown++;
     if (carry->spin) {
-      tool->turnLength = kContactShare * tool->shape.halfThickness();
+      tool->turnLength = tool->shape.halfThickness();  // the way that it rolls
       tool->motion[kTurn] = {};
     }
   }
