@@ -40,8 +40,10 @@ void describe(Visitor& v, CadTool& s) {
       "surface; the tool is behind it.");
   v.field("solid", s.solid, {},
           "Name of a solid, or its number from 1. Without face and solid the tool is all of the file.");
-  v.field("unit", s.unit, {},
-          "Unit of the scene's lengths: those of the file, which says its own unit, are converted into it.");
+  v.field(
+      "unit", s.unit, {},
+      "Unit of the scene's lengths, that of units unless it is said here: those of the file, which says its own "
+      "unit, are converted into it.");
   v.field("scale", s.scale, {.above = 0},
           "Further factor on the coordinates, for a file that names a wrong unit.");
   v.field(
