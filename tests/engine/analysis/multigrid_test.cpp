@@ -212,7 +212,7 @@ steps: [{until: 1, count: 2}]
 }
 
 TEST(Multigrid, BallThatSpins) {
-  EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + R"(
+  EXPECT_LT(costPerSystem(std::string(kBlock) + kHeldAtTheBack + kElastic + R"yaml(
 tools:
   - name: ball
     shape: sphere
@@ -222,7 +222,7 @@ tools:
     prescribe: {x: "0.06*max(t - 1, 0)", y: "0.03*max(t - 1, 0)"}
 contact: [{tool: ball, face: front, friction: 0.3}]
 steps: [{until: 1, count: 2}, {until: 2, count: 2}]
-)"),
+)yaml"),
             40.0);
 }
 
