@@ -56,11 +56,11 @@ burnish_package(doc burnish-doc doc "isogeometric elastoplastic contact - docume
   PACKAGE_DEPENDS "libjs-mathjax, libjs-sphinxdoc"
   PACKAGE_SHLIBDEPS OFF)
 burnish_package(python python3-burnish python "isogeometric elastoplastic contact - package of Python"
-  "Reads results of burnish as arrays, and computes scenes in the process of Python."
+  "Reads results of burnish as arrays, and computes scenes in the process of\nPython."
   PACKAGE_DEPENDS "python3, python3-numpy, python3-h5py, python3-yaml, burnish (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})"
   PACKAGE_RECOMMENDS python3-vtk9)
 burnish_package(development libburnish-dev libdevel "isogeometric elastoplastic contact - engine for programs of others"
-  "Headers and library of the engine of burnish, for scenes that are made, computed\nand read in a program of one's own."
+  "Headers and library of the engine of burnish, for scenes that are made,\ncomputed and read in a program of one's own."
   PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, libsuitesparse-dev, libopenblas-dev, libhdf5-dev, libyaml-cpp-dev, libmuparser-dev, libjsoncpp-dev, libtbb-dev, libcgal-dev")
 
 # What every Debian package has to have. The date is that of SOURCE_DATE_EPOCH, where it is set.
