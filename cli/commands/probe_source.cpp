@@ -15,9 +15,11 @@ ProbeSource probeSource(const std::filesystem::path& result) {
   if (!std::filesystem::is_directory(result, status) && !foreignKind(result).empty()) {
     const auto file = std::make_shared<const ForeignFile>(result);
     return {file->file(), instantsOf(*file),
-            [file](int frame, const ProbeSpec& spec) { return probedInstant(*file, frame, spec); },
+            [file](int frame, const ProbeSpec& spec) {
+              return withFormula(probedInstant(*file, frame, spec), spec);
+            },
             [file](const std::vector<int>& frames, const ProbeSpec& spec) {
-              return probedHistory(*file, frames, spec);
+              return withFormula(probedHistory(*file, frames, spec), spec);
             },
             [](int, const ProbeSpec&) -> DepthNumbers {
               throw Error("--numbers: only runs of burnish have faces with names; expected a run");

@@ -17,6 +17,7 @@
 #include "cli/commands/chart_options.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
+#include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/results/history.h"
@@ -45,6 +46,8 @@ struct RoughnessRow {
   double time = 0.0, a = 0.0, q = 0.0, z = 0.0, extent = 0.0;
   int samplingLengths = 1;
   Profile profile{};
+  Eigen::Matrix3Xd places{};  ///< of a face in space
+  Eigen::VectorXd heights{};  ///< there
 };
 
 /// What the command looks at: a run, or a profile that was measured.
@@ -126,11 +129,14 @@ std::vector<RoughnessRow> rowsOf(const ResultReader& result, const std::string& 
       row.samplingLengths = face.roughness.samplingLengths;
       row.profile = std::move(face.profile);
     } else {
-      const AreaRoughness area = faceArea(result.model(), frame, spec);
+      FaceArea face = faceArea(result.model(), frame, spec);
+      const AreaRoughness& area = face.roughness;
       row.a = area.a;
       row.q = area.q;
       row.z = area.z;
       row.extent = area.area;
+      row.heights = area.heights;
+      row.places = std::move(face.places);
     }
     rows.push_back(std::move(row));
   }
@@ -221,6 +227,24 @@ std::vector<ChartCurve> curvesOf(const std::vector<RoughnessRow>& rows, bool sev
   return curves;
 }
 
+/// Where the points of faces in space are, and their heights about the mean plane, as CSV.
+std::string mapOf(const std::vector<RoughnessRow>& rows, const std::string& unit) {
+  const bool named = !rows.front().run.empty();
+  std::vector<std::string> titles{"time"};
+  for (const char* column : {"x", "y", "z", "height"}) titles.push_back(withUnit(column, unit));
+  if (named) titles.insert(titles.begin(), "run");
+  std::string text = csvRow(titles) + "\n";
+  for (const RoughnessRow& row : rows)
+    for (Eigen::Index k = 0; k < row.heights.size(); ++k) {
+      std::vector<std::string> cells{fmt::format("{}", row.time)};
+      for (int d = 0; d < 3; ++d) cells.push_back(fmt::format("{}", row.places(d, k)));
+      cells.push_back(fmt::format("{}", row.heights(k)));
+      if (named) cells.insert(cells.begin(), row.run);
+      text += csvRow(cells) + "\n";
+    }
+  return text;
+}
+
 ExitCode roughness(const RoughnessArguments& arguments) {
   const SignalGuard signals(SecondSignal::Ends);
   RoughnessSpec spec;
@@ -239,9 +263,8 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   if (arguments.json && arguments.outputs.printsData())
     throw Error("--json: it and the profiles of --csv - would be printed together; expected one of them");
   const bool draws = !arguments.outputs.picture.empty() || !arguments.outputs.csv.empty();
-  if (draws && dim == 3)
-    throw Error(fmt::format("{}: an area has no profile; expected the numbers alone, or a plane body",
-                            arguments.outputs.picture.empty() ? "--csv" : "-o"));
+  if (!arguments.outputs.picture.empty() && dim == 3)
+    throw Error("-o: an area has no profile; expected --csv, a table of places and heights, or a plane body");
   if (draws) checkOutputs(arguments.outputs, files);
   const bool named = sources.size() > 1 || !arguments.chart.labels.empty();
   const std::vector<std::string> names =
@@ -260,10 +283,14 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     makeDirectoryOf(arguments.outputs.picture);
     drawChart(chart, arguments.outputs.picture);
   }
+  const auto data = [&] {
+    return dim == 3 ? mapOf(rows, unit)
+                    : curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit));
+  };
   if (!arguments.outputs.csv.empty() && !arguments.outputs.printsData())
-    writeText(curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit)), arguments.outputs.csv);
+    writeText(data(), arguments.outputs.csv);
   if (arguments.outputs.printsData())
-    printText(curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit)));
+    printText(data());
   else
     printText(arguments.json ? jsonOf(rows, dim, unit) : tableOf(rows, dim, unit));
   return ExitCode::Fine;
@@ -289,7 +316,8 @@ void addRoughnessCommand(CLI::App& app, Action& action) {
   addAxisOptions(*command, arguments->chart, {"distance", "height"}, {"x", "y", "xy"});
   addDrawingOptions(*command, arguments->chart, "directory, time or both");
   command
-      ->add_option("--csv", arguments->outputs.csv, "Write the profiles to this file too, or print them: -")
+      ->add_option("--csv", arguments->outputs.csv,
+                   "Write the profiles, or heights of areas, to this file too, or print them: -")
       ->type_name("FILE.csv|-");
   command->add_option("-o,--output", arguments->outputs.picture, "Name of a chart of the profiles")
       ->type_name("CHART.png|svg|pdf");

@@ -51,6 +51,7 @@ ProbedRun profileOf(const ModelRecord& model, const FrameRecord& frame, ProbeSpe
   spec.window.reset();
   spec.penetration.reset();
   spec.mean = false;
+  spec.formula.clear();
   ProbedRun run = probedFrame(model, frame, spec);
   std::erase_if(run.points, [](const ProbePoint& point) { return point.body == ProbePoint::kOutside; });
   return run;

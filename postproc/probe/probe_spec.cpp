@@ -4,10 +4,23 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
+#include "engine/core/error.h"
+#include "engine/core/formula.h"
 #include "postproc/mesh/contact_field.h"
 
 namespace burnish {
+
+std::vector<std::string> formulaVariables(const std::vector<std::string>& fields) {
+  std::vector<std::string> names = fields;
+  const auto isOdd = [](unsigned char letter) { return std::isalnum(letter) == 0; };
+  for (std::string& name : names) {
+    std::ranges::replace_if(name, isOdd, '_');
+    if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) name.insert(0, "_");
+  }
+  return names;
+}
 
 std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
   std::vector<std::string> places;
@@ -46,6 +59,13 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
   const bool isState = std::ranges::count(spec.fields, "sliding") > 0;
   require(!isState || (!spec.window && !spec.penetration && !spec.mean), "field",
           "found sliding, which is a state and has no mean; expected it without window and mean");
+  require(spec.formula.empty() || !spec.fields.empty(), "formula",
+          "is one in fields; expected field beside it");
+  if (!spec.formula.empty() && !spec.fields.empty()) try {
+      const Formula formula({spec.formula}, {}, formulaVariables(spec.fields));
+    } catch (const Error& error) {
+      problems.push_back({"formula", error.what()});
+    }
   require(!spec.mean || spec.point.empty(), "mean", "is that of a path; expected no point beside it");
   return problems;
 }

@@ -17,6 +17,8 @@ struct ProbeSpec {
   std::string patch;                     ///< of the face
   std::vector<std::string> bodies;       ///< all when empty
   std::vector<std::string> fields;       ///< what one most probably wants to see when empty
+  std::string formula;                   ///< in the fields, drawn instead of them
+  std::string formulaName = "formula";   ///< what it is called
   bool reference = false;                ///< the path lies in the undeformed body
   int points = kProbePoints;
   std::optional<double> window;
@@ -61,6 +63,11 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
       "field", s.fields, ofFields,
       "What is drawn, one field or several of one unit; displacement alone is its magnitude; plastic_strain "
       "or von_mises when left out; fields of contact along faces.");
+  v.field("formula", s.formula, {},
+          "Formula in the fields named by field, drawn instead of them, such as a hardness that follows from "
+          "plastic_strain; components are spelled stress_xx.");
+  v.field("formula_name", s.formulaName, {.longest = kLongestShownText},
+          "What the formula is called in charts and tables, such as Hardness [MPa].");
   v.field("reference", s.reference, {},
           "The path lies in the undeformed body and is measured there, not in the deformed one.");
   v.field("points", s.points, {.atLeast = 2, .atMost = 1e6},
@@ -87,6 +94,9 @@ template <class Visitor>
 void describe(Visitor& v, AnyProbeSpec& s) {
   describeProbe(v, s, {});
 }
+
+/// The fields as formulas call them: stress_xx.
+std::vector<std::string> formulaVariables(const std::vector<std::string>& fields);
 
 /// What keys say that cannot be, each alone or two together, by the key.
 std::vector<InputProblem> conflictsIn(const ProbeSpec& spec);

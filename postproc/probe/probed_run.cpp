@@ -11,6 +11,7 @@
 
 #include "engine/core/csv.h"
 #include "engine/core/error.h"
+#include "engine/core/formula.h"
 #include "engine/core/interruption.h"
 #include "engine/core/same_time.h"
 #include "postproc/draw/contour/shown_model.h"
@@ -140,6 +141,22 @@ ChartCurve curveOf(const ProbedRun& run, std::size_t field) {
 
 }  // namespace
 
+ProbedRun withFormula(ProbedRun run, const ProbeSpec& spec) {
+  if (spec.formula.empty()) return run;
+  const Formula formula({spec.formula}, {}, formulaVariables(spec.fields));
+  for (ProbePoint& point : run.points) {
+    const double value =
+        point.values.array().isNaN().any()
+            ? ProbePoint::kNone
+            : formula.at({point.values.data(), static_cast<std::size_t>(point.values.size())});
+    point.values = Eigen::VectorXd::Constant(1, value);
+  }
+  FieldChoice made;
+  made.name = made.words = spec.formulaName;
+  run.fields = {std::move(made)};
+  return run;
+}
+
 void requirePlace(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
   withChosenBodies(model, frame, spec, [&](const ModelRecord& chosen, const FrameRecord& shown) {
     if (!spec.point.empty()) {
@@ -158,10 +175,11 @@ void requirePlace(const ModelRecord& model, const FrameRecord& frame, const Prob
 ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
   const bool ofContact = isOfContact(spec);
   return withChosenBodies(model, frame, spec, [&](const ModelRecord& chosen, const FrameRecord& shown) {
-    if (ofContact) return probedContact(chosen, shown, spec);
+    if (ofContact) return withFormula(probedContact(chosen, shown, spec), spec);
     const ProbedFields fields = fieldsOf(chosen, shown, spec);
-    return ProbedRun{"", chosen.dim, chosen.lengthUnit, fields.choices(),
-                     probedPath(chosen, shown, fields, pathOf(spec, chosen.dim), optionsOf(spec))};
+    return withFormula({"", chosen.dim, chosen.lengthUnit, fields.choices(),
+                        probedPath(chosen, shown, fields, pathOf(spec, chosen.dim), optionsOf(spec))},
+                       spec);
   });
 }
 
@@ -187,7 +205,7 @@ ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& fram
   }
   if (std::ranges::all_of(run.points, [](const ProbePoint& p) { return p.values.array().isNaN().all(); }))
     throw Error("no point of the path is in a body with the field in any of the frames");
-  return run;
+  return withFormula(std::move(run), spec);
 }
 
 std::vector<int> framesAt(const ResultReader& result, const std::vector<double>& times) {

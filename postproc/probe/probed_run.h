@@ -21,6 +21,10 @@ struct ProbedRun {
       false;  ///< of another program: units and the places of the material at the start are unknown
 };
 
+/// The run with the formula of the spec instead of the fields, which stands for means where the spec asks for these; as
+/// it is without a formula. Throws `Error` for a value that is not finite.
+ProbedRun withFormula(ProbedRun run, const ProbeSpec& spec);
+
 /// Throws `Error` that begins with a key of the spec for a place that no frame of this model can have: of another
 /// dimension, on a face or patch that it does not have, or a point outside. frame: any of them.
 void requirePlace(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec);

@@ -133,7 +133,7 @@ class Evaluation {
       const ProfileRoughness found = faceProfile(model, at.frame, measure.face).roughness;
       numbers = {found.a, found.q, found.z};
     } else {
-      const AreaRoughness found = faceArea(model, at.frame, measure.face);
+      const AreaRoughness found = faceArea(model, at.frame, measure.face).roughness;
       numbers = {found.a, found.q, found.z};
     }
     return {numbers[static_cast<std::size_t>(measure.number)], {}};

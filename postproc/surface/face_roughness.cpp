@@ -126,11 +126,11 @@ FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, cons
   return result;
 }
 
-AreaRoughness faceArea(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
+FaceArea faceArea(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
   if (spec.cutoff) throw Error("cutoff: areas are not filtered; expected it of faces of plane bodies alone");
   const FacePlaces places = placesOn<3>(model, frame, spec);
   const Eigen::Vector3d up = places.areas.rowwise().sum();
-  return roughnessOf(places.now, places.areas.colwise().norm().transpose(), up);
+  return {roughnessOf(places.now, places.areas.colwise().norm().transpose(), up), places.now};
 }
 
 }  // namespace burnish

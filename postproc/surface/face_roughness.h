@@ -43,7 +43,13 @@ struct FaceProfile {
 /// too long; and for a body in space.
 FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec);
 
-/// The face of a body in space. Throws `Error` as above, for a plane body and for a cut-off.
-AreaRoughness faceArea(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec);
+/// The face of a body in space, and where its points are.
+struct FaceArea {
+  AreaRoughness roughness;
+  Eigen::Matrix3Xd places;  ///< 3 x points, as many as heights
+};
+
+/// Throws `Error` as above, for a plane body and for a cut-off.
+FaceArea faceArea(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec);
 
 }  // namespace burnish

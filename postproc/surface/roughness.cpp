@@ -156,6 +156,7 @@ AreaRoughness roughnessOf(const Eigen::Matrix3Xd& points, const Eigen::VectorXd&
   result.q = std::sqrt(heights.cwiseAbs2().dot(weights.transpose()) / total);
   result.z = heights.maxCoeff() - heights.minCoeff();
   result.area = total;
+  result.heights = heights.transpose();
   return result;
 }
 

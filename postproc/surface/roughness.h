@@ -41,6 +41,7 @@ ProfileRoughness roughnessOf(const Profile& profile, std::optional<double> cutOf
 struct AreaRoughness {
   double a = 0.0, q = 0.0, z = 0.0;  ///< Sa, Sq, and Sz = highest peak plus deepest valley of all
   double area = 0.0;                 ///< of the mean plane
+  Eigen::VectorXd heights{};         ///< of the points about the mean plane, out of the material
 };
 
 /// Of an area about its least-squares plane, without a filter. points: 3 x points; weights: area of each. up: out of

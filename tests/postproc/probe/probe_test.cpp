@@ -147,6 +147,25 @@ TEST(DepthNumbers, AreThoseOfABentStripHoweverItLies) {
   EXPECT_EQ(part.hardenedDepth, 0.0);
 }
 
+TEST(ProbedRun, HasAFormulaInsteadOfFields) {
+  const Sample sample = bentSlab();
+  ProbeSpec spec;
+  spec.depth = "top@1.2";
+  spec.fields = {"plastic_strain", "stress.zz"};
+  spec.formula = "3 * (200 + 1e4 * plastic_strain) + stress_zz";
+  spec.formulaName = "Hardness [MPa]";
+  EXPECT_TRUE(conflictsIn(spec).empty());
+  const ProbedRun run = probedFrame(sample.model, sample.frame, spec);
+  ASSERT_EQ(run.fields.size(), 1U);
+  for (const ProbePoint& point : run.points) {
+    if (point.body == ProbePoint::kOutside) continue;
+    EXPECT_NEAR(point.values(0), 3.0 * (200.0 + 100.0 * (1.0 - point.at)) + 1000.0, 1e-6);
+  }
+  EXPECT_EQ(titlesOf(spec, {run}).y, "Hardness [MPa]");
+  spec.formula = "2 * stress.zz";
+  EXPECT_EQ(conflictsIn(spec).front().path, "formula");
+}
+
 TEST(DepthNumbers, AreNotANumberWhereABodyHasNone) {
   ProbeSpec spec;
   spec.depth = "top@0.5,0.5,1";

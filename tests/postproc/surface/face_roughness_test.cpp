@@ -49,13 +49,13 @@ TEST(FaceRoughness, OfATiltedAreaIsNothing) {
   const Eigen::MatrixXd& x = sample.model.mesh.patches.front().points;
   sample.frame.displacement.setZero();
   sample.frame.displacement.row(1) = 0.1 * x.row(0) - 0.3 * x.row(2);
-  const AreaRoughness tilted = faceArea(sample.model, sample.frame, top());
+  const AreaRoughness tilted = faceArea(sample.model, sample.frame, top()).roughness;
   EXPECT_NEAR(tilted.z, 0.0, 1e-12);
   EXPECT_NEAR(tilted.area, std::sqrt(1.0 + 0.01 + 0.09), 1e-12);
 
   sample.frame.displacement.row(1) =
       0.1 * x.row(0).cwiseProduct(x.row(2));  // of Greville abscissae: xz, exact
-  const AreaRoughness twisted = faceArea(sample.model, sample.frame, top());
+  const AreaRoughness twisted = faceArea(sample.model, sample.frame, top()).roughness;
   EXPECT_NEAR(twisted.q, 0.1 / 12.0, 2e-5);  // of (x - 1/2)(z - 1/2)
   EXPECT_NEAR(twisted.z, 0.1 / 2.0, 1e-4);   // over a plane that is a little tilted
 }
