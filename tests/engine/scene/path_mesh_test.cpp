@@ -16,7 +16,7 @@ namespace burnish {
 namespace {
 
 using testing::HasSubstr;
-using Strings = std::vector<std::string>;
+using Overrides = std::vector<std::string>;
 
 /// A box of 4 x 3 x 2 whose upper face a ball with a contact of the half width 0.1 passes twice, from (1.5, 1) to (2, 1)
 /// and from (1.5, 1.2) to (2, 1.2).
@@ -98,7 +98,7 @@ TEST(PathMesh, KnowsHowMuchRoomThereIs) {
   EXPECT_NEAR(room.below, 20.0, 1e-12);
 }
 
-std::string errorOf(const Strings& overrides) {
+std::string meshErrorOf(const Overrides& overrides) {
   try {
     parseScene(kScene, "test.yaml", overrides);
   } catch (const Error& error) {
@@ -108,17 +108,17 @@ std::string errorOf(const Strings& overrides) {
 }
 
 TEST(PathMesh, SaysWhatIsWrong) {
-  EXPECT_EQ(errorOf({}), "no error");
-  EXPECT_THAT(errorOf({"geometry.resolution.along=disc"}),
+  EXPECT_EQ(meshErrorOf({}), "no error");
+  EXPECT_THAT(meshErrorOf({"geometry.resolution.along=disc"}),
               HasSubstr("geometry.resolution.along: found \"disc\", which is no tool"));
-  EXPECT_THAT(errorOf({"tools[0].path=null"}),
+  EXPECT_THAT(meshErrorOf({"tools[0].path=null"}),
               HasSubstr("geometry.resolution.along: found \"ball\", a tool without a path"));
-  EXPECT_THAT(errorOf({"contact=[]"}), HasSubstr("which no face of the body has a contact with"));
-  EXPECT_THAT(errorOf({"geometry.spans=[2, 2, 2]"}),
+  EXPECT_THAT(meshErrorOf({"contact=[]"}), HasSubstr("which no face of the body has a contact with"));
+  EXPECT_THAT(meshErrorOf({"geometry.spans=[2, 2, 2]"}),
               HasSubstr("geometry.spans: found spans beside resolution; allowed: one of the two."));
-  EXPECT_THAT(errorOf({"geometry.resolution.half_width=1e-9"}),
+  EXPECT_THAT(meshErrorOf({"geometry.resolution.half_width=1e-9"}),
               HasSubstr("geometry.resolution.half_width: found one that asks"));
-  EXPECT_THAT(errorOf({"geometry.origin=[2.5, 0, 0]"}), HasSubstr("whose passes lead beside the box"));
+  EXPECT_THAT(meshErrorOf({"geometry.origin=[2.5, 0, 0]"}), HasSubstr("whose passes lead beside the box"));
 }
 
 }  // namespace
