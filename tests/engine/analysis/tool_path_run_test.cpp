@@ -128,7 +128,9 @@ TEST(ToolOnAPath, ThatCarriesAForceIsLiftedBetweenItsPasses) {
     const double most = 0.5 * std::lerp(0.05, 1.0, std::clamp(fromEnds / kRamp, 0.0, 1.0));
     EXPECT_LE(force[k], most * (1.0 + 1e-8)) << times[k];
     EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-10) << times[k];
-    if (fromEnds > 0.0) EXPECT_NEAR(force[k], most, 1e-8 * 0.5) << times[k];
+    if (fromEnds > 0.0) {
+      EXPECT_NEAR(force[k], most, 1e-8 * 0.5) << times[k];
+    }
     if (fromEnds > kRamp) ++full;
     if (height[k] <= 0.0) continue;
     ++inTheAir;
