@@ -76,7 +76,7 @@ TEST(SpinningBall, RollsWithoutSlipWhereFrictionIsLarge) {
 TEST(SpinningBall, ThatIsPressedByItsDepthIsLiftedAndComesDownAgain) {
   const Outcome rolled =
       ran("lifted",
-          {"tools[0].carry={spin: true}",
+          {"geometry.spans=[6, 5, 3]", "tools[0].carry={spin: true}",
            "tools[0].path={course: raster, start: [0, 0, -0.02], stroke: [0.2, 0, 0], feed: [0.1, 0.1, 0], "
            "passes: 2, speed: 1, clearance: [0, 0, 0.05]}",
            "steps=[{until: 1, count: 40}]"});

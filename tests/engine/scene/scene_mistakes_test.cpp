@@ -302,7 +302,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "key", &pair, "origin: [1, 0]", "orgin: [1, 0]", "orgin", "geometry.patches[1].orgin",
             "found an unknown key; allowed: name, shape, origin, size, functions, spans, refine, grading, "
-            "creases, relief. Did you mean \"origin\"?"}),
+            "creases, resolution, relief. Did you mean \"origin\"?"}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(

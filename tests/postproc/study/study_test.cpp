@@ -183,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
             "study.yaml:12:78: figures[0].look: found an unknown key; allowed: name, caption, format, dpi, print_field, kind, runs"},
         Mistake{
             "kind", "kind: sheet", "kind: shet",
-            "study.yaml:13:23: figures[1].kind: found shet; allowed: history | surface | probe | refinement | "
+            "study.yaml:13:23: figures[1].kind: found shet; allowed: history | surface | probe | roughness | refinement | "
             "sheet | setup | composite | animation. Did you mean \"sheet\"?"},
         Mistake{"field", "field: von_mises", "field: mises",
                 "study.yaml:13:93: figures[1].field: found mises; allowed: displacement"},
