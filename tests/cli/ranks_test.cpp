@@ -52,7 +52,7 @@ constexpr const char* kFreeBall = R"yaml(
 material: {law: neo-hookean, E: 1, nu: 0.3}
 tools:
   - {name: ball, shape: sphere, center: [0, 0, 0.5], radius: 0.5, carry: {z: "-0.002 - 0.008*t", spin: true},
-     prescribe: {x: 0.02*t}}
+     prescribe: {x: "0.02*max(0, t - 0.5)"}}
 contact: [{tool: ball, face: front, friction: 0.3}]
 steps: [{until: 1, count: 2}]
 )yaml";
