@@ -38,6 +38,23 @@ std::vector<int> orderAcrossLines(const Matrix& K) {
   return order;
 }
 
+/// A dense matrix of CHOLMOD.
+struct Workspace {
+  /// Throws `std::bad_alloc`.
+  Workspace(std::size_t rows, std::size_t columns, cholmod_common& common)
+      : values(cholmod_allocate_dense(rows, columns, rows, CHOLMOD_REAL, &common)), common_(common) {
+    if (values == nullptr) throw std::bad_alloc();
+  }
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+  ~Workspace() { cholmod_free_dense(&values, &common_); }
+
+  cholmod_dense* values;
+
+ private:
+  cholmod_common& common_;
+};
+
 }  // namespace
 
 struct Cholesky::Factors : Eigen::CholmodSupernodalLLT<Matrix, Eigen::Upper> {
@@ -77,6 +94,7 @@ double Cholesky::operations() const {
 
 bool Cholesky::factorise(const Matrix& K) {
   factors_->factorize(K);
+  if (factors_->cholmod().status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   return factors_->info() == Eigen::Success;
 }
 
@@ -104,6 +122,8 @@ void Cholesky::Factors::analyse(const Matrix& K, int* order) {
   m_cholmodFactor = cholmod_analyze_p(&A, order, nullptr, 0, &common);
   m_isInitialized = true;
   m_analysisIsOk = m_cholmodFactor != nullptr;
+  // METIS without memory gives no order, and CHOLMOD calls that an invalid one.
+  if (!m_analysisIsOk && common.status != CHOLMOD_TOO_LARGE) throw std::bad_alloc();
   m_info = m_analysisIsOk ? Eigen::Success : Eigen::InvalidInput;
   nonZeros = common.lnz;
   operations = common.fl;
@@ -111,11 +131,15 @@ void Cholesky::Factors::analyse(const Matrix& K, int* order) {
 
 Eigen::MatrixXd Cholesky::Factors::apply(int which, Eigen::MatrixXd B) {
   if (B.cols() == 0) return B;  // which CHOLMOD refuses
+  // What CHOLMOD works in is given to it, as it does not look whether it has got it from itself.
+  const auto columns = static_cast<std::size_t>(B.cols());
+  Workspace solved(m_cholmodFactor->n, columns, cholmod()), permuted(m_cholmodFactor->n, columns, cholmod()),
+      gathered(columns, m_cholmodFactor->maxesize, cholmod());
   cholmod_dense given = Eigen::viewAsCholmod(B);
-  cholmod_dense* solved = cholmod_solve(which, m_cholmodFactor, &given, &cholmod());
-  if (solved == nullptr) throw std::bad_alloc();
-  B = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solved->x), B.rows(), B.cols());
-  cholmod_free_dense(&solved, &cholmod());
+  if (cholmod_solve2(which, m_cholmodFactor, &given, nullptr, &solved.values, nullptr, &permuted.values,
+                     &gathered.values, &cholmod()) == 0)
+    throw std::bad_alloc();
+  B = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solved.values->x), B.rows(), B.cols());
   return B;
 }
 

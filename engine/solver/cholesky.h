@@ -12,14 +12,14 @@ class Cholesky {
   using Matrix = Eigen::SparseMatrix<double>;
 
   /// Analyses the pattern: in CHOLMOD's order of the unknowns, or where that takes few operations, as in the plane,
-  /// line by line across a patch if this takes fewer.
+  /// line by line across a patch if this takes fewer. Throws `std::bad_alloc`.
   explicit Cholesky(const Matrix& K);
   ~Cholesky();
 
-  /// Not if memory has run out.
+  /// Not if the factors have more entries than CHOLMOD's indices can count.
   bool isAnalysed() const;
 
-  /// False if K is not positive definite.
+  /// False if K is not positive definite. Throws `std::bad_alloc`.
   [[nodiscard]] bool factorise(const Matrix& K);
 
   /// L⁻¹ P B. Throws `std::bad_alloc`.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <new>
 #include <optional>
 #include <unsupported/Eigen/IterativeSolvers>
 #include <utility>
@@ -29,6 +30,7 @@ class DirectSolver::General {
   bool factorise(const Matrix& A) {
     analyse(A);
     lu_.factorize(A);
+    lu_.requireMemory();
     return lu_.info() == Eigen::Success;
   }
 
@@ -51,11 +53,15 @@ class DirectSolver::General {
     Matrix pattern = A;
     pattern.coeffs().setOnes();
     lu_.analyzePattern(pattern);
+    lu_.requireMemory();
     analysed_ = true;
   }
 
-  /// With what the library tells of its analysis.
+  /// With what the library tells of its work.
   struct Lu : Eigen::UmfPackLU<Matrix> {
+    void requireMemory() const {
+      if (m_umfpackInfo(UMFPACK_STATUS) == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+    }
     double symmetricFlops() const { return m_umfpackInfo(UMFPACK_SYMMETRIC_FLOPS); }
   };
   Lu lu_;
