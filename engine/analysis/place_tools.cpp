@@ -227,6 +227,28 @@ void requireTouch(const Pairs<Dim>& pairs, const Tool& tool, double bodySize, co
                                         tool.name));
 }
 
+/// How deep a force along a direction presses a tool from where it touches the undeformed body, in a rough estimate on
+/// the low side: the depth w with which it covers an area A of the face is resisted with E √A w, in the plane with E w.
+template <int Dim>
+double depthUnder(double force, const Pairs<Dim>& pairs, const Tool& tool, ToolPose touching,
+                  const Eigen::Vector3d& direction, double E, const Body<Dim>& body) {
+  constexpr int kBisections = 40;
+  const bool isPlane = Dim == 2 && !body.axisymmetric;
+  const auto resistance = [&](double depth) {
+    ToolPose pose = touching;
+    pose.displacement += depth * direction;
+    double area = 0.0;
+    for (const auto* pair : pairs) area += pair->coveredArea(gapTo(tool, pose));
+    return E * depth * (isPlane ? 1.0 : std::sqrt(area));
+  };
+  double low = 0.0, high = body.size();
+  for (int k = 0; k < kBisections; ++k) {
+    const double middle = 0.5 * (low + high);
+    (resistance(middle) < force ? low : high) = middle;
+  }
+  return high;
+}
+
 /// Brings a tool with free degrees of freedom into touch with the body, unless its path does, or all that is free are
 /// turns in which it moves in itself. x: unknowns of the start, in which its displacement is written.
 template <int Dim>
@@ -272,6 +294,21 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
   const Eigen::Vector3d shift = shiftToTouch<Dim>(pairs, tool, direction, bodySize, place);
   for (std::size_t dof = 0; dof < kTurn; ++dof)
     if (tool.isFree(dof)) x(tool.unknowns[dof]) = (start + shift)(static_cast<Eigen::Index>(dof));
+  double E = std::numeric_limits<double>::infinity();
+  for (const auto& body : model.bodies()) E = std::min(E, youngsModulus(body.bulk->material()));
+  load.term->setFirstTouch({
+      .depthUnder =
+          [=, &tool, &body = model.body(), touching = tool.pose(0.0, x)](double force) {
+            return depthUnder<Dim>(force, pairs, tool, touching, direction, E, body);
+          },
+      .reaction =
+          [pairs] {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (const auto* pair : pairs) sum += pair->state().reaction;
+            return sum;
+          },
+      .stiffness = steadiness / kForceFloor,
+  });
 }
 
 }  // namespace

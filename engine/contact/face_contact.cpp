@@ -49,6 +49,20 @@ Eigen::VectorXd FaceContact<Dim>::referenceGaps(const GapAt& gapAt) const {
 }
 
 template <int Dim>
+double FaceContact<Dim>::coveredArea(const GapAt& gapAt) const {
+  double area = 0.0;
+  for (const auto& span : face_.spans()) {
+    const Eigen::MatrixXd places = face_.points()(Eigen::all, span.functions) * span.R;
+    for (Eigen::Index q = 0; q < places.cols(); ++q) {
+      Eigen::Vector3d x = Eigen::Vector3d::Zero();
+      x.head<Dim>() = places.col(q);
+      if (gapAt(x) < 0.0) area += span.weights(q);
+    }
+  }
+  return area;
+}
+
+template <int Dim>
 void FaceContact<Dim>::clearState(bool hasFriction) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   state_ = {};

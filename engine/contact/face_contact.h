@@ -106,6 +106,9 @@ class FaceContact : public Term {
   /// Smallest gap of the undeformed face, of those that the method closes: averaged ones, or those of points.
   virtual double smallestReferenceGap(const GapAt& gapAt) const { return referenceGaps(gapAt).minCoeff(); }
 
+  /// Area of the undeformed face where gaps are negative, by its quadrature points.
+  double coveredArea(const GapAt& gapAt) const;
+
   const ContactState& state() const { return state_; }
   const FaceQuadrature<Dim>& face() const { return face_; }
   const ContactOptions& options() const { return options_; }

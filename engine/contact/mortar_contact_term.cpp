@@ -1,5 +1,6 @@
 #include "engine/contact/mortar_contact_term.h"
 
+#include <cmath>
 #include <utility>
 
 #include "engine/contact/unknown_lists.h"
@@ -9,6 +10,9 @@ namespace {
 
 /// Part of its integral that R_A has to keep over points with partners to take part.
 constexpr double kSmallestPart = 0.05;
+
+/// Overlap over the size of the body that means no pressure yet.
+constexpr double kNoPressure = 1e-9;
 
 }  // namespace
 
@@ -240,7 +244,14 @@ FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Averag
     tau = x.template segment<Dim - 1>(firstMultiplier_ + face_.numFunctions() + (Dim - 1) * A);
   const Tangential trial = tau + frictionParameter() / average.B * average.slip;
   const FrictionPlace place{average.place / average.A, t, slipped_(A), average.area / average.A};
-  return coulombTraction<Dim - 1>(trial, state_.lambdaHat(A), frictionLaw_.at(place, -state_.lambdaHat(A)));
+  auto law =
+      coulombTraction<Dim - 1>(trial, state_.lambdaHat(A), frictionLaw_.at(place, -state_.lambdaHat(A)));
+  // What touches without a pressure slips as soon as anything moves, and then no tangent would know of friction.
+  if (std::abs(state_.lambdaHat(A)) < parameter() * kNoPressure * body_.size()) {
+    law.byTrial.setIdentity();
+    law.byPressure.setZero();
+  }
+  return law;
 }
 
 template <int Dim>

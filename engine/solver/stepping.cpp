@@ -30,6 +30,8 @@ NewtonReport Stepping::attempt(double time, Start start, Eigen::VectorXd& x) {
     x += (time - state_.time) / state_.lastSize * state_.lastIncrement;
     for (int i = 0; i < newton_.system().numUnknowns(); ++i)
       if (newton_.system().isPrescribed(i)) x(i) = target(i);
+  } else {
+    for (const Term* term : terms_) term->takeAlong(state_.time, time, x);
   }
   return newton_.solve(time, target, x,
                        start == Start::RememberedTangent ? FirstTangent::Remembered : FirstTangent::Current);

@@ -43,6 +43,10 @@ class Term {
     return 1.0;
   }
 
+  /// Takes unknowns along from one time to another, x those of the first, of which Newton's method would have to find
+  /// the way where no tangent says it. For a step that does not begin with an extrapolation.
+  virtual void takeAlong(double /*from*/, double /*to*/, Eigen::VectorXd& /*x*/) const {}
+
   /// Whether the tangent is symmetric in every state; that of a load which follows the body is not.
   virtual bool hasSymmetricTangent() const { return true; }
 

@@ -11,6 +11,9 @@ namespace {
 /// Largest turn of one step, radians.
 constexpr double kLargestTurn = 0.2;
 
+/// Share of the force that a tool carries, below which it counts as not carried.
+constexpr double kNotCarried = 1e-3;
+
 }  // namespace
 
 ToolLoad::ToolLoad(const Tool& tool, std::array<std::function<double(double)>, kToolDofs> load,
@@ -38,6 +41,7 @@ ToolLoad::Carried ToolLoad::carriedAt(std::size_t dof, double t, double value) c
 
 bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   last_.emplace();
+  carriedForce_ = 0.0;
   for (std::size_t dof = 0; dof < kAllToolDofs; ++dof) {
     if (!tool_.isFree(dof)) continue;
     const double value = (*last_)[dof] = x(tool_.unknowns[dof]);
@@ -48,11 +52,56 @@ bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
     }
     const Carried carried = carriedAt(dof, t, value);
     out.force(tool_.unknowns[dof]) -= carried.load;
+    if (dof < kTurn) carriedForce_ = std::hypot(carriedForce_, carried.load);
     if (holder_ && holder_->dof == dof) carriesTooLittle_ = carried.isLess && holder_->mustCarry(t);
-    if (out.system != nullptr && carried.slope > 0.0)
-      out.system->add({tool_.unknowns[dof]}, Eigen::MatrixXd::Constant(1, 1, carried.slope));
+    const double slope =
+        carried.slope > 0.0 && dof >= kTurn && isUnborne() ? firstTouch_->stiffness : carried.slope;
+    if (out.system != nullptr && slope > 0.0)
+      out.system->add({tool_.unknowns[dof]}, Eigen::MatrixXd::Constant(1, 1, slope));
   }
   return true;
+}
+
+bool ToolLoad::isUnborne() const {
+  return firstTouch_ && carriedForce_ > 0.0 && firstTouch_->reaction().norm() <= kNotCarried * carriedForce_;
+}
+
+double ToolLoad::usefulPart(const Eigen::VectorXd& /*x*/, const Eigen::VectorXd& correction) const {
+  if (!isUnborne()) return 1.0;
+  double way = 0.0;
+  for (std::size_t dof = 0; dof < kTurn; ++dof)
+    if (tool_.isFree(dof)) way = std::hypot(way, correction(tool_.unknowns[dof]));
+  const double deepest = firstTouch_->depthUnder(carriedForce_);
+  return way > deepest ? deepest / way : 1.0;
+}
+
+bool ToolLoad::isInAir(double t, const Eigen::VectorXd& x) const {
+  if (!holder_) return false;
+  const Carried carried = carriedAt(holder_->dof, t, x(tool_.unknowns[holder_->dof]));
+  return carried.isLess &&
+         std::abs(carried.load) < kNotCarried * std::abs(load_[holder_->dof](std::max(t, 0.0)));
+}
+
+void ToolLoad::takeAlong(double from, double to, Eigen::VectorXd& x) const {
+  const ToolPose before = tool_.pose(from), after = tool_.pose(to);
+  Eigen::Vector3d way = after.displacement - before.displacement;
+  if (isInAir(from, x)) {
+    x(tool_.unknowns[holder_->dof]) += way(static_cast<Eigen::Index>(holder_->dof));
+    return;
+  }
+  const bool turns = tool_.isFree(kTurn) && steadiness_ > 0.0;
+  Eigen::Vector3d pressed = force(from);
+  if (!(turns || tool_.spins()) || pressed.isZero(0.0)) return;
+  pressed.normalize();
+  for (std::size_t dof = 0; dof < kTurn; ++dof)
+    if (tool_.isFree(dof)) way(static_cast<Eigen::Index>(dof)) = 0.0;
+  const double far = 2.0 * (farthestWay_ + tool_.shape.halfThickness()),
+               radius = far - tool_.shape.query(tool_.pivot + far * pressed).gap;
+  if (!(radius > 0.0)) return;
+  const Eigen::Vector3d turned = tool_.turnLength / radius * way.cross(pressed);
+  if (turns) x(tool_.unknowns[kTurn]) += tool_.axis.dot(turned);
+  for (std::size_t d = 0; d < kSpins && tool_.spins(); ++d)
+    x(tool_.unknowns[kSpin + d]) += turned(static_cast<Eigen::Index>(d));
 }
 
 void ToolLoad::archive(StateArchive& archive) {

@@ -42,6 +42,15 @@ class ToolLoad final : public Term {
     double steadiness = 0.0;
   };
 
+  /// Until its contact bears a tool, no tangent says how deep its force presses it, nor how friction turns it:
+  /// corrections take it no deeper than depthUnder says for a force, and turns are held.
+  struct FirstTouch {
+    std::function<double(double)> depthUnder;
+    std::function<Eigen::Vector3d()> reaction;  ///< of the body on the tool in the last evaluated state
+    double stiffness = 0.0;                     ///< with which turns are held, in the tangent alone
+  };
+  void setFirstTouch(FirstTouch firstTouch) { firstTouch_ = std::move(firstTouch); }
+
   /// To be called before the couplings are asked for.
   void setHolder(Holder holder) { holder_ = std::move(holder); }
   std::optional<Holder>& holder() { return holder_; }
@@ -49,6 +58,12 @@ class ToolLoad final : public Term {
   /// Not admissible where a free degree of freedom has moved so far since the last accepted state that
   /// Newton's linearisation says nothing about the place it has come to.
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
+
+  double usefulPart(const Eigen::VectorXd& x, const Eigen::VectorXd& correction) const override;
+
+  /// A tool that its body does not push back goes with its holder; a roller or ball
+  /// that its force presses on the body rolls.
+  void takeAlong(double from, double to, Eigen::VectorXd& x) const override;
 
   void accept() override {
     accepted_ = last_;
@@ -79,6 +94,12 @@ class ToolLoad final : public Term {
   };
   Carried carriedAt(std::size_t dof, double t, double value) const;
 
+  /// Whether no contact bears the tool yet in the last evaluated state.
+  bool isUnborne() const;
+
+  /// Whether the tool is in its holder as if there were no body.
+  bool isInAir(double t, const Eigen::VectorXd& x) const;
+
   using Values = std::array<double, kAllToolDofs>;
   std::optional<Values> accepted_, last_;  ///< of the free unknowns
   std::optional<std::size_t> runaway_;
@@ -86,6 +107,8 @@ class ToolLoad final : public Term {
   double steadiness_ = 0.0;
   std::optional<Holder> holder_;
   bool carriesTooLittle_ = false;
+  double carriedForce_ = 0.0;  ///< in the last evaluated state
+  std::optional<FirstTouch> firstTouch_;
 };
 
 }  // namespace burnish

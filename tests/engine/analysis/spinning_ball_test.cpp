@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -92,6 +93,32 @@ TEST(SpinningBall, ThatIsPressedByItsDepthIsLiftedAndComesDownAgain) {
   }
   EXPECT_GT(inTheAir, 3);
   EXPECT_NEAR(angle.back() * kDegree * kRadius, 2.0 * 0.2, 0.02) << "it rolls in both passes";
+}
+
+/// An elastic block on which a ball lies with all of its force at once, which moves a little: x0 is where it lies.
+Outcome pressedAtOnce(const std::string& name, double x0, const std::string& method) {
+  return test::run(
+      parseScene(
+          "{geometry: {shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 1], spans: [7, 6, 6]}, "
+          "material: {law: neo-hookean, E: 1, nu: 0.3}, supports: [{face: back, fix: [x, y, z]}], "
+          "tools: [{name: ball, shape: sphere, center: [0, 0, 0.5], radius: 0.5, carry: {z: -0.006, spin: true}, "
+          "prescribe: {x: 0}}], contact: [{tool: ball, face: front, friction: 0.3}], "
+          "solver: {linear: multigrid, tolerance: 1.0e-11}, steps: [{until: 1, count: 1}], output: {vtu: false}}",
+          "test.yaml",
+          {fmt::format("tools[0].center=[{}, 0, 0.5]", x0), "tools[0].prescribe.x=1e-7*t",
+           "contact[0].method=" + method}),
+      "ball_at_once_" + name);
+}
+
+TEST(SpinningBall, MayCarryAllOfItsForceFromTheStart) {
+  for (const char* method : {"augmented-lagrangian", "integral-augmented-lagrangian", "penalty"})
+    for (const double x0 : {0.0, 0.02, 1.0 / 14.0}) {
+      const Outcome pressed = pressedAtOnce(fmt::format("{}_{}", method, x0), x0, method);
+      ASSERT_TRUE(pressed.summary.completed) << method << x0 << pressed.summary.stoppedBecause;
+      EXPECT_EQ(pressed.summary.cuts, 0) << method << " at " << x0;
+      EXPECT_LE(pressed.summary.iterations, 12) << method << " at " << x0;
+      EXPECT_NEAR(pressed.history.column("ball.fz").back(), 0.006, 1e-8 * 0.006);
+    }
 }
 
 TEST(SpinningBall, GoesOnWithTheSameBitsWhenHaltedAfterEveryStep) {

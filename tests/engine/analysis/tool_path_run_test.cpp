@@ -141,6 +141,13 @@ TEST(ToolOnAPath, ThatCarriesAForceIsLiftedBetweenItsPasses) {
   EXPECT_NEAR(height.back(), 0.01, 1e-6) << "lifted from where the path was";
 }
 
+TEST(ToolOnAPath, ComesDownAndBeginsToRollInFewSteps) {
+  const Outcome ran = test::run(heldRoller({"steps=[{until: 2, count: 4}]"}), "path_held_quickly");
+  ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+  EXPECT_LE(ran.summary.cuts, 10);
+  EXPECT_LE(ran.summary.iterations, 150);
+}
+
 TEST(ToolOnAPath, ThatItsPathKeepsFromItsForceEndsTheRun) {
   const Outcome ran = test::run(heldRoller({"tools[0].path.start=[0, -0.001]"}), "path_shallow");
   EXPECT_FALSE(ran.summary.completed);
