@@ -25,6 +25,7 @@ constexpr double kGivenOutside = 1e-6, kMovedOutside = 1e-3;
 constexpr double kLongestLine = 1000;  // by the size of the body; of longer ones borders would be blurred
 constexpr int kFaceStarts = 20;        // of the search for the nearest point of a face, per direction
 constexpr int kSpotLines = 32;         // parallel lines whose mean stands for a spot
+constexpr int kSpotLinesInSpace = 8;   // in each of its two directions
 
 /// A path as a function of the distance.
 struct MeasuredPath {
@@ -92,53 +93,86 @@ class PathMaker {
   }
 
  private:
-  /// Means over parallel lines that begin on the face, side by side over the length of the spot, across its chord; the
-  /// positions are those of the line in the middle.
+  /// Where lines begin that stand for a spot, and the way into the body that they share.
+  struct SpotLines {
+    MeshPlace<Dim> middle;
+    std::vector<MeshPlace<Dim>> begins;
+    Point inward;
+  };
+
+  /// In the plane, side by side over the length of the spot; into the body across its chord.
+  SpotLines linesOfSpot(const FacePlace& face, const MeshPlace<Dim>& middle) const requires(Dim == 2) {
+    const ArcLengthCurve curve(trace(face));
+    const double at = curve.lengthTo(middle.xi(1 - face.face / 2)), begin = at - 0.5 * options_.spot,
+                 end = at + 0.5 * options_.spot;
+    if (!(begin >= 0.0 && end <= curve.length()))
+      throw Error(
+          fmt::format("spot: found a length of {:.6g} around {:.6g} along the face, which is {:.6g} long; "
+                      "expected one that does not reach beyond its ends",
+                      options_.spot, at, curve.length()));
+    const Point chord = curve.at(end) - curve.at(begin);
+    SpotLines lines{middle, {}, Point(chord(1), -chord(0)).normalized()};
+    if (lines.inward.dot(outwardNormal(face, middle)) > 0.0) lines.inward = -lines.inward;
+    for (int k = 0; k < kSpotLines; ++k)
+      lines.begins.push_back(onFace(
+          face, Eigen::Vector<double, 1>(curve.parameterAt(std::lerp(begin, end, (k + 0.5) / kSpotLines)))));
+    return lines;
+  }
+
+  /// In space, over a square along the first direction of the face and across it, seen along the normal in its middle.
+  SpotLines linesOfSpot(const FacePlace& face, const MeshPlace<Dim>& middle) const requires(Dim == 3) {
+    constexpr double kBeside = 0.1;  // of the spot: how far from under its square the face may begin
+    const Patch<Dim>& patch = bodies_.patch(middle.patch);
+    const Point normal = outwardNormal(face, middle), centre = patch.position(middle.xi);
+    const Point first = patch.jacobian(middle.xi).col(face.face / 2 == 0 ? 1 : 0).normalized();
+    const Point across = normal.cross(first);
+    SpotLines lines{middle, {}, -normal};
+    for (int k = 0; k < kSpotLinesInSpace * kSpotLinesInSpace; ++k) {
+      const double u = (k % kSpotLinesInSpace + 0.5) / kSpotLinesInSpace - 0.5,
+                   v = (k / kSpotLinesInSpace + 0.5) / kSpotLinesInSpace - 0.5;
+      const Point above = centre + options_.spot * (u * first + v * across);
+      const MeshPlace<Dim>& begin = lines.begins.emplace_back(onFace(face, parameters(face, above)));
+      const Point away = patch.position(begin.xi) - above;
+      if ((away - away.dot(normal) * normal).norm() > kBeside * options_.spot)
+        throw Error(fmt::format(
+            "spot: found a square of {:.6g} around {} that reaches beyond face {}; expected a smaller "
+            "one, or another place",
+            options_.spot, pointText(centre), faceName(face.face)));
+    }
+    return lines;
+  }
+
+  /// Means over parallel lines that begin on the face; the positions are those of the line in the middle.
   MeasuredPath belowSpot(const FacePlace& face, const MeshPlace<Dim>& middle,
                          const std::optional<double>& length) const {
-    if constexpr (Dim == 2) {
-      const ArcLengthCurve curve(trace(face));
-      const double at = curve.lengthTo(middle.xi(1 - face.face / 2)), begin = at - 0.5 * options_.spot,
-                   end = at + 0.5 * options_.spot;
-      if (!(begin >= 0.0 && end <= curve.length()))
-        throw Error(
-            fmt::format("spot: found a length of {:.6g} around {:.6g} along the face, which is {:.6g} long; "
-                        "expected one that does not reach beyond its ends",
-                        options_.spot, at, curve.length()));
-      const Point chord = curve.at(end) - curve.at(begin);
-      Point inward = Point(chord(1), -chord(0)).normalized();
-      if (inward.dot(outwardNormal(face, middle)) > 0.0) inward = -inward;
-      const auto from = [&](double place) {
-        return straight(curve.at(place), inward,
-                        onFace(face, Eigen::Vector<double, 1>(curve.parameterAt(place))));
-      };
-      std::vector<PathProbe> lines;
-      double whole = std::numeric_limits<double>::max();
-      for (int k = 0; k < kSpotLines; ++k) {
-        lines.push_back(from(std::lerp(begin, end, (k + 0.5) / kSpotLines)));
-        whole = std::min(whole, depthAt(lines.back(), smallestStep(middle, face)));
-      }
-      if (!(whole > 0.0))
-        throw Error(fmt::format("spot: the body has no depth below all of it; expected a shorter one than {}",
-                                options_.spot));
-      const auto mean = [line = from(at), lines = std::move(lines)](double distance) {
-        ProbePoint point = line(distance);
-        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(point.values.size());
-        int count = 0;
-        for (const PathProbe& one : lines) {
-          const ProbePoint found = one(distance);
-          if (found.body == ProbePoint::kOutside) continue;
-          sum += found.values.array();
-          ++count;
-          if (point.body == ProbePoint::kOutside) point = found;
-        }
-        if (count > 0) point.values = sum.matrix() / count;
-        return point;
-      };
-      return {mean, length ? std::min(*length, whole) : whole, {0.0, whole}};
-    } else {
-      throw Error("spot: is a length along a face of a plane body; expected --depth alone in space");
+    const SpotLines spot = linesOfSpot(face, middle);
+    const auto from = [&](const MeshPlace<Dim>& begin) {
+      return straight(bodies_.patch(begin.patch).position(begin.xi), spot.inward, begin);
+    };
+    std::vector<PathProbe> lines;
+    double whole = std::numeric_limits<double>::max();
+    for (const MeshPlace<Dim>& begin : spot.begins) {
+      lines.push_back(from(begin));
+      whole = std::min(whole, depthAt(lines.back(), smallestStep(middle, face)));
     }
+    if (!(whole > 0.0))
+      throw Error(fmt::format("spot: the body has no depth below all of it; expected a shorter one than {}",
+                              options_.spot));
+    const auto mean = [line = from(spot.middle), lines = std::move(lines)](double distance) {
+      ProbePoint point = line(distance);
+      Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(point.values.size());
+      int count = 0;
+      for (const PathProbe& one : lines) {
+        const ProbePoint found = one(distance);
+        if (found.body == ProbePoint::kOutside) continue;
+        sum += found.values.array();
+        ++count;
+        if (point.body == ProbePoint::kOutside) point = found;
+      }
+      if (count > 0) point.values = sum.matrix() / count;
+      return point;
+    };
+    return {mean, length ? std::min(*length, whole) : whole, {0.0, whole}};
   }
 
   bool deformed() const { return options_.body == ProbedBody::Deformed; }

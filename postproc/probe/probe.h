@@ -43,8 +43,9 @@ struct ProbeOptions {
   ProbedBody body = ProbedBody::Deformed;
   int points = kProbePoints;  ///< at equal distances
   double window = 0.0;        ///< width of the window of averages; 0: values at points
-  double spot = 0.0;          ///< length along the face over which values of a `DepthPath` are means; 0: none
-  double penetration = 0.0;   ///< of X-rays, see `penetrationAverages`; 0: values at points
+  double spot =
+      0.0;  ///< length along the face, in space side of a square, over which values of a `DepthPath` are means; 0: none
+  double penetration = 0.0;  ///< of X-rays, see `penetrationAverages`; 0: values at points
 };
 
 /// The points of a path with the fields there. Throws `Error` for a path that does not fit the body: of another

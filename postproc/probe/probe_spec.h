@@ -41,7 +41,7 @@ void describeDepth(Visitor& v, ProbeSpec& s, const Rule& ofPlace) {
           "How far depth goes; to where it leaves the body when left out.");
   v.field(
       "spot", s.spot, {.above = 0, .unit = "length"},
-      "Means over this length along a face of a plane body instead of values below one place: what a beam "
+      "Means over this length along a face, in space over a square of this side, instead of values below one place: what a beam "
       "of that width sees at each depth.");
   v.field("hardened_below", s.hardenedBelow, {.above = 0},
           "Plastic strain below which metal does not count as hardened, in the numbers of a depth profile.");

@@ -103,7 +103,12 @@ TEST(ProbedDepth, IsTheMeanOverASpotOfTheFace) {
   EXPECT_THAT(messageOf([&] {
                 probed(samples::cube(), "pressure", {DepthPath{{"top", ""}, at({0.5, 0.5, 1.0})}}, spot);
               }),
-              HasSubstr("spot: is a length along a face of a plane body"));
+              HasSubstr("that reaches beyond face top; expected a smaller one, or another place"));
+  // In space over a square: of x + y + z the mean is the value in its middle.
+  const ProbeOptions square{.body = ProbedBody::Undeformed, .points = 5, .spot = 0.4};
+  const DepthPath under{{"top", ""}, at({0.3, 1.0, 0.6})};
+  for (const ProbePoint& point : inside(probed(samples::cube(), "pressure", under, square)))
+    EXPECT_NEAR(point.values(0), 0.9 + 1.0 - point.at, 1e-6);
 }
 
 /// The slab turned by 0.3, with a stress along it that grows by 400 from -200 at the face above, 20 across it, and a
