@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "engine/core/input_error.h"
+#include "engine/core/schedule.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/scene/mesh_knots.h"
 #include "engine/solid/joined_body.h"
@@ -27,16 +29,35 @@ Patch<Dim> coarse(const Shape& shape) {
 
 using Definitions = std::vector<DefinitionSpec>;
 
+/// Height of a relief at a place of the face. Throws `Error` beyond the ends of a measured profile.
+std::function<double(const Eigen::Vector3d&)> reliefHeight(const ReliefSpec& relief,
+                                                           const Definitions& definitions) {
+  if (relief.height)
+    return
+        [height = Formula(*relief.height, definitions)](const Eigen::Vector3d& X) { return height(X, 0.0); };
+  return [along = Formula(relief.along, definitions),
+          profile = Schedule{relief.places, relief.heights}](const Eigen::Vector3d& X) {
+    constexpr double kRounding = 1e-9;
+    const double first = profile.times.front(), last = profile.times.back(), place = along(X, 0.0);
+    const double beyond = kRounding * (last - first);
+    if (place < first - beyond || place > last + beyond)
+      throw Error(fmt::format(
+          "the face needs the profile at {:.6g} (along, at X = ({:.6g}, {:.6g}, {:.6g})); found one from {:.6g} to {:.6g}",
+          place, X(0), X(1), X(2), first, last));
+    return profile(place);
+  };
+}
+
 template <int Dim>
 Patch<Dim> inRelief(Patch<Dim> patch, const Definitions& definitions,
                     const std::vector<ReliefSpec>& reliefs) {
   for (std::size_t k = 0; k < reliefs.size(); ++k) {
     const ReliefSpec& relief = reliefs[k];
-    const Formula height(relief.height, definitions);
+    const auto height = reliefHeight(relief, definitions);
     const auto heightAt = [&](const Eigen::Vector<double, Dim>& place) {
       Eigen::Vector3d X = Eigen::Vector3d::Zero();
       X.head<Dim>() = place;
-      return height(X, 0.0);
+      return height(X);
     };
     try {
       patch = withRelief<Dim>(patch, faceFromName<Dim>(relief.face), heightAt);

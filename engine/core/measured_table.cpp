@@ -1,4 +1,4 @@
-#include "engine/fit/measured_table.h"
+#include "engine/core/measured_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

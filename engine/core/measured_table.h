@@ -15,6 +15,7 @@ class MeasuredTable {
   explicit MeasuredTable(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
+  const std::vector<std::string>& columns() const { return columns_; }
   std::size_t numRows() const { return rows_.size(); }
 
   /// The number of the column that has the first of these names that there is, or nothing.

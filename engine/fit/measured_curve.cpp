@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/measured_table.h"
 #include "engine/core/nearest.h"
 #include "engine/core/quoted.h"
-#include "engine/fit/measured_table.h"
 
 namespace burnish {
 namespace {

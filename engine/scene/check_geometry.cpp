@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <span>
 
 #include "engine/core/error.h"
@@ -56,6 +57,8 @@ class PatchCheck {
   void checkNumberOfFunctions(std::size_t direction) const;
   void checkCreases() const;
   void checkRelief(std::size_t dim) const;
+  void checkPlaceFormula(const std::string& path, const FormulaText& formula) const;
+  void checkProfile(const std::string& path, const ReliefSpec& relief) const;
   void checkMesh(std::size_t dim, const std::function<std::vector<KnotVector>()>& knotsOfShape);
   void countFunctions(const std::vector<KnotVector>& shape);
 
@@ -178,16 +181,42 @@ void PatchCheck::checkRelief(std::size_t dim) const {
         c_.report(path + ".face", fmt::format("{}.", problem.what()));
       }
     }
-    const std::string height = path + ".height";
-    checkFormula(c_, height, relief.height);
-    if (c_.clean(height) && c_.clean("definitions") &&
-        Formula(relief.height, c_.scene.definitions).dependsOn("t"))
-      c_.report(
-          height,
-          fmt::format(
-              "found {}, which depends on t; allowed: a formula in X, Y and Z, the body is what it is at the start.",
-              quoted(relief.height.text)));
+    if (relief.height) checkPlaceFormula(path + ".height", *relief.height);
+    checkPlaceFormula(path + ".along", relief.along);
+    checkProfile(path, relief);
   }
+}
+
+/// A formula in X, Y and Z.
+void PatchCheck::checkPlaceFormula(const std::string& path, const FormulaText& formula) const {
+  checkFormula(c_, path, formula);
+  if (c_.clean(path) && c_.clean("definitions") && Formula(formula, c_.scene.definitions).dependsOn("t"))
+    c_.report(
+        path,
+        fmt::format(
+            "found {}, which depends on t; allowed: a formula in X, Y and Z, the body is what it is at the start.",
+            quoted(formula.text)));
+}
+
+void PatchCheck::checkProfile(const std::string& path, const ReliefSpec& relief) const {
+  const std::vector<double>&places = relief.places, &heights = relief.heights;
+  const bool isMeasured = !places.empty() || !heights.empty();
+  if (!c_.clean(path + ".places") || !c_.clean(path + ".heights") || !c_.clean(path + ".height") ||
+      !c_.clean(path + ".file"))
+    return;
+  if (relief.height && isMeasured)
+    c_.report(path + ".height", "found height beside a profile; allowed: one of the two.");
+  if (!relief.height && !isMeasured)
+    c_.report(path + ".height",
+              "missing; required: height, a formula, or file, a profile that was measured.");
+  if (!isMeasured) return;
+  if (places.size() < 2 || places.size() != heights.size())
+    c_.report(path + ".places",
+              fmt::format("found {} places and {} heights; allowed: a height for each of two places or more.",
+                          places.size(), heights.size()));
+  else if (const auto at = std::ranges::adjacent_find(places, std::greater_equal()); at != places.end())
+    c_.report(path + ".places",
+              fmt::format("found {:.6g} behind {:.6g}; allowed: places that increase.", *std::next(at), *at));
 }
 
 /// knotsOfShape: in each direction; asked for if nothing is wrong with the shape.

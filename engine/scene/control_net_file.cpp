@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "engine/core/quoted.h"
+#include "engine/scene/body_shapes.h"
 #include "engine/scene/net_formats.h"
 #include "engine/scene/tool_files.h"
 #include "engine/schema/yaml_document.h"
@@ -29,13 +30,6 @@ enum class NetOf { Body, Tool, Profile };
 
 bool isKey(const YamlNode& node) {
   return std::find(kKeys.begin(), kKeys.end(), node.key) != kKeys.end();
-}
-
-/// Like `YamlNode::find`, to be changed.
-YamlNode* child(YamlNode& node, const std::string& key) {
-  const auto it = std::find_if(node.children.begin(), node.children.end(),
-                               [&](const YamlNode& c) { return c.key == key; });
-  return it == node.children.end() ? nullptr : &*it;
 }
 
 void requireKeys(const YamlNode& holder, const std::string& path, NetOf what, const char* remedy,
@@ -107,7 +101,7 @@ std::optional<YamlNode> readNet(const std::filesystem::path& file, const YamlNod
 /// write it always.
 void flatten(YamlNode& net, NetOf what) {
   const YamlNode* degrees = net.find("degrees");
-  YamlNode* points = child(net, "points");
+  YamlNode* points = net.find("points");
   if (degrees == nullptr || points == nullptr) return;
   if (degrees->children.size() != (what == NetOf::Tool ? 1 : 2) && what != NetOf::Profile) return;
   const auto isFlat = [](const YamlNode& point) {
@@ -181,20 +175,8 @@ void completeShape(YamlNode& shape, const std::string& path, const std::filesyst
   if (kind == nullptr) return;
   if (kind->text == ControlNetBody::kind.key) complete(shape, path, NetOf::Body, directory, errors);
   for (const std::string& key : netsOf(kind->text, BodyShape()))
-    if (YamlNode* net = child(shape, key); net != nullptr && net->kind == YamlNode::Kind::Mapping)
+    if (YamlNode* net = shape.find(key); net != nullptr && net->kind == YamlNode::Kind::Mapping)
       complete(*net, fmt::format("{}.{}", path, key), NetOf::Profile, directory, errors);
-}
-
-/// The geometry of a body whose keys begin with `prefix`.
-void completeGeometry(YamlNode& body, const std::string& prefix, const std::filesystem::path& directory,
-                      Diagnostics& errors) {
-  YamlNode* geometry = child(body, "geometry");
-  if (geometry == nullptr) return;
-  completeShape(*geometry, prefix + "geometry", directory, errors);
-  YamlNode* patches = child(*geometry, "patches");
-  if (patches == nullptr || patches->kind != YamlNode::Kind::Sequence) return;
-  for (std::size_t i = 0; i < patches->children.size(); ++i)
-    completeShape(patches->children[i], fmt::format("{}geometry.patches[{}]", prefix, i), directory, errors);
 }
 
 }  // namespace
@@ -205,11 +187,8 @@ void insertControlNetFiles(YamlNode& root, const std::filesystem::path& director
         kind != nullptr && fileOf(kind->text) == ShapeFile::ControlNet)
       complete(tool, path, NetOf::Tool, directory, errors);
   });
-  completeGeometry(root, "", directory, errors);
-  YamlNode* bodies = child(root, "bodies");
-  if (bodies == nullptr || bodies->kind != YamlNode::Kind::Sequence) return;
-  for (std::size_t k = 0; k < bodies->children.size(); ++k)
-    completeGeometry(bodies->children[k], fmt::format("bodies[{}].", k), directory, errors);
+  forEachBodyShape(
+      root, [&](YamlNode& shape, const std::string& path) { completeShape(shape, path, directory, errors); });
 }
 
 }  // namespace burnish

@@ -30,10 +30,14 @@ namespace burnish {
 enum class BasisChoice { Nurbs, Lagrange };
 enum class KinematicsChoice { PlaneStrain, Axisymmetric };
 
-/// Heights on a face of the undeformed patch: roughness, waves.
+/// Heights on a face of the undeformed patch, along the outward normal: roughness, waves, by a formula or as measured.
 struct ReliefSpec {
   std::string face;
-  FormulaText height;  ///< of X, Y, Z on the face as it would be without; along the outward normal
+  std::optional<FormulaText> height;  ///< of X, Y, Z on the face as it would be without
+  std::string file;                   ///< of a measured profile; not read: places and heights take its place
+  std::vector<double> places;         ///< along a measured profile, increasing
+  std::vector<double> heights;        ///< one per place
+  FormulaText along{"X"};             ///< place in the profile, of X, Y, Z on the face
 };
 
 /// A mesh of a box or a rectangle that suits all passes of a tool on a path.

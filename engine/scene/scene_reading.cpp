@@ -10,6 +10,7 @@
 #include "engine/scene/control_net_file.h"
 #include "engine/scene/end_of_run.h"
 #include "engine/scene/path_mesh.h"
+#include "engine/scene/profile_file.h"
 #include "engine/scene/scene_places.h"
 #include "engine/scene/tool_files.h"
 #include "engine/schema/overrides.h"
@@ -17,7 +18,7 @@
 namespace burnish {
 namespace {
 
-/// The scene's tree with all overrides applied and the files of control nets put in, those of tools found;
+/// The scene's tree with all overrides applied and the files of control nets and profiles put in, those of tools found;
 /// what is wrong so far is in `errors`.
 YamlNode readTree(const std::string& yaml, const std::string& name, const std::vector<std::string>& overrides,
                   Diagnostics& errors) {
@@ -26,6 +27,7 @@ YamlNode readTree(const std::string& yaml, const std::string& name, const std::v
     applyOverride(root, overrides[i], static_cast<int>(i) + 1, errors);
   const std::filesystem::path directory = std::filesystem::path(name).parent_path();
   insertControlNetFiles(root, directory, errors);
+  insertProfileFiles(root, directory, errors);
   resolveToolFiles(root, directory);
   if (const YamlNode* steps = root.find("steps"); steps != nullptr && !steps->children.empty())
     if (const YamlNode* until = steps->children.back().find("until"); until != nullptr)

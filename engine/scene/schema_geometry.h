@@ -8,9 +8,18 @@ template <class Visitor>
 void describe(Visitor& v, ReliefSpec& s) {
   v.field("face", s.face, {.required = true}, "left, right, bottom, top, and in space back, front.");
   v.field(
-      "height", s.height, {.required = true, .unit = "length"},
+      "height", s.height, {.unit = "length"},
       "Formula in X, Y, Z, the place on the face without it: how far the face is moved outwards there, such as "
       "0.002 * cos(2 * _pi * X / 0.1).");
+  v.field(
+      "file", s.file, {},
+      "CSV file with a profile that was measured, instead of height: a first row with the names of two columns, places "
+      "along the profile and heights, whose units may stand in brackets; relative to the scene.");
+  v.field("places", s.places, {.unit = "length"}, "Instead of a file: increasing places along the profile.");
+  v.field("heights", s.heights, {.unit = "length"}, "Of that profile: one per place; straight between them.");
+  v.field(
+      "along", s.along, {.unit = "length"},
+      "Formula in X, Y, Z, the place on the face without it: where in the profile it is, X when left out.");
 }
 
 template <class Visitor>

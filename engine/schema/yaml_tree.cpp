@@ -8,6 +8,7 @@
 #include <charconv>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "engine/core/quoted.h"
 #include "engine/core/shown_text.h"
@@ -144,6 +145,10 @@ const YamlNode* YamlNode::find(const std::string& name) const {
   const auto it =
       std::find_if(children.begin(), children.end(), [&](const YamlNode& c) { return c.key == name; });
   return it == children.end() ? nullptr : &*it;
+}
+
+YamlNode* YamlNode::find(const std::string& name) {
+  return const_cast<YamlNode*>(std::as_const(*this).find(name));
 }
 
 std::string YamlNode::describe() const {

@@ -22,6 +22,7 @@ struct YamlNode {
 
   /// Value of a key of a mapping, or null.
   const YamlNode* find(const std::string& name) const;
+  YamlNode* find(const std::string& name);
 
   /// What stands here, in words, for messages.
   std::string describe() const;

@@ -24,6 +24,8 @@
 namespace burnish {
 namespace {
 
+using testing::HasSubstr;
+
 constexpr double kPi = std::numbers::pi;
 
 /// The body of a scene; `geometry` and `more` (top-level keys) are YAML.
@@ -449,6 +451,39 @@ TEST(Relief, ConvergesWithTheOrderOfTheBasis) {
     before = worst;
   }
   EXPECT_LT(before, 1e-5);
+}
+
+/// A measured profile is met at every anchor, which on a mesh of degree 1 are the knots.
+TEST(Relief, IsAsMeasured) {
+  const test::ScratchDirectory directory("relief");
+  std::filesystem::create_directories(directory.path());
+  const auto file = directory.path() / "turned.csv";
+  std::ofstream(file) << "# of a stylus\nx [mm],z [um]\n0,0\n0.5,4\n1.5,-2\n3,1\n";
+  const auto patch = [&](const std::string& more) {
+    return patchOf<2>(
+        fmt::format("{{shape: rectangle, size: [2, 1], spans: [4, 1], relief: [{{face: top, file: {}{}}}]}}",
+                    file.string(), more),
+        "degree: 1\nunits: {length: mm, stress: MPa}");
+  };
+  const std::vector<double> heights{0.0, 0.004, 0.001, -0.002, -0.001};
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    EXPECT_NEAR(patch("").position({static_cast<double>(k) / 4.0, 1.0}).y(), 1.0 + heights[k], 1e-15) << k;
+  EXPECT_NEAR(patch(", along: X + 1").position({0.25, 1.0}).y(), 1.0 - 0.002, 1e-15);
+  EXPECT_THAT(
+      errorOf([&] { patch(", along: X + 1.5"); }),
+      HasSubstr(
+          "relief[0]: the face needs the profile at 3.5 (along, at X = (2, 1, 0)); found one from 0 to 3"));
+  EXPECT_THAT(errorOf([&] { patch(", height: 1"); }),
+              HasSubstr("found height beside a profile; allowed: one of the two"));
+  EXPECT_THAT(errorOf([&] { patch(", places: [0, 1]"); }), HasSubstr("found places beside file"));
+  std::ofstream(file) << "x,z,t\n0,0,0\n";
+  EXPECT_THAT(errorOf([&] { patch(""); }),
+              HasSubstr("holds 3 columns; allowed: two, places along the profile and heights"));
+  std::ofstream(file) << "x [furlong],z\n0,0\n1,1\n";
+  EXPECT_THAT(errorOf([&] { patch(""); }), HasSubstr("its lengths are in furlong, those of the scene in mm"));
+  std::ofstream(file) << "x,z\n0,0\n1,1\n1,2\n";
+  EXPECT_THAT(errorOf([&] { patch(""); }),
+              HasSubstr("geometry.relief[0].places: found 1 behind 1; allowed: places that increase"));
 }
 
 TEST(Relief, RaisesAnArcAlongItsNormal) {
