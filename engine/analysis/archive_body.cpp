@@ -89,9 +89,9 @@ void archiveBody(StateArchive& archive, const MaterialParameters& material,
   const Eigen::Index n = points.cols();
   std::vector<UnivariateBasis> bases;
   for (const auto& direction : directions) bases.push_back(*direction);
-  body->named = {makeBody(Patch<Dim>(TensorBasis<Dim>(std::move(bases)), std::move(points),
-                                     Eigen::VectorXd::Ones(n))),
-                 {{}}};
+  body->named = {
+      makeBody(Patch<Dim>(TensorBasis<Dim>(std::move(bases)), std::move(points), Eigen::VectorXd::Ones(n))),
+      {{}}};
   body->named.body.axisymmetric = isAxisymmetric == 1;
 }
 

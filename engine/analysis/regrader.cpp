@@ -13,6 +13,8 @@
 namespace burnish {
 namespace {
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
 /// Steps land on the times of meshes, but for rounding.
 bool isReached(double time, double now) {
   constexpr double kRounding = 1e-9;
@@ -63,8 +65,7 @@ class GradedAnew {
     const SteppingState& before = before_.stepping.state();
     SteppingState start = continuedSteps(before, next);
     const Eigen::Index numTools = model.numForces() - model.numDisplacements();
-    start.x.segment(next.numDisplacements(), numTools) =
-        before.x.segment(model.numDisplacements(), numTools);
+    start.x.segment(next.numDisplacements(), numTools) = before.x.segment(model.numDisplacements(), numTools);
     for (std::size_t k = 0; k < next.loads().size(); ++k) copyHistory(*model.loads()[k], *next.loads()[k]);
     for (std::size_t k = 0; k < next.toolLoads().size(); ++k)
       copyHistory(*model.toolLoads()[k].term, *next.toolLoads()[k].term);
@@ -97,9 +98,8 @@ class GradedAnew {
     x.segment(to.firstMultiplier(), num) =
         carried(from.state().lambdaHat.transpose()).cwiseMin(0.0).transpose();
     if (!to.options().hasFriction()) return;
-    const Eigen::MatrixXd tangential = before_.stepping.state()
-                                           .x.segment(from.firstMultiplier() + numOld, 2 * numOld)
-                                           .reshaped(2, numOld);
+    const Eigen::MatrixXd tangential =
+        before_.stepping.state().x.segment(from.firstMultiplier() + numOld, 2 * numOld).reshaped(2, numOld);
     x.segment(to.firstMultiplier() + num, 2 * num) = carried(tangential).reshaped();
     to.continueFriction(from.state().frictionWork, carried(from.slipped().transpose()).transpose());
   }
@@ -112,15 +112,14 @@ class GradedAnew {
 
 /// Length of the smallest knot span in the directions of a face of a box.
 double smallestSpanOn(const Patch<3>& box, FaceId face) {
-  const Eigen::Vector3d size =
-      box.points().rowwise().maxCoeff() - box.points().rowwise().minCoeff();
+  const Eigen::Vector3d size = box.points().rowwise().maxCoeff() - box.points().rowwise().minCoeff();
   double smallest = std::numeric_limits<double>::infinity();
   for (int d = 0; d < 3; ++d) {
     if (d == face / 2) continue;
     const UnivariateBasis& direction = box.basis().direction(d);
     for (int span = 0; span < direction.numSpans(); ++span)
-      smallest = std::min(
-          smallest, size(d) * (direction.shareOf(direction.spanEnd(span)) - direction.shareOf(direction.spanBegin(span))));
+      smallest = std::min(smallest, size(d) * (direction.shareOf(direction.spanEnd(span)) -
+                                               direction.shareOf(direction.spanBegin(span))));
   }
   return smallest;
 }
@@ -130,7 +129,7 @@ double smallestSpanOn(const Patch<3>& box, FaceId face) {
 Regrader::Regrader(const Scene& scene, const Simulation<3>& initial)
     : MeshRenewal<3>(scene, scene.rezonedBody(), initial),
       meshes_(followingMeshes(scene, scene.rezonedBody())),
-      due_(meshes_.size() > 1 ? meshes_[1].from : std::numeric_limits<double>::infinity()) {}
+      due_(meshes_.size() > 1 ? meshes_[1].from : kNever) {}
 
 bool Regrader::isDue(const Simulation<3>& simulation) const {
   return isReached(due_, simulation.stepping.state().time);
@@ -146,10 +145,13 @@ std::unique_ptr<Simulation<3>> Regrader::rezone(Simulation<3>& simulation) {
   constexpr double kShareToNextAttempt = 0.25;
   auto next = tried(simulation, [&] { return attempt(simulation); });
   const double time = simulation.stepping.state().time;
-  const std::size_t following = meshAt(time) + 1;
-  const bool isLast = following == meshes_.size();
-  due_ = isLast ? std::numeric_limits<double>::infinity() : meshes_[following].from;
-  if (next == nullptr && !isLast) due_ = time + kShareToNextAttempt * (due_ - time);
+  const std::size_t mesh = meshAt(time);
+  const bool isLast = mesh + 1 == meshes_.size();
+  due_ = isLast ? kNever : meshes_[mesh + 1].from;
+  if (next == nullptr) {
+    const double end = isLast ? scene().steps.back().until : due_;
+    due_ = std::min(due_, time + kShareToNextAttempt * (end - meshes_[mesh].from));
+  }
   return next;
 }
 
@@ -161,12 +163,12 @@ std::unique_ptr<Simulation<3>> Regrader::attempt(const Simulation<3>& simulation
   double boundaryError = 0.0, smallestSpan = std::numeric_limits<double>::infinity();
   for (const ContactPair<3>& pair : simulation.model->contacts()) {
     boundaryError = std::max(boundaryError, carried.boundaryError(pair.place.face));
-    smallestSpan = std::min(
-        smallestSpan, smallestSpanOn(carried.body().named.body.patches.front(), pair.place.face));
+    smallestSpan =
+        std::min(smallestSpan, smallestSpanOn(carried.body().named.body.patches.front(), pair.place.face));
   }
-  return continuedOn(
-      simulation, carried.body(), [&](const Model<3>& model) { return carried.startOf(model); },
-      {boundaryError, carried.quality(), smallestSpan});
+  return continuedOn(simulation, carried.body(),
+                     [&](const Model<3>& model) { return carried.startOf(model); },
+                     {boundaryError, carried.quality(), smallestSpan});
 }
 
 std::optional<MeshRecord> Regrader::frameMesh(const Simulation<3>& simulation,

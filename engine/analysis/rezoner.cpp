@@ -38,9 +38,9 @@ std::unique_ptr<Simulation<2>> Rezoner::attempt(Simulation<2>& simulation) {
   }
   const CarryOver carried(simulation, choice_.body, deformed, *mesh,
                           scene().allBodies()[choice_.body].quadraturePoints.value_or(0));
-  auto next = continuedOn(
-      simulation, carried.body(), [&](const Model<2>& model) { return carried.startOf(model); },
-      {mesh->boundaryError, mesh->quality, mesh->smallestSpan});
+  auto next =
+      continuedOn(simulation, carried.body(), [&](const Model<2>& model) { return carried.startOf(model); },
+                  {mesh->boundaryError, mesh->quality, mesh->smallestSpan});
   if (!next) return nullptr;
   const auto [first, end] = bodyOf(*next).body.nodeRange();
   origin_ = next->projections[choice_.body]

@@ -282,9 +282,7 @@ class Run {
     summary_.rezoningFailure = rezoner_->lastFailure();
   }
 
-  bool needsRezoning() const {
-    return rezoner_ && rezoner_->isDue(*simulation_);
-  }
+  bool needsRezoning() const { return rezoner_ && rezoner_->isDue(*simulation_); }
 
   /// Goes on with a simulation on a new mesh; without success the run goes on as it is.
   void rezone() {
@@ -352,7 +350,8 @@ void requireDivisible(const Scene& scene) {
          "found direct, whose factors several processes cannot divide; allowed: multigrid, auto."});
   if (scene.rezoning && scene.dim() == 3)
     problems.push_back(
-        {"rezoning", "found a mesh that follows a tool, which one process computes; allowed on several: none."});
+        {"rezoning",
+         "found a mesh that follows a tool, which one process computes; allowed on several: none."});
   for (std::size_t k = 0; k < scene.supports.size(); ++k)
     if (scene.supports[k].until)
       problems.push_back(

@@ -50,7 +50,6 @@ template Eigen::MatrixXd valuesAtAnchors(const TensorBasis<2>&, const Eigen::Mat
                                          const TensorBasis<2>&);
 template Eigen::MatrixXd valuesAtAnchors(const TensorBasis<3>&, const Eigen::MatrixXd&,
                                          const TensorBasis<3>&);
-template Eigen::MatrixXd interpolatedOn(const TensorBasis<3>&, const TensorBasis<3>&,
-                                        const Eigen::MatrixXd&);
+template Eigen::MatrixXd interpolatedOn(const TensorBasis<3>&, const TensorBasis<3>&, const Eigen::MatrixXd&);
 
 }  // namespace burnish

@@ -84,8 +84,7 @@ class ReducedField {
 
   double operator()(const Eigen::Vector<double, Dim>& xi) const {
     typename TensorBasis<Dim>::Index index;
-    for (int d = 0; d < Dim; ++d)
-      index[static_cast<std::size_t>(d)] = basis_.direction(d).findSpan(xi(d));
+    for (int d = 0; d < Dim; ++d) index[static_cast<std::size_t>(d)] = basis_.direction(d).findSpan(xi(d));
     const int span = basis_.spanNumber(index);
     return valuesAt(span, xi).dot(coefficients_(basis_.spanFunctions(span)));
   }
@@ -95,8 +94,7 @@ class ReducedField {
     const auto index = basis_.spanIndex(span);
     Eigen::VectorXd values = basis_.direction(0).evaluate(index[0], xi(0), 0);
     for (int d = 1; d < Dim; ++d) {
-      const Eigen::VectorXd next =
-          basis_.direction(d).evaluate(index[static_cast<std::size_t>(d)], xi(d), 0);
+      const Eigen::VectorXd next = basis_.direction(d).evaluate(index[static_cast<std::size_t>(d)], xi(d), 0);
       values = (values * next.transpose()).reshaped().eval();
     }
     return values;
@@ -165,7 +163,8 @@ PointStates interpolated(const SpanQuadrature<Dim>& quadrature, const TensorBasi
     strain.diagonal().array() += (volume(parameters.col(k)) - strain.trace()) / 3.0;
     result.b_e.push_back(tensorFunction(strain, [](double v) { return std::exp(v); }));
     for (Eigen::Index n = 0; n < result.numbers.rows(); ++n)
-      result.numbers(n, k) = std::max(result.kinds[static_cast<std::size_t>(n)].atLeast, value(kComponents + n));
+      result.numbers(n, k) =
+          std::max(result.kinds[static_cast<std::size_t>(n)].atLeast, value(kComponents + n));
   }
   return result;
 }
@@ -189,16 +188,17 @@ PointStates regraded(const SpanQuadrature<3>& quadrature, const TensorBasis<3>& 
 template <int Dim>
 ReferenceState referenceState(const SpanQuadrature<Dim>& quadrature, const PointStates& states,
                               std::vector<Eigen::Matrix3d> gradients) {
-  ReferenceState reference{{}, states.numbers, Eigen::VectorXd(quadrature.numPoints()), 0.0,
-                           std::move(gradients)};
+  ReferenceState reference{
+      {}, states.numbers, Eigen::VectorXd(quadrature.numPoints()), 0.0, std::move(gradients)};
   for (const auto& b_e : states.b_e)
     reference.stretch.push_back(tensorFunction(b_e, [](double v) { return std::sqrt(v); }));
   for (const auto& span : quadrature.spans())
     for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
       const auto point = span.firstPoint + q;
       const auto k = static_cast<std::size_t>(point);
-      const double current =
-          reference.gradients.empty() ? span.weights(q) : span.weights(q) * reference.gradients[k].determinant();
+      const double current = reference.gradients.empty()
+                                 ? span.weights(q)
+                                 : span.weights(q) * reference.gradients[k].determinant();
       reference.weights(point) = current / reference.stretch[k].determinant();
     }
   return reference;

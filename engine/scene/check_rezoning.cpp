@@ -107,8 +107,7 @@ void refusePlaneKeys(const CheckContext& c) {
            std::pair{"growth", found.mesh.growth != left.mesh.growth},
            std::pair{"turn", found.mesh.turn != left.mesh.turn},
            std::pair{"first_layer", found.mesh.firstLayer != left.mesh.firstLayer},
-           std::pair{"smallest_determinant",
-                     found.mesh.smallestDeterminant != left.mesh.smallestDeterminant},
+           std::pair{"smallest_determinant", found.mesh.smallestDeterminant != left.mesh.smallestDeterminant},
        })
     if (isGiven)
       c.report(fmt::format("rezoning.{}", key),

@@ -22,7 +22,9 @@ bool hasFollowingMeshes(const Scene& scene, std::size_t body);
 
 /// A mesh that is fine around a part of the passes.
 struct FollowingMesh {
-  double from = 0.0;  ///< time from which on it is used: when the tool is about to leave the part of the one before
+  /// Time from which on it is used: when the tool is about to leave the part of the one before.
+  double from = 0.0;
+
   std::vector<std::vector<double>> breaks;  ///< see `ResolutionSpec`
 };
 
