@@ -74,6 +74,14 @@ std::vector<Eigen::VectorXd> gapsAtStart(const std::vector<FaceContact<Dim>*>& t
   return atStart;
 }
 
+/// Of the forces that are out of balance at the start what is still held back; empty for none. residual: of all unknowns.
+Eigen::VectorXd heldBack(const Model<3>& model, const Eigen::VectorXd& residual, int left, int parts) {
+  if (left == 0) return {};
+  Eigen::VectorXd held = Eigen::VectorXd::Zero(residual.size());
+  held.head(model.numForces()) = residual.head(model.numForces()) * left / parts;
+  return held;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -81,7 +89,8 @@ Settlement settle(Simulation<Dim>& simulation, const ModelBody<Dim>& body, int p
   Settlement result;
   NewtonReport& report = result.report;
   report.outcome = NewtonOutcome::Inadmissible;
-  if (!simulation.evaluateHere().admissible) return result;
+  const auto forces = simulation.evaluateHere();
+  if (!forces.admissible) return result;
   const Model<Dim>& model = *simulation.model;
   const Eigen::VectorXd& x = simulation.stepping.state().x;
   const std::vector<FaceContact<Dim>*> terms = touchesOf(model, body);
@@ -95,6 +104,7 @@ Settlement settle(Simulation<Dim>& simulation, const ModelBody<Dim>& body, int p
   for (int left = parts - 1; left >= 0; --left) {
     for (std::size_t k = 0; k < gaps.size(); ++k)
       terms[k]->measureGapsFrom(left == 0 ? Eigen::VectorXd() : Eigen::VectorXd(gaps[k] * left / parts));
+    if constexpr (Dim == 3) simulation.newton.hold(heldBack(model, forces.onSupports, left, parts));
     report = simulation.stepping.settle();
     iterations += report.iterations;
     if (report.outcome != NewtonOutcome::Converged) break;
@@ -106,6 +116,7 @@ Settlement settle(Simulation<Dim>& simulation, const ModelBody<Dim>& body, int p
                             .dot((0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
     before = std::move(now);
   }
+  if constexpr (Dim == 3) simulation.newton.hold({});
   report.iterations = iterations;
   return result;
 }
