@@ -37,6 +37,23 @@ Outcome ran(const std::string& scene, const std::string& name) {
   return test::run(parseScene(scene, "test.yaml"), "regraded_" + name);
 }
 
+/// Largest difference of a column at the times that both runs have, over the largest value.
+double largestDifference(const Outcome& run, const Outcome& reference, const std::string& column) {
+  std::map<long, double> values;  // of the reference, by time
+  const auto &times = reference.history.column("time"), &all = reference.history.column(column);
+  for (std::size_t k = 0; k < times.size(); ++k) values[std::lround(1e6 * times[k])] = all[k];
+  double difference = 0.0;
+  std::size_t compared = 0;
+  for (std::size_t k = 0; k < run.history.numRows(); ++k)
+    if (const auto found = values.find(std::lround(1e6 * run.history.column("time")[k]));
+        found != values.end()) {
+      difference = std::max(difference, std::abs(run.history.column(column)[k] - found->second));
+      ++compared;
+    }
+  EXPECT_EQ(compared, times.size());
+  return difference / *std::max_element(all.begin(), all.end());
+}
+
 TEST(RegradedRun, OfAnElasticBodyIsThatOfAMeshThatIsFineAllAlong) {
   const Outcome followed = ran(kBlock, "followed"),
                 fine = ran(replaced(kBlock, "rezoning: {travel: 0.3}\n", ""), "fine");
@@ -44,22 +61,8 @@ TEST(RegradedRun, OfAnElasticBodyIsThatOfAMeshThatIsFineAllAlong) {
   EXPECT_EQ(followed.summary.rezonings.size(), 2u);
   EXPECT_EQ(followed.summary.failedRezonings, 0) << followed.summary.rezoningFailure;
   EXPECT_LT(followed.summary.unknowns, 0.8 * fine.summary.unknowns);
-  std::map<long, std::size_t> rows;  // of the other history, by time
-  const auto& times = fine.history.column("time");
-  for (std::size_t k = 0; k < times.size(); ++k) rows[std::lround(1e6 * times[k])] = k;
-  int compared = 0;
-  for (std::size_t k = 0; k < followed.history.numRows(); ++k) {
-    const auto row = rows.find(std::lround(1e6 * followed.history.column("time")[k]));
-    if (row == rows.end()) continue;
-    for (const char* column : {"ball.fy", "strain_energy", "external_work"}) {
-      const auto& values = fine.history.column(column);
-      const double largest = *std::max_element(values.begin(), values.end());
-      EXPECT_NEAR(followed.history.column(column)[k], values[row->second], 0.002 * largest)
-          << column << " at t = " << times[row->second];
-    }
-    ++compared;
-  }
-  EXPECT_GE(compared, 16);
+  for (const char* column : {"ball.fy", "strain_energy", "external_work"})
+    EXPECT_LT(largestDifference(followed, fine, column), 0.002) << column;
   EXPECT_NEAR(followed.history.column("strain_energy").back(), 0.0, 1e-12) << "once the ball is lifted";
   for (const auto& rezoning : followed.summary.rezonings) {
     EXPECT_LT(std::abs(rezoning.volumeDrift), 1e-12) << "nothing has flowed";
@@ -67,14 +70,29 @@ TEST(RegradedRun, OfAnElasticBodyIsThatOfAMeshThatIsFineAllAlong) {
   }
 }
 
+const std::string kElastic = "material: {law: neo-hookean, E: 100, nu: 0.3}";
+const std::string kMetal =
+    "material: {law: j2, E: 100, nu: 0.3, hardening: {law: voce, sigma0: 0.5, sigma_inf: 0.8, beta: 10}}";
+
+/// What the track loses on the coarse spans behind the ball, two spans over the width of the contact: of four it is a
+/// third (docs/rezoning.md).
+TEST(RegradedRun, OfMetalIsNearlyThatOfAMeshThatIsFineAllAlong) {
+  const std::string metal = replaced(kBlock, kElastic, kMetal);
+  const Outcome followed = ran(metal, "metal"),
+                fine = ran(replaced(metal, "rezoning: {travel: 0.3}\n", ""), "fine_metal");
+  ASSERT_TRUE(followed.summary.completed) << followed.summary.stoppedBecause;
+  EXPECT_EQ(followed.summary.rezonings.size(), 2u);
+  EXPECT_LT(largestDifference(followed, fine, "ball.fy"), 0.02);
+  EXPECT_LT(largestDifference(followed, fine, "plastic_work"), 0.035);
+  EXPECT_GT(fine.history.column("max_plastic_strain").back(), 0.2);
+}
+
 /// Two tracks one behind the other in metal, and a mesh for each, which changes while the ball is in the air.
-const std::string kTracks = replaced(
-    replaced(replaced(kBlock, "material: {law: neo-hookean, E: 100, nu: 0.3}",
-                      "material: {law: j2, E: 100, nu: 0.3, hardening: {law: voce, sigma0: 0.5, sigma_inf: "
-                      "0.8, beta: 10}}"),
-             "stroke: [0.9, 0, 0], speed: 1", "stroke: [0.3, 0, 0], feed: [0.6, 0, 0], passes: 2, speed: 1"),
-    "rezoning: {travel: 0.3}\nsteps: [{until: 0.96, count: 16}]",
-    "rezoning: {travel: 0.35}\nsteps: [{until: 1.02, count: 17}]");
+const std::string kTracks =
+    replaced(replaced(replaced(kBlock, kElastic, kMetal), "stroke: [0.9, 0, 0], speed: 1",
+                      "stroke: [0.3, 0, 0], feed: [0.6, 0, 0], passes: 2, speed: 1"),
+             "rezoning: {travel: 0.3}\nsteps: [{until: 0.96, count: 16}]",
+             "rezoning: {travel: 0.35}\nsteps: [{until: 1.02, count: 17}]");
 
 TEST(RegradedRun, GainsNoPlasticStrainWhereNothingPresses) {
   const Outcome outcome = ran(kTracks, "tracks");
@@ -114,7 +132,7 @@ TEST(RegradedRun, HasFramesOfItsMeshesOverOneReference) {
 }
 
 /// A short, coarse block of metal with back stresses.
-const std::string kMetal = replaced(
+const std::string kShort = replaced(
     replaced(
         replaced(replaced(kBlock, "material: {law: neo-hookean, E: 100, nu: 0.3}",
                           "material: {law: chaboche, E: 100, nu: 0.3, hardening: {law: voce, sigma0: "
@@ -126,14 +144,14 @@ const std::string kMetal = replaced(
 
 /// The ball rubs.
 const std::string kRubbed =
-    replaced(replaced(kMetal, "contact: [{tool: ball, face: top}]\nrezoning: {travel: 0.3}",
+    replaced(replaced(kShort, "contact: [{tool: ball, face: top}]\nrezoning: {travel: 0.3}",
                       "contact: [{tool: ball, face: top, method: integral-augmented-lagrangian, friction: "
                       "0.1}]\nrezoning: {travel: 0.22}"),
              "until: 0.96, count: 16", "until: 0.66, count: 11");
 
 /// The ball is pressed on by a force.
 const std::string kPressed =
-    replaced(replaced(kMetal,
+    replaced(replaced(kShort,
                       "path: {course: raster, start: [0, -0.02, 0], stroke: [0.6, 0, 0], speed: 1, "
                       "clearance: [0, 0.03, 0]}",
                       "carry: {y: -0.06}\n    path: {course: raster, start: [0, -0.04, 0], stroke: [0.6, "
