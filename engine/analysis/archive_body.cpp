@@ -60,35 +60,42 @@ void archiveMatrix(StateArchive& archive, const std::string& name, Eigen::Index 
   matrix = values.reshaped(rows, values.size() / rows).eval();
 }
 
+template <int Dim>
 void archiveBody(StateArchive& archive, const MaterialParameters& material,
-                 std::optional<RezonedBody>& body) {
-  std::array<std::optional<UnivariateBasis>, 2> directions;
+                 std::optional<RezonedBody<Dim>>& body) {
+  constexpr std::array kDirections{"first_", "second_", "third_"};
+  std::array<std::optional<UnivariateBasis>, Dim> directions;
   Eigen::MatrixXd points;
   bool axisymmetric = false;
   if (body) {
-    const Patch<2>& patch = body->named.body.patches.front();
-    for (std::size_t d = 0; d < 2; ++d) directions[d] = patch.basis().direction(static_cast<int>(d));
+    const Patch<Dim>& patch = body->named.body.patches.front();
+    for (std::size_t d = 0; d < Dim; ++d) directions[d] = patch.basis().direction(static_cast<int>(d));
     points = patch.points();
     axisymmetric = body->named.body.axisymmetric;
   } else {
     body.emplace().states.kinds = carriedKinds(material);
   }
   int isAxisymmetric = axisymmetric ? 1 : 0;
-  archiveBasis(archive, "first_", directions[0]);
-  archiveBasis(archive, "second_", directions[1]);
-  archiveMatrix(archive, "points", 2, points);
+  for (std::size_t d = 0; d < Dim; ++d) archiveBasis(archive, kDirections[d], directions[d]);
+  archiveMatrix(archive, "points", Dim, points);
   archive.field("is_axisymmetric", isAxisymmetric);
   archive.field("time", body->time);
   archive.field("plastic_work", body->plasticWork);
   archiveStates(archive, body->states);
-  archiveMatrix(archive, "others", 2, body->others);
+  archiveMatrix(archive, "others", Dim, body->others);
   archiveFits(archive, body->fits);
+  if constexpr (Dim == 3) archiveMatrix(archive, "displacement", Dim, body->displacement);
   if (!archive.restores()) return;
   const Eigen::Index n = points.cols();
-  body->named = {makeBody(Patch<2>(TensorBasis<2>({*directions[0], *directions[1]}), std::move(points),
-                                   Eigen::VectorXd::Ones(n))),
-                 {{}}};
+  std::vector<UnivariateBasis> bases;
+  for (const auto& direction : directions) bases.push_back(*direction);
+  body->named = {
+      makeBody(Patch<Dim>(TensorBasis<Dim>(std::move(bases)), std::move(points), Eigen::VectorXd::Ones(n))),
+      {{}}};
   body->named.body.axisymmetric = isAxisymmetric == 1;
 }
+
+template void archiveBody(StateArchive&, const MaterialParameters&, std::optional<RezonedBody<2>>&);
+template void archiveBody(StateArchive&, const MaterialParameters&, std::optional<RezonedBody<3>>&);
 
 }  // namespace burnish

@@ -11,7 +11,9 @@ namespace burnish {
 
 /// Saves or restores a body of one patch with the history of its matter; an empty one is filled from the
 /// archive. Restoring throws `Error` if what was saved is not that of one mesh.
-void archiveBody(StateArchive& archive, const MaterialParameters& material, std::optional<RezonedBody>& body);
+template <int Dim>
+void archiveBody(StateArchive& archive, const MaterialParameters& material,
+                 std::optional<RezonedBody<Dim>>& body);
 
 /// Saves or restores a matrix with this number of rows. Restoring throws `Error` if it had another one.
 void archiveMatrix(StateArchive& archive, const std::string& name, Eigen::Index rows,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/analysis/check_model.h"
 #include "engine/analysis/geometry_check.h"
@@ -18,6 +19,7 @@
 #include "engine/core/input_error.h"
 #include "engine/scene/scene_places.h"
 #include "engine/solid/dead_load.h"
+#include "engine/solid/deformation_gradients.h"
 #include "engine/solid/follower_load.h"
 
 namespace burnish {
@@ -30,7 +32,7 @@ class ModelBuilder {
   static std::unique_ptr<Model<Dim>> build(const Scene& scene);
 
   /// One of the bodies with a history.
-  static std::unique_ptr<Model<Dim>> rebuild(const Scene& scene, const RezonedBody& rezoned);
+  static std::unique_ptr<Model<Dim>> rebuild(const Scene& scene, const RezonedBody<Dim>& rezoned);
 
  private:
   ModelBuilder(const Scene& scene, const std::vector<NamedBody<Dim>>& bodies)
@@ -72,7 +74,7 @@ class ModelBuilder {
 
   const Scene& scene_;
   std::unique_ptr<Model<Dim>> model_;
-  const RezonedBody* rezoned_ = nullptr;  ///< null for the scene's own bodies
+  const RezonedBody<Dim>* rezoned_ = nullptr;  ///< null for the scene's own bodies
 };
 
 template <int Dim>
@@ -112,7 +114,7 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
 }
 
 template <int Dim>
-std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const RezonedBody& rezoned) {
+std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const RezonedBody<Dim>& rezoned) {
   const std::size_t number = scene.rezonedBody();
   std::vector<NamedBody<Dim>> bodies;
   for (std::size_t k = 0; k < scene.allBodies().size(); ++k)
@@ -120,23 +122,28 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const
   ModelBuilder builder(scene, bodies);
   builder.rezoned_ = &rezoned;
   Model<Dim>& model = *builder.model_;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const SpanQuadrature<Dim>& quadrature = builder.addQuadrature(k);
-    std::optional<ReferenceState> reference;
-    if (k != number) {
-      reference = initialState(scene, k, model.bodies_[k].body, quadrature);
-    } else {
-      reference = referenceState(quadrature, rezoned.states);
-      reference->plasticWork = rezoned.plasticWork;
-    }
-    builder.addBody(k, reference);
-  }
   const auto [firstNode, endNode] = model.bodies_[number].body.nodeRange();
   model.start_.time = rezoned.time;
   model.start_.x = Eigen::VectorXd::Zero(model.numDisplacements());
   model.start_.x.head(Dim * firstNode) = rezoned.others.leftCols(firstNode).reshaped();
   const Eigen::Index behind = rezoned.others.cols() - firstNode;
   model.start_.x.tail(Dim * behind) = rezoned.others.rightCols(behind).reshaped();
+  const bool keepsReference = rezoned.displacement.size() > 0;
+  const Eigen::Index first = Dim * firstNode, count = Dim * (endNode - firstNode);
+  if (keepsReference) model.start_.x.segment(first, count) = rezoned.displacement.reshaped();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const SpanQuadrature<Dim>& quadrature = builder.addQuadrature(k);
+    std::optional<ReferenceState> reference;
+    if (k != number) {
+      reference = initialState(scene, k, model.bodies_[k].body, quadrature);
+    } else {
+      std::vector<Eigen::Matrix3d> gradients;
+      if (keepsReference) gradients = deformationGradients(quadrature, model.start_.x);
+      reference = referenceState(quadrature, rezoned.states, std::move(gradients));
+      reference->plasticWork = rezoned.plasticWork;
+    }
+    builder.addBody(k, reference);
+  }
   for (std::size_t k = 0; k < scene.loads.size(); ++k) builder.addLoad(k);
   for (std::size_t k = 0; k < scene.tools.size(); ++k) builder.addTool(k);
   for (std::size_t k = 0; k < scene.contact.size(); ++k)
@@ -146,10 +153,13 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k) builder.addSelfContact(k);
   builder.closeNumbering();
   model.start_.x.conservativeResizeLike(Eigen::VectorXd::Zero(model.numUnknowns()));
-  Eigen::VectorXd values = model.origin_;
-  model.supports_.setValues(rezoned.time, values);
-  const Eigen::Index first = Dim * firstNode, count = Dim * (endNode - firstNode);
-  model.origin_.segment(first, count) = values.segment(first, count);
+  if (keepsReference) {
+    placeTools(scene, model);  // what the undeformed body says of them; where they are now is carried over
+  } else {
+    Eigen::VectorXd values = model.origin_;
+    model.supports_.setValues(rezoned.time, values);
+    model.origin_.segment(first, count) = values.segment(first, count);
+  }
   builder.addStabilisation();
   if (model.stabilisation_) model.stabilisation_->beginAt(model.start_.x);
   return std::move(builder.model_);
@@ -409,11 +419,14 @@ std::unique_ptr<Model<Dim>> buildModel(const Scene& scene) {
   }
 }
 
-std::unique_ptr<Model<2>> rebuildModel(const Scene& scene, const RezonedBody& rezoned) {
-  return ModelBuilder<2>::rebuild(scene, rezoned);
+template <int Dim>
+std::unique_ptr<Model<Dim>> rebuildModel(const Scene& scene, const RezonedBody<Dim>& rezoned) {
+  return ModelBuilder<Dim>::rebuild(scene, rezoned);
 }
 
 template std::unique_ptr<Model<2>> buildModel(const Scene&);
 template std::unique_ptr<Model<3>> buildModel(const Scene&);
+template std::unique_ptr<Model<2>> rebuildModel(const Scene&, const RezonedBody<2>&);
+template std::unique_ptr<Model<3>> rebuildModel(const Scene&, const RezonedBody<3>&);
 
 }  // namespace burnish

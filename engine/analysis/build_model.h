@@ -18,20 +18,25 @@ namespace burnish {
 template <int Dim>
 std::unique_ptr<Model<Dim>> buildModel(const Scene& scene);
 
-/// A plane or axisymmetric body that was remeshed under way, in the configuration that it had at a time: its
-/// new reference. With it the other bodies of its scene, which keep their references.
+/// A body of one patch that was remeshed under way, with the place that it had at a time. With it the other bodies of
+/// its scene, which keep their references.
+template <int Dim>
 struct RezonedBody {
-  NamedBody<2> named;
+  NamedBody<Dim> named;
+
+  /// Of its nodes at that time, Dim x nodes. Empty: its place at that time is the new reference.
+  Eigen::MatrixXd displacement;
   PointStates states;  ///< at the quadrature points that the scene asks for
   double plasticWork = 0.0;
   double time = 0.0;
-  Eigen::MatrixXd others;     ///< displacements of the other bodies' nodes at that time, 2 x nodes
+  Eigen::MatrixXd others;     ///< displacements of the other bodies' nodes at that time, Dim x nodes
   std::vector<GapRamp> fits;  ///< of the pairs of faces
 };
 
 /// The model with the same tools, supports and contact pairs for a body that was remeshed, in the state that
 /// it begins with; what the scene's own bodies were checked for is not checked again. The terms of the other
 /// bodies are without history. Throws `Error` if the map of the body is folded.
-std::unique_ptr<Model<2>> rebuildModel(const Scene& scene, const RezonedBody& rezoned);
+template <int Dim>
+std::unique_ptr<Model<Dim>> rebuildModel(const Scene& scene, const RezonedBody<Dim>& rezoned);
 
 }  // namespace burnish

@@ -4,16 +4,13 @@
 #include <utility>
 
 #include "engine/analysis/deformed_patch.h"
-#include "engine/core/state_archive.h"
+#include "engine/analysis/mesh_renewal.h"
 #include "engine/nurbs/arc_length_curve.h"
 #include "engine/nurbs/inverse_map.h"
 #include "engine/solid/span_quadrature.h"
 
 namespace burnish {
 namespace {
-
-/// On a new mesh the step begins at a quarter of the nominal one.
-constexpr int kFirstLevel = 2;
 
 /// Of the smallest span: how far a new mesh may be from the old body.
 constexpr double kFarthestShare = 0.5;
@@ -26,14 +23,6 @@ Eigen::Matrix2Xd anchorPositions(const Patch<2>& patch) {
   Eigen::Matrix2Xd positions(2, basis.numFunctions());
   for (int a = 0; a < basis.numFunctions(); ++a) positions.col(a) = patch.position(basis.anchor(a));
   return positions;
-}
-
-/// Gives a term what another one has been through.
-void copyHistory(Term& from, Term& to) {
-  StateArchive saved;
-  from.archive(saved);
-  StateArchive restored(saved.values());
-  to.archive(restored);
 }
 
 /// Displacements of the nodes outside of a range, 2 x nodes.
@@ -53,6 +42,7 @@ CarryOver::CarryOver(const Simulation<2>& before, std::size_t body, const Patch<
   const ModelBody<2>& old = model.bodies()[number_];
   const SteppingState& state = before.stepping.state();
   body_ = {{makeBody(mesh.patch), {{}}},
+           {},
            {},
            old.bulk->plasticWork(),
            state.time,
@@ -104,14 +94,10 @@ void CarryOver::carryContacts(const Model<2>& next, Eigen::VectorXd& x) const {
 SteppingState CarryOver::startOf(const Model<2>& next) const {
   const Model<2>& model = *before_.model;
   const SteppingState& before = before_.stepping.state();
-  SteppingState start = before;
-  start.x = next.startState().x;
+  SteppingState start = continuedSteps(before, next);
   for (std::size_t k = 0; k < next.bodies().size(); ++k)
     if (k != number_) copyHistory(*model.bodies()[k].bulk, *next.bodies()[k].bulk);
   carryContacts(next, start.x);
-  start.level = std::max(before.level, kFirstLevel);
-  start.easySteps = 0;
-  start.lastIncrement.resize(0);
   if (before.lastIncrement.size() == 0) return start;
   start.lastIncrement = Eigen::VectorXd::Zero(next.numUnknowns());
   const int numNodes = model.body().numNodes;

@@ -20,7 +20,7 @@ class CarryOver {
             int quadraturePoints);
 
   /// The body on the new mesh with the history of its matter.
-  const RezonedBody& body() const { return body_; }
+  const RezonedBody<2>& body() const { return body_; }
 
   /// Where a simulation on the new mesh begins: at the same time with the multipliers of now, no displacements
   /// of the body, and smaller steps. next: the model of this body, whose terms are given their histories.
@@ -38,7 +38,7 @@ class CarryOver {
   Patch<2> deformed_;
   Eigen::Matrix2Xd points_;   ///< old parameters of the new quadrature points
   Eigen::Matrix2Xd anchors_;  ///< old parameters of the new functions' anchors
-  RezonedBody body_;
+  RezonedBody<2> body_;
 };
 
 /// Carries what functions of a face of a body of one patch have to the functions of a new mesh, in whose

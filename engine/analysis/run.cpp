@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "engine/analysis/initial_state.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/path_steps.h"
+#include "engine/analysis/regrader.h"
 #include "engine/analysis/rezoner.h"
 #include "engine/analysis/run_output.h"
 #include "engine/analysis/scene_report.h"
@@ -53,8 +55,7 @@ class Run {
         pathSteps_(scene),
         output_(directory, checkedRecord(resumes), simulation_->recorder.columns(), resumes,
                 simulation_->newton.linearSolver().isIterative(), observer, team_) {
-    if constexpr (Dim == 2)
-      if (scene.rezoning) rezoner_.emplace(scene, *simulation_);
+    if (scene.rezoning) rezoner_.emplace(scene, *simulation_);
   }
 
   RunSummary execute() {
@@ -236,8 +237,7 @@ class Run {
   FrameRecord nextFrame() {
     FrameRecord frame = makeFrame(scene_, *simulation_->model, simulation_->projections, summary_.frames,
                                   step_, state().time, state().x, team_);
-    if constexpr (Dim == 2)
-      if (rezoner_) frame.mesh = rezoner_->frameMesh(*simulation_, frame.displacement);
+    if (rezoner_) frame.mesh = rezoner_->frameMesh(*simulation_, frame.displacement);
     output_.accept(frame);
     ++summary_.frames;
     return frame;
@@ -282,26 +282,20 @@ class Run {
     summary_.rezoningFailure = rezoner_->lastFailure();
   }
 
-  bool needsRezoning() const {
-    if constexpr (Dim == 2) return rezoner_ && rezoner_->isDue(*simulation_);
-    return false;
-  }
+  bool needsRezoning() const { return rezoner_ && rezoner_->isDue(*simulation_); }
 
   /// Goes on with a simulation on a new mesh; without success the run goes on as it is.
   void rezone() {
-    if constexpr (Dim == 2) {
-      auto next = rezoner_->rezone(*simulation_);
-      if (!next) return simulation_->recorder.noteFailedRezoning();
-      addResiduals(summary_, rezoner_->lastReport());
-      addCosts(summary_, *simulation_);
-      simulation_ = std::move(next);
-    }
+    auto next = rezoner_->rezone(*simulation_);
+    if (!next) return simulation_->recorder.noteFailedRezoning();
+    addResiduals(summary_, rezoner_->lastReport());
+    addCosts(summary_, *simulation_);
+    simulation_ = std::move(next);
   }
 
   void archiveRezoner(StateArchive& archive) {
     archive.part("rezoner", *rezoner_);
-    if constexpr (Dim == 2)
-      if (archive.restores() && !rezoner_->records().empty()) simulation_ = rezoner_->restoredSimulation();
+    if (archive.restores() && !rezoner_->records().empty()) simulation_ = rezoner_->restoredSimulation();
   }
 
   void archiveInitialState(StateArchive& archive) {
@@ -329,7 +323,7 @@ class Run {
   std::unique_ptr<Simulation<Dim>> simulation_;
   PathSteps pathSteps_;
   RunOutput output_;
-  std::optional<Rezoner> rezoner_;
+  std::optional<std::conditional_t<Dim == 2, Rezoner, Regrader>> rezoner_;
   RunSummary summary_;
   int step_ = 0;  ///< from t = 0 on
   double endTime_ = 0.0;
@@ -354,6 +348,10 @@ void requireDivisible(const Scene& scene) {
     problems.push_back(
         {"solver.linear",
          "found direct, whose factors several processes cannot divide; allowed: multigrid, auto."});
+  if (scene.rezoning && scene.dim() == 3)
+    problems.push_back(
+        {"rezoning",
+         "found a mesh that follows a tool, which one process computes; allowed on several: none."});
   for (std::size_t k = 0; k < scene.supports.size(); ++k)
     if (scene.supports[k].until)
       problems.push_back(

@@ -15,7 +15,9 @@ struct Settlement {
 };
 
 /// Brings a simulation that begins on a new mesh of a body into equilibrium. The gaps with which the body's
-/// contacts begin, and which they should not have where they are closed, are taken away in equal parts.
-Settlement settle(Simulation<2>& simulation, const ModelBody<2>& body, int parts);
+/// contacts begin, and which they should not have where they are closed, are taken away in equal parts; in space, where
+/// knots have changed and the place of the body is as it was, so are the forces that are out of balance.
+template <int Dim>
+Settlement settle(Simulation<Dim>& simulation, const ModelBody<Dim>& body, int parts);
 
 }  // namespace burnish

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
+#include "engine/scene/path_mesh.h"
 #include "engine/scene/path_of_tool.h"
 
 namespace burnish {
@@ -50,6 +52,9 @@ std::vector<TimePoint> timeGrid(const Scene& scene, const std::vector<double>& c
   for (const double time : outputTimes(scene, grid.back().time))
     insert(time, [](TimePoint& p) { p.frame = true; });
   for (const double time : corners) insert(time, [](TimePoint& p) { p.corner = true; });
+  for (std::size_t k = 0; k < scene.allBodies().size(); ++k)
+    if (hasFollowingMeshes(scene, k))
+      for (const FollowingMesh& mesh : followingMeshes(scene, k)) insert(mesh.from, [](TimePoint&) {});
   grid.back().frame = true;
   return grid;
 }

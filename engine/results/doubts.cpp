@@ -56,7 +56,7 @@ constexpr std::array<Row, kConditions> kTable{{
            shareText(limitOf(Condition::Penetration)));
        return scene.rezones ? fmt::format(
                                   "{} for which no new mesh was found, or whose {}; give new meshes more "
-                                  "spans (rezoning.spans)",
+                                  "spans (rezoning.spans, in space spans_per_width)",
                                   few, deep)
                             : fmt::format(
                                   "{} whose {}; `rezoning: {{}}` in the scene of a plane body meshes it "
@@ -77,7 +77,7 @@ constexpr std::array<Row, kConditions> kTable{{
      [](double limit, const SceneTraits&) {
        return fmt::format(
            "the boundary of a new mesh is farther than {} of the body's size from the old one; "
-           "give new meshes more spans (rezoning.spans)",
+           "give new meshes more spans (rezoning.spans, in space spans_per_width)",
            shareText(limit));
      },
      nothing},

@@ -17,15 +17,33 @@ Eigen::VectorXd lagrangeWeights(const std::vector<double>& coordinates, int firs
   return weights;
 }
 
-}  // namespace
-
-GridInterpolation::GridInterpolation(std::array<std::vector<double>, 2> coordinates, Eigen::MatrixXd values)
-    : coordinates_(std::move(coordinates)), values_(std::move(values)) {
-  assert(coordinates_[0].size() >= 2 && coordinates_[1].size() >= 2);
-  assert(values_.cols() == std::ssize(coordinates_[0]) * std::ssize(coordinates_[1]));
+/// Calls f with every index from `first` to `last`, the first direction fastest.
+template <std::size_t P, class F>
+void forEachIndex(const std::array<int, P>& first, const std::array<int, P>& last, const F& f) {
+  std::array<int, P> index = first;
+  for (std::size_t d = 0; d < P;) {
+    f(index);
+    for (d = 0; d < P && ++index[d] > last[d]; ++d) index[d] = first[d];
+  }
 }
 
-GridInterpolation::Stencil GridInterpolation::stencil(const std::vector<double>& coordinates, double x) {
+}  // namespace
+
+template <int P>
+GridInterpolation<P>::GridInterpolation(std::array<std::vector<double>, P> coordinates,
+                                        Eigen::MatrixXd values)
+    : coordinates_(std::move(coordinates)), values_(std::move(values)) {
+  [[maybe_unused]] Eigen::Index points = 1;
+  for (const auto& direction : coordinates_) {
+    assert(direction.size() >= 2);
+    points *= std::ssize(direction);
+  }
+  assert(values_.cols() == points);
+}
+
+template <int P>
+typename GridInterpolation<P>::Stencil GridInterpolation<P>::stencil(const std::vector<double>& coordinates,
+                                                                     double x) {
   const int n = static_cast<int>(coordinates.size());
   const auto above = std::upper_bound(coordinates.begin(), coordinates.end(), x);
   const int interval = std::clamp(static_cast<int>(above - coordinates.begin()) - 1, 0, n - 2);
@@ -39,27 +57,45 @@ GridInterpolation::Stencil GridInterpolation::stencil(const std::vector<double>&
   return stencil;
 }
 
-Eigen::VectorXd GridInterpolation::operator()(const Eigen::Vector2d& xi) const {
-  const std::array<Stencil, 2> stencils{stencil(coordinates_[0], xi(0)), stencil(coordinates_[1], xi(1))};
-  const auto stride = std::ssize(coordinates_[0]);
-  const auto rows = std::ssize(coordinates_[1]);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(values_.rows());
-  for (Eigen::Index b = 0; b < stencils[1].weights.size(); ++b)
-    result +=
-        stencils[1].weights(b) * (values_.middleCols((stencils[1].first + b) * stride + stencils[0].first,
-                                                     stencils[0].weights.size()) *
-                                  stencils[0].weights);
-  if (!stencils[0].inside || !stencils[1].inside) return result;
-
-  Eigen::VectorXd low = values_.col(stencils[1].nearest * stride + stencils[0].nearest), high = low;
-  for (Eigen::Index b = std::max(0, stencils[1].nearest - 1);
-       b <= std::min<Eigen::Index>(rows - 1, stencils[1].nearest + 1); ++b)
-    for (Eigen::Index a = std::max(0, stencils[0].nearest - 1);
-         a <= std::min<Eigen::Index>(stride - 1, stencils[0].nearest + 1); ++a) {
-      low = low.cwiseMin(values_.col(b * stride + a));
-      high = high.cwiseMax(values_.col(b * stride + a));
-    }
-  return result.cwiseMax(low).cwiseMin(high);
+template <int P>
+Eigen::Index GridInterpolation<P>::place(const std::array<int, P>& index) const {
+  Eigen::Index place = 0;
+  for (std::size_t d = P; d-- > 0;) place = place * std::ssize(coordinates_[d]) + index[d];
+  return place;
 }
+
+template <int P>
+Eigen::VectorXd GridInterpolation<P>::operator()(const Eigen::Vector<double, P>& xi) const {
+  std::array<Stencil, P> stencils;
+  std::array<int, P> first{}, last{}, low{}, high{};
+  bool inside = true;
+  for (std::size_t d = 0; d < P; ++d) {
+    const Stencil& along = stencils[d] = stencil(coordinates_[d], xi(static_cast<Eigen::Index>(d)));
+    const int n = static_cast<int>(coordinates_[d].size());
+    first[d] = along.first;
+    last[d] = along.first + static_cast<int>(along.weights.size()) - 1;
+    low[d] = std::max(0, along.nearest - 1);
+    high[d] = std::min(n - 1, along.nearest + 1);
+    inside = inside && along.inside;
+  }
+  last[0] = first[0];  // lines along the first direction
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(values_.rows());
+  forEachIndex(first, last, [&](const std::array<int, P>& index) {
+    double weight = stencils[1].weights(index[1] - first[1]);
+    for (std::size_t d = 2; d < P; ++d) weight *= stencils[d].weights(index[d] - first[d]);
+    result += weight * (values_.middleCols(place(index), stencils[0].weights.size()) * stencils[0].weights);
+  });
+  if (!inside) return result;
+
+  Eigen::VectorXd least = values_.col(place(low)), most = least;
+  forEachIndex(low, high, [&](const std::array<int, P>& index) {
+    least = least.cwiseMin(values_.col(place(index)));
+    most = most.cwiseMax(values_.col(place(index)));
+  });
+  return result.cwiseMax(least).cwiseMin(most);
+}
+
+template class GridInterpolation<2>;
+template class GridInterpolation<3>;
 
 }  // namespace burnish

@@ -6,15 +6,16 @@
 namespace burnish {
 
 /// Values on a tensor grid of parameters, between its points by cubic interpolation in each direction. What
-/// is interpolated stays within the range of the three by three points around it, so that a steep profile
+/// is interpolated stays within the range of the three points in each direction around it, so that a steep profile
 /// does not overshoot; beyond the outermost points it is continued linearly.
+template <int P>
 class GridInterpolation {
  public:
   /// coordinates: increasing, at least two per direction. values: components x points, first direction
   /// fastest.
-  GridInterpolation(std::array<std::vector<double>, 2> coordinates, Eigen::MatrixXd values);
+  GridInterpolation(std::array<std::vector<double>, P> coordinates, Eigen::MatrixXd values);
 
-  Eigen::VectorXd operator()(const Eigen::Vector2d& xi) const;
+  Eigen::VectorXd operator()(const Eigen::Vector<double, P>& xi) const;
 
  private:
   /// Points of a direction and what they contribute.
@@ -25,9 +26,12 @@ class GridInterpolation {
     bool inside = true;
   };
 
+  /// Number of a point.
+  Eigen::Index place(const std::array<int, P>& index) const;
+
   static Stencil stencil(const std::vector<double>& coordinates, double x);
 
-  std::array<std::vector<double>, 2> coordinates_;
+  std::array<std::vector<double>, P> coordinates_;
   Eigen::MatrixXd values_;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/nurbs/arc_length_curve.h"
+#include "engine/nurbs/collocation.h"
 #include "engine/rezoning/curve_fit.h"
 #include "engine/rezoning/mesh_energy.h"
 #include "engine/solid/span_quadrature.h"
@@ -77,18 +78,6 @@ Patch<2> transfinite(const Frame& frame) {
   return {basis, std::move(points), Eigen::VectorXd::Ones(basis.numFunctions())};
 }
 
-/// Functions at their anchors: coefficients from values there.
-Eigen::PartialPivLU<Eigen::MatrixXd> collocation(const UnivariateBasis& basis) {
-  const int n = basis.numFunctions();
-  Eigen::MatrixXd N = Eigen::MatrixXd::Zero(n, n);
-  for (int a = 0; a < n; ++a) {
-    const int span = basis.findSpan(basis.anchor(a));
-    N.row(a).segment(basis.firstFunction(span), basis.degree() + 1) =
-        basis.evaluate(span, basis.anchor(a), 0).col(0);
-  }
-  return N.partialPivLu();
-}
-
 /// The deformed patch with the parameters of its own that have the new shares of arc length on the face and
 /// on the first of the two faces beside it.
 Patch<2> reparametrised(const Patch<2>& deformed, const Frame& frame,
@@ -110,7 +99,10 @@ Patch<2> reparametrised(const Patch<2>& deformed, const Frame& frame,
           {parameters[0][static_cast<std::size_t>(i)], parameters[1][static_cast<std::size_t>(j)]});
       for (std::size_t d = 0; d < 2; ++d) values[d](i, j) = X(static_cast<Eigen::Index>(d));
     }
-  const auto first = collocation(basis.direction(0)), second = collocation(basis.direction(1));
+  const auto collocation = [&](int d) {
+    return valuesAtAnchors(basis.direction(d), basis.direction(d)).partialPivLu();
+  };
+  const auto first = collocation(0), second = collocation(1);
   Eigen::MatrixXd points(2, n * m);
   for (std::size_t d = 0; d < 2; ++d) {
     const Eigen::MatrixXd rows = first.solve(values[d]);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/material/symmetric_tensor.h"
@@ -21,8 +22,12 @@ Eigen::Matrix3d tensorFunction(const Eigen::Matrix3d& T, const F& f) {
   return axes.eigenvectors() * axes.eigenvalues().unaryExpr(f).asDiagonal() * axes.eigenvectors().transpose();
 }
 
+/// The number that says how far matter has flowed, of laws that do (their `carried`).
+constexpr const char* kPlasticStrain = "e_p";
+
 /// Coordinates of the quadrature points of a patch in one direction.
-std::vector<double> gridCoordinates(const SpanQuadrature<2>& quadrature, Eigen::Index direction) {
+template <int Dim>
+std::vector<double> gridCoordinates(const SpanQuadrature<Dim>& quadrature, Eigen::Index direction) {
   std::vector<double> coordinates;
   for (const auto& span : quadrature.spans())
     coordinates.insert(coordinates.end(), span.xi.row(direction).begin(), span.xi.row(direction).end());
@@ -31,13 +36,33 @@ std::vector<double> gridCoordinates(const SpanQuadrature<2>& quadrature, Eigen::
   return coordinates;
 }
 
+/// The splines that span the derivatives of a basis.
+template <int Dim>
+TensorBasis<Dim> derivativeSpace(const TensorBasis<Dim>& basis) {
+  std::vector<UnivariateBasis> directions;
+  for (int d = 0; d < Dim; ++d) directions.push_back(basis.direction(d).derivativeSpace());
+  return TensorBasis<Dim>(std::move(directions));
+}
+
+/// The solution of a system with the mass matrix of splines. In space its factors would fill, and conjugate
+/// gradients find it in a few steps.
+template <int Dim>
+Eigen::VectorXd solvedMass(const Eigen::SparseMatrix<double>& mass, const Eigen::VectorXd& rhs) {
+  if constexpr (Dim == 2) return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(mass).solve(rhs);
+  constexpr double kTolerance = 1e-14;
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+  solver.setTolerance(kTolerance);
+  return solver.compute(mass).solve(rhs);
+}
+
 /// A field projected onto the splines that span the derivatives of a basis.
+template <int Dim>
 class ReducedField {
  public:
   /// values: at the quadrature points of a body of one patch on the basis.
-  ReducedField(const SpanQuadrature<2>& quadrature, const TensorBasis<2>& basis,
+  ReducedField(const SpanQuadrature<Dim>& quadrature, const TensorBasis<Dim>& basis,
                const Eigen::VectorXd& values)
-      : basis_({basis.direction(0).derivativeSpace(), basis.direction(1).derivativeSpace()}) {
+      : basis_(derivativeSpace(basis)) {
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(basis_.numFunctions());
     for (const auto& span : quadrature.spans()) {
@@ -54,24 +79,28 @@ class ReducedField {
     }
     Eigen::SparseMatrix<double> mass(basis_.numFunctions(), basis_.numFunctions());
     mass.setFromTriplets(entries.begin(), entries.end());
-    coefficients_ = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(mass).solve(rhs);
+    coefficients_ = solvedMass<Dim>(mass, rhs);
   }
 
-  double operator()(const Eigen::Vector2d& xi) const {
-    const int span =
-        basis_.spanNumber({basis_.direction(0).findSpan(xi(0)), basis_.direction(1).findSpan(xi(1))});
+  double operator()(const Eigen::Vector<double, Dim>& xi) const {
+    typename TensorBasis<Dim>::Index index;
+    for (int d = 0; d < Dim; ++d) index[static_cast<std::size_t>(d)] = basis_.direction(d).findSpan(xi(d));
+    const int span = basis_.spanNumber(index);
     return valuesAt(span, xi).dot(coefficients_(basis_.spanFunctions(span)));
   }
 
  private:
-  Eigen::VectorXd valuesAt(int span, const Eigen::Vector2d& xi) const {
+  Eigen::VectorXd valuesAt(int span, const Eigen::Vector<double, Dim>& xi) const {
     const auto index = basis_.spanIndex(span);
-    const Eigen::VectorXd first = basis_.direction(0).evaluate(index[0], xi(0), 0);
-    const Eigen::VectorXd second = basis_.direction(1).evaluate(index[1], xi(1), 0);
-    return (first * second.transpose()).reshaped();
+    Eigen::VectorXd values = basis_.direction(0).evaluate(index[0], xi(0), 0);
+    for (int d = 1; d < Dim; ++d) {
+      const Eigen::VectorXd next = basis_.direction(d).evaluate(index[static_cast<std::size_t>(d)], xi(d), 0);
+      values = (values * next.transpose()).reshaped().eval();
+    }
+    return values;
   }
 
-  TensorBasis<2> basis_;
+  TensorBasis<Dim> basis_;
   Eigen::VectorXd coefficients_;
 };
 
@@ -99,17 +128,20 @@ Eigen::Matrix2Xd pointPositions(const SpanQuadrature<2>& quadrature, const Patch
   return positions;
 }
 
-PointStates interpolated(const SpanQuadrature<2>& quadrature, const TensorBasis<2>& basis,
-                         const PointStates& states, const Eigen::Matrix2Xd& parameters) {
-  std::array<std::vector<double>, 2> grid{gridCoordinates(quadrature, 0), gridCoordinates(quadrature, 1)};
+template <int Dim>
+PointStates interpolated(const SpanQuadrature<Dim>& quadrature, const TensorBasis<Dim>& basis,
+                         const PointStates& states, const Eigen::MatrixXd& parameters) {
+  constexpr Eigen::Index kComponents = kVoigt<Dim>;
+  std::array<std::vector<double>, Dim> grid;
+  for (std::size_t d = 0; d < Dim; ++d) grid[d] = gridCoordinates(quadrature, static_cast<Eigen::Index>(d));
   // One row at least beside those of the strain: how many there are decides how their sums are rounded.
-  const Eigen::Index numRows = 4 + std::max<Eigen::Index>(1, states.numbers.rows());
+  const Eigen::Index numRows = kComponents + std::max<Eigen::Index>(1, states.numbers.rows());
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(numRows, quadrature.numPoints());
   Eigen::VectorXd volumes(quadrature.numPoints());
   for (const auto& span : quadrature.spans())
     for (Eigen::Index q = 0; q < span.xi.cols(); ++q) {
       Eigen::Index place = 0;
-      for (std::size_t d = 2; d-- > 0;) {
+      for (std::size_t d = Dim; d-- > 0;) {
         const auto found =
             std::lower_bound(grid[d].begin(), grid[d].end(), span.xi(static_cast<Eigen::Index>(d), q));
         place = place * std::ssize(grid[d]) + (found - grid[d].begin());
@@ -118,39 +150,67 @@ PointStates interpolated(const SpanQuadrature<2>& quadrature, const TensorBasis<
       Eigen::Matrix3d strain = tensorFunction(states.b_e[point], [](double v) { return std::log(v); });
       volumes(span.firstPoint + q) = strain.trace();
       strain.diagonal().array() -= strain.trace() / 3.0;
-      values.col(place).head<4>() = components<2>(strain);
-      values.col(place).segment(4, states.numbers.rows()) = states.numbers.col(span.firstPoint + q);
+      values.col(place).template head<kComponents>() = components<Dim>(strain);
+      values.col(place).segment(kComponents, states.numbers.rows()) = states.numbers.col(span.firstPoint + q);
     }
-  const GridInterpolation interpolation(std::move(grid), std::move(values));
-  const ReducedField volume(quadrature, basis, volumes);
+  const GridInterpolation<Dim> interpolation(std::move(grid), std::move(values));
+  const ReducedField<Dim> volume(quadrature, basis, volumes);
 
   PointStates result{{}, states.kinds, Eigen::MatrixXd(states.numbers.rows(), parameters.cols())};
   for (Eigen::Index k = 0; k < parameters.cols(); ++k) {
     const Eigen::VectorXd value = interpolation(parameters.col(k));
-    Eigen::Matrix3d strain = fullTensor<2>(value.head<4>());
+    Eigen::Matrix3d strain = fullTensor<Dim>(value.template head<kComponents>());
     strain.diagonal().array() += (volume(parameters.col(k)) - strain.trace()) / 3.0;
     result.b_e.push_back(tensorFunction(strain, [](double v) { return std::exp(v); }));
     for (Eigen::Index n = 0; n < result.numbers.rows(); ++n)
-      result.numbers(n, k) = std::max(result.kinds[static_cast<std::size_t>(n)].atLeast, value(4 + n));
+      result.numbers(n, k) =
+          std::max(result.kinds[static_cast<std::size_t>(n)].atLeast, value(kComponents + n));
+  }
+  return result;
+}
+
+PointStates regraded(const SpanQuadrature<3>& quadrature, const TensorBasis<3>& basis,
+                     const PointStates& states, const SpanQuadrature<3>& next,
+                     const std::vector<Eigen::Matrix3d>& gradients) {
+  Eigen::MatrixXd parameters(3, next.numPoints());
+  for (const auto& span : next.spans()) parameters.middleCols(span.firstPoint, span.xi.cols()) = span.xi;
+  PointStates result = interpolated(quadrature, basis, states, parameters);
+  const auto flow = std::ranges::find(states.kinds, kPlasticStrain, &CarriedKind::name);
+  const bool flows = flow != states.kinds.end();
+  const Eigen::Index row = flow - states.kinds.begin();
+  for (Eigen::Index k = 0; k < parameters.cols(); ++k) {
+    const Eigen::Matrix3d& F = gradients[static_cast<std::size_t>(k)];
+    if (!flows || result.numbers(row, k) == 0.0) result.b_e[static_cast<std::size_t>(k)] = F * F.transpose();
   }
   return result;
 }
 
 template <int Dim>
-ReferenceState referenceState(const SpanQuadrature<Dim>& quadrature, const PointStates& states) {
-  ReferenceState reference{{}, states.numbers, Eigen::VectorXd(quadrature.numPoints()), 0.0};
+ReferenceState referenceState(const SpanQuadrature<Dim>& quadrature, const PointStates& states,
+                              std::vector<Eigen::Matrix3d> gradients) {
+  ReferenceState reference{
+      {}, states.numbers, Eigen::VectorXd(quadrature.numPoints()), 0.0, std::move(gradients)};
   for (const auto& b_e : states.b_e)
     reference.stretch.push_back(tensorFunction(b_e, [](double v) { return std::sqrt(v); }));
   for (const auto& span : quadrature.spans())
     for (Eigen::Index q = 0; q < span.weights.size(); ++q) {
       const auto point = span.firstPoint + q;
-      reference.weights(point) =
-          span.weights(q) / reference.stretch[static_cast<std::size_t>(point)].determinant();
+      const auto k = static_cast<std::size_t>(point);
+      const double current = reference.gradients.empty()
+                                 ? span.weights(q)
+                                 : span.weights(q) * reference.gradients[k].determinant();
+      reference.weights(point) = current / reference.stretch[k].determinant();
     }
   return reference;
 }
 
-template ReferenceState referenceState(const SpanQuadrature<2>&, const PointStates&);
-template ReferenceState referenceState(const SpanQuadrature<3>&, const PointStates&);
+template PointStates interpolated(const SpanQuadrature<2>&, const TensorBasis<2>&, const PointStates&,
+                                  const Eigen::MatrixXd&);
+template PointStates interpolated(const SpanQuadrature<3>&, const TensorBasis<3>&, const PointStates&,
+                                  const Eigen::MatrixXd&);
+template ReferenceState referenceState(const SpanQuadrature<2>&, const PointStates&,
+                                       std::vector<Eigen::Matrix3d>);
+template ReferenceState referenceState(const SpanQuadrature<3>&, const PointStates&,
+                                       std::vector<Eigen::Matrix3d>);
 
 }  // namespace burnish

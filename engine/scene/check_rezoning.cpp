@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "engine/material/rate_dependence.h"
 #include "engine/scene/check_context.h"
@@ -94,12 +95,63 @@ bool hasRepeatedKnots(const GeometrySpec& geometry) {
       geometry.shape);
 }
 
+/// Keys of the rezoning that say something in the plane alone.
+void refusePlaneKeys(const CheckContext& c) {
+  const RezoningOptions &found = *c.scene.rezoning, left = {};
+  for (const auto& [key, isGiven] : {
+           std::pair{"stretch", found.stretch != left.stretch},
+           std::pair{"quality", found.quality != left.quality},
+           std::pair{"spans", !found.spans.empty()},
+           std::pair{"ahead", found.ahead.has_value()},
+           std::pair{"behind", found.behind.has_value()},
+           std::pair{"growth", found.mesh.growth != left.mesh.growth},
+           std::pair{"turn", found.mesh.turn != left.mesh.turn},
+           std::pair{"first_layer", found.mesh.firstLayer != left.mesh.firstLayer},
+           std::pair{"smallest_determinant", found.mesh.smallestDeterminant != left.mesh.smallestDeterminant},
+       })
+    if (isGiven)
+      c.report(fmt::format("rezoning.{}", key),
+               fmt::format("found {} in a scene of three dimensions; allowed there: travel, and the keys of "
+                           "the body's resolution.",
+                           key));
+}
+
+/// A box whose knots follow a tool; its reference stays, so that less is refused than in the plane.
+void checkInSpace(const CheckContext& c) {
+  refusePlaneKeys(c);
+  if (c.scene.allBodies().size() > 1)
+    return c.report("rezoning", "found in a scene of several bodies in space; allowed: of one.");
+  if (!checkBodyName(c, "rezoning", c.scene.rezoning->body)) return;
+  const BodySpec& body = c.scene.allBodies().front();
+  const auto key = [&](const char* name) { return c.scene.bodyKey(0, name); };
+  if (!c.clean(key("geometry"))) return;
+  if (!body.geometry.mesh.resolution)
+    return c.report("rezoning",
+                    "found in a scene of three dimensions for a body without a resolution; allowed: a box "
+                    "with geometry.resolution, whose fine spans then follow the tool.");
+  refuse(c, hasCreases(body.geometry), key("geometry.creases"), "creases, which new meshes would lose,");
+  refuse(c, !body.geometry.mesh.relief.empty(), key("geometry.relief"),
+         "a relief, which every mesh would have another one of,");
+  refuse(c, dependsOnRate(body.material), key("material.rate"),
+         "a rate, whose overstress would be lost where a new mesh settles in no time,");
+  refuse(c, body.initial.has_value(), key("initial"), "an initial state of a body in space");
+  for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
+    const SupportSpec& support = c.scene.supports[k];
+    const std::string path = fmt::format("supports[{}]", k);
+    refuse(c, support.until.has_value(), path + ".until", "a support that lets go");
+    refuse(c, !support.place.part.empty(), path,
+           "a support on a part of a face, which holds other points on every mesh,");
+  }
+  for (std::size_t k = 0; k < c.scene.contact.size(); ++k)
+    refusePenalty(c, c.scene.contact[k].options, true, fmt::format("contact[{}].method", k));
+  refuse(c, !c.scene.selfContact.empty(), "self_contact", "contact of a body in space with itself");
+}
+
 }  // namespace
 
 void checkRezoning(const CheckContext& c) {
   if (!c.scene.rezoning || !c.clean("rezoning")) return;
-  if (c.dimensionIsKnown() && c.scene.dim() == 3)
-    return c.report("rezoning", "found in a scene of three dimensions; allowed: in two.");
+  if (c.dimensionIsKnown() && c.scene.dim() == 3) return checkInSpace(c);
   if (!checkBodyName(c, "rezoning", c.scene.rezoning->body)) return;
   const std::size_t body = c.scene.rezonedBody();
   const GeometrySpec& geometry = c.scene.allBodies()[body].geometry;

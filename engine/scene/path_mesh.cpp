@@ -21,6 +21,12 @@ namespace {
 /// How far beyond the passes spans are fine, over the half width of the contact.
 constexpr double kFineBeyond = 2.0;
 
+/// How long the part of the passes is that a mesh which follows the tool is fine around, over the half width.
+constexpr double kTravel = 4.0;
+
+/// Pieces of that length by which the way of the tool is followed.
+constexpr double kPieces = 32.0;
+
 constexpr int kMostSpans = 10'000;  ///< in a direction, as of `spans`
 
 using Breaks = std::vector<double>;
@@ -161,9 +167,7 @@ Breaks intoDepth(const Passage& passage, const ResolutionSpec& resolution) {
   return breaksOf(sizes);
 }
 
-std::vector<Breaks> pathBreaks(const Scene& scene, const BodySpec& body) {
-  const ResolutionSpec& resolution = *body.geometry.mesh.resolution;
-  const Passage passage = passageOf(scene, body);
+std::vector<Breaks> pathBreaks(const Passage& passage, const ResolutionSpec& resolution) {
   if (!(resolution.halfWidth > 0.0) || !(passage.block.size.head(passage.block.dim).minCoeff() > 0.0))
     throw InputError("half_width", "found nothing to make spans of; allowed: lengths above 0.");
   std::vector<Breaks> breaks;
@@ -173,10 +177,85 @@ std::vector<Breaks> pathBreaks(const Scene& scene, const BodySpec& body) {
   return breaks;
 }
 
+/// Times at which the way of a pass is looked at: its corners, and so many between them that pieces of the way are no
+/// longer than `longest`.
+std::vector<double> timesIn(const ToolPath& path, const ToolPath::Pass& pass, double longest) {
+  std::vector<double> corners{pass.begin};
+  for (const double t : path.corners())
+    if (t > pass.begin && t < pass.end) corners.push_back(t);
+  std::ranges::sort(corners);
+  corners.push_back(pass.end);
+  std::vector<double> times{pass.begin};
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const double length = corners[k] - corners[k - 1];
+    const auto pieces = std::max(1L, std::lround(std::ceil(path.speed() * length / longest - 1e-9)));
+    for (long piece = 1; piece < pieces; ++piece)
+      times.push_back(corners[k - 1] + length * static_cast<double>(piece) / static_cast<double>(pieces));
+    times.push_back(corners[k]);
+  }
+  return times;
+}
+
+/// A part of the passes, and the time at which the tool begins with it.
+struct PassagePart {
+  double from = 0.0;
+  Eigen::AlignedBox3d places;
+};
+
+/// Parts one after the other, each as long as can be without being longer than `travel` in a direction of the face.
+std::vector<PassagePart> partsOf(const Passage& passage, const ToolSpec& tool, double travel) {
+  const ToolPath path = pathOf(tool);
+  const Eigen::Vector3d middle = makeShape(tool.shape, tool.inside).middle();
+  const auto extent = [&](const Eigen::AlignedBox3d& box) {
+    Eigen::Vector3d sizes = box.sizes();
+    sizes(passage.depth()) = 0.0;
+    return sizes.maxCoeff();
+  };
+  std::vector<PassagePart> parts(1);
+  std::optional<double> lifted;  // at the end of the pass before
+  for (const ToolPath::Pass& pass : path.passes()) {
+    std::optional<double> before;
+    for (const double t : timesIn(path, pass, travel / kPieces)) {
+      const Eigen::Vector3d place = middle + path.displacement(t);
+      Eigen::AlignedBox3d longer = parts.back().places;
+      longer.extend(place);
+      if (!parts.back().places.isEmpty() && extent(longer) > travel * (1.0 + 1e-9)) {
+        parts.push_back({before.value_or(0.5 * (lifted.value_or(t) + t)), {}});
+        if (before) parts.back().places.extend(middle + path.displacement(*before));
+      }
+      parts.back().places.extend(place);
+      before = t;
+    }
+    lifted = pass.end;
+  }
+  return parts;
+}
+
+bool follows(const Scene& scene, const BodySpec& body) {
+  const auto& resolution = body.geometry.mesh.resolution;
+  const std::optional<Block> block = blockOf(body);
+  return scene.rezoning && resolution && block && block->dim == 3 &&
+         (body.name.empty() || scene.rezoning->body.empty() || scene.rezoning->body == body.name);
+}
+
+/// All meshes of a body with a resolution.
+std::vector<FollowingMesh> meshesOf(const Scene& scene, const BodySpec& body) {
+  const ResolutionSpec& resolution = *body.geometry.mesh.resolution;
+  Passage passage = passageOf(scene, body);
+  if (!follows(scene, body)) return {{0.0, pathBreaks(passage, resolution)}};
+  const double travel = scene.rezoning->travel.value_or(kTravel * resolution.halfWidth);
+  std::vector<FollowingMesh> meshes;
+  for (const PassagePart& part : partsOf(passage, toolOf(scene, resolution.along), travel)) {
+    passage.passes = part.places;
+    meshes.push_back({part.from, pathBreaks(passage, resolution)});
+  }
+  return meshes;
+}
+
 void resolve(Scene& scene, BodySpec& body) {
   if (!body.geometry.mesh.resolution) return;
   try {
-    body.geometry.mesh.resolution->breaks = pathBreaks(scene, body);
+    body.geometry.mesh.resolution->breaks = meshesOf(scene, body).front().breaks;
   } catch (const Error&) {
     // The check of the geometry says what is wrong, or that of the tool.
   }
@@ -190,7 +269,21 @@ void resolveMeshes(Scene& scene) {
 }
 
 void requirePathMesh(const Scene& scene, std::size_t body) {
-  static_cast<void>(pathBreaks(scene, scene.allBodies()[body]));
+  static_cast<void>(meshesOf(scene, scene.allBodies()[body]));
+}
+
+bool hasFollowingMeshes(const Scene& scene, std::size_t body) {
+  return follows(scene, scene.allBodies()[body]);
+}
+
+std::vector<FollowingMesh> followingMeshes(const Scene& scene, std::size_t body) {
+  return meshesOf(scene, scene.allBodies()[body]);
+}
+
+Scene withBreaks(Scene scene, std::size_t body, const std::vector<std::vector<double>>& breaks) {
+  BodySpec& changed = scene.bodies.empty() ? scene.body : scene.bodies[body];
+  changed.geometry.mesh.resolution->breaks = breaks;
+  return scene;
 }
 
 PathRoom pathRoom(const Scene& scene, std::size_t number) {

@@ -147,9 +147,11 @@ void describeSimulation(Visitor& v, Scene& s) {
   v.field("stabilise", s.stabilise, {},
           "Holds a body that nothing but contact holds by a drag that fades while contact sets in: "
           "`stabilise: {}`. What it carries is reported.");
-  v.field("rezoning", s.rezoning, {},
-          "Meshes a body anew while a tool, or another body, moves along it, so that its surface stays "
-          "resolved under the tool; a plane or axisymmetric body of one patch.");
+  v.field(
+      "rezoning", s.rezoning, {},
+      "Meshes a body anew while a tool, or another body, moves along it, so that its surface stays "
+      "resolved under the tool; a plane or axisymmetric body of one patch, or a box with a resolution: its "
+      "fine spans then follow the tool, by the travel or, when that is left out, by four half widths.");
   v.field("output", s.output, {}, "When and how finely results are written.");
 }
 

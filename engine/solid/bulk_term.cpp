@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/core/blas.h"
+#include "engine/solid/deformation_gradients.h"
 #include "engine/solid/displacement_term.h"
 #include "engine/solid/parallel_spans.h"
 #include "engine/solid/projected_term.h"
@@ -66,40 +67,26 @@ BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material
   assert(reference->stretch.size() == points);
   assert(reference->weights.size() == weights_.size());
   stretch_ = reference->stretch;
+  for (std::size_t k = 0; k < reference->gradients.size(); ++k)
+    stretch_[k] = reference->gradients[k].inverse() * stretch_[k];
   weights_ = reference->weights;
   plasticWork_ = reference->plasticWork;
   points_.begin(reference->stretch, reference->numbers);
 }
 
 template <int Dim>
-template <class F>
-void BulkTerm<Dim>::forEachGradient(const Eigen::VectorXd& x, const F& f) const {
-  withKinematics<Dim>(quadrature_.kinematics(), [&](auto kinematics) {
-    constexpr Kinematics K = decltype(kinematics)::value;
-    Eigen::Matrix<double, Eigen::Dynamic, Dim> u;
-    Eigen::MatrixXd buffer;
-    for (const auto& span : quadrature_.spans()) {
-      gatherNodes<Dim>(x, span.nodes, u);
-      const Eigen::MatrixXd& G = span.gradients(buffer);
-      for (Eigen::Index q = 0; q < span.weights.size(); ++q)
-        f(static_cast<std::size_t>(span.firstPoint + q),
-          deformationGradient<K>(u, G.template middleCols<kColumns<K>>(kColumns<K> * q)));
-    }
-  });
-}
-
-template <int Dim>
 std::vector<Eigen::Matrix3d> BulkTerm<Dim>::gradientsOfLaw(const Eigen::VectorXd& x) const {
   std::vector<Eigen::Matrix3d> gradients(J_.size());
-  forEachGradient(
-      x, [&](std::size_t point, const Eigen::Matrix3d& F) { gradients[point] = elasticGradient(point, F); });
+  forEachGradient(quadrature_, x, [&](std::size_t point, const Eigen::Matrix3d& F) {
+    gradients[point] = elasticGradient(point, F);
+  });
   return gradients;
 }
 
 template <int Dim>
 double BulkTerm<Dim>::largestStretch(const Eigen::VectorXd& x) const {
   double largest = 0.0;
-  forEachGradient(x, [&](std::size_t, const Eigen::Matrix3d& F) {
+  forEachGradient(quadrature_, x, [&](std::size_t, const Eigen::Matrix3d& F) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> b(F * F.transpose(), Eigen::EigenvaluesOnly);
     largest = std::max(largest, std::sqrt(b.eigenvalues()(2)));
   });

@@ -77,12 +77,12 @@ class BulkTerm : public Term {
   BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material,
            const std::optional<ReferenceState>& reference = {});
 
-  /// F V_e at a point.
+  /// F V_e at a point, F F₀^{-1} V_e where the reference state has an F₀.
   Eigen::Matrix3d elasticGradient(std::size_t point, const Eigen::Matrix3d& F) const {
     return stretch_.empty() ? F : Eigen::Matrix3d(F * stretch_[point]);
   }
 
-  /// det V_e at a point.
+  /// det V_e at a point, det F₀^{-1} V_e.
   double referenceVolumeRatio(std::size_t point) const {
     return stretch_.empty() ? 1.0 : stretch_[point].determinant();
   }
@@ -137,17 +137,13 @@ class BulkTerm : public Term {
   std::vector<BulkSummary> spanSummaries_;
 
  private:
-  /// Calls f with the number of every quadrature point and its deformation gradient.
-  template <class F>
-  void forEachGradient(const Eigen::VectorXd& x, const F& f) const;
-
   /// Whether a span touches an unknown that this rank answers for.
   bool touchesOwn(std::size_t span) const;
 
   /// Makes the summary of the body from those of the spans.
   void summarise();
 
-  std::vector<Eigen::Matrix3d> stretch_;  ///< V_e of the reference state; empty: one everywhere
+  std::vector<Eigen::Matrix3d> stretch_;  ///< F₀^{-1} V_e of the reference state; empty: one everywhere
   BulkSummary summary_;
   double plasticWork_ = 0.0;
 

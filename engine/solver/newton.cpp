@@ -130,6 +130,7 @@ Newton::Residual Newton::measure() const {
     measured.reference = std::max(measured.reference, force.head(nForces).norm());
     total += force;
   }
+  if (held_.size() > 0) total -= held_;
   double sum = 0.0, largest = 0.0;
   for (const int i : system_.freeUnknowns()) {
     const double size = std::abs(total(i));
@@ -221,6 +222,7 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, const Residual& re
   if (system_.freeUnknowns().empty()) return true;  // supports say it all
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(correction.size());
   for (const auto& force : forces_) rhs -= force;
+  if (held_.size() > 0) rhs += held_;
   if (!correction.isZero(0.0)) {
     Eigen::VectorXd moved = system_.timesPrescribed(correction);
     team_.sum(asSpan(moved));

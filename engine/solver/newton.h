@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/solver/hierarchy.h"
@@ -72,6 +73,10 @@ class Newton {
   NewtonReport solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x,
                      FirstTangent first = FirstTangent::Current);
 
+  /// From now on holds a force against those of the terms, an entry for each unknown: a state that is out of balance by it
+  /// is one that is found, until it is taken away little by little. Empty: none.
+  void hold(Eigen::VectorXd force) { held_ = std::move(force); }
+
   /// Keeps the tangent of the last evaluated state for later first corrections, unless the solver is an
   /// iterative one: what those are for is too large to be kept twice.
   void rememberTangent();
@@ -135,6 +140,7 @@ class Newton {
   std::unique_ptr<LinearSolver> linear_;
   Inertia inertia_;
   std::vector<Eigen::VectorXd> forces_;
+  Eigen::VectorXd held_;  ///< see `hold`
   /// Of an iterative solver: before the last correction, over what it may be in the end; 0 before the first.
   double weighedResidual_ = 0.0;
   SparseSystem::Entries remembered_;  ///< of a tangent; empty before the first

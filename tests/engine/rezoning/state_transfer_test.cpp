@@ -84,7 +84,7 @@ TEST(GridInterpolation, IsExactForMonotoneCubicsAndLinearBeyondTheGrid) {
     for (Eigen::Index i = 0; i < 5; ++i)
       values(0, 5 * j + i) =
           cubic(grid[0][static_cast<std::size_t>(i)], grid[1][static_cast<std::size_t>(j)]);
-  const GridInterpolation interpolation(grid, values);
+  const GridInterpolation<2> interpolation(grid, values);
   for (const Eigen::Vector2d& p :
        {Eigen::Vector2d(0.1, 0.15), Eigen::Vector2d(0.55, 0.9), Eigen::Vector2d(1.0, 0.3)})
     EXPECT_NEAR(interpolation(p)(0), cubic(p(0), p(1)), 1e-13);
@@ -96,7 +96,7 @@ TEST(GridInterpolation, DoesNotOvershootAStep) {
   const std::vector<double> line{0.0, 0.2, 0.4, 0.6, 0.8, 1.0};
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(1, 36);
   for (Eigen::Index k = 0; k < 36; ++k) values(0, k) = k % 6 >= 3 ? 1.0 : 0.0;
-  const GridInterpolation interpolation({line, line}, values);
+  const GridInterpolation<2> interpolation({line, line}, values);
   for (double x = 0.0; x <= 1.0; x += 0.01) {
     EXPECT_GE(interpolation({x, 0.5})(0), 0.0);
     EXPECT_LE(interpolation({x, 0.5})(0), 1.0);

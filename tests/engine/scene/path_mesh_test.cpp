@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/scene/path_of_tool.h"
 #include "engine/scene/reader.h"
 
 namespace burnish {
@@ -96,6 +97,83 @@ TEST(PathMesh, KnowsHowMuchRoomThereIs) {
   const PathRoom room = pathRoom(parseScene(kScene, "test.yaml"), 0);
   EXPECT_NEAR(room.beside, 10.0, 1e-12) << "1 in y";
   EXPECT_NEAR(room.below, 20.0, 1e-12);
+}
+
+std::vector<double> placesOf(const FollowingMesh& mesh, std::size_t direction, double origin, double size) {
+  std::vector<double> found{origin};
+  for (const double s : mesh.breaks[direction]) found.push_back(origin + size * s);
+  found.push_back(origin + size);
+  return found;
+}
+
+TEST(FollowingMeshes, AreFineAroundOnePartOfThePassesAfterTheOther) {
+  const Scene scene = parseScene(kScene, "test.yaml", {"rezoning={travel: 0.25}"});
+  const std::vector<FollowingMesh> meshes = followingMeshes(scene, 0);
+  // Each pass of 0.5 has two parts of 0.25; from pass to pass the place jumps by 0.54.
+  ASSERT_EQ(meshes.size(), 4u);
+  const ToolPath path = pathOf(scene.tools.front());
+  const std::vector<ToolPath::Pass>& passes = path.passes();
+  EXPECT_EQ(meshes[0].from, 0.0);
+  EXPECT_NEAR(meshes[1].from, passes[0].begin + 0.25, 1e-9);
+  EXPECT_NEAR(meshes[2].from, 0.5 * (passes[0].end + passes[1].begin), 1e-9) << "in the air";
+  EXPECT_NEAR(meshes[3].from, passes[1].begin + 0.25, 1e-9);
+  for (const auto& [mesh, x, y] : {std::tuple{0, 1.5, 1.0}, std::tuple{1, 1.75, 1.0}, std::tuple{2, 1.5, 1.2},
+                                   std::tuple{3, 1.75, 1.2}}) {
+    const auto k = static_cast<std::size_t>(mesh);
+    const std::vector<double> along = placesOf(meshes[k], 0, -1.0, 4.0),
+                              across = placesOf(meshes[k], 1, 0.0, 3.0);
+    for (const auto& [places, begin, end] :
+         {std::tuple{along, x - 0.2, x + 0.45}, std::tuple{across, y - 0.2, y + 0.2}}) {
+      const std::vector<double> fine = sizesIn(places, begin, end);
+      ASSERT_EQ(std::ssize(fine), std::lround((end - begin) / 0.025)) << mesh;
+      for (const double size : fine) EXPECT_NEAR(size, 0.025, 1e-12);
+      EXPECT_LE(largestGrowth(places), 1.3 * (1.0 + 1e-9));
+    }
+    EXPECT_EQ(meshes[k].breaks[2], meshes[0].breaks[2]);
+  }
+  EXPECT_EQ(scene.body.geometry.mesh.resolution->breaks, meshes[0].breaks);
+  EXPECT_EQ(parseScene(scene.resolvedYaml, "again.yaml").body.geometry.mesh.resolution->breaks,
+            meshes[0].breaks);
+}
+
+TEST(FollowingMeshes, AreOneWhereAllPassesAreNear) {
+  const Scene scene = parseScene(kScene, "test.yaml", {"rezoning={travel: 0.6}"});
+  const std::vector<FollowingMesh> meshes = followingMeshes(scene, 0);
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_EQ(meshes[0].breaks, parseScene(kScene, "test.yaml").body.geometry.mesh.resolution->breaks);
+  EXPECT_FALSE(hasFollowingMeshes(parseScene(kScene, "test.yaml"), 0));
+}
+
+TEST(FollowingMeshes, ReachTwoWidthsWhereNoTravelIsGiven) {
+  const Scene scene = parseScene(kScene, "test.yaml", {"rezoning={}"});
+  EXPECT_EQ(followingMeshes(scene, 0)[1].from,
+            followingMeshes(parseScene(kScene, "test.yaml", {"rezoning={travel: 0.4}"}), 0)[1].from);
+}
+
+TEST(FollowingMeshes, RefuseWhatTheyCannotFollow) {
+  const auto error = [](const Overrides& more) {
+    Overrides overrides{"rezoning={travel: 0.25}"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    try {
+      parseScene(kScene, "test.yaml", overrides);
+    } catch (const Error& problem) {
+      return std::string(problem.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(error({}), "no error");
+  EXPECT_THAT(error({"geometry.resolution=null", "geometry.spans=[4, 4, 4]"}),
+              HasSubstr("rezoning: found in a scene of three dimensions for a body without a resolution"));
+  EXPECT_THAT(error({"rezoning.stretch=2"}),
+              HasSubstr("rezoning.stretch: found stretch in a scene of three"));
+  EXPECT_THAT(error({"rezoning.spans=[4, 4, 4]"}),
+              HasSubstr("rezoning.spans: found spans in a scene of three"));
+  EXPECT_THAT(error({"contact[0].method=penalty"}), HasSubstr("contact[0].method: found a penalty method"));
+  EXPECT_THAT(error({"supports[0].until=1"}), HasSubstr("supports[0].until: found a support that lets go"));
+  EXPECT_THAT(error({"supports[0].part=[0, 0.5, 0, 1]"}),
+              HasSubstr("supports[0]: found a support on a part"));
+  EXPECT_THAT(error({"geometry.relief=[{face: front, height: '0'}]"}), HasSubstr("found a relief"));
+  EXPECT_THAT(error({"initial={stress: {xx: '0.1'}}"}), HasSubstr("initial: found an initial state"));
 }
 
 std::string meshErrorOf(const Overrides& overrides) {

@@ -132,6 +132,22 @@ TEST(Newton, MovesPrescribedUnknownsExactlyAndConvergesQuadratically) {
     EXPECT_LT(report.history[k + 1], 50.0 * report.history[k] * report.history[k] + 1e-14);
 }
 
+TEST(Newton, FindsTheStateThatAHeldForceKeepsOutOfBalance) {
+  constexpr int size = 4;
+  Chain chain(size, 10.0);
+  Newton newton({&chain}, endsHeld(size), scalesFor(size), NewtonOptions{});
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(size);
+  Eigen::VectorXd x = still;
+  newton.hold(0.3 * Eigen::VectorXd::Unit(size, 1));
+  ASSERT_EQ(newton.solve(0.0, still, x).outcome, NewtonOutcome::Converged);
+  EXPECT_NEAR(newton.forces().front()(1), 0.3, 1e-9);
+  EXPECT_NEAR(newton.forces().front()(2), 0.0, 1e-9);
+  EXPECT_GT(x(1), 0.1);
+  newton.hold({});
+  ASSERT_EQ(newton.solve(0.0, still, x).outcome, NewtonOutcome::Converged);
+  EXPECT_LT(x.norm(), 1e-9);
+}
+
 TEST(Newton, ShortensACorrectionThatWouldBeInadmissible) {
   Chain chain(3, 0.6);
   Newton newton({&chain}, {true, false, true}, scalesFor(3), {});
