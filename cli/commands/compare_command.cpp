@@ -167,10 +167,11 @@ ExitCode comparePicturesOf(const CompareArguments& arguments) {
   std::vector<Comparison> comparisons = comparePictures(arguments.actual, arguments.baseline, rule);
   std::vector<std::string> accepted = acceptActual(comparisons, arguments.accept, rule);
   if (!arguments.difference.empty()) writeDifference(comparisons.front(), arguments.difference);
-  fs::path page;
+  std::optional<ReportPage> report;  // shows what was before
   if (!arguments.report.empty())
-    page = writeReport(comparisons, rule, acceptCommand(arguments), arguments.report);
-  if (arguments.update) accepted = acceptActual(comparisons, {"*"}, rule);  // the page shows what was before
+    report = picturePage(comparisons, rule, acceptCommand(arguments), arguments.update);
+  if (arguments.update) accepted = acceptActual(comparisons, {"*"}, rule);
+  const fs::path page = report ? writeReport(*report, arguments.report) : "";
   std::vector<ComparedCase> cases;
   for (const Comparison& comparison : comparisons) cases.push_back(caseOf(comparison.name, comparison));
   writeCases(arguments, cases);
@@ -212,11 +213,11 @@ ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
   std::vector<ResultComparison> comparisons =
       compareData(kind, arguments.actual, arguments.baseline, rule, arguments.update);
   if (!arguments.difference.empty()) drawWorst(comparisons, arguments.difference);
-  fs::path page;
-  if (!arguments.report.empty())
-    page = writeDataReport(comparisons, dataReportNote(arguments), arguments.report);
+  std::optional<ReportPage> report;  // shows what was before
+  if (!arguments.report.empty()) report = dataPage(comparisons, dataReportNote(arguments), arguments.update);
   const std::vector<std::string> updated =
       arguments.update ? makeBaseline(comparisons, rule) : std::vector<std::string>();
+  const fs::path page = report ? writeReport(*report, arguments.report) : "";
   std::vector<ComparedCase> cases;
   for (const auto& [pair, fields] : comparisons)
     for (const FieldComparison& field : fields) cases.push_back(caseOf(fullName(pair, field), field));

@@ -34,10 +34,11 @@ Json::Value differenceJson(const Comparison& comparison) {
       encodePng(differencePicture(readPicture(comparison.actual), readPicture(comparison.baseline))));
 }
 
-Json::Value pairJson(const Comparison& comparison, const PictureRule& rule) {
+Json::Value pairJson(const Comparison& comparison, const PictureRule& rule, bool updates) {
   Json::Value pair = comparisonJson(comparison, rule);
   pair["comparable"] = isMeasured(comparison);
-  pair["acceptable"] = isAcceptable(comparison.verdict);
+  pair["acceptable"] = isAcceptable(comparison.verdict) && !updates;
+  pair["updated"] = isAcceptable(comparison.verdict) && updates;
   pair["baseline"] = fileJson(comparison.baseline);
   pair["actual"] = fileJson(comparison.actual);
   pair["difference"] = differenceJson(comparison);
@@ -76,15 +77,15 @@ fs::path writeReport(const ReportPage& page, const fs::path& directory) {
   return file;
 }
 
-fs::path writeReport(const std::vector<Comparison>& comparisons, const PictureRule& rule,
-                     const std::string& acceptCommand, const fs::path& directory) {
+ReportPage picturePage(const std::vector<Comparison>& comparisons, const PictureRule& rule,
+                       const std::string& acceptCommand, bool updates) {
   ReportPage page{"Image regression",
                   "pictures",
                   fmt::format("Metric {}, threshold {}.", metricName(rule.metric), rule.threshold),
                   acceptCommand,
                   {}};
-  for (const Comparison& comparison : comparisons) page.pairs.push_back(pairJson(comparison, rule));
-  return writeReport(page, directory);
+  for (const Comparison& comparison : comparisons) page.pairs.push_back(pairJson(comparison, rule, updates));
+  return page;
 }
 
 }  // namespace burnish

@@ -104,11 +104,12 @@ std::vector<ForeignField> fieldsFrom(const ForeignFile& file, std::size_t first)
 
 class SubjectMaker {
  public:
-  SubjectMaker(const ForeignFile& file, int instant, const ForeignOptions& options)
+  SubjectMaker(const ForeignFile& file, int instant, const std::vector<ForeignBlock>& blocks,
+               const ForeignOptions& options)
       : file_(file),
         options_(options),
         instant_(instant),
-        blocks_(chosenBlocks(file.blocks(static_cast<std::size_t>(instant)), options.bodies)),
+        blocks_(chosenBlocks(blocks, options.bodies)),
         fields_(foreignFieldsOf(blocks_)) {
     requireForeign(options, file.file());
   }
@@ -409,10 +410,15 @@ class SubjectMaker {
   std::optional<ForeignChoice> choice_;
 };
 
+std::vector<ForeignBlock> blocksAt(const ForeignFile& file, int instant) {
+  return file.blocks(static_cast<std::size_t>(instant));
+}
+
 /// Calls draw with the subject, and with what is left of the options for it, as its parts have what is added to its displacements.
 template <class Draw>
-auto drawn(const ForeignFile& file, int instant, const ForeignOptions& options, const Draw& draw) {
-  SubjectMaker maker(file, instant, options);
+auto drawn(const ForeignFile& file, int instant, const std::vector<ForeignBlock>& blocks,
+           const ForeignOptions& options, const Draw& draw) {
+  SubjectMaker maker(file, instant, blocks, options);
   const ContourSubject subject = maker.make();
   ContourOptions own = options;
   own.warp = 1.0;
@@ -440,7 +446,7 @@ void requireForeignFields(const ForeignFile& file, const std::vector<int>& insta
 }
 
 FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  SubjectMaker maker(file, instant, options);
+  SubjectMaker maker(file, instant, blocksAt(file, instant), options);
   const ContourSubject subject = maker.make();
   FrameView view{.content = {}};
   if (maker.hasField()) view.shown = subject.ranges.whole;
@@ -456,14 +462,21 @@ ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
 }
 
 ContourImage foreignImage(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  return drawn(file, instant, options, [](const ContourSubject& subject, const ContourOptions& own) {
-    return contourImage(subject, own);
-  });
+  return drawn(
+      file, instant, blocksAt(file, instant), options,
+      [](const ContourSubject& subject, const ContourOptions& own) { return contourImage(subject, own); });
 }
 
 PrintPage foreignPage(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  return drawn(file, instant, options, [](const ContourSubject& subject, const ContourOptions& own) {
-    return contourPage(subject, own);
+  return drawn(
+      file, instant, blocksAt(file, instant), options,
+      [](const ContourSubject& subject, const ContourOptions& own) { return contourPage(subject, own); });
+}
+
+void drawBlocks(const ForeignFile& file, int instant, const std::vector<ForeignBlock>& blocks,
+                const ForeignOptions& options, const std::filesystem::path& name) {
+  drawn(file, instant, blocks, options, [&](const ContourSubject& subject, const ContourOptions& own) {
+    return drawContour(subject, own, name);
   });
 }
 
