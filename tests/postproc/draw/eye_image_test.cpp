@@ -91,6 +91,25 @@ TEST_F(EyeImage, PerspectivePutsEverythingInItsPlace) {
       expectColor(zoomed, Eigen::Vector3d(x, y, 1.0), scale.color(1.0 + x + y));
 }
 
+/// From near by as from far away, above the ball on the cube.
+TEST_F(EyeImage, PerspectiveShowsABallWhole) {
+  ContourOptions options = cubeAlone();
+  options.tools = true;
+  options.view.name = "0,1,0.8";
+  for (const std::optional<double> angle : {std::optional<double>(), {40.0}, {90.0}, {120.0}}) {
+    options.perspective = angle;
+    const Sample sample = samples::cube();
+    drawn(sample, options);
+    for (const Eigen::Index axis : {0, 1, 2})
+      for (const double radius : {-0.25, 0.25}) {
+        const Eigen::Vector2d pixel =
+            view.pixel(Eigen::Vector3d(0.5, 1.25, 0.5) + radius * Eigen::Vector3d::Unit(axis));
+        EXPECT_GE(pixel.y(), view.area.y) << angle.value_or(0.0);
+        EXPECT_LE(pixel.y(), view.area.top()) << angle.value_or(0.0);
+      }
+  }
+}
+
 TEST_F(EyeImage, PerspectiveTendsToTheParallelProjection) {
   ContourOptions options = cubeAlone();
   const Picture parallel = drawn(samples::cube(), options);
