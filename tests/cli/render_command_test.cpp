@@ -145,8 +145,8 @@ TEST_F(RenderCommand, ComponentsAreChosenByName) {
 }
 
 TEST_F(RenderCommand, ScaleMagnifiesAllThatIsDrawn) {
-  EXPECT_EQ(burnish("render run --size 300,200 --text-size 20 --scale 3 -o scaled.png").code, 0);
-  EXPECT_EQ(burnish("render run --size 900,600 --text-size 60 -o large.png").code, 0);
+  EXPECT_EQ(burnish("render run --size 300,200 --text-size 12 --scale 3 -o scaled.png").code, 0);
+  EXPECT_EQ(burnish("render run --size 900,600 --text-size 36 -o large.png").code, 0);
   EXPECT_EQ(readText(dir() / "scaled.png"), readText(dir() / "large.png"));
 }
 

@@ -24,9 +24,9 @@ constexpr double kShortestBar = 12.0;
 constexpr double kNoteSize = 0.85;
 constexpr double kNoteGap = 0.9;
 constexpr double kPadding = 0.15;                            // keeps lines on the border of the content whole
-constexpr double kReadableUp = 7.0, kReadableAcross = 18.0;  // bars whose numbers stand apart
+constexpr double kReadableUp = 5.0, kReadableAcross = 15.0;  // bars whose numbers stand apart
 
-constexpr double kLeastRoom = 0.2;  // for the content, of the picture's width and height
+constexpr double kLeastRoom = 0.15;  // for the content, of the picture's width and height
 
 struct Placement {
   double scale = 0.0;  ///< pixels per length
