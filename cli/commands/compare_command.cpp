@@ -161,6 +161,13 @@ void requireUnused(const CLI::App& command, const Options& options, const char* 
       throw Error(fmt::format("{}: is for {}; ACTUAL and BASELINE are {}", option, what, found));
 }
 
+/// Writes a page, if there is one, before an update, which is left if that fails, or behind it. Returns its name.
+fs::path written(std::optional<ReportPage>& report, const fs::path& directory, bool isUpdated) {
+  if (!report) return "";
+  report->isUpdated = isUpdated;
+  return writeReport(*report, directory);
+}
+
 ExitCode comparePicturesOf(const CompareArguments& arguments) {
   const PictureRule rule = ruleOf(arguments);
   requireSinglePictures(arguments);
@@ -170,8 +177,9 @@ ExitCode comparePicturesOf(const CompareArguments& arguments) {
   std::optional<ReportPage> report;  // shows what was before
   if (!arguments.report.empty())
     report = picturePage(comparisons, rule, acceptCommand(arguments), arguments.update);
+  const fs::path page = written(report, arguments.report, false);
   if (arguments.update) accepted = acceptActual(comparisons, {"*"}, rule);
-  const fs::path page = report ? writeReport(*report, arguments.report) : "";
+  if (arguments.update) written(report, arguments.report, true);
   std::vector<ComparedCase> cases;
   for (const Comparison& comparison : comparisons) cases.push_back(caseOf(comparison.name, comparison));
   writeCases(arguments, cases);
@@ -215,9 +223,10 @@ ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
   if (!arguments.difference.empty()) drawWorst(comparisons, arguments.difference);
   std::optional<ReportPage> report;  // shows what was before
   if (!arguments.report.empty()) report = dataPage(comparisons, dataReportNote(arguments), arguments.update);
+  const fs::path page = written(report, arguments.report, false);
   const std::vector<std::string> updated =
       arguments.update ? makeBaseline(comparisons, rule) : std::vector<std::string>();
-  const fs::path page = report ? writeReport(*report, arguments.report) : "";
+  if (arguments.update) written(report, arguments.report, true);
   std::vector<ComparedCase> cases;
   for (const auto& [pair, fields] : comparisons)
     for (const FieldComparison& field : fields) cases.push_back(caseOf(fullName(pair, field), field));

@@ -68,7 +68,8 @@ fs::path writeReport(const ReportPage& page, const fs::path& directory) {
   data["pairs"] = Json::arrayValue;
   for (const bool equal : {false, true})
     for (const Json::Value& pair : page.pairs)
-      if ((pair["verdict"] == "equal") == equal) data["pairs"].append(pair);
+      if ((pair["verdict"] == "equal") == equal)
+        data["pairs"].append(pair)["updated"] = page.isUpdated && pair["updated"].asBool();
   std::string body = kComparePage;
   constexpr std::string_view place = "/*data*/";
   body.replace(body.find(place), place.size(), scriptText(data));
@@ -83,7 +84,8 @@ ReportPage picturePage(const std::vector<Comparison>& comparisons, const Picture
                   "pictures",
                   fmt::format("Metric {}, threshold {}.", metricName(rule.metric), rule.threshold),
                   acceptCommand,
-                  {}};
+                  {},
+                  false};
   for (const Comparison& comparison : comparisons) page.pairs.push_back(pairJson(comparison, rule, updates));
   return page;
 }

@@ -15,9 +15,11 @@ struct ReportPage {
   std::string rule;           ///< by which they were compared: a sentence
   std::string acceptCommand;  ///< which the page completes with the names of the pairs that are chosen there
 
-  /// Objects: `name`, `verdict`, `message`, `acceptable`, `updated` (whether the actual one became the baseline), the pictures `baseline`, `actual` and `difference` as
+  /// Objects: `name`, `verdict`, `message`, `acceptable`, `updated` (whether an update makes the actual one the baseline), the pictures `baseline`, `actual` and `difference` as
   /// addresses (`pngUri`) or null, and whether the first two are `comparable`, being of one size.
   std::vector<Json::Value> pairs;
+
+  bool isUpdated = false;  ///< the update has been done
 };
 
 /// Throws `Error` if DIRECTORY/index.html is there and is no page of pairs: it is not overwritten.

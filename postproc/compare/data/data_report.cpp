@@ -41,7 +41,7 @@ ReportPage dataPage(const std::vector<ResultComparison>& comparisons, const std:
   const WorstPictures pictures(worst);
   std::map<const FieldComparison*, FieldPictures> drawn;
   for (const WorstField& each : worst) drawn[each.field] = pictures.draw(each);
-  ReportPage page{"Data regression", "fields", note, "", {}};
+  ReportPage page{"Data regression", "fields", note, "", {}, false};
   for (const ResultComparison& comparison : comparisons) {
     const bool isUpdated = updates && becomesBaseline(comparison);
     for (const FieldComparison& field : comparison.fields) {
