@@ -81,6 +81,9 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
           texts.smallest < scale_.range()[0] - slack};
   high_ = {text(sign(kLargestSign) + "max ", texts.largest), text("≥ ", scale_.range()[1]),
            texts.largest > scale_.range()[1] + slack};
+  if (!constant_) return;
+  low_.extreme = {{text("", *constant_).front().text + " everywhere"}};
+  high_.extreme = {};
 }
 
 double ScalarBar::depth(Direction direction, double length) const {

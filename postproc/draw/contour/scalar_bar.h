@@ -34,7 +34,8 @@ class ScalarBar {
 
     int bands = 0;  ///< 0: smooth colours
     bool constant =
-        false;  ///< the field has one value, round which the colours were laid: it alone has a tick
+        false;  ///< the field has one value, round which the colours were laid: it alone has a tick, and
+                ///< stands below the scale
   };
 
   /// textSize: of the title, in pixels.

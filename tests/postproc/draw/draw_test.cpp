@@ -195,24 +195,29 @@ TEST(Ticks, OfBandsAreAtTheirBorders) {
   EXPECT_EQ(makeTicksOfBands({0.0, 1.0}, 1, 2).values.size(), 2U);
 }
 
-/// The numbers beside a scale.
-std::vector<std::string> marksOf(const std::array<double, 2>& range, int bands, bool constant, double value) {
-  const ScalarBar bar(ColorScale("viridis", range, bands),
-                      {.title = {{"field"}},
-                       .unit = "",
-                       .smallest = value,
-                       .largest = value,
-                       .bands = bands,
-                       .constant = constant},
-                      12.0, Theme{});
-  return bar.marks().labels;
+ScalarBar barOf(const std::array<double, 2>& range, int bands, bool constant, double value) {
+  return {ColorScale("viridis", range, bands),
+          {.title = {{"field"}},
+           .unit = "",
+           .smallest = value,
+           .largest = value,
+           .bands = bands,
+           .constant = constant},
+          12.0,
+          Theme{}};
 }
 
 TEST(ScalarBars, OfAFieldWithOneValueHaveThatValueAlone) {
-  EXPECT_THAT(marksOf({0.0, 1.0}, 0, true, 0.0), ElementsAre("0"));
-  EXPECT_THAT(marksOf({0.9, 1.1}, 0, true, 1.0), ElementsAre("1"));
-  EXPECT_GT(marksOf({0.0, 1.0}, 0, false, 0.0).size(), 5U);
-  EXPECT_THAT(marksOf({0.0, 1.0}, 4, false, 0.0), ElementsAre("0.00", "0.25", "0.50", "0.75", "1.00"));
+  const ScalarBar zero = barOf({0.0, 1.0}, 0, true, 0.0);
+  EXPECT_THAT(zero.marks().labels, ElementsAre("0"));
+  EXPECT_EQ(zero.smallest().front().text, "0 everywhere");
+  EXPECT_TRUE(zero.largest().empty()) << "which would stand at another colour";
+  EXPECT_THAT(barOf({0.9, 1.1}, 0, true, 1.0).marks().labels, ElementsAre("1"));
+  const ScalarBar given = barOf({0.0, 1.0}, 0, false, 0.0);
+  EXPECT_GT(given.marks().labels.size(), 5U);
+  EXPECT_EQ(given.largest().front().text, "max 0");
+  EXPECT_THAT(barOf({0.0, 1.0}, 4, false, 0.0).marks().labels,
+              ElementsAre("0.00", "0.25", "0.50", "0.75", "1.00"));
 }
 
 /// Other results of a sheet have stresses in another unit, or in none.
