@@ -11,7 +11,7 @@
 #include "cli/usage_error.h"
 #include "engine/core/error.h"
 #include "engine/core/version.h"
-#include "postproc/draw/page/font.h"
+#include "postproc/draw/page/picture_warnings.h"
 #include "postproc/offscreen/quiet_libraries.h"
 
 namespace {
@@ -70,7 +70,7 @@ ExitCode execute(int argc, char** argv) {
   } catch (const Error& error) {
     throw Error(withOption(app, error.what()));
   }
-  for (const std::string& warning : takeTextWarnings()) printError("warning: {}\n", warning);
+  for (const std::string& warning : takeWarnings()) printError("warning: {}\n", warning);
   return code;
 }
 

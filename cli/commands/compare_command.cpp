@@ -161,16 +161,25 @@ void requireUnused(const CLI::App& command, const Options& options, const char* 
       throw Error(fmt::format("{}: is for {}; ACTUAL and BASELINE are {}", option, what, found));
 }
 
+/// Writes a page, if there is one, before an update, which is left if that fails, or behind it. Returns its name.
+fs::path written(std::optional<ReportPage>& report, const fs::path& directory, bool isUpdated) {
+  if (!report) return "";
+  report->isUpdated = isUpdated;
+  return writeReport(*report, directory);
+}
+
 ExitCode comparePicturesOf(const CompareArguments& arguments) {
   const PictureRule rule = ruleOf(arguments);
   requireSinglePictures(arguments);
   std::vector<Comparison> comparisons = comparePictures(arguments.actual, arguments.baseline, rule);
   std::vector<std::string> accepted = acceptActual(comparisons, arguments.accept, rule);
   if (!arguments.difference.empty()) writeDifference(comparisons.front(), arguments.difference);
-  fs::path page;
+  std::optional<ReportPage> report;  // shows what was before
   if (!arguments.report.empty())
-    page = writeReport(comparisons, rule, acceptCommand(arguments), arguments.report);
-  if (arguments.update) accepted = acceptActual(comparisons, {"*"}, rule);  // the page shows what was before
+    report = picturePage(comparisons, rule, acceptCommand(arguments), arguments.update);
+  const fs::path page = written(report, arguments.report, false);
+  if (arguments.update) accepted = acceptActual(comparisons, {"*"}, rule);
+  if (arguments.update) written(report, arguments.report, true);
   std::vector<ComparedCase> cases;
   for (const Comparison& comparison : comparisons) cases.push_back(caseOf(comparison.name, comparison));
   writeCases(arguments, cases);
@@ -212,11 +221,12 @@ ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
   std::vector<ResultComparison> comparisons =
       compareData(kind, arguments.actual, arguments.baseline, rule, arguments.update);
   if (!arguments.difference.empty()) drawWorst(comparisons, arguments.difference);
-  fs::path page;
-  if (!arguments.report.empty())
-    page = writeDataReport(comparisons, dataReportNote(arguments), arguments.report);
+  std::optional<ReportPage> report;  // shows what was before
+  if (!arguments.report.empty()) report = dataPage(comparisons, dataReportNote(arguments), arguments.update);
+  const fs::path page = written(report, arguments.report, false);
   const std::vector<std::string> updated =
       arguments.update ? makeBaseline(comparisons, rule) : std::vector<std::string>();
+  if (arguments.update) written(report, arguments.report, true);
   std::vector<ComparedCase> cases;
   for (const auto& [pair, fields] : comparisons)
     for (const FieldComparison& field : fields) cases.push_back(caseOf(fullName(pair, field), field));

@@ -145,7 +145,7 @@ class ChartMaker {
   }
 
   /// A formula in words with its unit, as far as they are the same for all runs; of several what all of them
-  /// are, or one behind the other.
+  /// are, or one behind the other if they are few.
   std::string titleOf(const std::vector<std::string>& formulas) const {
     std::vector<Worded> all;
     for (const std::string& formula : formulas)
@@ -158,6 +158,8 @@ class ChartMaker {
     const std::string unit = haveOne(&Worded::unit) ? all.front().unit : "";
     if (haveOne(&Worded::words)) return withUnit(all.front().words, unit);
     if (haveOne(&Worded::kind) && !all.front().kind.empty()) return withUnit(all.front().kind, unit);
+    constexpr std::size_t kMostNamed = 3;  // of more the legend tells, beside an axis they would be tiny
+    if (formulas.size() > kMostNamed) return unit.empty() ? "" : fmt::format("[{}]", unit);
     return fmt::format("{}", fmt::join(formulas, ", "));
   }
 

@@ -34,10 +34,11 @@ Json::Value differenceJson(const Comparison& comparison) {
       encodePng(differencePicture(readPicture(comparison.actual), readPicture(comparison.baseline))));
 }
 
-Json::Value pairJson(const Comparison& comparison, const PictureRule& rule) {
+Json::Value pairJson(const Comparison& comparison, const PictureRule& rule, bool updates) {
   Json::Value pair = comparisonJson(comparison, rule);
   pair["comparable"] = isMeasured(comparison);
-  pair["acceptable"] = isAcceptable(comparison.verdict);
+  pair["acceptable"] = isAcceptable(comparison.verdict) && !updates;
+  pair["updated"] = isAcceptable(comparison.verdict) && updates;
   pair["baseline"] = fileJson(comparison.baseline);
   pair["actual"] = fileJson(comparison.actual);
   pair["difference"] = differenceJson(comparison);
@@ -67,7 +68,8 @@ fs::path writeReport(const ReportPage& page, const fs::path& directory) {
   data["pairs"] = Json::arrayValue;
   for (const bool equal : {false, true})
     for (const Json::Value& pair : page.pairs)
-      if ((pair["verdict"] == "equal") == equal) data["pairs"].append(pair);
+      if ((pair["verdict"] == "equal") == equal)
+        data["pairs"].append(pair)["updated"] = page.isUpdated && pair["updated"].asBool();
   std::string body = kComparePage;
   constexpr std::string_view place = "/*data*/";
   body.replace(body.find(place), place.size(), scriptText(data));
@@ -76,15 +78,16 @@ fs::path writeReport(const ReportPage& page, const fs::path& directory) {
   return file;
 }
 
-fs::path writeReport(const std::vector<Comparison>& comparisons, const PictureRule& rule,
-                     const std::string& acceptCommand, const fs::path& directory) {
+ReportPage picturePage(const std::vector<Comparison>& comparisons, const PictureRule& rule,
+                       const std::string& acceptCommand, bool updates) {
   ReportPage page{"Image regression",
                   "pictures",
                   fmt::format("Metric {}, threshold {}.", metricName(rule.metric), rule.threshold),
                   acceptCommand,
-                  {}};
-  for (const Comparison& comparison : comparisons) page.pairs.push_back(pairJson(comparison, rule));
-  return writeReport(page, directory);
+                  {},
+                  false};
+  for (const Comparison& comparison : comparisons) page.pairs.push_back(pairJson(comparison, rule, updates));
+  return page;
 }
 
 }  // namespace burnish

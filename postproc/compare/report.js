@@ -73,11 +73,16 @@ function addModes(article, pair) {
   show("Side by side");
 }
 
+function outcome(pair) {
+  if (pair.verdict === "equal") return "equal";
+  return pair.updated ? "updated" : "failed";
+}
+
 function card(pair) {
   const article = byId("pair").content.firstElementChild.cloneNode(true);
-  article.classList.add(pair.verdict === "equal" ? "good" : "bad");
+  article.classList.add({equal: "good", updated: "updated", failed: "bad"}[outcome(pair)]);
   article.querySelector("h2").textContent = pair.name;
-  article.querySelector(".verdict").textContent = pair.verdict.replace("-", " ");
+  article.querySelector(".verdict").textContent = pair.verdict.replaceAll("-", " ") + (pair.updated ? ", updated" : "");
   article.querySelector(".message").textContent = pair.message;
   article.querySelector(".choose").hidden = !pair.acceptable;
   article.querySelector(".chosen").addEventListener("change", showCommand);
@@ -101,8 +106,7 @@ function applyFilter() {
   const wanted = byId("verdict").value;
   let shown = 0;
   data.pairs.forEach((pair, k) => {
-    const verdict = pair.verdict === "equal" ? "equal" : "failed";
-    const visible = pair.name.toLowerCase().includes(part) && (wanted === "all" || wanted === verdict);
+    const visible = pair.name.toLowerCase().includes(part) && (wanted === "all" || wanted === outcome(pair));
     cards[k].hidden = !visible;
     shown += visible;
   });
@@ -110,13 +114,17 @@ function applyFilter() {
 }
 
 const cards = data.pairs.map(card);
-const failures = data.pairs.filter((pair) => pair.verdict !== "equal").length;
+const count = (wanted) => data.pairs.filter((pair) => outcome(pair) === wanted).length;
+const failures = count("failed"), updates = count("updated");
+const updated = updates > 0 ? ` ${updates} differed and ${updates === 1 ? "was" : "were"} updated; this page shows what was before.` : "";
 byId("pairs").replaceChildren(...cards);
 byId("summary").textContent =
-  `${failures === 0 ? "No" : failures} of ${data.pairs.length} ${data.what} failed. ${data.rule} ` +
+  `${failures === 0 ? "No" : failures} of ${data.pairs.length} ${data.what} failed.${updated} ${data.rule} ` +
   `Written by ${data.program}.`;
 byId("title").textContent = data.title;
-document.title = `${failures === 0 ? "Passed" : failures + " failed"}: ${data.title.toLowerCase()}`;
+byId("verdict").querySelector("[value=updated]").hidden = updates === 0;
+const outcomes = [...(failures > 0 ? [`${failures} failed`] : []), ...(updates > 0 ? [`${updates} updated`] : [])];
+document.title = `${outcomes.join(", ") || "Passed"}: ${data.title.toLowerCase()}`;
 byId("filter").addEventListener("submit", (event) => event.preventDefault());
 byId("name").addEventListener("input", applyFilter);
 byId("verdict").addEventListener("input", applyFilter);

@@ -1,8 +1,11 @@
 #include "postproc/mesh/exact_section.h"
 
 #include <tbb/parallel_for.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
@@ -10,9 +13,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "postproc/mesh/middle_triangles.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/vtk_arrays.h"
 
@@ -21,6 +27,64 @@ namespace {
 
 constexpr const char* kParameters = "parameters";
 constexpr const char* kPatch = "patch";
+constexpr const char* kCell = "cell";
+
+/// Numbers of the corners of triangles that make up a convex polygon, in their order round it; none if they do not. of: the
+/// points of the triangles.
+std::vector<vtkIdType> cornersAround(vtkPolyData& section, const std::vector<vtkIdType>& of,
+                                     const CutPlane& plane) {
+  std::vector<vtkIdType> corners;
+  std::vector<Eigen::Vector3d> places;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const vtkIdType id : of) {
+    const Eigen::Vector3d place(section.GetPoint(id));
+    if (std::ranges::find(places, place) != places.end()) continue;  // where an edge is cut, to the bit
+    corners.push_back(id);
+    places.push_back(place);
+    middle += place;
+  }
+  if (corners.size() != of.size() / 3 + 2) return {};
+  middle /= static_cast<double>(corners.size());
+  const Eigen::Vector3d right = plane.normal.unitOrthogonal(), up = plane.normal.normalized().cross(right);
+  std::vector<std::pair<double, vtkIdType>> sorted;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    sorted.emplace_back(std::atan2(up.dot(places[k] - middle), right.dot(places[k] - middle)), corners[k]);
+  std::ranges::sort(sorted);
+  for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = sorted[k].second;
+  return corners;
+}
+
+/// A section in triangles with one polygon for each cell that is cut.
+vtkSmartPointer<vtkPolyData> polygonsOfCells(vtkPolyData& section, const CutPlane& plane) {
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  if (section.GetNumberOfPolys() == 0) return &section;
+  result->SetPoints(section.GetPoints());
+  result->GetPointData()->ShallowCopy(section.GetPointData());
+  vtkCellData& data = *result->GetCellData();
+  data.CopyAllocate(section.GetCellData());
+  vtkDataArray& cellOf = *section.GetCellData()->GetArray(kCell);
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> ids;
+  const vtkIdType count = section.GetNumberOfCells();
+  for (vtkIdType first = 0, last = 0; first < count; first = last) {
+    std::vector<vtkIdType> points;
+    for (; last < count && cellOf.GetTuple1(last) == cellOf.GetTuple1(first); ++last) {
+      section.GetCellPoints(last, ids);
+      points.insert(points.end(), ids->begin(), ids->end());
+    }
+    const std::vector<vtkIdType> corners = cornersAround(section, points, plane);
+    const auto add = [&](const vtkIdType* begin, std::size_t size) {
+      data.CopyData(section.GetCellData(), first,
+                    polygons->InsertNextCell(static_cast<vtkIdType>(size), begin));
+    };
+    if (!corners.empty())
+      add(corners.data(), corners.size());
+    else
+      for (std::size_t k = 0; k < points.size(); k += 3) add(&points[k], 3);
+  }
+  result->SetPolys(polygons);
+  return result;
+}
 
 /// A patch that a plane cuts, where it stands.
 class CutPatch {
@@ -204,10 +268,14 @@ void addParameters(vtkUnstructuredGrid& cells, const MeshRecord& mesh, int subdi
         for (const double u : rows[0]) all.col(k++) << u, v, w;
   }
   cells.GetPointData()->AddArray(makeArray(kParameters, all, {}));
+  std::vector<int> numbers(static_cast<std::size_t>(cells.GetNumberOfCells()));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  cells.GetCellData()->AddArray(makeIntegers(kCell, numbers));
 }
 
 vtkSmartPointer<vtkPolyData> sectionOfCells(vtkUnstructuredGrid& cells, const CutPlane& plane) {
-  return sectionOf(cells, plane, SectionPoints::OfEachCell);
+  // VTK's triangles of a cell do not divide mirror images alike.
+  return trianglesAboutMiddles(*polygonsOfCells(*sectionOf(cells, plane, SectionPoints::OfEachCell), plane));
 }
 
 SectionTriangles exactSection(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,

@@ -154,14 +154,10 @@ class Mirror {
     return all;
   }
 
-  /// A component changes its sign if the axis is in its name an odd number of times.
   Eigen::VectorXd signsOf(const FieldRecord& field) const {
     Eigen::VectorXd signs = Eigen::VectorXd::Ones(field.values.rows());
-    for (std::size_t c = 0; c < field.components.size(); ++c) {
-      const std::string& name = field.components[c];
-      if (std::count(name.begin(), name.end(), nameOf(plane_)) % 2 == 1)
-        signs(static_cast<Eigen::Index>(c)) = -1.0;
-    }
+    for (std::size_t c = 0; c < field.components.size(); ++c)
+      signs(static_cast<Eigen::Index>(c)) = signInMirror(field.components[c], plane_.axis);
     return signs;
   }
 
@@ -228,6 +224,10 @@ class Mirror {
 };
 
 }  // namespace
+
+double signInMirror(const std::string& component, int axis) {
+  return std::ranges::count(component, "xyz"[axis]) % 2 == 1 ? -1.0 : 1.0;
+}
 
 ModelFrame mirrored(const ModelRecord& model, const FrameRecord& frame,
                     const std::vector<MirrorPlane>& planes) {

@@ -1,10 +1,14 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "postproc/mesh/model_frame.h"
 #include "postproc/mesh/picture_planes.h"
 
 namespace burnish {
+
+/// What a mirror across an axis makes of a component (x, xy, ...; empty for scalars and lengths) of a field: 1 or -1.
+double signInMirror(const std::string& component, int axis);
 
 /// The whole body of which the model computes the part on one side of these planes: patches, fields, tools
 /// and contact tractions with their images, one plane after the other. Patches share the nodes on a plane; a

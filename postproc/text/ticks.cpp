@@ -46,6 +46,12 @@ std::string withoutTrailingZeros(std::string text) {
   return text;
 }
 
+/// Of the power of ten by which numbers of a range are divided.
+int exponentOf(const std::array<double, 2>& range) {
+  const int largest = decimalExponent(std::max(std::abs(range[0]), std::abs(range[1])));
+  return std::abs(largest) > kPlain ? 3 * static_cast<int>(std::floor(largest / 3.0)) : 0;
+}
+
 /// Decimals that the multiples of a step need.
 int decimalsOf(double step) {
   int decimals = std::max(0, -decimalExponent(step));
@@ -55,11 +61,34 @@ int decimalsOf(double step) {
 
 }  // namespace
 
+Ticks makeTicksOfBands(const std::array<double, 2>& range, int bands, int most) {
+  constexpr double kVisible = 0.005;  // of a step
+  const int every = std::max(1, (bands + most - 2) / (most - 1));
+  Ticks ticks;
+  ticks.exponent = exponentOf(range);
+  const double unit = std::pow(10.0, ticks.exponent), step = every * (range[1] - range[0]) / bands;
+  for (int k = 0; k <= bands; k += every)
+    ticks.values.push_back(std::lerp(range[0], range[1], static_cast<double>(k) / bands));
+  int decimals = 0;
+  const auto isCoarse = [&](double value) {
+    const double power = std::pow(10.0, decimals);
+    return std::abs(std::round(value / unit * power) / power - value / unit) > kVisible * step / unit;
+  };
+  while (std::ranges::any_of(ticks.values, isCoarse)) ++decimals;
+  for (const double value : ticks.values)
+    ticks.labels.push_back(withMinusSign(fmt::format("{:.{}f}", value / unit + 0.0, decimals)));
+  return ticks;
+}
+
+Ticks makeTickAt(double value, const std::array<double, 2>& range, int digits) {
+  const int exponent = exponentOf(range);
+  return {{value}, {numberText(value / std::pow(10.0, exponent), digits)}, exponent};
+}
+
 Ticks makeTicks(const std::array<double, 2>& range, int most) {
   const double step = roundStep(range, most);
   Ticks ticks;
-  const int largest = decimalExponent(std::max(std::abs(range[0]), std::abs(range[1])));
-  if (std::abs(largest) > kPlain) ticks.exponent = 3 * static_cast<int>(std::floor(largest / 3.0));
+  ticks.exponent = exponentOf(range);
   const double unit = std::pow(10.0, ticks.exponent);
   const int decimals = decimalsOf(step / unit);
   const auto [first, last] = multiples(range, step);

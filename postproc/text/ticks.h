@@ -15,6 +15,13 @@ struct Ticks {
 /// At most `most` (>= 2) marks for an increasing range.
 Ticks makeTicks(const std::array<double, 2>& range, int most);
 
+/// Marks at some of the borders of equally wide bands that an increasing range is cut into, every one, every second, ... of
+/// them from its lower end, at most `most` (>= 2). Labels have as many decimals as show where these are.
+Ticks makeTicksOfBands(const std::array<double, 2>& range, int bands, int most);
+
+/// A mark at a value alone, with its exponent as of others of the range.
+Ticks makeTickAt(double value, const std::array<double, 2>& range, int digits);
+
 /// A whole number in small raised digits: ⁻¹².
 std::string superscript(int number);
 

@@ -993,6 +993,7 @@ function loadTools() {
         part.pointBuffer = buffer(floats(part.points));
         part.normalBuffer = part.normals && buffer(floats(part.normals));
         const triangles = integers(part.triangles);
+        part.corners = triangles;
         part.count = triangles.length;
         part.triangleBuffer = gl.createBuffer();
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, part.triangleBuffer);
@@ -1011,25 +1012,81 @@ function forTools(act) {
   data.tools[record.tools].forEach((tool, k) => act(tool, toolMatrix(tool, record.motion.slice(4 * k, 4 * k + 4))));
 }
 
+function drawToolArea(tool, motion, common, paint) {
+  if (!tool.area || !tool.area.triangles) return;
+  program("plain", plainVertex, plainFragment).use({
+    ...common, motion, paint, light: {integer: solid && tool.area.normalBuffer ? 1 : 0}});
+  attribute(0, tool.area.pointBuffer, 3);
+  if (tool.area.normalBuffer) attribute(1, tool.area.normalBuffer, 3);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, tool.area.triangleBuffer);
+  gl.drawElements(gl.TRIANGLES, tool.area.count, gl.UNSIGNED_INT, 0);
+  gl.disableVertexAttribArray(1);
+}
+
 function drawToolAreas(common, paint) {
+  forTools((tool, motion) => drawToolArea(tool, motion, common, paint));
+}
+
+/** Segments in the triangles of a part where a function of its points, by their numbers, is 0. */
+function zeroSegments(part, valueAt) {
+  part.places ??= floats(part.points);
+  const values = Float64Array.from({length: part.places.length / 3}, (_, k) => valueAt(k));
+  const segments = [];
+  for (let first = 0; first < part.corners.length; first += 3) {
+    const ends = [];
+    for (let side = 0; side < 3; ++side) {
+      const a = part.corners[first + side], b = part.corners[first + (side + 1) % 3];
+      if ((values[a] < 0) === (values[b] < 0)) continue;
+      const share = values[a] / (values[a] - values[b]);
+      for (let d = 0; d < 3; ++d) ends.push(part.places[3 * a + d] * (1 - share) + part.places[3 * b + d] * share);
+    }
+    if (ends.length === 6) segments.push(...ends);
+  }
+  return segments;
+}
+
+/** Numbers of three at a place of a list, times a vector. */
+const dotAt = (list, k, v) => list[3 * k] * v[0] + list[3 * k + 1] * v[1] + list[3 * k + 2] * v[2];
+
+/** A direction of space as a tool has it that has moved. */
+const turnedBack = (motion, v) => [0, 4, 8].map((k) => dot(motion.subarray(k, k + 3), v));
+
+/** Where the surface of a tool turns away from the eye. */
+function silhouette(part, motion) {
+  if (!part || !part.normals || !part.corners) return [];
+  part.directions ??= floats(part.normals);
+  const towards = turnedBack(motion, eye());
+  return zeroSegments(part, (k) => dotAt(part.directions, k, towards));
+}
+
+/** Where a plane cuts the surface of a tool. */
+function cutLine(part, motion, plane) {
+  if (!part || !part.corners) return [];
+  const normal = turnedBack(motion, plane.normal), offset = plane.offset - dot(plane.normal, motion.subarray(12, 15));
+  return zeroSegments(part, (k) => dotAt(part.places, k, normal) - offset);
+}
+
+function drawToolLines(common, plane) {
   forTools((tool, motion) => {
-    if (!tool.area || !tool.area.triangles) return;
-    program("plain", plainVertex, plainFragment).use({
-      ...common, motion, paint, light: {integer: solid && tool.area.normalBuffer ? 1 : 0}});
-    attribute(0, tool.area.pointBuffer, 3);
-    if (tool.area.normalBuffer) attribute(1, tool.area.normalBuffer, 3);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, tool.area.triangleBuffer);
-    gl.drawElements(gl.TRIANGLES, tool.area.count, gl.UNSIGNED_INT, 0);
-    gl.disableVertexAttribArray(1);
+    const look = {motion, paint: [...rgb(theme().outline), 1], width: 1.2 * common.lines};
+    const drawSegments = (segments, more) => {
+      if (segments.length === 0) return;
+      program("segments", segmentVertex, lineFragment).use({...common, ...look, ...more});
+      drawInstances(grid(1, 1, true), segments, [3, 3]);
+    };
+    drawSegments(tool.segments ?? [], {});
+    if (!solid) return;
+    drawSegments(silhouette(tool.area, motion), {});
+    if (plane) drawSegments(cutLine(tool.area, motion, plane), {cut: [0, 0, 0, 1]});
   });
 }
 
-function drawToolLines(common) {
+/** Closes the tools that a plane has opened. */
+function drawToolCaps(plane, common) {
   forTools((tool, motion) => {
-    if (!tool.segments) return;
-    program("segments", segmentVertex, lineFragment).use({
-      ...common, motion, paint: [...rgb(theme().outline), 1], width: 1.2 * common.lines});
-    drawInstances(grid(1, 1, true), tool.segments, [3, 3]);
+    if (!tool.isClosed || !tool.area || !tool.area.corners) return;
+    drawCap(plane, common, () => drawToolArea(tool, motion, common, [0, 0, 0, 1]), {
+      name: "plain", fragment: plainFragment, farther: common.farther, paint: [...rgb(theme().tool), 1]});
   });
 }
 
@@ -1106,13 +1163,13 @@ function drawSurface(spans, cells, common) {
 }
 
 /** Closes what a plane has opened: inside, a ray meets the surface behind the plane an odd number of times. */
-function drawCap(plane, spans, cells, common) {
+function drawCap(plane, common, drawOpened, {name, fragment, ...look}) {
   gl.enable(gl.STENCIL_TEST);
   gl.disable(gl.DEPTH_TEST);
   gl.colorMask(false, false, false, false);
   gl.stencilFunc(gl.ALWAYS, 0, 1);
   gl.stencilOp(gl.KEEP, gl.KEEP, gl.INVERT);
-  drawSurface(spans, cells, common);
+  drawOpened();
   gl.colorMask(true, true, true, true);
   gl.enable(gl.DEPTH_TEST);
   gl.stencilFunc(gl.EQUAL, 1, 1);
@@ -1120,12 +1177,12 @@ function drawCap(plane, spans, cells, common) {
   const a = plane.normal.map((x, k) => (plane.normal[(k + 1) % 3] !== 0 ? boxSize : 0)), b = cross(plane.normal, a);
   const middleOfCut = plus(boxMiddle, scaled(plane.normal, plane.offset - dot(plane.normal, boxMiddle)));
   const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].flatMap(([s, t]) => plus(middleOfCut, plus(scaled(a, s), scaled(b, t))));
-  program("cap", plainVertex, capFragment).use({
-    ...common, farther: 0, motion: identity, paint: [...middle(rgb(theme().tool), rgb(theme().paper)), 1], hatch: rgb(theme().soft)});
+  program(name, plainVertex, fragment).use({...common, farther: 0, motion: identity, light: {integer: 0}, cut: [0, 0, 0, 1], ...look});
   const points = buffer(new Float32Array(corners));
   attribute(0, points, 3);
   gl.drawArrays(gl.TRIANGLE_FAN, 0, 4);
   gl.deleteBuffer(points);
+  gl.clear(gl.STENCIL_BUFFER_BIT);
   gl.disable(gl.STENCIL_TEST);
 }
 
@@ -1185,15 +1242,38 @@ function draw() {
   drawSurface(spans, cells, common);
   if (plane) {
     const hatched = spans.filter(({body}) => !loaded.body.mesh.volumes || isPlain(body));
-    if (hatched.length > 0) drawCap(plane, hatched, cells, common);
+    if (hatched.length > 0)
+      drawCap(plane, common, () => drawSurface(hatched, cells, common), {name: "cap", fragment: capFragment,
+        paint: [...middle(rgb(theme().tool), rgb(theme().paper)), 1], hatch: rgb(theme().soft)});
     if (loaded.body.mesh.volumes) drawSection(plane, visible, scale, common);
   }
   drawUndeformed();
   drawEdges(loaded.body, units.points, visible, cells, common, outline, lines);
-  drawToolLines(common);
+  if (plane) drawToolCaps(plane, common);
+  drawToolLines(common, plane);
   drawContact({...common, nearer: solid ? common.nearer + 0.002 * boxSize / depth : 0});
-  if (solid) drawToolGlass(common);
+  if (solid) {
+    drawToolGlass(common);
+    showAxes();
+  }
   return {cells, spans: spans.length};
+}
+
+/** The axes of space as they are seen, those that point to the eye before the others. */
+function showAxes() {
+  const length = 32, head = 9, letter = 11;
+  const axes = [...byId("axes").children].map((node) => {
+    const k = "xyz".indexOf(node.lastElementChild.textContent), axis = [0, 1, 2].map((d) => (d === k ? 1 : 0));
+    const [right, up] = projected(axis), size = Math.hypot(right, up), along = size > 0 ? [right / size, -up / size] : [0, 0];
+    const tip = along.map((x) => length * size * x), neck = along.map((x) => (length - head) * size * x);
+    const aside = [-along[1], along[0]].map((x) => 0.3 * head * Math.min(1, 2 * size) * x);
+    const [line, arrow, name] = node.children, set = (item, values) => Object.entries(values).forEach(([key, value]) => item.setAttribute(key, value));
+    set(line, {x2: neck[0], y2: neck[1]});
+    set(arrow, {points: [tip, plus(neck, aside), minus(neck, aside)].map((place) => place.join()).join(" ")});
+    set(name, {x: tip[0] + letter * along[0], y: tip[1] + letter * along[1]});
+    return {node, depth: dot(eye(), axis)};
+  });
+  byId("axes").append(...axes.sort((a, b) => a.depth - b.depth).map(({node}) => node));
 }
 
 /** Tools in space: what is behind them shows through, their far sides first. */

@@ -81,6 +81,7 @@ Json::Value viewTools(const std::vector<ToolRecord>& tools, int dim, const Eigen
       const auto shape = withoutSeams(*toolOutline(tool, 3, box));
       json["area"] = partJson(withNormals(*shape), origin);
       json["lines"] = partJson(edgesOf(*shape), origin);
+      json["isClosed"] = hasInside(tool.shape);
     }
     list.append(json);
   }

@@ -119,7 +119,20 @@ TEST_F(CompareCommand, UpdateAcceptsAllAndShowsWhatWasBefore) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("slab.png: accepted as the new baseline"));
   EXPECT_EQ(readText(dir / "actual/slab.png"), readText(dir / "baseline/slab.png"));
-  EXPECT_THAT(readText(dir / "page/index.html"), HasSubstr("\"verdict\":\"different\""));
+  EXPECT_THAT(readText(dir / "page/index.html"),
+              testing::AllOf(HasSubstr("\"updated\":true"), HasSubstr("\"verdict\":\"different\"")));
+  if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
+  const Outcome page = usePage(dir, dir / "page/index.html", R"(<script>
+    set = (value) => Object.assign(document.getElementById("verdict"), {value}).dispatchEvent(new Event("input"));
+    set("updated");
+    document.body.append(Object.assign(document.createElement("pre"), {textContent:
+      document.title + "|" + document.getElementById("summary").textContent + "|" +
+      [...document.querySelectorAll("article:not([hidden]) .heading")].map((each) => each.innerText).join()}));
+  </script>)");
+  EXPECT_THAT(page.out,
+              HasSubstr("1 updated: image regression|No of 2 pictures failed. 1 differed and was updated"));
+  EXPECT_THAT(page.out, testing::ContainsRegex("slab.png[^|]*different, updated"));
+  EXPECT_THAT(page.out, Not(testing::ContainsRegex("noisy's.png[^|]*equal")));
 }
 
 TEST_F(CompareCommand, DifferenceIsDrawn) {

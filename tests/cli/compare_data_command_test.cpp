@@ -117,7 +117,8 @@ TEST_F(CompareDataCommand, DirectoriesOfResultsAreComparedAtOnce) {
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("two: ")));
   EXPECT_THAT(outcome.out,
               HasSubstr(" fields of 2 results are equal to the baseline\nreport: page/index.html\n"));
-  EXPECT_THAT(readText(dir / "page/index.html"), HasSubstr("\"name\":\"one: displacement\""));
+  EXPECT_THAT(readText(dir / "page/index.html"), testing::AllOf(HasSubstr("\"name\":\"one: displacement\""),
+                                                                Not(HasSubstr("\"updated\":true"))));
   EXPECT_TRUE(readText(dir / "worst.png").starts_with("\x89PNG"));
   outcome = compare("new old --annotations github --code-quality made/q.json");
   EXPECT_THAT(outcome.out, testing::StartsWith("::error title=one%3A "));
@@ -129,7 +130,7 @@ TEST_F(CompareDataCommand, DirectoriesOfResultsAreComparedAtOnce) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               testing::StartsWith("one: the new baseline; of the former one are left: frames.pvd, frames\n"));
-  EXPECT_THAT(readText(dir / "page/index.html"), HasSubstr("\"verdict\":\"different\""));
+  EXPECT_THAT(readText(dir / "page/index.html"), HasSubstr("\"updated\":true,\"verdict\":\"different\""));
   EXPECT_EQ(compare("new old").code, 0);
   EXPECT_EQ(compare("new/one old/one --relative 0").code, 0);
   EXPECT_EQ(compare("new first --update").code, 0) << "a new directory";

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "postproc/draw/page/color_scale.h"
 #include "tests/cli/shell.h"
 #include "tests/postproc/picture.h"
 
@@ -207,6 +208,41 @@ TEST_F(ForeignCommand, WhatCannotBeSeenIsToldInASentence) {
     EXPECT_THAT(drawn.err, HasSubstr(sentence));
     EXPECT_FALSE(fs::exists(dir_ / "a.png"));
   }
+}
+
+/// The same value at opposite corners: a square that is its own image in both middles has such a picture.
+TEST_F(ForeignCommand, QuadrilateralsHaveNoDiagonal) {
+  std::ofstream(dir_ / "saddle.vtk")
+      << "# vtk DataFile Version 3.0\npart\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
+         "0 0 0 1 0 0 1 1 0 0 1 0\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n9\nPOINT_DATA 4\n"
+         "SCALARS saddle double 1\nLOOKUP_TABLE default\n0 1 0 1\n";
+  ASSERT_EQ(burnish("render saddle.vtk --bands 4 --title '' --size 400,400 -o a.png").code, 0);
+  const Picture picture = readPicture(dir_ / "a.png");
+  const Color quarter = ColorScale("viridis", {0.0, 1.0}, 4).color(0.45),
+              half = ColorScale("viridis", {0.0, 1.0}, 4).color(0.55);
+  int ofQuarter = 0, ofHalf = 0;
+  for (int x = 0; x < 300; ++x)
+    for (int y = 0; y < picture.height; ++y) {
+      ofQuarter += difference(picture.at({x + 0.5, y + 0.5}), quarter) <= 2 ? 1 : 0;
+      ofHalf += difference(picture.at({x + 0.5, y + 0.5}), half) <= 2 ? 1 : 0;
+    }
+  EXPECT_GT(ofHalf, 5000);
+  EXPECT_NEAR(ofQuarter, ofHalf, 0.03 * ofHalf);
+}
+
+TEST_F(ForeignCommand, WhatFilesDoNotHaveIsRefused) {
+  const auto refused = [&](const std::string& arguments, const std::string& sentence) {
+    const auto outcome = burnish("render " + arguments + " -o b.png");
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(sentence));
+    EXPECT_FALSE(fs::exists(dir_ / "b.png")) << arguments;
+  };
+  refused(sample("openscad.stl") + " --cut 0,0,0,1,0,0 --cut-face hatch",
+          "openscad.stl has no volumes, whose section could be hatched; draw it without");
+  refused(sample("a.exo") + " --mirror x=5",
+          "mirror: found the plane x = 5; " + sample("a.exo") + " goes from x = 0 to x = ");
+  EXPECT_EQ(burnish("render " + sample("a.exo") + " --mirror x,z --size 300,200 -o c.png").code, 0);
+  EXPECT_EQ(burnish("render " + sample("meshio.vtu") + " --mirror x --size 300,200 -o c.png").code, 0);
 }
 
 TEST_F(ForeignCommand, PageForPrintHasItsTexts) {

@@ -200,8 +200,11 @@ def check_plane(browser, facts):
 
 def check_space(browser, facts):
     """A body in space turns by as much as the mouse asks for, and back."""
+    browser.value("byId('axes').style.visibility = 'hidden'")  # pictures are of the body alone
     first = browser.picture()
     eye = browser.value("eye()")
+    letter = "Number([...byId('axes').querySelectorAll('text')].find((name) => name.textContent === 'z').getAttribute('x'))"
+    axes = browser.value(letter)
     browser.drag(60, 0)
     turned = browser.picture()
     facts.holds("a turn is seen", turned.differs(first) > 0.05)
@@ -209,6 +212,7 @@ def check_space(browser, facts):
     facts.near("height of the eye", now[1], eye[1], 1e-9)
     angle = math.atan2(eye[0], eye[2]) - math.atan2(now[0], now[2])
     facts.near("angle of a drag", angle, 0.6, 1e-9)
+    facts.holds("the axes turn", abs(browser.value(letter) - axes) > 3)
     corners = browser.value("loaded.body.mesh && [0, 3].flatMap((x) => [1, 4].flatMap((y) => [2, 5].map((z) => "
                             "(projected([data.box[x], data.box[y], data.box[z]])[0] - state.center[0]) * pixelsPerLength())))")
     facts.holds("the box of the body holds what is seen", max(corners) - min(corners) > turned.body()[2] - turned.body()[0] - 4)

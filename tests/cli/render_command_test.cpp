@@ -145,8 +145,8 @@ TEST_F(RenderCommand, ComponentsAreChosenByName) {
 }
 
 TEST_F(RenderCommand, ScaleMagnifiesAllThatIsDrawn) {
-  EXPECT_EQ(burnish("render run --size 300,200 --text-size 20 --scale 3 -o scaled.png").code, 0);
-  EXPECT_EQ(burnish("render run --size 900,600 --text-size 60 -o large.png").code, 0);
+  EXPECT_EQ(burnish("render run --size 300,200 --text-size 12 --scale 3 -o scaled.png").code, 0);
+  EXPECT_EQ(burnish("render run --size 900,600 --text-size 36 -o large.png").code, 0);
   EXPECT_EQ(readText(dir() / "scaled.png"), readText(dir() / "large.png"));
 }
 
@@ -194,7 +194,7 @@ TEST_F(RenderCommand, PagesForPrintAreAsLargeAsAPrintedPageUnlessToldOtherwise) 
   EXPECT_EQ(burnish("render run --dpi 150 --frame all -o 'p{frame}.pdf'").out,
             "5 pictures, p0.pdf to p4.pdf\n");
   EXPECT_THAT(shell(dir(), "pdfinfo p4.pdf").out, HasSubstr("482 x 271 pts"));
-  EXPECT_THAT(shell(dir(), "pdftotext p0.pdf -").out, HasSubstr("max 0\n"));
+  EXPECT_THAT(shell(dir(), "pdftotext p0.pdf -").out, HasSubstr("0 everywhere\n"));
   EXPECT_THAT(shell(dir(), "pdftotext p4.pdf -").out, HasSubstr("max 1\n"));
   EXPECT_EQ(burnish("render run --size 300,200 -o p.svg").code, 0);
   EXPECT_THAT(readText(dir() / "p.svg"),

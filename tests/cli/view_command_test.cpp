@@ -494,6 +494,39 @@ found.push("closed " + grey(colourAt([0.13, 0.11, z])));
   EXPECT_THAT(out, HasSubstr("whole false\ncut z false\nhatched true\nplace 0.52\nclosed false<"));
 }
 
+/// The ball over the cube has an edge where it turns away from the eye, and is filled where the cut goes through it; axes
+/// point as the body lies.
+TEST_F(ViewCommand, ToolsInSpaceHaveSilhouettesAndAreClosedWhereTheyAreCut) {
+  if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
+  write({samples::cube()});
+  const std::string out = found("--undeformed off", R"(
+const center = minus([0.5, 1.25, 0.5], data.origin);
+const darkestAt = (x) => {
+  draw();
+  const [a, b] = minus(projected(x), state.center), pixels = new Uint8Array(4 * 25);
+  gl.readPixels(Math.round(canvas.width / 2 + a * pixelsPerLength()) - 2, Math.round(canvas.height / 2 + b * pixelsPerLength()) - 2, 5, 5, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return Math.min(...[...pixels].filter((_, k) => k % 4 === 0));
+};
+const tool = Math.round(255 * rgb(theme().tool)[0]);
+const around = [0, 1, 2, 3, 4, 5].map((k) => plus(center, plus(scaled(state.right, 0.25 * Math.cos(k)), scaled(state.up, 0.25 * Math.abs(Math.sin(k))))));
+found.push("edges " + around.every((x) => darkestAt(x) < 90));
+found.push("inside " + (darkestAt(center) > tool - 60));
+Object.assign(state, {cut: "z", cutPlace: 0.5});
+found.push("filled " + (Math.abs(darkestAt(center) - tool) <= 1));
+found.push("edge " + (darkestAt(plus(center, [0, 0.25, 0])) < 90));
+state.tools = false;
+found.push("without " + darkestAt(center));
+Object.assign(state, {right: [0, 0, -1], up: [0, 1, 0]});
+draw();
+const places = Object.fromEntries([...byId("axes").querySelectorAll("text")].map((name) => [name.textContent, [Math.sign(name.getAttribute("x")), Math.sign(name.getAttribute("y"))].join()]));
+found.push("axes " + places.y + " " + places.z + " " + getComputedStyle(byId("axes")).display);
+)");
+  for (const char* line : {"edges true\n", "inside true\n", "filled true\n", "edge true\n", "without 255\n",
+                           "axes 0,-1 -1,0 block"})
+    EXPECT_THAT(out, HasSubstr(line));
+  EXPECT_EQ(console, "");
+}
+
 TEST_F(ViewCommand, ContactFieldsLieAlongTheirFaces) {
   if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
   Sample rubbed = samples::rubbedSlab();

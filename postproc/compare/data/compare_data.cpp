@@ -146,6 +146,10 @@ std::vector<ResultComparison> compareData(ComparedKind kind, const fs::path& act
   return all;
 }
 
+bool becomesBaseline(const ResultComparison& comparison) {
+  return isToBeUpdated(comparison) && !namesOthers(comparison.pair);
+}
+
 std::vector<std::string> makeBaseline(std::vector<ResultComparison>& comparisons, const DataRule& rule) {
   for (const ResultComparison& comparison : comparisons)
     if (isToBeUpdated(comparison)) requireInPlace(comparison.pair);

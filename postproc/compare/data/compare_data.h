@@ -24,6 +24,10 @@ std::vector<ResultComparison> compareData(ComparedKind kind, const std::filesyst
                                           const std::filesystem::path& baseline, const DataRule& rule,
                                           bool mayLackBaseline = false);
 
+/// Whether the actual data of a pair differ, are whole and can be copied by themselves, so that `makeBaseline` makes
+/// them the baseline.
+bool becomesBaseline(const ResultComparison& comparison);
+
 /// Makes the actual data of the pairs that differ the baseline, and compares these again. Returns a line for each: its
 /// name, and what is left of the former baseline beside it. Pairs of which one is missing at `actual` or cannot
 /// be read stay as they are, and of several those that name other files, with a line that says so. Throws

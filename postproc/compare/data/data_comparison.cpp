@@ -175,6 +175,7 @@ class SeriesComparison {
   struct Field {
     FieldComparison result;
     std::string unit;
+    long long notANumber = 0;  ///< values that are numbers on one side alone
   };
 
   /// With whatever is compared, unless they are skipped; without a common time nothing else tells of it.
@@ -298,6 +299,7 @@ class SeriesComparison {
         const double difference = differenceBetween(a, b);
         ++result.compared;
         if (difference > result.allowed) ++result.differing;
+        if (std::isnan(a) != std::isnan(b)) ++field.notANumber;
         if (difference > (result.worst ? result.worst->difference : 0.0))
           result.worst = worstAt(part, place, componentName(baseline, k), {a, b, difference});
       }
@@ -321,13 +323,20 @@ class SeriesComparison {
     const WorstPlace& worst = *result.worst;
     result.verdict = std::isnan(worst.actual) != std::isnan(worst.baseline) ? FieldVerdict::NotANumber
                                                                             : FieldVerdict::Different;
+    const bool isNumber = result.verdict == FieldVerdict::Different;
+    const auto beyond = [&](long long count) {
+      return fmt::format("{} of {} values by more than {:.3g}{}", count, result.compared, result.allowed,
+                         unitAfter(field.unit));
+    };
+    const long long others = result.differing - field.notANumber;
+    std::string extent = "different: " + beyond(result.differing) + "; worst";
+    if (!isNumber)
+      extent = fmt::format("not a number on one side: {} of {} values{}; the first", field.notANumber,
+                           result.compared, others == 0 ? "" : "; different: " + beyond(others));
     const std::string where = placeInWords(worst);
-    return fmt::format(
-        "{}: {} of {} values by more than {:.3g}{}; worst{}{}: {}found {}, the baseline has {}{}",
-        result.verdict == FieldVerdict::NotANumber ? "not a number on one side" : "different",
-        result.differing, result.compared, result.allowed, unitAfter(field.unit), where.empty() ? "" : " at ",
-        where, worst.component.empty() ? "" : worst.component + ": ", worst.actual, worst.baseline,
-        unitAfter(field.unit));
+    return fmt::format("{}{}{}: {}found {}, the baseline has {}{}", extent, where.empty() ? "" : " at ",
+                       where, worst.component.empty() ? "" : worst.component + ": ", worst.actual,
+                       worst.baseline, unitAfter(field.unit));
   }
 
   const DataSeries& actual_;

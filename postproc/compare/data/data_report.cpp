@@ -6,7 +6,6 @@
 #include <map>
 
 #include "postproc/compare/data/worst_pictures.h"
-#include "postproc/compare/report.h"
 #include "postproc/text/page.h"
 #include "postproc/text/text_file.h"
 
@@ -20,12 +19,14 @@ Json::Value pictureJson(const std::string& png) {
   return png.empty() ? Json::Value() : Json::Value(pngUri(png));
 }
 
-Json::Value pairJson(const DataPair& pair, const FieldComparison& field, const FieldPictures& pictures) {
+Json::Value pairJson(const DataPair& pair, const FieldComparison& field, const FieldPictures& pictures,
+                     bool isUpdated) {
   Json::Value value;
   value["name"] = fullName(pair, field);
   value["verdict"] = verdictName(field.verdict);
   value["message"] = field.message;
   value["acceptable"] = false;
+  value["updated"] = isUpdated && field.verdict != FieldVerdict::Equal;
   value["comparable"] = !pictures.baseline.empty() && !pictures.actual.empty();
   value["baseline"] = pictureJson(pictures.baseline);
   value["actual"] = pictureJson(pictures.actual);
@@ -35,22 +36,24 @@ Json::Value pairJson(const DataPair& pair, const FieldComparison& field, const F
 
 }  // namespace
 
-std::filesystem::path writeDataReport(const std::vector<ResultComparison>& comparisons,
-                                      const std::string& note, const std::filesystem::path& directory) {
+ReportPage dataPage(const std::vector<ResultComparison>& comparisons, const std::string& note, bool updates) {
   const std::vector<WorstField> worst = worstFields(comparisons, kMostDrawn);
   const WorstPictures pictures(worst);
   std::map<const FieldComparison*, FieldPictures> drawn;
   for (const WorstField& each : worst) drawn[each.field] = pictures.draw(each);
-  ReportPage page{"Data regression", "fields", note, "", {}};
-  for (const auto& [pair, fields] : comparisons)
-    for (const FieldComparison& field : fields) {
+  ReportPage page{"Data regression", "fields", note, "", {}, false};
+  for (const ResultComparison& comparison : comparisons) {
+    const bool isUpdated = updates && becomesBaseline(comparison);
+    for (const FieldComparison& field : comparison.fields) {
       const auto own = drawn.find(&field);
-      page.pairs.push_back(pairJson(pair, field, own == drawn.end() ? FieldPictures{} : own->second));
+      page.pairs.push_back(
+          pairJson(comparison.pair, field, own == drawn.end() ? FieldPictures{} : own->second, isUpdated));
     }
+  }
   if (worstFields(comparisons, kMostDrawn + 1).size() > kMostDrawn)
     page.rule +=
         fmt::format("{}The {} fields that differ most are drawn.", note.empty() ? "" : " ", kMostDrawn);
-  return writeReport(page, directory);
+  return page;
 }
 
 void drawWorst(const std::vector<ResultComparison>& comparisons, const std::filesystem::path& png) {

@@ -1,6 +1,9 @@
 #include "postproc/compare/data/worst_pictures.h"
 
+#include <vtkCellData.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +25,7 @@
 #include "postproc/export/scratch_directory.h"
 #include "postproc/foreign/foreign_file.h"
 #include "postproc/foreign/lower_case.h"
+#include "postproc/mesh/vtk_arrays.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -31,7 +35,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array kPictureSize{720, 420};
 constexpr double kTextSize = 17.0;  // three of them stand side by side on a page
-constexpr const char *kHistory = "history.", *kQuadrature = "quadrature.", *kCells = "cells.";
+constexpr const char *kHistory = "history.", *kQuadrature = "quadrature.", *kCells = "cells.",
+                     *kPoints = "points";
 
 /// The bytes of a file that `draw` makes; empty if what it is asked for cannot be drawn.
 std::string drawnBytes(const std::function<void(const fs::path&)>& draw) {
@@ -63,11 +68,17 @@ Options optionsAt(const std::string& field, const WorstPlace& worst) {
   options.size = kPictureSize;
   options.textSize = kTextSize;
   options.title = "";
-  if (worst.position.size() > 0) {
+  if (worst.position.size() > 0 && worst.position.allFinite()) {
     options.mark = Eigen::Vector3d::Zero();
     options.mark->head(worst.position.size()) = worst.position;
   }
   return options;
+}
+
+/// Of a picture of a difference, in which red is more than the baseline has.
+std::array<double, 2> aboutZero(const std::array<double, 2>& range) {
+  const double most = std::max(std::abs(range[0]), std::abs(range[1]));
+  return {-most, most};
 }
 
 /// Fields of places come before columns of histories, which may be all noise about zero.
@@ -124,9 +135,7 @@ class WorstPictures::RunDrawing : public PairDrawing {
       pictures.difference = drawnBytes([&](const fs::path& file) {
         options.field = kDifference;
         options.range.reset();
-        const auto [low, high] = shownRanges(baseline_.model(), *difference, options).shown;
-        const double most = std::max(std::abs(low), std::abs(high));
-        options.range = {-most, most};
+        options.range = aboutZero(shownRanges(baseline_.model(), *difference, options).shown);
         options.colormap = "coolwarm";
         drawContour(baseline_.model(), *difference, options, file);
       });
@@ -219,33 +228,109 @@ class WorstPictures::FileDrawing : public PairDrawing {
   explicit FileDrawing(const DataPair& pair) : actual_(pair.actual), baseline_(pair.baseline) {}
 
   FieldPictures draw(const FieldComparison& field) const override {
+    const std::array instants{instantAt(baseline_.times(), field.worst->time),
+                              instantAt(actual_.times(), field.worst->time)};
+    const std::array<const ForeignFile*, 2> files{&baseline_, &actual_};
+    FieldPictures pictures;
     try {
-      const int ours = instantAt(actual_.times(), field.worst->time),
-                theirs = instantAt(baseline_.times(), field.worst->time);
-      ForeignOptions options = optionsAt<ForeignOptions>(drawable(field, theirs), *field.worst);
-      const ForeignOptions first = withCommonView(options, baseline_, {theirs}, {theirs}),
-                           second = withCommonView(options, actual_, {ours}, {ours});
-      options.range = {std::min((*first.range)[0], (*second.range)[0]),
-                       std::max((*first.range)[1], (*second.range)[1])};
-      options.window = first.window->merged(*second.window);
-      const auto picture = [&](const ForeignFile& file, int instant) {
-        return drawnBytes([&](const fs::path& png) { drawForeign(file, {instant}, options, {png}); });
-      };
-      return {picture(baseline_, theirs), picture(actual_, ours), ""};
+      ForeignOptions options = optionsAt<ForeignOptions>(drawable(field, instants[0]), *field.worst);
+      // A side with values that are not finite has no picture, and the other one has its own colours.
+      std::array<std::optional<FrameView>, 2> views;
+      std::vector<int> drawn;
+      for (const int k : {0, 1}) {
+        const auto side = static_cast<std::size_t>(k);
+        try {
+          views[side] = foreignView(*files[side], instants[side], options);
+          drawn.push_back(k);
+        } catch (const Error&) {
+        }
+      }
+      shareView(options, drawn, drawn,
+                [&](int k, bool, bool) { return *views[static_cast<std::size_t>(k)]; });
+      for (const std::size_t side : {0U, 1U})
+        if (views[side])
+          (side == 0 ? pictures.baseline : pictures.actual) = drawnBytes(
+              [&](const fs::path& png) { drawForeign(*files[side], {instants[side]}, options, {png}); });
+      pictures.difference = differenceOn(0, instants, field, options);
+      if (pictures.difference.empty()) pictures.difference = differenceOn(1, instants, field, options);
     } catch (const Error&) {
-      return {};
     }
+    return pictures;
   }
 
  private:
+  /// Whether there is no finite difference somewhere, so that there are no colours for how large it is.
+  static bool isOneSided(const FieldComparison& field) { return std::isinf(field.worst->difference); }
+
+  static const char* differenceName(const FieldComparison& field) {
+    return isOneSided(field) ? "not finite on one side" : "difference";
+  }
+
+  /// Actual values minus the baseline's, or 1 where there is no finite difference and 0 elsewhere.
+  static Eigen::VectorXd differenceOf(const FieldComparison& field, const Eigen::VectorXd& actual,
+                                      const Eigen::VectorXd& baseline) {
+    return actual.binaryExpr(baseline, [oneSided = isOneSided(field)](double a, double b) {
+      if (a == b || (std::isnan(a) && std::isnan(b))) return 0.0;
+      if (!oneSided) return a - b;
+      return std::isfinite(a - b) ? 0.0 : 1.0;
+    });
+  }
+
   /// Empty for points, whose places alone are shown.
   std::string drawable(const FieldComparison& field, int instant) const {
-    if (field.array == "points") return "";
+    if (field.array == kPoints) return "";
     const auto fields = foreignFieldsOf(baseline_.blocks(static_cast<std::size_t>(instant)));
     std::string array = field.array;
     if (std::ranges::count(fields, array, &ForeignField::name) == 0 && array.starts_with(kCells))
       array.erase(0, std::string(kCells).size());
     return withComponent(array, inLowerCase(field.worst->component));
+  }
+
+  /// Drawn on the cells of the baseline (0) or of the actual file (1); empty for what is no field of these.
+  std::string differenceOn(std::size_t side, const std::array<int, 2>& instants, const FieldComparison& field,
+                           const ForeignOptions& options) const {
+    const auto theirs = baseline_.blocks(static_cast<std::size_t>(instants[0])),
+               ours = actual_.blocks(static_cast<std::size_t>(instants[1]));
+    std::optional<ForeignChoice> choice;
+    if (!options.field.empty()) choice = findForeignField(foreignFieldsOf(theirs), options.field);
+    if (!choice && field.array != kPoints) return "";
+    const auto valuesOf = [&](const ForeignBlock& block) {
+      return choice ? choice->valuesOf(block) : coordinatesOf(block, field.worst->component);
+    };
+    std::vector<ForeignBlock> blocks;
+    std::array<double, 2> range{0.0, 0.0};
+    for (std::size_t k = 0; k < std::min(ours.size(), theirs.size()); ++k) {
+      const ForeignBlock& block = side == 0 ? theirs[k] : ours[k];
+      const Eigen::VectorXd actual = valuesOf(ours[k]), baseline = valuesOf(theirs[k]);
+      const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      grid->ShallowCopy(block.grid);
+      if (actual.size() == baseline.size() && actual.size() > 0) {
+        const Eigen::VectorXd values = differenceOf(field, actual, baseline);
+        range = {std::min(range[0], values.minCoeff()), std::max(range[1], values.maxCoeff())};
+        vtkDataSetAttributes* data = grid->GetPointData();
+        if (choice && choice->field.ofCells) data = grid->GetCellData();
+        for (vtkDataSetAttributes* all : {static_cast<vtkDataSetAttributes*>(grid->GetPointData()),
+                                          static_cast<vtkDataSetAttributes*>(grid->GetCellData())})
+          all->RemoveArray(differenceName(field));
+        data->AddArray(makeArray(differenceName(field), values.transpose(), {}));
+      }
+      blocks.push_back({block.name, grid});
+    }
+    ForeignOptions own = options;
+    own.field = differenceName(field);
+    own.note = isOneSided(field) ? field.name : "";
+    own.colormap = "coolwarm";
+    own.range = aboutZero(isOneSided(field) ? std::array{0.0, 1.0} : range);
+    return drawnBytes([&](const fs::path& png) {
+      drawBlocks(side == 0 ? baseline_ : actual_, instants[side], blocks, own, png);
+    });
+  }
+
+  static Eigen::VectorXd coordinatesOf(const ForeignBlock& block, const std::string& axis) {
+    const int component = static_cast<int>(std::string("xyz").find(axis));
+    Eigen::VectorXd values(block.grid->GetNumberOfPoints());
+    for (Eigen::Index k = 0; k < values.size(); ++k) values(k) = block.grid->GetPoint(k)[component];
+    return values;
   }
 
   ForeignFile actual_, baseline_;

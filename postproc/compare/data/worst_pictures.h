@@ -8,7 +8,8 @@
 
 namespace burnish {
 
-/// Pictures of a field on both sides, as bytes of PNG files; empty for what cannot be drawn.
+/// Pictures of a field on both sides, as bytes of PNG files; empty for what cannot be drawn, such as values that are not
+/// finite.
 struct FieldPictures {
   std::string baseline, actual, difference;
 };
@@ -25,7 +26,8 @@ std::vector<WorstField> worstFields(const std::vector<ResultComparison>& compari
 
 /// Draws fields at the times at which they differ most, with a ring round the place: baseline and actual data
 /// with the same colours and the same window; of the coefficients of a run also their difference, on the
-/// deformed baseline, and of a column of a history charts.
+/// deformed baseline, of other programs' points and cells the same or, if it is not finite somewhere, these places, and
+/// of a column of a history charts.
 class WorstPictures {
  public:
   /// Opens all files of the fields, whose pairs must outlive the object: before the first picture, see `ForeignFile`.

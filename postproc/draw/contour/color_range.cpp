@@ -111,9 +111,9 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
   if (!whole)
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
                             field.name, frame.index));
-  if (!clip || *clip == 100.0) return {*whole, *whole};
+  if (!clip || *clip == 100.0) return {*whole, *whole, field.unit};
   const auto clipped = percentiles(Tessellation(mesh, subdivision), field, *clip);
-  return {*whole, clipped[0] < clipped[1] ? clipped : *whole};
+  return {*whole, clipped[0] < clipped[1] ? clipped : *whole, field.unit};
 }
 
 std::array<double, 2> widened(const std::array<double, 2>& range) {

@@ -23,6 +23,7 @@ std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& fr
 /// Both, and what they are without `clip`. field: of this model and frame.
 struct FieldRange {
   std::array<double, 2> whole, shown;
+  std::string unit{};  ///< may be empty
 };
 FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                        int subdivision, std::optional<double> clip);

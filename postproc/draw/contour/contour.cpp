@@ -43,6 +43,7 @@
 #include "postproc/draw/page/flat_shapes.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/painted_sketch.h"
+#include "postproc/draw/page/picture_warnings.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
 #include "postproc/offscreen/offscreen_canvas.h"
@@ -106,9 +107,13 @@ double textSizeOf(const ContourOptions& options, const Theme& theme) {
 }
 
 ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const std::array<double, 2>& values,
-                      double textSize, const Theme& theme, bool even, bool marked) {
-  return {
-      scale, {field.title, field.unit, values[0], values[1], field.states, even, marked}, textSize, theme};
+                      double textSize, const Theme& theme, int bands, bool even, bool marked) {
+  const std::array<double, 2> around = widened(values);
+  const bool isConstant = around != values && scale.range()[1] == around[1];
+  return {scale,
+          {field.title, field.unit, values[0], values[1], field.states, even, marked, bands, isConstant},
+          textSize,
+          theme};
 }
 
 /// A contour picture for print.
@@ -133,9 +138,7 @@ class ContourPicture {
   ContourImage draw() {
     const Plan plan = makePlan();
     const View& view = plan.layout.view;
-    if (subject_.refine) subject_.refine(parts_, view, plan.scale.range());
-    if (subject_.choose) subject_.choose(parts_, plan.scale.range());
-    light(plan);
+    prepare(plan, view);
     return {onPaper([&](const Color& paper) { return capture(paper, plan); }), view};
   }
 
@@ -143,15 +146,11 @@ class ContourPicture {
   ContourPage page() {
     const Plan plan = makePlan();
     const View& view = plan.layout.view;
-    if (subject_.refine) {
-      View fine = view;
-      fine.pixelsPerLength *= dotsPerPoint(options_);
-      fine.area.width *= dotsPerPoint(options_);
-      fine.area.height *= dotsPerPoint(options_);
-      subject_.refine(parts_, fine, plan.scale.range());
-    }
-    if (subject_.choose) subject_.choose(parts_, plan.scale.range());
-    light(plan);
+    View fine = view;
+    fine.pixelsPerLength *= dotsPerPoint(options_);
+    fine.area.width *= dotsPerPoint(options_);
+    fine.area.height *= dotsPerPoint(options_);
+    prepare(plan, fine);
     const PixelRect area = shadow_ && !cutsBody_ ? wholePicture(view, size_).area : view.area;
     const std::array<int, 2> pixels = pixelsFor(area);
     const double scale = pixels[0] / area.width, scaleUp = pixels[1] / area.height;
@@ -184,6 +183,16 @@ class ContourPicture {
     std::vector<ToolDrawing> tools{};
   };
 
+  /// Makes the parts exact in a view, and leaves of them what is chosen.
+  void prepare(const Plan& plan, const View& view) {
+    if (subject_.refine) subject_.refine(parts_, view, plan.scale.range());
+    if (subject_.choose) subject_.choose(parts_, plan.scale.range());
+    if (subject_.chosenRange && parts_.body->GetNumberOfPolys() == 0 &&
+        !(parts_.section && parts_.section->GetNumberOfPolys() > 0))
+      noteWarning(nothingChosen(options_, field_, subject_.time, subject_.chosenRange()));
+    light(plan);
+  }
+
   /// Throws `Error` for a window in which nothing lies.
   void requireSomethingSeen(const Eigen::AlignedBox2d& content) const {
     if (!options_.window || options_.window->intersects(content)) return;
@@ -198,18 +207,34 @@ class ContourPicture {
   Plan makePlan() const {
     const Eigen::AlignedBox2d content = contentOf(parts_, subject_.dim);
     requireSomethingSeen(content);
-    const auto& [whole, unclipped] = subject_.ranges;
-    const std::array<double, 2> shown = options_.range.value_or(unclipped);
-    const ColorScale scale = colorScaleOf(field_, options_, shown);
-    const ScalarBar bar =
-        scalarBarOf(field_, scale, whole, textSize_, theme_, options_.evenScales, marksExtremes());
-    Plan plan{scale, bar,
-              layOutContour(size_, textSize_, options_.window.value_or(content), parts_.axes,
-                            caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr,
-                            theme_)};
+    Plan plan = layOut(content, textSize_);
+    if (options_.textSize && !plan.layout.hasRoom) requireSmallerTexts(content);
     plan.layout.view.eye = parts_.eye;
     for (const ShownTool& tool : parts_.tools) plan.tools.push_back(drawTool(tool, plan.layout.view));
     return plan;
+  }
+
+  /// With texts of a size, in pixels of what is drawn; without tools.
+  Plan layOut(const Eigen::AlignedBox2d& content, double textSize) const {
+    const std::array<double, 2>& whole = subject_.ranges.whole;
+    const std::array<double, 2> shown = options_.range.value_or(subject_.ranges.shown);
+    const ColorScale scale = colorScaleOf(field_, options_, shown);
+    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize, theme_, options_.bands,
+                                      options_.evenScales, marksExtremes());
+    return {scale, bar,
+            layOutContour(size_, textSize, options_.window.value_or(content), parts_.axes,
+                          caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr,
+                          theme_)};
+  }
+
+  /// Throws `Error` with the largest size of texts that leaves room, if there is one.
+  void requireSmallerTexts(const Eigen::AlignedBox2d& content) const {
+    for (double size = std::ceil(*options_.textSize) - 1.0; size >= kSmallestTextSize; --size)
+      if (layOut(content, options_.scale * size).layout.hasRoom)
+        throw Error(fmt::format(
+            "text_size: found {:.6g}, of which a picture of {} x {} has no room for the body and the "
+            "numbers of its scale; the largest that fits is {:.6g}",
+            *options_.textSize, options_.size[0], options_.size[1], size));
   }
 
   /// What light falls on bodies in space.
@@ -262,8 +287,8 @@ class ContourPicture {
     if (!marksExtremes()) return "";
     if (!parts_.extremes) return "the same value everywhere";
     return extremeNote(
-        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, subject_.dim,
-        lengthOf(parts_));
+        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(parts_, options_, place); },
+        subject_.dim, lengthOf(parts_));
   }
 
   /// Of bodies that do not have the field.
@@ -539,23 +564,13 @@ class ContourPicture {
 
   bool hatchesSection() const { return options_.cutFace == CutFace::Hatch && parts_.section; }
 
-  /// Whether a place of the bodies is in the window, and in the part that a cut or a slice leaves.
-  bool isSeen(const Eigen::Vector3d& place) const {
-    const Eigen::Vector2d seen =
-        parts_.eye ? Eigen::Vector2d(parts_.eye->project(parts_.axes, place)) : parts_.axes * place;
-    if (options_.window && !options_.window->contains(seen)) return false;
-    if (!parts_.plane) return true;
-    const double before = (place - parts_.plane->point).dot(parts_.plane->normal.normalized());
-    const double slack = 1e-5 * parts_.box.diagonal().norm();
-    return options_.slice ? std::abs(before) <= slack : before <= slack;
-  }
-
   /// Of signs at places, in pixels.
   double markSize() const { return 0.9 * textSize_; }
 
   ExtremeMarks extremesIn(const View& view) const {
     return extremeMarks(
-        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(place); }, view, markSize());
+        *parts_.extremes, [&](const Eigen::Vector3d& place) { return isSeen(parts_, options_, place); }, view,
+        markSize());
   }
 
   vtkSmartPointer<vtkPolyData> ringIn(const View& view) const {
@@ -687,6 +702,10 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
     subject.lengthUnit = shown.lengthUnit;
     if (options.threshold || options.isosurfaces) {
       subject.note = choiceNote(options, choosingField(shown, its, field, options));
+      subject.chosenRange = [&] {
+        const FieldChoice choosing = choosingField(shown, its, field, options);
+        return fieldRanges(shown, its, choosing, subdivisionOf(shown, options), {}).whole;
+      };
       if (shown.dim == 3)
         subject.choose = [&](ContourParts& whole, const std::array<double, 2>& range) {
           chooseInSpace(whole, shown, its, field, options, range);
@@ -753,7 +772,7 @@ PrintPage colorScalePage(const ModelRecord& model, const FrameRecord& frame, con
   const Theme theme = themeOf(options);
   const FieldChoice field = chooseField(model, frame, options.field);
   const ScalarBar bar = scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)),
-                                    values, textSizeOf(options, theme), theme, false, false);
+                                    values, textSizeOf(options, theme), theme, options.bands, false, false);
   const double width = drawnSize(options)[0], length = kLength * width,
                depth = bar.depth(Overlay::Direction::Right, length);
   PrintPage page{{width, std::ceil(depth)}, "", {}, options.pointsPerPixel};

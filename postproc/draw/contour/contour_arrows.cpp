@@ -266,7 +266,7 @@ ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& v
   }
   if (largest == 0.0) return {nullptr, nullptr, "no stress", nullptr, nullptr};
   PolyBuilder areas, edges, darkAreas, darkEdges;
-  for (const std::size_t k : thinned(points, view, kCrossGap * longest, model.dim == 3,
+  for (const std::size_t k : thinned(points, view, kCrossGap * longest, false,
                                      [&](const Eigen::Vector3d& x) { return sight.sees(x); }))
     for (Eigen::Index d = 0; d < model.dim; ++d) {
       const double value = solutions[k].eigenvalues()(d);
@@ -305,9 +305,8 @@ ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const Fr
   if (largest == 0.0) return {nullptr, nullptr, fmt::format("no {}", name), nullptr, nullptr};
 
   PolyBuilder areas, edges;
-  for (const std::size_t k :
-       thinned(all.points, view, longest * (traction ? kTractionGap : kDisplacementGap),
-               traction || model.dim == 3, [&](const Eigen::Vector3d& x) { return sight.sees(x); })) {
+  for (const std::size_t k : thinned(all.points, view, longest * (traction ? kTractionGap : kDisplacementGap),
+                                     traction, [&](const Eigen::Vector3d& x) { return sight.sees(x); })) {
     const Eigen::Vector3d along = all.vectors[k] * (longest / largest);
     const Eigen::Vector3d side = view.towardsEye(all.points[k]).cross(along);
     if (side.norm() < kShortest * longest) continue;

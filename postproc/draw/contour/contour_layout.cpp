@@ -23,12 +23,16 @@ constexpr double kBarGap = 1.6;
 constexpr double kShortestBar = 12.0;
 constexpr double kNoteSize = 0.85;
 constexpr double kNoteGap = 0.9;
-constexpr double kPadding = 0.15;  // keeps lines on the border of the content whole
+constexpr double kPadding = 0.15;                            // keeps lines on the border of the content whole
+constexpr double kReadableUp = 5.0, kReadableAcross = 15.0;  // bars whose numbers stand apart
+
+constexpr double kLeastRoom = 0.15;  // for the content, of the picture's width and height
 
 struct Placement {
   double scale = 0.0;  ///< pixels per length
   double barDepth = 0.0;
-  PixelRect room;  ///< for content and bar together
+  PixelRect room;                                  ///< for content and bar together
+  Eigen::Vector2d free = Eigen::Vector2d::Zero();  ///< for the content
 };
 
 double fit(const Eigen::Vector2d& extent, double width, double height) {
@@ -60,8 +64,9 @@ Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const Scal
   while (depth > p.barDepth) {
     p.barDepth = depth;
     const double taken = p.barDepth + kBarGap * size + padding;
-    p.scale = direction == Overlay::Direction::Up ? fit(extent, room.width - taken, room.height - padding)
-                                                  : fit(extent, room.width - padding, room.height - taken);
+    p.free = direction == Overlay::Direction::Up ? Eigen::Vector2d(room.width - taken, room.height - padding)
+                                                 : Eigen::Vector2d(room.width - padding, room.height - taken);
+    p.scale = fit(extent, p.free.x(), p.free.y());
     depth = bar.depth(direction, barLength(room, drawnSize(extent, p.scale, size), direction, size));
   }
   return p;
@@ -98,15 +103,21 @@ void arrangeAlone(ContourLayout& layout, const PixelRect& room, const Eigen::Vec
   layout.bar = {layout.view.area.center().x(), layout.view.area.y, 0.0, 0.0};
 }
 
+bool isRoomy(const Eigen::Vector2d& free, const std::array<int, 2>& pictureSize) {
+  return free.x() >= kLeastRoom * pictureSize[0] && free.y() >= kLeastRoom * pictureSize[1];
+}
+
 /// Content and bar, which stands where it leaves more room for the content.
 void arrangeWithBar(ContourLayout& layout, const PixelRect& room, const Eigen::Vector2d& extent,
-                    const ScalarBar& bar, double size) {
+                    const ScalarBar& bar, double size, const std::array<int, 2>& pictureSize) {
   const Placement up = place(room, extent, bar, Overlay::Direction::Up, size);
   const Placement across = place(room, extent, bar, Overlay::Direction::Right, size);
   const bool isUp = up.scale >= across.scale;
   layout.barDirection = isUp ? Overlay::Direction::Up : Overlay::Direction::Right;
   layout.view.pixelsPerLength = isUp ? up.scale : across.scale;
   arrange(layout, isUp ? up : across, extent, size);
+  layout.hasRoom = isRoomy(isUp ? up.free : across.free, pictureSize) &&
+                   (isUp ? room.height >= kReadableUp * size : room.width >= kReadableAcross * size);
 }
 
 /// Below content and bar: under the right end of an upright bar, under the middle of one across.
@@ -169,9 +180,10 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   layout.view.axes = axes;
   layout.view.center = content.center();
   if (bar != nullptr)
-    arrangeWithBar(layout, room, extent, *bar, size);
+    arrangeWithBar(layout, room, extent, *bar, size, pictureSize);
   else
     arrangeAlone(layout, room, extent, size);
+  if (bar == nullptr) layout.hasRoom = isRoomy({room.width, room.height}, pictureSize);
   placeNote(layout, size, left);
   return layout;
 }

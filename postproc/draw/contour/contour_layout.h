@@ -28,6 +28,7 @@ struct ContourLayout {
   Eigen::Vector2d
       scaleBarAt;  ///< lower left corner of the scale bar, of which there is room if the caption asks
   Eigen::Vector2d triadAt;  ///< lower left corner of the axes, of which there is room if the caption asks
+  bool hasRoom = true;      ///< for the content and the numbers of its scale; else texts lie over one another
 };
 
 /// What stands above the body, and small below it and its colour scale; each may be empty. doubt: in the

@@ -26,6 +26,8 @@
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/exact_section.h"
 #include "postproc/mesh/frame_parts.h"
+#include "postproc/mesh/middle_triangles.h"
+#include "postproc/mesh/mirror.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/picture_subdivision.h"
 #include "postproc/mesh/plane_section.h"
@@ -97,8 +99,10 @@ Subdivision firstCells(const MeshRecord& mesh, const ModelRecord& model, const C
 /// Makes what has colours. mesh: of the bodies that have the field.
 void makeBody(ContourParts& parts, const MeshRecord& mesh, const Subdivision& cells, const FrameRecord& frame,
               const FieldChoice& field, const ContourOptions& options) {
-  parts.body = field.faces;
-  if (parts.body) return;
+  if (field.faces) {
+    parts.body = trianglesAboutMiddles(*field.faces);
+    return;
+  }
   const BodySurface surface(mesh, cells);
   parts.body = surface.displaced(parts.displacement);
   setValues(*parts.body->GetPointData(), surface, frame, field, options);
@@ -315,9 +319,15 @@ vtkSmartPointer<vtkPolyData> toolInSpace(const ToolRecord& tool, const ContourPa
 }
 
 /// Points of what is shown of a tool, in the picture's plane.
-Eigen::Matrix2Xd landmarksOf(const ToolRecord& tool, const ContourParts& parts, int dim) {
+Eigen::Matrix2Xd landmarksOf(const ToolRecord& tool, const ContourParts& parts, int dim,
+                             const std::optional<Eye>& eye) {
   if (dim == 2) return parts.axes * toolLandmarks(tool, parts.box);
-  return projected(pointsOf(*toolInSpace(tool, parts)), parts.axes, parts.eye);
+  return projected(pointsOf(*toolInSpace(tool, parts)), parts.axes, eye);
+}
+
+Eigen::AlignedBox2d boxOf(const Eigen::Matrix2Xd& points) {
+  if (points.cols() == 0) return {};
+  return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()};
 }
 
 double nearestOf(const Eigen::Matrix3Xd& points, const ViewAxes& axes) {
@@ -335,6 +345,34 @@ Eigen::AlignedBox2d seenOf(const Eigen::Matrix2Xd& landmarks, bool asPoints, con
   }
   if (near.contains(whole)) return whole;
   return asPoints ? seen : cut.intersection(whole);
+}
+
+}  // namespace
+
+namespace {
+
+/// Of places that are images of one another those in the part that was computed or, if it is not seen, in one that is.
+std::optional<ExtremePlaces> extremesOf(const ContourParts& parts, const ModelRecord& model,
+                                        const FrameRecord& frame, const FieldChoice& field,
+                                        const ContourOptions& options) {
+  std::optional<ExtremePlaces> places = extremePlaces(model, frame, field, parts.displacement);
+  if (!places) return places;
+  const std::size_t point = field.name.find('.');
+  const std::string component = point == std::string::npos ? "" : field.name.substr(point + 1);
+  std::vector<MirrorPlane> symmetries = options.mirror;
+  std::erase_if(symmetries,
+                [&](const MirrorPlane& plane) { return signInMirror(component, plane.axis) < 0.0; });
+  const Eigen::MatrixXd& computed = meshOf(model, frame).patches.front().points;  // images come later
+  for (const MirrorPlane& plane : symmetries)
+    for (std::size_t end = 0; end < 2; ++end) {
+      const double side = computed.row(plane.axis).mean() - plane.at;
+      if ((places->positions[end](plane.axis) - plane.at) * side >= 0.0) continue;
+      for (auto* all : {&places->positions, &places->drawn})
+        (*all)[end](plane.axis) = 2.0 * plane.at - (*all)[end](plane.axis);
+    }
+  moveToSeen(*places, symmetries,
+             [&](const Eigen::Vector3d& place) { return isSeen(parts, options, place); });
+  return places;
 }
 
 }  // namespace
@@ -419,7 +457,7 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
                                  arrowLength(*ground, sight, options));
   }
   parts.mark = options.mark;
-  if (options.markExtremes) parts.extremes = extremePlaces(model, frame, field, parts.displacement);
+  if (options.markExtremes) parts.extremes = extremesOf(parts, model, frame, field, options);
   return parts;
 }
 
@@ -458,7 +496,7 @@ void refineForView(ContourParts& parts, const ModelRecord& model, const FrameRec
   }
   std::optional<Subdivision> ofBody;
   if (field.faces) {
-    parts.body = field.faces;
+    parts.body = trianglesAboutMiddles(*field.faces);
   } else {
     ofBody = withChosen(cells.ofValues(meshes.with(), parts.displacement), meshes.with());
     const BodySurface surface = trianglesOf(meshes.with(), *ofBody);
@@ -502,6 +540,28 @@ Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes, const std::op
   return {seen.rowwise().minCoeff(), seen.rowwise().maxCoeff()};
 }
 
+namespace {
+
+Eigen::AlignedBox2d bodiesBox(const ContourParts& parts, const std::optional<Eye>& eye) {
+  if (parts.ghost) return boxOf(*parts.ghost, parts.axes, eye);
+  Eigen::AlignedBox2d box = boxOf(*parts.body, parts.axes, eye);
+  if (parts.plain) box.extend(boxOf(*parts.plain, parts.axes, eye));
+  return box;
+}
+
+/// What is to be seen as an eye sees it; without one projected in parallel.
+Eigen::AlignedBox2d contentWithoutTools(const ContourParts& parts, const std::optional<Eye>& eye) {
+  Eigen::AlignedBox2d box = bodiesBox(parts, eye);
+  if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes, eye));
+  if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes, eye)), kDotRoom);
+  if (parts.extremes || parts.mark) box = grown(box, kSignRoom);
+  for (const auto& edges : {parts.arrows.edges, parts.arrows.darkEdges})
+    if (edges) box.extend(boxOf(*edges, parts.axes, eye));
+  return box;
+}
+
+}  // namespace
+
 double nearestOf(const ContourParts& parts) {
   double nearest = -HUGE_VAL;
   for (const auto& part :
@@ -524,6 +584,16 @@ std::optional<Eye> eyeOf(const ContourOptions& options, const ContourParts& part
   return eyeAt(*options.perspective, contentOf(parts, dim), nearestOf(parts));
 }
 
+bool isSeen(const ContourParts& parts, const ContourOptions& options, const Eigen::Vector3d& place) {
+  const Eigen::Vector2d seen =
+      parts.eye ? Eigen::Vector2d(parts.eye->project(parts.axes, place)) : parts.axes * place;
+  if (options.window && !options.window->contains(seen)) return false;
+  if (!parts.plane) return true;
+  const double before = (place - parts.plane->point).dot(parts.plane->normal.normalized());
+  const double slack = 1e-5 * parts.box.diagonal().norm();
+  return options.slice ? std::abs(before) <= slack : before <= slack;
+}
+
 double lengthOf(const ContourParts& parts) {
   if (parts.ghost) return parts.ghost->GetLength();
   if (!parts.plain || parts.plain->GetNumberOfPoints() == 0) return parts.body->GetLength();
@@ -532,23 +602,20 @@ double lengthOf(const ContourParts& parts) {
 }
 
 Eigen::AlignedBox2d bodiesBox(const ContourParts& parts) {
-  if (parts.ghost) return boxOf(*parts.ghost, parts.axes, parts.eye);
-  Eigen::AlignedBox2d box = boxOf(*parts.body, parts.axes, parts.eye);
-  if (parts.plain) box.extend(boxOf(*parts.plain, parts.axes, parts.eye));
-  return box;
+  return bodiesBox(parts, parts.eye);
 }
 
 Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
-  Eigen::AlignedBox2d box = bodiesBox(parts);
-  if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes, parts.eye));
-  if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes, parts.eye)), kDotRoom);
-  if (parts.extremes || parts.mark) box = grown(box, kSignRoom);
-  for (const auto& edges : {parts.arrows.edges, parts.arrows.darkEdges})
-    if (edges) box.extend(boxOf(*edges, parts.axes, parts.eye));
-  const Eigen::AlignedBox2d near = grown(box, kToolReach), cut = grown(box, kToolCut);
+  Eigen::AlignedBox2d box = contentWithoutTools(parts, parts.eye);
+  // Whether a tool is shown whole does not depend on how near the eye is.
+  const Eigen::AlignedBox2d near =
+      grown(parts.eye ? contentWithoutTools(parts, std::nullopt) : box, kToolReach);
+  const Eigen::AlignedBox2d cut = grown(box, kToolCut);
   for (const ShownTool& tool : parts.tools) {
     const bool asPoints = dim == 2 && recordedMesh(tool.record.shape) != nullptr;
-    const Eigen::AlignedBox2d seen = seenOf(landmarksOf(tool.record, parts, dim), asPoints, near, cut);
+    const Eigen::Matrix2Xd landmarks = landmarksOf(tool.record, parts, dim, parts.eye);
+    const bool isNear = parts.eye && near.contains(boxOf(landmarksOf(tool.record, parts, dim, std::nullopt)));
+    const Eigen::AlignedBox2d seen = isNear ? boxOf(landmarks) : seenOf(landmarks, asPoints, near, cut);
     if (!seen.isEmpty()) box.extend(seen);
   }
   return box;

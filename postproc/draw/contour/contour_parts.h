@@ -88,6 +88,9 @@ int subdivisionOf(const ModelRecord& model, const ContourOptions& options);
 Eigen::AlignedBox3d boxOf(vtkPolyData& part);
 Eigen::AlignedBox2d boxOf(vtkPolyData& part, const ViewAxes& axes, const std::optional<Eye>& eye = {});
 
+/// Whether a place of the bodies is in the window of the options, and in the part that their cut or slice leaves.
+bool isSeen(const ContourParts& parts, const ContourOptions& options, const Eigen::Vector3d& place);
+
 /// Diagonal of the bodies, and their projected box.
 double lengthOf(const ContourParts& parts);
 Eigen::AlignedBox2d bodiesBox(const ContourParts& parts);

@@ -1,5 +1,6 @@
 #include "postproc/draw/contour/contour_series.h"
 
+#include <fmt/format.h>
 #include <vtkImageData.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <future>
 #include <set>
 
+#include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_parts.h"
@@ -55,6 +57,13 @@ FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const
   });
 }
 
+void requireSameUnit(const char* key, const std::string& one, const std::string& other, const char* remedy) {
+  const auto words = [](const std::string& unit) { return unit.empty() ? "without a unit" : "in " + unit; };
+  if (one != other)
+    throw Error(fmt::format("{}: found values {} and {}, which cannot have one range of colours; {}", key,
+                            words(one), words(other), remedy));
+}
+
 void shareView(ContourOptions& options, const std::vector<int>& ofRange, const std::vector<int>& ofWindow,
                const std::function<FrameView(int frame, bool inRange, bool inWindow)>& look) {
   std::set<int> inRange, inWindow;
@@ -64,12 +73,17 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
   std::set<int> frames = inRange;
   frames.insert(inWindow.begin(), inWindow.end());
   std::optional<Range> range;
+  std::string unit;
   Eigen::AlignedBox2d window;
   double nearest = -HUGE_VAL;
   for (const int k : frames) {
     throwIfInterrupted();
     const FrameView view = look(k, inRange.contains(k), inWindow.contains(k));
-    if (inRange.contains(k) && view.shown) range = joined(range, *view.shown);
+    if (inRange.contains(k) && view.shown) {
+      if (range) requireSameUnit("range", unit, view.unit, "take frame, which gives each its own");
+      unit = view.unit;
+      range = joined(range, *view.shown);
+    }
     if (!inWindow.contains(k)) continue;
     window.extend(view.content);
     nearest = std::max(nearest, view.nearest);
@@ -94,6 +108,7 @@ FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const Co
     const FieldChoice field = chooseField(shownModel, shown, options.field);
     FrameView view;
     if (inRange) view.shown = rangesOf(shownModel, shown, field, options).shown;
+    view.unit = field.unit;
     if (inWindow) view.show(contourParts(shownModel, shown, field, options), shownModel.dim, options.eye);
     return view;
   });

@@ -27,6 +27,7 @@ struct FrameView {
   std::optional<std::array<double, 2>> shown{};  ///< its range of colours, if it shows a field
   Eigen::AlignedBox2d content;  ///< what must be seen of it, projected in parallel or as the eye sees it
   double nearest = 0.0;         ///< see `nearestOf`
+  std::string unit{};           ///< of the range; may be empty
 
   /// That these parts, of a body of `dim` dimensions, must be seen, in parallel or by an eye.
   void show(ContourParts parts, int dim, const std::optional<Eye>& eye);
@@ -35,10 +36,13 @@ struct FrameView {
 FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                     bool inRange, bool inWindow);
 
+/// Throws `Error` that begins with a key and ends with a remedy if two units are not the same. Units may be empty.
+void requireSameUnit(const char* key, const std::string& one, const std::string& other, const char* remedy);
+
 /// Gives options a range of colours and a window for several frames, unless they have one: those that hold all
 /// of the frames `ofRange`, and of the frames `ofWindow`. look: called once for each, tells what is asked for; once more
 /// for the window as soon as perspective options have an eye.
-/// Throws `Interrupted`.
+/// Throws `Interrupted`, and `Error` for ranges of different units.
 void shareView(ContourOptions& options, const std::vector<int>& ofRange, const std::vector<int>& ofWindow,
                const std::function<FrameView(int frame, bool inRange, bool inWindow)>& look);
 

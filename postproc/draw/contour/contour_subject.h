@@ -28,6 +28,9 @@ struct ContourSubject {
   /// Makes parts exact in a view, for colours over a range; none of parts that are what they are.
   std::function<void(ContourParts& parts, const View& view, const std::array<double, 2>& range)> refine{};
 
+  /// The values of the field by which the options choose, asked for when nothing is left; none where they choose nothing.
+  std::function<std::array<double, 2>()> chosenRange{};
+
   /// Leaves of a body in space what the options choose by values, when it is exact; none where they choose nothing.
   std::function<void(ContourParts& parts, const std::array<double, 2>& range)> choose{};
 };

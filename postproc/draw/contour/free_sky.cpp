@@ -13,6 +13,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "engine/core/error.h"
 #include "engine/core/late_library.h"
@@ -65,8 +66,8 @@ class Embree {
 
 namespace {
 
-/// With so many rays a share is off by 0.003 (root mean square); with the fewest by 0.008.
-constexpr Eigen::Index kRaysOfPoint = 256, kFewestRaysOfPoint = 64;
+/// With 256 rays a share is off by 0.003 (root mean square); with the fewest by 0.008.
+constexpr Eigen::Index kFewestRaysOfPoint = 64;
 
 /// Beyond these a point gets fewer.
 constexpr Eigen::Index kRaysOfPicture = 8'000'000;
@@ -76,23 +77,30 @@ constexpr int kPacket = 8;
 constexpr unsigned kAllOfPacket = (1U << kPacket) - 1U;
 using RayPacket = Eigen::Matrix<float, 3, kPacket>;
 
-/// Directions about the z axis, 3 x count, in a spiral whose turns have equal shares of cosine-weighted space.
+/// Directions about the z axis, 3 x count (a multiple of four), in a spiral whose turns have equal shares of cosine-weighted
+/// space: a quarter of it, and its images in x, in y and in both.
 Eigen::Matrix3Xd spiral(Eigen::Index count) {
-  constexpr double kGoldenAngle = 2.399963229728653;
+  constexpr double kGolden = 0.3819660112501051;  // of a turn
+  const Eigen::Index quarter = count / 4;
   Eigen::Matrix3Xd directions(3, count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const double square = (static_cast<double>(k) + 0.5) / static_cast<double>(count),
-                 radius = std::sqrt(square), angle = kGoldenAngle * static_cast<double>(k);
-    directions.col(k) << radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0 - square);
+  for (Eigen::Index k = 0; k < quarter; ++k) {
+    const auto number = static_cast<double>(k);
+    const double square = (number + 0.5) / static_cast<double>(quarter), radius = std::sqrt(square),
+                 angle = 0.5 * std::numbers::pi * (kGolden * number - std::floor(kGolden * number)),
+                 x = radius * std::cos(angle), y = radius * std::sin(angle), z = std::sqrt(1.0 - square);
+    directions.middleCols<4>(4 * k) << x, -x, x, -x, y, y, -y, -y, z, z, z, z;
   }
   return directions;
 }
 
-/// Columns: two directions across a unit normal, and the normal.
+/// Columns: two directions across a unit normal, and the normal. The first one lies with it and an axis in a plane, so
+/// that of a mirror image across an axis it is the image or its opposite.
 Eigen::Matrix3d frameOf(const Eigen::Vector3d& normal) {
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().minCoeff(&axis);
   Eigen::Matrix3d frame;
   frame.col(2) = normal;
-  frame.col(0) = normal.unitOrthogonal();
+  frame.col(0) = (Eigen::Vector3d::Unit(axis) - normal(axis) * normal).normalized();
   frame.col(1) = normal.cross(frame.col(0));
   return frame;
 }
@@ -217,7 +225,7 @@ Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::M
                                   const Rays& rays) const {
   Eigen::VectorXd shares(points.cols());
   if (points.cols() == 0) return shares;
-  const Eigen::Index wanted = std::clamp(kRaysOfPicture / points.cols(), kFewestRaysOfPoint, kRaysOfPoint),
+  const Eigen::Index wanted = std::clamp(kRaysOfPicture / points.cols(), kFewestRaysOfPoint, rays.most),
                      count = wanted / kPacket * kPacket;
   const Eigen::Matrix3Xd directions = spiral(count);
   const auto reach = static_cast<float>(scale_ * rays.reach);

@@ -10,7 +10,8 @@ class vtkPolyData;
 namespace burnish {
 
 /// How much of the sky is seen from points of surfaces: ambient occlusion. It is the share of rays that get away,
-/// cosine-weighted over the half space of the normal and the same for all points, so that there is no noise.
+/// cosine-weighted over the half space of the normal and the same for all points, so that there is no noise. Rays of mirror
+/// images in planes across the axes are mirror images.
 class FreeSky {
  public:
   using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>;
@@ -27,6 +28,7 @@ class FreeSky {
     double reach;
     double amongBodies = 0.0;
     double amongTools = 0.0;  ///< below 0, so that a tool that reaches a little into a body closes its sky
+    Eigen::Index most = 256;  ///< from a point; fewer where points are many
   };
 
   /// Shares at points with unit normals, 3 x points each: 1 where nothing is near, 0 where all is closed. Does not

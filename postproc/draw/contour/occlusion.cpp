@@ -244,12 +244,22 @@ void Occlusion::setSky() {
 vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   constexpr double kLowestEye = 0.05, kReach = 0.5, kDarkest = 0.55, kNear = 0.01;
   constexpr int kCells = 100;
+  constexpr Eigen::Index kRays = 768;  // the same ones from all points of a plane: fewer leave streaks
   const Eigen::Vector3d eye = parts_.axes.row(0).cross(parts_.axes.row(1)).transpose();
   if (eye.y() < kLowestEye) return nullptr;
   const double reach = kReach * length_, height = parts_.box.min().y();
   for (const ToolDrawing& tool : tools_)
     if (tool.surface && boxOf(*tool.surface).min().y() < height + kNear * length_) return nullptr;
-  const Eigen::Vector3d low = parts_.box.min().array() - reach, high = parts_.box.max().array() + reach;
+  // Tools beside the bodies have shadows, too, as far as they stand near them.
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(reach);
+  const Eigen::AlignedBox3d near{parts_.box.min() - margin, parts_.box.max() + margin};
+  Eigen::AlignedBox3d shading = parts_.box;
+  for (const ToolDrawing& tool : tools_)
+    if (tool.surface && tool.surface->GetNumberOfPoints() > 0) {
+      const Eigen::AlignedBox3d seen = near.intersection(boxOf(*tool.surface));
+      if (!seen.isEmpty()) shading.extend(seen);
+    }
+  const Eigen::Vector3d low = shading.min() - margin, high = shading.max() + margin;
   vtkNew<vtkPlaneSource> plane;
   plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   plane->SetOrigin(low.x(), height, low.z());
@@ -261,7 +271,7 @@ vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   const Eigen::Matrix3Xd points = tuplesOf(*ground->GetPoints()->GetData());
   const BodySurface::Lattice lattice{{{kCells + 1, kCells + 1, 1}}, {{0, 0, 0}}};
   const Eigen::VectorXd shares = sharesOf(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()),
-                                          {lattice}, sky_, {reach}, 0.0, {});
+                                          {lattice}, sky_, {.reach = reach, .most = kRays}, 0.0, {});
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(4);
   for (const double share : shares)

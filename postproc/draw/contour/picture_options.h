@@ -97,6 +97,9 @@ struct Spelling<std::vector<MirrorPlane>> {
 /// Of the images in files for print.
 inline constexpr int kPrintDpi = 600;
 
+/// The smallest `text_size`.
+inline constexpr double kSmallestTextSize = 6.0;
+
 /// Size in points of a picture for print: 170 mm wide.
 inline constexpr std::array<int, 2> kPrintSize{482, 271};
 
@@ -314,7 +317,7 @@ void describeSize(Visitor& v, PictureOptions& s, const char* key) {
 
 template <class Visitor>
 void describeTextSize(Visitor& v, PictureOptions& s) {
-  v.field("text_size", s.textSize, {.atLeast = 6, .atMost = 200},
+  v.field("text_size", s.textSize, {.atLeast = kSmallestTextSize, .atMost = 200},
           "Height of the font in pixels; follows from the size when left out.");
 }
 

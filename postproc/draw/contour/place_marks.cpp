@@ -60,6 +60,22 @@ std::optional<ExtremePlaces> extremePlaces(const ModelRecord& model, const Frame
   return places;
 }
 
+void moveToSeen(ExtremePlaces& places, const std::vector<MirrorPlane>& planes,
+                const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen) {
+  for (std::size_t end = 0; end < 2; ++end)
+    for (std::size_t image = 0; image < std::size_t{1} << planes.size(); ++image) {
+      Eigen::Vector3d position = places.positions[end], drawn = places.drawn[end];
+      for (std::size_t k = 0; k < planes.size(); ++k)
+        if ((image >> k & 1U) != 0)
+          for (Eigen::Vector3d* place : {&position, &drawn})
+            (*place)(planes[k].axis) = 2.0 * planes[k].at - (*place)(planes[k].axis);
+      if (!isSeen(drawn)) continue;
+      places.positions[end] = position;
+      places.drawn[end] = drawn;
+      break;
+    }
+}
+
 std::optional<std::array<int, 2>> extremeTuples(vtkDataArray& scalars) {
   std::array<int, 2> tuples{0, 0};
   const auto value = [&](int tuple) { return scalars.GetComponent(tuple, 0); };

@@ -6,9 +6,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/results/result.h"
 #include "postproc/draw/page/view.h"
+#include "postproc/mesh/picture_planes.h"
 
 class vtkDataArray;
 class vtkPolyData;
@@ -27,6 +29,11 @@ struct ExtremePlaces {
 std::optional<ExtremePlaces> extremePlaces(const ModelRecord& model, const FrameRecord& frame,
                                            const FieldChoice& field,
                                            const Eigen::MatrixXd& drawnDisplacement);
+
+/// Moves places that are not seen to the first of their images in these planes that is, if there is one. planes: of
+/// mirrors in which the field is its own image.
+void moveToSeen(ExtremePlaces& places, const std::vector<MirrorPlane>& planes,
+                const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen);
 
 /// Numbers of the tuples with the smallest and the largest value of an array of scalars; nothing if they are equal.
 std::optional<std::array<int, 2>> extremeTuples(vtkDataArray& scalars);

@@ -56,6 +56,8 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
       states_(std::move(texts.states)),
       size_(textSize),
       even_(texts.even),
+      bands_(texts.bands),
+      constant_(texts.constant ? std::optional(texts.smallest) : std::nullopt),
       ink_(theme.ink),
       titleStyle_{textSize, theme.ink, theme.font},
       labelStyle_{kLabelSize * textSize, theme.ink, theme.font},
@@ -79,6 +81,9 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
           texts.smallest < scale_.range()[0] - slack};
   high_ = {text(sign(kLargestSign) + "max ", texts.largest), text("≥ ", scale_.range()[1]),
            texts.largest > scale_.range()[1] + slack};
+  if (!constant_) return;
+  low_.extreme = {{text("", *constant_).front().text + " everywhere"}};
+  high_.extreme = {};
 }
 
 double ScalarBar::depth(Direction direction, double length) const {
@@ -193,7 +198,10 @@ void ScalarBar::drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const Pi
 }
 
 Ticks ScalarBar::ticks(int most) const {
-  if (states_.empty()) return makeTicks(scale_.range(), most);
+  if (states_.empty()) {
+    if (constant_) return makeTickAt(*constant_, scale_.range(), kEndDigits);
+    return bands_ > 0 ? makeTicksOfBands(scale_.range(), bands_, most) : makeTicks(scale_.range(), most);
+  }
   std::vector<double> values(states_.size());
   std::iota(values.begin(), values.end(), 0.0);
   return {values, states_};

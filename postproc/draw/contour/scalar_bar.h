@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@
 namespace burnish {
 
 /// The colour scale with ticks and title; beyond its ends stand the smallest and the largest value of the
-/// field. An end that values pass is an arrow with the value where the colours end (≥ 0.2).
+/// field. An end that values pass is an arrow with the value where the colours end (≥ 0.2). Bands have ticks at their
+/// borders.
 class ScalarBar {
  public:
   using Direction = Overlay::Direction;
@@ -29,6 +31,11 @@ class ScalarBar {
 
     /// Whether the two values have the signs that mark their places.
     bool marked = false;
+
+    int bands = 0;  ///< 0: smooth colours
+    bool constant =
+        false;  ///< the field has one value, round which the colours were laid: it alone has a tick, and
+                ///< stands below the scale
   };
 
   /// textSize: of the title, in pixels.
@@ -83,6 +90,8 @@ class ScalarBar {
   End low_, high_;
   double size_;
   bool even_;
+  int bands_;
+  std::optional<double> constant_;  ///< the value of a field that has one
   Color ink_;
   TextStyle titleStyle_, labelStyle_, endStyle_;
 };

@@ -22,6 +22,7 @@
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/plane_section.h"
+#include "postproc/text/ticks.h"
 
 namespace burnish {
 namespace {
@@ -180,6 +181,17 @@ FieldChoice choosingField(const ModelRecord& model, const FrameRecord& frame, co
 std::string choiceNote(const ContourOptions& options, const FieldChoice& choosing) {
   if (options.threshold) return bandNote(*options.threshold, choosing.words, choosing.unit);
   return options.isosurfaces ? surfacesNote(*options.isosurfaces, choosing.words, choosing.unit) : "";
+}
+
+std::string nothingChosen(const ContourOptions& options, const FieldChoice& drawn,
+                          const std::optional<double>& time, const std::array<double, 2>& range) {
+  const std::string& chosen = options.threshold ? options.threshold->field : options.isosurfaces->field;
+  const std::string asked = options.threshold ? Spelling<ValueBand>::write(*options.threshold)
+                                              : Spelling<ChosenValues>::write(*options.isosurfaces);
+  return fmt::format("{}: found \"{}\"{}, which leaves nothing to be seen; {} goes from {} to {}",
+                     options.threshold ? "threshold" : "isosurfaces", asked,
+                     time ? fmt::format(", at t = {:.6g}", *time) : "", chosen.empty() ? drawn.name : chosen,
+                     numberText(range[0], 4), numberText(range[1], 4));
 }
 
 void keepBetween(ContourParts& parts, const std::array<double, 2>& ends, const FieldChoice& choosing) {

@@ -27,6 +27,10 @@ FieldChoice choosingField(const ModelRecord& model, const FrameRecord& frame, co
 /// What a picture says of a choice; empty without one.
 std::string choiceNote(const ContourOptions& options, const FieldChoice& choosing);
 
+/// What is to be said of a choice that leaves nothing of the bodies, whose values go over a range. drawn: the drawn field.
+std::string nothingChosen(const ContourOptions& options, const FieldChoice& drawn,
+                          const std::optional<double>& time, const std::array<double, 2>& range);
+
 /// Gives points `kChosen`. mesh: knows how to evaluate there.
 template <class Mesh>
 void setChosen(vtkPointData& points, const Mesh& mesh, const FieldChoice& choosing) {

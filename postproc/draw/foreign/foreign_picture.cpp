@@ -29,6 +29,7 @@
 #include "postproc/draw/foreign/foreign_fields.h"
 #include "postproc/draw/foreign/foreign_surface.h"
 #include "postproc/draw/page/print_file.h"
+#include "postproc/mesh/middle_triangles.h"
 #include "postproc/mesh/plane_section.h"
 #include "postproc/mesh/vtk_arrays.h"
 
@@ -104,11 +105,12 @@ std::vector<ForeignField> fieldsFrom(const ForeignFile& file, std::size_t first)
 
 class SubjectMaker {
  public:
-  SubjectMaker(const ForeignFile& file, int instant, const ForeignOptions& options)
+  SubjectMaker(const ForeignFile& file, int instant, const std::vector<ForeignBlock>& blocks,
+               const ForeignOptions& options)
       : file_(file),
         options_(options),
         instant_(instant),
-        blocks_(chosenBlocks(file.blocks(static_cast<std::size_t>(instant)), options.bodies)),
+        blocks_(chosenBlocks(blocks, options.bodies)),
         fields_(foreignFieldsOf(blocks_)) {
     requireForeign(options, file.file());
   }
@@ -139,8 +141,14 @@ class SubjectMaker {
     subject.ranges.whole = choice_ || !options_.range ? rangeOf(*places) : *options_.range;
     subject.ranges.shown = subject.ranges.whole;
     subject.parts = options_.threshold ? chosenParts(cells, subject) : partsOf(cells, subject);
+    if (options_.threshold) subject.chosenRange = [whole = subject.ranges.whole] { return whole; };
     subject.parts.mark = options_.mark;
-    if (options_.markExtremes) subject.parts.extremes = extremesOf(*places, subject.dim);
+    if (options_.markExtremes) {
+      subject.parts.extremes = extremesOf(*places, subject.dim);
+      if (subject.parts.extremes && choice_)
+        moveToSeen(*subject.parts.extremes, symmetriesOf(*choice_),
+                   [&](const Eigen::Vector3d& place) { return isSeen(subject.parts, options_, place); });
+    }
     return subject;
   }
 
@@ -185,7 +193,32 @@ class SubjectMaker {
         if (choice_) subject.without.push_back(block.name);
       }
     }
-    return {mirrored(shownCells(with)), mirrored(shownCells(without)), shownCells(undeformed)};
+    const Cells cells{shownCells(with), shownCells(without), shownCells(undeformed)};
+    for (const MirrorPlane& plane : options_.mirror) requireEnd(plane, {cells.with, cells.without});
+    return {mirrored(cells.with), mirrored(cells.without), cells.undeformed};
+  }
+
+  /// Throws `Error` for a plane in which what is shown does not end. A plane body on one side of x = 0 may be half of
+  /// an axisymmetric one.
+  void requireEnd(const MirrorPlane& plane, const std::vector<Grid>& grids) const {
+    constexpr double kRounding = 1e-5;  // coordinates may have single precision, displacements added
+    Eigen::AlignedBox3d box;
+    bool isFlat = true;
+    for (const Grid& grid : grids) {
+      if (grid->GetNumberOfCells() == 0) continue;
+      const double* b = grid->GetBounds();
+      box.extend(Eigen::Vector3d(b[0], b[2], b[4])).extend(Eigen::Vector3d(b[1], b[3], b[5]));
+      isFlat = isFlat && isPlane(*grid);
+    }
+    if (box.isEmpty()) return;
+    const double low = box.min()(plane.axis), high = box.max()(plane.axis),
+                 rounding = kRounding * box.diagonal().norm();
+    const bool mayBeAxis = isFlat && plane.axis == 0 && plane.at == 0.0 && low >= -rounding;
+    if (mayBeAxis || std::abs(low - plane.at) <= rounding || std::abs(high - plane.at) <= rounding) return;
+    throw Error(fmt::format(
+        "mirror: found the plane {0} = {1:.6g}; {2} goes from {0} = {3:.6g} to {0} = {4:.6g}; expected one of "
+        "these ends",
+        "xyz"[plane.axis], plane.at, file_.file().string(), low, high));
   }
 
   void requireExtent(const std::vector<Grid>& grids) const {
@@ -263,6 +296,13 @@ class SubjectMaker {
     return result;
   }
 
+  /// The mirrors in which the field is its own image.
+  std::vector<MirrorPlane> symmetriesOf(const ForeignChoice& choice) const {
+    std::vector<MirrorPlane> planes = options_.mirror;
+    std::erase_if(planes, [&](const MirrorPlane& plane) { return choice.signInMirror(plane.axis) < 0.0; });
+    return planes;
+  }
+
   ContourParts partsOf(const Cells& cells, const ContourSubject& subject) const {
     ContourParts parts;
     const bool alongNormal = options_.slice && options_.view.name == "auto";
@@ -277,7 +317,7 @@ class SubjectMaker {
     }
     if (cells.undeformed->GetNumberOfCells() > 0)
       parts.undeformed = edgesOf(*facesOf(*cells.undeformed, subject.dim));
-    parts.body = withDrawnScalars(*shaded(faces, subject.dim));
+    parts.body = trianglesAboutMiddles(*withDrawnScalars(*shaded(faces, subject.dim)));
     if (hasPlain) parts.plain = shaded(plain, subject.dim);
     for (const Faces& part : {faces, plain})
       if (part->GetNumberOfPoints() > 0) parts.box.extend(boxOf(*part));
@@ -378,6 +418,10 @@ class SubjectMaker {
       parts.undeformed = nullptr;
       return;
     }
+    if (options_.cutFace == CutFace::Hatch && !options_.threshold &&
+        section->GetNumberOfPolys() + plainSection->GetNumberOfPolys() == 0)
+      throw Error(fmt::format("cut_face: {} has no volumes, whose section could be hatched; draw it without",
+                              file_.file().string()));
     if (parts.body->GetNumberOfPoints() > 0) parts.body = behind(*parts.body, *parts.plane);
     if (parts.plain) parts.plain = behind(*parts.plain, *parts.plane);
     if (section->GetNumberOfPolys() > 0) parts.section = section;
@@ -392,7 +436,7 @@ class SubjectMaker {
     if (cells.GetNumberOfCells() == 0) return polygons;
     const Faces section = sectionOf(cells, plane);
     if (section->GetNumberOfPolys() == 0) return polygons;
-    const Faces drawn = withDrawnScalars(*section);
+    const Faces drawn = trianglesAboutMiddles(*withDrawnScalars(*section));
     polygons->SetPoints(drawn->GetPoints());
     polygons->SetPolys(drawn->GetPolys());
     polygons->GetPointData()->ShallowCopy(drawn->GetPointData());
@@ -409,10 +453,15 @@ class SubjectMaker {
   std::optional<ForeignChoice> choice_;
 };
 
+std::vector<ForeignBlock> blocksAt(const ForeignFile& file, int instant) {
+  return file.blocks(static_cast<std::size_t>(instant));
+}
+
 /// Calls draw with the subject, and with what is left of the options for it, as its parts have what is added to its displacements.
 template <class Draw>
-auto drawn(const ForeignFile& file, int instant, const ForeignOptions& options, const Draw& draw) {
-  SubjectMaker maker(file, instant, options);
+auto drawn(const ForeignFile& file, int instant, const std::vector<ForeignBlock>& blocks,
+           const ForeignOptions& options, const Draw& draw) {
+  SubjectMaker maker(file, instant, blocks, options);
   const ContourSubject subject = maker.make();
   ContourOptions own = options;
   own.warp = 1.0;
@@ -440,10 +489,11 @@ void requireForeignFields(const ForeignFile& file, const std::vector<int>& insta
 }
 
 FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  SubjectMaker maker(file, instant, options);
+  SubjectMaker maker(file, instant, blocksAt(file, instant), options);
   const ContourSubject subject = maker.make();
   FrameView view{.content = {}};
   if (maker.hasField()) view.shown = subject.ranges.whole;
+  view.unit = subject.field.unit;
   view.show(subject.parts, subject.dim, options.eye);
   return view;
 }
@@ -456,14 +506,21 @@ ForeignOptions withCommonView(ForeignOptions options, const ForeignFile& file,
 }
 
 ContourImage foreignImage(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  return drawn(file, instant, options, [](const ContourSubject& subject, const ContourOptions& own) {
-    return contourImage(subject, own);
-  });
+  return drawn(
+      file, instant, blocksAt(file, instant), options,
+      [](const ContourSubject& subject, const ContourOptions& own) { return contourImage(subject, own); });
 }
 
 PrintPage foreignPage(const ForeignFile& file, int instant, const ForeignOptions& options) {
-  return drawn(file, instant, options, [](const ContourSubject& subject, const ContourOptions& own) {
-    return contourPage(subject, own);
+  return drawn(
+      file, instant, blocksAt(file, instant), options,
+      [](const ContourSubject& subject, const ContourOptions& own) { return contourPage(subject, own); });
+}
+
+void drawBlocks(const ForeignFile& file, int instant, const std::vector<ForeignBlock>& blocks,
+                const ForeignOptions& options, const std::filesystem::path& name) {
+  drawn(file, instant, blocks, options, [&](const ContourSubject& subject, const ContourOptions& own) {
+    return drawContour(subject, own, name);
   });
 }
 

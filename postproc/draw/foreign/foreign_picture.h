@@ -40,6 +40,10 @@ FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions
 ContourImage foreignImage(const ForeignFile& file, int instant, const ForeignOptions& options);
 PrintPage foreignPage(const ForeignFile& file, int instant, const ForeignOptions& options);
 
+/// Draws an instant with these blocks instead of its own into a file, as `drawForeign` does.
+void drawBlocks(const ForeignFile& file, int instant, const std::vector<ForeignBlock>& blocks,
+                const ForeignOptions& options, const std::filesystem::path& name);
+
 /// Draws these instants, each into its file, as `drawSeries` does. Throws `Error` naming the file for what cannot be
 /// read or drawn, and for options that belong to runs alone.
 void drawForeign(const ForeignFile& file, const std::vector<int>& instants, const ForeignOptions& options,

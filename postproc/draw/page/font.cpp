@@ -21,6 +21,7 @@
 #include "engine/core/nearest.h"
 #include "engine/core/quoted.h"
 #include "engine/core/shown_text.h"
+#include "postproc/draw/page/picture_warnings.h"
 
 namespace burnish {
 namespace {
@@ -170,16 +171,6 @@ std::vector<Cluster> clustersOf(const std::string& text) {
   return clusters;
 }
 
-std::mutex& warningsMutex() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-std::vector<std::string>& textWarnings() {
-  static std::vector<std::string> warnings;
-  return warnings;
-}
-
 }  // namespace
 
 bool isFontFile(const std::string& name) {
@@ -233,17 +224,8 @@ void noteDrawnText(const std::string& text, const std::string& name) {
   const std::string fonts = name == kDefaultFont
                                 ? fmt::format("the font {} has no", name)
                                 : fmt::format("neither the font {} nor {} has", name, kDefaultFont);
-  const std::string warning =
-      fmt::format("{} {}; {} is drawn with a box for {}", fonts, fmt::join(codes, ", "), quoted(text),
-                  codes.size() == 1 ? "it" : "each");
-  const std::lock_guard lock(warningsMutex());
-  std::vector<std::string>& warnings = textWarnings();
-  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
-}
-
-std::vector<std::string> takeTextWarnings() {
-  const std::lock_guard lock(warningsMutex());
-  return std::exchange(textWarnings(), {});
+  noteWarning(fmt::format("{} {}; {} is drawn with a box for {}", fonts, fmt::join(codes, ", "), quoted(text),
+                          codes.size() == 1 ? "it" : "each"));
 }
 
 }  // namespace burnish

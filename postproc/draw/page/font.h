@@ -32,10 +32,8 @@ struct FontPiece {
 /// default font; a letter that neither has becomes a box.
 std::vector<FontPiece> fontPieces(const std::string& text, const std::string& name);
 
-/// To be told of every text that is drawn: one with a box is worth a warning.
+/// To be told of every text that is drawn: one with a box is worth a warning (`noteWarning`), with the letters and the
+/// font.
 void noteDrawnText(const std::string& text, const std::string& name);
-
-/// The warnings since the last call, one for each text, with the letters and the font.
-std::vector<std::string> takeTextWarnings();
 
 }  // namespace burnish

@@ -20,11 +20,13 @@ namespace {
 constexpr std::array<double, 2> kEmpty{std::numeric_limits<double>::infinity(),
                                        -std::numeric_limits<double>::infinity()};
 
+/// Throws `Error` for ranges of different units.
 FieldRange joined(const FieldRange& a, const FieldRange& b) {
   const auto both = [](const std::array<double, 2>& one, const std::array<double, 2>& other) {
     return std::array{std::min(one[0], other[0]), std::max(one[1], other[1])};
   };
-  return {both(a.whole, b.whole), both(a.shown, b.shown)};
+  if (a.whole != kEmpty) requireSameUnit("scale", a.unit, b.unit, "take panel, which gives each its own");
+  return {both(a.whole, b.whole), both(a.shown, b.shown), b.unit};
 }
 
 /// a, b, …, z, aa, ab, …

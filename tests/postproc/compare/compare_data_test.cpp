@@ -15,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "engine/core/error.h"
 #include "engine/results/history.h"
@@ -121,6 +122,19 @@ class CompareResults : public DataFiles {
   }
 };
 
+/// Pixels of these colours left of the scale.
+std::pair<int, int> redAndBlueIn(const fs::path& png) {
+  const Picture drawn = readPicture(png);
+  int red = 0, blue = 0;
+  for (int y = 0; y < drawn.height; ++y)
+    for (int x = 0; x < drawn.width * 2 / 3; ++x) {
+      const Color& color = drawn.at({x + 0.5, y + 0.5});
+      if (color[0] > color[2] + 60) ++red;
+      if (color[2] > color[0] + 60) ++blue;
+    }
+  return {red, blue};
+}
+
 TEST_F(CompareResults, EqualOnesAreEqualInEveryField) {
   write(MadeRun{}, "actual");
   const auto comparisons = compareData(ComparedKind::Result, dir_ / "actual", dir_ / "baseline", {});
@@ -204,14 +218,7 @@ TEST_F(CompareResults, WorstPlaceIsDrawnOnBothSidesAndAsADifference) {
   // The difference is red round the control point that differs, and pale elsewhere.
   drawWorst(comparisons, dir_ / "worst.png");
   EXPECT_EQ(readText(dir_ / "worst.png"), pictures.front().difference);
-  const Picture drawn = readPicture(dir_ / "worst.png");
-  int red = 0, blue = 0;
-  for (int y = 0; y < drawn.height; ++y)
-    for (int x = 0; x < drawn.width * 2 / 3; ++x) {
-      const Color& color = drawn.at({x + 0.5, y + 0.5});
-      if (color[0] > color[2] + 60) ++red;
-      if (color[2] > color[0] + 60) ++blue;
-    }
+  const auto [red, blue] = redAndBlueIn(dir_ / "worst.png");
   EXPECT_GT(red, 200);
   EXPECT_EQ(blue, 0);
 }
@@ -517,8 +524,9 @@ TEST_F(CompareVtk, EveryDifferenceIsNamed) {
           "1 of 2 values by more than 6e-06; worst at cell 1 at (0.333333, 0.666667, 0): found 7, the baseline has 6"));
   grid = {};
   grid.atPoints["von_mises [MPa]"][3] = std::nan("");
-  EXPECT_THAT(findings(grid),
-              isOnly("von_mises", "not-a-number", "point 3 at (0, 1, 0): found nan, the baseline has 4 MPa"));
+  EXPECT_THAT(findings(grid), isOnly("von_mises", "not-a-number",
+                                     "not a number on one side: 1 of 4 values; the first at point 3 at "
+                                     "(0, 1, 0): found nan, the baseline has 4 MPa"));
   grid = {};
   grid.atPoints.clear();
   EXPECT_THAT(findings(grid), isOnly("von_mises", "no-actual", "missing: the baseline has it"));
@@ -538,6 +546,45 @@ TEST_F(CompareVtk, EveryDifferenceIsNamed) {
   grid.inCells["material"].pop_back();
   EXPECT_THAT(namesIn(findings(grid)), ElementsAre("cells", "cells.corners"));
   EXPECT_THAT(findings(grid).front().message, HasSubstr("found 1 cells; the baseline has 2"));
+}
+
+TEST_F(CompareVtk, DifferencesAreDrawnAndWhereOneSideIsNoNumber) {
+  const double nan = std::nan("");
+  const auto drawn = [&](const Grid& grid, const std::string& name) {
+    write(grid, "actual.vtu");
+    const auto comparisons =
+        compareData(ComparedKind::VtkFile, dir_ / "actual.vtu", dir_ / "baseline.vtu", {});
+    const auto worst = worstFields(comparisons, 1);
+    EXPECT_EQ(worst.size(), 1U);
+    const FieldPictures pictures = WorstPictures(worst).draw(worst.front());
+    EXPECT_FALSE(pictures.baseline.empty());
+    writeText(pictures.difference, dir_ / name);
+    const auto [red, blue] = redAndBlueIn(dir_ / name);
+    return std::tuple(!pictures.actual.empty(), red, blue);
+  };
+  Grid grid;
+  grid.atPoints["von_mises [MPa]"][0] = 0;  // of both cells
+  auto [hasActual, red, blue] = drawn(grid, "less.png");
+  EXPECT_TRUE(hasActual);
+  EXPECT_EQ(red, 0);
+  EXPECT_GT(blue, 10000);
+  grid = {};
+  grid.inCells["material"][1] = nan;
+  std::tie(hasActual, red, blue) = drawn(grid, "cell.png");
+  EXPECT_FALSE(hasActual);
+  EXPECT_GT(red, 20000) << "half of the square";
+  EXPECT_EQ(blue, 0);
+  const int half = red;
+  grid = {};
+  grid.inCells["material"] = {nan, nan};
+  std::tie(hasActual, red, blue) = drawn(grid, "cells.png");
+  EXPECT_NEAR(red, 2 * half, 0.02 * half);
+  grid = {};
+  grid.points(0, 2) = nan;
+  std::tie(hasActual, red, blue) = drawn(grid, "point.png");
+  EXPECT_FALSE(hasActual);
+  EXPECT_GT(red, 10000);
+  EXPECT_EQ(blue, 0);
 }
 
 TEST_F(CompareVtk, CollectionsAreMatchedByTimeAndPart) {

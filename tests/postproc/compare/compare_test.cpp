@@ -250,7 +250,8 @@ TEST_F(Directories, WithoutPicturesNothingIsCompared) {
 
 TEST_F(Directories, ReportHoldsEveryPictureAndNeedsNoOtherFile) {
   write("actual/<b>&'.png", random(60, 40, 5));
-  const std::string page = readText(writeReport(compared(), {}, "burnish compare a b", dir / "report"));
+  const std::string page =
+      readText(writeReport(picturePage(compared(), {}, "burnish compare a b", false), dir / "report"));
   EXPECT_LT(page.find("different.png"), page.find("\"equal.png")) << "failures first";
   EXPECT_THAT(page, testing::Not(testing::ContainsRegex("https?://|src=\"|href=\"[^d]|<b>&|/\\*[a-z]*\\*/")));
   std::size_t pictures = 0;

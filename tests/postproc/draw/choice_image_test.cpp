@@ -11,6 +11,7 @@
 #include "engine/core/error.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/value_parts.h"
+#include "postproc/draw/page/picture_warnings.h"
 #include "tests/postproc/draw/contour_fixture.h"
 
 /// Parts of bodies that values choose, whose shapes are known: planes and spheres in a cube, rings in a ring.
@@ -244,13 +245,24 @@ TEST_F(ChoiceImage, ThresholdHoldsForSections) {
   expectColor(cut, Eigen::Vector3d(0.3, 0.3, 0.5), scale.color(1.1));
 }
 
-/// Nothing is between the ends in a frame of a series: the ghost alone is drawn.
+/// Nothing is between the ends in a frame of a series: the ghost alone is drawn, with a warning.
 TEST_F(ChoiceImage, NothingMayBeLeft) {
   for (const bool inSpace : {false, true}) {
     ContourOptions options = small(inSpace ? "pressure" : "von_mises");
     options.threshold = ValueBand{"", {1e3, kInfinite}};
     const Sample sample = inSpace ? samples::cube() : samples::ring();
+    takeWarnings();
     const Picture picture = drawn(sample, options);
+    const std::vector<std::string> warnings = takeWarnings();
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_THAT(warnings.front(),
+                testing::AllOf(
+                    testing::StartsWith("threshold: found \"1000,\", at t = "),
+                    testing::HasSubstr(inSpace ? "which leaves nothing to be seen; pressure goes from 0 to 3"
+                                               : "which leaves nothing to be seen; von_mises goes from ")));
+    options.threshold = ValueBand{"", {0.1, kInfinite}};
+    contourImage(sample.model, sample.frame, options);
+    EXPECT_THAT(takeWarnings(), testing::IsEmpty());
     if (inSpace) {  // the ghost of the body, without colours
       const Color ghost = picture.at(view.pixel(Eigen::Vector3d(0.5, 0.5, 1.0)));
       EXPECT_LE(*std::max_element(ghost.begin(), ghost.end()) - *std::min_element(ghost.begin(), ghost.end()),

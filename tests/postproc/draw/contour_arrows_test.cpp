@@ -67,14 +67,15 @@ Places graded(bool withMiddle) {
 }
 
 TEST(ContourArrows, StandInAPatternAsSymmetricAsThePoints) {
-  for (const bool withMiddle : {false, true})
-    for (const double longest : {0.15, 0.21, 0.4}) {
-      const Places begins = beginsOf(graded(withMiddle), longest);
-      ASSERT_GT(begins.size(), 8U);
-      for (const Eigen::Vector3d& begin : begins)
-        EXPECT_TRUE(contains(begins, {-begin.x(), begin.y(), begin.z()}))
-            << begin.transpose() << ", longest " << longest;
-    }
+  for (const bool inSpace : {false, true})
+    for (const bool withMiddle : {false, true})
+      for (const double longest : {0.15, 0.21, 0.4}) {
+        const Places begins = beginsOf(graded(withMiddle), longest, nullptr, inSpace);
+        ASSERT_GT(begins.size(), 8U);
+        for (const Eigen::Vector3d& begin : begins)
+          EXPECT_TRUE(contains(begins, {-begin.x(), begin.y(), begin.z()}))
+              << begin.transpose() << ", longest " << longest;
+      }
 }
 
 TEST(ContourArrows, AreNotTooCloseAndLeaveNoGaps) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,7 +19,10 @@
 #include "engine/results/result_reader.h"
 #include "engine/results/result_writer.h"
 #include "postproc/draw/contour/contour.h"
+#include "postproc/draw/contour/contour_parts.h"
 #include "postproc/draw/contour/contour_view.h"
+#include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/shown_model.h"
 #include "tests/cli/shell.h"
 #include "tests/postproc/draw/contour_fixture.h"
 
@@ -379,6 +383,26 @@ TEST_F(ContourPictures, ExtremesInsideABodyInSpaceArePale) {
   expectBaseline(samples::cube(), options, "extremes_cube");
 }
 
+/// Of x + y + z in a cube and its image, where the computed half is, or the half that a cut leaves.
+TEST_F(ContourPictures, ExtremesBeyondAMirrorAreMarkedWhereTheyAreSeen) {
+  const Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  options.mirror = {{0, 1.0}};
+  options.tools = false;
+  options.markExtremes = true;
+  const auto smallest = [&] {
+    return withShownModel(sample.model, sample.frame, options,
+                          [&](const ModelRecord& model, const FrameRecord& frame) {
+                            return contourParts(model, frame, chooseField(model, frame, "pressure"), options)
+                                .extremes->positions[0];
+                          });
+  };
+  EXPECT_LT((smallest() - Eigen::Vector3d(0.0, 0.0, 0.0)).norm(), 1e-3);
+  options.view.name = "-1,0.2,0.3";
+  options.cut = CutPlane{{0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}};  // leaves x > 0.5
+  EXPECT_LT((smallest() - Eigen::Vector3d(2.0, 0.0, 0.0)).norm(), 1e-3);
+}
+
 TEST_F(ContourPictures, WarpMovesTheBodyAndKeepsItsValues) {
   ContourOptions options = small("plastic_strain");
   options.warp = 3.0;
@@ -451,6 +475,24 @@ TEST_F(ContourMistakes, UnknownFieldListsTheKnownOnesAndTheNearest) {
                 {"presure", "displacement, displacement.x, displacement.y, pressure, stress.xx",
                  "Did you mean \"pressure\"?"});
   expectRefused(samples::square(), small("stress"), {"stress.xx, stress.yy, stress.xy, stress.zz"});
+}
+
+TEST_F(ContourMistakes, TextsThatLeaveNoRoom) {
+  ContourOptions options = small("plastic_strain");
+  options.textSize = 200.0;
+  expectRefused(
+      samples::slab(), options,
+      {"text_size: found 200, of which a picture of 400 x 300 has no room for the body and the numbers "
+       "of its scale; the largest that fits is "});
+  double largest = 6.0;
+  for (options.textSize = largest; largest < 200.0; options.textSize = largest + 1.0) try {
+      contourImage(samples::slab().model, samples::slab().frame, options);
+      largest = *options.textSize;
+    } catch (const Error&) {
+      break;
+    }
+  EXPECT_GT(largest, 15.0);
+  expectRefused(samples::slab(), options, {fmt::format("the largest that fits is {}", largest)});
 }
 
 TEST_F(ContourMistakes, OptionsOutOfRange) {

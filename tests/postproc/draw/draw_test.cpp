@@ -17,12 +17,15 @@
 #include "postproc/compare/lab.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_layout.h"
+#include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/page/color_name.h"
 #include "postproc/draw/page/color_scale.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/overlay.h"
+#include "postproc/draw/page/picture_warnings.h"
 #include "postproc/draw/page/theme.h"
 #include "postproc/text/ticks.h"
 #include "tests/message_of.h"
@@ -176,6 +179,92 @@ TEST(FieldNames, WhatCannotBeNegativeIsDrawnFromZeroOn) {
             Eigen::Vector3d(0.0, 0.25, 1.0));
   EXPECT_EQ(chooseField(model, frame, "von_mises").drawnScalars(values), Eigen::Vector3d(0.0, 0.25, 1.0));
   EXPECT_EQ(chooseField(model, frame, "pressure").drawnScalars(values), Eigen::Vector3d(-0.5, 0.25, 1.0));
+}
+
+TEST(Ticks, OfBandsAreAtTheirBorders) {
+  Ticks ticks = makeTicksOfBands({0.0, 0.0976}, 8, 11);
+  EXPECT_THAT(ticks.labels, ElementsAre("0.0000", "0.0122", "0.0244", "0.0366", "0.0488", "0.0610", "0.0732",
+                                        "0.0854", "0.0976"));
+  ticks = makeTicksOfBands({-1.0, 1.0}, 12, 7);
+  EXPECT_THAT(ticks.values,
+              Pointwise(testing::DoubleNear(1e-15), {-1.0, -2.0 / 3, -1.0 / 3, 0.0, 1.0 / 3, 2.0 / 3, 1.0}));
+  EXPECT_THAT(ticks.labels, ElementsAre("−1.000", "−0.667", "−0.333", "0.000", "0.333", "0.667", "1.000"));
+  ticks = makeTicksOfBands({0.0, 7e5}, 7, 4);  // every third border, and so none at the upper end
+  EXPECT_EQ(ticks.exponent, 3);
+  EXPECT_THAT(ticks.labels, ElementsAre("0", "300", "600"));
+  EXPECT_EQ(makeTicksOfBands({0.0, 1.0}, 1, 2).values.size(), 2U);
+}
+
+ScalarBar barOf(const std::array<double, 2>& range, int bands, bool constant, double value) {
+  return {ColorScale("viridis", range, bands),
+          {.title = {{"field"}},
+           .unit = "",
+           .smallest = value,
+           .largest = value,
+           .bands = bands,
+           .constant = constant},
+          12.0,
+          Theme{}};
+}
+
+TEST(ScalarBars, OfAFieldWithOneValueHaveThatValueAlone) {
+  const ScalarBar zero = barOf({0.0, 1.0}, 0, true, 0.0);
+  EXPECT_THAT(zero.marks().labels, ElementsAre("0"));
+  EXPECT_EQ(zero.smallest().front().text, "0 everywhere");
+  EXPECT_TRUE(zero.largest().empty()) << "which would stand at another colour";
+  EXPECT_THAT(barOf({0.9, 1.1}, 0, true, 1.0).marks().labels, ElementsAre("1"));
+  const ScalarBar given = barOf({0.0, 1.0}, 0, false, 0.0);
+  EXPECT_GT(given.marks().labels.size(), 5U);
+  EXPECT_EQ(given.largest().front().text, "max 0");
+  EXPECT_THAT(barOf({0.0, 1.0}, 4, false, 0.0).marks().labels,
+              ElementsAre("0.00", "0.25", "0.50", "0.75", "1.00"));
+}
+
+/// Other results of a sheet have stresses in another unit, or in none.
+TEST(SharedViews, RangesOfOtherUnitsAreRefused) {
+  const auto message = [](const std::string& one, const std::string& other) {
+    ContourOptions options;
+    return messageOf([&] {
+      shareView(options, {0, 1}, {0, 1}, [&](int k, bool, bool) {
+        FrameView view{std::array{0.0, 1.0}, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}};
+        view.unit = k == 0 ? one : other;
+        return view;
+      });
+    });
+  };
+  EXPECT_EQ(message("MPa", "MPa"), "");
+  EXPECT_EQ(message("MPa", "kPa"),
+            "range: found values in MPa and in kPa, which cannot have one range of colours; "
+            "take frame, which gives each its own");
+  EXPECT_THAT(message("", "kPa"), HasSubstr("found values without a unit and in kPa"));
+}
+
+TEST(PlaceMarks, MoveToTheFirstImageThatIsSeen) {
+  const Eigen::Vector3d place(1.0, 2.0, 3.0);
+  const auto moved = [&](const std::function<bool(const Eigen::Vector3d&)>& isSeen) {
+    ExtremePlaces places{{place, place}, {place, place}};
+    moveToSeen(places, {{0, 0.0}, {2, 5.0}}, isSeen);
+    EXPECT_EQ(places.positions, places.drawn);
+    return places.positions[1];
+  };
+  EXPECT_EQ(moved([](const auto&) { return true; }), place);
+  EXPECT_EQ(moved([](const auto&) { return false; }), place);
+  EXPECT_EQ(moved([](const Eigen::Vector3d& x) { return x.x() < 0.0; }), Eigen::Vector3d(-1.0, 2.0, 3.0));
+  EXPECT_EQ(moved([](const Eigen::Vector3d& x) { return x.x() < 0.0 && x.z() > 5.0; }),
+            Eigen::Vector3d(-1.0, 2.0, 7.0));
+}
+
+TEST(ContourLayout, SaysWhetherTextsLeaveRoom) {
+  const auto hasRoom = [](double text) {
+    const ScalarBar bar(ColorScale("viridis", {0.0, 1.0}, 0), {{{"field"}}, "", 0.0, 1.0}, text, Theme{});
+    return layOutContour({400, 225}, text, {Eigen::Vector2d(0, 0), Eigen::Vector2d(2, 1)},
+                         ViewAxes::Identity(), {"Title", "t = 2", ""}, &bar, Theme{})
+        .hasRoom;
+  };
+  EXPECT_TRUE(hasRoom(textSizeFor({400, 225})));
+  EXPECT_TRUE(hasRoom(14.0));
+  EXPECT_FALSE(hasRoom(40.0));
+  EXPECT_FALSE(hasRoom(200.0));
 }
 
 TEST(ContourLayout, HasRoomForTheTextsOfTheBarAtEverySize) {
@@ -354,7 +443,7 @@ TEST(Fonts, LettersThatOneLacksComeFromTheDefault) {
 }
 
 TEST(Fonts, LettersThatNoneHasAreBoxesAndWorthAWarning) {
-  takeTextWarnings();
+  takeWarnings();
   for (const char* font : {kDefaultFont, "DejaVu Serif"}) {
     const auto pieces = fontPieces(
         "a漢\x01"
@@ -369,11 +458,11 @@ TEST(Fonts, LettersThatNoneHasAreBoxesAndWorthAWarning) {
     noteDrawnText("abc ε̄", font);
   }
   EXPECT_THAT(
-      takeTextWarnings(),
+      takeWarnings(),
       ElementsAre("the font DejaVu Sans has no U+5B57, U+6F22; \"a漢字\" is drawn with a box for each",
                   "neither the font DejaVu Serif nor DejaVu Sans has U+5B57, U+6F22; "
                   "\"a漢字\" is drawn with a box for each"));
-  EXPECT_THAT(takeTextWarnings(), testing::IsEmpty());
+  EXPECT_THAT(takeWarnings(), testing::IsEmpty());
 }
 
 TEST(FittedTexts, OfAnyLengthAreCutAfterTheLastLetterThatFits) {

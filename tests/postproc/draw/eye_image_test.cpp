@@ -91,6 +91,27 @@ TEST_F(EyeImage, PerspectivePutsEverythingInItsPlace) {
       expectColor(zoomed, Eigen::Vector3d(x, y, 1.0), scale.color(1.0 + x + y));
 }
 
+/// From near by as from far away, a ball over the front edge of a bar.
+TEST_F(EyeImage, PerspectiveShowsABallWhole) {
+  Sample sample = samples::cube();
+  sample.model.mesh.patches.front().points =
+      Eigen::Vector3d(2.0, 0.5, 0.5).asDiagonal() * sample.model.mesh.patches.front().points;
+  const Sphere ball{{1.4, 0.92, 0.5}, 0.47};
+  sample.model.tools = {{"ball", ball}};
+  ContourOptions options = cubeAlone();
+  options.tools = true;
+  for (const std::optional<double> angle : {std::optional<double>(), {40.0}, {90.0}, {120.0}}) {
+    options.perspective = angle;
+    drawn(sample, options);
+    const Eigen::AlignedBox2d seen(Eigen::Vector2d(view.area.x, view.area.y),
+                                   Eigen::Vector2d(view.area.right(), view.area.top()));
+    for (const Eigen::Index axis : {0, 1, 2})
+      for (const double way : {-1.0, 1.0})
+        EXPECT_TRUE(seen.contains(view.pixel(ball.center + way * ball.radius * Eigen::Vector3d::Unit(axis))))
+            << angle.value_or(0.0) << ", axis " << axis;
+  }
+}
+
 TEST_F(EyeImage, PerspectiveTendsToTheParallelProjection) {
   ContourOptions options = cubeAlone();
   const Picture parallel = drawn(samples::cube(), options);

@@ -45,6 +45,26 @@ TEST(FreeSky, IsHalfInACorner) {
   EXPECT_NEAR(shareAt(sky, {0.01, 0.0, 0.0}, Vector3d::UnitZ()), 0.5, kRayTolerance);
 }
 
+/// Beside a wall with an end, from points that look in every direction.
+TEST(FreeSky, OfAMirrorImageIsTheSame) {
+  for (const Eigen::Index axis : {0, 1, 2}) {
+    Eigen::Matrix<double, 3, 4> corners;
+    corners << 0.1, 0.1, 0.3, 0.2, -0.5, 0.7, 0.6, -0.4, 0, 0, 1, 1;
+    const FreeSky sky({polygon(corners)}, {}, 1.0);
+    corners.row(axis) *= -1.0;
+    const FreeSky image({polygon(corners)}, {}, 1.0);
+    for (const Vector3d& normal :
+         {Vector3d(0, 0, 1), Vector3d(-1, 0, 0), Vector3d(-1, 2, 3), Vector3d(-3, -2, 1)})
+      for (const double x : {-0.3, -0.05, 0.15}) {
+        Vector3d place(x, 0.1, 0.05), n = normal.normalized();
+        const double share = shareAt(sky, place, n);
+        place(axis) *= -1.0;
+        n(axis) *= -1.0;
+        EXPECT_NEAR(shareAt(image, place, n), share, 1e-9) << axis << ", " << normal.transpose() << ", " << x;
+      }
+  }
+}
+
 TEST(FreeSky, BesideAWallIsThatOfTheFormFactor) {
   const FreeSky sky({wall(1.0)}, {}, 1.0);
   for (const double d : {0.2, 0.5, 1.0, 2.0, 5.0})

@@ -55,6 +55,33 @@ double areaOf(vtkPolyData& triangles) {
   return area;
 }
 
+/// Of a block that is its own image in x = 1/2, in a plane along x: every triangle has its image.
+TEST(ExactSection, OfASymmetricBodyIsSymmetric) {
+  const KnotVector knots = KnotVector::uniform(2, 3);
+  const ModelRecord model = modelOf(refined(box({0, 0, 0}, {1, 1, 1}), {knots, knots, knots}));
+  FrameRecord still;
+  still.displacement = Eigen::MatrixXd::Zero(3, model.mesh.numNodes);
+  const auto grid = makeGrid(Tessellation(model.mesh, 2), still, true);
+  addParameters(*grid, model.mesh, 2);
+  const auto section = sectionOfCells(*grid, {{0.5, 0.45, 0.5}, {0.0, 0.3, 1.0}});
+  std::vector<Eigen::Vector3d> middles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < section->GetNumberOfCells(); ++cell) {
+    section->GetCellPoints(cell, ids);
+    ASSERT_EQ(ids->GetNumberOfIds(), 3);
+    Eigen::Matrix3d x;
+    for (int k = 0; k < 3; ++k) section->GetPoint(ids->GetId(k), x.col(k).data());
+    middles.emplace_back(x.rowwise().mean());
+  }
+  ASSERT_GT(middles.size(), 30U);
+  for (const Eigen::Vector3d& middle : middles) {
+    const Eigen::Vector3d image(1.0 - middle.x(), middle.y(), middle.z());
+    EXPECT_TRUE(std::ranges::any_of(middles, [&](const Eigen::Vector3d& other) {
+      return (other - image).norm() < 1e-9;
+    })) << middle.transpose();
+  }
+}
+
 TEST(ExactSection, LiesInThePlaneAndOnTheBody) {
   const ModelRecord model = modelOf(quarterTube());
   const ValueTolerance values{model.mesh.patches.front().points.topRows(2), 1e-2, {-10.0, 10.0}};
