@@ -227,26 +227,51 @@ void requireTouch(const Pairs<Dim>& pairs, const Tool& tool, double bodySize, co
                                         tool.name));
 }
 
-/// How deep a force along a direction presses a tool from where it touches the undeformed body, in a rough estimate on
-/// the low side: the depth w with which it covers an area A of the face is resisted with E √A w, in the plane with E w.
+/// Makes a tool that carries a force along a direction touch gently.
 template <int Dim>
-double depthUnder(double force, const Pairs<Dim>& pairs, const Tool& tool, ToolPose touching,
-                  const Eigen::Vector3d& direction, double E, const Body<Dim>& body) {
-  constexpr int kBisections = 40;
+void touchGently(Model<Dim>& model, const CarriedLoad& load, const Eigen::Vector3d& direction) {
+  const Tool& tool = *model.tools()[load.tool];
+  const Body<Dim>& body = model.body();
   const bool isPlane = Dim == 2 && !body.axisymmetric;
-  const auto resistance = [&](double depth) {
-    ToolPose pose = touching;
-    pose.displacement += depth * direction;
-    double area = 0.0;
-    for (const auto* pair : pairs) area += pair->coveredArea(gapTo(tool, pose));
-    return E * depth * (isPlane ? 1.0 : std::sqrt(area));
+  double E = std::numeric_limits<double>::infinity();
+  for (const auto& one : model.bodies()) E = std::min(E, youngsModulus(one.bulk->material()));
+  const auto cover = [pairs = pairsOf(model, load.tool), &tool](const ToolPose& pose,
+                                                                const Eigen::VectorXd& x) {
+    typename FaceContact<Dim>::Cover all{0.0, std::numeric_limits<double>::infinity()};
+    for (const auto* pair : pairs) {
+      const auto one = pair->coverAt(x, gapTo(tool, pose));
+      all.area += one.area;
+      all.smallestGap = std::min(all.smallestGap, one.smallestGap);
+    }
+    return all;
   };
-  double low = 0.0, high = body.size();
-  for (int k = 0; k < kBisections; ++k) {
-    const double middle = 0.5 * (low + high);
-    (resistance(middle) < force ? low : high) = middle;
-  }
-  return high;
+  // A rough estimate on the low side: the depth w with which a tool covers an area A of the face is resisted with
+  // E √A w, in the plane with E w.
+  const auto depthUnder = [=, &body](double force, ToolPose pose, const Eigen::VectorXd& x) {
+    constexpr int kBisections = 40;
+    const Eigen::Vector3d begin = pose.displacement;
+    const double inAir = std::max(0.0, cover(pose, x).smallestGap);
+    double low = inAir, high = inAir + body.size();
+    for (int k = 0; k < kBisections; ++k) {
+      const double middle = 0.5 * (low + high);
+      pose.displacement = begin + middle * direction;
+      const double resistance = E * (middle - inAir) * (isPlane ? 1.0 : std::sqrt(cover(pose, x).area));
+      (resistance < force ? low : high) = middle;
+    }
+    return high;
+  };
+  load.term->setFirstTouch({
+      .depthUnder = depthUnder,
+      .smallestGap = [cover](const ToolPose& pose,
+                             const Eigen::VectorXd& x) { return cover(pose, x).smallestGap; },
+      .reaction =
+          [pairs = pairsOf(model, load.tool)] {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (const auto* pair : pairs) sum += pair->state().reaction;
+            return sum;
+          },
+      .stiffness = model.forceFloor() / body.size() / kForceFloor,
+  });
 }
 
 /// Brings a tool with free degrees of freedom into touch with the body, unless its path does, or all that is free are
@@ -275,6 +300,7 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
     holder->stiffness = steadiness / kForceFloor;  // that of the body
     holder->steadiness = steadiness;
     x(tool.unknowns[holder->dof]) = tool.pose(0.0).displacement(dof);
+    touchGently(model, load, holder->sign * Eigen::Vector3d::Unit(dof));
     return;  // its path takes it to the body
   }
   const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
@@ -294,21 +320,7 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
   const Eigen::Vector3d shift = shiftToTouch<Dim>(pairs, tool, direction, bodySize, place);
   for (std::size_t dof = 0; dof < kTurn; ++dof)
     if (tool.isFree(dof)) x(tool.unknowns[dof]) = (start + shift)(static_cast<Eigen::Index>(dof));
-  double E = std::numeric_limits<double>::infinity();
-  for (const auto& body : model.bodies()) E = std::min(E, youngsModulus(body.bulk->material()));
-  load.term->setFirstTouch({
-      .depthUnder =
-          [=, &tool, &body = model.body(), touching = tool.pose(0.0, x)](double force) {
-            return depthUnder<Dim>(force, pairs, tool, touching, direction, E, body);
-          },
-      .reaction =
-          [pairs] {
-            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-            for (const auto* pair : pairs) sum += pair->state().reaction;
-            return sum;
-          },
-      .stiffness = steadiness / kForceFloor,
-  });
+  touchGently(model, load, direction);
 }
 
 }  // namespace

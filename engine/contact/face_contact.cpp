@@ -49,17 +49,24 @@ Eigen::VectorXd FaceContact<Dim>::referenceGaps(const GapAt& gapAt) const {
 }
 
 template <int Dim>
-double FaceContact<Dim>::coveredArea(const GapAt& gapAt) const {
-  double area = 0.0;
+typename FaceContact<Dim>::Cover FaceContact<Dim>::coverAt(const Eigen::VectorXd& x,
+                                                           const GapAt& gapAt) const {
+  Cover cover{0.0, std::numeric_limits<double>::infinity()};
   for (const auto& span : face_.spans()) {
-    const Eigen::MatrixXd places = face_.points()(Eigen::all, span.functions) * span.R;
+    Eigen::MatrixXd points = face_.points()(Eigen::all, span.functions);
+    for (std::size_t a = 0; a < span.functions.size(); ++a)
+      points.col(static_cast<Eigen::Index>(a)) +=
+          x.template segment<Dim>(Dim * face_.nodes()[static_cast<std::size_t>(span.functions[a])]);
+    const Eigen::MatrixXd places = points * span.R;
     for (Eigen::Index q = 0; q < places.cols(); ++q) {
-      Eigen::Vector3d x = Eigen::Vector3d::Zero();
-      x.head<Dim>() = places.col(q);
-      if (gapAt(x) < 0.0) area += span.weights(q);
+      Eigen::Vector3d place = Eigen::Vector3d::Zero();
+      place.head<Dim>() = places.col(q);
+      const double gap = gapAt(place);
+      cover.smallestGap = std::min(cover.smallestGap, gap);
+      if (gap < 0.0) cover.area += span.weights(q);
     }
   }
-  return area;
+  return cover;
 }
 
 template <int Dim>

@@ -106,8 +106,11 @@ class FaceContact : public Term {
   /// Smallest gap of the undeformed face, of those that the method closes: averaged ones, or those of points.
   virtual double smallestReferenceGap(const GapAt& gapAt) const { return referenceGaps(gapAt).minCoeff(); }
 
-  /// Area of the undeformed face where gaps are negative, by its quadrature points.
-  double coveredArea(const GapAt& gapAt) const;
+  /// Reference area of the face where gaps of its quadrature points are negative, and the smallest gap. x: unknowns.
+  struct Cover {
+    double area = 0.0, smallestGap = 0.0;
+  };
+  Cover coverAt(const Eigen::VectorXd& x, const GapAt& gapAt) const;
 
   const ContactState& state() const { return state_; }
   const FaceQuadrature<Dim>& face() const { return face_; }

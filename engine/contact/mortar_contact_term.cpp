@@ -11,8 +11,8 @@ namespace {
 /// Part of its integral that R_A has to keep over points with partners to take part.
 constexpr double kSmallestPart = 0.05;
 
-/// Overlap over the size of the body that means no pressure yet.
-constexpr double kNoPressure = 1e-9;
+/// Gap or overlap over the size of the body that means no pressure yet.
+constexpr double kNoPressure = 1e-6;
 
 }  // namespace
 

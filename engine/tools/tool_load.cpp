@@ -41,6 +41,7 @@ ToolLoad::Carried ToolLoad::carriedAt(std::size_t dof, double t, double value) c
 
 bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   last_.emplace();
+  time_ = t;
   carriedForce_ = 0.0;
   for (std::size_t dof = 0; dof < kAllToolDofs; ++dof) {
     if (!tool_.isFree(dof)) continue;
@@ -66,13 +67,33 @@ bool ToolLoad::isUnborne() const {
   return firstTouch_ && carriedForce_ > 0.0 && firstTouch_->reaction().norm() <= kNotCarried * carriedForce_;
 }
 
-double ToolLoad::usefulPart(const Eigen::VectorXd& /*x*/, const Eigen::VectorXd& correction) const {
+double ToolLoad::usefulPart(const Eigen::VectorXd& x, const Eigen::VectorXd& correction) const {
   if (!isUnborne()) return 1.0;
-  double way = 0.0;
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();
   for (std::size_t dof = 0; dof < kTurn; ++dof)
-    if (tool_.isFree(dof)) way = std::hypot(way, correction(tool_.unknowns[dof]));
-  const double deepest = firstTouch_->depthUnder(carriedForce_);
-  return way > deepest ? deepest / way : 1.0;
+    if (tool_.isFree(dof)) way(static_cast<Eigen::Index>(dof)) = correction(tool_.unknowns[dof]);
+  const Eigen::Vector3d pressed = force(time_).normalized();
+  const double depth = way.dot(pressed);
+  const bool runsAway = (way - depth * pressed).norm() > farthestWay_;  // aside, where nothing holds it
+  if (depth <= 0.0 || runsAway) return 1.0;
+  return std::min(1.0, firstTouch_->depthUnder(carriedForce_, tool_.pose(time_, x), x) / depth);
+}
+
+double ToolLoad::partInAir(std::size_t dof, double way, double t, Eigen::VectorXd x) const {
+  constexpr int kBisections = 30;
+  if (!firstTouch_) return 1.0;
+  const double begin = x(tool_.unknowns[dof]);
+  const auto touchesAfter = [&](double part) {
+    x(tool_.unknowns[dof]) = begin + part * way;
+    return firstTouch_->smallestGap(tool_.pose(t, x), x) < 0.0;
+  };
+  if (!touchesAfter(1.0)) return 1.0;
+  double low = 0.0, high = 1.0;
+  for (int k = 0; k < kBisections; ++k) {
+    const double middle = 0.5 * (low + high);
+    (touchesAfter(middle) ? high : low) = middle;
+  }
+  return low;
 }
 
 bool ToolLoad::isInAir(double t, const Eigen::VectorXd& x) const {
@@ -86,7 +107,9 @@ void ToolLoad::takeAlong(double from, double to, Eigen::VectorXd& x) const {
   const ToolPose before = tool_.pose(from), after = tool_.pose(to);
   Eigen::Vector3d way = after.displacement - before.displacement;
   if (isInAir(from, x)) {
-    x(tool_.unknowns[holder_->dof]) += way(static_cast<Eigen::Index>(holder_->dof));
+    const std::size_t dof = holder_->dof;
+    const double whole = way(static_cast<Eigen::Index>(dof));
+    x(tool_.unknowns[dof]) += partInAir(dof, whole, to, x) * whole;
     return;
   }
   const bool turns = tool_.isFree(kTurn) && steadiness_ > 0.0;

@@ -45,7 +45,8 @@ class ToolLoad final : public Term {
   /// Until its contact bears a tool, no tangent says how deep its force presses it, nor how friction turns it:
   /// corrections take it no deeper than depthUnder says for a force, and turns are held.
   struct FirstTouch {
-    std::function<double(double)> depthUnder;
+    std::function<double(double force, const ToolPose&, const Eigen::VectorXd& x)> depthUnder;
+    std::function<double(const ToolPose&, const Eigen::VectorXd& x)> smallestGap;
     std::function<Eigen::Vector3d()> reaction;  ///< of the body on the tool in the last evaluated state
     double stiffness = 0.0;                     ///< with which turns are held, in the tangent alone
   };
@@ -61,7 +62,7 @@ class ToolLoad final : public Term {
 
   double usefulPart(const Eigen::VectorXd& x, const Eigen::VectorXd& correction) const override;
 
-  /// A tool that its body does not push back goes with its holder; a roller or ball
+  /// A tool that its body does not push back goes with its holder until it touches the body; a roller or ball
   /// that its force presses on the body rolls.
   void takeAlong(double from, double to, Eigen::VectorXd& x) const override;
 
@@ -97,6 +98,9 @@ class ToolLoad final : public Term {
   /// Whether no contact bears the tool yet in the last evaluated state.
   bool isUnborne() const;
 
+  /// Part of a way along a degree of freedom, until the time t, after which a tool in the air touches; x: unknowns.
+  double partInAir(std::size_t dof, double way, double t, Eigen::VectorXd x) const;
+
   /// Whether the tool is in its holder as if there were no body.
   bool isInAir(double t, const Eigen::VectorXd& x) const;
 
@@ -107,7 +111,7 @@ class ToolLoad final : public Term {
   double steadiness_ = 0.0;
   std::optional<Holder> holder_;
   bool carriesTooLittle_ = false;
-  double carriedForce_ = 0.0;  ///< in the last evaluated state
+  double time_ = 0.0, carriedForce_ = 0.0;  ///< of the last evaluated state
   std::optional<FirstTouch> firstTouch_;
 };
 

@@ -24,7 +24,7 @@ TEST(Doubts, SentencesSayTheirLimits) {
 
 TEST(Doubts, SentencesAdviseWhatTheSceneDoesNotHaveYet) {
   EXPECT_THAT(sentenceOf(Condition::LostContact, {}), HasSubstr("`rezoning: {}` in the scene"));
-  EXPECT_THAT(sentenceOf(Condition::LostContact, {.rezones = true}), HasSubstr("(rezoning.spans)"));
+  EXPECT_THAT(sentenceOf(Condition::LostContact, {.rezones = true}), HasSubstr("(rezoning.spans,"));
   EXPECT_THAT(sentenceOf(Condition::CrossesItself, {}), HasSubstr("self_contact computes it"));
   EXPECT_THAT(sentenceOf(Condition::CrossesItself, {.touchesItself = true}), HasSubstr("larger reach"));
 }
