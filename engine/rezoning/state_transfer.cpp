@@ -10,6 +10,7 @@
 
 #include "engine/core/error.h"
 #include "engine/material/symmetric_tensor.h"
+#include "engine/nurbs/derivative_space.h"
 #include "engine/rezoning/grid_interpolation.h"
 
 namespace burnish {
@@ -34,14 +35,6 @@ std::vector<double> gridCoordinates(const SpanQuadrature<Dim>& quadrature, Eigen
   std::sort(coordinates.begin(), coordinates.end());
   coordinates.erase(std::unique(coordinates.begin(), coordinates.end()), coordinates.end());
   return coordinates;
-}
-
-/// The splines that span the derivatives of a basis.
-template <int Dim>
-TensorBasis<Dim> derivativeSpace(const TensorBasis<Dim>& basis) {
-  std::vector<UnivariateBasis> directions;
-  for (int d = 0; d < Dim; ++d) directions.push_back(basis.direction(d).derivativeSpace());
-  return TensorBasis<Dim>(std::move(directions));
 }
 
 /// The solution of a system with the mass matrix of splines. In space its factors would fill, and conjugate

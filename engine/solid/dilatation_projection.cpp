@@ -3,15 +3,10 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/nurbs/derivative_space.h"
+
 namespace burnish {
 namespace {
-
-template <int Dim>
-TensorBasis<Dim> derivativeSpace(const TensorBasis<Dim>& basis) {
-  std::vector<UnivariateBasis> directions;
-  for (int d = 0; d < Dim; ++d) directions.push_back(basis.direction(d).derivativeSpace());
-  return TensorBasis<Dim>(std::move(directions));
-}
 
 /// Values of the functions of a span, first direction fastest.
 template <int Dim>
