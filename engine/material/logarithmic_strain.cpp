@@ -17,23 +17,18 @@ double differenceOfLog(double a, double b) {
 }
 
 /// The same as `secondDifferenceOfLog` by the series about the mean m of the numbers, whose terms are the complete
-/// homogeneous polynomials h_k of their distances (·−m)/m; these follow from the power sums.
+/// homogeneous polynomials h_k of their distances d = (·−m)/m; as these add up to nothing, 1/((1−d₁t)(1−d₂t)(1−d₃t)) =
+/// Σ h_k tᵏ gives h_k = −e₂ h_{k−2} + e₃ h_{k−3}, with the elementary symmetric polynomials e of d.
 double seriesOfSecondDifference(double a, double b, double c) {
-  constexpr int kTerms = 10;
+  constexpr std::size_t kTerms = 10;
   const double m = (a + b + c) / 3.0;
-  const Eigen::Array3d d = (Eigen::Array3d(a, b, c) - m) / m;
-  std::array<double, kTerms> powerSums{}, h{};
-  h[0] = 1.0;
-  Eigen::Array3d power = Eigen::Array3d::Ones();
-  double sum = -0.5, sign = 1.0;
-  for (std::size_t k = 1; k < kTerms; ++k, sign = -sign) {
-    power *= d;
-    powerSums[k] = power.sum();
-    for (std::size_t i = 1; i <= k; ++i) h[k] += powerSums[i] * h[k - i];
-    h[k] /= static_cast<double>(k);
-    sum += sign * h[k] / static_cast<double>(k + 2);
-  }
-  return sum / (m * m);
+  const double x = (a - m) / m, y = (b - m) / m, z = (c - m) / m;
+  const double e2 = x * y + (x + y) * z, e3 = x * y * z;
+  std::array<double, kTerms> h{1.0, 0.0, -e2};
+  for (std::size_t k = 3; k < kTerms; ++k) h[k] = e3 * h[k - 3] - e2 * h[k - 2];
+  double sum = 0.0;
+  for (std::size_t k = kTerms; k-- > 0;) sum = h[k] / static_cast<double>(k + 2) - sum;
+  return -sum / (m * m);
 }
 
 /// x/sinh x.
@@ -103,20 +98,23 @@ void LogarithmicStrain<Dim>::setResponse(const MandelVector<Dim>& T, const Mande
   MandelMatrix<Dim> c = fromPrincipal.transpose() * D * fromPrincipal;
   c = p.asDiagonal() * c * p.asDiagonal();
   const Eigen::Vector3d stretches = squares_.cwiseSqrt();
+  // the terms of q̂_AKB and q̂_BKA
+  const auto addTurn = [&](int A, int K, int B, double difference) {
+    const int AB = placeOf<Dim>(A, B), AK = placeOf<Dim>(A, K), KB = placeOf<Dim>(K, B);
+    if (AB < 0 || AK < 0 || KB < 0) return;
+    const double q = 2.0 * stretches[A] * stretches[B] * squares_[K] * difference;
+    const double value = (A == B ? 1.0 : 2.0) * q * t[AB] / (factors[AK] * factors[KB]);
+    c(AK, KB) += value;
+    c(KB, AK) += value;
+  };
   for (int A = 0; A < 3; ++A)
-    for (int B = A; B < 3; ++B) {
-      const int AB = placeOf<Dim>(A, B);
-      if (AB < 0) continue;
-      for (int K = 0; K < 3; ++K) {
-        const int AK = placeOf<Dim>(A, K), KB = placeOf<Dim>(K, B);
-        if (AK < 0 || KB < 0) continue;
-        const double q = 2.0 * stretches[A] * stretches[B] * squares_[K] *
-                         secondDifferenceOfLog(squares_[A], squares_[K], squares_[B]);
-        const double value = (A == B ? 1.0 : 2.0) * q * t[AB] / (factors[AK] * factors[KB]);
-        c(AK, KB) += value;
-        c(KB, AK) += value;
+    for (int B = A; B < 3; ++B)
+      for (int C = B; C < 3; ++C) {
+        const double difference = secondDifferenceOfLog(squares_[A], squares_[B], squares_[C]);
+        addTurn(B, A, C, difference);
+        if (A != B) addTurn(A, B, C, difference);
+        if (B != C) addTurn(A, C, B, difference);
       }
-    }
 
   const MandelMatrix<Dim> toSpace = mandelRotation<Dim>(spatial_);
   const MandelMatrix<Dim> scaled = factors.cwiseInverse().asDiagonal() * toSpace;

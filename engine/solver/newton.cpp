@@ -188,16 +188,10 @@ NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, 
   return NewtonOutcome::TooManyIterations;
 }
 
-bool Newton::hasFreeTools() const {
-  return hierarchy_ && !hierarchy_->prolongations.empty() &&
-         numFreeBelow(system_, scales_.numForces) > hierarchy_->prolongations.front().rows();
-}
-
 /// Eisenstat and Walker's forcing terms: no more digits than the tangent is worth, as the last correction has
 /// shown.
 SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) {
-  // A tool that hardly touches moves a long way for a small force: by residuals one does not see how wrong a way is.
-  constexpr double kMost = 1e-3, kMostOfFreeTools = 1e-6, kLeast = 1e-13, kBeyond = 1e-2;
+  constexpr double kMost = 1e-3, kLeast = 1e-13, kBeyond = 1e-2;
   const auto& free = system_.freeUnknowns();
   SolveAccuracy accuracy;
   accuracy.rowWeights.resize(rhs.size());
@@ -211,8 +205,8 @@ SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) 
   const double size = rhs.cwiseProduct(accuracy.rowWeights).norm();
   const double ratio = size / weighedResidual_;
   weighedResidual_ = size;
-  accuracy.reduction = options_.linear.tolerance.value_or(std::clamp(
-      std::max(kBeyond / size, 0.9 * ratio * ratio), kLeast, hasFreeTools() ? kMostOfFreeTools : kMost));
+  accuracy.reduction = options_.linear.tolerance.value_or(
+      std::clamp(std::max(kBeyond / size, 0.9 * ratio * ratio), kLeast, kMost));
   return accuracy;
 }
 

@@ -124,9 +124,6 @@ class Newton {
   /// in the end. reference: the force that they are relative to.
   SolveAccuracy accuracyFor(const Eigen::VectorXd& rhs, double reference);
 
-  /// Whether forces on tools are among the equations. Known where there is a hierarchy of meshes.
-  bool hasFreeTools() const;
-
   /// Moves x along the correction, shortened as needed; false if no admissible state was found.
   bool take(double t, const Eigen::VectorXd& correction, const Eigen::VectorXd& target, Eigen::VectorXd& x,
             NewtonReport& report);

@@ -22,6 +22,10 @@ constexpr int kMostWithFactors = 60, kMostWithSweeps = 500;
 /// A V-cycle of an earlier matrix is kept while a digit costs no more than this, over what it cost at first.
 constexpr double kMostOverFirst = 1.5;
 
+/// What it takes to set up a V-cycle, in iterations: with one of an earlier matrix no more than these are spent beyond
+/// those with its own.
+constexpr int kSetUp = 8;
+
 /// Of a V-cycle with one step of the smoother, where two are tried: iterations that a digit costs; and what is left of
 /// them where two pay.
 constexpr double kMostPerDigit = 2.0, kPaying = 0.7;
@@ -123,6 +127,7 @@ class MultigridSolver::Implementation {
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
     const bool wasNear = isNear_;
+    unfinished_.resize(0);
     Eigen::VectorXd x = solveWithCycle(b, accuracy);
     if (!x.allFinite() && wasNear && setUpCycle()) x = solveWithCycle(b, accuracy);
     if (!x.allFinite() && factorises_ && !team_.isAlone() && !overlaps_) {
@@ -259,7 +264,12 @@ class MultigridSolver::Implementation {
     return byGmres(b, accuracy);
   }
 
-  int mostIterations() const { return factorises_ ? kMostWithFactors : kMostWithSweeps; }
+  /// Where a V-cycle of another matrix is given up, GMRES goes on with one of the matrix.
+  int mostIterations(double reduction) const {
+    const int most = factorises_ ? kMostWithFactors : kMostWithSweeps;
+    if (!isNear_) return most;
+    return std::min(most, kSetUp + static_cast<int>(std::ceil(perDigitAtFirst_ * -std::log10(reduction))));
+  }
 
   /// The border's part of the solution, from its right-hand side, which only the last rank needs to have.
   Eigen::VectorXd solveBorder(const Eigen::VectorXd& g) {
@@ -396,7 +406,7 @@ class MultigridSolver::Implementation {
   /// Solves for the vector that `rhs` holds; false if it does not converge.
   bool iterate(KSP krylov, Vec rhs, Vec solution, double reduction, KSPConvergedReason& reason) {
     check(KSPSetNormType(krylov, KSP_NORM_UNPRECONDITIONED));
-    check(KSPSetTolerances(krylov, reduction, 0.0, kDivergence, mostIterations()));
+    check(KSPSetTolerances(krylov, reduction, 0.0, kDivergence, mostIterations(reduction)));
     check(KSPSolve(krylov, rhs, solution));
     PetscInt iterations = 0;
     check(KSPGetIterationNumber(krylov, &iterations));
@@ -444,13 +454,18 @@ class MultigridSolver::Implementation {
     check(PCShellSetContext(preconditioner, this));
     check(PCShellSetApply(preconditioner, precondition));
     write(rhs, [&](auto values) { values = b.segment(first_, own).cwiseProduct(weights_); });
+    if (unfinished_.size() > 0) {
+      write(solution, [&](auto values) { values = unfinished_.segment(first_, own); });
+      check(KSPSetInitialGuessNonzero(krylov, PETSC_TRUE));
+    }
     KSPConvergedReason reason{};
     const bool converged = iterate(krylov, rhs, solution, accuracy.reduction, reason);
     Eigen::VectorXd x(b.size());
     read(solution, [&](auto values) { x.segment(first_, own) = values; });
     gather(x);
-    if (!converged) x.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return x;
+    if (converged) return x;
+    unfinished_ = reason == KSP_DIVERGED_ITS ? x : Eigen::VectorXd();
+    return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
   /// y = K x, products included.
@@ -549,6 +564,7 @@ class MultigridSolver::Implementation {
   petsc::Vector elsewhereOfX_;  ///< see `fillFromOtherRanks`
   petsc::Scatter scatter_;      ///< to that vector
   Eigen::VectorXd weights_;     ///< of rows in GMRES
+  Eigen::VectorXd unfinished_;  ///< where GMRES has come to for this right-hand side; empty where it begins
   IterationCounts counts_;
   long numIndefinite_ = 0;
   bool factorises_ = true;      ///< smooths with incomplete factors, else by over-relaxation
