@@ -16,20 +16,20 @@ struct EnumNames<LengthUnit> {
       std::pair{"in", LengthUnit::Inch},       std::pair{"ft", LengthUnit::Foot}};
 };
 
-constexpr double metresOf(LengthUnit unit) {
+constexpr double millimetresOf(LengthUnit unit) {
   switch (unit) {
     case LengthUnit::Micrometre:
-      return 1e-6;
-    case LengthUnit::Millimetre:
       return 1e-3;
-    case LengthUnit::Centimetre:
-      return 1e-2;
-    case LengthUnit::Metre:
+    case LengthUnit::Millimetre:
       return 1.0;
+    case LengthUnit::Centimetre:
+      return 10.0;
+    case LengthUnit::Metre:
+      return 1000.0;
     case LengthUnit::Inch:
-      return 0.0254;
+      return 25.4;
     case LengthUnit::Foot:
-      return 0.3048;
+      return 304.8;
   }
   return 1.0;
 }

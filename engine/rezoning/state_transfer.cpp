@@ -11,6 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/material/symmetric_tensor.h"
 #include "engine/nurbs/derivative_space.h"
+#include "engine/nurbs/function_values.h"
 #include "engine/rezoning/grid_interpolation.h"
 
 namespace burnish {
@@ -62,7 +63,7 @@ class ReducedField {
       const auto functions = basis_.spanFunctions(span.number);
       const auto n = static_cast<Eigen::Index>(functions.size());
       Eigen::MatrixXd N(n, span.xi.cols());
-      for (Eigen::Index q = 0; q < N.cols(); ++q) N.col(q) = valuesAt(span.number, span.xi.col(q));
+      for (Eigen::Index q = 0; q < N.cols(); ++q) N.col(q) = functionValues<Dim>(basis_, span.number, span.xi.col(q));
       const Eigen::MatrixXd mass = N * span.weights.asDiagonal() * N.transpose();
       rhs(functions) += N * span.weights.cwiseProduct(values.segment(span.firstPoint, span.weights.size()));
       for (Eigen::Index b = 0; b < n; ++b)
@@ -79,20 +80,10 @@ class ReducedField {
     typename TensorBasis<Dim>::Index index;
     for (int d = 0; d < Dim; ++d) index[static_cast<std::size_t>(d)] = basis_.direction(d).findSpan(xi(d));
     const int span = basis_.spanNumber(index);
-    return valuesAt(span, xi).dot(coefficients_(basis_.spanFunctions(span)));
+    return functionValues(basis_, span, xi).dot(coefficients_(basis_.spanFunctions(span)));
   }
 
  private:
-  Eigen::VectorXd valuesAt(int span, const Eigen::Vector<double, Dim>& xi) const {
-    const auto index = basis_.spanIndex(span);
-    Eigen::VectorXd values = basis_.direction(0).evaluate(index[0], xi(0), 0);
-    for (int d = 1; d < Dim; ++d) {
-      const Eigen::VectorXd next = basis_.direction(d).evaluate(index[static_cast<std::size_t>(d)], xi(d), 0);
-      values = (values * next.transpose()).reshaped().eval();
-    }
-    return values;
-  }
-
   TensorBasis<Dim> basis_;
   Eigen::VectorXd coefficients_;
 };

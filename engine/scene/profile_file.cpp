@@ -28,7 +28,7 @@ double factorOf(const MeasuredTable& table, std::size_t column, const std::strin
   if (unit == "µm") unit = "um";
   if (unit.empty() || unit == label) return 1.0;
   const auto from = lengthUnitOf(unit), to = lengthUnitOf(label == "µm" ? "um" : label);
-  if (from && to) return metresOf(*from) / metresOf(*to);
+  if (from && to) return millimetresOf(*from) / millimetresOf(*to);
   throw Error(fmt::format(
       "{}: its lengths are in {}, those of the scene in {}; allowed: one unit, or two of um, mm, cm, m, in, ft",
       table.path().string(), shortened(unit), label.empty() ? "no unit (units)" : shortened(label)));

@@ -4,26 +4,9 @@
 #include <utility>
 
 #include "engine/nurbs/derivative_space.h"
+#include "engine/nurbs/function_values.h"
 
 namespace burnish {
-namespace {
-
-/// Values of the functions of a span, first direction fastest.
-template <int Dim>
-Eigen::VectorXd functionValues(const TensorBasis<Dim>& basis, int span,
-                               const Eigen::Vector<double, Dim>& xi) {
-  const auto index = basis.spanIndex(span);
-  Eigen::VectorXd values = Eigen::VectorXd::Ones(1);
-  for (int d = 0; d < Dim; ++d) {
-    const Eigen::VectorXd along = basis.direction(d).evaluate(index[static_cast<std::size_t>(d)], xi(d), 0);
-    const Eigen::MatrixXd product = values * along.transpose();
-    values = product.reshaped();
-  }
-  return values;
-}
-
-}  // namespace
-
 template <int Dim>
 DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
                                                 const SpanQuadrature<Dim>& quadrature) {
