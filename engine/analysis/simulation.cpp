@@ -5,6 +5,7 @@
 
 #include "engine/analysis/mesh_hierarchy.h"
 #include "engine/analysis/residual_scales.h"
+#include "engine/analysis/travelling_increment.h"
 #include "engine/solver/multigrid.h"
 
 namespace burnish {
@@ -42,7 +43,11 @@ Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsM
              hierarchyFor(scene.solver.newton.linear, *model, team), team),
       stepping(
           newton, terms, [this](double t) { return model->target(t); }, scene.solver.stepping,
-          std::move(start)),
+          std::move(start),
+          [travelling = TravellingIncrement<Dim>(*model)](double before, double to,
+                                                          Eigen::VectorXd& increment) {
+            travelling.move(before, to, increment);
+          }),
       projections(projectionsOf(*model)),
       recorder(scene, *model, projections) {}
 

@@ -20,14 +20,21 @@ Eigen::MatrixXd appliedAlongAll(const Eigen::MatrixXd& coefficients, const Matri
 
 }  // namespace
 
-Eigen::MatrixXd valuesAtAnchors(const UnivariateBasis& basis, const UnivariateBasis& places) {
-  Eigen::MatrixXd N = Eigen::MatrixXd::Zero(places.numFunctions(), basis.numFunctions());
-  for (int a = 0; a < places.numFunctions(); ++a) {
-    const int span = basis.findSpan(places.anchor(a));
-    N.row(a).segment(basis.firstFunction(span), basis.degree() + 1) =
-        basis.evaluate(span, places.anchor(a), 0).col(0);
+Eigen::MatrixXd functionValuesAt(const UnivariateBasis& basis, const std::vector<double>& parameters) {
+  Eigen::MatrixXd N =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(parameters.size()), basis.numFunctions());
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const int span = basis.findSpan(parameters[k]);
+    N.row(static_cast<Eigen::Index>(k)).segment(basis.firstFunction(span), basis.degree() + 1) =
+        basis.evaluate(span, parameters[k], 0).col(0);
   }
   return N;
+}
+
+Eigen::MatrixXd valuesAtAnchors(const UnivariateBasis& basis, const UnivariateBasis& places) {
+  std::vector<double> anchors;
+  for (int a = 0; a < places.numFunctions(); ++a) anchors.push_back(places.anchor(a));
+  return functionValuesAt(basis, anchors);
 }
 
 template <int P>

@@ -1,10 +1,14 @@
 #pragma once
 #include <Eigen/Dense>
+#include <vector>
 
 #include "engine/nurbs/patch.h"
 
 /// Functions by their values at anchors (Greville abscissae, nodes).
 namespace burnish {
+
+/// Values of the functions of a basis: parameters x functions.
+Eigen::MatrixXd functionValuesAt(const UnivariateBasis& basis, const std::vector<double>& parameters);
 
 /// Values of the functions of a basis at the anchors of another one: anchors x functions.
 Eigen::MatrixXd valuesAtAnchors(const UnivariateBasis& basis, const UnivariateBasis& places);

@@ -92,6 +92,9 @@ class Newton {
   /// divided. Takes as long as a factorisation.
   int countUnstableDirections();
 
+  /// Unknowns whose residuals are forces, the first ones.
+  int numForces() const { return scales_.numForces; }
+
   const NewtonOptions& options() const { return options_; }
   const SparseSystem& system() const { return system_; }
   LinearSolver& linearSolver() { return *linear_; }

@@ -16,10 +16,11 @@ constexpr int kPauseAfterFailedExtrapolation = 3;
 }  // namespace
 
 Stepping::Stepping(Newton& newton, std::vector<Term*> terms, std::function<Eigen::VectorXd(double)> target,
-                   SteppingOptions options, SteppingState start)
+                   SteppingOptions options, SteppingState start, Travel travel)
     : newton_(newton),
       terms_(std::move(terms)),
       target_(std::move(target)),
+      travel_(std::move(travel)),
       options_(options),
       state_(std::move(start)) {}
 
@@ -27,7 +28,7 @@ NewtonReport Stepping::attempt(double time, Start start, Eigen::VectorXd& x) {
   const Eigen::VectorXd target = target_(time);
   x = state_.x;
   if (start == Start::Extrapolated) {
-    x += (time - state_.time) / state_.lastSize * state_.lastIncrement;
+    x += extrapolated(time, state_.travels);
     for (int i = 0; i < newton_.system().numUnknowns(); ++i)
       if (newton_.system().isPrescribed(i)) x(i) = target(i);
   } else {
@@ -35,6 +36,23 @@ NewtonReport Stepping::attempt(double time, Start start, Eigen::VectorXd& x) {
   }
   return newton_.solve(time, target, x,
                        start == Start::RememberedTangent ? FirstTangent::Remembered : FirstTangent::Current);
+}
+
+Eigen::VectorXd Stepping::extrapolated(double time, bool moved) const {
+  Eigen::VectorXd increment = state_.lastIncrement;
+  if (moved) travel_(state_.time - state_.lastSize, time, increment);
+  return (time - state_.time) / state_.lastSize * increment;
+}
+
+bool Stepping::travelled(double time, const Eigen::VectorXd& x) const {
+  constexpr double kMuchNearer = 0.5;
+  if (!travel_ || state_.lastIncrement.size() == 0) return false;
+  const Eigen::Index numForces = newton_.numForces();
+  const Eigen::VectorXd increment = x - state_.x;
+  const auto distance = [&](bool moved) {
+    return (increment - extrapolated(time, moved)).head(numForces).norm();
+  };
+  return distance(true) < kMuchNearer * distance(false);
 }
 
 std::vector<Stepping::Start> Stepping::starts() const {
@@ -58,6 +76,7 @@ void SteppingState::archive(StateArchive& archive) {
   archive.field("level", level);
   archive.field("easy_steps", easySteps);
   archive.field("steps_to_extrapolation", stepsToExtrapolation);
+  archive.field("travels", travels);
   archive.field("steps", steps);
   archive.field("cuts", cuts);
   archive.field("iterations", iterations);
@@ -112,6 +131,7 @@ Walk Stepping::advance(double time, double nominal, const std::function<bool(con
 
     newton_.rememberTangent();
     for (Term* term : terms_) term->accept();
+    state_.travels = travelled(next, x);
     // A body that has come free does not go on as it sprang back.
     state_.lastIncrement = report.cameFree ? Eigen::VectorXd() : Eigen::VectorXd(x - state_.x);
     state_.lastSize = size;

@@ -26,6 +26,7 @@ struct SteppingState {
   int level = 0;                 ///< current step: nominal / 2^level
   int easySteps = 0;             ///< in a row
   int stepsToExtrapolation = 0;  ///< steps that still start from the old state after extrapolation failed
+  bool travels = false;          ///< the next increment is the last one, moved (`Stepping::Travel`)
   int steps = 0;
   int cuts = 0;
   long iterations = 0;
@@ -44,9 +45,14 @@ enum class Walk {
 /// Walks through time in steps that adapt: cut back when Newton fails, grown again after easy steps.
 class Stepping {
  public:
+  /// Turns the increment of a step that began at `before` into one to begin the next step with, which ends at `to`,
+  /// before it is scaled by their lengths. It is used as long as it would have been much nearer than the increment
+  /// itself in the step before.
+  using Travel = std::function<void(double before, double to, Eigen::VectorXd& increment)>;
+
   /// `target(t)`: values of the prescribed unknowns at time t (other entries are ignored).
   Stepping(Newton& newton, std::vector<Term*> terms, std::function<Eigen::VectorXd(double)> target,
-           SteppingOptions options, SteppingState start);
+           SteppingOptions options, SteppingState start, Travel travel = {});
 
   /// Steps to exactly `time` with steps of at most `nominal`; `accepted` is called after every step and says
   /// whether to go on.
@@ -77,9 +83,16 @@ class Stepping {
 
   NewtonReport attempt(double time, Start start, Eigen::VectorXd& x);
 
+  /// Whether the last increment, moved, comes much nearer to that of a step, which has just led to x, than as it is.
+  bool travelled(double time, const Eigen::VectorXd& x) const;
+
+  /// The increment of a step to a time, of the last one's unless it is moved.
+  Eigen::VectorXd extrapolated(double time, bool moved) const;
+
   Newton& newton_;
   std::vector<Term*> terms_;
   std::function<Eigen::VectorXd(double)> target_;
+  Travel travel_;  ///< empty: increments go on as they are
   SteppingOptions options_;
   SteppingState state_;
   NewtonReport lastFailure_;
