@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import operator
 import os
 import re
 import tempfile
@@ -17,6 +18,8 @@ from . import command
 from .documents import document
 from .errors import Error, UnknownName, unknown_name
 from .results import Run, last_row
+
+_MOST_THREADS = 1024  # as the command has it
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,6 +167,8 @@ def resume(directory: str | os.PathLike[str], on_step: Callable[[Step], object] 
 def _compute(text: str, name: str, changes: Iterable[str], resolved: str, directory: Path, resumes: bool,
              on_step: Callable[[Step], object] | None, threads: int) -> Run:
     engine = _engine()
+    if not 0 <= operator.index(threads) <= _MOST_THREADS:
+        raise Error(f"threads: found {threads}; expected a number from 1 to {_MOST_THREADS}, or 0 for all of the machine")
 
     def step(number: int, time: float, end_time: float, iterations: int, cut_backs: int) -> None:
         assert on_step is not None

@@ -47,6 +47,8 @@ def test_mistakes_are_told_as_by_the_command(press):
         burnish.render(press, field="von_mies")
     with pytest.raises(burnish.Error, match='there is no option mark_extrems. Did you mean "mark_extremes"'):
         burnish.render(press, mark_extrems=True)
+    with pytest.raises(burnish.Error, match='^file: found "press.tiff"; expected the name of a picture'):
+        burnish.render(press, file="press.tiff")
 
 
 def test_animations(press, tmp_path):

@@ -103,6 +103,12 @@ def test_mistakes_are_told_as_by_the_command(tmp_path):
         burnish.Scene(scene()).set("degree=zero").validate()
     with pytest.raises(burnish.Error, match="expected path=value"):
         burnish.Scene(scene()).set("degree")
+    for threads in (-1, 1025):
+        with pytest.raises(burnish.Error, match=f"threads: found {threads}; expected a number from 1 to 1024, or 0"):
+            burnish.Scene(scene()).run(tmp_path / "run", threads=threads)
+    with pytest.raises(TypeError, match="interpreted as an integer"):
+        burnish.Scene(scene()).run(tmp_path / "run", threads="two")
+    assert not (tmp_path / "run").exists()
     with pytest.raises(burnish.Error, match="absent.yaml: cannot be read: No such file"):
         burnish.Scene(tmp_path / "absent.yaml")
 
