@@ -1,44 +1,24 @@
 #include "cli/help_format.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <limits>
-#include <sstream>
 #include <string>
 
+#include "cli/broken_lines.h"
 #include "cli/command_tree.h"
-#include "cli/console.h"
 
 namespace burnish {
 namespace {
 
-/// Words one after the other, the lines behind the first one indented. begun: letters that stand on the first line already.
-std::string filled(const std::string& text, std::size_t begun, std::size_t indent, std::size_t columns) {
-  std::istringstream words(text);
-  std::string lines;
-  std::size_t column = begun;
-  bool isFirst = true;
-  for (std::string word; words >> word; isFirst = false) {
-    if (!isFirst && column + 1 + word.size() > columns) {
-      lines += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (!isFirst) {
-      lines += ' ';
-      ++column;
-    }
-    lines += word;
-    column += word.size();
-  }
-  return lines;
+/// A text that may have line breaks of its own, which do not count.
+std::string filled(std::string text, std::size_t columns) {
+  std::ranges::replace(text, '\n', ' ');
+  return brokenLine(text, 0, columns) + "\n";
 }
 
 class HelpFormat : public CLI::Formatter {
  public:
-  HelpFormat()
-      : columns_(::isatty(STDOUT_FILENO) != 0 ? std::max<std::size_t>(terminalColumns(), 40)
-                                              : std::numeric_limits<std::size_t>::max()) {
+  HelpFormat() : columns_(lineColumns()) {
     if (columns_ < 80) column_width(columns_ / 4);
   }
 
@@ -62,23 +42,22 @@ class HelpFormat : public CLI::Formatter {
   }
 
   std::string make_description(const CLI::App* command) const override {
-    return filled(command->get_description(), 0, 0, columns_) + "\n";
+    return filled(command->get_description(), columns_);
   }
 
   std::string make_footer(const CLI::App* command) const override {
     const std::string text = command->get_footer();
-    return text.empty() ? "" : filled(text, 0, 0, columns_) + "\n";
+    return text.empty() ? "" : filled(text, columns_);
   }
 
  private:
   std::string entry(const std::string& name, const std::string& meaning) const {
     const std::size_t indent = get_column_width();
-    std::string line = "  " + name;
-    if (line.size() < indent)
-      line.resize(indent, ' ');
-    else
-      line += "\n" + std::string(indent, ' ');
-    return line + filled(meaning, indent, indent, columns_) + "\n";
+    const std::string left = "  " + name;
+    const bool fits = left.size() < indent;  // beside what it means, else above
+    const std::string gap(fits ? indent - left.size() : indent, ' ');
+    return (fits ? "" : left + "\n") + brokenLine((fits ? left : "") + gap + meaning, indent, columns_) +
+           "\n";
   }
 
   std::size_t columns_;
