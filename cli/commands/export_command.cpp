@@ -97,7 +97,7 @@ VtuOptions optionsFrom(const ExportArguments& arguments) {
 }
 
 /// That of the scene; one without options if the scene cannot be read here, where a theme or a font may be missing.
-PictureOptions firstPictureOf(const ResultReader& result) {
+ScenePicture firstPictureOf(const ResultReader& result) {
   try {
     return firstPicture(readResultDocument(result.file().parent_path()));
   } catch (const Error&) {
@@ -169,7 +169,8 @@ ExitCode exportSeries(const ExportArguments& arguments) {
   const auto directory = arguments.directory.empty() ? reader.file().parent_path() : arguments.directory;
   requireFrames(reader);
   if (!isOfARun(directory) && !hasSeries(directory)) requireAbsent(seriesFiles(directory));
-  ParaViewSeries writer(directory, reader.model(), options, firstPictureOf(reader));
+  const ScenePicture picture = firstPictureOf(reader);
+  ParaViewSeries writer(directory, reader.model(), options, picture, picture.times);
   for (int i = 0; i < reader.numFrames(); ++i) {
     throwIfInterrupted();
     writer.write(reader.frame(i));
