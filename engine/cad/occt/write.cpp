@@ -88,11 +88,11 @@ TopoDS_Face faceOf(const CadFace& face, double scale) {
 /// Instead of OpenCASCADE's names for a model and an author that it does not know; to IGES it would write who is logged in.
 constexpr const char *kSystem = "burnish", *kModel = "NURBS surfaces", *kUnknown = "";
 
-Handle(TCollection_HAsciiString) ascii(const char* text) {
+opencascade::handle<TCollection_HAsciiString> ascii(const char* text) {
   return new TCollection_HAsciiString(text);
 }
 
-void sayWhoWrote(const Handle(StepData_StepModel) & model) {
+void sayWhoWrote(const opencascade::handle<StepData_StepModel>& model) {
   APIHeaderSection_MakeHeader header(model);
   header.SetName(ascii(kModel));
   header.SetDescriptionValue(1, ascii(kModel));
@@ -102,7 +102,7 @@ void sayWhoWrote(const Handle(StepData_StepModel) & model) {
   header.SetAuthorisation(ascii(kUnknown));
 }
 
-void sayWhoWrote(const Handle(IGESData_IGESModel) & model) {
+void sayWhoWrote(const opencascade::handle<IGESData_IGESModel>& model) {
   IGESData_GlobalSection header = model->GlobalSection();
   header.SetSendName(ascii(kModel));
   header.SetFileName(ascii(kModel));
