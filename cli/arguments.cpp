@@ -53,9 +53,9 @@ int frameAtTime(double time, const std::vector<double>& times) {
                           index, plainTime(*nearest)));
 }
 
-}  // namespace
-
-int frameIndex(const std::string& text, const std::vector<double>& times) {
+/// others: what --frame may be besides one frame; words: all that it may be, for the nearest.
+int frameIndexOf(const std::string& text, const std::vector<double>& times, const char* others,
+                 const std::vector<std::string>& words) {
   if (times.empty()) throw Error("the result has no frames yet");
   const int last = static_cast<int>(times.size()) - 1;
   if (isEndOfRun(text)) return last;
@@ -67,13 +67,18 @@ int frameIndex(const std::string& text, const std::vector<double>& times) {
   const auto index = numberFrom<int>(text);
   if (!index) {
     const std::string word = text.substr(0, text.find_first_of("0123456789."));
-    throw Error(fmt::format(
-        "--frame: found \"{}\"; expected a number, last or end, or time=T; or for several A-B, all.{}", text,
-        didYouMean(word, {"last", "end", "all", "time="})));
+    throw Error(fmt::format("--frame: found \"{}\"; expected a number, last or end, or time=T{}.{}", text,
+                            others, didYouMean(word, words)));
   }
   if (*index < 0 || *index > last)
     throw Error(fmt::format("--frame: there is no frame {}; the result has frames 0 to {}", *index, last));
   return *index;
+}
+
+}  // namespace
+
+int frameIndex(const std::string& text, const std::vector<double>& times) {
+  return frameIndexOf(text, times, "", {"last", "end", "time="});
 }
 
 std::vector<int> frameIndices(const std::string& text, const std::vector<double>& times) {
@@ -86,7 +91,10 @@ std::vector<int> frameIndices(const std::string& text, const std::vector<double>
     first = text.substr(0, dash);
     last = text.substr(dash + 1);
   }
-  const int begin = frameIndex(first, times), end = frameIndex(last, times);
+  const auto index = [&](const std::string& one) {
+    return frameIndexOf(one, times, "; or for several A-B, all", {"last", "end", "all", "time="});
+  };
+  const int begin = index(first), end = index(last);
   if (begin > end) throw Error(fmt::format("--frame: found \"{}\"; expected the smaller number first", text));
   std::vector<int> indices(static_cast<std::size_t>(end - begin + 1));
   std::iota(indices.begin(), indices.end(), begin);
@@ -153,6 +161,16 @@ void requireNotInput(const char* option, const std::filesystem::path& output,
       throw Error(fmt::format("{}: {} is also read ({}) and would be overwritten; choose another name",
                               option, output.string(), input.string()));
   }
+}
+
+void requireDirectoryName(const char* option, const std::filesystem::path& directory) {
+  const std::string& name = directory.string();
+  if (name == "-")
+    throw Error(fmt::format(
+        "{}: found \"-\"; expected a directory: several files are written, which cannot be printed", option));
+  if (name.starts_with("--"))
+    throw Error(fmt::format("{}: found \"{}\"; expected a directory; one of such a name is written ./{}",
+                            option, name, name));
 }
 
 void makeDirectoryOf(const std::filesystem::path& file) {

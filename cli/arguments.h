@@ -58,6 +58,9 @@ std::string shellWord(const std::string& word);
 void requireNotInput(const char* option, const std::filesystem::path& output,
                      const std::vector<std::filesystem::path>& inputs);
 
+/// Throws `Error` if what stands for a directory is -, or an option before which the directory is missing.
+void requireDirectoryName(const char* option, const std::filesystem::path& directory);
+
 /// Creates the directory that a file given with -o goes to.
 void makeDirectoryOf(const std::filesystem::path& file);
 

@@ -7,6 +7,7 @@
 #include "cli/console.h"
 #include "cli/fastest_program.h"
 #include "cli/faults.h"
+#include "cli/help_format.h"
 #include "cli/ranks.h"
 #include "cli/usage_error.h"
 #include "engine/core/error.h"
@@ -26,6 +27,7 @@ bool computes(const std::string& command) {
 
 ExitCode execute(int argc, char** argv) {
   CLI::App app("Elastoplastic contact of NURBS bodies with rigid tools: compute, draw, export.", "burnish");
+  app.formatter(helpFormat());
   app.set_version_flag("--version", programName());
   app.require_subcommand(1);
   Action action;

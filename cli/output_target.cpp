@@ -19,9 +19,9 @@ OutputTarget::OutputTarget(std::filesystem::path name, const char* ending) : fil
   if (!isStandardOutput(file_)) return;
   if (::isatty(STDOUT_FILENO) != 0)
     throw Error(
-        "-o: found \"-\", and standard output is a terminal, which shows no pictures; send it to a file or a program");
+        "-o: found \"-\", and standard output is a terminal, which shows no such files; send it to a file or a program");
   scratch_.emplace();
-  file_ = scratch_->path() / (std::string("picture") + ending);
+  file_ = scratch_->path() / (std::string("printed") + ending);
 }
 
 void OutputTarget::finish() const {

@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <regex>
+#include <string>
 #include <vector>
 
 #include "cli/command_tree.h"
@@ -26,6 +28,24 @@ std::vector<std::string> optionNames(const CLI::App& app) {
   return names;
 }
 
+/// What the parser says of a value, in the words of this program: the option, what was found and what is expected.
+std::string sentenceOf(const CLI::App& command, const std::string& said) {
+  std::smatch part;
+  if (std::regex_match(said, part, std::regex("(\\S+): Value (.*) not in range (\\S+) to (\\S+)")))
+    return fmt::format("{}: found \"{}\"; expected a number from {:g} to {:g}", part[1].str(), part[2].str(),
+                       std::stod(part[3]), std::stod(part[4]));
+  if (std::regex_match(said, part, std::regex("Could not convert: (\\S+) = (.*)"))) {
+    const CLI::Option* option = command.get_option_no_throw(part[1].str());
+    const bool isFlag = option != nullptr && option->get_items_expected_max() == 0;
+    return fmt::format("{}: found \"{}\"; expected {}", part[1].str(), part[2].str(),
+                       isFlag ? "no value" : "a number");
+  }
+  if (std::regex_match(said, part, std::regex("(\\S+): \\d+ required .* missing")))
+    if (const CLI::Option* option = command.get_option_no_throw(part[1].str()))
+      return fmt::format("{}: {} is missing behind it", part[1].str(), valueWord(*option));
+  return said;
+}
+
 }  // namespace
 
 std::string usageMessage(const CLI::App& app, const CLI::ParseError& error) {
@@ -36,7 +56,7 @@ std::string usageMessage(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);
   if (unknown.empty() && parsed.empty())
     return fmt::format("a command is needed: {}; {}", fmt::join(subcommandNames(app), ", "), help);
-  if (unknown.empty()) return fmt::format("{}; {}", error.what(), help);
+  if (unknown.empty()) return fmt::format("{}; {}", sentenceOf(command, error.what()), help);
 
   const std::string word = unknown.front().substr(0, unknown.front().find('='));
   if (word.starts_with('-'))

@@ -143,6 +143,7 @@ void checkOutputs(const CompareArguments& arguments) {
   checkFileName(arguments, "--junit", arguments.junit, ".xml");
   checkFileName(arguments, "--code-quality", arguments.codeQuality, ".json");
   checkDifferenceName(arguments);
+  requireDirectoryName("--report", arguments.report);
   if (!arguments.report.empty()) requireNoOtherPage(arguments.report);
   if (arguments.annotations.empty()) return;
   chosen("--annotations", arguments.annotations, std::array{std::pair{"github", true}});

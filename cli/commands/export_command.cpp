@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "cli/foreign_files.h"
 #include "cli/jobs/child_process.h"
 #include "cli/offered_words.h"
+#include "cli/output_target.h"
 #include "engine/cad/cad_file.h"
 #include "engine/cad/unit_label.h"
 #include "engine/core/atomic_file.h"
@@ -39,7 +41,9 @@ struct ExportArguments {
   std::optional<std::string> parts;
   bool controlNet = false;
   int pieces = 1;
-  std::string format = "vtu", frame = "last";
+  std::optional<std::string> format;
+  std::string frame = "last";
+  std::string ofSeries;  ///< an option that was given and belongs to the series alone, or empty
 };
 
 enum class Format { Series, G2, Json, Step, Iges };
@@ -47,6 +51,27 @@ enum class Format { Series, G2, Json, Step, Iges };
 constexpr std::array kFormats{std::pair{"vtu", Format::Series}, std::pair{"g2", Format::G2},
                               std::pair{"json", Format::Json}, std::pair{"step", Format::Step},
                               std::pair{"iges", Format::Iges}};
+
+/// Of files of one frame; what is printed has the first one of its format.
+constexpr std::array kEndings{std::pair{".g2", Format::G2},     std::pair{".json", Format::Json},
+                              std::pair{".step", Format::Step}, std::pair{".stp", Format::Step},
+                              std::pair{".iges", Format::Iges}, std::pair{".igs", Format::Iges}};
+
+/// The endings of files of a format, the one that is printed first.
+std::vector<std::string> endingsOf(Format format) {
+  std::vector<std::string> endings;
+  for (const auto& [ending, itsFormat] : kEndings)
+    if (itsFormat == format) endings.emplace_back(ending);
+  return endings;
+}
+
+/// That of --format; without, that of the file which -o names.
+Format formatOf(const ExportArguments& arguments) {
+  if (arguments.format) return chosen("--format", *arguments.format, kFormats);
+  for (const auto& [ending, format] : kEndings)
+    if (arguments.directory.extension() == ending) return format;
+  return Format::Series;
+}
 
 constexpr std::array kCellKinds{std::pair{"linear", CellKind::Linear},
                                 std::pair{"lagrange", CellKind::Lagrange},
@@ -72,7 +97,7 @@ VtuOptions optionsFrom(const ExportArguments& arguments) {
 }
 
 /// That of the scene; one without options if the scene cannot be read here, where a theme or a font may be missing.
-PictureOptions firstPictureOf(const ResultReader& result) {
+ScenePicture firstPictureOf(const ResultReader& result) {
   try {
     return firstPicture(readResultDocument(result.file().parent_path()));
   } catch (const Error&) {
@@ -97,27 +122,43 @@ void writeFaces(const ModelRecord& model, const FrameRecord& frame, CadFormat fo
   });
 }
 
+/// Throws `Error` unless what was given fits a file of one frame.
+void requireOneFile(const ExportArguments& arguments, Format format) {
+  const std::filesystem::path& file = arguments.directory;
+  const std::vector<std::string> endings = endingsOf(format);
+  if (file.empty())
+    throw Error(fmt::format("-o: --format {} writes one file; name it, as in -o body.{}", *arguments.format,
+                            *arguments.format));
+  if (!isStandardOutput(file) && !std::ranges::count(endings, file.extension().string()))
+    throw Error(fmt::format("-o: found \"{}\"; expected the name of a file that ends in {}, or -",
+                            file.string(), fmt::join(endings, " or ")));
+  if (!arguments.ofSeries.empty())
+    throw Error(fmt::format("{}: this is of the series of VTK files; {} holds NURBS", arguments.ofSeries,
+                            file.string()));
+}
+
 /// One frame as one file.
 ExitCode exportNurbs(const ExportArguments& arguments, Format format) {
-  if (arguments.directory.empty())
-    throw Error(fmt::format("-o: --format {} writes one file; name it, as in -o body.{}", arguments.format,
-                            arguments.format));
+  requireOneFile(arguments, format);
   const ResultReader reader(arguments.result);
   requireFrames(reader);
   requireNotInput("-o", arguments.directory, {reader.file()});
   const int frame = frameIndex(arguments.frame, reader.times());
+  const OutputTarget target(arguments.directory, endingsOf(format).front().c_str());
   switch (format) {
     case Format::Step:
     case Format::Iges:
       writeFaces(reader.model(), reader.frame(frame),
-                 format == Format::Step ? CadFormat::Step : CadFormat::Iges, arguments.directory);
+                 format == Format::Step ? CadFormat::Step : CadFormat::Iges, target.file());
       break;
     default:
       writeText(nurbsText(reader.model(), reader.frame(frame),
                           format == Format::G2 ? NurbsFormat::G2 : NurbsFormat::Json),
-                arguments.directory);
+                target.file());
   }
-  printOut("frame {} in {}\n", frame, arguments.directory.string());
+  target.finish();
+  if (!isStandardOutput(arguments.directory))
+    printOut("frame {} in {}\n", frame, arguments.directory.string());
   return ExitCode::Fine;
 }
 
@@ -128,7 +169,8 @@ ExitCode exportSeries(const ExportArguments& arguments) {
   const auto directory = arguments.directory.empty() ? reader.file().parent_path() : arguments.directory;
   requireFrames(reader);
   if (!isOfARun(directory) && !hasSeries(directory)) requireAbsent(seriesFiles(directory));
-  ParaViewSeries writer(directory, reader.model(), options, firstPictureOf(reader));
+  const ScenePicture picture = firstPictureOf(reader);
+  ParaViewSeries writer(directory, reader.model(), options, picture, picture.times);
   for (int i = 0; i < reader.numFrames(); ++i) {
     throwIfInterrupted();
     writer.write(reader.frame(i));
@@ -138,8 +180,9 @@ ExitCode exportSeries(const ExportArguments& arguments) {
 }
 
 ExitCode exportResult(const ExportArguments& arguments) {
-  const Format format = chosen("--format", arguments.format, kFormats);
+  const Format format = formatOf(arguments);
   if (format != Format::Series) return exportNurbs(arguments, format);
+  requireDirectoryName("-o", arguments.directory);
   if (arguments.frame != "last")
     throw Error(
         "--frame: a series holds all frames; give it with --format g2, json, step or iges, which hold one");
@@ -156,7 +199,8 @@ void addExportCommand(CLI::App& app, Action& action) {
   command
       ->add_option(
           "-o,--output", arguments->directory,
-          "Directory for frames.pvd and frames/ [that of the result]; with one of the other formats the file")
+          "Directory for frames.pvd and frames/ [that of the result]; or a file of one frame that ends in .g2, .json, "
+          ".step or .iges, or with --format - to print it")
       ->type_name("DIR|FILE");
   CLI::Option* cells =
       command
@@ -186,15 +230,20 @@ void addExportCommand(CLI::App& app, Action& action) {
           ->add_option(
               "--format", arguments->format,
               "vtu: the series; g2 (GoTools) or json (geomdl): the deformed bodies of a frame as NURBS; step or iges: "
-              "their faces, for CAD [vtu]")
+              "their faces, for CAD [that of the file which -o names, else vtu]")
           ->type_name("vtu|g2|json|step|iges");
   offerChoices(*format, kFormats);
-  for (CLI::Option* ofSeries : {cells, parts, pieces, net}) ofSeries->excludes(format);
+  const std::array ofSeries{cells, parts, pieces, net};
+  for (CLI::Option* option : ofSeries) option->excludes(format);
   command
       ->add_option("--frame", arguments->frame,
                    "With formats of one frame: its number, last or end, or time=T [last]")
       ->type_name("N|last|time=T");
-  command->callback([&action, arguments] { action = [arguments] { return exportResult(*arguments); }; });
+  command->callback([&action, arguments, ofSeries] {
+    for (const CLI::Option* option : ofSeries)
+      if (option->count() > 0) arguments->ofSeries = option->get_name();
+    action = [arguments] { return exportResult(*arguments); };
+  });
 }
 
 }  // namespace burnish

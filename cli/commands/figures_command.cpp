@@ -141,6 +141,7 @@ ExitCode writeWorkflow(const FiguresArguments& arguments, const char* file) {
 ExitCode figures(FiguresArguments arguments) {
   if (arguments.workflow)
     return writeWorkflow(arguments, chosen("--workflow", *arguments.workflow, kWorkflows));
+  requireDirectoryName("-o", arguments.output);
   const Study study = readStudy(arguments.study);
   if (arguments.output.empty()) arguments.output = fs::path("out") / arguments.study.stem();
   if (arguments.document.empty())

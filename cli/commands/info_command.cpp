@@ -10,10 +10,10 @@
 #include "cli/commands/info_json.h"
 #include "cli/commands/info_text.h"
 #include "cli/console.h"
+#include "cli/scene_input.h"
 #include "engine/core/error.h"
 #include "engine/schema/diagnostics.h"
 #include "postproc/foreign/foreign_file.h"
-#include "postproc/scene/scene_document.h"
 #include "postproc/scene/scene_listing.h"
 #include "postproc/study/study_listing.h"
 #include "postproc/text/json_text.h"
@@ -33,7 +33,7 @@ void printJson(const fs::path& path, bool isResult) {
   if (!foreignKind(path).empty())
     return printText(compactText(foreignJson(ForeignFile(path)), kJsonDigits) + "\n");
   Diagnostics errors(path.string(), {});
-  const auto tree = parseYaml(readSceneDocument(path).scene.resolvedYaml, 0, errors);
+  const auto tree = parseYaml(readSceneInput(path).scene.resolvedYaml, 0, errors);
   printText(compactText(documentJson(tree.value()), kJsonDigits) + "\n");
 }
 
@@ -43,7 +43,7 @@ ExitCode info(const InfoArguments& arguments) {
   const fs::path& path = arguments.path;
   if (path.empty()) return ExitCode::Fine;
   std::error_code status;
-  if (!fs::exists(path, status))
+  if (!isStandardInput(path) && !fs::exists(path, status))
     throw Error(fmt::format("{}: there is no such file or directory", path.string()));
   const bool isResult = fs::is_directory(path, status) || path.extension() == ".h5";
   if (arguments.json)
@@ -51,7 +51,7 @@ ExitCode info(const InfoArguments& arguments) {
   else if (isResult)
     printText(resultText(ResultReader(path)));
   else
-    printText(foreignKind(path).empty() ? sceneText(readSceneDocument(path).scene)
+    printText(foreignKind(path).empty() ? sceneText(readSceneInput(path).scene)
                                         : foreignText(ForeignFile(path)));
   return ExitCode::Fine;
 }
@@ -62,17 +62,19 @@ void addInfoCommand(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("info", "Tell what is in a result, a scene or a file of another program");
   const auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("RESULT|SCENE|FILE", arguments->path,
-                      "Directory of a run, result file (.h5), scene file, or file of another program");
+  command->add_option(
+      "RESULT|SCENE|FILE", arguments->path,
+      "Directory of a run, result file (.h5), scene file, or file of another program; - for a scene on standard input");
   command->add_flag("--keys", arguments->keys,
                     "List every key of a scene with its type, default and meaning");
   command->add_flag("--study-keys", arguments->studyKeys, "List every key of a study");
   command->add_flag("--json", arguments->json,
                     "Print what is in the result, scene or file as one JSON object");
-  command->require_option(1, 3);
   command->callback([&action, arguments] {
     if (arguments->json && arguments->path.empty())
       throw CLI::RequiredError("a result, scene or file for --json");
+    if (arguments->path.empty() && !arguments->keys && !arguments->studyKeys)
+      throw CLI::RequiredError("a result, scene or file, or --keys or --study-keys");
     action = [arguments] { return info(*arguments); };
   });
 }

@@ -13,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/init/scene_kinds.h"
 #include "cli/offered_words.h"
+#include "cli/output_target.h"
 #include "engine/core/error.h"
 #include "postproc/text/text_file.h"
 
@@ -38,11 +39,15 @@ ExitCode init(InitArguments arguments) {
     return ExitCode::Fine;
   }
   std::filesystem::path& scene = arguments.scene;
+  const std::string text = chosen("--kind", arguments.kind, kindTexts());
+  if (isStandardOutput(scene)) {
+    printText(text);
+    return ExitCode::Fine;
+  }
   if (!scene.has_extension()) scene += ".yaml";
   if (scene.extension() != ".yaml" && scene.extension() != ".yml")
     throw Error(fmt::format("{}: found the ending \"{}\"; expected the name of a scene, .yaml",
                             scene.string(), scene.extension().string()));
-  const std::string text = chosen("--kind", arguments.kind, kindTexts());
   std::error_code absent;
   if (std::filesystem::symlink_status(scene, absent).type() != std::filesystem::file_type::not_found)
     throw Error(fmt::format("{}: it is there already, and nothing is overwritten; choose another name",
@@ -60,7 +65,7 @@ void addInitCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("init", "Write a scene with comments, to begin with");
   const auto arguments = std::make_shared<InitArguments>();
   command->add_option("SCENE", arguments->scene,
-                      "Name of the scene, to which .yaml is added if it is missing");
+                      "Name of the scene, to which .yaml is added if it is missing; - prints it");
   CLI::Option* kind =
       command
           ->add_option("--kind", arguments->kind, "What the scene shows; --list tells of all kinds [press]")

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/commands/run_events.h"
 #include "cli/commands/run_outputs.h"
@@ -15,6 +16,7 @@
 #include "cli/faults.h"
 #include "cli/jobs/child_process.h"
 #include "cli/ranks.h"
+#include "cli/scene_input.h"
 #include "engine/core/error.h"
 #include "engine/results/history.h"
 #include "engine/results/run_files.h"
@@ -147,7 +149,7 @@ ExitCode reportEnd(const RunArguments& arguments, const RunSummary& summary, con
 
 ExitCode run(const RunArguments& arguments) {
   const SceneDocument document = arguments.resumes ? readResultDocument(arguments.directory)
-                                                   : readSceneDocument(arguments.scene, arguments.overrides);
+                                                   : readSceneInput(arguments.scene, arguments.overrides);
   OffscreenCanvas::saveMemory();  // for the solver
   const SignalGuard signals(SecondSignal::Ends);
   const RunReport report = arguments.json    ? RunReport::Events
@@ -176,6 +178,13 @@ ExitCode runOrResume(RunArguments arguments) {
     printOut("the run in {} has come to its end; there is nothing to resume\n", arguments.directory.string());
     return ExitCode::Fine;
   }
+  requireDirectoryName(arguments.resumes ? "--resume" : "-o", arguments.directory);
+  if (isStandardInput(arguments.scene)) {
+    if (arguments.directory.empty())
+      throw Error("-o: missing; a scene on standard input has no name for the directory of its results");
+    if (!ranks().isAlone())
+      throw Error("-: standard input reaches one of several processes alone; give all of them a file");
+  }
   if (!arguments.resumes && arguments.directory.empty())
     arguments.directory = std::filesystem::path("out") / arguments.scene.stem();
   return run(arguments);
@@ -190,7 +199,8 @@ void addRunCommand(CLI::App& app, Action& action) {
       "Exit codes: 0 done, 2 unusable input, 3 the run stopped before its end, 4 all is computed but a "
       "picture\n"
       "failed, 130 and 143 interrupted. What was computed is kept.");
-  CLI::Option* scene = command->add_option("SCENE", arguments->scene, "Scene file (YAML)");
+  CLI::Option* scene =
+      command->add_option("SCENE", arguments->scene, "Scene file (YAML); - for a scene on standard input");
   CLI::Option* output = command
                             ->add_option("-o,--output", arguments->directory,
                                          "Directory for everything that is written [out/NAME of the scene]")

@@ -108,9 +108,11 @@ void RunOutputs::onWarnings(const std::vector<std::string>& warnings) {
 void RunOutputs::onStart(const ModelRecord& model) {
   hasStarted_ = true;
   model_ = model;
-  if (document_.scene.output.vtu)
-    vtu_.emplace(directory_, model, VtuOptions{.pieces = document_.scene.output.pieces},
-                 firstPicture(document_));
+  if (document_.scene.output.vtu) {
+    const ScenePicture picture = firstPicture(document_);
+    vtu_.emplace(directory_, model, VtuOptions{.pieces = document_.scene.output.pieces}, picture,
+                 picture.times);
+  }
   std::error_code absent;
   // A picture of an earlier run would pass for one of this run, now or if this one stops before.
   for (const fs::path& file : outdated_) fs::remove(file, absent);

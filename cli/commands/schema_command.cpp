@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/broken_lines.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "engine/schema/explanation.h"
@@ -37,7 +38,8 @@ void addExplainCommand(CLI::App& app, Action& action) {
   command->add_flag("--study", arguments->study, "A key of a study instead");
   command->callback([&action, arguments] {
     action = [arguments] {
-      printText(explainKey(arguments->study ? studyDeclarations() : sceneDeclarations(), arguments->key));
+      printText(brokenText(
+          explainKey(arguments->study ? studyDeclarations() : sceneDeclarations(), arguments->key)));
       return ExitCode::Fine;
     };
   });

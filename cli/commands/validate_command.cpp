@@ -15,10 +15,9 @@
 #include "cli/commands/document_places_check.h"
 #include "cli/console.h"
 #include "cli/progress.h"
+#include "cli/scene_input.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
-#include "engine/scene/scene_reading.h"
-#include "postproc/scene/scene_document.h"
 #include "postproc/study/study_reader.h"
 #include "postproc/text/json_text.h"
 #include "postproc/text/text_file.h"
@@ -62,12 +61,6 @@ std::string costText(const CostEstimate& cost) {
       secondsText(cost.seconds()));
 }
 
-/// A document of a file, or of standard input for -, whose files are those of the working directory.
-SceneDocument readInput(const fs::path& file, const std::vector<std::string>& overrides) {
-  if (file != "-") return readSceneDocument(file, overrides);
-  return parseSceneDocument(readDocument("/dev/stdin", kSceneKind), "standard input", overrides);
-}
-
 /// A scene that can be computed, every default filled in, and what is said of it.
 struct GoodScene {
   std::string resolvedYaml;
@@ -77,7 +70,7 @@ struct GoodScene {
 /// Warnings begin with who has them.
 GoodScene validateScene(const fs::path& file, const std::vector<std::string>& overrides,
                         const std::string& who) {
-  const SceneDocument document = readInput(file, overrides);
+  const SceneDocument document = readSceneInput(file, overrides);
   SceneReport report = reportOf(document.scene);
   requirePlaces(document, report.model);
   for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);

@@ -155,6 +155,9 @@ int callFor(const WatchArguments& arguments, const RunState& state, std::size_t 
 
 void requireRun(const WatchArguments& arguments, const FollowedRun& run) {
   std::error_code status;
+  if (fs::exists(arguments.directory, status) && !fs::is_directory(arguments.directory, status))
+    throw Error(fmt::format("{}: this is a file; expected the directory of a run, such as out/press",
+                            arguments.directory.string()));
   if (arguments.waits || run.hasBegun() || run.isHeld()) return;
   throw Error(fmt::format("{}: {}; start the run first, or add --wait", arguments.directory.string(),
                           fs::is_directory(arguments.directory, status) ? "there is no run in it"

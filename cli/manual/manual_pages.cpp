@@ -5,8 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <regex>
-#include <set>
 #include <vector>
 
 #include "cli/command.h"
@@ -29,25 +27,6 @@ constexpr std::array<std::pair<ExitCode, const char*>, 8> kExitCodes{
      {ExitCode::Interrupted, "Interrupted by SIGINT, what was finished is kept."},
      {ExitCode::Terminated, "The same by SIGTERM or SIGHUP."}}};
 
-/// N:INT in [1 - 9] as "N" and "from 1 to 9".
-std::pair<std::string, std::string> typeOf(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const std::size_t colon = type.find(':');
-  if (colon == std::string::npos) return {type, ""};
-  const std::string rule = type.substr(colon + 1);
-  std::smatch range;
-  if (std::regex_search(rule, range, std::regex(R"(in \[(.*) - (.*)\])")))
-    return {type.substr(0, colon), fmt::format("from {} to {}", range[1].str(), range[2].str())};
-  return {type.substr(0, colon), ""};
-}
-
-/// --a, --b: names of the options that it goes with or not, which a set of pointers has in no order.
-std::string namesOf(const std::set<CLI::Option*>& options) {
-  std::set<std::string> names;
-  for (const CLI::Option* option : options) names.insert(option->get_name(option->get_positional()));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 std::string termOf(const CLI::Option& option) {
   std::vector<std::string> names;
   if (option.get_positional()) {
@@ -57,25 +36,15 @@ std::string termOf(const CLI::Option& option) {
     for (const std::string& name : option.get_lnames()) names.push_back(roffBold("--" + name));
   }
   std::string term = fmt::format("{}", fmt::join(names, ", "));
-  if (!option.get_positional() && option.get_items_expected_max() > 0)
-    term += " " + roffItalic(typeOf(option).first);
+  if (const std::string value = valueWord(option); !value.empty()) term += " " + roffItalic(value);
   return term;
-}
-
-std::string sentenceOf(const CLI::Option& option) {
-  std::string text = option.get_description();
-  if (const std::string rule = typeOf(option).second; !rule.empty()) text += "; " + rule;
-  if (!text.ends_with('.')) text += '.';
-  if (!option.get_needs().empty()) text += fmt::format(" Only with {}.", namesOf(option.get_needs()));
-  if (!option.get_excludes().empty()) text += fmt::format(" Not with {}.", namesOf(option.get_excludes()));
-  return roffText(text);
 }
 
 void addOptions(RoffPage& page, const CLI::App& command) {
   for (const bool isPositional : {true, false}) {
     const std::vector<const CLI::Option*> options = shownOptions(command, isPositional);
     if (!options.empty()) page.section(isPositional ? "ARGUMENTS" : "OPTIONS");
-    for (const CLI::Option* option : options) page.item(termOf(*option), sentenceOf(*option));
+    for (const CLI::Option* option : options) page.item(termOf(*option), roffText(meaningOf(*option) + "."));
   }
 }
 

@@ -1,6 +1,6 @@
 """Shows the series frames.pvd beside this file in ParaView, 5.11 or later.
 
-In ParaView: File > Load State. In a shell: `pvpython frames.py picture.png` draws the last time; without the
+In ParaView: File > Load State. In a shell: `pvpython frames.py picture.png` draws what is shown; without the
 name of a picture nothing is drawn. The file is written anew with the series: make changes in a copy beside it.
 """
 import os
@@ -23,6 +23,9 @@ title = @title@
 lowest, highest = @range@
 colors, steps = @colors@, @steps@
 states = @states@
+
+# What is shown first: the last time of the scene's first picture. None: the last time of all.
+time = @time@
 
 # A parallel projection: the directions to the eye and up, the middle of what is seen, its width and height.
 eye, up = @eye@, @up@
@@ -62,9 +65,9 @@ paraview.simple._DisableFirstRenderCameraReset()
 series = PVDReader(registrationName="frames.pvd", FileName=os.path.join(folder, "frames.pvd"))
 animation = GetAnimationScene()
 animation.UpdateAnimationUsingDataTimeSteps()
-animation.AnimationTime = animation.EndTime
+animation.AnimationTime = animation.EndTime if time is None else time
 view = GetActiveViewOrCreate("RenderView")
-view.ViewTime = animation.EndTime
+view.ViewTime = animation.AnimationTime
 
 for name in plain:
     show(name, plain_color)

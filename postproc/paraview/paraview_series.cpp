@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/same_time.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_parts.h"
 #include "postproc/draw/contour/field_colors.h"
@@ -55,10 +56,11 @@ std::pair<std::string, std::string> arrayOf(const FieldChoice& field) {
 }  // namespace
 
 ParaViewSeries::ParaViewSeries(std::filesystem::path directory, ModelRecord model, const VtuOptions& options,
-                               const PictureOptions& picture)
+                               const PictureOptions& picture, std::vector<double> times)
     : directory_(std::move(directory)),
       series_(directory_, std::move(model), options),
       options_(shownWhole(picture)),
+      times_(std::move(times)),
       isCurved_(options.cells != CellKind::Linear) {
   std::error_code error;
   std::filesystem::remove(directory_ / "frames.py", error);
@@ -84,7 +86,7 @@ void ParaViewSeries::look(const FrameRecord& all) {
     FieldChoice field = chooseField(model, frame, options_.field);
     const ContourParts parts = contourParts(model, frame, field, options_);
     const FieldRange range = fieldRanges(model, frame, field, subdivisionOf(model, options_), options_.clip);
-    frames_[frame.index] = {range.shown, contentOf(parts, model.dim), parts.box};
+    frames_[frame.index] = {frame.time, range.shown, contentOf(parts, model.dim), parts.box};
     axes_ = parts.axes;
     without_ = bodiesWithout(whole, all, field.name);
     field.coefficients.resize(0, 0);
@@ -116,8 +118,17 @@ std::vector<std::string>& ParaViewSeries::listFor(const SeriesBlock& block, Stat
   return script.hidden;
 }
 
+std::optional<double> ParaViewSeries::timeOfPicture() const {
+  std::optional<double> last;
+  for (const auto& [index, shown] : frames_)
+    if (std::ranges::any_of(times_, [&](double time) { return isSameTime(shown.time, time); }))
+      last = shown.time;
+  return last;
+}
+
 StateScript ParaViewSeries::script() const {
   StateScript script;
+  script.time = timeOfPicture();
   for (const SeriesBlock& block : series_.blocks()) listFor(block, script).push_back(block.name);
   if (field_) {
     std::array<double, 2> range = frames_.empty() ? std::array{0.0, 0.0} : frames_.begin()->second.range;

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/field_choice.h"
@@ -18,10 +19,11 @@ namespace burnish {
 /// view. What a picture shows of a part of the body alone (cuts, mirrors) or drawn otherwise (arrows, warp) is left out.
 class ParaViewSeries {
  public:
-  /// picture: without a field, what one most probably wants to see. Throws `Error` as `VtuSeriesWriter` does,
-  /// and naming a script that cannot be removed.
+  /// picture: without a field, what one most probably wants to see. times: of the picture; the last of them that has a
+  /// frame is shown, the last frame without. Throws `Error` as `VtuSeriesWriter` does, and naming a script that cannot be
+  /// removed.
   ParaViewSeries(std::filesystem::path directory, ModelRecord model, const VtuOptions& options,
-                 const PictureOptions& picture);
+                 const PictureOptions& picture, std::vector<double> times = {});
 
   /// Adds a frame as `VtuSeriesWriter` does, and writes the script anew. A frame that a picture could not
   /// show has no part in the range of colours and the view.
@@ -30,6 +32,7 @@ class ParaViewSeries {
  private:
   /// What the frames together need of one.
   struct Shown {
+    double time;
     std::array<double, 2> range;
     Eigen::AlignedBox2d content;
     Eigen::AlignedBox3d box;
@@ -37,6 +40,7 @@ class ParaViewSeries {
 
   void look(const FrameRecord& frame);
   StateScript script() const;
+  std::optional<double> timeOfPicture() const;
 
   /// Where a block of the series belongs.
   std::vector<std::string>& listFor(const SeriesBlock& block, StateScript& script) const;
@@ -44,6 +48,7 @@ class ParaViewSeries {
   std::filesystem::path directory_;
   VtuSeriesWriter series_;
   ContourOptions options_;
+  std::vector<double> times_;
   bool isCurved_;
   std::map<int, Shown> frames_;       ///< by index
   std::optional<FieldChoice> field_;  ///< of the last frame that has it, without its values

@@ -7,6 +7,7 @@
 
 #include "postproc/paraview/paraview_texts.h"
 #include "postproc/text/page.h"
+#include "postproc/text/plain_time.h"
 
 namespace burnish {
 namespace {
@@ -89,6 +90,7 @@ std::string textOf(const StateScript& script) {
        {"@colors@", field ? listOf(field->scale.joints()) : "\"\""},
        {"@steps@", std::to_string(field ? field->scale.colors().size() : 0)},
        {"@states@", listOf(field ? field->states : std::vector<std::string>())},
+       {"@time@", script.time ? fmt::format("{}", plainTime(*script.time)) : "None"},
        {"@eye@", listOf(eye)},
        {"@up@", listOf(up)},
        {"@center@", listOf(centerOf(script, eye))},

@@ -24,6 +24,8 @@ struct StateScript {
   };
   std::optional<Field> field;
 
+  std::optional<double> time{};  ///< that is shown; the last one without
+
   ViewAxes axes = ViewAxes::Identity();
   Eigen::AlignedBox2d window;  ///< of the view's plane, that is seen; may be empty
   Eigen::AlignedBox3d box;     ///< of the bodies; may be empty

@@ -54,7 +54,7 @@ SceneDocument parseSceneDocument(const std::string& yaml, const std::string& nam
   return document;
 }
 
-PictureOptions firstPicture(const SceneDocument& document) {
+ScenePicture firstPicture(const SceneDocument& document) {
   if (document.pictures.empty()) return {};
   return document.pictures.front();
 }

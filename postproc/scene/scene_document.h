@@ -49,7 +49,7 @@ struct SceneDocument {
 };
 
 /// The first picture, or one without options if there is none.
-PictureOptions firstPicture(const SceneDocument& document);
+ScenePicture firstPicture(const SceneDocument& document);
 
 /// Reads and checks a document as `readScene` does a scene, with all of its keys.
 SceneDocument readSceneDocument(const std::filesystem::path& file,

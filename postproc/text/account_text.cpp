@@ -13,7 +13,8 @@
 namespace burnish {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of the largest force
+constexpr double kRounding = 1e-9;         // of the largest force
+constexpr double kEnergyRounding = 1e-15;  // of the largest energy
 
 /// The last row of a history.
 class LastRow {
@@ -100,9 +101,12 @@ std::string rezonings(const RunAccount& account) {
 void addEnd(AccountLines& lines, const RunAccount& account, const HistoryTable& history) {
   const LastRow end(history);
   if (end.has("strain_energy") && end.has("external_work")) {
-    lines.emplace_back("energies at the end",
-                       fmt::format("strain {:.8g}, contact {:.4g}, plastic work {:.8g}", end("strain_energy"),
-                                   end("contact_energy"), end("plastic_work")));
+    const double least = kEnergyRounding * largestEnergy(history);
+    const auto energy = [&](const char* name) { return std::abs(end(name)) > least ? end(name) : 0.0; };
+    lines.emplace_back(
+        "energies at the end",
+        fmt::format("strain {:.8g}, contact {:.4g}, plastic work {:.8g}", energy("strain_energy"),
+                    energy("contact_energy"), energy("plastic_work")));
     lines.emplace_back("external work", fmt::format("{:.8g}", end("external_work")));
     lines.emplace_back("balance", balance(account, history));
   }

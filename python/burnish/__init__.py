@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from .results import Run as Run, open as open
     from .scene import RunStopped as RunStopped, Scene as Scene, Step as Step, resume as resume
 
+    __version__: str
+
 _PLACES = {
     "Animation": "picture",
     "Comparison": "comparison",
@@ -57,6 +59,10 @@ __all__ = sorted(_PLACES)
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("burnish")
     place = _PLACES.get(name)
     if place is None:
         raise AttributeError(f"module 'burnish' has no attribute {name!r}")
@@ -66,4 +72,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_PLACES})
+    return sorted({*_PLACES, "__version__"})

@@ -31,6 +31,9 @@ def call(arguments: Iterable[str], text: str | None = None, fine: Iterable[int] 
     if done.returncode not in fine:
         message = done.stderr.decode("utf-8", "replace").strip().removeprefix("burnish: ")
         message = re.sub(r"^--([\w-]+):", lambda option: option[1].replace("-", "_") + ":", message)
+        message = re.sub(r"^-o:", "file:", message)
+        message = re.sub(r'(there is no option |Did you mean ")--([\w-]+)',
+                         lambda option: option[1] + option[2].replace("-", "_"), message)
         raise Error(message or f"burnish ended with code {done.returncode}")
     return done.stdout
 

@@ -31,6 +31,9 @@ class Line:
     material: Floats  #: where it was in the undeformed body, shape (points, dim)
     values: Floats  #: shape (points,) or (points, components)
 
+    def __repr__(self) -> str:
+        return f"<line of {len(self.distance)} points, {self.distance[-1]:g} long>"
+
 
 @dataclass(frozen=True, eq=False)
 class Field:
@@ -137,6 +140,8 @@ class Field:
 def _points(values: ArrayLike, dim: int, what: str) -> tuple[Floats, bool]:
     """As an array (points, dim), and whether a single point was given."""
     points = np.asarray(values, dtype=float)
+    if points.size == 0:
+        return np.empty((0, dim)), False
     if points.ndim not in (1, 2) or points.shape[-1] != dim:
         raise Error(f"{what}: found an array of shape {points.shape}; expected (points, {dim}) or ({dim},)")
     return np.atleast_2d(points), points.ndim == 1

@@ -323,6 +323,9 @@ class Contact:
     slip: Floats | None  #: with friction: way on the tool in the last step, shape (points, dim)
     sliding: Integers | None  #: with friction: 0 open, 1 stick, 2 slip
 
+    def __repr__(self) -> str:
+        return f"<contact of {self.tool or self.pair} on {self.face}: {len(self.points)} points, {(self.pressure > 0).sum()} pressed>"
+
 
 @dataclass(frozen=True, eq=False)
 class QuadraturePoints:
@@ -330,6 +333,9 @@ class QuadraturePoints:
 
     points: Floats  #: current positions, shape (points, dim)
     _stored: dict[str, _Stored]
+
+    def __repr__(self) -> str:
+        return f"<{len(self.points)} quadrature points, {', '.join(self._stored)}>"
 
     @property
     def fields(self) -> list[str]:

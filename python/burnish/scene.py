@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import operator
 import os
 import re
 import tempfile
@@ -17,6 +18,8 @@ from . import command
 from .documents import document
 from .errors import Error, UnknownName, unknown_name
 from .results import Run, last_row
+
+_MOST_THREADS = 1024  # as the command has it
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,6 +81,14 @@ class Scene:
         """Changes an entry: scene["tools[0].radius"] = 0.25. Values are numbers, texts, lists and mappings."""
         self.set(f"{path}={json.dumps(_plain(value), ensure_ascii=False)}")
 
+    def __delitem__(self, path: str) -> None:
+        """Takes back what was changed of an entry: after del scene["material.E"] it is as the file or the mapping has it."""
+        changed = [change.partition("=")[0] for change in self._changes]
+        if path not in changed:
+            raise unknown_name("change", path, changed)
+        self._changes = [change for change, its_path in zip(self._changes, changed) if its_path != path]
+        self._resolved = None
+
     def __getitem__(self, path: str) -> Any:
         """An entry of the checked scene, defaults among them: scene["solver.tolerance"]."""
         value: Any = self.resolved
@@ -108,9 +119,14 @@ class Scene:
     def validate(self) -> list[str]:
         """Checks the scene and builds its model without computing it; returns warnings. Throws `Error` with a line for everything
         that is wrong, as `burnish validate` prints it."""
-        printed = command.call(["validate", "--json", *(f"--set={change}" for change in self._changes),
-                                "-" if self.file is None else str(self.file)],
-                               text=self._yaml if self.file is None else None)
+        arguments = ["validate", "--json", *(f"--set={change}" for change in self._changes)]
+        try:
+            if self.file is None:
+                printed = command.call([*arguments, "-"], text=self._yaml)
+            else:
+                printed = command.call([*arguments, str(self.file)])
+        except Error as error:  # a mapping has no lines to be named
+            raise Error(re.sub(r"^standard input:\d+:\d+: ", "", str(error), flags=re.MULTILINE)) from None
         verdict = json.loads(printed)
         self._resolved = verdict["scene"]
         return list(verdict["warnings"])
@@ -151,6 +167,8 @@ def resume(directory: str | os.PathLike[str], on_step: Callable[[Step], object] 
 def _compute(text: str, name: str, changes: Iterable[str], resolved: str, directory: Path, resumes: bool,
              on_step: Callable[[Step], object] | None, threads: int) -> Run:
     engine = _engine()
+    if not 0 <= operator.index(threads) <= _MOST_THREADS:
+        raise Error(f"threads: found {threads}; expected a number from 1 to {_MOST_THREADS}, or 0 for all of the machine")
 
     def step(number: int, time: float, end_time: float, iterations: int, cut_backs: int) -> None:
         assert on_step is not None

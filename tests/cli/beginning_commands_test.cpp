@@ -143,5 +143,19 @@ TEST_F(Init, NeverOverwrites) {
   EXPECT_TRUE(fs::exists(dir / "deep/er/scene.yaml"));
 }
 
+TEST_F(Init, PrintsASceneThatIsComputedFromStandardInput) {
+  ASSERT_EQ(burnish("init a --kind axisymmetric").code, 0);
+  EXPECT_EQ(burnish("init - --kind axisymmetric").out, readText(dir / "a.yaml"));
+  EXPECT_THAT(burnish("init - --kind nothing").err, HasSubstr("--kind: found \"nothing\""));
+  EXPECT_EQ(burnish("info - < a.yaml").out, burnish("info a.yaml").out);
+  EXPECT_EQ(burnish("info - --json < a.yaml").out, burnish("info a.yaml --json").out);
+  const std::string coarse = " --quiet --set geometry.spans=[6,6] --set output.vtu=false --set pictures=[]";
+  ASSERT_EQ(burnish("run a.yaml -o file" + coarse).code, 0);
+  ASSERT_EQ(burnish("run - -o piped" + coarse + " < a.yaml").code, 0);
+  for (const char* name : {"history.csv", "result.h5"})
+    EXPECT_EQ(readText(dir / "file" / name), readText(dir / "piped" / name)) << name;
+  EXPECT_FALSE(fs::exists(dir / "-.yaml"));
+}
+
 }  // namespace
 }  // namespace burnish

@@ -53,6 +53,38 @@ TEST_F(HelpCommand, PrintsWhatTheOptionPrints) {
   EXPECT_THAT(burnish("help").out, Not(HasSubstr("\n  manual")));
 }
 
+/// The words of a text, one blank between them.
+std::string wordsOf(const std::string& text) {
+  return std::regex_replace(text, std::regex("\\s+"), " ");
+}
+
+TEST_F(HelpCommand, EndsItsLinesWhereTheTerminalEnds) {
+  std::vector<std::string> pages{"help", "explain contact.friction", "explain geometry"};
+  for (const std::string& command : commands()) pages.push_back("help " + command);
+  for (const std::string& command : pages) {
+    const std::string wide = burnish(command).out;
+    EXPECT_THAT(wide, Not(HasSubstr("{false}"))) << command << ": the parser's own marks";
+    const std::string narrow =
+        shell(dir, "script -qec 'stty cols 60; " BURNISH_COMMAND " " + command + "' /dev/null </dev/null")
+            .out;
+    EXPECT_EQ(wordsOf(narrow), wordsOf(wide)) << command;
+    std::istringstream lines(narrow);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.ends_with('\r')) line.pop_back();
+      EXPECT_LE(line.size(), 60u) << command << ": " << line;
+    }
+  }
+}
+
+TEST_F(HelpCommand, TellsWhichOptionsGoTogether) {
+  EXPECT_THAT(wordsOf(burnish("help run").out),
+              HasSubstr("--resume DIR Go on with the run that was stopped in this "
+                        "directory, instead of SCENE. Not with --output, --set, SCENE"));
+  EXPECT_THAT(wordsOf(burnish("help figures").out), HasSubstr("--results DIR"));
+  EXPECT_THAT(wordsOf(burnish("help figures").out), HasSubstr(". Only with --workflow"));
+  EXPECT_THAT(wordsOf(burnish("help export").out), HasSubstr("[1]; from 1 to 100000. Not with --format"));
+}
+
 TEST_F(HelpCommand, RefusesWhatIsNoCommand) {
   expectRefusal(burnish("help rnder"), "help rnder", "there is no command rnder; expected run, render,");
   expectRefusal(burnish("help rnder"), "help rnder", "Did you mean \"render\"?");

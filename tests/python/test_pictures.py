@@ -45,8 +45,10 @@ def test_pixels_of_every_filter(press, tmp_path, filtered):
 def test_mistakes_are_told_as_by_the_command(press):
     with pytest.raises(burnish.Error, match='^field: found "von_mies".*Did you mean "von_mises"'):
         burnish.render(press, field="von_mies")
-    with pytest.raises(burnish.Error, match="there is no option --colour"):
-        burnish.render(press, colour="red")
+    with pytest.raises(burnish.Error, match='there is no option mark_extrems. Did you mean "mark_extremes"'):
+        burnish.render(press, mark_extrems=True)
+    with pytest.raises(burnish.Error, match='^file: found "press.tiff"; expected the name of a picture'):
+        burnish.render(press, file="press.tiff")
 
 
 def test_animations(press, tmp_path):

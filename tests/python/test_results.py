@@ -12,7 +12,7 @@ import pytest
 
 import burnish
 from burnish.results import last_row
-from conftest import probe
+from conftest import call, probe
 from scenes import SCENES
 
 FIELDS = [["displacement.y"], ["stress.xx", "von_mises"]]  # of one unit each
@@ -45,6 +45,27 @@ def test_scenes_are_of_all_kinds(results):
     assert [frame.is_remeshed for frame in runs["remeshed"].frames] == [False, False, True]
     remeshed = runs["remeshed"]
     assert np.abs(remeshed.frames[-1].patches[0].points - remeshed.patches[0].points).max() > 0.01
+
+
+def test_what_is_read_says_in_a_line_what_it_is(results):
+    for name in SCENES:
+        frame = results(name).frames[-1]
+        lines = [repr(part) for part in (results(name), frame, frame.quadrature, *frame.contact, results(name).history,
+                                         frame.field("von_mises"), frame.field("von_mises").on_line(*LINES[name]))]
+        assert all(line.startswith("<") and "\n" not in line and "array" not in line for line in lines), lines
+    contact, = results("press").frames[-1].contact
+    assert repr(contact) == f"<contact of disc on top: {len(contact.points)} points, {np.count_nonzero(contact.pressure)} pressed>"
+
+
+def test_no_points_have_no_values(press):
+    frame = press.frames[-1]
+    assert frame.field("von_mises").at_points([]).shape == (0,) and frame.field("stress").at_points(np.empty((0, 2))).shape == (0, 4)
+    assert frame.field("von_mises").at_material([]).shape == (0,) and frame.field("von_mises").at_parameters([]).shape == (0,)
+
+
+def test_the_version_is_that_of_the_command():
+    assert call("--version").startswith(f"burnish {burnish.__version__} (")
+    assert set(dir(burnish)) == {*burnish.__all__, "__version__"}
 
 
 @pytest.mark.parametrize("name", SCENES)

@@ -75,6 +75,19 @@ def test_changes(press, tmp_path):
         changed["material.F"]
 
 
+def test_changes_are_taken_back(tmp_path):
+    changed = burnish.Scene(scene()).set("material.E=3", "degree=3", "material.E=4")
+    changed["materials.E"] = 5
+    with pytest.raises(burnish.Error, match="materials: found an unknown key"):
+        changed.validate()
+    del changed["materials.E"]
+    assert changed["material.E"] == 4 and changed["degree"] == 3
+    del changed["material.E"]
+    assert changed["material.E"] == 1000 and changed["degree"] == 3
+    with pytest.raises(KeyError, match='change: found "degre"; available: degree. Did you mean "degree"'):
+        del changed["degre"]
+
+
 def test_mistakes_are_told_as_by_the_command(tmp_path):
     file = written(tmp_path, scene(degree=0, tols=[]))
     done = subprocess.run([PROGRAM, "run", file, "-o", tmp_path / "run"], capture_output=True, text=True)
@@ -83,12 +96,19 @@ def test_mistakes_are_told_as_by_the_command(tmp_path):
             act()
         assert f"burnish: {told.value}\n" == done.stderr and "degree: found 0" in str(told.value)
     assert not (tmp_path / "run").exists()
-    with pytest.raises(burnish.Error, match="^standard input:.*tols"):
-        burnish.Scene(scene(tols=[])).validate()
+    with pytest.raises(burnish.Error, match="found an unknown key") as told:  # a mapping has no lines
+        burnish.Scene(scene(degree=0, tols=[])).validate()
+    assert sorted(line.partition(":")[0] for line in str(told.value).splitlines()) == ["degree", "tols"]
     with pytest.raises(burnish.Error, match="--set degree=zero: degree: found zero"):
         burnish.Scene(scene()).set("degree=zero").validate()
     with pytest.raises(burnish.Error, match="expected path=value"):
         burnish.Scene(scene()).set("degree")
+    for threads in (-1, 1025):
+        with pytest.raises(burnish.Error, match=f"threads: found {threads}; expected a number from 1 to 1024, or 0"):
+            burnish.Scene(scene()).run(tmp_path / "run", threads=threads)
+    with pytest.raises(TypeError, match="interpreted as an integer"):
+        burnish.Scene(scene()).run(tmp_path / "run", threads="two")
+    assert not (tmp_path / "run").exists()
     with pytest.raises(burnish.Error, match="absent.yaml: cannot be read: No such file"):
         burnish.Scene(tmp_path / "absent.yaml")
 

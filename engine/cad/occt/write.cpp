@@ -1,8 +1,10 @@
+#include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
+#include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESData_IGESWriter.hxx>
 #include <IGESData_Protocol.hxx>
@@ -83,6 +85,32 @@ TopoDS_Face faceOf(const CadFace& face, double scale) {
   return made.Face();
 }
 
+/// Instead of OpenCASCADE's names for a model and an author that it does not know; to IGES it would write who is logged in.
+constexpr const char *kSystem = "burnish", *kModel = "NURBS surfaces", *kUnknown = "";
+
+opencascade::handle<TCollection_HAsciiString> ascii(const char* text) {
+  return new TCollection_HAsciiString(text);
+}
+
+void sayWhoWrote(const opencascade::handle<StepData_StepModel>& model) {
+  APIHeaderSection_MakeHeader header(model);
+  header.SetName(ascii(kModel));
+  header.SetDescriptionValue(1, ascii(kModel));
+  header.SetAuthorValue(1, ascii(kUnknown));
+  header.SetOrganizationValue(1, ascii(kUnknown));
+  header.SetOriginatingSystem(ascii(kSystem));
+  header.SetAuthorisation(ascii(kUnknown));
+}
+
+void sayWhoWrote(const opencascade::handle<IGESData_IGESModel>& model) {
+  IGESData_GlobalSection header = model->GlobalSection();
+  header.SetSendName(ascii(kModel));
+  header.SetFileName(ascii(kModel));
+  header.SetSystemId(ascii(kSystem));
+  header.SetAuthorName(ascii(kUnknown));
+  model->SetGlobalSection(header);
+}
+
 void writeStep(const TopoDS_Compound& all, const std::vector<TopoDS_Face>& made,
                const std::vector<CadFace>& faces, const std::string& file) {
   STEPControl_Writer writer;
@@ -92,6 +120,7 @@ void writeStep(const TopoDS_Compound& all, const std::vector<TopoDS_Face>& made,
   for (std::size_t k = 0; k < made.size(); ++k)
     if (const auto item = STEPConstruct::FindEntity(finder, made[k]); !item.IsNull())
       item->SetName(new TCollection_HAsciiString(faces[k].name.c_str()));
+  sayWhoWrote(writer.Model());
   StepData_StepWriter text(writer.Model());
   text.FloatWriter().SetFormat(kNumber);
   text.SendModel(opencascade::handle<StepData_Protocol>::DownCast(writer.WS()->Protocol()));
@@ -104,6 +133,7 @@ void writeIges(const TopoDS_Compound& all, const std::string& file) {
   IGESControl_Writer writer("MM", 0);
   if (!writer.AddShape(all)) throw Error("the faces cannot be written as IGES");
   writer.ComputeModel();
+  sayWhoWrote(writer.Model());
   IGESData_IGESWriter text(writer.Model());
   text.FloatWriter().SetFormat(kNumber);
   text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());

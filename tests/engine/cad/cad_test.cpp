@@ -18,6 +18,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <pwd.h>
 #include <unistd.h>
 #include <cmath>
 #include <filesystem>
@@ -240,6 +241,26 @@ TEST_F(Cad, SurfacesAreReadBackAsTheyWereWritten) {
       EXPECT_LT((read.exact->weights - written.weights).cwiseAbs().maxCoeff(), 1e-12);
       EXPECT_FALSE(read.exact->reversed);
     }
+}
+
+TEST_F(Cad, FilesSayWhoWroteThemAndNotWhoWasLoggedIn) {
+  for (const auto& [format, name] :
+       {std::pair{CadFormat::Step, "face.step"}, std::pair{CadFormat::Iges, "face.igs"}}) {
+    writeCad({quarter()}, LengthUnit::Millimetre, format, path(name));
+    std::ifstream file(path(name));
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string header = text.substr(0, text.find(format == CadFormat::Step ? "ENDSEC" : "D0000001"));
+    EXPECT_NE(header.find("burnish"), std::string::npos) << header;
+    EXPECT_NE(header.find("NURBS surfaces"), std::string::npos) << header;
+    for (const char* foreign :
+         {"Author", "Open CASCADE Shape Model", "Open CASCADE Model", "Filename", "Unknown"})
+      EXPECT_EQ(header.find(foreign), std::string::npos) << header;
+    const passwd* user = ::getpwuid(::geteuid());
+    const std::string login = user != nullptr ? user->pw_name : "";
+    if (!login.empty() && login != "burnish") {
+      EXPECT_EQ(header.find("H" + login + ","), std::string::npos) << header;
+    }
+  }
 }
 
 TEST_F(Cad, FacesHaveTheirNamesInStep) {

@@ -125,7 +125,23 @@ TEST_F(ParaView, ColoursSpanAllFramesThatAreThere) {
 
 TEST_F(ParaView, FramesWithoutTheFieldAreShownPlain) {
   write(samples::slab(), pictureOf("contact_pressure"));
-  EXPECT_THAT(shown(), StartsWith("body visible  \ntool_cylinder visible  \ncamera "));
+  EXPECT_THAT(shown(), StartsWith("body visible  \ntool_cylinder visible  \ntime 1.0\ncamera "));
+}
+
+TEST_F(ParaView, ShowsTheTimeOfThePicture) {
+  samples::Sample sample = samples::slab();
+  ParaViewSeries series(directory_, sample.model, {}, pictureOf("plastic_strain"), {0.0, 0.3, 0.7});
+  const std::vector<std::pair<double, std::string>> frames{{0.0, "time 0\n"},         {0.1, "time 0\n"},
+                                                           {0.1 + 0.2, "time 0.3\n"}, {0.5, "time 0.3\n"},
+                                                           {0.7, "time 0.7\n"},       {2.0, "time 0.7\n"}};
+  for (const auto& [time, words] : frames) {
+    sample.frame.time = time;
+    series.write(sample.frame);
+    ++sample.frame.index;
+    EXPECT_THAT(shown(), HasSubstr(words));
+  }
+  write(samples::slab(), {});
+  EXPECT_THAT(shown(), HasSubstr("time 1.0\n")) << "the last one";
 }
 
 TEST_F(ParaView, TakesRangeBandsAndColoursOfThePicture) {

@@ -33,6 +33,15 @@ TEST(AccountText, SaysHowWellWorkIsBalanced) {
   EXPECT_EQ(lineOf(account, {}, "balance"), "") << "of a history that is lost";
 }
 
+TEST(AccountText, EnergiesAreShownWithoutRoundingErrors) {
+  HistoryTable history = historyOf(2.0, 6.0, 8.04);
+  EXPECT_EQ(lineOf({}, history, "energies at the end"), "strain 2, contact 0, plastic work 6");
+  history.values[2] = {0.3, -4.8e-281};  // of a tool that has been taken off
+  EXPECT_EQ(lineOf({}, history, "energies at the end"), "strain 2, contact 0, plastic work 6");
+  history.values[2] = {0.3, -1e-9};
+  EXPECT_EQ(lineOf({}, history, "energies at the end"), "strain 2, contact -1e-09, plastic work 6");
+}
+
 TEST(AccountText, WarnsWithTimeAndShareAndNamesIdleTools) {
   RunAccount account;
   account.steps = 220;

@@ -95,5 +95,6 @@ def tell():
     points = getattr(the_scale, "RGBPoints", None)
     if points:
         print("scale", len(points) // 4, *points[0::4][:: max(1, len(points) // 4 - 1)])
+    print("time", the_view.ViewTime)
     if hasattr(the_view, "CameraViewUp"):
         print("camera", *the_view.CameraFocalPoint, *the_view.CameraViewUp, the_view.CameraParallelScale)
