@@ -175,9 +175,10 @@ void requireLifted(const ToolSpec& spec, const Tool& tool, const std::string& pl
       if (!(path.clearance(t).dot(tool.normal(t)) > 0.0))
         throw InputError(
             place + ".path.clearance",
-            fmt::format("found one that does not lead away from the face at t = {:.4g}, where its outward "
-                        "normal is ({:.3g}); allowed: clearances that lift the tool off",
-                        t, fmt::join(tool.normal(t), ", ")));
+            fmt::format(
+                "found one that does not lead away from the face at t = {:.4g}, where the tool is to be {}; "
+                "allowed: a direction that lifts it off there",
+                t, t == touch.begin ? "taken down" : "lifted"));
 }
 
 /// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free degrees of freedom in
