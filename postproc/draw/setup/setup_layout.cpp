@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/scene/path_of_tool.h"
 #include "engine/scene/reader.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/page/overlay.h"
@@ -235,11 +236,13 @@ Vector2d SetupLayout::middleOf(std::size_t tool) const {
 }
 
 DrawnToolLoad SetupLayout::carriedBy(std::size_t tool) const {
-  const Vector2d middle = tools_[tool].pivot.head<2>();
+  const ToolSpec& spec = scene_.tools[tool];
+  Vector2d middle = tools_[tool].pivot.head<2>();
+  if (spec.path) middle += pathOf(spec).displacement(0.0).head<2>();
   Vector2d outward(0.0, 0.0);
   double nearest = HUGE_VAL;
   for (const ContactSpec& contact : scene_.contact) {
-    if (contact.tool != scene_.tools[tool].name) continue;
+    if (contact.tool != spec.name) continue;
     const FaceLine face = faces_.line(contact.place);
     for (std::size_t k = 0; k < face.points.size(); ++k)
       if (const double distance = (face.points[k] - middle).norm(); distance < nearest) {
@@ -247,7 +250,7 @@ DrawnToolLoad SetupLayout::carriedBy(std::size_t tool) const {
         outward = face.outward[k];
       }
   }
-  return toolLoad(*scene_.tools[tool].carry, outward, scene_, end_);
+  return toolLoad(*spec.carry, outward, scene_, end_);
 }
 
 std::string SetupLayout::forceText(double force) const {
