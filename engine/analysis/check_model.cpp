@@ -18,8 +18,17 @@ namespace {
 
 constexpr std::array kComponentNames{"x", "y", "z"};
 
-/// Gathers the formulas of a motion or load of tools, in t alone, that have no finite value at one of the
-/// times.
+/// Gathers a formula in t alone that has no finite value at one of the times.
+void gatherInfinite(const std::string& key, const FormulaText& formula, const Scene& scene,
+                    const std::vector<double>& times, InputProblems& problems) {
+  problems.gather([&] {
+    placed(key, [&] {
+      requireFinite({Formula(formula, scene.definitions)}, Eigen::Matrix3Xd::Zero(3, 1), times);
+    });
+  });
+}
+
+/// The same of all formulas of a motion or load of tools.
 template <class Spec>
 void gatherInfinite(const std::string& path, const Spec& spec, const std::optional<FormulaText>& turn,
                     const char* turnKey, const Scene& scene, const std::vector<double>& times,
@@ -28,11 +37,7 @@ void gatherInfinite(const std::string& path, const Spec& spec, const std::option
       {{"x", &spec.x}, {"y", &spec.y}, {"z", &spec.z}, {turnKey, &turn}}};
   for (const auto& dof : dofs)
     if (*dof.second)
-      problems.gather([&] {
-        placed(fmt::format("{}.{}", path, dof.first), [&] {
-          requireFinite({Formula(**dof.second, scene.definitions)}, Eigen::Matrix3Xd::Zero(3, 1), times);
-        });
-      });
+      gatherInfinite(fmt::format("{}.{}", path, dof.first), **dof.second, scene, times, problems);
 }
 
 /// Rigid motions of a body that its supports leave free.
@@ -127,8 +132,10 @@ void requireFiniteFormulas(const Scene& scene, const Model<Dim>& model) {
     const std::string path = fmt::format("tools[{}]", k);
     if (const auto& p = tool.prescribe)
       gatherInfinite(path + ".prescribe", *p, p->angle, "angle", scene, times, problems);
-    if (const auto& c = tool.carry)
+    if (const auto& c = tool.carry) {
       gatherInfinite(path + ".carry", *c, c->moment, "moment", scene, times, problems);
+      if (c->normal) gatherInfinite(path + ".carry.normal", *c->normal, scene, times, problems);
+    }
   }
   problems.throwIfAny();
 }

@@ -32,7 +32,10 @@ std::string placeOf(const Model<Dim>& model, int unknown) {
   for (const auto& tool : model.tools())
     for (std::size_t dof = 0; dof < kAllToolDofs; ++dof)
       if (tool->unknowns[dof] == unknown)
-        return fmt::format("tool '{}', {}", tool->name, dof >= kTurn ? "in its turn" : kAxes[dof]);
+        return fmt::format("tool '{}', {}", tool->name,
+                           dof >= kTurn             ? "in its turn"
+                           : tool->followsSurface() ? "along the normal"
+                                                    : kAxes[dof]);
   return "a constraint";
 }
 

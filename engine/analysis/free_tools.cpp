@@ -2,7 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace burnish {
+
+const char* carryKey(const Tool& tool, std::size_t dof) {
+  constexpr std::array<const char*, kAllToolDofs> kKeys{"x", "y", "z", "moment", "spin", "spin", "spin"};
+  return tool.followsSurface() && dof == kNormal ? "normal" : kKeys[dof];
+}
 
 template <int Dim>
 std::string pulledTool(const Model<Dim>& model) {
@@ -23,7 +30,7 @@ template <int Dim>
 std::string runawayKey(const Model<Dim>& model) {
   for (const auto& load : model.toolLoads())
     if (const auto dof = load.term->runaway())
-      return fmt::format("tools[{}].carry.{}", load.tool, kCarryKeys[*dof]);
+      return fmt::format("tools[{}].carry.{}", load.tool, carryKey(load.term->tool(), *dof));
   return {};
 }
 

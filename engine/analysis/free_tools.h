@@ -1,14 +1,13 @@
 #pragma once
-#include <array>
+#include <cstddef>
 #include <string>
 
 #include "engine/analysis/model.h"
 
 namespace burnish {
 
-/// Keys of a tool's degrees of freedom under `carry`.
-inline constexpr std::array<const char*, kAllToolDofs> kCarryKeys{"x",    "y",    "z",   "moment",
-                                                                  "spin", "spin", "spin"};
+/// Key under `carry` of a free degree of freedom of a tool.
+const char* carryKey(const Tool& tool, std::size_t dof);
 
 /// Name of a tool that has to be held by what it carries to stay in touch with the body, in the state that
 /// the terms have been evaluated at; empty if there is none.

@@ -188,6 +188,18 @@ constexpr ToolRow kSpinning[] = {
      [](State s, std::size_t k) { return degrees(s.toolPoses[k].spin(2)); }},
 };
 
+/// Of tools that follow a surface.
+constexpr ToolRow kFollowing[] = {
+    {".un",
+     {"Way of {} along the normal", Length},
+     Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolPoses[k].alongNormal; }},
+    {".fn",
+     {"Force on {} along the normal", Force},
+     Where::Everywhere,
+     [](State s, std::size_t k) { return s.toolForces[k].dot(s.toolPoses[k].normal); }},
+};
+
 /// Of tools that a pair touches with the integral method.
 constexpr ToolRow kArea[] = {
     {".contact_area",
@@ -351,6 +363,7 @@ std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& 
     };
     addRows(kTool);
     if (model.tools()[k]->spins()) addRows(kSpinning);
+    if (model.tools()[k]->followsSurface()) addRows(kFollowing);
     if (hasPair(model, k, isIntegral)) addRows(kArea);
     if (!hasPair(model, k, rubs)) continue;
     addRows(kToolFriction);
@@ -389,7 +402,8 @@ std::optional<ColumnMeaning> columnMeaning(const std::string& column, const std:
   };
   const bool isTool =
       tools ? std::find(tools->begin(), tools->end(), owner) != tools->end() : has(".ux") && has(".fx");
-  if (isTool) return ownersMeaning<ToolRow>(column, owner, {kTool, kSpinning, kArea, kToolFriction});
+  if (isTool)
+    return ownersMeaning<ToolRow>(column, owner, {kTool, kSpinning, kFollowing, kArea, kToolFriction});
   if (has(".pressed")) return ownersMeaning<PairRow>(column, owner, {kPair});
   if (has(".min_detJ")) return ownersMeaning<BodyRow>(column, owner, {kEachBody});
   return std::nullopt;

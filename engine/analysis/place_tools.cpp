@@ -3,15 +3,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "engine/analysis/followed_surface.h"
 #include "engine/analysis/free_tools.h"
 #include "engine/analysis/nearest_point.h"
 #include "engine/core/input_error.h"
+#include "engine/scene/path_of_tool.h"
 
 namespace burnish {
 namespace {
@@ -153,13 +157,28 @@ void requirePressed(const ToolLoad& load, const ToolLoad::Holder& holder, double
                     const std::string& place) {
   constexpr int kSamples = 1000;
   for (int k = 0; k <= kSamples; ++k) {
-    const double t = end * k / kSamples, force = load.force(t)(static_cast<Eigen::Index>(holder.dof));
+    const double t = end * k / kSamples, force = load.forceAlong(holder.dof, t);
     if (holder.sign * force < 0.0)
       throw InputError(place,
                        fmt::format("found {:.4g} at t = {:.4g}, a force along clearance that lifts the tool; "
                                    "allowed: forces that press it on the body",
                                    force, t));
   }
+}
+
+/// Throws `InputError` at a key of `place` (`tools[0]`) if the clearance of a path does not lead away from the face that
+/// its tool follows, where a pass begins or ends.
+void requireLifted(const ToolSpec& spec, const Tool& tool, const std::string& place) {
+  const ToolPath path = pathOf(spec);
+  for (const ToolPath::Pass& touch : path.touches())
+    for (const double t : {touch.begin, touch.end})
+      if (!(path.clearance(t).dot(tool.normal(t)) > 0.0))
+        throw InputError(
+            place + ".path.clearance",
+            fmt::format(
+                "found one that does not lead away from the face at t = {:.4g}, where the tool is to be {}; "
+                "allowed: a direction that lifts it off there",
+                t, t == touch.begin ? "taken down" : "lifted"));
 }
 
 /// Throws `InputError` that names the keys at `place` (`tools[0].carry`) of the free degrees of freedom in
@@ -176,7 +195,7 @@ void requireDetermined(const Tool& tool, const std::string& place, int dim, doub
   std::vector<std::string> keys;
   for (std::size_t k = 0; k < dofs.size(); ++k)
     if (std::abs(svd.matrixV().rightCols<1>()(static_cast<Eigen::Index>(k))) > kNoSlope)
-      keys.push_back(fmt::format("{}.{}", place, kCarryKeys[dofs[k]]));
+      keys.push_back(fmt::format("{}.{}", place, carryKey(tool, dofs[k])));
   const std::string others =
       keys.size() == 1 ? ""
                        : fmt::format(", together with {},", fmt::join(keys.begin() + 1, keys.end(), " and "));
@@ -186,11 +205,15 @@ void requireDetermined(const Tool& tool, const std::string& place, int dim, doub
                                tool.name, others));
 }
 
-/// Direction of the first force, of all times up to `end`, that a tool carries; zero if there is none.
+/// Direction at t = 0 of the first force, of all times up to `end`, that a tool carries; zero if there is none.
 Eigen::Vector3d firstDirection(const ToolLoad& load, double end) {
   constexpr int kSamples = 1000;
+  const Tool& tool = load.tool();
+  const ToolPose start = tool.pose(0.0);
   for (int k = 0; k <= kSamples; ++k) {
-    const Eigen::Vector3d force = load.force(end * k / kSamples);
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    for (std::size_t dof = 0; dof < kTurn; ++dof)
+      if (tool.isFree(dof)) force += load.forceAlong(dof, end * k / kSamples) * tool.direction(dof, start);
     if (!force.isZero(0.0)) return force.normalized();
   }
   return Eigen::Vector3d::Zero();
@@ -227,9 +250,9 @@ void requireTouch(const Pairs<Dim>& pairs, const Tool& tool, double bodySize, co
                                         tool.name));
 }
 
-/// Makes a tool that carries a force along a direction touch gently.
+/// Makes a tool that carries a force touch gently.
 template <int Dim>
-void touchGently(Model<Dim>& model, const CarriedLoad& load, const Eigen::Vector3d& direction) {
+void touchGently(Model<Dim>& model, const CarriedLoad& load) {
   const Tool& tool = *model.tools()[load.tool];
   const Body<Dim>& body = model.body();
   const bool isPlane = Dim == 2 && !body.axisymmetric;
@@ -247,7 +270,8 @@ void touchGently(Model<Dim>& model, const CarriedLoad& load, const Eigen::Vector
   };
   // A rough estimate on the low side: the depth w with which a tool covers an area A of the face is resisted with
   // E √A w, in the plane with E w.
-  const auto depthUnder = [=, &body](double force, ToolPose pose, const Eigen::VectorXd& x) {
+  const auto depthUnder = [=, &body](double force, const Eigen::Vector3d& direction, ToolPose pose,
+                                     const Eigen::VectorXd& x) {
     constexpr int kBisections = 40;
     const Eigen::Vector3d begin = pose.displacement;
     const double inAir = std::max(0.0, cover(pose, x).smallestGap);
@@ -294,13 +318,15 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
   if (turns || tool.spins()) load.term->steadyTurns(steadiness);
   requireDetermined(tool, place, Dim, bodySize, turns);
   if (auto& holder = load.term->holder()) {
-    const auto dof = static_cast<Eigen::Index>(holder->dof);
     requirePressed(*load.term, *holder, scene.steps.back().until,
-                   fmt::format("{}.{}", place, kCarryKeys[holder->dof]));
+                   fmt::format("{}.{}", place, carryKey(tool, holder->dof)));
+    if (tool.followsSurface())
+      requireLifted(scene.tools[load.tool], tool, fmt::format("tools[{}]", load.tool));
     holder->stiffness = steadiness / kForceFloor;  // that of the body
     holder->steadiness = steadiness;
-    x(tool.unknowns[holder->dof]) = tool.pose(0.0).displacement(dof);
-    touchGently(model, load, holder->sign * Eigen::Vector3d::Unit(dof));
+    if (!tool.followsSurface())
+      x(tool.unknowns[holder->dof]) = tool.pose(0.0).displacement(static_cast<Eigen::Index>(holder->dof));
+    touchGently(model, load);
     return;  // its path takes it to the body
   }
   const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
@@ -316,11 +342,38 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
     throw InputError(
         place, fmt::format("tool '{}' carries no force at any time; give it one, or prescribe its motion",
                            tool.name));
-  const Eigen::Vector3d start = tool.pose(0.0).displacement;
+  const ToolPose start = tool.pose(0.0);
   const Eigen::Vector3d shift = shiftToTouch<Dim>(pairs, tool, direction, bodySize, place);
-  for (std::size_t dof = 0; dof < kTurn; ++dof)
-    if (tool.isFree(dof)) x(tool.unknowns[dof]) = (start + shift)(static_cast<Eigen::Index>(dof));
-  touchGently(model, load, direction);
+  if (tool.followsSurface())
+    x(tool.unknowns[kNormal]) = shift.dot(start.normal);
+  else
+    for (std::size_t dof = 0; dof < kTurn; ++dof)
+      if (tool.isFree(dof))
+        x(tool.unknowns[dof]) = (start.displacement + shift)(static_cast<Eigen::Index>(dof));
+  touchGently(model, load);
+}
+
+/// Tells a tool that carries a force along the normal which faces it follows. Throws `InputError` at `place` where these
+/// have none.
+template <int Dim>
+void followFaces(const Scene& scene, Model<Dim>& model, std::size_t number, const std::string& place) {
+  constexpr int kSamples = 1000;
+  std::vector<FacePlace> faces;
+  for (const auto& pair : model.contacts())
+    if (pair.tool == number && std::ranges::find(faces, pair.place) == faces.end())
+      faces.push_back(pair.place);
+  if (faces.empty()) return;  // said where tools are placed
+  Tool& tool = *model.tools()[number];
+  placed(place, [&] {
+    const auto surface = std::make_shared<const FollowedSurface<Dim>>(model.body(), faces);
+    tool.normal = [surface, guide = tool](double t) {
+      const ToolPose pose = guide.pose(t);
+      const Eigen::Vector3d arm = guide.shape.middle() - guide.pivot;
+      return surface->normalNextTo(Eigen::AngleAxisd(pose.angle, guide.axis) * arm + guide.pivot +
+                                   pose.displacement);
+    };
+    for (int k = 0; k <= kSamples; ++k) tool.normal(scene.steps.back().until * k / kSamples);
+  });
 }
 
 }  // namespace
@@ -329,6 +382,9 @@ template <int Dim>
 SteppingState placeTools(const Scene& scene, Model<Dim>& model) {
   SteppingState start;
   start.x = Eigen::VectorXd::Zero(model.numUnknowns());
+  for (std::size_t k = 0; k < scene.tools.size(); ++k)
+    if (scene.tools[k].carry && scene.tools[k].carry->normal)
+      followFaces(scene, model, k, fmt::format("tools[{}].carry.normal", k));
   start.time = liftTools(scene, model);
   InputProblems problems;
   for (const CarriedLoad& load : model.toolLoads())

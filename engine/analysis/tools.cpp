@@ -68,6 +68,7 @@ std::unique_ptr<Tool> makeTool(const ToolSpec& spec, const Scene& scene, int fir
   if (const auto& carry = spec.carry) {
     const std::array isFree{carry->x.has_value(), carry->y.has_value(), carry->z.has_value(),
                             carry->moment.has_value()};
+    if (carry->normal) tool->unknowns[kNormal] = firstUnknown++;
     for (std::size_t dof = 0; dof < kToolDofs; ++dof)
       if (isFree[dof]) tool->unknowns[dof] = firstUnknown++;
     for (std::size_t d = 0; d < kSpins && carry->spin; ++d) tool->unknowns[kSpin + d] = firstUnknown++;
@@ -83,7 +84,9 @@ std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene,
                                        double bodySize) {
   if (!spec.carry) return nullptr;
   const auto& carry = *spec.carry;
-  DofFunctions loads = formulas({&carry.x, &carry.y, &carry.z, &carry.moment}, scene.definitions);
+  static_assert(kNormal == 0);
+  DofFunctions loads = formulas({carry.normal ? &carry.normal : &carry.x, &carry.y, &carry.z, &carry.moment},
+                                scene.definitions);
   if (carry.schedule)
     for (auto& load : loads)
       if (load) load = [load, factor = *carry.schedule](double t) { return factor(t) * load(t); };
@@ -92,9 +95,10 @@ std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene,
   const auto path = std::make_shared<const ToolPath>(pathOf(spec));
   loads[*pressed] = [load = loads[*pressed], path](double t) { return path->forceShare(t) * load(t); };
   auto load = std::make_unique<ToolLoad>(tool, std::move(loads), bodySize);
-  load->setHolder({.dof = *pressed,
-                   .sign = spec.path->clearance(static_cast<Eigen::Index>(*pressed)) > 0.0 ? -1.0 : 1.0,
-                   .mustCarry = [path](double t) { return path->hasFullForce(t); }});
+  const bool presses = carry.normal || spec.path->clearance(static_cast<Eigen::Index>(*pressed)) > 0.0;
+  load->setHolder({.dof = *pressed, .sign = presses ? -1.0 : 1.0, .mustCarry = [path](double t) {
+                     return path->hasFullForce(t);
+                   }});
   return load;
 }
 

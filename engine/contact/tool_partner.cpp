@@ -100,9 +100,9 @@ typename ToolPartner<Dim>::Rows ToolPartner<Dim>::relativeMotion(const SlavePoin
   for (Eigen::Index a = 0; a < n; ++a)
     motion.template middleCols<Dim>(Dim * a) = point.R(a) * Eigen::Matrix<double, Dim, Dim>::Identity();
   for (std::size_t k = 0; k < dofs_.size(); ++k) {
-    const Eigen::Vector3d velocity =
-        dofs_[k] == kTurn ? Eigen::Vector3d((tool_.axis / tool_.turnLength).cross(y - pivot()))
-                          : Eigen::Vector3d(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(dofs_[k])));
+    const Eigen::Vector3d velocity = dofs_[k] == kTurn
+                                         ? Eigen::Vector3d((tool_.axis / tool_.turnLength).cross(y - pivot()))
+                                         : tool_.direction(dofs_[k], pose_);
     motion.col(Dim * n + static_cast<Eigen::Index>(k)) = -velocity.head<Dim>();
   }
   for (std::size_t k = 0; k < spins_.size(); ++k) {
@@ -175,7 +175,7 @@ Eigen::MatrixXd ToolPartner<Dim>::frictionTangent(const SlavePoint<Dim>& point,
       K.row(row).template segment<Dim>(Dim * a) -= point.R(a) * moment.head<Dim>().transpose();
     for (std::size_t k = 0; k < dofs_.size(); ++k)
       if (dofs_[k] != kTurn)
-        K(row, Dim * n + static_cast<Eigen::Index>(k)) += moment(static_cast<Eigen::Index>(dofs_[k]));
+        K(row, Dim * n + static_cast<Eigen::Index>(k)) += moment.dot(tool_.direction(dofs_[k], pose_));
   };
   const Eigen::Index behindDofs = Dim * n + std::ssize(dofs_);
   if (tool_.isFree(kTurn)) addTurn(behindDofs - 1, tool_.axis);  // the turn comes last among these
@@ -214,10 +214,15 @@ void ToolPartner<Dim>::chooseAccepted() {
 
 template <int Dim>
 double ToolPartner<Dim>::prescribedWork(const Eigen::Vector3d& force, const Eigen::Vector3d& moment) const {
-  const Eigen::Vector3d way = pose_.displacement - acceptedPose_.displacement;
+  Eigen::Vector3d way = pose_.displacement - acceptedPose_.displacement;
   double work = 0.0;
-  for (std::size_t dof = 0; dof < kTurn; ++dof)
-    if (const auto d = static_cast<Eigen::Index>(dof); !tool_.isFree(dof)) work += force(d) * way(d);
+  if (tool_.followsSurface()) {
+    way -= 0.5 * (pose_.alongNormal - acceptedPose_.alongNormal) * (pose_.normal + acceptedPose_.normal);
+    work = force.dot(way);
+  } else {
+    for (std::size_t dof = 0; dof < kTurn; ++dof)
+      if (const auto d = static_cast<Eigen::Index>(dof); !tool_.isFree(dof)) work += force(d) * way(d);
+  }
   if (!tool_.isFree(kTurn)) work += tool_.axis.dot(moment) * (pose_.angle - acceptedPose_.angle);
   return work;
 }
@@ -235,6 +240,10 @@ void ToolPartner<Dim>::archive(StateArchive& archive) {
   archive.field("accepted_displacement", acceptedPose_.displacement);
   archive.field("accepted_angle", acceptedPose_.angle);
   if (tool_.spins()) archive.field("accepted_spin", acceptedPose_.spin);
+  if (tool_.followsSurface()) {
+    archive.field("accepted_normal", acceptedPose_.normal);
+    archive.field("accepted_along_normal", acceptedPose_.alongNormal);
+  }
   Eigen::VectorXd frame(Dim * Dim);
   frame << n0_, E_.reshaped();
   archive.fixedField("frame", frame);

@@ -40,6 +40,12 @@ std::vector<CarriedNumber<State>> backStressNumbers(std::integer_sequence<int, N
            [](State& state) -> double& { return state.X(Numbers % 6, Numbers / 6); }}...};
 }
 
+/// E_p of the additive frame.
+template <int Dim>
+MandelVector<Dim> plasticStrainOf(const State& state) {
+  return -halfLogarithm<Dim>(state.Fp_inv * state.Fp_inv);
+}
+
 /// The rotation of the polar decomposition. Entries of rotations can be interpolated, whatever turns they stand for.
 Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& M) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -138,13 +144,15 @@ bool Chaboche::evaluate(const Eigen::Matrix3d& F, double dt, const State& old, S
   constexpr int kSize = kVoigt<Dim>;
   const VolumeChange volumeChange(F - Eigen::Matrix3d::Identity());
   if (!(volumeChange.J() > 0.0)) return false;
-  const LogarithmicStrain<Dim> strain(F * old.Fp_inv);
+  const bool isAdditive = parameters_.frame == StrainFrame::Additive;
+  const LogarithmicStrain<Dim> strain(isAdditive ? F : Eigen::Matrix3d(F * old.Fp_inv));
   if (!strain.isDefined()) return false;
   const YieldAxes<Dim>& axes = yieldAxes<Dim>();
   const auto& basis = axes.basis;
   // Flow keeps the volume; that of F has no rounding errors of the steps before.
   const double volume = std::log1p(volumeChange.minusOne());
   MandelVector<Dim> E_tr = strain.value();
+  if (isAdditive) E_tr -= plasticStrainOf<Dim>(old);
   E_tr.template head<3>().array() += (volume - E_tr.template head<3>().sum()) / 3.0;
   const MandelVector<Dim> E_n = old.E.template head<kSize>();
   const Deviator<Dim> e_n = basis.transpose() * E_n, e_tr = basis.transpose() * E_tr;
@@ -178,7 +186,9 @@ bool Chaboche::evaluate(const Eigen::Matrix3d& F, double dt, const State& old, S
   const MandelVector<Dim> E = flows ? MandelVector<Dim>(E_tr - basis * flowing.plasticStrain.matrix()) : E_tr;
   next.E.template head<kSize>() = E;
   if (flows) {
-    next.Fp_inv = F.inverse() * strain.rotation() * exponential<Dim>(E);
+    next.Fp_inv = isAdditive
+                      ? exponential<Dim>(-plasticStrainOf<Dim>(old) - basis * flowing.plasticStrain.matrix())
+                      : Eigen::Matrix3d(F.inverse() * strain.rotation() * exponential<Dim>(E));
     next.e_p = flowing.e_p;
     next.X.template topRows<kSize>() = basis * flowing.X.matrix();
   }
@@ -186,7 +196,11 @@ bool Chaboche::evaluate(const Eigen::Matrix3d& F, double dt, const State& old, S
 }
 
 Eigen::Matrix3d Chaboche::elasticDeformation(const Eigen::Matrix3d& F, const State& state) const {
-  return pushedForward(Eigen::Matrix3d::Identity(), F * state.Fp_inv);
+  if (parameters_.frame == StrainFrame::Updated)
+    return pushedForward(Eigen::Matrix3d::Identity(), F * state.Fp_inv);
+  const LogarithmicStrain<3> strain(F);
+  const MandelVector<3> E = strain.value() - plasticStrainOf<3>(state);
+  return pushedForward(Eigen::Matrix3d::Identity(), strain.rotation() * exponential<3>(E));
 }
 
 void check(const Chaboche::Parameters& law, const Problems& problems) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/enum_names.h"
 #include "engine/material/elastic_moduli.h"
 #include "engine/material/hardening.h"
 #include "engine/material/hill_yield.h"
@@ -15,11 +16,23 @@
 
 namespace burnish {
 
+/// What the logarithm of the elastic strain is taken of.
+enum class StrainFrame {
+  Updated,   ///< F_e = F F_p⁻¹
+  Additive,  ///< F, and the plastic strain is taken off: ½ ln FᵀF − E_p
+};
+
+template <>
+struct EnumNames<StrainFrame> {
+  static constexpr std::array values{std::pair{"updated", StrainFrame::Updated},
+                                     std::pair{"additive", StrainFrame::Additive}};
+};
+
 /// Plasticity at finite strain with isotropic hardening and back stresses (J. L. Chaboche, Int. J. Plast. 2, 1986), with
 /// rates and Hill's yield condition: the small-strain law of `plastic_flow.h` in logarithmic elastic strains, with a
 /// multiplicative split F = F_e F_p whose F_p has no spin of its own. Strength does not suffer from large shears, as it
-/// does where a plastic strain is taken off the logarithm of F. Without back stresses this is `J2Plasticity` of Hencky's
-/// elastic law.
+/// does where a plastic strain is taken off the logarithm of F (`StrainFrame::Additive`; C. Miehe, N. Apel, M. Lambrecht,
+/// 2002). Without back stresses this is `J2Plasticity` of Hencky's elastic law.
 class Chaboche {
  public:
   static constexpr LawKind kind{
@@ -35,11 +48,12 @@ class Chaboche {
     std::optional<RateParameters> rate;
     std::optional<HillYield> hill;
     int substeps = 1;
+    StrainFrame frame = StrainFrame::Updated;
   };
 
   /// In axes that turn with the material: those in which F_e = F F_p^{-1} is referred to before it is made.
   struct State {
-    Eigen::Matrix3d Fp_inv = Eigen::Matrix3d::Identity();  ///< F_p^{-1}
+    Eigen::Matrix3d Fp_inv = Eigen::Matrix3d::Identity();  ///< F_p^{-1}; in the additive frame exp(−E_p)
     Eigen::Matrix<double, 6, 1> E =
         Eigen::Matrix<double, 6, 1>::Zero();  ///< elastic strain ½ ln F_eᵀF_e (Mandel)
     double e_p = 0.0;                         ///< equivalent plastic strain
@@ -113,6 +127,10 @@ void describe(Visitor& v, Chaboche::Parameters& s) {
   v.field(
       "substeps", s.substeps, {.atLeast = 1, .atMost = 100},
       "Parts into which the law divides a step; 8 of them are more accurate where the direction of flow turns.");
+  v.field(
+      "frame", s.frame, {},
+      "What elastic strain is the logarithm of: of the elastic part of the deformation, or of all of it less a "
+      "plastic strain, as in some other programs, which loses a third of the strength at a shear of 3.");
 }
 
 /// See `checkMaterial`.

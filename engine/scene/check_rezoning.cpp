@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/material/first_reference.h"
 #include "engine/material/rate_dependence.h"
 #include "engine/scene/check_context.h"
 
@@ -36,6 +37,14 @@ void refusePenalty(const CheckContext& c, const ContactOptions& options, bool is
     c.report(path, fmt::format("found a penalty method{} in a scene with rezoning; allowed there: "
                                "augmented-lagrangian | integral-augmented-lagrangian.",
                                isOfBody ? "" : " with friction"));
+}
+
+/// Laws whose history a new mesh does not take over. material: its key.
+void refuseHistory(const CheckContext& c, const MaterialParameters& law, const std::string& material) {
+  refuse(c, dependsOnRate(law), material + ".rate",
+         "a rate, whose overstress would be lost where a new mesh settles in no time,");
+  refuse(c, belongsToFirstReference(law), material + ".frame",
+         "an additive frame, whose plastic strain belongs to the first undeformed state,");
 }
 
 /// A pair of faces. found: whether the body has had a contact before; becomes true where it has one here.
@@ -132,8 +141,7 @@ void checkInSpace(const CheckContext& c) {
   refuse(c, hasCreases(body.geometry), key("geometry.creases"), "creases, which new meshes would lose,");
   refuse(c, !body.geometry.mesh.relief.empty(), key("geometry.relief"),
          "a relief, which every mesh would have another one of,");
-  refuse(c, dependsOnRate(body.material), key("material.rate"),
-         "a rate, whose overstress would be lost where a new mesh settles in no time,");
+  refuseHistory(c, body.material, key("material"));
   refuse(c, body.initial.has_value(), key("initial"), "an initial state of a body in space");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
     const SupportSpec& support = c.scene.supports[k];
@@ -163,8 +171,7 @@ void checkRezoning(const CheckContext& c) {
   refuse(c, hasCreases(geometry), key("geometry.creases"), "creases, which new meshes would lose,");
   refuse(c, hasCorners, key(isNet ? "geometry.knots" : "geometry"),
          "knots that are repeated inside, whose corners new meshes would lose,");
-  refuse(c, dependsOnRate(c.scene.allBodies()[body].material), key("material.rate"),
-         "a rate, whose overstress would be lost where a new mesh settles in no time,");
+  refuseHistory(c, c.scene.allBodies()[body].material, key("material"));
   for (std::size_t k = 0; k < c.scene.loads.size(); ++k)
     refuse(c, isMeshedAnew(c, c.scene.loads[k].place.body), fmt::format("loads[{}]", k),
            "a load on the body");

@@ -83,9 +83,9 @@ void checkRamp(const CheckContext& c, const std::string& path, const ToolSpec& s
     return c.report(
         path + ".ramp",
         "found although the tool carries no force along clearance; allowed: with carry in the direction "
-        "in which clearance lifts the tool, on polyline and raster.");
+        "in which clearance lifts the tool, on a helix with carry.normal.");
   const ToolPath laid = pathOf(spec);
-  for (const ToolPath::Pass& pass : laid.passes())
+  for (const ToolPath::Pass& pass : laid.touches())
     if (const double length = spec.path->speed * (pass.end - pass.begin); 2.0 * spec.path->ramp > length)
       return c.report(path + ".ramp",
                       fmt::format("found {:.6g}, twice, in a pass that is {:.6g} long; allowed: at most "
@@ -169,13 +169,38 @@ void checkSpin(const CheckContext& c, const std::string& place, const ToolSpec& 
     c.report(path, "found true for a hollow; allowed: for balls.");
 }
 
+/// What a force along the normal excludes.
+void checkNormal(const CheckContext& c, const std::string& place, const ToolSpec& tool) {
+  const std::string path = place + ".normal";
+  if (!tool.carry->normal || !c.clean(path)) return;
+  for (const auto& [key, force] : componentsOf(*tool.carry))
+    if (*force)
+      return c.report(path, fmt::format("found beside {}; allowed: normal alone, or x, y and z.", key));
+  if (c.scene.kinematics == KinematicsChoice::Axisymmetric)
+    c.report(path, "found in axisymmetry, where tools move along the axis; allowed: y.");
+  else if (tool.inside)
+    c.report(path, "found for a hollow; allowed: for tools beside the body.");
+}
+
+/// Why a force along an axis and the path of its tool exclude one another.
+std::string movedByPath(const PathSpec& path) {
+  return std::holds_alternative<HelixPath>(path.course)
+             ? "found although the helix moves the tool in this way; allowed: normal, a force that goes round with "
+               "the tool."
+             : "found although the path moves the tool in this way; allowed: one of the two, or normal, a force that "
+               "follows the face.";
+}
+
 void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& tool) {
   if (!tool.carry) return;
   const std::string place = path + ".carry";
   const auto dofs = dofsOf(*tool.carry, "moment", tool.carry->moment);
-  if (!tool.carry->spin) checkPresence(c, place, dofs);
-  checkEachFormula(c, place, dofs, checkTimeFormula);
+  auto loads = dofs;
+  loads.emplace(loads.begin() + kAxes, "normal", &tool.carry->normal);
+  if (!tool.carry->spin) checkPresence(c, place, loads);
+  checkEachFormula(c, place, loads, checkTimeFormula);
   checkSpin(c, place, tool);
+  checkNormal(c, place, tool);
   checkAlongAxis(c, place, dofs, "force across the axis of revolution", "moment");
   for (std::size_t k = 0; k < dofs.size(); ++k) {
     const std::string key = fmt::format("{}.{}", place, dofs[k].first);
@@ -184,7 +209,7 @@ void checkCarry(const CheckContext& c, const std::string& path, const ToolSpec& 
       c.report(key, "found although the motion in this way is prescribed; allowed: one of the two.");
     else if (dofs[k].second->has_value() && k < kAxes && tool.path && c.clean(path) &&
              dofInHolder(tool) != k && movesAlong(pathOf(tool), k))
-      c.report(key, "found although the path moves the tool in this way; allowed: one of the two.");
+      c.report(key, movedByPath(*tool.path));
   }
   if (tool.carry->schedule && c.clean(place + ".schedule"))
     checkSchedule(c, place + ".schedule", *tool.carry->schedule);

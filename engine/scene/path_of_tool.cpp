@@ -3,6 +3,8 @@
 #include <array>
 #include <variant>
 
+#include "engine/tools/tool.h"
+
 namespace burnish {
 
 Eigen::Vector3d pivotOf(const ToolSpec& tool) {
@@ -14,7 +16,9 @@ ToolPath pathOf(const ToolSpec& tool) {
 }
 
 std::optional<std::size_t> dofInHolder(const ToolSpec& tool) {
-  if (!tool.path || !tool.carry || std::holds_alternative<HelixPath>(tool.path->course)) return std::nullopt;
+  if (!tool.path || !tool.carry) return std::nullopt;
+  if (tool.carry->normal) return tool.path->clearance.isZero(0.0) ? std::nullopt : std::optional(kNormal);
+  if (std::holds_alternative<HelixPath>(tool.path->course)) return std::nullopt;
   const std::array carried{tool.carry->x.has_value(), tool.carry->y.has_value(), tool.carry->z.has_value()};
   for (std::size_t dof = 0; dof < carried.size(); ++dof)
     if (carried[dof] && tool.path->clearance(static_cast<Eigen::Index>(dof)) != 0.0) return dof;

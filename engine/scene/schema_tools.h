@@ -45,6 +45,10 @@ void describe(Visitor& v, ToolCarrySpec& s) {
   v.field("x", s.x, {.unit = "force"}, "Force in x; per thickness in plane strain.");
   v.field("y", s.y, {.unit = "force"}, "Force in y; on the whole ring in axisymmetry.");
   v.field("z", s.z, {.unit = "force"}, "Force in z (3D).");
+  v.field(
+      "normal", s.normal, {.unit = "force"},
+      "Instead of x, y and z: force along the outward normal of the undeformed face, so that negative ones press, "
+      "at its point next to the middle of the tool where path or motion has it; the tool is free along that alone.");
   v.field("moment", s.moment, {.unit = "force times length"}, "Moment about the axis through the pivot.");
   v.field(
       "spin", s.spin, {},

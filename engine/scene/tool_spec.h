@@ -37,6 +37,7 @@ struct ToolPrescribedSpec {
 /// these degrees of freedom.
 struct ToolCarrySpec {
   std::optional<FormulaText> x, y, z;
+  std::optional<FormulaText> normal;  ///< along the outward normal of the face, instead of x, y, z
   std::optional<FormulaText> moment;
   bool spin = false;                 ///< a ball: free to turn about all axes through its middle
   std::optional<Schedule> schedule;  ///< factor over time

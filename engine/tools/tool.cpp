@@ -36,15 +36,21 @@ std::vector<int> Tool::freeUnknowns() const {
 ToolPose Tool::pose(double t) const {
   const double moved = std::max(t, 0.0);
   const auto value = [&](std::size_t dof) { return motion[dof] ? motion[dof](moved) : 0.0; };
-  ToolPose pose{{value(0), value(1), value(2)}, value(kTurn), Eigen::Vector3d::Zero()};
+  ToolPose pose{.displacement = {value(0), value(1), value(2)}, .angle = value(kTurn)};
+  if (followsSurface()) pose.normal = normal(moved);
   if (t < 0.0 && approachTime > 0.0) pose.displacement += -t / approachTime * lift;
   return pose;
 }
 
 ToolPose Tool::pose(double t, const Eigen::VectorXd& x) const {
   ToolPose result = pose(t);
-  for (std::size_t dof = 0; dof < kTurn; ++dof)
-    if (isFree(dof)) result.displacement(static_cast<Eigen::Index>(dof)) = x(unknowns[dof]);
+  if (followsSurface()) {
+    result.alongNormal = x(unknowns[kNormal]);
+    result.displacement += result.alongNormal * result.normal;
+  } else {
+    for (std::size_t dof = 0; dof < kTurn; ++dof)
+      if (isFree(dof)) result.displacement(static_cast<Eigen::Index>(dof)) = x(unknowns[dof]);
+  }
   if (isFree(kTurn)) result.angle = x(unknowns[kTurn]) / turnLength;
   if (spins())
     for (std::size_t d = 0; d < kSpins; ++d)
@@ -69,14 +75,16 @@ ToolGap Tool::queryWithDofs(const ToolPose& pose, const Eigen::Vector3d& x) cons
   answer.point = query(pose, x);
   const auto& [gap, n, H] = answer.point;
   const Eigen::Vector3d arm = axis / turnLength;
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();
+  if (followsSurface()) directions.col(kNormal) = pose.normal;
   Eigen::Matrix<double, 3, kToolDofs> velocity;  // of the tool's matter at x, per degree of freedom
-  velocity << Eigen::Matrix3d::Identity(), arm.cross(x - pose.displacement - pivot);
+  velocity << directions, arm.cross(x - pose.displacement - pivot);
   answer.dDofs = -velocity.transpose() * n;
   answer.dNormal = -H * velocity;
   answer.dNormal.col(kTurn) += arm.cross(n);
   answer.d2 = -velocity.transpose() * answer.dNormal;
   // A displacement moves the pivot, and with it the velocity of a turn.
-  answer.d2.row(kTurn).head<3>() -= arm.cross(n).transpose();
+  answer.d2.row(kTurn).head<3>() -= arm.cross(n).transpose() * directions;
   return answer;
 }
 

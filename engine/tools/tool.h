@@ -14,6 +14,10 @@ namespace burnish {
 inline constexpr std::size_t kToolDofs = 4;
 inline constexpr std::size_t kTurn = 3;
 
+/// Of a tool that follows a surface: its way along the normal, in place of the displacement along x. It has no other
+/// free displacement.
+inline constexpr std::size_t kNormal = 0;
+
 /// Those of a ball that spins: its turns about x, y and z come behind.
 inline constexpr std::size_t kSpin = kToolDofs;
 inline constexpr std::size_t kSpins = 3;
@@ -27,6 +31,11 @@ struct ToolPose {
   /// Of a ball that spins: its turns about x, y and z, added up step by step (radians). They are no orientation,
   /// which does not matter for a ball; how it turns within a step is `turned` of their difference.
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+
+  /// Of a tool that follows a surface: the surface's normal, a unit vector, and the way along it, which is part of the
+  /// displacement.
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double alongNormal = 0.0;
 };
 
 /// A turn by a rotation vector θ (radians), of at most half a turn, with its derivative: δφ = byVector δθ, where
@@ -54,6 +63,10 @@ struct Tool {
   /// Prescribed degrees of freedom from t = 0 on, the turn in radians; at rest where empty.
   std::array<std::function<double(double)>, kToolDofs> motion{};
 
+  /// Normal in time of the surface that the tool follows, away from the body; empty for others. Its motion takes it
+  /// along the surface, and from there it is free along the normal: u = u_motion(t) + ζ n(t).
+  std::function<Eigen::Vector3d(double)> normal{};
+
   /// Numbers of the unknowns of the free degrees of freedom; -1 for prescribed ones. The unknowns of turns are
   /// angles times `turnLength`, so that all unknowns are lengths and their residuals forces.
   std::array<int, kAllToolDofs> unknowns{-1, -1, -1, -1, -1, -1, -1};
@@ -65,6 +78,13 @@ struct Tool {
   double approachTime = 0.0;
 
   bool isFree(std::size_t dof) const { return unknowns[dof] >= 0; }
+
+  bool followsSurface() const { return static_cast<bool>(normal); }
+
+  /// Unit vector along which a displacement that is free goes.
+  Eigen::Vector3d direction(std::size_t dof, const ToolPose& pose) const {
+    return followsSurface() ? pose.normal : Eigen::Vector3d::Unit(static_cast<Eigen::Index>(dof));
+  }
 
   /// Whether it is a ball that turns freely about all axes through its pivot, its middle. No gap depends on that.
   bool spins() const { return isFree(kSpin); }

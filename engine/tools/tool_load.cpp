@@ -11,6 +11,10 @@ namespace {
 /// Largest turn of one step, radians.
 constexpr double kLargestTurn = 0.2;
 
+/// A tool whose path goes along the normal of its surface by more than this share of the way is taken down or lifted,
+/// not led along the surface.
+constexpr double kSteep = 0.5;
+
 /// Share of the force that a tool carries, below which it counts as not carried.
 constexpr double kNotCarried = 1e-3;
 
@@ -33,10 +37,14 @@ ToolLoad::Carried ToolLoad::carriedAt(std::size_t dof, double t, double value) c
   const double force = load_[dof](std::max(t, 0.0));
   if (dof == kTurn) return {force / tool_.turnLength, steadiness_};
   if (!holder_ || holder_->dof != dof) return {force, 0.0};
-  const double pushedBack = holder_->sign * (tool_.motion[dof](std::max(t, 0.0)) - value);
+  const double pushedBack = holder_->sign * (inHolder(dof, t) - value);
   const double resistance = holder_->stiffness * pushedBack;
   if (resistance >= holder_->sign * force) return {force, holder_->steadiness};
   return {holder_->sign * resistance, holder_->stiffness, true};
+}
+
+double ToolLoad::inHolder(std::size_t dof, double t) const {
+  return tool_.followsSurface() ? 0.0 : tool_.motion[dof](std::max(t, 0.0));
 }
 
 bool ToolLoad::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
@@ -69,20 +77,20 @@ bool ToolLoad::isUnborne() const {
 
 double ToolLoad::usefulPart(const Eigen::VectorXd& x, const Eigen::VectorXd& correction) const {
   if (!isUnborne()) return 1.0;
+  const ToolPose pose = tool_.pose(time_, x);
   Eigen::Vector3d way = Eigen::Vector3d::Zero();
   for (std::size_t dof = 0; dof < kTurn; ++dof)
-    if (tool_.isFree(dof)) way(static_cast<Eigen::Index>(dof)) = correction(tool_.unknowns[dof]);
+    if (tool_.isFree(dof)) way += correction(tool_.unknowns[dof]) * tool_.direction(dof, pose);
   const Eigen::Vector3d pressed = force(time_).normalized();
   const double depth = way.dot(pressed);
   const bool runsAway = (way - depth * pressed).norm() > farthestWay_;  // aside, where nothing holds it
   if (depth <= 0.0 || runsAway) return 1.0;
-  return std::min(1.0, firstTouch_->depthUnder(carriedForce_, tool_.pose(time_, x), x) / depth);
+  return std::min(1.0, firstTouch_->depthUnder(carriedForce_, pressed, pose, x) / depth);
 }
 
-double ToolLoad::partInAir(std::size_t dof, double way, double t, Eigen::VectorXd x) const {
+double ToolLoad::partInAir(std::size_t dof, double begin, double way, double t, Eigen::VectorXd x) const {
   constexpr int kBisections = 30;
   if (!firstTouch_) return 1.0;
-  const double begin = x(tool_.unknowns[dof]);
   const auto touchesAfter = [&](double part) {
     x(tool_.unknowns[dof]) = begin + part * way;
     return firstTouch_->smallestGap(tool_.pose(t, x), x) < 0.0;
@@ -108,16 +116,23 @@ void ToolLoad::takeAlong(double from, double to, Eigen::VectorXd& x) const {
   Eigen::Vector3d way = after.displacement - before.displacement;
   if (isInAir(from, x)) {
     const std::size_t dof = holder_->dof;
-    const double whole = way(static_cast<Eigen::Index>(dof));
-    x(tool_.unknowns[dof]) += partInAir(dof, whole, to, x) * whole;
+    const double whole = way.dot(tool_.direction(dof, after));
+    double& value = x(tool_.unknowns[dof]);
+    if (tool_.followsSurface()) value -= whole;  // counted from where the holder is
+    value += partInAir(dof, value, whole, to, x) * whole;
     return;
   }
+  if (tool_.followsSurface())
+    if (const double whole = way.dot(after.normal); std::abs(whole) > kSteep * way.norm())
+      x(tool_.unknowns[kNormal]) -= whole;  // the body keeps it where it is
   const bool turns = tool_.isFree(kTurn) && steadiness_ > 0.0;
   Eigen::Vector3d pressed = force(from);
   if (!(turns || tool_.spins()) || pressed.isZero(0.0)) return;
   pressed.normalize();
-  for (std::size_t dof = 0; dof < kTurn; ++dof)
-    if (tool_.isFree(dof)) way(static_cast<Eigen::Index>(dof)) = 0.0;
+  for (std::size_t dof = 0; dof < kTurn; ++dof) {
+    const Eigen::Vector3d direction = tool_.direction(dof, after);
+    if (tool_.isFree(dof)) way -= way.dot(direction) * direction;
+  }
   const double far = 2.0 * (farthestWay_ + tool_.shape.halfThickness()),
                radius = far - tool_.shape.query(tool_.pivot + far * pressed).gap;
   if (!(radius > 0.0)) return;
@@ -138,8 +153,9 @@ void ToolLoad::archive(StateArchive& archive) {
 
 Eigen::Vector3d ToolLoad::force(double t) const {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  const ToolPose pose = tool_.pose(t);
   for (std::size_t dof = 0; dof < kTurn; ++dof)
-    if (load_[dof]) force(static_cast<Eigen::Index>(dof)) = load_[dof](std::max(t, 0.0));
+    if (load_[dof]) force += forceAlong(dof, t) * tool_.direction(dof, pose);
   return force;
 }
 

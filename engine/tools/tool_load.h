@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -45,7 +46,10 @@ class ToolLoad final : public Term {
   /// Until its contact bears a tool, no tangent says how deep its force presses it, nor how friction turns it:
   /// corrections take it no deeper than depthUnder says for a force, and turns are held.
   struct FirstTouch {
-    std::function<double(double force, const ToolPose&, const Eigen::VectorXd& x)> depthUnder;
+    /// direction: of the force
+    std::function<double(double force, const Eigen::Vector3d& direction, const ToolPose&,
+                         const Eigen::VectorXd& x)>
+        depthUnder;
     std::function<double(const ToolPose&, const Eigen::VectorXd& x)> smallestGap;
     std::function<Eigen::Vector3d()> reaction;  ///< of the body on the tool in the last evaluated state
     double stiffness = 0.0;                     ///< with which turns are held, in the tangent alone
@@ -83,6 +87,9 @@ class ToolLoad final : public Term {
   /// before.
   Eigen::Vector3d force(double t) const;
 
+  /// The same along one of the free displacements.
+  double forceAlong(std::size_t dof, double t) const { return load_[dof](std::max(t, 0.0)); }
+
   const Tool& tool() const { return tool_; }
 
  private:
@@ -98,8 +105,12 @@ class ToolLoad final : public Term {
   /// Whether no contact bears the tool yet in the last evaluated state.
   bool isUnborne() const;
 
-  /// Part of a way along a degree of freedom, until the time t, after which a tool in the air touches; x: unknowns.
-  double partInAir(std::size_t dof, double way, double t, Eigen::VectorXd x) const;
+  /// Value of a displacement with which the tool is where its holder has it at time t.
+  double inHolder(std::size_t dof, double t) const;
+
+  /// Part of a way along a degree of freedom, from the value `begin` until the time t, after which a tool in the air
+  /// touches; x: unknowns.
+  double partInAir(std::size_t dof, double begin, double way, double t, Eigen::VectorXd x) const;
 
   /// Whether the tool is in its holder as if there were no body.
   bool isInAir(double t, const Eigen::VectorXd& x) const;

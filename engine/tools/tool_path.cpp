@@ -83,7 +83,7 @@ void ToolPath::lay(const HelixPath& path) {
     done = next;
     endPass();
   }
-  goTo(here_ + Eigen::AngleAxisd(kFullTurn * path.turns, axis()) * clearance_);
+  goTo(here_ + clearance(end()));
 }
 
 const ToolPath::Leg* ToolPath::legAt(double t) const {
@@ -110,11 +110,26 @@ std::vector<double> ToolPath::corners() const {
   std::vector<double> times{begin_};
   for (const Leg& leg : legs_) times.push_back(leg.end);
   if (rampTime_ == 0.0) return times;
-  for (const Pass& pass : passes_) {
-    times.push_back(fullForceIn(pass).begin);
-    times.push_back(fullForceIn(pass).end);
+  for (const Pass& touch : touches()) {
+    times.push_back(fullForceIn(touch).begin);
+    times.push_back(fullForceIn(touch).end);
   }
   return times;
+}
+
+std::vector<ToolPath::Pass> ToolPath::touches() const {
+  std::vector<Pass> touches;
+  for (const Pass& pass : passes_)
+    if (!touches.empty() && touches.back().end == pass.begin)
+      touches.back().end = pass.end;
+    else
+      touches.push_back(pass);
+  return touches;
+}
+
+Eigen::Vector3d ToolPath::clearance(double t) const {
+  if (!helix_) return clearance_;
+  return Eigen::AngleAxisd(turn(t), axis()) * clearance_;
 }
 
 std::vector<double> ToolPath::passEnds() const {
@@ -125,18 +140,19 @@ std::vector<double> ToolPath::passEnds() const {
 
 bool ToolPath::hasFullForce(double t) const {
   constexpr double kRounding = 1e-12;
-  return std::ranges::any_of(passes_, [&](const Pass& pass) {
-    const auto [begin, end] = fullForceIn(pass);
+  return std::ranges::any_of(touches(), [&](const Pass& touch) {
+    const auto [begin, end] = fullForceIn(touch);
     return t >= begin * (1.0 - kRounding) && t <= end * (1.0 + kRounding);
   });
 }
 
 double ToolPath::forceShare(double t) const {
   if (rampTime_ == 0.0) return 1.0;
-  const auto pass =
-      std::ranges::find_if(passes_, [&](const Pass& one) { return t >= one.begin && t <= one.end; });
-  if (pass == passes_.end()) return kTouchingShare;
-  const double fromEnds = std::min(t - pass->begin, pass->end - t);
+  const std::vector<Pass> all = touches();
+  const auto touch =
+      std::ranges::find_if(all, [&](const Pass& one) { return t >= one.begin && t <= one.end; });
+  if (touch == all.end()) return kTouchingShare;
+  const double fromEnds = std::min(t - touch->begin, touch->end - t);
   return std::lerp(kTouchingShare, 1.0, std::min(1.0, fromEnds / rampTime_));
 }
 

@@ -88,7 +88,8 @@ void describe(Visitor& v, PathSpec& s) {
   v.field(
       "ramp", s.ramp, {.atLeast = 0, .unit = "length"},
       "Way at the begin of a pass on which the force that the tool carries along clearance comes up from a "
-      "twentieth, with which it touches, and at the end of the pass goes back to that.");
+      "twentieth, with which it touches, and at the end of the pass goes back to that. All turns of a helix are one "
+      "pass here.");
   v.field(
       "step_per_half_width", s.stepPerHalfWidth, {.above = 0},
       "Largest way of the tool in a step of a pass, over the half width of its contact at the first full force; "
@@ -127,7 +128,14 @@ class ToolPath {
   /// Times at which a pass (of a helix, a turn) is done, in order.
   std::vector<double> passEnds() const;
 
-  /// Whether it is in the part of a pass in which the force is full, its ends included.
+  /// From where the tool comes down to where it is lifted, in order: passes that follow one another in touch, as the
+  /// turns of a helix, are one.
+  std::vector<Pass> touches() const;
+
+  /// From where the tool comes down and to where it is lifted, as a helix has turned it at time t.
+  Eigen::Vector3d clearance(double t) const;
+
+  /// Whether it is in the part of a touch in which the force is full, its ends included.
   bool hasFullForce(double t) const;
 
   double speed() const { return speed_; }
@@ -150,8 +158,8 @@ class ToolPath {
   /// A straight way to a displacement.
   void goTo(const Eigen::Vector3d& to);
 
-  /// From when to when the force of a pass is full.
-  Pass fullForceIn(const Pass& pass) const { return {pass.begin + rampTime_, pass.end - rampTime_}; }
+  /// From when to when the force of a touch is full.
+  Pass fullForceIn(const Pass& touch) const { return {touch.begin + rampTime_, touch.end - rampTime_}; }
 
   void beginPass() { passes_.push_back({end(), end()}); }
   void endPass() { passes_.back().end = end(); }

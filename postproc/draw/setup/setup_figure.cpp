@@ -230,7 +230,7 @@ class SetupPicture {
   }
 
   void drawCarried(SetupSymbols& symbols, std::size_t k) const {
-    const DrawnToolLoad load = toolLoad(*scene().tools[k].carry, scene(), layout_.endTime());
+    const DrawnToolLoad load = layout_.carriedBy(k);
     const Vector2d middle = layout_.middleOf(k);
     if (load.force.norm() > 0.0)
       symbols.addForceTo(middle, load.force.normalized(), layout_.forceText(load.force.norm()));

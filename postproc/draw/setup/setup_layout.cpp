@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/scene/path_of_tool.h"
 #include "engine/scene/reader.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/page/overlay.h"
@@ -144,9 +145,9 @@ void SetupLayout::findRoomsOfTools() {
   for (std::size_t k = 0; k < tools_.size(); ++k)
     if (const auto away = awayFromBody(tools_[k]); away && !phasesOf(k).empty())
       rooms_.at(*away) += SetupSymbols::kLoadDepth;
-  for (const ToolSpec& tool : scene_.tools) {
-    if (!tool.carry) continue;
-    const Vector2d force = toolLoad(*tool.carry, scene_, end_).force;
+  for (std::size_t k = 0; k < scene_.tools.size(); ++k) {
+    if (!scene_.tools[k].carry) continue;
+    const Vector2d force = carriedBy(k).force;
     if (force.norm() > 0.0) rooms_.at(-force) = std::max(rooms_.at(-force), kAboveTool);
   }
   const auto isOpenBelow = [&](const ToolRecord& tool) {
@@ -232,6 +233,24 @@ std::vector<std::vector<Vector2d>> SetupLayout::toolPixels(std::size_t tool, con
 Vector2d SetupLayout::middleOf(std::size_t tool) const {
   if (recordedMesh(tools_[tool].shape)) return view_.pixel(toolBounds(tool, Vector2d(0, 0)).center());
   return view_.pixel(boundsOf(*outlineOf(tool, Vector2d(0, 0))).center());
+}
+
+DrawnToolLoad SetupLayout::carriedBy(std::size_t tool) const {
+  const ToolSpec& spec = scene_.tools[tool];
+  Vector2d middle = tools_[tool].pivot.head<2>();
+  if (spec.path) middle += pathOf(spec).displacement(0.0).head<2>();
+  Vector2d outward(0.0, 0.0);
+  double nearest = HUGE_VAL;
+  for (const ContactSpec& contact : scene_.contact) {
+    if (contact.tool != spec.name) continue;
+    const FaceLine face = faces_.line(contact.place);
+    for (std::size_t k = 0; k < face.points.size(); ++k)
+      if (const double distance = (face.points[k] - middle).norm(); distance < nearest) {
+        nearest = distance;
+        outward = face.outward[k];
+      }
+  }
+  return toolLoad(*spec.carry, outward, scene_, end_);
 }
 
 std::string SetupLayout::forceText(double force) const {

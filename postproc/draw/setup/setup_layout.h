@@ -12,6 +12,7 @@
 #include "postproc/draw/page/rich_text.h"
 #include "postproc/draw/page/view.h"
 #include "postproc/draw/setup/setup_faces.h"
+#include "postproc/draw/setup/setup_loads.h"
 
 class vtkPolyData;
 
@@ -61,6 +62,9 @@ class SetupLayout {
   /// Of the part of a tool that is seen, or the point of a plane that is nearest to the body's middle; in
   /// pixels.
   Eigen::Vector2d middleOf(std::size_t tool) const;
+
+  /// What a tool carries.
+  DrawnToolLoad carriedBy(std::size_t tool) const;
 
   /// "F = 2.0 MPa·mm" of a force per thickness, or of one on a ring; "M = ..." of a moment.
   std::string forceText(double force) const;

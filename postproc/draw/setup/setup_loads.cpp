@@ -76,12 +76,12 @@ Vector2d bodyForceAt(const LoadSpec& load, const Vector2d& X, const Scene& scene
   return LoadVector(load, scene, end).at(X, Vector2d::Zero(), Vector2d::Zero());
 }
 
-DrawnToolLoad toolLoad(const ToolCarrySpec& carry, const Scene& scene, double end) {
+DrawnToolLoad toolLoad(const ToolCarrySpec& carry, const Vector2d& outward, const Scene& scene, double end) {
   const Instant instant = largestOf(carry.schedule, end);
   const auto value = [&](const std::optional<FormulaText>& text) {
     return text ? instant.factor * Formula(*text, scene.definitions)({0.0, 0.0, 0.0}, instant.time) : 0.0;
   };
-  return {{value(carry.x), value(carry.y)}, value(carry.moment)};
+  return {value(carry.normal) * outward + Vector2d(value(carry.x), value(carry.y)), value(carry.moment)};
 }
 
 }  // namespace burnish

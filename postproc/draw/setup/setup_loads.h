@@ -21,11 +21,13 @@ FaceLoad faceLoad(const LoadSpec& load, const FaceLine& face, const Scene& scene
 /// A body force at a point: force per volume.
 Eigen::Vector2d bodyForceAt(const LoadSpec& load, const Eigen::Vector2d& X, const Scene& scene, double end);
 
-/// What a tool carries when its schedule has its largest magnitude, or at the end of the run without one.
+/// What a tool carries when its schedule has its largest magnitude, or at the end of the run without one. outward: normal
+/// of the face that it follows.
 struct DrawnToolLoad {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   double moment = 0.0;
 };
-DrawnToolLoad toolLoad(const ToolCarrySpec& carry, const Scene& scene, double end);
+DrawnToolLoad toolLoad(const ToolCarrySpec& carry, const Eigen::Vector2d& outward, const Scene& scene,
+                       double end);
 
 }  // namespace burnish

@@ -156,7 +156,11 @@ void SetupSymbols::addLoadArrow(const Vector2d& at, const Vector2d& outward, con
 void SetupSymbols::addForce(const Vector2d& middle, const Vector2d& direction, const std::string& label) {
   const Vector2d half = kForceArrow / 2 * text_.size * direction;
   addArrow(middle - half, middle + half);
-  const double before = 0.6 * text_.size + std::abs(direction.x()) * textWidth({{label}}, text_) / 2;
+  // So far that the label, as wide as it is, ends above or below the arrow, or beside it.
+  constexpr double kGap = 0.6;
+  const double before =
+      std::min(kGap * text_.size / std::abs(direction.y()),
+               kGap * text_.size + textWidth({{label}}, text_) / 2 / std::abs(direction.x()));
   addText({{label}}, middle - half - before * direction);
 }
 

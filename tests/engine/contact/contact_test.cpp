@@ -59,6 +59,20 @@ TEST_P(ContactTangent, AgreesWithCentralDifferencesIfTheToolIsFree) {
   EXPECT_GT(free.term.state().reaction(1), 0.0);
 }
 
+TEST_P(ContactTangent, OfAToolThatFollowsASurface) {
+  const Body<2> body = block(GetParam().degree, GetParam().family);
+  const int first = 2 * body.numNodes;
+  const Tool tool = test::followingTool(disc(), first);
+  ContactTerm<2> term(body, 0, faceFromName<2>("top"), tool, GetParam().options(), first + 2);
+  const Eigen::VectorXd x = test::randomState(first + 2 + term.numMultipliers(), 2e-3, 7);
+  EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-6);
+  const Eigen::VectorXd force = test::forceOf(term, 0.0, x);
+  const ContactState& state = term.state();
+  EXPECT_NEAR(force(first), -state.reaction.dot(tool.normal(0.0)), 1e-15);
+  EXPECT_NEAR(force(first + 1), -state.moment.z() / tool.turnLength, 1e-15);
+  EXPECT_GT(std::abs(force(first)), 1e-3);
+}
+
 TEST_P(ContactTangent, ReactionAndMomentAreTheForcesOnTheFreeTool) {
   BlockUnderFreeDisc free(GetParam());
   Eigen::VectorXd force = Eigen::VectorXd::Zero(free.x.size());

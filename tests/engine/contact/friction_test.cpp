@@ -22,7 +22,8 @@ struct Case {
   std::optional<double> shearLimit{};
   std::string law{};  ///< instead of mu
   Enforcement method = Enforcement::IntegralAugmentedLagrangian;
-  bool spins = false;  ///< a ball about its middle
+  bool spins = false;    ///< a ball about its middle
+  bool follows = false;  ///< a surface, and is free to turn
 
   bool sticks() const { return mu == 0.0 || mu > 1.0; }
 
@@ -51,6 +52,13 @@ Tool movedTool(Tool tool, const Case& c, int firstUnknown) {
   tool.pivot = {0.3, 0.8, 0.1};
   if (Dim == 3) tool.axis = Eigen::Vector3d(0.2, -0.3, 1.0).normalized();
   tool.turnLength = 1.7;
+  if (c.follows) {
+    tool.motion[0] = [](double t) { return 0.003 * t; };
+    tool.normal = [](double t) { return Eigen::Vector3d(0.3 + t, 0.8, Dim == 3 ? 0.5 : 0.0).normalized(); };
+    tool.unknowns[kNormal] = firstUnknown;
+    tool.unknowns[kTurn] = firstUnknown + 1;
+    return tool;
+  }
   if (c.isFree) {
     for (std::size_t dof = 0; dof < kToolDofs; ++dof)
       tool.unknowns[dof] = firstUnknown + static_cast<int>(dof);
@@ -73,9 +81,10 @@ struct Rubbed {
 
   Rubbed(Body<Dim> itsBody, FaceId face, const Tool& itsTool, const Case& c)
       : body(std::move(itsBody)),
-        first(Dim * body.numNodes + (c.spins    ? 6
-                                     : c.isFree ? static_cast<int>(kToolDofs)
-                                                : 0)),
+        first(Dim * body.numNodes + (c.spins     ? 6
+                                     : c.follows ? 2
+                                     : c.isFree  ? static_cast<int>(kToolDofs)
+                                                 : 0)),
         tool(movedTool<Dim>(itsTool, c, Dim * body.numNodes)),
         contact(makePartnerContact<Dim>(
             body, 0, face, onTool<Dim>(tool), c.options(), first,
@@ -177,6 +186,29 @@ std::vector<Case> spinning() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Spinning, FrictionInSpace, testing::ValuesIn(spinning()));
+
+/// A tool that follows a surface, of the method.
+std::vector<Case> following() {
+  std::vector<Case> cases;
+  for (const auto& [name, method] : EnumNames<Enforcement>::values)
+    for (const double mu : {0.0, 0.1}) cases.push_back({.mu = mu, .method = method, .follows = true});
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Following, Friction, testing::ValuesIn(following()));
+INSTANTIATE_TEST_SUITE_P(Following, FrictionInSpace, testing::ValuesIn(following()));
+
+TEST(FrictionOnAToolThatFollows, ItsEquationsAreItsForceAlongTheNormalAndItsMoment) {
+  for (const Case& c : following()) {
+    Rubbed rubbed = rubbedBox(c);
+    const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
+    const ContactState& state = rubbed.term.state();
+    const int unknown = 3 * rubbed.body.numNodes;
+    EXPECT_NEAR(force(unknown), -state.reaction.dot(rubbed.tool.normal(1.0)), 1e-14);
+    EXPECT_NEAR(force(unknown + 1), -state.moment.dot(rubbed.tool.axis) / rubbed.tool.turnLength, 1e-14);
+    EXPECT_GT(state.frictionForce, 0.0);
+  }
+}
 
 TEST(FrictionOnASpinningBall, ItsEquationsAreItsMoments) {
   for (const Case& c : spinning()) {

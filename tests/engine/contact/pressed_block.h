@@ -31,4 +31,15 @@ inline Tool freeTool(Tool tool, int firstUnknown) {
   return tool;
 }
 
+/// A tool that is free along the normal of a surface that it follows and about its pivot, the two unknowns behind the
+/// displacements.
+inline Tool followingTool(Tool tool, int firstUnknown) {
+  tool.pivot = {0.3, 0.8, 0.1};
+  tool.normal = [](double) { return Eigen::Vector3d(0.6, 0.8, 0.0); };
+  tool.unknowns[kNormal] = firstUnknown;
+  tool.unknowns[kTurn] = firstUnknown + 1;
+  tool.turnLength = 1.7;
+  return tool;
+}
+
 }  // namespace burnish::test

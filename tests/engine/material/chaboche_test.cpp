@@ -555,6 +555,62 @@ TEST(Chaboche, KeepsItsStrengthInSimpleShear) {
       2e-3);
 }
 
+Chaboche::Parameters additive(Chaboche::Parameters parameters) {
+  parameters.frame = StrainFrame::Additive;
+  return parameters;
+}
+
+/// The values are those of a prototype of its own.
+TEST(ChabocheInTheAdditiveFrame, LosesItsStrengthInSimpleShear) {
+  const std::vector<std::array<double, 2>> table{{0.5, 0.9977}, {1.0, 0.9738}, {2.0, 0.8332},
+                                                 {3.0, 0.6655}, {5.0, 0.4354}, {10.0, 0.2153}};
+  for (const auto& [gamma, strength] : table)
+    EXPECT_NEAR(shearStrength(additive(perfect()), gamma, 1000), strength, 3e-4) << gamma;
+  Chaboche::Parameters recovering = additive(perfect()), linear = recovering;
+  recovering.backStresses = {{600.0, 3.0}};
+  linear.backStresses = {{200.0, 0.0}};
+  EXPECT_NEAR(shearStrength(recovering, 10.0, 1000), 0.4303, 3e-4);
+  EXPECT_NEAR(shearStrength(linear, 10.0, 1000), 0.7384, 3e-4);
+}
+
+TEST(ChabocheInTheAdditiveFrame, IsTheOtherOneWherePrincipalAxesAreFixed) {
+  const WithStep updated{Chaboche(hardeningMetal())}, off{Chaboche(additive(hardeningMetal()))};
+  State one, two;
+  for (int k = 1; k <= 20; ++k) {
+    const Eigen::Matrix3d F =
+        Eigen::Vector3d(std::exp(0.02 * k), std::exp(-0.03 * k), std::exp(0.007 * k)).asDiagonal();
+    const auto first = evaluate<3>(updated, F, one), second = evaluate<3>(off, F, two);
+    one = first.state;
+    two = second.state;
+    EXPECT_LT((first.response.tau - second.response.tau).norm(), 1e-10 * first.response.tau.norm()) << k;
+    EXPECT_NEAR(one.e_p, two.e_p, 1e-13) << k;
+  }
+  EXPECT_GT(one.e_p, 0.1);
+}
+
+TEST(ChabocheInTheAdditiveFrame, TangentAgreesWithDifferences) {
+  for (const Chaboche::Parameters& parameters : {perfect(), hardeningMetal(), ohnoWangMetal()}) {
+    const WithStep law{Chaboche(additive(parameters))};
+    const auto [plane, F2] = flowed<2>(law);
+    EXPECT_LT(test::tangentError<2>(law, test::skewed<2>(0.02) * F2, plane, 1e-6), 2e-8);
+    const auto [space, F3] = flowed<3>(law);
+    EXPECT_LT(test::tangentError<3>(law, test::skewed<3>(0.02) * F3, space, 1e-6), 2e-8);
+  }
+}
+
+TEST(ChabocheInTheAdditiveFrame, IsIndifferentToRotations) {
+  const WithStep law{Chaboche(additive(hardeningMetal()))};
+  const auto [state, F] = flowed<3>(law);
+  const Eigen::Matrix3d Q =
+      Eigen::AngleAxisd(2.1, Eigen::Vector3d(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+  const auto here = evaluate<3>(law, F, state), turned = evaluate<3>(law, Q * F, state);
+  EXPECT_LT((turned.state.E - here.state.E).norm(), 1e-14);
+  EXPECT_LT((turned.state.Fp_inv - here.state.Fp_inv).norm(), 1e-14);
+  const Eigen::Matrix3d b = law.law.elasticDeformation(F, here.state);
+  EXPECT_LT((law.law.elasticDeformation(Q * F, here.state) - Q * b * Q.transpose()).norm(), 1e-13 * b.norm());
+  EXPECT_NEAR(halfLogarithm<3>(b).norm(), here.state.E.norm(), 1e-14) << "the elastic strain, turned";
+}
+
 /// A circle of axial strain and shear, after which the error of the stress halves with the steps.
 TEST(Chaboche, IsOfFirstOrderWhereTheDirectionTurns) {
   const auto stressAfterATurn = [](int steps) {

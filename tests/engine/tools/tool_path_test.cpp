@@ -77,6 +77,28 @@ TEST(ToolPath, ARampTakesTheForceUpAndDownInEveryPass) {
   EXPECT_THAT(path.corners(), testing::IsSupersetOf({near(1.0), near(2.0), near(6.5), near(7.5)}));
 }
 
+TEST(ToolPath, ARampTakesTheForceUpAndDownOnceInAllTurnsOfAHelix) {
+  HelixPath helix;
+  helix.turns = 2.5;
+  PathSpec spec = along(helix);
+  spec.clearance = {1.0, 0.0, 0.0};
+  spec.ramp = 2.0;
+  const ToolPath path(spec, Vector3d(2.0, 0.0, 0.0));
+  const double begin = 1.0, perTurn = 4.0 * std::numbers::pi, end = begin + 2.5 * perTurn;
+  EXPECT_EQ(path.passes().size(), 3u) << "a frame for every turn";
+  ASSERT_EQ(path.touches().size(), 1u);
+  EXPECT_NEAR(path.touches().front().begin, begin, kRounding);
+  EXPECT_NEAR(path.touches().front().end, end, 1e-12);
+  for (const double t : {begin + 1.0, end - 1.0}) EXPECT_NEAR(path.forceShare(t), 0.525, 1e-12) << t;
+  for (const double t : {begin + 2.0, begin + perTurn, begin + 2.0 * perTurn, end - 2.0}) {
+    EXPECT_NEAR(path.forceShare(t), 1.0, 1e-12) << t;
+    EXPECT_TRUE(path.hasFullForce(t)) << t;
+  }
+  EXPECT_FALSE(path.hasFullForce(end - 1.9));
+  EXPECT_LT((path.clearance(begin + 0.25 * perTurn) - Vector3d(0.0, 1.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((path.displacement(path.end()) - Vector3d(-5.0, 0.0, 0.0)).norm(), 1e-12) << "lifted where it is";
+}
+
 TEST(ToolPath, ARasterMayGoToAndFro) {
   RasterPath raster;
   raster.stroke = {4.0, 0.0, 0.0};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "engine/tools/sphere.h"
@@ -62,6 +63,39 @@ TEST(ToolInAHolder, IsPressedOnWithTheSmallerOfForceAndResistance) {
   EXPECT_FALSE(ball.load.carriesTooLittle());
   static_cast<void>(ball.forceAt(1.0, 0.6));
   EXPECT_TRUE(ball.load.carriesTooLittle());
+}
+
+TEST(ToolThatFollowsASurface, GoesAlongItsNormalFromWhereItsMotionHasIt) {
+  Tool tool{"ball", Sphere{}};
+  tool.motion[0] = [](double t) { return 2.0 * t; };
+  tool.motion[1] = [](double) { return -1.0; };
+  tool.normal = [](double t) { return Vector3d(std::sin(t), 0.0, std::cos(t)); };
+  tool.unknowns[kNormal] = 1;
+  const ToolPose pose = tool.pose(0.5, Eigen::Vector2d(7.0, 0.3));
+  EXPECT_LT((pose.displacement - Vector3d(1.0 + 0.3 * std::sin(0.5), -1.0, 0.3 * std::cos(0.5))).norm(),
+            1e-15);
+  EXPECT_EQ(tool.pose(0.5).displacement, Vector3d(1.0, -1.0, 0.0));
+  const ToolLoad load(tool, {{[](double t) { return -4.0 * t; }, {}, {}, {}}}, 1.0);
+  EXPECT_LT((load.force(0.5) + 2.0 * Vector3d(std::sin(0.5), 0.0, std::cos(0.5))).norm(), 1e-15);
+}
+
+TEST(ToolThatFollowsASurface, IsPushedBackIntoItsHolderAlongTheNormal) {
+  Tool tool{"ball", Sphere{}};
+  tool.motion[2] = [](double t) { return -0.5 * t; };
+  tool.normal = [](double) { return Vector3d(0.0, 0.6, 0.8); };
+  tool.unknowns[kNormal] = 0;
+  ToolLoad load(tool, {{[](double) { return -2.0; }, {}, {}, {}}}, 1.0);
+  load.setHolder(
+      {.dof = kNormal, .sign = -1.0, .mustCarry = [](double t) { return t > 0.5; }, .stiffness = 10.0});
+  const auto forceAt = [&](double t, double way) {
+    return test::forceOf(load, t, Eigen::VectorXd::Constant(1, way))(0);
+  };
+  EXPECT_DOUBLE_EQ(forceAt(0.2, 0.0), 0.0) << "in the air it is where its path takes it";
+  EXPECT_DOUBLE_EQ(forceAt(0.2, 0.15), 1.5);
+  EXPECT_DOUBLE_EQ(forceAt(0.2, 0.3), 2.0);
+  EXPECT_FALSE(load.carriesTooLittle());
+  static_cast<void>(forceAt(1.0, 0.1));
+  EXPECT_TRUE(load.carriesTooLittle());
 }
 
 TEST(ToolInAHolder, TangentAgreesWithCentralDifferences) {
