@@ -1,6 +1,7 @@
 #include "cli/commands/probe_chart.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/results/result_files.h"
+#include "postproc/draw/page/picture_warnings.h"
 #include "postproc/probe/probed_run.h"
 
 namespace burnish {
@@ -22,6 +24,18 @@ ProbeSpec specOf(const ProbeArguments& arguments) {
   return spec;
 }
 
+/// Of several frames those that have fields: a series of another program may begin with a bare mesh. Of none with fields all.
+std::vector<int> withFields(const ProbeSource& result, const std::vector<int>& frames) {
+  if (!result.isBare || frames.size() == 1) return frames;
+  std::vector<int> kept, bare;
+  for (const int index : frames) (result.isBare(index) ? bare : kept).push_back(index);
+  if (kept.empty()) return frames;
+  if (!bare.empty())
+    noteWarning(fmt::format("{}: there are no fields in frame {}, and so no curve of it",
+                            result.file.string(), fmt::join(bare, ", ")));
+  return kept;
+}
+
 /// A curve per field for each frame, or one over time. name: of the run; empty for the only one.
 std::vector<ProbedRun> probedRuns(const ProbeSource& result, const std::string& name, const ProbeSpec& spec,
                                   const std::string& frame) {
@@ -34,7 +48,7 @@ std::vector<ProbedRun> probedRuns(const ProbeSource& result, const std::string& 
     runs.back().name = name;
     return runs;
   }
-  for (const int index : frames) {
+  for (const int index : withFields(result, frames)) {
     throwIfInterrupted();
     runs.push_back(result.inFrame(index, spec));
     runs.back().name = name;

@@ -5,6 +5,7 @@
 
 #include "engine/core/error.h"
 #include "engine/results/result_reader.h"
+#include "postproc/draw/foreign/foreign_fields.h"
 #include "postproc/draw/foreign/foreign_picture.h"
 #include "postproc/probe/foreign_probe.h"
 
@@ -14,16 +15,21 @@ ProbeSource probeSource(const std::filesystem::path& result) {
   std::error_code status;
   if (!std::filesystem::is_directory(result, status) && !foreignKind(result).empty()) {
     const auto file = std::make_shared<const ForeignFile>(result);
-    return {file->file(), instantsOf(*file),
-            [file](int frame, const ProbeSpec& spec) {
-              return withFormula(probedInstant(*file, frame, spec), spec);
-            },
-            [file](const std::vector<int>& frames, const ProbeSpec& spec) {
-              return withFormula(probedHistory(*file, frames, spec), spec);
-            },
-            [](int, const ProbeSpec&) -> DepthNumbers {
-              throw Error("--numbers: only runs of burnish have faces with names; expected a run");
-            }};
+    return {
+        file->file(),
+        instantsOf(*file),
+        [file](int frame, const ProbeSpec& spec) {
+          return withFormula(probedInstant(*file, frame, spec), spec);
+        },
+        [file](const std::vector<int>& frames, const ProbeSpec& spec) {
+          return withFormula(probedHistory(*file, frames, spec), spec);
+        },
+        [](int, const ProbeSpec&) -> DepthNumbers {
+          throw Error("--numbers: only runs of burnish have faces with names; expected a run");
+        },
+        {},
+        {},
+        [file](int frame) { return foreignFieldsOf(file->blocks(static_cast<std::size_t>(frame))).empty(); }};
   }
   const auto run = std::make_shared<const ResultReader>(result);
   return {

@@ -19,6 +19,9 @@ struct ProbeSource {
   std::function<DepthNumbers(int frame, const ProbeSpec& spec)> depthNumbers;
   DerivedUnits units{};  ///< empty of files of other programs
   std::string stressUnit{};
+
+  /// Whether there is not one field in a frame; none of runs, whose frames have fields.
+  std::function<bool(int frame)> isBare{};
 };
 
 /// Throws `Error` for what cannot be read.

@@ -103,8 +103,15 @@ class Panels {
       own.eye = shared.eye;
       return single.look(at.frame, own, inRange, inWindow);
     });
+    shared.room->otherRanges = true;
+    for (const Source& source : sources_) {
+      const PictureSource::Single& single = source.single;
+      shared.room->doubt = shared.room->doubt || !single.options.doubt.empty();
+      shared.room->note = shared.room->note || (shared.range && !single.clipNote.empty());
+    }
     for (Source& source : sources_) {
       ContourOptions& options = source.single.options;
+      options.room = shared.room;
       options.range = shared.range;
       options.window = shared.window;
       options.eye = shared.eye;
@@ -113,7 +120,6 @@ class Panels {
       options.size = panel;
       if (!options.textSize) options.textSize = options.theme.textSize * sheetTextSize(panel[0]);
       options.title = "";
-      options.evenScales = true;
       options.pointsPerPixel = sheetPointsPerPixel(panel[0]);
     }
   }

@@ -78,11 +78,13 @@ BodySurface::BodySurface(const MeshRecord& mesh, const Subdivision& subdivision,
 void BodySurface::addSide(const MeshRecord& mesh, const PatchSide& side, const Subdivision& subdivision) {
   const PatchRecord& patch = mesh.patches[side.patch];
   std::vector<std::vector<double>> parameters;
+  std::vector<std::size_t> along;
   bool clockwise = false;
   for (std::size_t d = 0; d < side.ends.size(); ++d) {
     const UnivariateBasis basis = basisOf(patch.directions[d]);
     const bool atEnd = side.ends[d] == PatchSide::End::End;
     if (side.ends[d] == PatchSide::End::None) {
+      along.push_back(d);
       parameters.push_back(subdivision.parameters(side.patch, d, basis));
       continue;
     }
@@ -93,9 +95,11 @@ void BodySurface::addSide(const MeshRecord& mesh, const PatchSide& side, const S
   }
   add(patch, parameters, clockwise);
   if (mesh.dim() < 3) return;
-  tangents_.push_back(tangentsAt(patch, parameters, clockwise));
+  std::array directions{along[0], along[1]};
+  if (clockwise) std::swap(directions[0], directions[1]);
+  tangents_.push_back(tangentsAt(patch, parameters, directions));
   if (kind_ == Cells::TrianglesAboutMiddles)
-    tangents_.push_back(tangentsAt(patch, middlesOf(parameters), clockwise));
+    tangents_.push_back(tangentsAt(patch, middlesOf(parameters), directions));
 }
 
 void BodySurface::addFacesOfSpans(const MeshRecord& mesh, std::size_t number,
@@ -142,17 +146,16 @@ void BodySurface::add(const PatchRecord& patch, const std::vector<std::vector<do
 
 BodySurface::Tangents BodySurface::tangentsAt(const PatchRecord& patch,
                                               const std::vector<std::vector<double>>& parameters,
-                                              bool clockwise) {
+                                              const std::array<std::size_t, 2>& directions) {
   std::vector<std::vector<PointRow>> rows(1);  // of the directions, for every combination of sides
-  std::vector<std::size_t> along;
   std::vector<PointRow> inside;
   for (std::size_t d = 0; d < parameters.size(); ++d) {
     const UnivariateBasis basis = basisOf(patch.directions[d]);
     std::vector<SpanSide> sides{SpanSide::Behind};
     std::vector<double> within = parameters[d];
-    if (within.size() > 1) {
+    // Even of one parameter: the middle of a single cell.
+    if (d == directions[0] || d == directions[1]) {
       constexpr double kTrifle = 1e-6;
-      along.push_back(d);
       const double middle = std::midpoint(within.front(), within.back());
       for (double& xi : within) xi = std::lerp(xi, middle, kTrifle);
       if (hasCreases(basis)) sides.push_back(SpanSide::Before);
@@ -166,8 +169,6 @@ BodySurface::Tangents BodySurface::tangentsAt(const PatchRecord& patch,
       }
     rows = std::move(combined);
   }
-  std::array directions{along[0], along[1]};
-  if (clockwise) std::swap(directions[0], directions[1]);
   std::vector<TensorPoints> sides;
   for (std::vector<PointRow>& row : rows) sides.emplace_back(patch, std::move(row));
   return {directions, std::move(sides), TensorPoints(patch, std::move(inside))};

@@ -71,8 +71,9 @@ class BodySurface {
   /// Adds points at these parameters, which have one row and column, and the cells between them.
   void add(const PatchRecord& patch, const std::vector<std::vector<double>>& parameters, bool clockwise);
 
+  /// directions: of the face, in the order of `Tangents`.
   static Tangents tangentsAt(const PatchRecord& patch, const std::vector<std::vector<double>>& parameters,
-                             bool clockwise);
+                             const std::array<std::size_t, 2>& directions);
 
   /// Unit vectors, 3 x points.
   Eigen::Matrix3Xd normals(const Eigen::MatrixXd& displacement) const;

@@ -12,11 +12,6 @@ namespace {
 /// Exponents in [-kPlain, kPlain] are written out.
 constexpr int kPlain = 3;
 
-/// Exponent of the first decimal digit.
-int decimalExponent(double value) {
-  return value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
-}
-
 /// First and last multiple of a step in a range, ends included in spite of round-off.
 std::array<double, 2> multiples(const std::array<double, 2>& range, double step) {
   constexpr double slack = 1e-9;
@@ -60,6 +55,10 @@ int decimalsOf(double step) {
 }
 
 }  // namespace
+
+int decimalExponent(double value) {
+  return value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
+}
 
 Ticks makeTicksOfBands(const std::array<double, 2>& range, int bands, int most) {
   constexpr double kVisible = 0.005;  // of a step

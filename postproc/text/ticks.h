@@ -12,6 +12,9 @@ struct Ticks {
   int exponent = 0;                 ///< 0 unless the labels would be long without it
 };
 
+/// Of the first decimal digit; 0 of zero.
+int decimalExponent(double value);
+
 /// At most `most` (>= 2) marks for an increasing range.
 Ticks makeTicks(const std::array<double, 2>& range, int most);
 

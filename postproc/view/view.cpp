@@ -299,6 +299,7 @@ class PageData {
     json["range"] = numbersJson(scale.range());
     json["ticks"] = numbersJson(ticks.values);
     json["labels"] = numbersJson(ticks.labels);
+    json["exponent"] = ticks.exponent;
     return json;
   }
 

@@ -1303,6 +1303,22 @@ function element(tag, properties = {}, ...children) {
 
 const rich = (pieces) => pieces.map(([text, script]) => (script ? element(script === 1 ? "sub" : "sup", {}, text) : text));
 
+/** Marks of the scale: [value, label] at round values, or at borders of bands with as many decimals as tell them. */
+function ticksOf(field) {
+  if (!state.bands || field.hasStates) return field.ticks.map((value, k) => [value, field.labels[k]]);
+  const most = 11, visible = 0.005;
+  const every = Math.ceil(state.bands / (most - 1)), unit = 10 ** field.exponent;
+  const [low, high] = field.range, step = every * (high - low) / state.bands;
+  const values = [];
+  for (let k = 0; k <= state.bands; k += every) values.push(low + (high - low) * k / state.bands);
+  let decimals = 0;
+  while (values.some((value) => Math.abs((value / unit).toFixed(decimals) - value / unit) > visible * step / unit)) ++decimals;
+  return values.map((value) => {
+    const text = (value / unit).toFixed(decimals);
+    return [value, (Number(text) ? text : (0).toFixed(decimals)).replace("-", "\u2212")];
+  });
+}
+
 function showScale() {
   const field = data.fields[state.field], record = data.frames[state.frame].fields[state.field];
   const colors = fieldColors(), count = colors.length / 3, ramp = byId("colors");
@@ -1313,8 +1329,8 @@ function showScale() {
   byId("largest").replaceChildren(...rich(record.largest));
   byId("smallest").replaceChildren(...rich(record.smallest));
   byId("field-title").replaceChildren(...rich(field.title));
-  byId("ticks").replaceChildren(...field.ticks.map((value, k) => {
-    const tick = element("span", {}, field.labels[k]);
+  byId("ticks").replaceChildren(...ticksOf(field).map(([value, label]) => {
+    const tick = element("span", {}, label);
     tick.style.bottom = `${100 * (value - field.range[0]) / (field.range[1] - field.range[0])}%`;
     return tick;
   }));

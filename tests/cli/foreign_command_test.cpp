@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "postproc/draw/page/color_scale.h"
+#include "postproc/text/text_file.h"
 #include "tests/cli/shell.h"
 #include "tests/postproc/picture.h"
 
@@ -90,6 +91,19 @@ TEST_F(ForeignCommand, FieldOfASeriesIsThatOfItsFirstInstantWithOne) {
   const auto refused = burnish("render " + series + " --frame 0 --field displacement -o a.png");
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("field: found \"displacement\"; frame 0 has none"));
+}
+
+/// The same along a line, which has no curve of the mesh alone.
+TEST_F(ForeignCommand, BareFramesOfASeriesHaveNoCurve) {
+  const std::string series = sample("fenicsx.pvd");
+  const auto all = burnish("probe " + series + " --line 0.1,0.5:1.9,0.5 --points 3 --frame all -o all.csv");
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.err, HasSubstr("there are no fields in frame 0, and so no curve of it"));
+  ASSERT_EQ(burnish("probe " + series + " --line 0.1,0.5:1.9,0.5 --points 3 --frame 1-2 -o two.csv").code, 0);
+  EXPECT_EQ(readText(dir_ / "all.csv"), readText(dir_ / "two.csv"));
+  const auto bare = burnish("probe " + series + " --line 0.1,0.5:1.9,0.5 --frame 0 -o bare.csv");
+  EXPECT_EQ(bare.code, 2);
+  EXPECT_THAT(bare.err, HasSubstr("there are no fields in it, and so no values"));
 }
 
 /// Two squares side by side, each with its own value at all its points.

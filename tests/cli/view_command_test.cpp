@@ -424,6 +424,7 @@ press(",");
 found.push("before " + text("when") + "; " + text("largest") + "; " + byId("frame").value);
 press(","); press("k"); press("b"); press("u"); press("t"); press("l");
 found.push("keys " + [state.frame, state.knots, state.bands, state.undeformed, state.tools, state.light].join());
+found.push("borders " + text("ticks"));
 press("f");
 found.push("field " + text("field-title") + "; " + byId("field").selectedOptions[0].textContent);
 const center = [...state.center];
@@ -454,9 +455,10 @@ found.push("wide " + (document.documentElement.scrollWidth > innerWidth));
 )");
   for (const char* line :
        {"start t = 0.5, frame 2 of 2; Equivalent plastic strain ε̄p; max ", "before t = 0, frame 1 of 2; max ",
-        "keys 0,true,5,false,false,true\n", "field Displacement |u| [mm]; Displacement\n",
-        "moved true 1.20\n", "home true 1\n", "wheel 1.105\n", "pinch 2.00\n", "slid t = 0.5, frame 2 of 2\n",
-        "played 0 Pause\n", "paused Play\n", "label ", "unnamed 0\n", "requests 0\n", "wide false<"})
+        "keys 0,true,5,false,false,true\n", "borders 0.00.40.81.21.62.0\n",
+        "field Displacement |u| [mm]; Displacement\n", "moved true 1.20\n", "home true 1\n", "wheel 1.105\n",
+        "pinch 2.00\n", "slid t = 0.5, frame 2 of 2\n", "played 0 Pause\n", "paused Play\n", "label ",
+        "unnamed 0\n", "requests 0\n", "wide false<"})
     EXPECT_THAT(out, HasSubstr(line));
   EXPECT_EQ(console, "");
 }

@@ -123,6 +123,10 @@ std::array<double, 2> widened(const std::array<double, 2>& range) {
   return {range[0] - 0.1 * magnitude, range[1] + 0.1 * magnitude};
 }
 
+bool isOneValue(const std::array<double, 2>& range) {
+  return widened(range) != range;
+}
+
 std::string clipNote(double clip, int dim) {
   return fmt::format("colours end at the {} and {} percentiles of the {}", ordinal(100.0 - clip),
                      ordinal(clip), dim == 2 ? "area" : "volume");

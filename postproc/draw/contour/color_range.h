@@ -31,6 +31,9 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
 /// A range that a colour scale can have: a field that is constant gets a scale around it.
 std::array<double, 2> widened(const std::array<double, 2>& range);
 
+/// Whether a field that goes through this range has one value, but for rounding.
+bool isOneValue(const std::array<double, 2>& range);
+
 /// What a picture says of clipped colours: "colours end at the 1st and 99th percentiles of the area".
 std::string clipNote(double clip, int dim);
 

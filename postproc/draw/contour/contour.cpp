@@ -106,12 +106,15 @@ double textSizeOf(const ContourOptions& options, const Theme& theme) {
   return options.scale * options.textSize.value_or(theme.textSize * textSizeFor(options.size));
 }
 
+/// ownRange: whether the colours are laid round the values of this picture alone.
 ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const std::array<double, 2>& values,
-                      double textSize, const Theme& theme, int bands, bool even, bool marked) {
-  const std::array<double, 2> around = widened(values);
-  const bool isConstant = around != values && scale.range()[1] == around[1];
+                      double textSize, const Theme& theme, int bands, const std::optional<SharedRoom>& room,
+                      bool marked, bool ownRange) {
+  const bool isConstant = isOneValue(values) && scale.range()[1] == widened(values)[1] && ownRange;
   return {scale,
-          {field.title, field.unit, values[0], values[1], field.states, even, marked, bands, isConstant},
+          {field.title, field.unit, values[0], values[1], field.states,
+           room ? room->extremes : std::vector<std::array<double, 2>>(), room && room->otherRanges, marked,
+           bands, isConstant},
           textSize,
           theme};
 }
@@ -136,7 +139,7 @@ class ContourPicture {
         cutsBody_(options.window && !options.window->contains(bodiesBox(parts_))) {}
 
   ContourImage draw() {
-    const Plan plan = makePlan();
+    const Plan plan = makePlan(1.0);
     const View& view = plan.layout.view;
     prepare(plan, view);
     return {onPaper([&](const Color& paper) { return capture(paper, plan); }), view};
@@ -144,7 +147,7 @@ class ContourPicture {
 
   /// The same for print: the field as an image, what is drawn over it as vectors.
   ContourPage page() {
-    const Plan plan = makePlan();
+    const Plan plan = makePlan(dotsPerPixel());
     const View& view = plan.layout.view;
     View fine = view;
     fine.pixelsPerLength *= dotsPerPoint(options_);
@@ -204,13 +207,14 @@ class ContourPicture {
                     words(*options_.window), words(content)));
   }
 
-  Plan makePlan() const {
+  /// dots: of what is drawn per pixel of the picture, to which tools are exact.
+  Plan makePlan(double dots) const {
     const Eigen::AlignedBox2d content = contentOf(parts_, subject_.dim);
     requireSomethingSeen(content);
     Plan plan = layOut(content, textSize_);
     if (options_.textSize && !plan.layout.hasRoom) requireSmallerTexts(content);
     plan.layout.view.eye = parts_.eye;
-    for (const ShownTool& tool : parts_.tools) plan.tools.push_back(drawTool(tool, plan.layout.view));
+    for (const ShownTool& tool : parts_.tools) plan.tools.push_back(drawTool(tool, plan.layout.view, dots));
     return plan;
   }
 
@@ -219,12 +223,19 @@ class ContourPicture {
     const std::array<double, 2>& whole = subject_.ranges.whole;
     const std::array<double, 2> shown = options_.range.value_or(subject_.ranges.shown);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
-    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize, theme_, options_.bands,
-                                      options_.evenScales, marksExtremes());
+    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize, theme_, options_.bands, options_.room,
+                                      marksExtremes(), !sharesRange());
     return {scale, bar,
             layOutContour(size_, textSize, options_.window.value_or(content), parts_.axes,
                           caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr,
                           theme_)};
+  }
+
+  /// Whether the range of colours is that of pictures with other values.
+  bool sharesRange() const {
+    return options_.range && options_.room &&
+           std::ranges::any_of(options_.room->extremes,
+                               [&](const std::array<double, 2>& of) { return of != subject_.ranges.whole; });
   }
 
   /// Throws `Error` with the largest size of texts that leaves room, if there is one.
@@ -251,7 +262,7 @@ class ContourPicture {
     return options_.transparent ? withoutPaper(*draw(kWhite), *draw(kBlack)) : draw(theme_.paper);
   }
 
-  /// Of the image in a page for print, per pixel of the picture; of vectors, to which they are exact.
+  /// Of a page for print per pixel of the picture: of its image, or of vectors, which are exact to these.
   double dotsPerPixel() const {
     constexpr double kOfVectors = 4.0;  // per point
     return options_.pointsPerPixel *
@@ -276,7 +287,9 @@ class ContourPicture {
                     options_.note, clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
             options_.doubt,
             subject_.dim == 3,
-            options_.scaleBar};
+            options_.scaleBar,
+            options_.room && options_.room->note,
+            options_.room && options_.room->doubt};
   }
 
   /// Whether the values at the ends of the scale have signs. What is the same everywhere has a note instead of places,
@@ -614,10 +627,10 @@ class ContourPicture {
     return part * lengthOf(parts_) + kPixelsPerLayer * layers / view.pixelsPerLength;
   }
 
-  ToolDrawing drawTool(const ShownTool& tool, const View& view) const {
+  ToolDrawing drawTool(const ShownTool& tool, const View& view, double dots) const {
     const Eigen::AlignedBox3d visible = visibleBox(view);
     const double stroke = textSize_ * 0.6 / view.pixelsPerLength;
-    const double error = 0.25 / (dotsPerPixel() * view.pixelsPerLength);
+    const double error = 0.25 / (dots * view.pixelsPerLength);
     if (subject_.dim == 2) return drawPlaneTool(tool.record, visible, stroke, tool.turn, error);
     if (options_.slice) return drawToolSection(tool.record, visible, *parts_.plane, stroke, error);
     return drawSpaceTool(tool.record, visible, view, error, parts_.plane);
@@ -640,6 +653,7 @@ class ContourPicture {
     constexpr double kSeen = 1.3;
     const auto [low, high] = scale.range();
     std::vector<double> values;
+    if (isOneValue(subject_.ranges.whole)) return values;  // lines would be those of rounding
     for (int k = 0; k < options_.isolines; ++k) {
       const double value = std::lerp(low, high, (k + 1.0) / (options_.isolines + 1.0));
       const bool isSeen = contrastOf(theme_.outline, scale.color(value)) >= kSeen;
@@ -708,7 +722,8 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
       };
       if (shown.dim == 3)
         subject.choose = [&](ContourParts& whole, const std::array<double, 2>& range) {
-          chooseInSpace(whole, shown, its, field, options, range);
+          chooseInSpace(whole, shown, its, field, options,
+                        isOneValue(ranges.whole) ? std::nullopt : std::optional(range));
         };
     }
     return make(subject);
@@ -771,8 +786,9 @@ PrintPage colorScalePage(const ModelRecord& model, const FrameRecord& frame, con
   constexpr double kLength = 0.5;  // of the picture's width
   const Theme theme = themeOf(options);
   const FieldChoice field = chooseField(model, frame, options.field);
-  const ScalarBar bar = scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)),
-                                    values, textSizeOf(options, theme), theme, options.bands, false, false);
+  const ScalarBar bar =
+      scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)), values,
+                  textSizeOf(options, theme), theme, options.bands, {}, false, true);
   const double width = drawnSize(options)[0], length = kLength * width,
                depth = bar.depth(Overlay::Direction::Right, length);
   PrintPage page{{width, std::ceil(depth)}, "", {}, options.pointsPerPixel};

@@ -2,9 +2,11 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/results/result.h"
 #include "postproc/draw/contour/picture_options.h"
@@ -14,6 +16,13 @@
 class vtkImageData;
 
 namespace burnish {
+
+/// What each of the pictures that stand together leaves room for, so that body and scale have one place in all of them.
+struct SharedRoom {
+  std::vector<std::array<double, 2>> extremes;  ///< the smallest and the largest value of each
+  bool note = false, doubt = false;             ///< whether there is such a text in one of them
+  bool otherRanges = false;                     ///< whether scales may have other numbers at their ticks
+};
 
 /// A contour picture: its options, and what whoever draws it writes beside the body.
 struct ContourOptions : PictureOptions {
@@ -26,9 +35,8 @@ struct ContourOptions : PictureOptions {
   bool colorScale = true;               ///< draw the colour scale, at the right of the body or below
   std::optional<Eigen::Vector3d> mark;  ///< a place with a ring round it
   std::optional<Eye> eye;               ///< of perspective pictures that stand together; see `eyeOf`
-  bool evenScales =
-      false;  ///< of pictures that stand together: scales of the same place whatever their numbers
-  double pointsPerPixel = 1.0;  ///< of the paper, where a picture for print stands on a larger page
+  std::optional<SharedRoom> room;       ///< of pictures that stand together
+  double pointsPerPixel = 1.0;          ///< of the paper, where a picture for print stands on a larger page
 };
 
 /// A picture in memory, RGB or, transparent, RGBA, lowest row first.

@@ -162,17 +162,19 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
 
   const double left = margin + (caption.triad ? kTriadRoom * size : 0.0);
   double bottom = margin;
-  const auto addSmallLine = [&](const std::string& text, double begin) {
+  const auto addSmallLine = [&](const std::string& text, bool hasRoom) {
     const TextStyle style{kNoteSize * size, theme.softInk, theme.font};
-    FittedText line = fitText({{text}}, style, width - begin - margin, kSmallestNote);
-    bottom += kNoteGap * size + capitalHeight(line.style);
+    FittedText line;
+    if (!text.empty()) line = fitText({{text}}, style, width - left - margin, kSmallestNote);
+    if (!text.empty() || hasRoom)
+      bottom += kNoteGap * size + capitalHeight(hasRoom ? style : line.style);  // of a long text smaller
     return line;
   };
   layout.doubtAt = {left, margin};
-  if (!caption.doubt.empty()) layout.doubt = addSmallLine(caption.doubt, left);
+  layout.doubt = addSmallLine(caption.doubt, caption.doubtRoom);
   layout.scaleBarAt = {left, bottom};
   if (caption.scaleBar) bottom += kScaleBarRoom * size;
-  if (!caption.note.empty()) layout.note = addSmallLine(caption.note, left);
+  layout.note = addSmallLine(caption.note, caption.noteRoom);
 
   layout.triadAt = {margin, margin};
   const PixelRect room{left, bottom, width - margin - left, top - bottom};

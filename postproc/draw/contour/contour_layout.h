@@ -39,6 +39,7 @@ struct ContourCaption {
   std::string doubt{};
   bool triad = false;
   bool scaleBar = false;
+  bool noteRoom = false, doubtRoom = false;  ///< as much room as for these texts, even without them
 };
 
 /// textSize: of ordinary text, in pixels. content: the projected box that must be seen. axes: see `View`. bar:

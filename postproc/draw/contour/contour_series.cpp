@@ -34,6 +34,11 @@ Range joined(const std::optional<Range>& a, const Range& b) {
 
 }  // namespace
 
+bool mayHaveNote(const ContourOptions& options) {
+  return !options.note.empty() || options.warp != 1.0 || options.arrows != ArrowField::None ||
+         options.slice || options.markExtremes || options.threshold || options.isosurfaces;
+}
+
 void FrameView::show(ContourParts parts, int dim, const std::optional<Eye>& eye) {
   parts.eye = eye;
   content = contentOf(parts, dim);
@@ -70,8 +75,10 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
   if (!options.range) inRange.insert(ofRange.begin(), ofRange.end());
   const bool isGiven = options.window.has_value();
   if (!isGiven || options.perspective) inWindow.insert(ofWindow.begin(), ofWindow.end());
+  const std::set<int> together(ofWindow.begin(), ofWindow.end());
   std::set<int> frames = inRange;
-  frames.insert(inWindow.begin(), inWindow.end());
+  frames.insert(together.begin(), together.end());
+  SharedRoom room{.extremes = {}, .note = !options.note.empty(), .doubt = !options.doubt.empty()};
   std::optional<Range> range;
   std::string unit;
   Eigen::AlignedBox2d window;
@@ -84,6 +91,10 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
       unit = view.unit;
       range = joined(range, *view.shown);
     }
+    if (together.contains(k)) {
+      room.note = room.note || view.hasNote;
+      if (view.extremes) room.extremes.push_back(*view.extremes);
+    }
     if (!inWindow.contains(k)) continue;
     window.extend(view.content);
     nearest = std::max(nearest, view.nearest);
@@ -92,6 +103,8 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
     options.range = widened(*range);
     options.clip.reset();  // it is in the range
   }
+  room.otherRanges = !options.range;
+  if (!together.empty()) options.room = room;
   if (inWindow.empty()) return;
   if (options.perspective) {
     options.eye = eyeAt(*options.perspective, window, nearest);
@@ -107,7 +120,12 @@ FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const Co
   return withShownModel(model, frame, options, [&](const ModelRecord& shownModel, const FrameRecord& shown) {
     const FieldChoice field = chooseField(shownModel, shown, options.field);
     FrameView view;
-    if (inRange) view.shown = rangesOf(shownModel, shown, field, options).shown;
+    const FieldRange ranges = rangesOf(shownModel, shown, field, options);
+    if (inRange) view.shown = ranges.shown;
+    view.extremes = ranges.whole;
+    const bool hasOwnEnds = options.clip && !inRange && ranges.shown != ranges.whole;
+    view.hasNote =
+        hasOwnEnds || mayHaveNote(options) || !bodiesWithout(shownModel, shown, options.field).empty();
     view.unit = field.unit;
     if (inWindow) view.show(contourParts(shownModel, shown, field, options), shownModel.dim, options.eye);
     return view;

@@ -22,12 +22,17 @@ FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const
 
 struct ContourParts;
 
+/// Whether a picture with these options may have a small text below the body, whatever it shows.
+bool mayHaveNote(const ContourOptions& options);
+
 /// What one of several frames needs of what they share.
 struct FrameView {
   std::optional<std::array<double, 2>> shown{};  ///< its range of colours, if it shows a field
   Eigen::AlignedBox2d content;  ///< what must be seen of it, projected in parallel or as the eye sees it
   double nearest = 0.0;         ///< see `nearestOf`
   std::string unit{};           ///< of the range; may be empty
+  std::optional<std::array<double, 2>> extremes{};  ///< its smallest and largest value, if it shows a field
+  bool hasNote = false;                             ///< whether it may have a small text below the body
 
   /// That these parts, of a body of `dim` dimensions, must be seen, in parallel or by an eye.
   void show(ContourParts parts, int dim, const std::optional<Eye>& eye);
@@ -40,8 +45,8 @@ FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const Co
 void requireSameUnit(const char* key, const std::string& one, const std::string& other, const char* remedy);
 
 /// Gives options a range of colours and a window for several frames, unless they have one: those that hold all
-/// of the frames `ofRange`, and of the frames `ofWindow`. look: called once for each, tells what is asked for; once more
-/// for the window as soon as perspective options have an eye.
+/// of the frames `ofRange`, and of the frames `ofWindow`; and the room that texts of the latter take. look: called once for
+/// each, tells what is asked for; once more for the window as soon as perspective options have an eye.
 /// Throws `Interrupted`, and `Error` for ranges of different units.
 void shareView(ContourOptions& options, const std::vector<int>& ofRange, const std::vector<int>& ofWindow,
                const std::function<FrameView(int frame, bool inRange, bool inWindow)>& look);

@@ -105,17 +105,20 @@ Eigen::Matrix3d frameOf(const Eigen::Vector3d& normal) {
   return frame;
 }
 
-/// A power of two that takes all coordinates to 2 and less: Embree ends the program at such as 1e19.
-double scaleOf(const std::array<FreeSky::Surfaces, 2>& all) {
-  double largest = 0.0;
+/// About the middle of all surfaces, so that a body far from the origin has the same rays, times a power of two that takes
+/// places to 2 and less: Embree ends the program at such as 1e19.
+FreeSky::Space spaceOf(const std::array<FreeSky::Surfaces, 2>& all) {
+  Eigen::AlignedBox3d box;
   for (const auto& surfaces : all)
     for (const auto& surface : surfaces) {
-      std::array<double, 6> bounds{};
+      std::array<double, 6> b{};
       if (surface->GetNumberOfPoints() == 0) continue;
-      surface->GetBounds(bounds.data());
-      for (const double bound : bounds) largest = std::max(largest, std::abs(bound));
+      surface->GetBounds(b.data());
+      box.extend(Eigen::Vector3d(b[0], b[2], b[4])).extend(Eigen::Vector3d(b[1], b[3], b[5]));
     }
-  return largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+  if (box.isEmpty()) return {};
+  const double largest = 0.5 * box.sizes().maxCoeff();
+  return {box.center(), largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0};
 }
 
 }  // namespace
@@ -123,9 +126,8 @@ double scaleOf(const std::array<FreeSky::Surfaces, 2>& all) {
 /// Triangles in boxes in boxes.
 class FreeSky::Occluders {
  public:
-  /// scale: times which the coordinates are taken.
-  Occluders(const Surfaces& surfaces, double scale)
-      : scale_(scale), device_(embree_.newDevice(nullptr)), scene_(embree_.newScene(device_)) {
+  Occluders(const Surfaces& surfaces, const Space& space)
+      : space_(space), device_(embree_.newDevice(nullptr)), scene_(embree_.newScene(device_)) {
     embree_.setSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // no ray gets through between two triangles
     embree_.setSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
     std::vector<float> points;
@@ -181,8 +183,10 @@ class FreeSky::Occluders {
  private:
   void append(vtkPolyData& surface, std::vector<float>& points, std::vector<unsigned>& corners) const {
     const auto first = static_cast<unsigned>(points.size() / 3);
-    for (vtkIdType k = 0; k < surface.GetNumberOfPoints(); ++k)
-      for (int d = 0; d < 3; ++d) points.push_back(static_cast<float>(scale_ * surface.GetPoint(k)[d]));
+    for (vtkIdType k = 0; k < surface.GetNumberOfPoints(); ++k) {
+      const Eigen::Vector3f x = space_.place(Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(k)));
+      points.insert(points.end(), x.begin(), x.end());
+    }
     vtkNew<vtkIdList> ids;
     vtkCellArray& polygons = *surface.GetPolys();
     for (vtkIdType cell = 0; cell < polygons.GetNumberOfCells(); ++cell) {
@@ -207,16 +211,16 @@ class FreeSky::Occluders {
   }
 
   const Embree& embree_ = Embree::loaded();
-  double scale_;
+  Space space_;
   RTCDevice device_;
   RTCScene scene_;
   bool isEmpty_ = true;
 };
 
 FreeSky::FreeSky(const Surfaces& bodies, const Surfaces& tools, double toolOpacity)
-    : scale_(scaleOf({bodies, tools})),
-      bodies_(std::make_unique<Occluders>(bodies, scale_)),
-      tools_(std::make_unique<Occluders>(tools, scale_)),
+    : space_(spaceOf({bodies, tools})),
+      bodies_(std::make_unique<Occluders>(bodies, space_)),
+      tools_(std::make_unique<Occluders>(tools, space_)),
       toolOpacity_(toolOpacity) {}
 
 FreeSky::~FreeSky() = default;
@@ -228,7 +232,7 @@ Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::M
   const Eigen::Index wanted = std::clamp(kRaysOfPicture / points.cols(), kFewestRaysOfPoint, rays.most),
                      count = wanted / kPacket * kPacket;
   const Eigen::Matrix3Xd directions = spiral(count);
-  const auto reach = static_cast<float>(scale_ * rays.reach);
+  const auto reach = static_cast<float>(space_.scale * rays.reach);
   tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, points.cols(), 64), [&](const auto& range) {
     for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
       const Eigen::Vector3d x = points.col(i), n = normals.col(i);
@@ -236,8 +240,8 @@ Eigen::VectorXd FreeSky::sharesAt(const Eigen::Matrix3Xd& points, const Eigen::M
         shares(i) = 1.0;
         continue;
       }
-      const Eigen::Vector3f amongBodies = (scale_ * (x + rays.amongBodies * n)).cast<float>(),
-                            amongTools = (scale_ * (x + rays.amongTools * n)).cast<float>();
+      const Eigen::Vector3f amongBodies = space_.place(x + rays.amongBodies * n),
+                            amongTools = space_.place(x + rays.amongTools * n);
       const Eigen::Matrix3d frame = frameOf(n);
       int free = 0, throughTools = 0;
       for (Eigen::Index k = 0; k < count; k += kPacket) {

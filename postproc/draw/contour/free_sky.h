@@ -16,6 +16,14 @@ class FreeSky {
  public:
   using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>;
 
+  /// What rays are computed in, with single precision.
+  struct Space {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    double scale = 1.0;
+
+    Eigen::Vector3f place(const Eigen::Vector3d& x) const { return (scale * (x - middle)).cast<float>(); }
+  };
+
   /// bodies: polygons that stop all rays; tools: that stop a share `toolOpacity`. Throws `Error`
   /// where there is not enough memory.
   FreeSky(const Surfaces& bodies, const Surfaces& tools, double toolOpacity);
@@ -38,7 +46,7 @@ class FreeSky {
 
  private:
   class Occluders;
-  double scale_;  ///< of lengths, for the rays
+  Space space_;
   std::unique_ptr<Occluders> bodies_, tools_;
   double toolOpacity_;
 };

@@ -50,7 +50,7 @@ std::optional<ExtremePlaces> extremePlaces(const ModelRecord& model, const Frame
   if (field.faces) return placesOnFaces(*field.faces);
   const FieldMesh meshes(model, frame, field.name);
   const auto range = exactRange(meshes.with(), field);
-  if (!range || range->values[0] == range->values[1]) return std::nullopt;
+  if (!range || isOneValue(range->values)) return std::nullopt;
   ExtremePlaces places;
   for (std::size_t end = 0; end < 2; ++end) {
     const FieldPlace& place = range->places[end];

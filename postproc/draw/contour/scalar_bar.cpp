@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/place_marks.h"
 
 namespace burnish {
@@ -34,6 +35,7 @@ constexpr const char *kLongLabel = "−0.00", *kLongEnd = "max −0.0000";
 constexpr int kEndDigits = 4;
 constexpr double kRoundOff = 1e-9;  // of the range
 constexpr double kVisible = 1e-3;   // of the range
+constexpr double kTold = 0.02;      // the same, of the last digit
 
 /// What stands in brackets behind the title: power of ten and unit.
 RichText unitText(int exponent, const std::string& unit) {
@@ -68,22 +70,43 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
   title_.insert(title_.end(), unit.begin(), unit.end());
   const double power = std::pow(10.0, exponent);
   const double extent = scale_.range()[1] - scale_.range()[0], slack = kRoundOff * extent;
-  // No digits that cannot be seen.
-  const double spread = texts.largest - texts.smallest,
-               seen = spread > 0.0 ? std::min(spread, extent) : extent;
-  const double smallestStep = std::pow(10.0, std::floor(std::log10(kVisible * seen)));
-  const auto text = [&](const std::string& before, double value) {
-    return RichText{
-        {before + numberText(std::round(value / smallestStep) * smallestStep / power, kEndDigits)}};
+  using Extremes = std::array<double, 2>;
+  const auto text = [&](const std::string& before, double value, const Extremes& of) {
+    // No digits that cannot be seen.
+    const double spread = of[1] - of[0], seen = isOneValue(of) ? extent : std::min(spread, extent);
+    const double smallestStep = std::pow(10.0, std::floor(std::log10(kVisible * seen)));
+    const double rounded = std::round(value / smallestStep) * smallestStep;
+    // More of them where all values are alike in the first ones.
+    const int order = decimalExponent(rounded);
+    const bool areAlike = std::pow(10.0, order + 1 - kEndDigits) > kTold * seen;
+    const int needed = areAlike ? order - decimalExponent(smallestStep) : kEndDigits;
+    return RichText{{before + numberText(rounded / power, std::max(kEndDigits, needed))}};
   };
-  const auto sign = [&](const char* ofPlace) { return std::string(texts.marked ? ofPlace : ""); };
-  low_ = {text(sign(kSmallestSign) + "min ", texts.smallest), text("≤ ", scale_.range()[0]),
-          texts.smallest < scale_.range()[0] - slack};
-  high_ = {text(sign(kLargestSign) + "max ", texts.largest), text("≥ ", scale_.range()[1]),
-           texts.largest > scale_.range()[1] + slack};
+  const Extremes own{texts.smallest, texts.largest};
+  std::vector<Extremes> all = texts.together;
+  all.push_back(own);
+  const auto endAt = [&](std::size_t k, const char* name, const char* sign, const char* beyond) {
+    const double limit = scale_.range()[k];
+    const auto passes = [&](const Extremes& of) {
+      return k == 0 ? of[k] < limit - slack : of[k] > limit + slack;
+    };
+    const auto extreme = [&](const Extremes& of) {
+      return text((texts.marked ? sign : "") + std::string(name), of[k], of);
+    };
+    End end{extreme(own), text(beyond, limit, own), passes(own)};
+    for (const Extremes& of : all) {
+      end.hasArrow = end.hasArrow || passes(of);
+      end.longest = std::max(end.longest, textWidth(extreme(of), endStyle_));
+    }
+    return end;
+  };
+  low_ = endAt(0, "min ", kSmallestSign, "≤ ");
+  high_ = endAt(1, "max ", kLargestSign, "≥ ");
   if (!constant_) return;
-  low_.extreme = {{text("", *constant_).front().text + " everywhere"}};
+  low_.extreme = {{text("", *constant_, own).front().text + " everywhere"}};
   high_.extreme = {};
+  if (texts.together.empty()) low_.longest = high_.longest = 0.0;
+  low_.longest = std::max(low_.longest, textWidth(low_.extreme, endStyle_));
 }
 
 double ScalarBar::depth(Direction direction, double length) const {
@@ -96,7 +119,7 @@ double ScalarBar::depth(Direction direction, double length) const {
 }
 
 double ScalarBar::longestEnd() const {
-  const double longest = std::max(textWidth(low_.extreme, endStyle_), textWidth(high_.extreme, endStyle_));
+  const double longest = std::max(low_.longest, high_.longest);
   return even_ ? std::max(longest, textWidth({{kLongEnd}}, endStyle_)) : longest;
 }
 
@@ -114,7 +137,7 @@ void ScalarBar::draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& spac
 
 void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
   const double endText = size_ * kEndGap + capitalHeight(endStyle_);
-  const PixelRect bar = rounded({space.x, space.y + endText + (low_.passed ? kArrow * size_ : 0.0),
+  const PixelRect bar = rounded({space.x, space.y + endText + (low_.hasArrow ? kArrow * size_ : 0.0),
                                  kBarDepth * size_, barLengthUp(space.height)});
   const Ticks ticks = ticksUp(bar.height);
   drawFrameAndTicks(overlay, shapes, bar, Direction::Up, ticks);
@@ -131,7 +154,8 @@ void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& sp
   double labelEnd = labelStart + longestLabel(ticks);
   if (reachesEnds(title, space.height)) labelEnd = std::max(labelEnd, space.x + longestEnd());
   const double baseline = labelEnd + size_ * kTitleGap + capitalHeight(title.style);
-  const double middle = bar.center().y() + (high_.passed ? arrow / 2 : 0.0) - (low_.passed ? arrow / 2 : 0.0);
+  const double middle =
+      bar.center().y() + (high_.hasArrow ? arrow / 2 : 0.0) - (low_.hasArrow ? arrow / 2 : 0.0);
   overlay.addText(title.text, {baseline, middle}, title.style, Anchor::Middle, Direction::Up);
   const double endGap = size_ * kEndGap;
   overlay.addText(high_.extreme, {bar.x, bar.top() + (high_.passed ? arrow : 0.0) + endGap}, endStyle_);
@@ -223,16 +247,15 @@ Ticks ScalarBar::ticksAcross(double barLength) const {
 }
 
 double ScalarBar::barLengthUp(double length) const {
-  const int arrows = (low_.passed ? 1 : 0) + (high_.passed ? 1 : 0);
+  const int arrows = (low_.hasArrow ? 1 : 0) + (high_.hasArrow ? 1 : 0);
   return length - 2.0 * (size_ * kEndGap + capitalHeight(endStyle_)) - arrows * kArrow * size_;
 }
 
 /// Room that an end takes beside a bar across.
 double ScalarBar::endAcross(bool high) const {
   const End& end = high ? high_ : low_;
-  const double extreme = textWidth(end.extreme, endStyle_);
-  if (!end.passed) return extreme + size_ * kEndGap;
-  return std::max(extreme, textWidth(end.limit, endStyle_)) + size_ * (kEndGap + kArrow);
+  if (!end.hasArrow) return end.longest + size_ * kEndGap;
+  return std::max(end.longest, textWidth(end.limit, endStyle_)) + size_ * (kEndGap + kArrow);
 }
 
 double ScalarBar::longestLabel(const Ticks& ticks) const {
@@ -240,7 +263,7 @@ double ScalarBar::longestLabel(const Ticks& ticks) const {
   for (const std::string& label : ticks.labels)
     longest = std::max(longest, textWidth({{label}}, labelStyle_));
   for (const End& end : {low_, high_})
-    if (end.passed) longest = std::max(longest, textWidth(end.limit, labelStyle_));
+    if (end.hasArrow) longest = std::max(longest, textWidth(end.limit, labelStyle_));
   return longest;
 }
 

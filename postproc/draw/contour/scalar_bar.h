@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,10 @@ class ScalarBar {
     /// Of the values 0, 1, …, which stand beside the scale instead of round ones and the ends.
     std::vector<std::string> states{};
 
-    /// Whether to leave as much room for numbers as others would take.
+    /// The smallest and the largest value of each of the scales that stand together: there is room for the numbers of all.
+    std::vector<std::array<double, 2>> together{};
+
+    /// Whether to leave as much room for numbers as those of other ranges would take.
     bool even = false;
 
     /// Whether the two values have the signs that mark their places.
@@ -86,6 +90,9 @@ class ScalarBar {
     RichText extreme;  ///< of the field
     RichText limit;    ///< of the colours, if values pass it
     bool passed = false;
+    bool hasArrow =
+        false;  ///< room for one, since values pass the end in one of the scales that stand together
+    double longest = 0.0;  ///< of the extremes of these, in pixels
   };
   End low_, high_;
   double size_;

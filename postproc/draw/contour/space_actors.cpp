@@ -179,6 +179,15 @@ void aimEye(vtkRenderer& renderer, const View& view, double distance) {
   camera.SetClippingRange(nearest, farthest);
 }
 
+/// Coordinate along the direction towards the eye that nothing in the renderer lies before.
+double frontOf(vtkRenderer& renderer, const View& view) {
+  std::array<double, 6> b{};
+  renderer.ComputeVisiblePropBounds(b.data());
+  if (!vtkMath::AreBoundsInitialized(b.data())) return 0.0;
+  const Eigen::Vector3d low(b[0], b[2], b[4]), high(b[1], b[3], b[5]), sight = view.towardsEye();
+  return sight.cwiseProduct(low).cwiseMax(sight.cwiseProduct(high)).sum();
+}
+
 }  // namespace
 
 void lift(vtkActor& actor, const View& view, double length, double distance) {
@@ -209,7 +218,8 @@ void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pict
     aimEye(renderer, view, distance);
     return;
   }
-  const Eigen::Vector3d focus = view.axes.transpose() * view.center;
+  const Eigen::Vector3d focus =
+      view.axes.transpose() * view.center + frontOf(renderer, view) * view.towardsEye();
   const Eigen::Vector3d eye = focus + distance * view.towardsEye();
   vtkCamera& camera = *renderer.GetActiveCamera();
   camera.ParallelProjectionOn();

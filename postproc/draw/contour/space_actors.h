@@ -41,8 +41,8 @@ vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, do
 void lift(vtkActor& actor, const View& view, double length, double distance);
 
 /// Lets a renderer show a view in its part of a picture of this size (pixels), when all actors have been
-/// added. distance: of the eye of a parallel view, large enough to have everything in front of it; in perspective, how
-/// far behind the plane of the eye one sees.
+/// added. distance: of the eye of a parallel view from what is nearest to it, of any size; in perspective, how far
+/// behind the plane of the eye one sees.
 void aim(vtkRenderer& renderer, const View& view, const std::array<int, 2>& pictureSize, double distance);
 
 }  // namespace burnish

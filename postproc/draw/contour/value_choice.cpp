@@ -34,10 +34,12 @@ std::string endText(double end) {
 
 }  // namespace
 
-std::vector<double> ChosenValues::of(const std::array<double, 2>& range) const {
+std::vector<double> ChosenValues::of(const std::optional<std::array<double, 2>>& range) const {
   if (count == 0) return values;
+  if (!range) return {};
   std::vector<double> result;
-  for (int k = 0; k < count; ++k) result.push_back(std::lerp(range[0], range[1], (k + 1.0) / (count + 1.0)));
+  for (int k = 0; k < count; ++k)
+    result.push_back(std::lerp((*range)[0], (*range)[1], (k + 1.0) / (count + 1.0)));
   return result;
 }
 

@@ -23,8 +23,8 @@ struct ChosenValues {
   std::string field;           ///< of the given ones
   std::vector<double> values;  ///< increasing
 
-  /// Those meant by colours that go through a range.
-  std::vector<double> of(const std::array<double, 2>& range) const;
+  /// Those meant by colours that go through a range, or by those of a field of one value, between which there are none.
+  std::vector<double> of(const std::optional<std::array<double, 2>>& range) const;
 };
 
 inline constexpr int kMostSurfaces = 20;

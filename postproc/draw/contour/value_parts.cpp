@@ -315,7 +315,7 @@ int volumeSubdivision(const MeshRecord& mesh, const Eigen::MatrixXd& displacemen
 
 void chooseInSpace(ContourParts& parts, const ModelRecord& model, const FrameRecord& frame,
                    const FieldChoice& field, const ContourOptions& options,
-                   const std::array<double, 2>& range) {
+                   const std::optional<std::array<double, 2>>& range) {
   const FieldChoice choosing = choosingField(model, frame, field, options);
   const FieldMesh meshes(model, frame, field.name);
   const MeshRecord& mesh = meshes.with();

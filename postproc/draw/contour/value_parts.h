@@ -91,9 +91,9 @@ int volumeSubdivision(const MeshRecord& mesh, const Eigen::MatrixXd& displacemen
                       int least);
 
 /// Replaces a body in space by what its options choose. The body becomes `ghost`, its edges `ghostOutline`. field: the
-/// drawn one. range: of its colours.
+/// drawn one. range: of its colours, unless it has one value.
 void chooseInSpace(ContourParts& parts, const ModelRecord& model, const FrameRecord& frame,
                    const FieldChoice& field, const ContourOptions& options,
-                   const std::array<double, 2>& range);
+                   const std::optional<std::array<double, 2>>& range);
 
 }  // namespace burnish

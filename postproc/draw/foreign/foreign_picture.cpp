@@ -492,7 +492,8 @@ FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions
   SubjectMaker maker(file, instant, blocksAt(file, instant), options);
   const ContourSubject subject = maker.make();
   FrameView view{.content = {}};
-  if (maker.hasField()) view.shown = subject.ranges.whole;
+  if (maker.hasField()) view.shown = view.extremes = subject.ranges.whole;
+  view.hasNote = mayHaveNote(options) || !subject.without.empty() || !subject.note.empty();
   view.unit = subject.field.unit;
   view.show(subject.parts, subject.dim, options.eye);
   return view;

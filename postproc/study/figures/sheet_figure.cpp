@@ -85,6 +85,7 @@ class ContourSheet {
   /// Returns the range of a scale that all share, if they do.
   template <class Draw>
   FieldRange forEachPanel(const Draw& draw) {
+    room_ = roomOfAll();
     const FieldRange whole = sharesOneScale() ? sheetRange() : FieldRange{kEmpty, kEmpty};
     if (chosenWindow() == SheetShare::Sheet) findSheetWindow();
     for (std::size_t row = 0; row < spec_.times.size(); ++row) {
@@ -122,6 +123,22 @@ class ContourSheet {
     return range;
   }
 
+  /// For the texts of all panels.
+  SharedRoom roomOfAll() const {
+    SharedRoom room{.extremes = {}, .otherRanges = true};
+    for (std::size_t row = 0; row < spec_.times.size(); ++row)
+      for (std::size_t column = 0; column < data_.size(); ++column) {
+        const FrameRecord shown = frame(row, column).frame;
+        const ContourOptions options = panelOptions(row, column, shown);
+        const FrameView view =
+            frameView(results_[column].model(), shown, options, spec_.scale != SheetShare::Panel, false);
+        room.note = room.note || view.hasNote;
+        room.doubt = room.doubt || !options.doubt.empty();
+        if (view.extremes && !sharesOneScale()) room.extremes.push_back(*view.extremes);
+      }
+    return room;
+  }
+
   FieldRange sheetRange() const {
     FieldRange range{kEmpty, kEmpty};
     for (std::size_t row = 0; row < spec_.times.size(); ++row) range = joined(range, rowRange(row));
@@ -155,7 +172,7 @@ class ContourSheet {
     options.title = "";
     options.time = false;
     options.colorScale = !sharesOneScale();
-    options.evenScales = true;
+    options.room = room_;
     static_cast<PrintOptions&>(options) = task_.print;
     options.pointsPerPixel = sheetPointsPerPixel(options.size[0]);
     if (!spec_.windows.empty()) options.window = spec_.windows[row];
@@ -192,7 +209,8 @@ class ContourSheet {
   const SheetFigure& spec_;
   std::vector<RunData> data_;
   std::vector<ResultReader> results_;
-  std::optional<Eigen::AlignedBox2d> window_;  ///< that panels share
+  std::optional<Eigen::AlignedBox2d> window_;             ///< that panels share
+  SharedRoom room_{.extremes = {}, .otherRanges = true};  ///< the same
 };
 
 }  // namespace

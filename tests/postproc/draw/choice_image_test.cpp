@@ -300,6 +300,40 @@ TEST_F(ChoiceImage, SurfacesOfOneFieldHaveIsolinesOfAnother) {
   }
 }
 
+/// Which differ by rounding alone: there is nothing between them, and no place where they are largest.
+TEST_F(ChoiceImage, OfAFieldOfOneValueHasNoLinesSurfacesAndSigns) {
+  Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  const auto one = [&](double rounding) {
+    Eigen::MatrixXd& values = sample.frame.fields["pressure"].values;
+    values.setConstant(0.75);
+    values(0, values.cols() / 3) += rounding;
+    return drawn(sample, options);
+  };
+  const auto expectAlike = [&] {
+    const Picture plain = one(0.0), rounded = one(1e-13);
+    int different = 0;
+    for (int y = 0; y < plain.height; ++y)
+      for (int x = 0; x < plain.width; ++x)
+        different +=
+            difference(plain.at({x + 0.5, y + 0.5}), rounded.at({x + 0.5, y + 0.5})) > kColorTolerance ? 1
+                                                                                                       : 0;
+    EXPECT_EQ(different, 0);
+  };
+  const Picture bare = one(0.0);
+  options.isolines = 3;
+  expectAlike();
+  const Picture lined = one(0.0);
+  EXPECT_EQ(difference(bare.at(view.area.center()), lined.at(view.area.center())), 0);
+  options.markExtremes = true;
+  expectAlike();
+  options.isolines = 0;
+  options.markExtremes = false;
+  options.isosurfaces = Spelling<ChosenValues>::read("3");
+  expectAlike();
+  EXPECT_THAT(takeWarnings(), testing::Contains(testing::HasSubstr("leaves nothing to be seen")));
+}
+
 TEST_F(ChoiceImage, MistakesAreTold) {
   ContourOptions options = small("pressure");
   options.threshold = ValueBand{"presure", {0.0, 1.0}};
@@ -348,8 +382,8 @@ TEST(ValueChoices, AreSpelled) {
   for (const char* text : {"von_mises=0.5,2", "-1,2", ",0.1", "p=0.1,"})
     EXPECT_EQ(Spelling<ValueBand>::write(*band(text)), text);
   const auto values = [](const char* text) { return Spelling<ChosenValues>::read(text); };
-  EXPECT_EQ(values("3")->of({1.0, 5.0}), (std::vector{2.0, 3.0, 4.0}));
-  EXPECT_EQ(values("p=1.5")->of({0.0, 9.0}), std::vector{1.5});
+  EXPECT_EQ(values("3")->of(std::array{1.0, 5.0}), (std::vector{2.0, 3.0, 4.0}));
+  EXPECT_EQ(values("p=1.5")->of(std::array{0.0, 9.0}), std::vector{1.5});
   for (const char* text : {"", "0", "21", "1.5", "1,2", "=1", "p=", "p=2,1", "p=1,nan", "x"})
     EXPECT_FALSE(values(text)) << text;
   for (const char* text : {"3", "von_mises=0.5,2"})

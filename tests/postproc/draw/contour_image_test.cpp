@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -20,6 +21,7 @@
 #include "engine/results/result_writer.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/contour/contour_parts.h"
+#include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/shown_model.h"
@@ -130,6 +132,55 @@ TEST_F(ContourPictures, OfABodyFarFromTheOriginAreTheSame) {
                 near, far, [](const Eigen::Vector2d&) { return true; },
                 [](const Eigen::Vector2d& pixel) { return pixel; }),
             1);
+}
+
+/// Whatever is written beside them: the largest values 0, 1.23e-5 and 1, arrows or none of them, values beyond the ends of
+/// the colours or none of them.
+TEST_F(ContourPictures, OfASeriesHaveBodyAndScaleInOnePlace) {
+  const Sample sample = samples::slab();
+  std::vector<FrameRecord> frames(3, sample.frame);
+  frames[0].displacement *= 0.0;
+  frames[0].fields["plastic_strain"].values *= 0.0;
+  frames[1].fields["plastic_strain"].values *= 1.23e-5;
+  for (const std::array<int, 2>& size : {std::array{400, 300}, {400, 800}}) {
+    ContourOptions options = small("plastic_strain");
+    options.size = size;
+    options.time = false;
+    options.arrows = ArrowField::Displacement;
+    const auto shared = [&](ContourOptions given) {
+      shareView(given, {0, 1, 2}, {0, 1, 2}, [&](int k, bool inRange, bool inWindow) {
+        return frameView(sample.model, frames[static_cast<std::size_t>(k)], given, inRange, inWindow);
+      });
+      return given;
+    };
+    ContourOptions passed = options;
+    passed.range = {0.0, 0.5};
+    for (const ContourOptions& series : {shared(options), shared(passed)}) {
+      std::vector<View> views;
+      std::vector<Picture> pictures;
+      for (const FrameRecord& frame : frames) {
+        pictures.push_back(drawn({sample.model, frame}, series));
+        views.push_back(view);
+      }
+      const auto isColored = [](const Color& color) {
+        return std::ranges::max(color) - std::ranges::min(color) > 60;
+      };
+      for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_EQ(views[k].area, views[2].area) << k;
+        EXPECT_EQ(views[k].pixelsPerLength, views[2].pixelsPerLength) << k;
+        // Beside the body, or below it, the scale alone is coloured.
+        int moved = 0;
+        for (int y = 0; y < size[1]; ++y)
+          for (int x = 0; x < size[0]; ++x) {
+            const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+            if (size[1] < size[0] ? x < view.area.right() + 2.0 : y > view.area.y - 2.0) continue;
+            if (isColored(pictures[k].at(pixel)) && isColored(pictures[2].at(pixel))) continue;
+            moved += isColored(pictures[k].at(pixel)) != isColored(pictures[2].at(pixel)) ? 1 : 0;
+          }
+        EXPECT_LE(moved, series.range == passed.range ? 400 : 0) << k << ": more than an arrow";
+      }
+    }
+  }
 }
 
 TEST_F(ContourPictures, HaveTheExactColourInEveryPixelAtAnyZoom) {

@@ -220,6 +220,22 @@ TEST(ScalarBars, OfAFieldWithOneValueHaveThatValueAlone) {
               ElementsAre("0.00", "0.25", "0.50", "0.75", "1.00"));
 }
 
+/// With as many digits as tell them from one another.
+TEST(ScalarBars, EndsOfNarrowRangesAreTold) {
+  const auto ends = [](double smallest, double largest) {
+    const ScalarBar bar(ColorScale("viridis", widened({smallest, largest}), 0),
+                        {{{"field"}}, "", smallest, largest}, 12.0, Theme{});
+    return bar.smallest().front().text + ", " + bar.largest().front().text;
+  };
+  EXPECT_EQ(ends(300.01, 300.05), "min 300.01, max 300.05");
+  EXPECT_EQ(ends(1000000.0, 1000003.0), "min 1, max 1.000003");
+  EXPECT_EQ(ends(-20.125, -20.0), "min −20.125, max −20");
+  EXPECT_EQ(ends(0.0, 0.65923), "min 0, max 0.6592");
+  EXPECT_EQ(ends(1.7821e-4, 1.07612e-3), "min 1.782×10⁻⁴, max 0.001076");
+  EXPECT_EQ(ends(0.75, 0.75 + 1e-13), "min 0.75, max 0.75") << "one value but for rounding";
+  EXPECT_EQ(ends(300.0, 411.26), "min 300, max 411.3");
+}
+
 /// Other results of a sheet have stresses in another unit, or in none.
 TEST(SharedViews, RangesOfOtherUnitsAreRefused) {
   const auto message = [](const std::string& one, const std::string& other) {

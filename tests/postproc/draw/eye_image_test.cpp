@@ -91,12 +91,12 @@ TEST_F(EyeImage, PerspectivePutsEverythingInItsPlace) {
       expectColor(zoomed, Eigen::Vector3d(x, y, 1.0), scale.color(1.0 + x + y));
 }
 
-/// From near by as from far away, a ball over the front edge of a bar.
+/// From near by as from far away, a ball before a bar, which is seen smaller than the ball.
 TEST_F(EyeImage, PerspectiveShowsABallWhole) {
   Sample sample = samples::cube();
   sample.model.mesh.patches.front().points =
       Eigen::Vector3d(2.0, 0.5, 0.5).asDiagonal() * sample.model.mesh.patches.front().points;
-  const Sphere ball{{1.4, 0.92, 0.5}, 0.47};
+  const Sphere ball{{1.4, 0.8, 1.0}, 0.47};
   sample.model.tools = {{"ball", ball}};
   ContourOptions options = cubeAlone();
   options.tools = true;

@@ -85,6 +85,17 @@ TEST(FreeSky, DoesNotDependOnTheSize) {
   }
 }
 
+TEST(FreeSky, DoesNotDependOnThePlace) {
+  for (const double far : {-1e8, 1e8}) {
+    Eigen::Matrix<double, 3, 4> corners;
+    corners << 0, 0, 0, 0, -500, 500, 500, -500, 0, 0, 1, 1;
+    const FreeSky sky({polygon((corners.array() + far).matrix())}, {}, 1.0);
+    EXPECT_NEAR(sky.sharesAt(Vector3d(1.0 + far, far, far), Vector3d::UnitZ(), {kFar})(0),
+                1.0 - 0.5 * (1.0 - std::sqrt(0.5)), kRayTolerance)
+        << far;
+  }
+}
+
 TEST(FreeSky, UnderADiscIsThatOfTheFormFactor) {
   Eigen::Matrix3Xd circle(3, 720);
   for (Eigen::Index k = 0; k < circle.cols(); ++k) {

@@ -100,6 +100,24 @@ TEST_F(SpaceImage, HasTheExactColourInEveryPixelAtAnyZoom) {
   }
 }
 
+/// Before the origin and behind it, as the eye sees it.
+TEST_F(SpaceImage, OfABodyFarFromTheOriginIsTheSame) {
+  const Picture near = drawn(samples::cube(), small("pressure"));
+  for (const double far : {-1024.0, 1024.0}) {
+    Sample sample = samples::cube();
+    sample.model.mesh.patches.front().points.array() += far;
+    std::get<Sphere>(sample.model.tools.front().shape).center.array() += far;
+    const Picture picture = drawn(sample, small("pressure"));
+    int worst = 0;
+    for (int y = 0; y < near.height; ++y)
+      for (int x = 0; x < near.width; ++x) {
+        const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+        worst = std::max(worst, difference(near.at(pixel), picture.at(pixel)));
+      }
+    EXPECT_LE(worst, 2) << far;
+  }
+}
+
 TEST_F(SpaceImage, CutThroughTheWholeRemovesTheHalfOfTheEye) {
   ContourOptions options = small("pressure");
   options.tools = false;

@@ -315,6 +315,26 @@ TEST(BodySurface, HasNormalsWhereTangentsHaveNone) {
   EXPECT_EQ(onRidge, 3);
 }
 
+/// A single cell along a direction has one middle along it.
+TEST(BodySurface, HasNormalsInTheMiddlesOfSingleCells) {
+  const ModelRecord model = modelOf(box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}));
+  const auto surface =
+      BodySurface(model.mesh, 1, BodySurface::Faces::Outside, BodySurface::Cells::TrianglesAboutMiddles)
+          .displaced({});
+  ASSERT_EQ(surface->GetNumberOfPoints(), 6 * 5);
+  int middles = 0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    const Eigen::Vector3d normal(surface->GetPointData()->GetNormals()->GetTuple3(i));
+    const Eigen::Vector3d out = pointOf(*surface, i) - Eigen::Vector3d::Constant(0.5);
+    EXPECT_NEAR(normal.dot(out), 0.5, 1e-12);
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-12);
+    if (std::abs(out.norm() - 0.5) > 1e-12) continue;
+    ++middles;
+    EXPECT_LT((normal - 2.0 * out).norm(), 1e-12);
+  }
+  EXPECT_EQ(middles, 6);
+}
+
 TEST(BodySurface, OfJoinedPatchesHasNoFacesInside) {
   const KnotVector knots = KnotVector::uniform(2, 2);
   const Patch<3> block = refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), {knots, knots, knots});
