@@ -57,7 +57,8 @@ TravellingIncrement<Dim>::TravellingIncrement(const Model<Dim>& model) : model_(
       !model.pairs().empty() || !model.selfContacts().empty())
     return;
   const Patch<Dim>& patch = model.body().patches.front();
-  if (patch.weights().maxCoeff() - patch.weights().minCoeff() > kRounding * patch.weights().maxCoeff()) return;
+  if (patch.weights().maxCoeff() - patch.weights().minCoeff() > kRounding * patch.weights().maxCoeff())
+    return;
   for (int direction = 0; direction < Dim; ++direction) {
     if (direction == contacts.front().place.face / 2) continue;
     for (int axis = 0; axis < Dim; ++axis)

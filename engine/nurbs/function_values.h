@@ -7,7 +7,8 @@ namespace burnish {
 
 /// Values of the functions of a span at parameters in it, without weights, in the order of `spanFunctions`.
 template <int Dim>
-Eigen::VectorXd functionValues(const TensorBasis<Dim>& basis, int span, const Eigen::Vector<double, Dim>& xi) {
+Eigen::VectorXd functionValues(const TensorBasis<Dim>& basis, int span,
+                               const Eigen::Vector<double, Dim>& xi) {
   const auto index = basis.spanIndex(span);
   Eigen::VectorXd values = basis.direction(0).evaluate(index[0], xi(0), 0);
   for (int d = 1; d < Dim; ++d) {

@@ -63,7 +63,8 @@ class ReducedField {
       const auto functions = basis_.spanFunctions(span.number);
       const auto n = static_cast<Eigen::Index>(functions.size());
       Eigen::MatrixXd N(n, span.xi.cols());
-      for (Eigen::Index q = 0; q < N.cols(); ++q) N.col(q) = functionValues<Dim>(basis_, span.number, span.xi.col(q));
+      for (Eigen::Index q = 0; q < N.cols(); ++q)
+        N.col(q) = functionValues<Dim>(basis_, span.number, span.xi.col(q));
       const Eigen::MatrixXd mass = N * span.weights.asDiagonal() * N.transpose();
       rhs(functions) += N * span.weights.cwiseProduct(values.segment(span.firstPoint, span.weights.size()));
       for (Eigen::Index b = 0; b < n; ++b)

@@ -45,7 +45,7 @@ Eigen::VectorXd Stepping::extrapolated(double time, bool moved) const {
 }
 
 bool Stepping::travelled(double time, const Eigen::VectorXd& x) const {
-  constexpr double kMuchNearer = 0.5;
+  constexpr double kMuchNearer = 0.6;
   if (!travel_ || state_.lastIncrement.size() == 0) return false;
   const Eigen::Index numForces = newton_.numForces();
   const Eigen::VectorXd increment = x - state_.x;
