@@ -28,7 +28,7 @@ NewtonReport Stepping::attempt(double time, Start start, Eigen::VectorXd& x) {
   const Eigen::VectorXd target = target_(time);
   x = state_.x;
   if (start == Start::Extrapolated) {
-    x += extrapolated(time, state_.travels);
+    x += (time - state_.time) / state_.lastSize * lastIncrement(time, state_.travels);
     for (int i = 0; i < newton_.system().numUnknowns(); ++i)
       if (newton_.system().isPrescribed(i)) x(i) = target(i);
   } else {
@@ -38,10 +38,10 @@ NewtonReport Stepping::attempt(double time, Start start, Eigen::VectorXd& x) {
                        start == Start::RememberedTangent ? FirstTangent::Remembered : FirstTangent::Current);
 }
 
-Eigen::VectorXd Stepping::extrapolated(double time, bool moved) const {
+Eigen::VectorXd Stepping::lastIncrement(double time, bool moved) const {
   Eigen::VectorXd increment = state_.lastIncrement;
   if (moved) travel_(state_.time - state_.lastSize, time, increment);
-  return (time - state_.time) / state_.lastSize * increment;
+  return increment;
 }
 
 bool Stepping::travelled(double time, const Eigen::VectorXd& x) const {
@@ -49,8 +49,9 @@ bool Stepping::travelled(double time, const Eigen::VectorXd& x) const {
   if (!travel_ || state_.lastIncrement.size() == 0) return false;
   const Eigen::Index numForces = newton_.numForces();
   const Eigen::VectorXd increment = x - state_.x;
+  const double ratio = (time - state_.time) / state_.lastSize;
   const auto distance = [&](bool moved) {
-    return (increment - extrapolated(time, moved)).head(numForces).norm();
+    return (increment - ratio * lastIncrement(time, moved)).head(numForces).norm();
   };
   return distance(true) < kMuchNearer * distance(false);
 }

@@ -86,8 +86,8 @@ class Stepping {
   /// Whether the last increment, moved, comes much nearer to that of a step, which has just led to x, than as it is.
   bool travelled(double time, const Eigen::VectorXd& x) const;
 
-  /// The increment of a step to a time, of the last one's unless it is moved.
-  Eigen::VectorXd extrapolated(double time, bool moved) const;
+  /// The last increment, moved for a step to a time or as it is.
+  Eigen::VectorXd lastIncrement(double time, bool moved) const;
 
   Newton& newton_;
   std::vector<Term*> terms_;
