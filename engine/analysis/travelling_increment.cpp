@@ -53,7 +53,7 @@ void transform(Eigen::Ref<Eigen::VectorXd> field, Eigen::Index components, const
 template <int Dim>
 TravellingIncrement<Dim>::TravellingIncrement(const Model<Dim>& model) : model_(model) {
   const auto& contacts = model.contacts();
-  if (model.bodies().size() != 1 || model.body().patches.size() != 1 || contacts.size() != 1 ||
+  if (Dim == 2 || model.bodies().size() != 1 || model.body().patches.size() != 1 || contacts.size() != 1 ||
       !model.pairs().empty() || !model.selfContacts().empty())
     return;
   const Patch<Dim>& patch = model.body().patches.front();

@@ -10,9 +10,9 @@ namespace burnish {
 /// which a body that does not flow knows no more once the tool has passed.
 ///
 /// It is moved in directions of the parameters along which a coordinate of the undeformed body depends on that
-/// parameter alone (rectangles and boxes, whatever their grading, and bars with any section along their axis), of a
-/// body that is all of the model, of one patch without weights, and touched by one tool only. Elsewhere it stays as it
-/// is.
+/// parameter alone (boxes, whatever their grading, and bars with any section along their axis), of a body that is all of
+/// the model, of one patch without weights, and touched by one tool only. Elsewhere it stays as it is, and in the plane,
+/// where steps are short against spans, and what a tool does to one of them is not what it does to the next.
 template <int Dim>
 class TravellingIncrement {
  public:
