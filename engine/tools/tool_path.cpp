@@ -110,21 +110,20 @@ std::vector<double> ToolPath::corners() const {
   std::vector<double> times{begin_};
   for (const Leg& leg : legs_) times.push_back(leg.end);
   if (rampTime_ == 0.0) return times;
-  for (const Pass& touch : touches()) {
+  for (const Pass& touch : touches_) {
     times.push_back(fullForceIn(touch).begin);
     times.push_back(fullForceIn(touch).end);
   }
   return times;
 }
 
-std::vector<ToolPath::Pass> ToolPath::touches() const {
-  std::vector<Pass> touches;
-  for (const Pass& pass : passes_)
-    if (!touches.empty() && touches.back().end == pass.begin)
-      touches.back().end = pass.end;
-    else
-      touches.push_back(pass);
-  return touches;
+void ToolPath::endPass() {
+  Pass& pass = passes_.back();
+  pass.end = end();
+  if (!touches_.empty() && touches_.back().end == pass.begin)
+    touches_.back().end = pass.end;
+  else
+    touches_.push_back(pass);
 }
 
 Eigen::Vector3d ToolPath::clearance(double t) const {
@@ -140,7 +139,7 @@ std::vector<double> ToolPath::passEnds() const {
 
 bool ToolPath::hasFullForce(double t) const {
   constexpr double kRounding = 1e-12;
-  return std::ranges::any_of(touches(), [&](const Pass& touch) {
+  return std::ranges::any_of(touches_, [&](const Pass& touch) {
     const auto [begin, end] = fullForceIn(touch);
     return t >= begin * (1.0 - kRounding) && t <= end * (1.0 + kRounding);
   });
@@ -148,10 +147,9 @@ bool ToolPath::hasFullForce(double t) const {
 
 double ToolPath::forceShare(double t) const {
   if (rampTime_ == 0.0) return 1.0;
-  const std::vector<Pass> all = touches();
   const auto touch =
-      std::ranges::find_if(all, [&](const Pass& one) { return t >= one.begin && t <= one.end; });
-  if (touch == all.end()) return kTouchingShare;
+      std::ranges::find_if(touches_, [&](const Pass& one) { return t >= one.begin && t <= one.end; });
+  if (touch == touches_.end()) return kTouchingShare;
   const double fromEnds = std::min(t - touch->begin, touch->end - t);
   return std::lerp(kTouchingShare, 1.0, std::min(1.0, fromEnds / rampTime_));
 }

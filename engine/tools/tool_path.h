@@ -130,7 +130,7 @@ class ToolPath {
 
   /// From where the tool comes down to where it is lifted, in order: passes that follow one another in touch, as the
   /// turns of a helix, are one.
-  std::vector<Pass> touches() const;
+  const std::vector<Pass>& touches() const { return touches_; }
 
   /// From where the tool comes down and to where it is lifted, as a helix has turned it at time t.
   Eigen::Vector3d clearance(double t) const;
@@ -162,7 +162,7 @@ class ToolPath {
   Pass fullForceIn(const Pass& touch) const { return {touch.begin + rampTime_, touch.end - rampTime_}; }
 
   void beginPass() { passes_.push_back({end(), end()}); }
-  void endPass() { passes_.back().end = end(); }
+  void endPass();
 
   /// Displacement of the tool when it has turned about the axis of a helix.
   Eigen::Vector3d onHelix(double turn) const;
@@ -174,7 +174,7 @@ class ToolPath {
   std::optional<HelixPath> helix_;
   Eigen::Vector3d here_ = Eigen::Vector3d::Zero();  ///< displacement at the end of the last leg
   std::vector<Leg> legs_;
-  std::vector<Pass> passes_;
+  std::vector<Pass> passes_, touches_;
 };
 
 }  // namespace burnish
