@@ -57,41 +57,66 @@ ProbedRun profileOf(const ModelRecord& model, const FrameRecord& frame, ProbeSpe
   return run;
 }
 
-/// Stresses in the axes of the profile: σ along the face, across it, and shear.
-void addStresses(const ProbedRun& profile, DepthNumbers& numbers) {
-  const std::vector<ProbePoint>& points = profile.points;
-  const Eigen::Vector2d inward = (points.back().current - points.front().current).normalized(),
-                        along(-inward(1), inward(0));
-  DepthCurve sigma, levers;
-  double others = 0.0;
-  for (const ProbePoint& point : points) {
-    Eigen::Matrix2d stress;
-    stress << point.values(0), point.values(2), point.values(2), point.values(1);
-    sigma.depths.push_back(point.at);
-    sigma.values.push_back(along.dot(stress * along));
-    others = std::max({others, std::abs(inward.dot(stress * inward)), std::abs(inward.dot(stress * along))});
-  }
-  levers = sigma;
-  for (std::size_t k = 0; k < levers.values.size(); ++k)
-    levers.values[k] *= 0.5 * numbers.depth - levers.depths[k];
-  const double largest = largestMagnitude(sigma.values);
-  const auto lowest = std::ranges::min_element(sigma.values);
-  numbers.force = integral(sigma);
-  numbers.moment = integral(levers);
-  if (largest > 0.0) {
-    numbers.balance = std::abs(numbers.force) / (numbers.depth * largest);
-    numbers.unsteadiness = others / largest;
-  }
-  numbers.atFace = sigma.values.front();
-  numbers.lowest = *lowest;
-  auto k = static_cast<std::size_t>(lowest - sigma.values.begin());
-  numbers.lowestAt = sigma.depths[k];
-  numbers.compressedDepth = *lowest < 0.0 ? numbers.depth : 0.0;
-  for (; *lowest < 0.0 && k + 1 < sigma.values.size(); ++k)
-    if (sigma.values[k + 1] >= 0.0) {
-      numbers.compressedDepth = crossing(sigma, k, 0.0);
+/// The axes of the surface as columns: into the body, along the face, across both.
+Eigen::Matrix3d axesOf(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec,
+                       const ProbedRun& profile) {
+  if (model.dim == 3) return surfaceAxes(model, frame, spec);
+  const Eigen::Vector2d inward =
+      (profile.points.back().current - profile.points.front().current).normalized();
+  return (Eigen::Matrix3d() << inward(0), -inward(1), 0.0, inward(1), inward(0), 0.0, 0.0, 0.0, 1.0)
+      .finished();
+}
+
+/// Values of `stressNames`.
+Eigen::Matrix3d stressOf(const Eigen::VectorXd& values) {
+  const double yz = values.size() > 4 ? values(4) : 0.0, zx = values.size() > 4 ? values(5) : 0.0;
+  return (Eigen::Matrix3d() << values(0), values(3), zx, values(3), values(1), yz, zx, yz, values(2))
+      .finished();
+}
+
+std::vector<std::string> stressNames(int dim) {
+  std::vector<std::string> names{"stress.xx", "stress.yy", "stress.zz", "stress.xy"};
+  if (dim == 3) names.insert(names.end(), {"stress.yz", "stress.zx"});
+  return names;
+}
+
+DepthNumbers::Profile profileNumbers(const DepthCurve& stress, double depth) {
+  const auto lowest = std::ranges::min_element(stress.values);
+  auto k = static_cast<std::size_t>(lowest - stress.values.begin());
+  DepthNumbers::Profile numbers{stress.values.front(), *lowest, stress.depths[k],
+                                *lowest < 0.0 ? depth : 0.0};
+  for (; *lowest < 0.0 && k + 1 < stress.values.size(); ++k)
+    if (stress.values[k + 1] >= 0.0) {
+      numbers.compressedDepth = crossing(stress, k, 0.0);
       break;
     }
+  return numbers;
+}
+
+/// Stresses in the axes of the surface.
+void addStresses(const ProbedRun& profile, const Eigen::Matrix3d& axes, bool isPlaneStrain,
+                 DepthNumbers& numbers) {
+  DepthCurve along, across;
+  double others = 0.0;
+  for (const ProbePoint& point : profile.points) {
+    const Eigen::Matrix3d stress = axes.transpose() * stressOf(point.values) * axes;
+    along.depths.push_back(point.at);
+    along.values.push_back(stress(1, 1));
+    across.values.push_back(stress(2, 2));
+    others = std::max({others, std::abs(stress(0, 0)), std::abs(stress(0, 1)), std::abs(stress(0, 2))});
+  }
+  across.depths = along.depths;
+  const double largest = largestMagnitude(along.values);
+  if (largest > 0.0) numbers.unsteadiness = others / largest;
+  numbers.along = profileNumbers(along, numbers.depth);
+  numbers.across = profileNumbers(across, numbers.depth);
+  if (!isPlaneStrain) return;
+  DepthCurve levers = along;
+  for (std::size_t k = 0; k < levers.values.size(); ++k)
+    levers.values[k] *= 0.5 * numbers.depth - levers.depths[k];
+  numbers.force = integral(along);
+  numbers.moment = integral(levers);
+  if (largest > 0.0) numbers.balance = std::abs(numbers.force) / (numbers.depth * largest);
 }
 
 double hardenedDepth(const DepthCurve& strain, double limit) {
@@ -124,11 +149,14 @@ DepthNumbers depthNumbers(const ModelRecord& model, const FrameRecord& frame, co
   if (spec.depth.empty()) throw Error("--numbers: found no depth; expected --depth FACE@PLACE beside it");
   if (spec.reference)
     throw Error("reference: the numbers of a depth profile are those of the deformed body; expected none");
-  const bool hasStress = model.dim == 2 && !isAxisymmetric(model) && hasField(frame, "stress"),
-             isPlastic = hasField(frame, "plastic_strain");
+  const bool hasStress = hasField(frame, "stress"), isPlastic = hasField(frame, "plastic_strain");
   DepthNumbers numbers;
   numbers.depth = profileOf(model, frame, spec, {"displacement"}).points.back().at;
-  if (hasStress) addStresses(profileOf(model, frame, spec, {"stress.xx", "stress.yy", "stress.xy"}), numbers);
+  if (hasStress) {
+    const ProbedRun profile = profileOf(model, frame, spec, stressNames(model.dim));
+    addStresses(profile, axesOf(model, frame, spec, profile), model.dim == 2 && !isAxisymmetric(model),
+                numbers);
+  }
   if (isPlastic) {
     DepthCurve strain;
     for (const ProbePoint& point : profileOf(model, frame, spec, {"plastic_strain"}).points) {
@@ -162,7 +190,7 @@ std::string tableOf(const std::vector<DepthNumbersAt>& rows, const DerivedUnits&
     std::vector<std::string> cells{fmt::format("{}", row.time)};
     if (named) cells.insert(cells.begin(), row.run);
     for (const DepthNumberRow& number : kDepthNumbers)
-      cells.push_back(fmt::format("{}", row.numbers.*number.value));
+      cells.push_back(fmt::format("{}", number.value(row.numbers)));
     text += csvRow(cells) + "\n";
   }
   return text;

@@ -11,22 +11,29 @@
 namespace burnish {
 
 /// What a depth profile says as a whole: whether the section is in balance, what is left and how deep. σ is the stress
-/// along the face, across the profile, of bodies in plane strain; elsewhere all that is made of it is not a number (kNone),
-/// and so is the hardened depth of bodies without plastic strain. Forces are per unit of depth.
+/// along the face, across the profile: in the plane, and in space in the first direction of the face; the stress across
+/// both is out of the plane, round the axis, and in space in the other direction of the face. What a body does not
+/// have is not a number (kNone): stresses of files without them, the balance of sections that are not those of plane
+/// strain, and the hardened depth without plastic strain. Forces are per unit of depth.
 struct DepthNumbers {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+  /// A stress over the depth.
+  struct Profile {
+    double atFace = kNone;    ///< at the face
+    double lowest = kNone;    ///< the smallest
+    double lowestAt = kNone;  ///< the depth of it
+    double compressedDepth =
+        kNone;  ///< where it is zero first below its smallest value; 0 if that is no compression
+  };
+
   double depth = 0.0;      ///< h, of the profile: of the whole section where it goes to the other face
-  double force = kNone;    ///< N = ∫ σ dz
+  double force = kNone;    ///< N = ∫ σ dz, in plane strain
   double moment = kNone;   ///< M = ∫ σ (h/2 - z) dz, positive with tension at the face
   double balance = kNone;  ///< |N| / (h max|σ|)
   double unsteadiness =
-      kNone;              ///< max(|stress across|, |shear|) / max|σ|: 0 where nothing changes along the face
-  double atFace = kNone;  ///< σ at the face
-  double lowest = kNone;  ///< smallest σ
-  double lowestAt = kNone;  ///< the depth of it
-  double compressedDepth =
-      kNone;  ///< where σ is zero first below its smallest value; 0 if that is no compression
+      kNone;  ///< max(|stress of the profile's direction|, |shear|) / max|σ|: 0 where nothing changes along the face
+  Profile along, across;
   double hardenedDepth = kNone;  ///< where the plastic strain falls below the limit of the spec for good
 };
 
@@ -35,22 +42,27 @@ enum class DepthUnit { Length, Stress, Force, Moment, None };
 
 struct DepthNumberRow {
   const char* name;
-  double DepthNumbers::*value;
+  double (*value)(const DepthNumbers& numbers);
   DepthUnit unit;
 };
 
 /// All of them, in the order of tables.
-inline constexpr std::array<DepthNumberRow, 10> kDepthNumbers{{
-    {"depth", &DepthNumbers::depth, DepthUnit::Length},
-    {"force", &DepthNumbers::force, DepthUnit::Force},
-    {"moment", &DepthNumbers::moment, DepthUnit::Moment},
-    {"balance", &DepthNumbers::balance, DepthUnit::None},
-    {"unsteadiness", &DepthNumbers::unsteadiness, DepthUnit::None},
-    {"at_face", &DepthNumbers::atFace, DepthUnit::Stress},
-    {"lowest", &DepthNumbers::lowest, DepthUnit::Stress},
-    {"lowest_at", &DepthNumbers::lowestAt, DepthUnit::Length},
-    {"compressed_depth", &DepthNumbers::compressedDepth, DepthUnit::Length},
-    {"hardened_depth", &DepthNumbers::hardenedDepth, DepthUnit::Length},
+inline constexpr std::array<DepthNumberRow, 14> kDepthNumbers{{
+    {"depth", [](const DepthNumbers& n) { return n.depth; }, DepthUnit::Length},
+    {"force", [](const DepthNumbers& n) { return n.force; }, DepthUnit::Force},
+    {"moment", [](const DepthNumbers& n) { return n.moment; }, DepthUnit::Moment},
+    {"balance", [](const DepthNumbers& n) { return n.balance; }, DepthUnit::None},
+    {"unsteadiness", [](const DepthNumbers& n) { return n.unsteadiness; }, DepthUnit::None},
+    {"at_face", [](const DepthNumbers& n) { return n.along.atFace; }, DepthUnit::Stress},
+    {"lowest", [](const DepthNumbers& n) { return n.along.lowest; }, DepthUnit::Stress},
+    {"lowest_at", [](const DepthNumbers& n) { return n.along.lowestAt; }, DepthUnit::Length},
+    {"compressed_depth", [](const DepthNumbers& n) { return n.along.compressedDepth; }, DepthUnit::Length},
+    {"hardened_depth", [](const DepthNumbers& n) { return n.hardenedDepth; }, DepthUnit::Length},
+    {"across_at_face", [](const DepthNumbers& n) { return n.across.atFace; }, DepthUnit::Stress},
+    {"across_lowest", [](const DepthNumbers& n) { return n.across.lowest; }, DepthUnit::Stress},
+    {"across_lowest_at", [](const DepthNumbers& n) { return n.across.lowestAt; }, DepthUnit::Length},
+    {"across_compressed_depth", [](const DepthNumbers& n) { return n.across.compressedDepth; },
+     DepthUnit::Length},
 }};
 
 /// The names of `kDepthNumbers`.

@@ -92,7 +92,20 @@ class PathMaker {
     return {probe, path.length ? std::min(*path.length, whole) : whole, {0.0, whole}};
   }
 
+  Eigen::Matrix3d surfaceAxes(const DepthPath& path) const requires(Dim == 3) {
+    const FacePlace face = facePlace(model_, frame_, path.address);
+    return surfaceAxes(face, onFace(face, parameters(face, path.place)));
+  }
+
  private:
+  /// Into the body, along the first direction of the face, and across both.
+  Eigen::Matrix3d surfaceAxes(const FacePlace& face, const MeshPlace<Dim>& place) const requires(Dim == 3) {
+    const Point normal = outwardNormal(face, place);
+    const Point first =
+        bodies_.patch(place.patch).jacobian(place.xi).col(face.face / 2 == 0 ? 1 : 0).normalized();
+    return (Eigen::Matrix3d() << -normal, first, normal.cross(first)).finished();
+  }
+
   /// Where lines begin that stand for a spot, and the way into the body that they share.
   struct SpotLines {
     MeshPlace<Dim> middle;
@@ -123,10 +136,10 @@ class PathMaker {
   SpotLines linesOfSpot(const FacePlace& face, const MeshPlace<Dim>& middle) const requires(Dim == 3) {
     constexpr double kBeside = 0.1;  // of the spot: how far from under its square the face may begin
     const Patch<Dim>& patch = bodies_.patch(middle.patch);
-    const Point normal = outwardNormal(face, middle), centre = patch.position(middle.xi);
-    const Point first = patch.jacobian(middle.xi).col(face.face / 2 == 0 ? 1 : 0).normalized();
-    const Point across = normal.cross(first);
-    SpotLines lines{middle, {}, -normal};
+    const Eigen::Matrix3d axes = surfaceAxes(face, middle);
+    const Point normal = -axes.col(0), first = axes.col(1), across = axes.col(2),
+                centre = patch.position(middle.xi);
+    SpotLines lines{middle, {}, axes.col(0)};
     for (int k = 0; k < kSpotLinesInSpace * kSpotLinesInSpace; ++k) {
       const double u = (k % kSpotLinesInSpace + 0.5) / kSpotLinesInSpace - 0.5,
                    v = (k / kSpotLinesInSpace + 0.5) / kSpotLinesInSpace - 0.5;
@@ -340,6 +353,11 @@ ProbePoint probedMean(const ModelRecord& model, const FrameRecord& frame, const 
                       const ProbePath& path, const ProbeOptions& options) {
   return model.dim == 2 ? probedMeanIn<2>(model, frame, fields, path, options)
                         : probedMeanIn<3>(model, frame, fields, path, options);
+}
+
+Eigen::Matrix3d surfaceAxes(const ModelRecord& model, const FrameRecord& frame, const DepthPath& path) {
+  const ProbedFields none(model, frame, {});
+  return PathMaker<3>(model, frame, none, {}).surfaceAxes(path);
 }
 
 class MaterialPoint::Finder {

@@ -60,6 +60,10 @@ std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& 
 ProbePoint probedMean(const ModelRecord& model, const FrameRecord& frame, const ProbedFields& fields,
                       const ProbePath& path, const ProbeOptions& options = {});
 
+/// The axes of the surface of a deformed body in space where a path into it begins, as columns: into the body, along the
+/// first direction of the face, and across both. Throws `Error` for a path that does not fit the body.
+Eigen::Matrix3d surfaceAxes(const ModelRecord& model, const FrameRecord& frame, const DepthPath& path);
+
 /// A point of the material over time.
 class MaterialPoint {
  public:

@@ -113,7 +113,7 @@ class Evaluation {
     if (at.stoppedBefore) return {{}, stoppedText(at.frame.time)};
     const DepthNumbers numbers = depthNumbers(result.model(), at.frame, measure.place);
     const auto row = std::ranges::find(kDepthNumbers, measure.number, &DepthNumberRow::name);
-    const double value = numbers.*row->value;
+    const double value = row->value(numbers);
     return std::isnan(value) ? Measured{{}, "the body has none"} : Measured{value, {}};
   }
 

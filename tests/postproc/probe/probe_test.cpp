@@ -1,5 +1,6 @@
 #include "postproc/probe/probe.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -139,16 +140,18 @@ TEST(DepthNumbers, AreThoseOfABentStripHoweverItLies) {
   EXPECT_NEAR(numbers.moment, -400.0 / 12.0, 1e-3);
   EXPECT_NEAR(numbers.balance, 0.0, 1e-8);
   EXPECT_NEAR(numbers.unsteadiness, 0.1, 1e-8);
-  EXPECT_NEAR(numbers.atFace, -200.0, 1e-6);
-  EXPECT_NEAR(numbers.lowest, -200.0, 1e-6);
-  EXPECT_NEAR(numbers.lowestAt, 0.0, 1e-8);
-  EXPECT_NEAR(numbers.compressedDepth, 0.5, 1e-8);
+  EXPECT_NEAR(numbers.along.atFace, -200.0, 1e-6);
+  EXPECT_NEAR(numbers.along.lowest, -200.0, 1e-6);
+  EXPECT_NEAR(numbers.along.lowestAt, 0.0, 1e-8);
+  EXPECT_NEAR(numbers.along.compressedDepth, 0.5, 1e-8);
+  EXPECT_NEAR(numbers.across.atFace, 1000.0, 1e-6);
+  EXPECT_EQ(numbers.across.compressedDepth, 0.0);
   EXPECT_NEAR(numbers.hardenedDepth, 0.8, 1e-8);
   spec.length = 0.25;
   spec.hardenedBelow = 0.02;
   const DepthNumbers part = depthNumbers(sample.model, sample.frame, spec);
   EXPECT_NEAR(part.force, -200.0 * 0.25 + 0.5 * 400.0 * 0.25 * 0.25, 1e-6);
-  EXPECT_NEAR(part.compressedDepth, 0.25, 1e-8);
+  EXPECT_NEAR(part.along.compressedDepth, 0.25, 1e-8);
   EXPECT_EQ(part.hardenedDepth, 0.0);
 }
 
@@ -169,6 +172,36 @@ TEST(ProbedRun, HasAFormulaInsteadOfFields) {
   EXPECT_EQ(titlesOf(spec, {run}).y, "Hardness [MPa]");
   spec.formula = "2 * stress.zz";
   EXPECT_EQ(conflictsIn(spec).front().path, "formula");
+}
+
+/// Below a turned face of a cube: stresses of -100 and -50 at the face in its directions that grow by 200 and by 100, a tenth
+/// of the first one normal to it, and no shear.
+TEST(DepthNumbers, AreInTheAxesOfASurfaceInSpace) {
+  Sample cube = samples::cube();
+  const Eigen::MatrixXd X = cube.model.mesh.patches.front().points;
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, -1.0).normalized()).toRotationMatrix();
+  cube.frame.displacement = turn * X - X;
+  Eigen::MatrixXd stress(6, X.cols());
+  for (Eigen::Index a = 0; a < X.cols(); ++a) {
+    const double depth = 1.0 - X(1, a);
+    const Eigen::Matrix3d turned =
+        turn * Eigen::Vector3d(-100.0 + 200.0 * depth, -10.0, -50.0 + 100.0 * depth).asDiagonal() *
+        turn.transpose();
+    stress.col(a) << turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(1, 2), turned(2, 0);
+  }
+  cube.frame.fields["stress"] = {{"xx", "yy", "zz", "xy", "yz", "zx"}, "MPa", stress};
+  const Eigen::Vector3d above = turn * Eigen::Vector3d(0.4, 1.0, 0.5);
+  ProbeSpec spec;
+  spec.depth = fmt::format("top@{},{},{}", above(0), above(1), above(2));
+  const DepthNumbers numbers = depthNumbers(cube.model, cube.frame, spec);
+  EXPECT_NEAR(numbers.depth, 1.0, 1e-8);
+  EXPECT_NEAR(numbers.along.lowest, -100.0, 1e-6);
+  EXPECT_NEAR(numbers.along.compressedDepth, 0.5, 1e-8);
+  EXPECT_NEAR(numbers.across.atFace, -50.0, 1e-6);
+  EXPECT_NEAR(numbers.across.lowestAt, 0.0, 1e-8);
+  EXPECT_NEAR(numbers.unsteadiness, 0.1, 1e-8);
+  EXPECT_TRUE(std::isnan(numbers.force));
 }
 
 TEST(DepthNumbers, AreNotANumberWhereABodyHasNone) {
