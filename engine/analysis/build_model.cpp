@@ -21,6 +21,7 @@
 #include "engine/solid/dead_load.h"
 #include "engine/solid/deformation_gradients.h"
 #include "engine/solid/follower_load.h"
+#include "engine/solid/point_count.h"
 
 namespace burnish {
 /// Fills a model part by part: first the body, then loads and tools, then contact pairs, whose multipliers
@@ -178,9 +179,15 @@ std::vector<NamedBody<Dim>> ModelBuilder<Dim>::bodiesOf(const Scene& scene) {
 template <int Dim>
 const SpanQuadrature<Dim>& ModelBuilder<Dim>::addQuadrature(std::size_t number) {
   ModelBody<Dim>& body = model_->bodies_[number];
+  const BodySpec& spec = scene_.allBodies()[number];
+  if (spec.quadraturePoints.value_or(spec.degree + 1) <= spec.degree &&
+      !isHeldBy(*spec.quadraturePoints, body.body))
+    throw InputError(scene_.bodyKey(number, "quadrature_points"),
+                     fmt::format("found {} for a body with one knot span in a direction, or with knots that "
+                                 "stand several times; allowed there: at least {}, the degree plus one.",
+                                 *spec.quadraturePoints, spec.degree + 1));
   try {
-    body.quadrature = std::make_unique<SpanQuadrature<Dim>>(
-        body.body, scene_.allBodies()[number].quadraturePoints.value_or(0));
+    body.quadrature = std::make_unique<SpanQuadrature<Dim>>(body.body, spec.quadraturePoints.value_or(0));
   } catch (const InputError& error) {
     throw InputError(scene_.bodyKey(number, "geometry"), error.problems().front().text);
   }

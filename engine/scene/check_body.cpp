@@ -65,14 +65,19 @@ void checkInitial(const CheckContext& c, std::size_t number) {
       c.report(key, "found a component of three-dimensional scenes; allowed here: xx, yy, zz and xy.");
 }
 
+/// As many as the degree keep the order of convergence; the functions of smooth splines vanish at all of them nowhere.
+int fewestPoints(const BodySpec& body) {
+  return body.basis == BasisChoice::Nurbs && body.degree > 1 ? body.degree : body.degree + 1;
+}
+
 void checkBody(const CheckContext& c, std::size_t number) {
   const BodySpec& body = c.scene.allBodies()[number];
   checkGeometry(c, number);
   if (c.cleanOf(number, "quadrature_points") && c.cleanOf(number, "degree") && body.quadraturePoints &&
-      *body.quadraturePoints <= body.degree)
+      *body.quadraturePoints < fewestPoints(body))
     c.report(c.scene.bodyKey(number, "quadrature_points"),
-             fmt::format("found {}; allowed: at least {}, the degree plus one.", *body.quadraturePoints,
-                         body.degree + 1));
+             fmt::format("found {}; allowed: at least {}, the degree{}.", *body.quadraturePoints,
+                         fewestPoints(body), fewestPoints(body) > body.degree ? " plus one" : ""));
   checkMortarDegree(c, number);
   checkInitial(c, number);
   checkMaterial(body.material, Problems(c.root, c.errors, c.scene.bodyKey(number, "material")),

@@ -71,8 +71,10 @@ void describeIntegration(Visitor& v, BodySpec& s, bool inherits = false) {
       "displacement alone, or fbar: with a projected change of volume, which does not lock when the "
       "material is nearly incompressible.",
       inherits);
-  v.field("quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
-          "Gauss points of the body per knot span and direction; the degree plus one when left out.");
+  v.field(
+      "quadrature_points", s.quadraturePoints, {.atLeast = 1, .atMost = 32},
+      "Gauss points of the body per knot span and direction; the degree plus one when left out. As many as the "
+      "degree do for NURBS with simple knots and two spans or more in every direction.");
 }
 
 template <class Visitor>

@@ -17,6 +17,7 @@
 #include "engine/solver/newton.h"
 #include "tests/engine/scene/scene_samples.h"
 #include "tests/engine/solid/term_check.h"
+#include "tests/message_of.h"
 
 namespace burnish {
 namespace {
@@ -96,6 +97,17 @@ class MeasuredScene {
   std::vector<Projection<2>> projections_ = projectionsOf(model_);
   Measures<2> measures_{scene_, model_, projections_};
 };
+
+TEST(QuadraturePoints, AsManyAsTheDegreeNeedSmoothSplinesOfTwoSpans) {
+  const auto said = [](const std::string& more) {
+    return messageOf([&] { buildModel<2>(parseScene(kBlock, "test.yaml", {"quadrature_points=2", more})); });
+  };
+  EXPECT_EQ(said("geometry.spans=[2, 2]"), "");
+  for (const char* bad : {"geometry.spans=[4, 1]", "geometry.creases=[[0.5], []]"})
+    EXPECT_THAT(said(bad),
+                HasSubstr("quadrature_points: found 2 for a body with one knot span in a direction, or "
+                          "with knots that stand several times; allowed there: at least 3"));
+}
 
 Eigen::Matrix2d someGradient() {
   return (Eigen::Matrix2d() << 0.02, 0.05, -0.03, 0.01).finished();

@@ -368,6 +368,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "found a shape of 3 dimensions; allowed: 2 dimensions, as the first body has."},
         Mistake{"fewPoints", &twoBodies, "quadrature_points: 5", "quadrature_points: 3", "3\n    geometry",
                 "bodies[1].quadrature_points", "found 3; allowed: at least 4, the degree plus one."},
+        Mistake{"fewPointsOfSplines", &twoBodies, "    degree: 2\n",
+                "    degree: 2\n    quadrature_points: 1\n", "1\n    geometry", "bodies[0].quadrature_points",
+                "found 1; allowed: at least 2, the degree."},
         Mistake{"rezoned", &twoBodies, "steps:", "rezoning: {}\nsteps:", "{}", "rezoning.body",
                 "missing; allowed: soft | firm."}),
     nameOf);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/IterativeLinearSolvers>
 #include <cmath>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/displacement_term.h"
+#include "engine/solid/point_count.h"
 #include "engine/solid/span_kernel.h"
 #include "engine/solid/tensor_kernel.h"
 #include "tests/engine/solid/term_check.h"
@@ -209,6 +211,44 @@ TEST(DisplacementTerm, RigidMotionCostsNothing) {
     x.segment<2>(2 * a) = rotation * X + Eigen::Vector2d(3.0, -1.0) - X;
   }
   EXPECT_LT(test::forceOf(term, 0.0, x).norm(), 1e-13);
+}
+
+/// What is left of the stiffness of an undeformed block with so many points in each direction: the number of motions
+/// without, and the smallest of the others.
+template <int Dim>
+std::pair<Eigen::Index, double> softest(const Body<Dim>& body, int points) {
+  const SpanQuadrature<Dim> quadrature(body, points);
+  DisplacementTerm<Dim> term(quadrature, elastic());
+  const Eigen::VectorXd stiffness =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+          test::tangentOf(term, 0.0, Eigen::VectorXd::Zero(Dim * body.numNodes)), Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  const Eigen::Index free = (stiffness.array() < 1e-10 * stiffness.maxCoeff()).count();
+  return {free, stiffness(free)};
+}
+
+TEST(PointCount, AsManyAsTheDegreeHoldSmoothSplines) {
+  const Patch<2> square = rectangle({0.0, 0.0}, {1.0, 1.3});
+  const Patch<3> cube = box({0.0, 0.0, 0.0}, {1.0, 1.3, 0.8});
+  for (const int p : {2, 3}) {
+    const KnotVector one = KnotVector::uniform(p, 1), two = KnotVector::uniform(p, 2),
+                     kinked = withKnots(two, {two.breakpoints()[1]});
+    const Body<2> plane = makeBody(refined(square, {two, KnotVector::uniform(p, 3)}));
+    const Body<3> solid = makeBody(refined(cube, {two, two, two}));
+    EXPECT_TRUE(isHeldBy(p, plane) && isHeldBy(p, solid));
+    EXPECT_FALSE(isHeldBy(p - 1, plane));
+    EXPECT_EQ(softest(plane, p).first, 3);
+    EXPECT_EQ(softest(solid, p).first, 6);
+    EXPECT_GT(softest(plane, p).second, 0.25 * softest(plane, p + 1).second);
+    EXPECT_GT(softest(solid, p).second, 0.25 * softest(solid, p + 1).second);
+    // A single span has functions that vanish at all points.
+    const Body<2> single = makeBody(refined(square, {one, one}));
+    EXPECT_FALSE(isHeldBy(p, single));
+    EXPECT_GT(softest(single, p).first, 3);
+    EXPECT_TRUE(isHeldBy(p + 1, single));
+    EXPECT_EQ(softest(single, p + 1).first, 3);
+    EXPECT_FALSE(isHeldBy(p, makeBody(refined(square, {two, kinked}))));
+  }
 }
 
 TEST(DisplacementTerm, RefusesAStateThatIsInsideOut) {
