@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkNonMergingPointLocator.h>
 #include <vtkPolyData.h>
+#include <vtkStaticPointLocator.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -111,31 +112,81 @@ Parts rimOf(vtkPolyData& surface) {
   return edges->GetOutput();
 }
 
-/// The gradient of values at the points of lattices, by central differences of values and positions; 0 where a lattice
-/// has shrunk to a line or a point.
+/// The rises of values between the points of a lattice in one direction, in one step, to second order: central differences, and of
+/// three points at the ends.
+Eigen::Vector4d riseAt(const Eigen::Matrix4Xd& values, const PatchLattice& lattice, const IndexBox::Index& at,
+                       std::size_t direction) {
+  const IndexBox box = lattice.points();
+  const int last = box.extent[direction] - 1;
+  const auto value = [&](int k) -> Eigen::Vector4d {
+    IndexBox::Index index = at;
+    index[direction] = k;
+    return values.col(lattice.firstPoint + box.number(index));
+  };
+  const int k = at[direction], inwards = k == 0 ? 1 : -1;
+  if (k > 0 && k < last) return (value(k + 1) - value(k - 1)) / 2.0;
+  if (last == 1) return value(1) - value(0);
+  return inwards * (4.0 * value(k + inwards) - value(k + 2 * inwards) - 3.0 * value(k)) / 2.0;
+}
+
+/// Points of lattices that are one point of the body, on the borders of patches, get the mean of their vectors.
+void joinAtBorders(Eigen::Matrix3Xd& vectors, const Tessellation& cells, int numNodes) {
+  constexpr double kSame = 1e-9;
+  std::vector<int> border;
+  for (const PatchLattice& lattice : cells.points().patches()) {
+    const IndexBox box = lattice.points();
+    for (int k = 0; k < box.size(); ++k) {
+      const IndexBox::Index at = box.index(k);
+      for (std::size_t d = 0; d < 3; ++d)
+        if (at[d] == 0 || at[d] == box.extent[d] - 1) {
+          border.push_back(lattice.firstPoint + k);
+          break;
+        }
+    }
+  }
+  // Points of two bodies may lie in one place. Those of one body are the same mean of the same nodes, wherever these are: here
+  // they are scattered, so that no others meet.
+  const Eigen::Array3d steps(0.8191725134, 0.6710436067, 0.5497004779);
+  Eigen::Matrix3Xd scattered(3, numNodes);
+  for (Eigen::Index node = 0; node < numNodes; ++node)
+    scattered.col(node) =
+        (steps * static_cast<double>(node)).unaryExpr([](double x) { return x - std::floor(x); });
+  const Eigen::MatrixXd places = cells.evaluate(scattered);
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(makePoints(places(Eigen::all, border)));
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(points);
+  locator->BuildLocator();
+  std::vector<vtkIdType> one(border.size());
+  locator->MergePoints(kSame, one.data());
+
+  Eigen::Matrix4Xd sums = Eigen::Matrix4Xd::Zero(4, std::ssize(border));
+  for (std::size_t k = 0; k < border.size(); ++k) sums.col(one[k]) += vectors.col(border[k]).homogeneous();
+  for (std::size_t k = 0; k < border.size(); ++k) vectors.col(border[k]) = sums.col(one[k]).hnormalized();
+}
+
+/// The gradient of values at the points of lattices, to second order, one at each point of the body; 0 where a lattice has
+/// shrunk to a line or a point.
 Eigen::Matrix3Xd gradientsOf(const Tessellation& cells, const Eigen::MatrixXd& x,
-                             const Eigen::VectorXd& values) {
+                             const Eigen::VectorXd& values, int numNodes) {
   constexpr double kFlat = 1e-9;
+  Eigen::Matrix4Xd placesAndValues(4, x.cols());
+  placesAndValues << x, values.transpose();
   Eigen::Matrix3Xd gradients(3, x.cols());
   for (const PatchLattice& lattice : cells.points().patches()) {
     const IndexBox box = lattice.points();
     for (int k = 0; k < box.size(); ++k) {
-      Eigen::Matrix3d along;
-      Eigen::Vector3d rise;
-      for (std::size_t d = 0; d < 3; ++d) {
-        IndexBox::Index before = box.index(k), behind = before;
-        before[d] = std::max(before[d] - 1, 0);
-        behind[d] = std::min(behind[d] + 1, box.extent[d] - 1);
-        const int one = lattice.firstPoint + box.number(before),
-                  other = lattice.firstPoint + box.number(behind);
-        along.col(static_cast<Eigen::Index>(d)) = x.col(other) - x.col(one);
-        rise(static_cast<Eigen::Index>(d)) = values(other) - values(one);
-      }
+      Eigen::Matrix<double, 4, 3> rises;
+      for (std::size_t d = 0; d < 3; ++d)
+        rises.col(static_cast<Eigen::Index>(d)) = riseAt(placesAndValues, lattice, box.index(k), d);
+      const Eigen::Matrix3d along = rises.topRows<3>();
+      const Eigen::Vector3d rise = rises.row(3);
       const bool isFlat = std::abs(along.determinant()) <= kFlat * along.colwise().norm().prod();
       gradients.col(lattice.firstPoint + k) =
           isFlat ? Eigen::Vector3d::Zero().eval() : Eigen::Vector3d(along.transpose().inverse() * rise);
     }
   }
+  joinAtBorders(gradients, cells, numNodes);
   return gradients;
 }
 
@@ -217,7 +268,7 @@ ValueVolume::ValueVolume(const MeshRecord& mesh, const Eigen::MatrixXd& displace
   setValues(*grid_->GetPointData(), cells);
   const Eigen::MatrixXd x = cells.referencePoints() + cells.evaluate(displacement);
   const Eigen::VectorXd values = choosing.drawnScalars(cells.evaluate(choosing.coefficients));
-  grid_->GetPointData()->AddArray(makeArray(kUphill, gradientsOf(cells, x, values), {}));
+  grid_->GetPointData()->AddArray(makeArray(kUphill, gradientsOf(cells, x, values, mesh.numNodes), {}));
 }
 
 template <class Mesh>
