@@ -98,7 +98,7 @@ std::string foreignText(const ForeignFile& file) {
   std::string text = infoLine("file", file.file().string()) + infoLine("kind", foreignKind(file.file()));
   if (!times.empty())
     text += infoLine("frames",
-                     fmt::format("{}, t = {:.9g} to {:.9g}", times.size(), times.front(), times.back()));
+                     fmt::format("{}, t = {:.7g} to {:.7g}", times.size(), times.front(), times.back()));
   for (const ForeignBlock& block : blocks) text += infoLine("block", blockText(block));
   text += infoLine("bounds", boundsText(blocks));
   for (const ForeignField& field : foreignFieldsOf(blocks))

@@ -35,6 +35,9 @@ std::string fieldName(const PictureArguments& arguments, const FrameRecord& fram
       std::find(components.begin(), components.end(), arguments.component) == components.end())
     throw Error(fmt::format("--component: found \"{}\"; {} has {}.{}", arguments.component, field,
                             fmt::join(components, ", "), didYouMean(arguments.component, components)));
+  if (components.size() == 1 && arguments.component != components.front())
+    throw Error(fmt::format("--component: found \"{}\"; {} is one number at each place, without components",
+                            arguments.component, field));
   return arguments.component == "magnitude" ? field : field + "." + arguments.component;
 }
 

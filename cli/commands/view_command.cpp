@@ -15,6 +15,7 @@
 #include "cli/jobs/child_process.h"
 #include "engine/core/error.h"
 #include "postproc/draw/contour/frame_pictures.h"
+#include "postproc/foreign/foreign_source.h"
 #include "postproc/view/view.h"
 
 namespace burnish {
@@ -43,6 +44,11 @@ ExitCode view(const ViewArguments& arguments) {
   if (arguments.page.extension() != ".html")
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a page that ends in .html",
                             arguments.page.string()));
+  std::error_code status;
+  if (!std::filesystem::is_directory(arguments.result, status) && !foreignKind(arguments.result).empty())
+    throw Error(fmt::format(
+        "{}: a page shows results of burnish; burnish render and burnish animate draw files of other programs",
+        arguments.result.string()));
   const ResultReader result(arguments.result);
   ViewOptions options;
   readPicture(arguments.options, options, result.model().dim);

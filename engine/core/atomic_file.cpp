@@ -68,7 +68,7 @@ void writeFileAtomically(const fs::path& path, const std::function<void(const fs
 
 fs::path partialName(const fs::path& path) {
   fs::path partial = path;
-  partial += ".partial";
+  partial += kPartial;
   return partial;
 }
 

@@ -14,11 +14,16 @@
 namespace burnish {
 namespace {
 
+/// The name that a file has or, of one that takes its name when it is complete, will have.
+std::filesystem::path finalName(const std::filesystem::path& path) {
+  return path.extension() == kPartial ? path.parent_path() / path.stem() : path;
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, const char* action) {
   const std::string reason = errno == ELOOP
                                  ? "it is a symbolic link, and what that points to is not ours to change"
                                  : std::generic_category().message(errno);
-  throw Error(fmt::format("cannot {} {}: {}", action, path.string(), reason));
+  throw Error(fmt::format("cannot {} {}: {}", action, finalName(path).string(), reason));
 }
 
 /// An empty file of that name, opened; negative if there can be none.
@@ -69,7 +74,7 @@ void OutputFile::sync() {
   if (::fsync(descriptor_) != 0) fail(path_, "write");
   struct ::stat status = {};
   if (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0)
-    throw Error(fmt::format("{} was removed while it was being written", path_.string()));
+    throw Error(fmt::format("{} was removed while it was being written", finalName(path_).string()));
 }
 
 void OutputFile::close() {

@@ -6,8 +6,11 @@
 
 namespace burnish {
 
-/// A file opened for writing. Every member throws `Error` naming the file and the system's
-/// reason, a full disk included.
+/// How the name of a file ends that is not complete.
+inline constexpr const char* kPartial = ".partial";
+
+/// A file opened for writing. Every member throws `Error` naming the file, as it is to be called in the end, and the
+/// system's reason, a full disk included.
 class OutputFile {
  public:
   /// Creates or empties the file. A symbolic link of that name is replaced, never written through.

@@ -9,6 +9,7 @@
 
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
+#include "engine/core/output_file.h"
 #include "engine/results/file_header.h"
 #include "engine/results/summary_file.h"
 
@@ -26,7 +27,7 @@ bool isNumbered(const std::string& name, const std::string& kind) {
 }
 
 bool isPartial(const fs::path& path) {
-  return path.extension() == ".partial";
+  return path.extension() == kPartial;
 }
 
 /// Files of a kind, complete or partial, from the last to the first.

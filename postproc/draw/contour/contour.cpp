@@ -227,8 +227,8 @@ class ContourPicture {
                                       marksExtremes(), !sharesRange());
     return {scale, bar,
             layOutContour(size_, textSize, options_.window.value_or(content), parts_.axes,
-                          caption(options_.clip && shown != whole), options_.colorScale ? &bar : nullptr,
-                          theme_)};
+                          caption(scale, options_.clip && shown != whole),
+                          options_.colorScale ? &bar : nullptr, theme_)};
   }
 
   /// Whether the range of colours is that of pictures with other values.
@@ -279,12 +279,13 @@ class ContourPicture {
 
   std::string title() const { return options_.title.value_or(subject_.title); }
 
-  ContourCaption caption(bool clipped) const {
+  ContourCaption caption(const ColorScale& scale, bool clipped) const {
     return {title(),
             options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
                     parts_.arrows.note, sectionNote(), extremesNote(), plainNote(), subject_.note,
-                    options_.note, clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
+                    subject_.choiceNote ? subject_.choiceNote(scale.range()) : "", options_.note,
+                    clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
             options_.doubt,
             subject_.dim == 3,
             options_.scaleBar,
@@ -715,7 +716,10 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
     };
     subject.lengthUnit = shown.lengthUnit;
     if (options.threshold || options.isosurfaces) {
-      subject.note = choiceNote(options, choosingField(shown, its, field, options));
+      subject.choiceNote = [&](const std::array<double, 2>& range) {
+        return choiceNote(options, choosingField(shown, its, field, options),
+                          isOneValue(ranges.whole) ? std::nullopt : std::optional(range));
+      };
       subject.chosenRange = [&] {
         const FieldChoice choosing = choosingField(shown, its, field, options);
         return fieldRanges(shown, its, choosing, subdivisionOf(shown, options), {}).whole;

@@ -63,13 +63,24 @@ VectorPoints displacements(vtkPolyData& body, const View& view) {
   return result;
 }
 
-/// Principal stresses and their directions, in a plane body those in its plane.
-Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(vtkDataArray& stress, vtkIdType point, int dim) {
+/// Principal stresses and their directions at a point of a body, in a plane body those in its plane; on a plane of
+/// symmetry across it and in it, as no shear stress acts there.
+Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(vtkPolyData& body, vtkIdType point, int dim,
+                                                         const std::vector<MirrorPlane>& symmetries) {
+  constexpr double kOnPlane = 1e-6;  // in lengths of the body
+  vtkDataArray& stress = *body.GetPointData()->GetArray("stress");
   const auto s = [&](int component) { return stress.GetComponent(point, component); };
   Eigen::Matrix3d tensor;
   tensor << s(0), s(3), s(5),  //
       s(3), s(1), s(4),        //
       s(5), s(4), s(2);
+  for (const MirrorPlane& plane : symmetries) {
+    if (std::abs(body.GetPoint(point)[plane.axis] - plane.at) > kOnPlane * body.GetLength()) continue;
+    const double across = tensor(plane.axis, plane.axis);
+    tensor.row(plane.axis).setZero();
+    tensor.col(plane.axis).setZero();
+    tensor(plane.axis, plane.axis) = across;
+  }
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(tensor.topLeftCorner(dim, dim));
 }
 
@@ -253,21 +264,33 @@ ContourArrows curvedArrows(const ModelRecord& model, vtkPolyData& body, const Vi
           nullptr};
 }
 
+/// The largest of some sizes: in space of those that are drawn, as others may lie on sides that are not seen.
+double largestOf(const std::vector<double>& sizes, const std::vector<std::size_t>& drawn, int dim) {
+  double largest = 0.0;
+  if (dim == 2) {
+    for (const double size : sizes) largest = std::max(largest, size);
+  } else {
+    for (const std::size_t k : drawn) largest = std::max(largest, sizes[k]);
+  }
+  return largest;
+}
+
 ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& view, const Sight& sight,
-                      double longest) {
-  vtkDataArray& stress = *body.GetPointData()->GetArray("stress");
+                      double longest, const std::vector<MirrorPlane>& symmetries) {
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>> solutions;
-  double largest = 0.0;
+  std::vector<double> sizes;
   for (const vtkIdType k : facingPoints(body, view)) {
     points.emplace_back(body.GetPoint(k));
-    solutions.push_back(principal(stress, k, model.dim));
-    largest = std::max(largest, solutions.back().eigenvalues().cwiseAbs().maxCoeff());
+    solutions.push_back(principal(body, k, model.dim, symmetries));
+    sizes.push_back(solutions.back().eigenvalues().cwiseAbs().maxCoeff());
   }
+  const std::vector<std::size_t> drawn = thinned(points, view, kCrossGap * longest, false,
+                                                 [&](const Eigen::Vector3d& x) { return sight.sees(x); });
+  const double largest = largestOf(sizes, drawn, model.dim);
   if (largest == 0.0) return {nullptr, nullptr, "no stress", nullptr, nullptr};
   PolyBuilder areas, edges, darkAreas, darkEdges;
-  for (const std::size_t k : thinned(points, view, kCrossGap * longest, false,
-                                     [&](const Eigen::Vector3d& x) { return sight.sees(x); }))
+  for (const std::size_t k : drawn)
     for (Eigen::Index d = 0; d < model.dim; ++d) {
       const double value = solutions[k].eigenvalues()(d);
       Eigen::Vector3d along = Eigen::Vector3d::Zero();
@@ -292,21 +315,25 @@ ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& v
 }  // namespace
 
 ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const FrameRecord& frame,
-                            vtkPolyData& body, vtkPolyData* before, const View& view, double longest) {
+                            vtkPolyData& body, vtkPolyData* before, const View& view, double longest,
+                            const std::vector<MirrorPlane>& symmetries) {
   if (field == ArrowField::None) return {};
   const Sight sight(field == ArrowField::Traction ? nullptr : before, view);
   if (field == ArrowField::Streamlines) return curvedArrows(model, body, view, longest);
-  if (field == ArrowField::Principal) return crosses(model, body, view, sight, longest);
+  if (field == ArrowField::Principal) return crosses(model, body, view, sight, longest, symmetries);
   const bool traction = field == ArrowField::Traction;
   const VectorPoints all = traction ? tractions(model, frame) : displacements(body, view);
-  double largest = 0.0;
-  for (const Eigen::Vector3d& vector : all.vectors) largest = std::max(largest, vector.norm());
+  std::vector<double> sizes;
+  for (const Eigen::Vector3d& vector : all.vectors) sizes.push_back(vector.norm());
+  const std::vector<std::size_t> drawn =
+      thinned(all.points, view, longest * (traction ? kTractionGap : kDisplacementGap), traction,
+              [&](const Eigen::Vector3d& x) { return sight.sees(x); });
+  const double largest = largestOf(sizes, drawn, model.dim);
   const std::string name = traction ? "contact traction" : "displacement";
   if (largest == 0.0) return {nullptr, nullptr, fmt::format("no {}", name), nullptr, nullptr};
 
   PolyBuilder areas, edges;
-  for (const std::size_t k : thinned(all.points, view, longest * (traction ? kTractionGap : kDisplacementGap),
-                                     traction, [&](const Eigen::Vector3d& x) { return sight.sees(x); })) {
+  for (const std::size_t k : drawn) {
     const Eigen::Vector3d along = all.vectors[k] * (longest / largest);
     const Eigen::Vector3d side = view.towardsEye(all.points[k]).cross(along);
     if (side.norm() < kShortest * longest) continue;

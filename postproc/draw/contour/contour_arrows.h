@@ -3,10 +3,12 @@
 
 #include <Eigen/Dense>
 #include <string>
+#include <vector>
 
 #include "engine/results/result.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/page/view.h"
+#include "postproc/mesh/picture_planes.h"
 
 class vtkPolyData;
 
@@ -25,8 +27,10 @@ struct ContourArrows {
 /// surface with the point data `displacement` or `stress` (xx, yy, zz, xy, yz, zx) and, in space, normals; of a body in
 /// space only what faces the eye of the view, of which axes and eye count, and is not hidden by `before` (null: nothing
 /// hides), has arrows; those of tractions, which lie under tools or between bodies, are drawn all. longest: length of
-/// the longest arrow or pair; they keep most of it as their distance.
+/// the longest arrow or pair, in space of those that are drawn; they keep most of it as their distance. symmetries: planes
+/// on which crosses stand across and along.
 ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const FrameRecord& frame,
-                            vtkPolyData& body, vtkPolyData* before, const View& view, double longest);
+                            vtkPolyData& body, vtkPolyData* before, const View& view, double longest,
+                            const std::vector<MirrorPlane>& symmetries);
 
 }  // namespace burnish

@@ -454,7 +454,7 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
     const View sight{.axes = parts.axes, .area = {}, .eye = parts.eye};
     const auto before = model.dim == 3 && !options.slice ? hidingParts(parts) : nullptr;
     parts.arrows = contourArrows(options.arrows, model, frame, *ground, before, sight,
-                                 arrowLength(*ground, sight, options));
+                                 arrowLength(*ground, sight, options), options.mirror);
   }
   parts.mark = options.mark;
   if (options.markExtremes) parts.extremes = extremesOf(parts, model, frame, field, options);
@@ -549,10 +549,16 @@ Eigen::AlignedBox2d bodiesBox(const ContourParts& parts, const std::optional<Eye
   return box;
 }
 
-/// What is to be seen as an eye sees it; without one projected in parallel.
-Eigen::AlignedBox2d contentWithoutTools(const ContourParts& parts, const std::optional<Eye>& eye) {
+/// Of bodies as they are and were.
+Eigen::AlignedBox2d shapesBox(const ContourParts& parts, const std::optional<Eye>& eye) {
   Eigen::AlignedBox2d box = bodiesBox(parts, eye);
   if (parts.undeformed) box.extend(boxOf(*parts.undeformed, parts.axes, eye));
+  return box;
+}
+
+/// What is to be seen as an eye sees it; without one projected in parallel.
+Eigen::AlignedBox2d contentWithoutTools(const ContourParts& parts, const std::optional<Eye>& eye) {
+  Eigen::AlignedBox2d box = shapesBox(parts, eye);
   if (parts.net) box = grown(box.merged(boxOf(*parts.net, parts.axes, eye)), kDotRoom);
   if (parts.extremes || parts.mark) box = grown(box, kSignRoom);
   for (const auto& edges : {parts.arrows.edges, parts.arrows.darkEdges})
@@ -607,10 +613,9 @@ Eigen::AlignedBox2d bodiesBox(const ContourParts& parts) {
 
 Eigen::AlignedBox2d contentOf(const ContourParts& parts, int dim) {
   Eigen::AlignedBox2d box = contentWithoutTools(parts, parts.eye);
-  // Whether a tool is shown whole does not depend on how near the eye is.
-  const Eigen::AlignedBox2d near =
-      grown(parts.eye ? contentWithoutTools(parts, std::nullopt) : box, kToolReach);
-  const Eigen::AlignedBox2d cut = grown(box, kToolCut);
+  // Whether a tool is shown whole depends neither on how near the eye is nor on signs and arrows.
+  const Eigen::AlignedBox2d near = grown(shapesBox(parts, std::nullopt), kToolReach);
+  const Eigen::AlignedBox2d cut = grown(shapesBox(parts, parts.eye), kToolCut);
   for (const ShownTool& tool : parts.tools) {
     const bool asPoints = dim == 2 && recordedMesh(tool.record.shape) != nullptr;
     const Eigen::Matrix2Xd landmarks = landmarksOf(tool.record, parts, dim, parts.eye);

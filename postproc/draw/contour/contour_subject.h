@@ -31,6 +31,9 @@ struct ContourSubject {
   /// The values of the field by which the options choose, asked for when nothing is left; none where they choose nothing.
   std::function<std::array<double, 2>()> chosenRange{};
 
+  /// What is to be said of what the options choose by values, of colours over a range; none where they choose nothing.
+  std::function<std::string(const std::array<double, 2>& range)> choiceNote{};
+
   /// Leaves of a body in space what the options choose by values, when it is exact; none where they choose nothing.
   std::function<void(ContourParts& parts, const std::array<double, 2>& range)> choose{};
 };

@@ -35,8 +35,9 @@ ViewAxes viewFrom(const Eigen::Vector3d& towardsEye) {
   if (!towardsEye.allFinite() || towardsEye.norm() == 0.0)
     throw Error("view: expected a direction X,Y,Z towards the eye that is not 0,0,0");
   const Eigen::Vector3d eye = towardsEye.normalized();
+  constexpr double kAlongY = 1e-4;  // x is to the right then: what it turns to, next to y, is rounding
   Eigen::Vector3d right = Eigen::Vector3d::UnitY().cross(eye);
-  if (right.norm() < 1e-6) right = Eigen::Vector3d::UnitX();
+  if (right.norm() < kAlongY) right = Eigen::Vector3d::UnitX() - eye.x() * eye;
   right.normalize();
   ViewAxes axes;
   axes << right.transpose(), eye.cross(right).transpose();

@@ -92,7 +92,10 @@ std::string wordsOf(const std::string& name, const std::string& component) {
 
 RichText titleOf(const std::string& name, const std::string& component, bool magnitude) {
   const auto wording = wordings().find(name);
-  if (wording == wordings().end()) return {{wordsOf(name, component)}};
+  if (wording == wordings().end()) {
+    if (magnitude) return {{"|" + name + "|"}};
+    return component.empty() ? RichText{{name}} : RichText{{name}, {component, Script::Sub}};
+  }
   RichText symbol = wording->second.symbol;
   if (!component.empty()) symbol.push_back({component, Script::Sub});
   if (magnitude) {

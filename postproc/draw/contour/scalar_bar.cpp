@@ -54,7 +54,8 @@ PixelRect rounded(const PixelRect& r) {
 
 ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme& theme)
     : scale_(std::move(scale)),
-      title_(std::move(texts.title)),
+      name_(std::move(texts.title)),
+      title_(name_),
       states_(std::move(texts.states)),
       size_(textSize),
       even_(texts.even),
@@ -66,12 +67,13 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
       endStyle_{kEndSize * textSize, theme.softInk, theme.font} {
   if (!states_.empty()) return;
   const int exponent = makeTicks(scale_.range(), kMostTicks).exponent;
-  const RichText unit = unitText(exponent, texts.unit);
-  title_.insert(title_.end(), unit.begin(), unit.end());
+  unit_ = unitText(exponent, texts.unit);
+  title_.insert(title_.end(), unit_.begin(), unit_.end());
   const double power = std::pow(10.0, exponent);
   const double extent = scale_.range()[1] - scale_.range()[0], slack = kRoundOff * extent;
   using Extremes = std::array<double, 2>;
   const auto text = [&](const std::string& before, double value, const Extremes& of) {
+    if (std::isnan(of[0])) return RichText{};
     // No digits that cannot be seen.
     const double spread = of[1] - of[0], seen = isOneValue(of) ? extent : std::min(spread, extent);
     const double smallestStep = std::pow(10.0, std::floor(std::log10(kVisible * seen)));
@@ -94,6 +96,7 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
       return text((texts.marked ? sign : "") + std::string(name), of[k], of);
     };
     End end{extreme(own), text(beyond, limit, own), passes(own)};
+    end.isTold = end.passed || std::abs(own[k] - limit) <= slack;
     for (const Extremes& of : all) {
       end.hasArrow = end.hasArrow || passes(of);
       end.longest = std::max(end.longest, textWidth(extreme(of), endStyle_));
@@ -113,14 +116,23 @@ double ScalarBar::depth(Direction direction, double length) const {
   const double besideLabels = size_ * (kBarDepth + kTick + kGap + kTitleGap + kTitleDepth);
   if (direction == Direction::Right) return besideLabels + capitalHeight(labelStyle_);
   const double withLabels = besideLabels + longestLabel(ticksUp(barLengthUp(length)));
-  if (!reachesEnds(fitText(title_, titleStyle_, length, kSmallestTitle * size_), length))
-    return std::max(withLabels, longestEnd());
+  if (!reachesEnds(fittedTitle(length), length)) return std::max(withLabels, longestEnd());
   return std::max(withLabels, longestEnd() + size_ * (kTitleGap + kTitleDepth));
 }
 
 double ScalarBar::longestEnd() const {
   const double longest = std::max(low_.longest, high_.longest);
   return even_ ? std::max(longest, textWidth({{kLongEnd}}, endStyle_)) : longest;
+}
+
+FittedText ScalarBar::fittedTitle(double length) const {
+  const double smallest = kSmallestTitle * size_;
+  FittedText title = fitText(title_, titleStyle_, length, smallest);
+  const double unit = textWidth(unit_, title.style);
+  if (unit_.empty() || textWidth(title_, title.style) <= length || unit >= length) return title;
+  title = fitText(name_, title.style, length - unit, smallest);
+  title.text.insert(title.text.end(), unit_.begin(), unit_.end());
+  return title;
 }
 
 bool ScalarBar::reachesEnds(const FittedText& title, double length) const {
@@ -137,11 +149,16 @@ void ScalarBar::draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& spac
 
 void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
   const double endText = size_ * kEndGap + capitalHeight(endStyle_);
-  const PixelRect bar = rounded({space.x, space.y + endText + (low_.hasArrow ? kArrow * size_ : 0.0),
-                                 kBarDepth * size_, barLengthUp(space.height)});
+  PixelRect bar = rounded({space.x, space.y + endText + (low_.hasArrow ? kArrow * size_ : 0.0),
+                           kBarDepth * size_, barLengthUp(space.height)});
   const Ticks ticks = ticksUp(bar.height);
+  const FittedText title = fittedTitle(space.height);
+  const double besideBar = size_ * (kTick + kGap), withLabels = bar.width + besideBar + longestLabel(ticks);
+  // A title that is longer than the bar has the texts at its ends before it: they end where the labels do.
+  const bool isLong = reachesEnds(title, space.height);
+  if (isLong) bar.x += std::round(std::max(0.0, longestEnd() - withLabels));
   drawFrameAndTicks(overlay, shapes, bar, Direction::Up, ticks);
-  const double labelStart = bar.right() + size_ * (kTick + kGap), labelHeight = capitalHeight(labelStyle_);
+  const double labelStart = bar.right() + besideBar, labelHeight = capitalHeight(labelStyle_);
   for (std::size_t k = 0; k < ticks.values.size(); ++k)
     overlay.addText({{ticks.labels[k]}},
                     {labelStart, bar.y + along(ticks.values[k]) * bar.height - labelHeight / 2}, labelStyle_);
@@ -150,18 +167,18 @@ void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& sp
     overlay.addText(high_.limit, {labelStart, bar.top() + arrow - labelHeight / 2}, labelStyle_);
   if (low_.passed) overlay.addText(low_.limit, {labelStart, bar.y - arrow - labelHeight / 2}, labelStyle_);
 
-  const FittedText title = fitText(title_, titleStyle_, space.height, kSmallestTitle * size_);
-  double labelEnd = labelStart + longestLabel(ticks);
-  if (reachesEnds(title, space.height)) labelEnd = std::max(labelEnd, space.x + longestEnd());
+  const double labelEnd = labelStart + longestLabel(ticks);
   const double baseline = labelEnd + size_ * kTitleGap + capitalHeight(title.style);
   const double middle =
       bar.center().y() + (high_.hasArrow ? arrow / 2 : 0.0) - (low_.hasArrow ? arrow / 2 : 0.0);
   overlay.addText(title.text, {baseline, middle}, title.style, Anchor::Middle, Direction::Up);
-  const double endGap = size_ * kEndGap;
-  overlay.addText(high_.extreme, {bar.x, bar.top() + (high_.passed ? arrow : 0.0) + endGap}, endStyle_);
+  const double endGap = size_ * kEndGap, endX = isLong ? labelEnd : bar.x;
+  const Anchor anchor = isLong ? Anchor::End : Anchor::Start;
+  overlay.addText(high_.extreme, {endX, bar.top() + (high_.passed ? arrow : 0.0) + endGap}, endStyle_,
+                  anchor);
   overlay.addText(low_.extreme,
-                  {bar.x, bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_)},
-                  endStyle_);
+                  {endX, bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_)}, endStyle_,
+                  anchor);
 }
 
 void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
@@ -174,7 +191,7 @@ void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect
   for (std::size_t k = 0; k < ticks.values.size(); ++k)
     overlay.addText({{ticks.labels[k]}}, {bar.x + along(ticks.values[k]) * bar.width, labelBase}, labelStyle_,
                     Anchor::Middle);
-  const FittedText title = fitText(title_, titleStyle_, space.width, kSmallestTitle * size_);
+  const FittedText title = fittedTitle(space.width);
   const double baseline = labelBase - size_ * kTitleGap - capitalHeight(title.style);
   overlay.addText(title.text, {space.center().x(), baseline}, title.style, Anchor::Middle);
   drawEndAcross(overlay, bar, false, space.x);
@@ -224,11 +241,28 @@ void ScalarBar::drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const Pi
 Ticks ScalarBar::ticks(int most) const {
   if (states_.empty()) {
     if (constant_) return makeTickAt(*constant_, scale_.range(), kEndDigits);
-    return bands_ > 0 ? makeTicksOfBands(scale_.range(), bands_, most) : makeTicks(scale_.range(), most);
+    if (bands_ > 0) return makeTicksOfBands(scale_.range(), bands_, most);
+    return withEnds(makeTicks(scale_.range(), most));
   }
   std::vector<double> values(states_.size());
   std::iota(values.begin(), values.end(), 0.0);
   return {values, states_};
+}
+
+Ticks ScalarBar::withEnds(Ticks ticks) const {
+  constexpr double kApart = 0.3;  // of the bar
+  if (ticks.values.size() > 1) return ticks;
+  for (const End* end : {&low_, &high_}) {
+    if (end->isTold) continue;
+    const bool isHigh = end == &high_;
+    const double limit = scale_.range()[isHigh ? 1 : 0];
+    if (ticks.values.size() == 1 && std::abs(along(ticks.values[0]) - along(limit)) < kApart)
+      ticks = {{}, {}, ticks.exponent};
+    const Ticks mark = makeTickAt(limit, scale_.range(), kEndDigits);
+    ticks.values.insert(isHigh ? ticks.values.end() : ticks.values.begin(), limit);
+    ticks.labels.insert(isHigh ? ticks.labels.end() : ticks.labels.begin(), mark.labels.front());
+  }
+  return ticks;
 }
 
 Ticks ScalarBar::ticksUp(double barLength) const {
@@ -243,7 +277,12 @@ Ticks ScalarBar::ticksAcross(double barLength) const {
         marks.values.size() < 2 ? barLength : (along(marks.values[1]) - along(marks.values[0])) * barLength;
     if (longestLabel(marks) + 1.2 * size_ <= spacing) return marks;
   }
-  return ticks(2);
+  Ticks few = ticks(2);
+  if (few.values.size() == 3 && longestLabel(few) + 0.6 * size_ > barLength / 2.0) {
+    few.values.erase(few.values.begin() + 1);
+    few.labels.erase(few.labels.begin() + 1);
+  }
+  return few;
 }
 
 double ScalarBar::barLengthUp(double length) const {

@@ -22,7 +22,7 @@ class ScalarBar {
   struct Texts {
     RichText title;
     std::string unit;          ///< may be empty
-    double smallest, largest;  ///< values of the field
+    double smallest, largest;  ///< values of the field; not numbers if it has none
 
     /// Of the values 0, 1, …, which stand beside the scale instead of round ones and the ends.
     std::vector<std::string> states{};
@@ -69,10 +69,16 @@ class ScalarBar {
   void drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const PixelRect& bar, Direction direction,
                          const Ticks& ticks) const;
   Ticks ticks(int most) const;
+
+  /// Marks of which there is one or none, with those ends of the scale that no other number tells.
+  Ticks withEnds(Ticks ticks) const;
   Ticks ticksUp(double barLength) const;
   Ticks ticksAcross(double barLength) const;
   double barLengthUp(double length) const;
   double longestEnd() const;
+
+  /// The title in so many pixels: in smaller letters, or with a shorter name before its unit.
+  FittedText fittedTitle(double length) const;
 
   /// Whether a title along the upright bar stands beside the texts at its ends.
   bool reachesEnds(const FittedText& title, double length) const;
@@ -82,7 +88,7 @@ class ScalarBar {
   double along(double value) const;
 
   ColorScale scale_;
-  RichText title_;
+  RichText name_, unit_, title_;  ///< the title is name and unit
   std::vector<std::string> states_;
 
   /// What stands at an end.
@@ -90,6 +96,7 @@ class ScalarBar {
     RichText extreme;  ///< of the field
     RichText limit;    ///< of the colours, if values pass it
     bool passed = false;
+    bool isTold = false;  ///< the limit, by its text or that of the extreme
     bool hasArrow =
         false;  ///< room for one, since values pass the end in one of the scales that stand together
     double longest = 0.0;  ///< of the extremes of these, in pixels

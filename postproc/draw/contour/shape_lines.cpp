@@ -12,7 +12,9 @@
 #include <vtkPolyDataNormals.h>
 #include <vtkStripper.h>
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -93,25 +95,36 @@ void setMoved(vtkPolyData& before, vtkPolyData& after) {
 }
 
 vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, double pixels) {
-  vtkDataArray* moved = lines.GetPointData()->GetArray(kMoved);
-  if (moved == nullptr) return &lines;
-  const auto isMoved = [&](vtkIdType point) {
-    const Eigen::Vector3d by(moved->GetTuple3(point));
-    return view.pixelsPerLengthAt(Eigen::Vector3d(lines.GetPoint(point))) * (view.axes * by).norm() >= pixels;
+  constexpr double kClear = 3.0;  // so far an edge has gone somewhere that is drawn
+  if (lines.GetPointData()->GetArray(kMoved) == nullptr) return &lines;
+  vtkNew<vtkStripper> edges;  // cuts leave segments
+  edges->SetInputData(&lines);
+  edges->JoinContiguousSegmentsOn();
+  edges->Update();
+  vtkPolyData& whole = *edges->GetOutput();
+  vtkDataArray& moved = *whole.GetPointData()->GetArray(kMoved);
+  const auto wayOf = [&](vtkIdType point) {
+    const Eigen::Vector3d by(moved.GetTuple3(point));
+    return view.pixelsPerLengthAt(Eigen::Vector3d(whole.GetPoint(point))) * (view.axes * by).norm();
   };
-  vtkNew<vtkCellArray> segments;
+  vtkNew<vtkCellArray> drawn;
   vtkNew<vtkIdList> ids;
-  vtkCellArray& all = *lines.GetLines();
+  vtkCellArray& all = *whole.GetLines();
   for (vtkIdType cell = 0; cell < all.GetNumberOfCells(); ++cell) {
     all.GetCellAtId(cell, ids);
-    for (vtkIdType k = 1; k < ids->GetNumberOfIds(); ++k) {
-      const std::array<vtkIdType, 2> ends{ids->GetId(k - 1), ids->GetId(k)};
-      if (isMoved(ends[0]) || isMoved(ends[1])) segments->InsertNextCell(2, ends.data());
-    }
+    const std::span points(ids->begin(), ids->end());
+    if (std::ranges::none_of(points, [&](vtkIdType k) { return wayOf(k) >= kClear * pixels; })) continue;
+    // In one piece, whatever lies between.
+    const auto isApart = [&](vtkIdType k) { return wayOf(k) >= pixels; };
+    auto first = std::ranges::find_if(points, isApart);
+    auto last = std::ranges::find_if(points.rbegin(), points.rend(), isApart).base();
+    if (first != points.begin()) --first;
+    if (last != points.end()) ++last;
+    drawn->InsertNextCell(last - first, &*first);
   }
   const auto kept = vtkSmartPointer<vtkPolyData>::New();
-  kept->SetPoints(lines.GetPoints());
-  kept->SetLines(segments);
+  kept->SetPoints(whole.GetPoints());
+  kept->SetLines(drawn);
   return kept;
 }
 

@@ -30,7 +30,8 @@ inline constexpr const char* kMoved = "moved";
 /// Gives points `kMoved`, to the points of the same numbers after it.
 void setMoved(vtkPolyData& before, vtkPolyData& after);
 
-/// The segments of lines with `kMoved` that are seen to have moved by so many pixels, at one end at least; all of lines without it.
+/// Of lines with `kMoved`, each in one piece, from where it is first seen to have moved by so many pixels to where it last is; lines
+/// that have moved by less than three times as many have none. All of lines without it.
 vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, double pixels);
 
 /// The border of a surface and its sharp edges.

@@ -101,14 +101,17 @@ std::string bandNote(const ValueBand& band, const std::string& words, const std:
   return fmt::format("shown: {} from {} to {}", words, number(low), withUnit(number(high), unit));
 }
 
-std::string surfacesNote(const ChosenValues& chosen, const std::string& words, const std::string& unit) {
-  if (chosen.count > 0)
-    return fmt::format("{} surface{}: {}", chosen.count, chosen.count == 1 ? "" : "s", words);
+std::string surfacesNote(const std::vector<double>& values, const std::string& words,
+                         const std::string& unit) {
+  constexpr std::size_t kListed = 6;
+  const std::size_t count = values.size();
+  if (count > kListed)
+    return fmt::format("{} surfaces: {} = {}, {}, …, {}", count, words, numberText(values[0], kNoteDigits),
+                       numberText(values[1], kNoteDigits),
+                       withUnit(numberText(values.back(), kNoteDigits), unit));
   std::string numbers;
-  for (const double value : chosen.values)
-    numbers += (numbers.empty() ? "" : ", ") + numberText(value, kNoteDigits);
-  return fmt::format("surface{}: {} = {}", chosen.values.size() == 1 ? "" : "s", words,
-                     withUnit(numbers, unit));
+  for (const double value : values) numbers += (numbers.empty() ? "" : ", ") + numberText(value, kNoteDigits);
+  return fmt::format("surface{}: {} = {}", count == 1 ? "" : "s", words, withUnit(numbers, unit));
 }
 
 }  // namespace burnish

@@ -52,7 +52,8 @@ struct Spelling<ChosenValues> {
 /// What a picture says of it: "shown: Pressure from 0.5 to 2 MPa". words, unit: of the field.
 std::string bandNote(const ValueBand& band, const std::string& words, const std::string& unit);
 
-/// The same of surfaces: "surfaces: Pressure = 0.5, 1 MPa"; the colours tell the values of those that are counted.
-std::string surfacesNote(const ChosenValues& chosen, const std::string& words, const std::string& unit);
+/// The same of surfaces: "surfaces: Pressure = 0.5, 1 MPa"; of many "9 surfaces: Pressure = 0.1, 0.2, …, 0.9 MPa".
+std::string surfacesNote(const std::vector<double>& values, const std::string& words,
+                         const std::string& unit);
 
 }  // namespace burnish

@@ -229,9 +229,12 @@ FieldChoice choosingField(const ModelRecord& model, const FrameRecord& frame, co
   return chooseField(model, frame, name, key);
 }
 
-std::string choiceNote(const ContourOptions& options, const FieldChoice& choosing) {
+std::string choiceNote(const ContourOptions& options, const FieldChoice& choosing,
+                       const std::optional<std::array<double, 2>>& range) {
   if (options.threshold) return bandNote(*options.threshold, choosing.words, choosing.unit);
-  return options.isosurfaces ? surfacesNote(*options.isosurfaces, choosing.words, choosing.unit) : "";
+  const std::vector<double> values =
+      options.isosurfaces ? options.isosurfaces->of(range) : std::vector<double>();
+  return values.empty() ? "" : surfacesNote(values, choosing.words, choosing.unit);
 }
 
 std::string nothingChosen(const ContourOptions& options, const FieldChoice& drawn,

@@ -24,8 +24,9 @@ inline constexpr const char* kChosen = "chosen";
 FieldChoice choosingField(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& drawn,
                           const ContourOptions& options);
 
-/// What a picture says of a choice; empty without one.
-std::string choiceNote(const ContourOptions& options, const FieldChoice& choosing);
+/// What a picture says of a choice; empty without one. range: of the colours; none of a field of one value.
+std::string choiceNote(const ContourOptions& options, const FieldChoice& choosing,
+                       const std::optional<std::array<double, 2>>& range);
 
 /// What is to be said of a choice that leaves nothing of the bodies, whose values go over a range. drawn: the drawn field.
 std::string nothingChosen(const ContourOptions& options, const FieldChoice& drawn,

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -138,14 +139,20 @@ class SubjectMaker {
                         (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
     subject.dim = isFlat ? 2 : 3;
     const vtkSmartPointer<vtkPointSet> places = placesOf(*cells.with);
-    subject.ranges.whole = choice_ || !options_.range ? rangeOf(*places) : *options_.range;
-    subject.ranges.shown = subject.ranges.whole;
+    subject.ranges.whole = subject.ranges.shown = rangeOf(*places);
+    if (!choice_ && !options_.field.empty()) {
+      subject.note = "no values";
+      if (options_.range) {  // beside the scale of frames with values
+        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        subject.ranges = {{kNone, kNone}, *options_.range};
+      }
+    }
     subject.parts = options_.threshold ? chosenParts(cells, subject) : partsOf(cells, subject);
     if (options_.threshold) subject.chosenRange = [whole = subject.ranges.whole] { return whole; };
     subject.parts.mark = options_.mark;
-    if (options_.markExtremes) {
+    if (options_.markExtremes && choice_) {
       subject.parts.extremes = extremesOf(*places, subject.dim);
-      if (subject.parts.extremes && choice_)
+      if (subject.parts.extremes)
         moveToSeen(*subject.parts.extremes, symmetriesOf(*choice_),
                    [&](const Eigen::Vector3d& place) { return isSeen(subject.parts, options_, place); });
     }
@@ -465,6 +472,7 @@ auto drawn(const ForeignFile& file, int instant, const std::vector<ForeignBlock>
   const ContourSubject subject = maker.make();
   ContourOptions own = options;
   own.warp = 1.0;
+  own.markExtremes = options.markExtremes && maker.hasField();
   own.colorScale = options.colorScale && !options.field.empty() && (maker.hasField() || options.range);
   return draw(subject, own);
 }

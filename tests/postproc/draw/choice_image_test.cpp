@@ -408,8 +408,9 @@ TEST(ValueChoices, AreSpelled) {
     EXPECT_EQ(Spelling<ChosenValues>::write(*values(text)), text);
   EXPECT_EQ(bandNote(*band("0.5,2"), "Pressure", "MPa"), "shown: Pressure from 0.5 to 2 MPa");
   EXPECT_EQ(bandNote(*band("0.5,"), "Pressure", ""), "shown: Pressure from 0.5");
-  EXPECT_EQ(surfacesNote(*values("p=1,2"), "Pressure", "MPa"), "surfaces: Pressure = 1, 2 MPa");
-  EXPECT_EQ(surfacesNote(*values("1"), "Pressure", "MPa"), "1 surface: Pressure");
+  EXPECT_EQ(surfacesNote({1.0, 2.0}, "Pressure", "MPa"), "surfaces: Pressure = 1, 2 MPa");
+  EXPECT_EQ(surfacesNote({0.5}, "Pressure", ""), "surface: Pressure = 0.5");
+  EXPECT_EQ(surfacesNote({1, 2, 3, 4, 5, 6, 7}, "Pressure", "MPa"), "7 surfaces: Pressure = 1, 2, …, 7 MPa");
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Places beginsOf(const Places& points, double longest, vtkPolyData* before = null
                 const View& view = {}) {
   const samples::Sample sample = inSpace ? samples::cube() : samples::ring();
   const ContourArrows arrows = contourArrows(ArrowField::Displacement, sample.model, sample.frame,
-                                             *ground(points, inSpace), before, view, longest);
+                                             *ground(points, inSpace), before, view, longest, {});
   Places begins;
   constexpr vtkIdType kCorners = 8;  // the first of an arrow is its tip
   for (vtkIdType k = 0; arrows.edges && k < arrows.edges->GetNumberOfPoints(); k += kCorners)

@@ -259,5 +259,47 @@ TEST_F(EyeImage, CrossesLieOnBodiesInSpace) {
   expectBaseline(sample, options, "cube_principal");
 }
 
+/// The largest stress is that of the lower face, which the eye does not see; the longest cross is that of the upper one.
+TEST_F(EyeImage, LongestCrossIsTheLargestThatIsDrawn) {
+  Sample sample = samples::cube();
+  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(6, sample.model.mesh.numNodes);
+  stress.row(0) = 9.0 - 6.0 * sample.model.mesh.patches.front().points.row(1).array();
+  sample.frame.fields["stress"] = {{"xx", "yy", "zz", "xy", "yz", "zx"}, "MPa", stress, {}};
+  ContourOptions options = cubeAlone();
+  options.arrows = ArrowField::Principal;
+  options.view = ViewName{"0,1,0"};
+  drawContour(sample.model, sample.frame, options, dir / "drawn.svg");
+  EXPECT_THAT(readText(dir / "drawn.svg"), testing::HasSubstr("up to 3;"));
+}
+
+/// No shear stress acts on a plane of symmetry, whatever is computed there.
+TEST_F(EyeImage, CrossesStandUprightOnAPlaneOfSymmetry) {
+  Sample sample = samples::cube();
+  sample.frame.displacement.setZero();
+  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(6, sample.model.mesh.numNodes);
+  stress.row(0).setConstant(2.0);
+  stress.row(3).setConstant(0.5);
+  sample.frame.fields["stress"] = {{"xx", "yy", "zz", "xy", "yz", "zx"}, "MPa", stress, {}};
+  ContourOptions options = cubeAlone();
+  options.arrows = ArrowField::Principal;
+  options.mirror = {{0, 0.0}};
+  options.slice = CutPlane{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}};
+  options.size = {700, 420};
+  const Picture picture = drawn(sample, options);
+  // Arrows are white: those on the axis have as many pixels above as below it on either side.
+  const Eigen::Vector2d axis = view.pixel(Eigen::Vector3d(0.0, 0.5, 0.5));
+  for (double x = 2.0; x < 20.0; ++x) {
+    const auto white = [&](double dx) {
+      double sum = 0.0;
+      for (double y = view.area.y; y < view.area.top(); ++y) {
+        const Color c = picture.at({axis.x() + dx, y + 0.5});
+        sum += *std::min_element(c.begin(), c.end()) > 240 ? y : 0.0;
+      }
+      return sum;
+    };
+    EXPECT_EQ(white(x), white(-x)) << x;
+  }
+}
+
 }  // namespace
 }  // namespace burnish

@@ -1,4 +1,8 @@
 #include <gmock/gmock.h>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +12,9 @@
 #include "engine/core/error.h"
 #include "engine/nurbs/shapes.h"
 #include "postproc/draw/contour/contour_view.h"
+#include "postproc/draw/contour/shape_lines.h"
+#include "postproc/mesh/poly_builder.h"
+#include "postproc/mesh/vtk_arrays.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 #include "tests/engine/analysis/model_samples.h"
 #include "tests/postproc/draw/contour_fixture.h"
@@ -466,6 +473,46 @@ TEST_F(SpaceImage, OnlyTheNearPartOfALargeToolMustBeSeen) {
   const Picture picture = drawn(sample, options);
   EXPECT_GT(view.pixelsPerLength, 60.0);
   expectColor(picture, Eigen::Vector2d(1.5, 1.2), options.theme.tool);
+}
+
+/// Whether a tool is shown whole does not depend on the signs beside the body, however far it reaches.
+TEST_F(SpaceImage, SignsOfExtremesLeaveTheScaleAsItIs) {
+  Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  options.occlusion = options.undeformed = false;
+  for (double radius = 0.2; radius < 0.8; radius *= 1.04) {
+    sample.model.tools = {{"ball", Sphere{{0.5, 1.0 + radius, 0.5}, radius}}};
+    options.markExtremes = false;
+    const double without = contourImage(sample.model, sample.frame, options).view.pixelsPerLength;
+    options.markExtremes = true;
+    EXPECT_NEAR(contourImage(sample.model, sample.frame, options).view.pixelsPerLength / without, 1.0, 0.12)
+        << radius;
+  }
+}
+
+/// Edges before and after: a wavy one is drawn from where it leaves itself to where it meets itself again, in one piece; one that has
+/// moved little is not drawn at all.
+TEST(MovedLines, AreDrawnInOnePiece) {
+  constexpr int kCount = 41;
+  const auto edges = [&](double amplitude) {
+    Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, kCount), moved = points;
+    for (int k = 0; k < kCount; ++k) {
+      points(0, k) = k;
+      moved(1, k) = k < 10 ? 0.0 : amplitude * std::sin(0.7 * (k - 10));
+    }
+    PolyBuilder builder;
+    builder.addLine(builder.addPoints(points));
+    const auto lines = builder.finish();
+    lines->GetPointData()->AddArray(makeArray(kMoved, moved, {}));
+    return lines;
+  };
+  View view;
+  view.axes << 1, 0, 0, 0, 1, 0;
+  view.pixelsPerLength = 1.0;
+  const auto drawn = movedLines(*edges(8.0), view, 1.5);
+  ASSERT_EQ(drawn->GetNumberOfLines(), 1);
+  EXPECT_EQ(drawn->GetLines()->GetNumberOfConnectivityIds(), kCount - 10);
+  EXPECT_EQ(movedLines(*edges(4.0), view, 1.5)->GetNumberOfLines(), 0);
 }
 
 }  // namespace
