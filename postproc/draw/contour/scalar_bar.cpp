@@ -154,7 +154,7 @@ void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& sp
   const Ticks ticks = ticksUp(bar.height);
   const FittedText title = fittedTitle(space.height);
   const double besideBar = size_ * (kTick + kGap), withLabels = bar.width + besideBar + longestLabel(ticks);
-  // A title that is longer than the bar has the texts at its ends before it: they end where the labels do.
+  // A title that is longer than the bar has the texts at its ends before it: they end where the labels do at most.
   const bool isLong = reachesEnds(title, space.height);
   if (isLong) bar.x += std::round(std::max(0.0, longestEnd() - withLabels));
   drawFrameAndTicks(overlay, shapes, bar, Direction::Up, ticks);
@@ -172,13 +172,16 @@ void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& sp
   const double middle =
       bar.center().y() + (high_.hasArrow ? arrow / 2 : 0.0) - (low_.hasArrow ? arrow / 2 : 0.0);
   overlay.addText(title.text, {baseline, middle}, title.style, Anchor::Middle, Direction::Up);
-  const double endGap = size_ * kEndGap, endX = isLong ? labelEnd : bar.x;
-  const Anchor anchor = isLong ? Anchor::End : Anchor::Start;
-  overlay.addText(high_.extreme, {endX, bar.top() + (high_.passed ? arrow : 0.0) + endGap}, endStyle_,
-                  anchor);
-  overlay.addText(low_.extreme,
-                  {endX, bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_)}, endStyle_,
-                  anchor);
+  const double endGap = size_ * kEndGap;
+  const auto startOf = [&](const RichText& text) {
+    return isLong ? std::min(bar.x, labelEnd - textWidth(text, endStyle_)) : bar.x;
+  };
+  overlay.addText(high_.extreme, {startOf(high_.extreme), bar.top() + (high_.passed ? arrow : 0.0) + endGap},
+                  endStyle_);
+  overlay.addText(
+      low_.extreme,
+      {startOf(low_.extreme), bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_)},
+      endStyle_);
 }
 
 void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
