@@ -153,6 +153,12 @@ bool isMark(char32_t letter) {
   return letter >= 0x300 && letter <= 0x36F;
 }
 
+/// Of the scripts that are written from right to left: Hebrew to Mandaic, and the forms of their letters.
+bool isFromRightToLeft(char32_t letter) {
+  return (letter >= 0x590 && letter <= 0x8FF) || (letter >= 0xFB1D && letter <= 0xFDFF) ||
+         (letter >= 0xFE70 && letter <= 0xFEFC);
+}
+
 /// Stand for bytes that are no UTF-8, and for letters that no font has.
 constexpr const char* kReplacement = "\xEF\xBF\xBD";
 constexpr const char* kBox = "□";
@@ -214,9 +220,15 @@ void noteDrawnText(const std::string& text, const std::string& name) {
   const LoadedFont& wanted = loadedFont(name);
   const LoadedFont& substitute = loadedFont(kDefaultFont);
   std::set<char32_t> missing;
+  bool isTurned = false;
   for (const Cluster& cluster : clustersOf(text))
-    for (const char32_t letter : cluster.letters)
+    for (const char32_t letter : cluster.letters) {
       if (!wanted.has(letter) && !substitute.has(letter)) missing.insert(letter);
+      isTurned = isTurned || isFromRightToLeft(letter);
+    }
+  if (isTurned)
+    noteWarning(fmt::format("{} has letters of a script from right to left, which are set from left to right",
+                            quoted(text)));
   if (missing.empty()) return;
   std::vector<std::string> codes;
   for (const char32_t letter : missing)

@@ -481,6 +481,15 @@ TEST(Fonts, LettersThatNoneHasAreBoxesAndWorthAWarning) {
   EXPECT_THAT(takeWarnings(), testing::IsEmpty());
 }
 
+TEST(Fonts, LettersFromRightToLeftAreToldOf) {
+  takeWarnings();
+  noteDrawnText("שלום", kDefaultFont);
+  noteDrawnText("Größe Ω", kDefaultFont);
+  EXPECT_THAT(takeWarnings(),
+              ElementsAre("\"שלום\" has letters of a script from right to left, which are set from "
+                          "left to right"));
+}
+
 TEST(FittedTexts, OfAnyLengthAreCutAfterTheLastLetterThatFits) {
   const TextStyle style{.size = 20.0};
   for (const std::string letter : {"x", "ε̄", "漢"}) {
