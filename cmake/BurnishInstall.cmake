@@ -46,15 +46,16 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/postproc/draw/page/themes/" DESTINATION
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
   COMPONENT program)
 
-# The pages as they are, and as a site where scripts/site has built it.
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
+# The pages as they are, where README.md links to them, and as a site where scripts/site has built it.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
   FILES_MATCHING PATTERN "*.md" PATTERN "*.ipynb" PATTERN site EXCLUDE PATTERN images EXCLUDE)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/build/site/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/html" COMPONENT doc OPTIONAL)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/scenes/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.step")
 
+# Before 1.0 the second number may break a promise (CHANGELOG.md).
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake"
-  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES
   "${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake"
   "${CMAKE_CURRENT_LIST_DIR}/burnishConfig.cmake"
