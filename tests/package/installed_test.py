@@ -1,5 +1,5 @@
 """The installed program: it finds what it needs beside itself and nothing in the tree that built it, computes and draws in an empty
-environment, reads files of other programs, and leaves computing to a program for newer processors that lies beside it; manual pages and completions lie where man and the shells look.
+environment, reads files of other programs, tells what a module that is not installed or not whole wants, and leaves computing to a program for newer processors that lies beside it; manual pages and completions lie where man and the shells look.
 
 Usage: installed_test.py CMAKE BUILD_DIRECTORY
 """
@@ -49,6 +49,23 @@ def problems_of_use(burnish, directory):
         yield "the installed program cannot read tetrahedron.obj"
 
 
+def problems_of_modules(burnish, directory):
+    """Multigrid is installed, CAD is not; then a library that multigrid needs is missing."""
+    def finding(name):
+        return next(found for found in json.loads(call(burnish, "doctor", "--json", cwd=directory)) if found["name"] == name)
+
+    cad = finding("CAD")
+    if cad["found"] != "burnish_occt.so, which is not there" or "apt-get install burnish-cad" not in cad["remedy"]:
+        yield f"of CAD that is not installed doctor says: {cad}"
+    module = next(burnish.parent.parent.glob("lib/**/burnish_petsc.so"))
+    module.write_bytes(module.read_bytes().replace(b"libpetsc", b"libabsen"))
+    multigrid = finding("multigrid")
+    if not re.match(r"burnish_petsc.so, which is there but cannot be loaded: libabsen\S*: cannot open", multigrid["found"]):
+        yield f"of multigrid that misses a library doctor says: {multigrid}"
+    elif "apt-get" in multigrid["remedy"]:
+        yield f"doctor would install what is there: {multigrid}"
+
+
 def problems_of_newer_program(burnish, directory):
     """A program in the place of the one for newer processors that says how it was started."""
     newer = next(burnish.parent.parent.glob("lib/**/burnish_readers.so")).parent / "x86-64-v3/burnish"
@@ -90,7 +107,7 @@ def main():
         shutil.move(directory / "usr", prefix)
         burnish = prefix / "bin/burnish"
         wrong = [*problems_of_program(burnish, build), *problems_of_use(burnish, directory), *problems_of_files(prefix),
-                 *problems_of_newer_program(burnish, directory)]
+                 *problems_of_newer_program(burnish, directory), *problems_of_modules(burnish, directory)]
     print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)
 
