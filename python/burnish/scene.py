@@ -128,7 +128,7 @@ class Scene:
         except Error as error:  # a mapping has no lines to be named
             raise Error(re.sub(r"^standard input:\d+:\d+: ", "", str(error), flags=re.MULTILINE)) from None
         verdict = json.loads(printed)
-        self._resolved = verdict["scene"]
+        self._resolved = verdict["yaml"]
         return list(verdict["warnings"])
 
     def save(self, file: str | os.PathLike[str]) -> None:
