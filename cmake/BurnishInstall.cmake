@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 set(modules "${CMAKE_INSTALL_LIBDIR}/burnish")  # where the program looks for what it loads later
-install(TARGETS burnish_readers LIBRARY DESTINATION "${modules}" COMPONENT program)
+install(TARGETS burnish_readers burnish_svg LIBRARY DESTINATION "${modules}" COMPONENT program)
 if(BURNISH_PETSC)
   install(TARGETS burnish_petsc LIBRARY DESTINATION "${modules}" COMPONENT multigrid)
 endif()
@@ -21,7 +21,7 @@ set(BURNISH_NEWER_BUILD "" CACHE PATH "Build directory (preset package-newer) of
 if(BURNISH_NEWER_BUILD AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   set(newer "${modules}/x86-64-v3")
   install(PROGRAMS "${BURNISH_NEWER_BUILD}/burnish" DESTINATION "${newer}" COMPONENT program)
-  install(FILES "${BURNISH_NEWER_BUILD}/burnish_readers.so" DESTINATION "${newer}" COMPONENT program)
+  install(FILES "${BURNISH_NEWER_BUILD}/burnish_readers.so" "${BURNISH_NEWER_BUILD}/burnish_svg.so" DESTINATION "${newer}" COMPONENT program)
   if(BURNISH_PETSC)
     install(FILES "${BURNISH_NEWER_BUILD}/burnish_petsc.so" DESTINATION "${newer}" COMPONENT multigrid)
   endif()

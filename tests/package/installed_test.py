@@ -26,8 +26,12 @@ def problems_of_program(burnish, build):
     for path in re.findall(r"(?:RPATH|RUNPATH).*\[(.*)\]", found):
         if not all(part.startswith("$ORIGIN") for part in path.split(":")):
             yield f"the installed program looks for libraries in {path}"
-    if str(build) in call("ldd", burnish):
+    libraries = call("ldd", burnish)
+    if str(build) in libraries:
         yield f"the installed program loads libraries of {build}"
+    for library in ("libvtkIOExport", "libvtkIOExodus", "libTKernel", "libpetsc", "libOSMesa"):
+        if library in libraries:
+            yield f"the installed program starts with {library}, which few commands need"
 
 
 def problems_of_use(burnish, directory):
@@ -44,6 +48,9 @@ def problems_of_use(burnish, directory):
     use("render", "out", "-o", "press.png", "--size", "300,200")
     if not (directory / "press.png").read_bytes().startswith(b"\x89PNG"):
         yield "press.png is no picture"
+    use("plot", "out", "--y", "disc.fy", "-o", "force.svg")
+    if not (directory / "force.svg").read_text("utf-8").rstrip().endswith("</svg>"):
+        yield "force.svg is no chart"
     (directory / "tetrahedron.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
     if "4 cells" not in use("info", "tetrahedron.obj"):
         yield "the installed program cannot read tetrahedron.obj"
