@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 set(modules "${CMAKE_INSTALL_LIBDIR}/burnish")  # where the program looks for what it loads later
-install(TARGETS burnish_readers LIBRARY DESTINATION "${modules}" COMPONENT program)
+install(TARGETS burnish_readers burnish_svg LIBRARY DESTINATION "${modules}" COMPONENT program)
 if(BURNISH_PETSC)
   install(TARGETS burnish_petsc LIBRARY DESTINATION "${modules}" COMPONENT multigrid)
 endif()
@@ -21,7 +21,7 @@ set(BURNISH_NEWER_BUILD "" CACHE PATH "Build directory (preset package-newer) of
 if(BURNISH_NEWER_BUILD AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   set(newer "${modules}/x86-64-v3")
   install(PROGRAMS "${BURNISH_NEWER_BUILD}/burnish" DESTINATION "${newer}" COMPONENT program)
-  install(FILES "${BURNISH_NEWER_BUILD}/burnish_readers.so" DESTINATION "${newer}" COMPONENT program)
+  install(FILES "${BURNISH_NEWER_BUILD}/burnish_readers.so" "${BURNISH_NEWER_BUILD}/burnish_svg.so" DESTINATION "${newer}" COMPONENT program)
   if(BURNISH_PETSC)
     install(FILES "${BURNISH_NEWER_BUILD}/burnish_petsc.so" DESTINATION "${newer}" COMPONENT multigrid)
   endif()
@@ -46,15 +46,16 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/postproc/draw/page/themes/" DESTINATION
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
   COMPONENT program)
 
-# The pages as they are, and as a site where scripts/site has built it.
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
+# The pages as they are, where README.md links to them, and as a site where scripts/site has built it.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
   FILES_MATCHING PATTERN "*.md" PATTERN "*.ipynb" PATTERN site EXCLUDE PATTERN images EXCLUDE)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/build/site/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/html" COMPONENT doc OPTIONAL)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/scenes/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.step")
 
+# Before 1.0 the second number may break a promise (CHANGELOG.md).
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake"
-  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES
   "${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake"
   "${CMAKE_CURRENT_LIST_DIR}/burnishConfig.cmake"

@@ -61,7 +61,7 @@ burnish_package(python python3-burnish python "isogeometric elastoplastic contac
   PACKAGE_RECOMMENDS python3-vtk9)
 burnish_package(development libburnish-dev libdevel "isogeometric elastoplastic contact - engine for programs of others"
   "Headers and library of the engine of burnish, for scenes that are made,\ncomputed and read in a program of one's own."
-  PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, libsuitesparse-dev, libopenblas-dev, libhdf5-dev, libyaml-cpp-dev, libmuparser-dev, libjsoncpp-dev, libtbb-dev, libcgal-dev")
+  PACKAGE_DEPENDS "burnish (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libeigen3-dev, libfmt-dev, libsuitesparse-dev, libopenblas-dev, libhdf5-dev, libyaml-cpp-dev, libmuparser-dev, libjsoncpp-dev, libtbb-dev, libcgal-dev")
 
 # What every Debian package has to have. The date is that of SOURCE_DATE_EPOCH, where it is set.
 string(TIMESTAMP BURNISH_CHANGE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)

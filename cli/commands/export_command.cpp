@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@
 #include "engine/core/nearest.h"
 #include "engine/results/result_reader.h"
 #include "postproc/export/nurbs_file.h"
+#include "postproc/foreign/lower_case.h"
 #include "postproc/paraview/paraview_series.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/text/text_file.h"
@@ -65,11 +67,16 @@ std::vector<std::string> endingsOf(Format format) {
   return endings;
 }
 
+/// That of a file's name, of letters in any case.
+std::string endingOf(const std::filesystem::path& file) {
+  return inLowerCase(file.extension().string());
+}
+
 /// That of --format; without, that of the file which -o names.
 Format formatOf(const ExportArguments& arguments) {
   if (arguments.format) return chosen("--format", *arguments.format, kFormats);
   for (const auto& [ending, format] : kEndings)
-    if (arguments.directory.extension() == ending) return format;
+    if (endingOf(arguments.directory) == ending) return format;
   return Format::Series;
 }
 
@@ -129,7 +136,7 @@ void requireOneFile(const ExportArguments& arguments, Format format) {
   if (file.empty())
     throw Error(fmt::format("-o: --format {} writes one file; name it, as in -o body.{}", *arguments.format,
                             *arguments.format));
-  if (!isStandardOutput(file) && !std::ranges::count(endings, file.extension().string()))
+  if (!isStandardOutput(file) && !std::ranges::count(endings, endingOf(file)))
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a file that ends in {}, or -",
                             file.string(), fmt::join(endings, " or ")));
   if (!arguments.ofSeries.empty())
@@ -162,6 +169,21 @@ ExitCode exportNurbs(const ExportArguments& arguments, Format format) {
   return ExitCode::Fine;
 }
 
+/// Throws `Error` if -o names what looks like a file, for which a directory of that name would be made.
+void requireNoFile(const std::filesystem::path& directory) {
+  const std::string ending = endingOf(directory);  // of out/0.5 it is no word
+  std::error_code status;
+  if (ending.size() < 2 || std::isalpha(static_cast<unsigned char>(ending[1])) == 0 ||
+      std::filesystem::is_directory(directory, status))
+    return;
+  std::vector<const char*> endings;
+  for (const auto& [name, format] : kEndings) endings.push_back(name);
+  throw Error(
+      fmt::format("-o: found \"{0}\"; expected a directory for the series, which is written {0}/ if it is "
+                  "new, or a file of one frame that ends in {1}",
+                  directory.string(), fmt::join(endings, ", ")));
+}
+
 ExitCode exportSeries(const ExportArguments& arguments) {
   const SignalGuard signals(SecondSignal::Ends);
   const VtuOptions options = optionsFrom(arguments);
@@ -183,6 +205,7 @@ ExitCode exportResult(const ExportArguments& arguments) {
   const Format format = formatOf(arguments);
   if (format != Format::Series) return exportNurbs(arguments, format);
   requireDirectoryName("-o", arguments.directory);
+  requireNoFile(arguments.directory);
   if (arguments.frame != "last")
     throw Error(
         "--frame: a series holds all frames; give it with --format g2, json, step or iges, which hold one");

@@ -44,11 +44,17 @@ ExitCode init(InitArguments arguments) {
     printText(text);
     return ExitCode::Fine;
   }
+  std::error_code absent;
+  if (std::filesystem::is_directory(scene, absent))
+    throw Error(fmt::format("{}: this is a directory; expected the name of a scene, as in {}", scene.string(),
+                            (scene / arguments.kind).lexically_normal().string()));
+  if (!scene.has_filename())
+    throw Error(fmt::format("{}: there is no such directory; make it, and give the name of a scene in it",
+                            scene.string()));
   if (!scene.has_extension()) scene += ".yaml";
   if (scene.extension() != ".yaml" && scene.extension() != ".yml")
     throw Error(fmt::format("{}: found the ending \"{}\"; expected the name of a scene, .yaml",
                             scene.string(), scene.extension().string()));
-  std::error_code absent;
   if (std::filesystem::symlink_status(scene, absent).type() != std::filesystem::file_type::not_found)
     throw Error(fmt::format("{}: it is there already, and nothing is overwritten; choose another name",
                             scene.string()));

@@ -13,11 +13,13 @@
 
 #include "cli/command.h"
 #include "cli/commands/document_places_check.h"
+#include "cli/commands/info_json.h"
 #include "cli/console.h"
 #include "cli/progress.h"
 #include "cli/scene_input.h"
 #include "engine/analysis/scene_report.h"
 #include "engine/core/error.h"
+#include "engine/schema/diagnostics.h"
 #include "postproc/study/study_reader.h"
 #include "postproc/text/json_text.h"
 #include "postproc/text/text_file.h"
@@ -95,7 +97,9 @@ Validated sceneVerdict(const GoodScene& scene) {
   Json::Value json = costJson(report.cost.bytes, report.cost.seconds());
   json["summary"] = report.summary;
   json["steps"] = report.cost.steps;
-  json["scene"] = scene.resolvedYaml;
+  Diagnostics none("", {});
+  json["scene"] = documentJson(parseYaml(scene.resolvedYaml, 0, none).value());
+  json["yaml"] = scene.resolvedYaml;
   json["warnings"] = Json::Value(Json::arrayValue);
   for (const std::string& warning : report.warnings) json["warnings"].append(warning);
   return {fmt::format("fine ({})\n  {}", report.summary, costText(report.cost)), json};
@@ -140,7 +144,7 @@ Json::Value problemsJson(const std::string& text) {
 void printVerdict(const fs::path& file, bool isFine, Json::Value json) {
   json["file"] = file.string();
   json["fine"] = isFine;
-  printText(compactText(json) + "\n");
+  printText(compactText(json, kJsonDigits) + "\n");
 }
 
 ExitCode validate(const ValidateArguments& arguments) {

@@ -98,6 +98,19 @@ Json::Value numbersJson(const Numbers& numbers) {
   return list;
 }
 
+/// What is expected, in numbers and in words.
+void addExpectation(Json::Value& value, const CheckRow& row) {
+  value["expected_text"] = row.expected;
+  if (row.relation.empty()) return;  // without values nothing is known of formulas
+  value["operator"] = row.relation;
+  if (row.bounds.size() == 1) value["expected"] = row.bounds.front();
+  if (row.bounds.size() > 1)
+    for (const double bound : row.bounds) value["expected"].append(bound);
+  if (!row.margin) return;
+  value["tolerance"] = *row.margin;
+  value["relative"] = row.isShare;
+}
+
 Json::Value rowJson(const CheckSpec& check, const CheckRow& row) {
   Json::Value value;
   value["check"] = check.name;
@@ -105,8 +118,7 @@ Json::Value rowJson(const CheckSpec& check, const CheckRow& row) {
   value["verdict"] = verdictText(row.verdict);
   value["values"] = numbersJson(row.values);
   if (!row.orders.empty()) value["orders"] = numbersJson(row.orders);
-  value["expected"] = row.expected;
-  value["tolerance"] = row.tolerance + (row.isShare ? " %" : "");
+  addExpectation(value, row);
   if (row.deviation) value["deviation"] = *row.deviation;
   if (!row.problem.empty()) value["problem"] = row.problem;
   return value;

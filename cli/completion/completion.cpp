@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <sstream>
 
 #include "cli/command_tree.h"
 #include "cli/completion/given_line.h"
@@ -67,16 +68,20 @@ std::vector<Candidate> possible(const CLI::App& program, const GivenLine& line, 
 std::vector<Candidate> candidates(const CLI::App& program, const std::vector<std::string>& words) {
   const std::vector<std::string> read = words.empty() ? std::vector<std::string>{""} : words;
   GivenLine line = givenLine(program, read);
-  // Of a list between commas the last entry.
+  // Of a list between commas the last entry, which is none of those before.
+  std::vector<std::string> listed;
   if (line.of != nullptr && line.of->get_type_name().find(",...") != std::string::npos) {
     const std::size_t begun = line.word.rfind(',') + 1;
+    std::istringstream entries(line.word.substr(0, begun));
+    for (std::string entry; std::getline(entries, entry, ',');) listed.push_back(entry);
     line.before += line.word.substr(0, begun);
     line.word.erase(0, begun);
   }
   std::vector<Candidate> out;
   for (const Candidate& candidate : possible(program, line, read.size() == 1)) {
     const bool isTwice = std::ranges::find(out, line.before + candidate.text, &Candidate::text) != out.end();
-    if (candidate.text.starts_with(line.word) && !isTwice)
+    const bool isListed = std::ranges::find(listed, candidate.text) != listed.end();
+    if (candidate.text.starts_with(line.word) && !isTwice && !isListed)
       out.push_back({line.before + candidate.text, shortened(candidate.about)});
   }
   return out;

@@ -17,6 +17,7 @@
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/memory_limit.h"
+#include "engine/core/module_function.h"
 #include "engine/core/version.h"
 #include "engine/solver/multigrid.h"
 #include "engine/solver/petsc_module.h"
@@ -93,7 +94,7 @@ struct Examined {
   const char* name;
   const char* needed;
   std::function<std::string()> look;  ///< which one is there; throws what is wrong
-  const char* remedy;
+  const char* remedy;                 ///< where what is thrown has none
 };
 
 std::vector<Examined> allExamined() {
@@ -110,9 +111,8 @@ std::vector<Examined> allExamined() {
       {"occlusion", "bodies in space, unless they are drawn with --occlusion off", occlusionText,
        "install Embree (Debian: apt-get install libembree3-3)"},
       {"multigrid", "large bodies in space: solver: {linear: multigrid}", multigridText,
-       "build the program with PETSc, that is without BURNISH_PETSC=OFF, and keep burnish_petsc.so with it"},
-      {"CAD", "tools from STEP and IGES files, and export to them", cadText,
-       "build the program with OpenCASCADE, that is without BURNISH_OCCT=OFF, and keep burnish_occt.so with it"},
+       "build the program with PETSc, that is without BURNISH_PETSC=OFF"},
+      {"CAD", "tools from STEP and IGES files, and export to them", cadText, ""},
       {"mpirun", "runs of several processes", [] { return programInPath("mpirun"); },
        "install MPI (Debian: apt-get install openmpi-bin)"},
       {"ffmpeg", "videos: .mp4 and .gif", [] { return programInPath("ffmpeg"); },
@@ -132,6 +132,9 @@ std::vector<Finding> examine() {
     try {
       finding.what = look();
       finding.isThere = true;
+    } catch (const ModuleError& error) {
+      finding.what = error.whatIsWrong();
+      finding.remedy = error.remedy();
     } catch (const std::exception& error) {
       finding.what = error.what();
       finding.remedy = remedy;

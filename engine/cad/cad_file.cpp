@@ -14,7 +14,7 @@
 namespace burnish {
 namespace {
 
-constexpr Module kModule{"burnish_occt.so", "OpenCASCADE", "BURNISH_OCCT"};
+constexpr Module kModule{"burnish_occt.so", "OpenCASCADE", "BURNISH_OCCT", "burnish-cad"};
 
 void sendPoints(const Eigen::Matrix3Xd& points, const TakeBytes& take) {
   send(std::int64_t{points.cols()}, take);

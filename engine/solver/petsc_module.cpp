@@ -5,7 +5,7 @@
 namespace burnish {
 
 void* petscFunction(const char* name, const char* whatFor) {
-  return moduleFunction({"burnish_petsc.so", "PETSc", "BURNISH_PETSC"}, name, whatFor);
+  return moduleFunction({"burnish_petsc.so", "PETSc", "BURNISH_PETSC", "burnish-multigrid"}, name, whatFor);
 }
 
 }  // namespace burnish

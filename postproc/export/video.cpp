@@ -95,6 +95,14 @@ std::vector<std::string> encoding(bool hasH264) {
   return {"-c:v", "mpeg4", "-q:v", "2"};
 }
 
+/// The end of what ffmpeg said, in which the file has the name that was asked for.
+std::string lastWords(std::string words, const std::string& target, const std::string& name) {
+  for (std::size_t at = 0; (at = words.find(target, at)) != std::string::npos; at += name.size())
+    words.replace(at, target.size(), name);
+  words.erase(words.find_last_not_of(" \n\r") + 1);
+  return words.substr(words.size() - std::min(words.size(), kLastWords));
+}
+
 /// Lets ffmpeg make a file of these pictures. `how`: its options between the pictures and the file.
 void encode(const std::vector<fs::path>& frames, double framesPerSecond, const ScratchDirectory& scratch,
             const std::vector<std::string>& how, const fs::path& file) {
@@ -108,7 +116,8 @@ void encode(const std::vector<fs::path>& frames, double framesPerSecond, const S
                                      "-i",
                                      (scratch.path() / "%06d.png").string()};
   arguments.insert(arguments.end(), how.begin(), how.end());
-  arguments.push_back("file:" + partial.string());
+  const std::string target = "file:" + partial.string();
+  arguments.push_back(target);
   std::error_code problem;
   fs::remove(partial, problem);  // ffmpeg would write through a symbolic link
   if (runFfmpeg(arguments, log) == Outcome::Fine) {
@@ -118,9 +127,8 @@ void encode(const std::vector<fs::path>& frames, double framesPerSecond, const S
   std::error_code ignored;
   fs::remove(partial, ignored);
   throwIfInterrupted();
-  const std::string words = problem ? problem.message() : textOf(log);
   throw Error(fmt::format("cannot write the video {}: {}", file.string(),
-                          words.substr(words.size() - std::min(words.size(), kLastWords))));
+                          problem ? problem.message() : lastWords(textOf(log), target, file.string())));
 }
 
 }  // namespace

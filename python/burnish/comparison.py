@@ -57,7 +57,16 @@ def compare(actual: Picture | str | os.PathLike[str], baseline: Picture | str | 
     """Compares pictures (also directories of them), results, or files of other programs.
 
     options: those of `burnish compare` with underscores, such as threshold=0.1, metric="delta-e", diff="diff.png", report="page",
-    relative=1e-4. Throws `Error` for what cannot be compared."""
+    relative=1e-4. Throws `Error` for what cannot be compared.
+
+    >>> import burnish
+    >>> first, last = (burnish.render("out/press", frame=frame, size=(400, 300)) for frame in (0, "last"))
+    >>> burnish.compare(last, last)
+    <comparison: equal>
+    >>> verdict, = burnish.compare(last, first).verdicts
+    >>> verdict.verdict, verdict.is_equal
+    ('different', False)
+    """
     with tempfile.TemporaryDirectory(prefix="burnish-") as scratch:
         files = [_file(of, Path(scratch) / name) for of, name in ((actual, "actual.png"), (baseline, "baseline.png"))]
         printed = command.call(["compare", *files, "--json", *command.options_of(options)], fine=(0, 1))

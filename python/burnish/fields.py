@@ -38,7 +38,17 @@ class Line:
 @dataclass(frozen=True, eq=False)
 class Field:
     """A field of a frame. It has values where it is asked: a scalar in arrays of shape (points,), a vector or tensor in arrays of
-    shape (points, components); nan where there is no body, or one that does not have the field."""
+    shape (points, components); nan where there is no body, or one that does not have the field.
+
+    >>> import burnish
+    >>> stress = burnish.open("out/press").frames[-1].field("stress.yy")
+    >>> stress.at_points([[1.0, 0.5], [5.0, 5.0]]).round(3)
+    array([-0.045,    nan])
+    >>> round(float(stress.at_material([1.0, 0.5])), 3), stress.on_grid().shape
+    (-0.044, (24, 12))
+    >>> stress.on_line([1, 0], [1, 0.5], points=3).values.round(3)
+    array([-0.026, -0.033, -0.045])
+    """
 
     frame: Frame
     name: str  #: such as "stress" or "stress.xx"

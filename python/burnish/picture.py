@@ -71,7 +71,13 @@ def render(result: str | os.PathLike[str] | Frame, *, field: str | None = None, 
 
     options: those of `burnish render` with underscores, such as size=(800, 600), colormap="batlow", isolines=10, mirror="x",
     tools=False. result may be a file of another program. With file the picture is written as well, also as .pdf or .svg. Throws
-    `Error` with what the command says."""
+    `Error` with what the command says.
+
+    >>> import burnish
+    >>> picture = burnish.render("out/press", field="von_mises", size=(400, 300), tools=False)
+    >>> picture, picture.array.shape
+    (<picture of 400 x 300 pixels>, (300, 400, 4))
+    """
     of, options = _of_frame(result, {"frame": frame, "field": field, **options})
     if file is not None:
         command.call(["render", of, *command.options_of(options), "-o", os.fspath(file)])

@@ -32,7 +32,17 @@ def open(result: str | os.PathLike[str]) -> Run:
 
 
 class Run:
-    """A run, as its files have it."""
+    """A run, as its files have it.
+
+    >>> import burnish
+    >>> run = burnish.open("out/press")
+    >>> run
+    <run 'Disc on a block' in out/press, 2 dimensions, 3 frames>
+    >>> run.tools, run.times.tolist(), run.has_ended
+    (('disc',), [0.0, 0.5, 1.0], True)
+    >>> run.summary["completed"], run.scene["material"]["nu"]
+    (True, 0.3)
+    """
 
     def __init__(self, result: str | os.PathLike[str]) -> None:
         path = Path(result)
@@ -160,7 +170,17 @@ class Frames(Sequence["Frame"]):
 
 
 class Frame:
-    """An output instant: displacements and fields on the mesh of this frame."""
+    """An output instant: displacements and fields on the mesh of this frame.
+
+    >>> import burnish
+    >>> frame = burnish.open("out/press").frame(time=0.5)
+    >>> frame.index, frame.tool_displacement["disc"].tolist()
+    (1, [0.0, -0.025])
+    >>> frame.field("displacement.y")
+    <field displacement.y [mm] of frame 1>
+    >>> frame.grid().shape
+    (24, 12, 2)
+    """
 
     def __init__(self, run: Run, index: int) -> None:
         self.run = run
@@ -247,7 +267,13 @@ class Frame:
 
 
 class History(Mapping[str, "Floats"]):
-    """The columns of history.csv, one row per converged step; a row that is not finished is left out."""
+    """The columns of history.csv, one row per converged step; a row that is not finished is left out.
+
+    >>> import burnish
+    >>> history = burnish.open("out/press").history
+    >>> history.num_rows, history["disc.fy"].round(4)
+    (5, array([0.    , 0.0062, 0.014 , 0.0228, 0.0327]))
+    """
 
     def __init__(self, file: str | os.PathLike[str]) -> None:
         self.file = Path(file)

@@ -48,7 +48,19 @@ class RunStopped(Error):
 
 
 class Scene:
-    """A scene from a file, or from a mapping with the same keys. Files that a mapping names are those of the working directory."""
+    """A scene from a file, or from a mapping with the same keys. Files that a mapping names are those of the working directory.
+
+    >>> import burnish
+    >>> scene = burnish.Scene("press.yaml")
+    >>> scene["material.E"] = 2
+    >>> scene.set("degree=3")
+    <scene press.yaml, material.E=2, degree=3>
+    >>> scene["material.E"], scene["solver.tolerance"]
+    (2, 1e-09)
+    >>> del scene["degree"]
+    >>> scene
+    <scene press.yaml, material.E=2>
+    """
 
     def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any]) -> None:
         self.file: Path | None = None  #: None of a mapping
@@ -113,7 +125,11 @@ class Scene:
 
     @property
     def resolved(self) -> dict[str, Any]:
-        """The whole scene with every default filled in. Throws `Error` with everything that is wrong."""
+        """The whole scene with every default filled in. Throws `Error` with everything that is wrong.
+
+        >>> Scene("press.yaml").resolved["geometry"]
+        {'shape': 'rectangle', 'origin': [0, 0], 'size': [2, 1], 'functions': [25, 13]}
+        """
         return document(self._checked())
 
     def validate(self) -> list[str]:
@@ -128,7 +144,7 @@ class Scene:
         except Error as error:  # a mapping has no lines to be named
             raise Error(re.sub(r"^standard input:\d+:\d+: ", "", str(error), flags=re.MULTILINE)) from None
         verdict = json.loads(printed)
-        self._resolved = verdict["scene"]
+        self._resolved = verdict["yaml"]
         return list(verdict["warnings"])
 
     def save(self, file: str | os.PathLike[str]) -> None:
@@ -143,7 +159,16 @@ class Scene:
         directory: a new temporary one when left out. on_step is called after every converged step; what it raises, and Ctrl+C, ends
         the run after this step, with everything computed so far saved, so that `resume` can go on with it. threads: all of the
         machine for 0; results do not depend on it. Warnings are issued as `UserWarning`. Throws `Error` for what is wrong with
-        the scene, and `RunStopped` if the run does not reach its end."""
+        the scene, and `RunStopped` if the run does not reach its end.
+
+        >>> def show(step):
+        ...     print(f"step {step.number}, t = {step.time:g}: force {step.history['disc.fy']:.4f}")
+        >>> run = Scene("press.yaml").run("out/told", on_step=show)
+        step 1, t = 0.25: force 0.0062
+        step 2, t = 0.5: force 0.0140
+        step 3, t = 0.75: force 0.0228
+        step 4, t = 1: force 0.0327
+        """
         resolved = self._checked()
         target = Path(tempfile.mkdtemp(prefix="burnish-") if directory is None else directory)
         _require_ours(target)

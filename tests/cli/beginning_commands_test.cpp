@@ -89,6 +89,16 @@ TEST_F(Doctor, TellsWhatToDoAboutTheRest) {
   EXPECT_THAT(scratchless.out, HasSubstr("missing  scratch"));
 }
 
+TEST_F(Doctor, TellsWhyAModuleCannotBeLoaded) {
+  std::ofstream(dir / "burnish_petsc.so") << "no library\n";
+  const Json::Value found = named(findings(burnish("doctor --json", "LD_LIBRARY_PATH=$PWD")), "multigrid");
+  EXPECT_FALSE(found["ok"].asBool());
+  EXPECT_THAT(found["found"].asString(),
+              AllOf(StartsWith("burnish_petsc.so, which is there but cannot be loaded: "),
+                    HasSubstr("/burnish_petsc.so: file too short")));
+  EXPECT_THAT(found["remedy"].asString(), StartsWith("install what it misses"));
+}
+
 TEST_F(Doctor, TellsWhichLibraryDraws) {
   const auto openGl = [&](const std::string& environment) {
     const Json::Value found = named(findings(burnish("doctor --json", environment)), "OpenGL");

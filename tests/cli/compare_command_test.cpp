@@ -203,7 +203,7 @@ TEST_F(CompareCommand, ReportWorksInABrowser) {
 constexpr const char* kUserProject = R"(
 cmake_minimum_required(VERSION 3.25)
 project(press LANGUAGES NONE)
-find_package(burnish 0.1 REQUIRED)
+find_package(burnish 0.2 REQUIRED)
 enable_testing()
 burnish_add_image_test(press SCENE press.yaml BASELINE baseline/press.png THRESHOLD 0.1
   RENDER --field von_mises --size 400,300)
@@ -228,7 +228,7 @@ TEST_F(CompareCommand, ImageTestsInAProjectOfTheUser) {
     ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.out << outcome.err;
   };
   expectFine("cmake --install " BURNISH_BUILD_DIR " --prefix installed");
-  EXPECT_TRUE(fs::exists(dir / "installed/share/doc/burnish/image-regression.md"));
+  EXPECT_TRUE(fs::exists(dir / "installed/share/doc/burnish/docs/image-regression.md"));
   expectFine("cmake -S . -B build -DCMAKE_PREFIX_PATH=$PWD/installed");
 
   Outcome outcome = shell(dir, "ctest --test-dir build --output-on-failure -L image -R press");

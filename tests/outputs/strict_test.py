@@ -108,14 +108,19 @@ def check_json(burnish, work, scene, out, expect):
     (work / "bad.yaml").write_text("geometry: {}\n")
     good, bad = objects(burnish, "validate", scene, work / "bad.yaml", "--json", code=2)
     expect(good["fine"] is True and good["steps"] == 2 and good["warnings"] == [], f"validate says {good}")
+    expect(good["scene"] == document and yaml.safe_load(good["yaml"])["title"] == TITLE, f"validate says {good}")
     expect(bad["fine"] is False and len(bad["problems"]) > 1, f"validate says {bad}")
 
-    checked = {**SCENE, "checks": [{"name": "force", "quantity": "disc.fy", "time": 1, "expect": "value", "value": 3.5,
-                                    "relative": 9, "source": "a guess"}]}
+    checked = {**SCENE, "checks": [{"name": "force", "quantity": "disc.fy", "time": 1, **expectation, "source": "a guess"} for expectation in
+                                   ({"expect": "value", "value": "7 / 2", "relative": 9}, {"expect": "value", "value": 3, "absolute": 99},
+                                    {"expect": "range", "at_most": 1e11}, {"expect": "range", "at_least": 0, "at_most": 99})]}
     (work / "checked.yaml").write_text(yaml.safe_dump(checked, allow_unicode=True), encoding="utf-8")
     [case] = objects(burnish, "verify", work / "checked.yaml", "-o", work / "verified", "--json")
     expect(case["case"] == "checked" and case["holds"] is True and case["title"] == TITLE, f"verify says {case}")
     expect(case["checks"][0]["verdict"] == "holds" and case["checks"][0]["values"][0] > 0, f"verify says {case}")
+    numbers = [[check.get(key) for key in ("operator", "expected", "tolerance", "relative")] for check in case["checks"]]
+    expect(numbers == [["=", 3.5, 9, True], ["=", 3, 99, False], ["<=", 1e11, None, None], ["in", [0, 99], None, None]], f"verify expects {numbers}")
+    expect(case["checks"][2]["expected_text"] == "≤ 1×10¹¹", f"verify says {case}")
 
     (work / "study.yaml").write_text("runs: [{name: a, scene: scene.yaml}]\n"
                                      "figures: [{name: f, kind: history, runs: [a], y: disc.fy}]\n")

@@ -1,5 +1,5 @@
 """The installed program: it finds what it needs beside itself and nothing in the tree that built it, computes and draws in an empty
-environment, reads files of other programs, and leaves computing to a program for newer processors that lies beside it; manual pages and completions lie where man and the shells look.
+environment, reads files of other programs, tells what a module that is not installed or not whole wants, and leaves computing to a program for newer processors that lies beside it; manual pages and completions lie where man and the shells look.
 
 Usage: installed_test.py CMAKE BUILD_DIRECTORY
 """
@@ -26,8 +26,12 @@ def problems_of_program(burnish, build):
     for path in re.findall(r"(?:RPATH|RUNPATH).*\[(.*)\]", found):
         if not all(part.startswith("$ORIGIN") for part in path.split(":")):
             yield f"the installed program looks for libraries in {path}"
-    if str(build) in call("ldd", burnish):
+    libraries = call("ldd", burnish)
+    if str(build) in libraries:
         yield f"the installed program loads libraries of {build}"
+    for library in ("libvtkIOExport", "libvtkIOExodus", "libTKernel", "libpetsc", "libOSMesa"):
+        if library in libraries:
+            yield f"the installed program starts with {library}, which few commands need"
 
 
 def problems_of_use(burnish, directory):
@@ -44,9 +48,29 @@ def problems_of_use(burnish, directory):
     use("render", "out", "-o", "press.png", "--size", "300,200")
     if not (directory / "press.png").read_bytes().startswith(b"\x89PNG"):
         yield "press.png is no picture"
+    use("plot", "out", "--y", "disc.fy", "-o", "force.svg")
+    if not (directory / "force.svg").read_text("utf-8").rstrip().endswith("</svg>"):
+        yield "force.svg is no chart"
     (directory / "tetrahedron.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
     if "4 cells" not in use("info", "tetrahedron.obj"):
         yield "the installed program cannot read tetrahedron.obj"
+
+
+def problems_of_modules(burnish, directory):
+    """Multigrid is installed, CAD is not; then a library that multigrid needs is missing."""
+    def finding(name):
+        return next(found for found in json.loads(call(burnish, "doctor", "--json", cwd=directory)) if found["name"] == name)
+
+    cad = finding("CAD")
+    if cad["found"] != "burnish_occt.so, which is not there" or "apt-get install burnish-cad" not in cad["remedy"]:
+        yield f"of CAD that is not installed doctor says: {cad}"
+    module = next(burnish.parent.parent.glob("lib/**/burnish_petsc.so"))
+    module.write_bytes(module.read_bytes().replace(b"libpetsc", b"libabsen"))
+    multigrid = finding("multigrid")
+    if not re.match(r"burnish_petsc.so, which is there but cannot be loaded: libabsen\S*: cannot open", multigrid["found"]):
+        yield f"of multigrid that misses a library doctor says: {multigrid}"
+    elif "apt-get" in multigrid["remedy"]:
+        yield f"doctor would install what is there: {multigrid}"
 
 
 def problems_of_newer_program(burnish, directory):
@@ -90,7 +114,7 @@ def main():
         shutil.move(directory / "usr", prefix)
         burnish = prefix / "bin/burnish"
         wrong = [*problems_of_program(burnish, build), *problems_of_use(burnish, directory), *problems_of_files(prefix),
-                 *problems_of_newer_program(burnish, directory)]
+                 *problems_of_newer_program(burnish, directory), *problems_of_modules(burnish, directory)]
     print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)
 

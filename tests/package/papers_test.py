@@ -1,5 +1,6 @@
 """What stands in more than one file says the same: the version in CMakeLists.txt, CITATION.cff and CHANGELOG.md. CITATION.cff has what the
-Citation File Format 1.2.0 asks for, and issue forms what the page of the repository asks for.
+Citation File Format 1.2.0 asks for, and issue forms what the page of the repository asks for. Every fuzz target has a row in
+docs/reliability.md. What the Dockerfile takes, .dockerignore lets in.
 
 Usage: papers_test.py SOURCE
 """
@@ -50,6 +51,21 @@ def problems_of_form(path):
             yield f"{path.name}: {part} needs a type of {sorted(FORM_TYPES)} and a label"
 
 
+def problems_of_fuzz_targets(source):
+    targets = re.search(r"^targets=\((.*)\)", (source / "scripts/fuzz").read_text("utf-8"), re.MULTILINE)[1].split()
+    rows = re.findall(r"^\| (\w+) \|", (source / "docs/reliability.md").read_text("utf-8"), re.MULTILINE)
+    for target in targets:
+        if target not in rows:
+            yield f"docs/reliability.md: scripts/fuzz has a target {target}, and the table no row for it"
+
+
+def problems_of_image(source):
+    taken = re.search(r"source=(\S+?),target=/packages", (source / "Dockerfile").read_text("utf-8"))[1]
+    ignored = (source / ".dockerignore").read_text("utf-8").split()
+    if ignored != ["*", f"!{taken}/*.deb"]:
+        yield f".dockerignore: {ignored}; expected all but the packages in {taken}"
+
+
 def main():
     source = pathlib.Path(sys.argv[1])
     version = re.search(r"project\(burnish VERSION ([\d.]+)", (source / "CMakeLists.txt").read_text("utf-8"))[1]
@@ -57,6 +73,7 @@ def main():
     newest = re.search(r"^## (\S+)", (source / "CHANGELOG.md").read_text("utf-8"), re.MULTILINE)[1]
     if newest != version:
         wrong.append(f"CHANGELOG.md: the newest version is {newest}; CMakeLists.txt has {version}")
+    wrong += [*problems_of_fuzz_targets(source), *problems_of_image(source)]
     for path in sorted((source / ".github/ISSUE_TEMPLATE").glob("*.yml")):
         if path.name != "config.yml":
             wrong += problems_of_form(path)

@@ -22,10 +22,25 @@ PAGE = (SOURCE / "docs/python.md").read_text()
 MODULES = [module.name for module in pkgutil.iter_modules(burnish.__path__) if module.name != "_engine"]
 
 
+@pytest.fixture(scope="module")
+def pressed(tmp_path_factory):
+    """A directory with the scene of the page, press.yaml, and its run, out/press."""
+    place = tmp_path_factory.mktemp("pressed")
+    (place / "press.yaml").write_text(blocks("yaml")[0])
+    burnish.Scene(place / "press.yaml").run(place / "out/press")
+    return place
+
+
 @pytest.mark.parametrize("name", MODULES)
-def test_examples_of_the_package(name):
+def test_examples_of_the_package(name, pressed, monkeypatch):
+    monkeypatch.chdir(pressed)
     found = doctest.testmod(importlib.import_module(f"burnish.{name}"))
     assert found.failed == 0
+
+
+@pytest.mark.parametrize("name", ["Scene", "Run", "Frame", "History", "Field", "render", "compare"])
+def test_public_parts_have_examples(name):
+    assert ">>> import burnish\n" in getattr(burnish, name).__doc__
 
 
 def test_there_are_examples():
@@ -43,6 +58,11 @@ def test_public_parts_say_what_they_are_and_what_they_take(name):
         hints = function.__annotations__
         taken = function.__code__.co_varnames[:function.__code__.co_argcount + function.__code__.co_kwonlyargcount]
         assert "return" in hints and set(taken) - {"self", "cls"} <= set(hints), f"{name}: {function.__qualname__}"
+
+
+@pytest.mark.parametrize("name", [*burnish.__all__, "Scene.resolved", "Run.has_ended"])
+def test_the_page_lists_public_parts(name):
+    assert re.search(rf"`(burnish\.)?{re.escape(name)}(\(.*?\))?`", PAGE)
 
 
 def blocks(language):

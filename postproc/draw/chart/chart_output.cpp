@@ -17,6 +17,7 @@
 #include <vtkRenderer.h>
 #include <vtkSVGContextDevice2D.h>
 #include <vtkSVGExporter.h>
+#include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
 
 #include <cmath>
@@ -33,6 +34,7 @@
 
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
+#include "engine/core/module_function.h"
 #include "engine/core/output_file.h"
 #include "postproc/draw/page/font.h"
 #include "postproc/draw/page/png_file.h"
@@ -197,8 +199,16 @@ std::string contentsOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+vtkSmartPointer<vtkSVGExporter> svgExporter() {
+  using Maker = vtkSVGExporter*();
+  static auto* const make =
+      reinterpret_cast<Maker*>(moduleFunction({"burnish_svg.so"}, "burnishNewSvgExporter", "a chart as SVG"));
+  return vtkSmartPointer<vtkSVGExporter>::Take(make());
+}
+
 /// Writes with the exporter of VTK, which neither throws nor says whether it failed: the file must have its end.
 void writeSvg(const ChartSketch& sketch, const std::filesystem::path& file) {
+  const auto exporter = svgExporter();
   const std::filesystem::path partial = partialName(file);
   OutputFile(partial).close();                  // throws with the reason if there can be no such file
   vtkNew<vtkGenericOpenGLRenderWindow> window;  // never rendered: it needs no context
@@ -206,7 +216,6 @@ void writeSvg(const ChartSketch& sketch, const std::filesystem::path& file) {
   window->SetSize(sketch.size[0], sketch.size[1]);
   const auto renderer = rendererOf<ExportActor>(sketch, 1.0);
   window->AddRenderer(renderer);
-  vtkNew<vtkSVGExporter> exporter;
   exporter->SetRenderWindow(window);
   exporter->SetTitle("chart");
   exporter->SetFileName(partial.c_str());

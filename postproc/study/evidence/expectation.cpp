@@ -72,7 +72,10 @@ Judgement judge(const ExpectedValue& expect, const Numbers& numbers) {
     const double difference = std::abs(*number.value - expected);
     largest = std::max(largest, expect.relative ? difference / std::abs(expected) : difference);
   }
-  result.expected = numberText(constant(expect.value, numbers.back()), kDigits);
+  result.relation = "=";
+  result.bounds = {constant(expect.value, numbers.back())};
+  result.margin = tolerance;
+  result.expected = numberText(result.bounds.front(), kDigits);
   result.isShare = expect.relative.has_value();
   result.tolerance = numberText(result.isShare ? 100.0 * tolerance : tolerance, 2);
   result.deviation = largest;
@@ -87,8 +90,11 @@ Judgement judge(const ExpectedRange& expect, const Numbers& numbers) {
   };
   Judgement result;
   result.verdict = verdictOfEach(std::any_of(numbers.begin(), numbers.end(), isOutside), numbers);
+  result.relation = !expect.atMost ? ">=" : !expect.atLeast ? "<=" : "in";
   const auto bound = [&](const std::optional<FormulaText>& text) {
-    return text ? numberText(constant(*text, numbers.back()), kDigits) : std::string();
+    if (!text) return std::string();
+    result.bounds.push_back(constant(*text, numbers.back()));
+    return numberText(result.bounds.back(), kDigits);
   };
   const std::string from = bound(expect.atLeast), to = bound(expect.atMost);
   result.expected = !expect.atMost    ? "≥ " + from
@@ -99,6 +105,9 @@ Judgement judge(const ExpectedRange& expect, const Numbers& numbers) {
 
 Judgement judge(const ExpectedOrder& expect, const Numbers& numbers) {
   Judgement result;
+  result.relation = "order";
+  result.bounds = {expect.order};
+  result.margin = expect.tolerance;
   result.expected = fmt::format("order {:.2f}", expect.order);
   result.tolerance = fmt::format("−{:.2f}", expect.tolerance);
   if (!allKnown(numbers)) return result;
@@ -124,12 +133,14 @@ Judgement judge(const ExpectedTrend& expect, const Numbers& numbers) {
       known.begin(), known.end(), [&](double a, double b) { return increasing ? !(a < b) : !(a > b); });
   Judgement result;
   result.verdict = verdictOfEach(turned != known.end(), numbers);
-  result.expected = increasing ? "increasing" : "decreasing";
+  result.expected = result.relation = increasing ? "increasing" : "decreasing";
   return result;
 }
 
 Judgement judge(const ExpectedSameness& expect, const Numbers& numbers) {
   Judgement result;
+  result.relation = "same";
+  result.margin = expect.relative;
   result.expected = "the same";
   result.isShare = true;
   result.tolerance = numberText(100.0 * expect.relative, 2);
@@ -145,7 +156,7 @@ Judgement judge(const ExpectedSameness& expect, const Numbers& numbers) {
 
 Judgement judge(const ExpectedDifference& expect, const Numbers& numbers) {
   Judgement result = judge(ExpectedSameness{expect.relative}, numbers);
-  result.expected = "different";
+  result.relation = result.expected = "different";
   if (result.verdict != Verdict::CannotBeTold)
     result.verdict = result.verdict == Verdict::Holds ? Verdict::DoesNotHold : Verdict::Holds;
   return result;

@@ -58,7 +58,11 @@ std::string verdictText(Verdict verdict);
 
 struct Judgement {
   Verdict verdict = Verdict::CannotBeTold;
-  std::string expected, tolerance;              ///< in words
+  std::string expected, tolerance;  ///< in words
+  std::string
+      relation;  ///< to the bounds: =, >=, <=, in, order; increasing, decreasing, same and different have none
+  std::vector<double> bounds{};                 ///< numbers of the expectation, of the finest mesh
+  std::optional<double> margin;                 ///< the tolerance
   std::optional<double> deviation;              ///< the largest one, in the measure of the tolerance
   bool isShare = false;                         ///< deviation and tolerance are parts of a value
   std::vector<std::optional<double>> errors{};  ///< of all numbers, if an order is judged
