@@ -24,7 +24,7 @@
 #include "postproc/draw/foreign/foreign_picture.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/foreign/foreign_file.h"
-#include "postproc/foreign/lower_case.h"
+#include "engine/core/lower_case.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "postproc/text/text_file.h"
 

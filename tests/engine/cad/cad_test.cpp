@@ -15,22 +15,29 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <pwd.h>
 #include <unistd.h>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <numbers>
 #include <random>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "engine/cad/cad_file.h"
 #include "engine/core/error.h"
 #include "engine/nurbs/shapes.h"
+#include "engine/scene/reader.h"
 #include "engine/tools/cad_tool.h"
 #include "engine/tools/sphere.h"
 
@@ -232,7 +239,7 @@ TEST_F(Cad, SurfacesAreReadBackAsTheyWereWritten) {
   for (const CadFormat format : {CadFormat::Step, CadFormat::Iges})
     for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Metre}) {
       const std::string file = path(format == CadFormat::Step ? "face.step" : "face.igs");
-      writeCad({written}, unit, format, file);
+      writeCad({{"body", {written}}}, unit, format, file);
       const CadSurface read = readCad({.file = file, .unit = unit});
       ASSERT_TRUE(read.exact) << file;
       EXPECT_EQ(read.exact->degrees, written.degrees);
@@ -246,7 +253,7 @@ TEST_F(Cad, SurfacesAreReadBackAsTheyWereWritten) {
 TEST_F(Cad, FilesSayWhoWroteThemAndNotWhoWasLoggedIn) {
   for (const auto& [format, name] :
        {std::pair{CadFormat::Step, "face.step"}, std::pair{CadFormat::Iges, "face.igs"}}) {
-    writeCad({quarter()}, LengthUnit::Millimetre, format, path(name));
+    writeCad({{"body", {quarter()}}}, LengthUnit::Millimetre, format, path(name));
     std::ifstream file(path(name));
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const std::string header = text.substr(0, text.find(format == CadFormat::Step ? "ENDSEC" : "D0000001"));
@@ -263,14 +270,160 @@ TEST_F(Cad, FilesSayWhoWroteThemAndNotWhoWasLoggedIn) {
   }
 }
 
-TEST_F(Cad, FacesHaveTheirNamesInStep) {
+TEST_F(Cad, FacesHaveTheirNamesInFilesThatAreWritten) {
   CadFace other = quarter();
   other.name = "body.top";
   other.points.row(2).array() += 1.0;
-  writeCad({quarter(), other}, LengthUnit::Millimetre, CadFormat::Step, path("faces.step"));
-  const CadSurface read = readCad({.file = path("faces.step"), .face = "body.top"});
-  ASSERT_TRUE(read.exact);
-  EXPECT_NEAR(read.exact->points(2, 0), std::numbers::pi + 1.0, 1e-12);
+  for (const auto& [format, name] :
+       {std::pair{CadFormat::Step, "faces.step"}, std::pair{CadFormat::Iges, "faces.iges"}}) {
+    writeCad({{"body", {quarter(), other}}}, LengthUnit::Millimetre, format, path(name));
+    const CadSurface read = readCad({.file = path(name), .face = "body.top"});
+    ASSERT_TRUE(read.exact) << name;
+    EXPECT_NEAR(read.exact->points(2, 0), std::numbers::pi + 1.0, 1e-12) << name;
+  }
+}
+
+/// The faces of a cube, with the cube behind them; turned: with the cube around it.
+CadBody cube(const std::string& name, double size, const Vector3d& corner, bool turned = false) {
+  CadBody body{.name = name};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int end = 0; end < 2; ++end) {
+      CadFace face{.degrees = {1, 1}, .knots = {{{0, 0, 1, 1}, {0, 0, 1, 1}}}};
+      face.name = name + "." + std::to_string(2 * axis + end);
+      face.points = corner.replicate(1, 4);
+      face.points.row(axis).array() += end * size;
+      face.points.row(axis == 0 ? 1 : 0) += size * Eigen::RowVector4d(0, 1, 0, 1);
+      face.points.row(axis == 2 ? 1 : 2) += size * Eigen::RowVector4d(0, 0, 1, 1);
+      face.weights = Eigen::Vector4d::Ones();
+      face.reversed = ((axis == 1) == (end == 1)) != turned;
+      body.faces.push_back(face);
+    }
+  return body;
+}
+
+std::string textOf(const std::string& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_F(Cad, BodiesWhoseFacesCloseAreSolidsWithTheirNames) {
+  CadBody hollow = cube("hollow", 3.0, {10, 0, 0});
+  for (const CadFace& face : cube("hollow.in", 1.0, {11, 1, 1}, true).faces) hollow.faces.push_back(face);
+  writeCad({cube("punch", 2.0, {0, 0, 0}), hollow, {"plate", {quarter()}}}, LengthUnit::Millimetre,
+           CadFormat::Step, path("bodies.step"));
+
+  const CadListing listing = listCad(path("bodies.step"));
+  ASSERT_EQ(listing.solids.size(), 2U);
+  EXPECT_EQ(listing.solids[0].name, "punch");
+  EXPECT_EQ(listing.solids[0].faces, 6);
+  EXPECT_LT((listing.solids[0].box.max() - Vector3d(2, 2, 2)).norm(), 1e-6);
+  EXPECT_EQ(listing.solids[1].name, "hollow");
+  EXPECT_EQ(listing.solids[1].faces, 12);
+  ASSERT_EQ(listing.faces.size(), 19U);
+  EXPECT_EQ(listing.faces[0].solid, 1);
+  EXPECT_EQ(listing.faces[18].solid, 0);
+  EXPECT_EQ(listing.faces[18].name, "quarter");
+  EXPECT_TRUE(listing.faces[18].isExact);
+  EXPECT_EQ(listing.fileUnit, "millimetre");
+
+  for (const char* solid : {"1", "punch"}) {
+    const RigidShape shape = toolOf(path("bodies.step"), [&](CadTool& tool) {
+                               tool.solid = solid;
+                               tool.smoothing = 0.05;
+                             }).made();
+    EXPECT_NEAR(shape.query({1.0, 1.0, 2.5}).gap, 0.5, 1e-6);
+    EXPECT_LT(shape.query({1.0, 1.0, 1.8}).gap, 0.0);
+  }
+  EXPECT_LT(toolOf(path("bodies.step"),
+                   [](CadTool& tool) {
+                     tool.solid = "hollow";
+                     tool.smoothing = 0.05;
+                   })
+                .made()
+                .query({11.5, 1.5, 0.5})
+                .gap,
+            0.0)
+      << "between the cubes";
+
+  const std::string text = textOf(path("bodies.step"));
+  for (const char* name : {"punch", "hollow", "plate"})
+    EXPECT_NE(text.find(fmt::format("PRODUCT('{0}','{0}'", name)), std::string::npos) << name;
+  EXPECT_EQ(text.find("Open CASCADE STEP translator"), std::string::npos);
+}
+
+TEST_F(Cad, FilesOfTheSameBodiesAreTheSameBytesAtAGivenTime) {
+  ::setenv("SOURCE_DATE_EPOCH", "86400", 1);
+  for (const auto& [format, ending, time] : {std::tuple{CadFormat::Step, ".step", "1970-01-02T00:00:00"},
+                                             std::tuple{CadFormat::Iges, ".iges", "19700102.000000"}}) {
+    for (const char* name : {"first", "second"})
+      writeCad({cube("punch", 2.0, {0, 0, 0})}, LengthUnit::Millimetre, format,
+               path((std::string(name) + ending).c_str()));
+    const std::string first = textOf(path((std::string("first") + ending).c_str()));
+    EXPECT_EQ(first, textOf(path((std::string("second") + ending).c_str())));
+    EXPECT_NE(first.find(time), std::string::npos) << ending;
+  }
+  ::setenv("SOURCE_DATE_EPOCH", "yesterday", 1);
+  EXPECT_THROW(
+      writeCad({cube("punch", 2.0, {0, 0, 0})}, LengthUnit::Millimetre, CadFormat::Step, path("a.step")),
+      Error);
+  ::unsetenv("SOURCE_DATE_EPOCH");
+}
+
+TEST_F(Cad, ANameThatSeveralPartsHaveIsRefusedWithTheirNumbers) {
+  CadBody body = cube("punch", 2.0, {0, 0, 0});
+  body.faces[1].name = body.faces[3].name = "side";
+  writeCad({body}, LengthUnit::Millimetre, CadFormat::Iges, path("sides.iges"));
+  EXPECT_THAT(
+      errorOf(toolOf(path("sides.iges"), [](CadTool& tool) { tool.face = "side"; })),
+      HasSubstr("sides.iges: found 2 faces that are called side, with the numbers 2, 4; allowed: one of "
+                "these numbers"));
+}
+
+/// A scene of one body that a file makes.
+Scene sceneOf(const std::string& geometry, const std::string& rest, const std::string& name) {
+  return parseScene("geometry: {" + geometry + "}\nmaterial: {law: neo-hookean, E: 1, nu: 0.3}\n" +
+                        "steps: [{until: 1, count: 1}]\n" + rest,
+                    name);
+}
+
+std::string errorOfScene(const std::string& geometry, const std::string& rest, const std::string& name) {
+  try {
+    sceneOf(geometry, rest, name);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+const std::string kBox = "shape: box, size: [1, 1, 1], spans: [1, 1, 1]";
+
+TEST_F(Cad, AToolTakesTheUnitThatTheSceneNamesInAnySpelling) {
+  const auto unitWith = [&](const std::string& label) {
+    const Scene scene = sceneOf(
+        kBox, "units: {length: '" + label + "'}\ntools: [{name: ball, shape: cad, file: ball.step}]\n",
+        path("scene.yaml"));
+    return std::get<CadTool>(scene.tools.at(0).shape).unit;
+  };
+  for (const char* label : {"um", "\u00b5m", "\u03bcm", "micron"})
+    EXPECT_EQ(unitWith(label), LengthUnit::Micrometre) << label;
+  EXPECT_EQ(unitWith("inch"), LengthUnit::Inch);
+  EXPECT_EQ(unitWith("metre"), LengthUnit::Metre);
+  EXPECT_EQ(unitWith("nm"), LengthUnit::Nanometre);
+  EXPECT_EQ(unitWith("MM"), LengthUnit::Millimetre);
+  EXPECT_EQ(unitWith(""), LengthUnit::Millimetre);
+}
+
+TEST_F(Cad, ALabelThatNamesNoUnitIsRefusedUnlessTheToolSaysOne) {
+  const std::string units = "units: {length: fathom}\n";
+  EXPECT_THAT(
+      errorOfScene(kBox, units + "tools: [{name: ball, shape: cad, file: ball.step}]\n", path("scene.yaml")),
+      HasSubstr(
+          "scene.yaml:4:17: units.length: found \"fathom\", into which the lengths of the CAD file of tools[0] "
+          "cannot be converted; allowed: nm, um"));
+  EXPECT_EQ(errorOfScene(kBox, units + "tools: [{name: ball, shape: cad, file: ball.step, unit: mm}]\n",
+                         path("scene.yaml")),
+            "no error");
+  EXPECT_EQ(errorOfScene(kBox, units, path("scene.yaml")), "no error");
 }
 
 }  // namespace
