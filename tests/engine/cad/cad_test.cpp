@@ -16,6 +16,7 @@
 #include <TopoDS_Compound.hxx>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -424,6 +425,114 @@ TEST_F(Cad, ALabelThatNamesNoUnitIsRefusedUnlessTheToolSaysOne) {
                          path("scene.yaml")),
             "no error");
   EXPECT_EQ(errorOfScene(kBox, units, path("scene.yaml")), "no error");
+}
+
+/// Determinant of the map of an extrusion in its middle.
+double determinantOf(const Scene& scene) {
+  const Patch<3> patch = std::get<ExtrusionBody>(scene.body.geometry.shape).patch<3>();
+  const auto middle = [&](int d) { return patch.basis().direction(d).parameterAt(0.5); };
+  return patch.jacobian(Vector3d(middle(0), middle(1), middle(2))).determinant();
+}
+
+TEST_F(Cad, AFaceIsExtrudedOutOfItsSolid) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(1, 2, 3), 2.0, 3.0, 4.0).Solid();
+  step("box.step", box);
+  const std::string name = path("scene.yaml");
+  int extruded = 0;
+  for (int face = 1; face <= 6; ++face)
+    for (const Vector3d& vector : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0),
+                                   Vector3d(0, -1, 0), Vector3d(0, 0, 1), Vector3d(0, 0, -1)}) {
+      const auto geometry = [&](const char* flip) {
+        return fmt::format("shape: extrusion, profile: {{file: box.step, face: {}{}}}, vector: [{}]", face,
+                           flip, fmt::join(vector, ", "));
+      };
+      const double determinant = determinantOf(sceneOf(geometry(""), "", name));
+      if (std::abs(determinant) < 1e-9) continue;  // along the face
+      EXPECT_NEAR(determinantOf(sceneOf(geometry(", flip: true"), "", name)), -determinant, 1e-12);
+      if (determinant < 0.0) continue;
+      ++extruded;
+      const Scene scene = sceneOf(geometry(""), "", name);
+      const auto& points = std::get<ExtrusionBody>(scene.body.geometry.shape).profile.points;
+      ASSERT_EQ(points.size(), 4U);
+      for (const auto& point : points)
+        EXPECT_GT((Vector3d(point[0], point[1], point[2]) - Vector3d(2, 3.5, 5)).dot(vector), 0.0)
+            << "outwards from the middle of the box";
+    }
+  EXPECT_EQ(extruded, 6);
+}
+
+TEST_F(Cad, AProfileIsTheNurbsOfTheFaceInTheUnitOfTheScene) {
+  for (const auto& [format, name] :
+       {std::pair{CadFormat::Step, "quarter.STEP"}, std::pair{CadFormat::Iges, "quarter.Igs"}}) {
+    writeCad({{"body", {quarter()}}}, LengthUnit::Millimetre, format, path(name));
+    const std::string profile = std::string("shape: extrusion, vector: [0, 0, 1], profile: {file: ") + name;
+    const Scene scene = sceneOf(profile + "}", "units: {length: um}\n", path("scene.yaml"));
+    const Net& net = std::get<ExtrusionBody>(scene.body.geometry.shape).profile;
+    EXPECT_EQ(net.degrees, (std::vector<int>{1, 2}));
+    EXPECT_EQ(net.knots[1], quarter().knots[1]);
+    ASSERT_EQ(net.points.size(), 6U);
+    for (std::size_t a = 0; a < 6; ++a)
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(net.points[a][c], 1000.0 * quarter().points(static_cast<int>(c), static_cast<int>(a)),
+                    1e-9);
+    EXPECT_NEAR(net.weights[2], quarter().weights(2), 1e-15);
+    const Scene given = sceneOf(profile + ", unit: cm}", "units: {length: um}\n", path("scene.yaml"));
+    EXPECT_NEAR(std::get<ExtrusionBody>(given.body.geometry.shape).profile.points[0][2],
+                0.1 * std::numbers::pi, 1e-12);
+    EXPECT_EQ(parseScene(scene.resolvedYaml, "elsewhere.yaml").resolvedYaml, scene.resolvedYaml);
+  }
+}
+
+TEST_F(Cad, APlaneFaceIsABody) {
+  CadBody body = cube("punch", 2.0, {1, 1, 0});
+  writeCad({body}, LengthUnit::Millimetre, CadFormat::Step, path("punch.step"));
+  const Scene scene = sceneOf("shape: control-net, file: punch.step, face: punch.4", "", path("scene.yaml"));
+  EXPECT_EQ(scene.dim(), 2);
+  const auto& net = std::get<ControlNetBody>(scene.body.geometry.shape);
+  ASSERT_EQ(net.points.front().size(), 2U);
+  EXPECT_GT(net.patch<2>().jacobian(Eigen::Vector2d(0.5, 0.5)).determinant(), 0.0) << "seen from above";
+  EXPECT_THAT(errorOfScene("shape: control-net, file: punch.step, face: punch.5", "", path("scene.yaml")),
+              HasSubstr("found a face that does not lie in the plane z = 0"));
+}
+
+TEST_F(Cad, FacesThatMakeNoProfileAreNamed) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 4.0, 4.0, 1.0).Solid();
+  const TopoDS_Shape hole =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(2, 2, -1), gp_Dir(0, 0, 1)), 1.0, 3.0).Solid();
+  step("plate.step", BRepAlgoAPI_Cut(plate, hole).Shape());
+  const auto errorWith = [&](const std::string& profile, const std::string& rest = "") {
+    return errorOfScene("shape: extrusion, vector: [0, 0, 1], profile: {" + profile + "}", rest,
+                        path("scene.yaml"));
+  };
+  int trimmed = 0;
+  for (int face = 1; face <= 7; ++face)
+    trimmed += errorWith(fmt::format("file: plate.step, face: {}", face))
+                   .find("geometry.profile.face: " + path("plate.step") +
+                         ": found a face that is trimmed by curves on its surface") != std::string::npos;
+  EXPECT_EQ(trimmed, 2) << "above and below; the others are whole";
+  EXPECT_THAT(
+      errorWith("file: plate.step"),
+      HasSubstr(
+          "plate.step: missing, in a file of 7 faces; required: the name of one, or its number from 1 to 7."));
+  EXPECT_THAT(errorWith("file: plate.step, face: 8"), HasSubstr("geometry.profile.face: "));
+  EXPECT_THAT(errorWith("file: none.step"),
+              HasSubstr("geometry.profile.file: " + path("none.step") + ": there is no"));
+  EXPECT_THAT(errorWith("file: plate.step, face: 1, entry: 0"),
+              HasSubstr("geometry.profile.entry: found beside a CAD file; allowed: face"));
+  EXPECT_THAT(errorWith("file: plate.step, face: 1, unit: fathom"),
+              HasSubstr("geometry.profile.unit: found \"fathom\"; allowed: nm, um"));
+  EXPECT_THAT(
+      errorWith("file: plate.step, face: 1", "units: {length: fathom}\n"),
+      HasSubstr(
+          "units.length: found \"fathom\", into which the lengths of the CAD file of geometry.profile"));
+  EXPECT_THAT(
+      errorWith("file: line.g2, face: 1"),
+      HasSubstr("geometry.profile.face: found face beside line.g2; allowed: with a file that ends in .step"));
+  EXPECT_THAT(errorWith("degrees: [1], points: [[0, 0], [1, 0]], face: 1"),
+              HasSubstr("geometry.profile.face: found without file; allowed: beside a CAD file."));
+  EXPECT_THAT(
+      errorOfScene(kBox, "tools: [{name: wall, shape: nurbs, file: plate.step}]\n", path("scene.yaml")),
+      HasSubstr("tools[0].file: found a CAD file; allowed: shape: cad"));
 }
 
 }  // namespace
