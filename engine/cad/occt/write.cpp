@@ -274,7 +274,7 @@ void writeStep(std::vector<MadeBody>& bodies, const std::string& file) {
 
 /// Gives the entity of a face its name, as a property: labels have eight letters.
 void nameFace(IGESControl_Writer& writer, const TopoDS_Face& face, const std::string& name) {
-  const Handle(Transfer_FinderProcess) process = writer.TransferProcess();
+  const Handle(Transfer_FinderProcess)& process = writer.TransferProcess();
   const auto entity =
       Handle(IGESData_IGESEntity)::DownCast(process->FindTransient(TransferBRep::ShapeMapper(process, face)));
   if (entity.IsNull()) return;
