@@ -21,14 +21,15 @@
 #include "cli/offered_words.h"
 #include "cli/output_target.h"
 #include "engine/cad/cad_file.h"
-#include "engine/cad/unit_label.h"
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
+#include "engine/core/lower_case.h"
 #include "engine/core/nearest.h"
+#include "engine/core/quoted.h"
+#include "engine/core/unit_label.h"
 #include "engine/results/result_reader.h"
 #include "postproc/export/nurbs_file.h"
-#include "postproc/foreign/lower_case.h"
 #include "postproc/paraview/paraview_series.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/text/text_file.h"
@@ -44,6 +45,7 @@ struct ExportArguments {
   bool controlNet = false;
   int pieces = 1;
   std::optional<std::string> format;
+  std::optional<std::string> unit;
   std::string frame = "last";
   std::string ofSeries;  ///< an option that was given and belongs to the series alone, or empty
 };
@@ -119,14 +121,24 @@ void requireFrames(const ResultReader& reader) {
                     reader.file().string()));
 }
 
-void writeFaces(const ModelRecord& model, const FrameRecord& frame, CadFormat format,
-                const std::filesystem::path& file) {
-  const auto faces = nurbsFaces(model, frame);
+/// The unit of the lengths of a result.
+LengthUnit unitOf(const ExportArguments& arguments, const ResultReader& result) {
+  if (arguments.unit) return chosen("--unit", *arguments.unit, EnumNames<LengthUnit>::values);
+  const std::string& label = result.model().lengthUnit;
+  if (label.empty()) return LengthUnit::Millimetre;
+  if (const auto unit = lengthUnitOf(label)) return *unit;
+  throw Error(
+      fmt::format("{}: its lengths are in {} (units), which CAD does not know; allowed: {}, or say with "
+                  "--unit what they are in",
+                  result.file().string(), quoted(label), kLengthLabels));
+}
+
+void writeBodies(const ModelRecord& model, const FrameRecord& frame, LengthUnit unit, CadFormat format,
+                 const std::filesystem::path& file) {
+  const auto bodies = nurbsBodies(model, frame);
   if (file.has_parent_path()) makeDirectory(file.parent_path());
-  writeFileAtomically(file, [&](const std::filesystem::path& partial) {
-    writeCad(faces, lengthUnitOf(model.lengthUnit).value_or(LengthUnit::Millimetre), format,
-             partial.string());
-  });
+  writeFileAtomically(
+      file, [&](const std::filesystem::path& partial) { writeCad(bodies, unit, format, partial.string()); });
 }
 
 /// Throws `Error` unless what was given fits a file of one frame.
@@ -139,6 +151,8 @@ void requireOneFile(const ExportArguments& arguments, Format format) {
   if (!isStandardOutput(file) && !std::ranges::count(endings, endingOf(file)))
     throw Error(fmt::format("-o: found \"{}\"; expected the name of a file that ends in {}, or -",
                             file.string(), fmt::join(endings, " or ")));
+  if (arguments.unit && format != Format::Step && format != Format::Iges)
+    throw Error(fmt::format("--unit: this is of STEP and IGES; {} holds lengths as they are", file.string()));
   if (!arguments.ofSeries.empty())
     throw Error(fmt::format("{}: this is of the series of VTK files; {} holds NURBS", arguments.ofSeries,
                             file.string()));
@@ -155,8 +169,8 @@ ExitCode exportNurbs(const ExportArguments& arguments, Format format) {
   switch (format) {
     case Format::Step:
     case Format::Iges:
-      writeFaces(reader.model(), reader.frame(frame),
-                 format == Format::Step ? CadFormat::Step : CadFormat::Iges, target.file());
+      writeBodies(reader.model(), reader.frame(frame), unitOf(arguments, reader),
+                  format == Format::Step ? CadFormat::Step : CadFormat::Iges, target.file());
       break;
     default:
       writeText(nurbsText(reader.model(), reader.frame(frame),
@@ -206,6 +220,7 @@ ExitCode exportResult(const ExportArguments& arguments) {
   if (format != Format::Series) return exportNurbs(arguments, format);
   requireDirectoryName("-o", arguments.directory);
   requireNoFile(arguments.directory);
+  if (arguments.unit) throw Error("--unit: this is of STEP and IGES; VTK files hold lengths as they are");
   if (arguments.frame != "last")
     throw Error(
         "--frame: a series holds all frames; give it with --format g2, json, step or iges, which hold one");
@@ -262,6 +277,13 @@ void addExportCommand(CLI::App& app, Action& action) {
       ->add_option("--frame", arguments->frame,
                    "With formats of one frame: its number, last or end, or time=T [last]")
       ->type_name("N|last|time=T");
+  CLI::Option* unit =
+      command
+          ->add_option(
+              "--unit", arguments->unit,
+              "With step and iges: what the lengths of the result are in [that of its units, else mm]")
+          ->type_name("UNIT");
+  offerChoices(*unit, EnumNames<LengthUnit>::values);
   command->callback([&action, arguments, ofSeries] {
     for (const CLI::Option* option : ofSeries)
       if (option->count() > 0) arguments->ofSeries = option->get_name();

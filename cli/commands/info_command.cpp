@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include "cli/command.h"
 #include "cli/commands/foreign_text.h"
+#include "cli/commands/geometry_listing.h"
 #include "cli/commands/info_json.h"
 #include "cli/commands/info_text.h"
 #include "cli/console.h"
@@ -28,7 +30,14 @@ struct InfoArguments {
   bool keys = false, studyKeys = false, json = false;
 };
 
+/// Of a file that holds geometry for scenes and exists.
+std::optional<GeometryListing> geometryIn(const fs::path& path, bool isResult) {
+  return isResult || isStandardInput(path) ? std::nullopt : listGeometry(path);
+}
+
 void printJson(const fs::path& path, bool isResult) {
+  if (const auto geometry = geometryIn(path, isResult))
+    return printText(compactText(geometryJson(*geometry), kJsonDigits) + "\n");
   if (isResult) return printText(compactText(resultJson(ResultReader(path)), kJsonDigits) + "\n");
   if (!foreignKind(path).empty())
     return printText(compactText(foreignJson(ForeignFile(path)), kJsonDigits) + "\n");
@@ -50,6 +59,8 @@ ExitCode info(const InfoArguments& arguments) {
     printJson(path, isResult);
   else if (isResult)
     printText(resultText(ResultReader(path)));
+  else if (const auto geometry = geometryIn(path, isResult))
+    printText(geometryText(*geometry));
   else
     printText(foreignKind(path).empty() ? sceneText(readSceneInput(path).scene)
                                         : foreignText(ForeignFile(path)));
@@ -60,11 +71,12 @@ ExitCode info(const InfoArguments& arguments) {
 
 void addInfoCommand(CLI::App& app, Action& action) {
   CLI::App* command =
-      app.add_subcommand("info", "Tell what is in a result, a scene or a file of another program");
+      app.add_subcommand("info", "Tell what is in a result, a scene, or a file of another program or of CAD");
   const auto arguments = std::make_shared<InfoArguments>();
   command->add_option(
       "RESULT|SCENE|FILE", arguments->path,
-      "Directory of a run, result file (.h5), scene file, or file of another program; - for a scene on standard input");
+      "Directory of a run, result file (.h5), scene file, file of another program, or geometry (STEP, IGES, g2, JSON); - for "
+      "a scene on standard input");
   command->add_flag("--keys", arguments->keys,
                     "List every key of a scene with its type, default and meaning");
   command->add_flag("--study-keys", arguments->studyKeys, "List every key of a study");

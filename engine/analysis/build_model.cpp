@@ -17,6 +17,7 @@
 #include "engine/contact/face_partner.h"
 #include "engine/contact/partner_contact.h"
 #include "engine/core/input_error.h"
+#include "engine/core/key_error.h"
 #include "engine/scene/scene_places.h"
 #include "engine/solid/dead_load.h"
 #include "engine/solid/deformation_gradients.h"
@@ -235,6 +236,8 @@ void ModelBuilder<Dim>::addTool(std::size_t number) {
   const auto& spec = scene_.tools[number];
   try {
     model_->tools_.push_back(makeTool(spec, scene_, model_->numForces_, model_->body_.size()));
+  } catch (const KeyError& error) {
+    throw InputError(fmt::format("tools[{}].{}", number, error.key()), error.what());
   } catch (const Error& error) {
     throw InputError(fmt::format("tools[{}]", number), error.what());
   }

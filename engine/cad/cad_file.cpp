@@ -8,6 +8,8 @@
 
 #include "engine/cad/require_cad.h"
 #include "engine/core/error.h"
+#include "engine/core/key_error.h"
+#include "engine/core/lower_case.h"
 #include "engine/core/module_function.h"
 #include "engine/core/reading_process.h"
 
@@ -74,33 +76,109 @@ CadSurface receiveSurface(const FillBytes& fill) {
   return surface;
 }
 
+void sendParts(const std::vector<CadPart>& parts, const TakeBytes& take) {
+  send(std::ssize(parts), take);
+  for (const CadPart& part : parts) {
+    send(part.name, take);
+    take(part.box.min().data(), 3 * sizeof(double));
+    take(part.box.max().data(), 3 * sizeof(double));
+    for (const int number : {int{part.isExact}, part.solid, part.faces}) send(std::int64_t{number}, take);
+  }
+}
+
+std::vector<CadPart> receiveParts(const FillBytes& fill) {
+  std::vector<CadPart> parts(static_cast<std::size_t>(receiveNumber(fill)));
+  for (CadPart& part : parts) {
+    part.name = receiveText(fill);
+    fill(part.box.min().data(), 3 * sizeof(double));
+    fill(part.box.max().data(), 3 * sizeof(double));
+    part.isExact = receiveNumber(fill) != 0;
+    part.solid = static_cast<int>(receiveNumber(fill));
+    part.faces = static_cast<int>(receiveNumber(fill));
+  }
+  return parts;
+}
+
+void sendListing(const CadListing& listing, const TakeBytes& take) {
+  send(listing.fileUnit, take);
+  send(static_cast<std::int64_t>(listing.unit), take);
+  sendParts(listing.solids, take);
+  sendParts(listing.faces, take);
+}
+
+CadListing receiveListing(const FillBytes& fill) {
+  CadListing listing;
+  listing.fileUnit = receiveText(fill);
+  listing.unit = static_cast<LengthUnit>(receiveNumber(fill));
+  listing.solids = receiveParts(fill);
+  listing.faces = receiveParts(fill);
+  return listing;
+}
+
+/// What `work(result, problem)` makes of a file in a process of its own. Throws `KeyError` for its problem.
+template <class Result, class Work>
+Result readApart(const std::string& file, const Work& work,
+                 void (*sendResult)(const Result&, const TakeBytes&),
+                 Result (*receiveResult)(const FillBytes&)) {
+  ReadingProcess process(file, [&](std::int64_t) -> ReadingProcess::Send {
+    Result result;
+    CadProblem problem;
+    work(result, problem);
+    return [sendResult, result = std::move(result), problem = std::move(problem)](const TakeBytes& take) {
+      send(problem.key, take);
+      send(problem.text, take);
+      if (problem.text.empty()) sendResult(result, take);
+    };
+  });
+  Result result;
+  CadProblem problem;
+  process.ask(0, [&](const FillBytes& fill) {
+    problem.key = receiveText(fill);
+    problem.text = receiveText(fill);
+    if (problem.text.empty()) result = receiveResult(fill);
+  });
+  if (!problem.text.empty()) throw KeyError(problem.key, fmt::format("{}: {}", file, problem.text));
+  return result;
+}
+
 }  // namespace
 
 void requireCad() {
   moduleFunction(kModule, "burnishReadCad", "CAD");
 }
 
-CadSurface readCad(const CadRequest& request) {
-  static auto* const read =
-      reinterpret_cast<ReadCadFunction*>(moduleFunction(kModule, "burnishReadCad", "a tool from a CAD file"));
-  ReadingProcess process(request.file, [&request](std::int64_t) -> ReadingProcess::Send {
-    CadSurface surface;
-    std::string problem;
-    read(request, surface, problem);
-    if (!problem.empty()) throw Error(fmt::format("{}: {}", request.file, problem));
-    return [surface = std::move(surface)](const TakeBytes& take) { sendSurface(surface, take); };
-  });
-  CadSurface surface;
-  process.ask(0, [&surface](const FillBytes& fill) { surface = receiveSurface(fill); });
-  return surface;
+bool isCadFile(const std::filesystem::path& file) {
+  const std::string ending = inLowerCase(file.extension().string());
+  return ending == ".step" || ending == ".stp" || ending == ".iges" || ending == ".igs";
 }
 
-void writeCad(const std::vector<CadFace>& faces, LengthUnit unit, CadFormat format, const std::string& file) {
+CadSurface readCad(const CadRequest& request) {
+  static auto* const read =
+      reinterpret_cast<ReadCadFunction*>(moduleFunction(kModule, "burnishReadCad", "reading a CAD file"));
+  return readApart<CadSurface>(
+      request.file, [&](CadSurface& surface, CadProblem& problem) { read(request, surface, problem); },
+      sendSurface, receiveSurface);
+}
+
+CadFace readCadFace(const std::string& file, const std::string& face, LengthUnit unit) {
+  return *readCad({.file = file, .face = face, .unit = unit, .oneExactFace = true}).exact;
+}
+
+CadListing listCad(const std::string& file) {
+  static auto* const list =
+      reinterpret_cast<ListCadFunction*>(moduleFunction(kModule, "burnishListCad", "reading a CAD file"));
+  return readApart<CadListing>(
+      file, [&](CadListing& listing, CadProblem& problem) { list(file, listing, problem); }, sendListing,
+      receiveListing);
+}
+
+void writeCad(const std::vector<CadBody>& bodies, LengthUnit unit, CadFormat format,
+              const std::string& file) {
   static auto* const write =
       reinterpret_cast<WriteCadFunction*>(moduleFunction(kModule, "burnishWriteCad", "writing a CAD file"));
-  std::string problem;
-  write(faces, unit, format, file, problem);
-  if (!problem.empty()) throw Error(fmt::format("{}: {}", file, problem));
+  CadProblem problem;
+  write(bodies, unit, format, file, problem);
+  if (!problem.text.empty()) throw Error(fmt::format("{}: {}", file, problem.text));
 }
 
 }  // namespace burnish

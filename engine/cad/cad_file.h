@@ -1,11 +1,13 @@
 #pragma once
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/cad/length_unit.h"
+#include "engine/core/length_unit.h"
 
 /// STEP and IGES files, by OpenCASCADE.
 namespace burnish {
@@ -20,6 +22,12 @@ struct CadFace {
   std::string name{};
 };
 
+/// Faces that bound a body together, or are a part of what does.
+struct CadBody {
+  std::string name{};
+  std::vector<CadFace> faces{};
+};
+
 /// What of a file is read, and how.
 struct CadRequest {
   std::string file{};
@@ -27,7 +35,8 @@ struct CadRequest {
       solid{};  ///< name or number from 1; at most one of the two, all of the file when both are empty
   LengthUnit unit = LengthUnit::Millimetre;  ///< into which lengths are converted
   std::optional<double>
-      tolerance{};  ///< of the mesh, in that unit; a 1000th of the largest extent when left out
+      tolerance{};            ///< of the mesh, in that unit; a 1000th of the largest extent when left out
+  bool oneExactFace = false;  ///< and nothing else will do: see `readCadFace`
 };
 
 /// A surface out of a file: exact if it is a single face without trimming curves, else triangles.
@@ -38,21 +47,55 @@ struct CadSurface {
   Eigen::Matrix3Xi cells;    ///< corners counterclockwise seen from outside
 };
 
-/// Reads in a process of its own: OpenCASCADE ends its process on some damaged files. Throws `Error` if the file cannot be read or
-/// does not hold what is asked for, or without OpenCASCADE.
+/// A face or a solid of a file as `CadListing` has it. box: corners in the unit of the listing.
+struct CadPart {
+  std::string name{};  ///< may be empty, or that of another part, too
+  Eigen::AlignedBox3d box{};
+  bool isExact = false;  ///< a face: its edges are the ends of its surface
+  int solid = 0;         ///< of a face: number of the solid that it bounds; 0: of none
+  int faces = 0;         ///< of a solid
+};
+
+/// What is in a file, in its order: numbers of parts count from 1.
+struct CadListing {
+  std::string fileUnit{};  ///< as the file names it; empty if it does not
+  LengthUnit unit =
+      LengthUnit::Millimetre;  ///< of the boxes: that of the file, millimetres if it is none of ours
+  std::vector<CadPart> solids{}, faces{};
+};
+
+/// Whether a file has one of the endings of STEP and IGES, in letters of any case.
+bool isCadFile(const std::filesystem::path& file);
+
+/// Reads in a process of its own: OpenCASCADE ends its process on some damaged files. Throws `KeyError`, with the key `file`, `face` or
+/// `solid` at fault, if the file cannot be read or does not hold what is asked for, and `Error` without OpenCASCADE.
 CadSurface readCad(const CadRequest& request);
+
+/// The same of a single face without trimming curves, exactly. face: name or number from 1; may be empty if the file has one
+/// face alone.
+CadFace readCadFace(const std::string& file, const std::string& face, LengthUnit unit);
+
+/// What is in a file; the same holds for reading.
+CadListing listCad(const std::string& file);
 
 enum class CadFormat { Step, Iges };
 
-/// Writes surfaces, whose lengths are in such a unit, to a file that is replaced. Throws `Error` if that is not possible, or
-/// without OpenCASCADE.
-void writeCad(const std::vector<CadFace>& faces, LengthUnit unit, CadFormat format, const std::string& file);
+/// Writes bodies, whose lengths are in such a unit, to a file that is replaced: in STEP a product with a solid each where their faces
+/// close, else with shells; in IGES the faces. The time in the file is that of SOURCE_DATE_EPOCH where it is set. Throws `Error` if that
+/// is not possible, or without OpenCASCADE.
+void writeCad(const std::vector<CadBody>& bodies, LengthUnit unit, CadFormat format, const std::string& file);
 
-/// The interface of the library that has all of OpenCASCADE. Both return what went wrong, or nothing.
+/// What went wrong, and the key of the request that is to blame; nothing went wrong without a text.
+struct CadProblem {
+  std::string key{}, text{};
+};
+
+/// The interface of the library that has all of OpenCASCADE.
 extern "C" {
-using ReadCadFunction = void(const CadRequest& request, CadSurface& surface, std::string& problem);
-using WriteCadFunction = void(const std::vector<CadFace>& faces, LengthUnit unit, CadFormat format,
-                              const std::string& file, std::string& problem);
+using ReadCadFunction = void(const CadRequest& request, CadSurface& surface, CadProblem& problem);
+using ListCadFunction = void(const std::string& file, CadListing& listing, CadProblem& problem);
+using WriteCadFunction = void(const std::vector<CadBody>& bodies, LengthUnit unit, CadFormat format,
+                              const std::string& file, CadProblem& problem);
 }
 
 }  // namespace burnish

@@ -4,15 +4,21 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iterator>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "engine/cad/cad_file.h"
 #include "engine/core/error.h"
+#include "engine/core/lower_case.h"
 #include "engine/core/nearest.h"
 #include "engine/core/quoted.h"
 #include "engine/scene/body_shapes.h"
+#include "engine/scene/cad_net.h"
 #include "engine/scene/net_formats.h"
 #include "engine/scene/tool_files.h"
 #include "engine/schema/yaml_document.h"
@@ -22,11 +28,21 @@
 namespace burnish {
 namespace {
 
-const DocumentKind kNetKind{.name = "control net", .keys = "degrees, knots and points"};
+const DocumentKind kNetKind{
+    .name = "control net", .keys = "degrees, knots and points", .format = "YAML, g2, JSON, STEP or IGES"};
 const std::vector<std::string> kKeys{"degrees", "knots", "points", "weights"};
+
+/// Those that say what is taken from a CAD file, and how; they go with its name.
+constexpr std::array<std::string_view, 3> kCadKeys{"face", "unit", "flip"};
 
 /// What a net is for, which says what it must have.
 enum class NetOf { Body, Tool, Profile };
+
+/// The scene that names files.
+struct NamingScene {
+  const YamlNode& root;
+  std::filesystem::path directory;
+};
 
 bool isKey(const YamlNode& node) {
   return std::find(kKeys.begin(), kKeys.end(), node.key) != kKeys.end();
@@ -76,10 +92,12 @@ std::optional<YamlNode> readNet(const std::filesystem::path& file, const YamlNod
     return std::nullopt;
   }
   const int source = errors.addFile(file.string());
-  if (file.extension() == ".g2") {
+  if (inLowerCase(file.extension().string()) == ".g2") {
     auto nets = netsOfG2(text, source, path, errors);
     return nets ? chosen(std::move(*nets), entry, place, path, errors) : std::nullopt;
   }
+  if (inLowerCase(file.extension().string()) == ".json" && !isJson(text, source, path, errors))
+    return std::nullopt;
   auto net = parseYaml(text, source, errors, path);
   if (!net) return std::nullopt;
   if (net->kind == YamlNode::Kind::Mapping && net->find("shape") != nullptr) {
@@ -116,7 +134,7 @@ void flatten(YamlNode& net, NetOf what) {
 }
 
 /// The keys of a file take the place of its name.
-void insertFile(YamlNode& shape, const std::string& path, NetOf what, const std::filesystem::path& directory,
+void insertFile(YamlNode& shape, const std::string& path, NetOf what, const NamingScene& scene,
                 Diagnostics& errors) {
   const YamlNode name = *shape.find("file");
   for (const YamlNode& other : shape.children)
@@ -125,8 +143,26 @@ void insertFile(YamlNode& shape, const std::string& path, NetOf what, const std:
           other.keyPlace, fmt::format("{}.{}", path, other.key),
           fmt::format("found {} beside file; allowed: all of the control net either here or in the file.",
                       other.key));
-  auto net = readNet(directory / name.text, shape.find("entry"), name.place, path, errors);
-  std::erase_if(shape.children, [](const YamlNode& c) { return c.key == "file" || c.key == "entry"; });
+  const std::filesystem::path file = scene.directory / name.text;
+  const bool isCad = isCadFile(file);
+  const bool takesFaces = what != NetOf::Tool;
+  for (const std::string_view key : kCadKeys)
+    if (const YamlNode* other = shape.find(std::string(key)); other != nullptr && !isCad && takesFaces)
+      errors.add(
+          other->keyPlace, fmt::format("{}.{}", path, key),
+          fmt::format("found {} beside {}; allowed: with a file that ends in .step, .stp, .iges or .igs.",
+                      key, shortened(name.text)));
+  if (isCad && !takesFaces)
+    errors.add(name.place, path + ".file",
+               "found a CAD file; allowed: shape: cad, for a tool that is a part of it.");
+  std::optional<YamlNode> net;
+  if (!isCad)
+    net = readNet(file, shape.find("entry"), name.place, path, errors);
+  else if (takesFaces)
+    net = netOfCad(file, shape, scene.root, path, what == NetOf::Body, errors);
+  std::erase_if(shape.children, [takesFaces](const YamlNode& c) {
+    return c.key == "file" || c.key == "entry" || (takesFaces && std::ranges::count(kCadKeys, c.key) > 0);
+  });
   if (!net) return;
   for (const YamlNode& found : net->children)
     if (!isKey(found))
@@ -140,16 +176,20 @@ void insertFile(YamlNode& shape, const std::string& path, NetOf what, const std:
 }
 
 /// A control net at a path.
-void complete(YamlNode& net, const std::string& path, NetOf what, const std::filesystem::path& directory,
+void complete(YamlNode& net, const std::string& path, NetOf what, const NamingScene& scene,
               Diagnostics& errors) {
   const YamlNode* file = net.find("file");
   if (file == nullptr || (file->kind == YamlNode::Kind::Scalar && file->text.empty())) {
     if (const YamlNode* entry = net.find("entry"))
       errors.add(entry->keyPlace, path + ".entry",
                  "found without file; allowed: beside the file of which it is one.");
+    for (const std::string_view key : kCadKeys)
+      if (const YamlNode* other = net.find(std::string(key)); other != nullptr && what != NetOf::Tool)
+        errors.add(other->keyPlace, fmt::format("{}.{}", path, key),
+                   "found without file; allowed: beside a CAD file.");
     requireKeys(net, path, what, ", or a file that holds them", errors);
   } else if (file->kind == YamlNode::Kind::Scalar) {
-    insertFile(net, path, what, directory, errors);
+    insertFile(net, path, what, scene, errors);
   }
 }
 
@@ -169,26 +209,26 @@ std::vector<std::string> netsOf(const std::string& name, const std::variant<Shap
 }
 
 /// The shape of a body or of one of its patches.
-void completeShape(YamlNode& shape, const std::string& path, const std::filesystem::path& directory,
-                   Diagnostics& errors) {
+void completeShape(YamlNode& shape, const std::string& path, const NamingScene& scene, Diagnostics& errors) {
   const YamlNode* kind = shape.find("shape");
   if (kind == nullptr) return;
-  if (kind->text == ControlNetBody::kind.key) complete(shape, path, NetOf::Body, directory, errors);
+  if (kind->text == ControlNetBody::kind.key) complete(shape, path, NetOf::Body, scene, errors);
   for (const std::string& key : netsOf(kind->text, BodyShape()))
     if (YamlNode* net = shape.find(key); net != nullptr && net->kind == YamlNode::Kind::Mapping)
-      complete(*net, fmt::format("{}.{}", path, key), NetOf::Profile, directory, errors);
+      complete(*net, fmt::format("{}.{}", path, key), NetOf::Profile, scene, errors);
 }
 
 }  // namespace
 
 void insertControlNetFiles(YamlNode& root, const std::filesystem::path& directory, Diagnostics& errors) {
+  const NamingScene scene{root, directory};
   forEachToolShape(root, [&](YamlNode& tool, const std::string& path) {
     if (const YamlNode* kind = tool.find("shape");
         kind != nullptr && fileOf(kind->text) == ShapeFile::ControlNet)
-      complete(tool, path, NetOf::Tool, directory, errors);
+      complete(tool, path, NetOf::Tool, scene, errors);
   });
   forEachBodyShape(
-      root, [&](YamlNode& shape, const std::string& path) { completeShape(shape, path, directory, errors); });
+      root, [&](YamlNode& shape, const std::string& path) { completeShape(shape, path, scene, errors); });
 }
 
 }  // namespace burnish

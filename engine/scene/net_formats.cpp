@@ -1,11 +1,14 @@
 #include "engine/scene/net_formats.h"
 
 #include <fmt/format.h>
+#include <json/reader.h>
+#include <json/value.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -162,6 +165,37 @@ YamlNode readObject(Words& words) {
   return net;
 }
 
+int wholeOf(const YamlNode& node, const char* what, int least, int most) {
+  int value = 0;
+  const char* last = node.text.data() + node.text.size();
+  const auto [stop, fault] = std::from_chars(node.text.data(), last, value);
+  if (node.kind != YamlNode::Kind::Scalar || fault != std::errc() || stop != last || value < least ||
+      value > most)
+    throw Fault{node.place,
+                fmt::format("found {}; allowed: {}, a whole number from {} to {}",
+                            node.kind == YamlNode::Kind::Scalar ? shortened(node.text) : node.describe(),
+                            what, least, most)};
+  return value;
+}
+
+/// A number that says what follows from others may be left out; it must not say something else.
+void requireSame(const YamlNode& holder, const std::string& key, std::size_t count, const char* why) {
+  constexpr int kMost = 1'000'000'000;
+  const YamlNode* given = holder.find(key);
+  if (given == nullptr || given->kind == YamlNode::Kind::Null) return;
+  if (static_cast<std::size_t>(wholeOf(*given, key.c_str(), 0, kMost)) != count)
+    throw Fault{given->place, fmt::format("found {} as {}; allowed: {}, {}", given->text, key, count, why)};
+}
+
+/// Surfaces are taken whole.
+void refuseTrims(const YamlNode& data) {
+  const YamlNode* trims = data.find("trims");
+  if (trims == nullptr) return;
+  const YamlNode* curves = trims->kind == YamlNode::Kind::Mapping ? trims->find("data") : trims;
+  if (curves != nullptr && !curves->children.empty())
+    throw Fault{trims->place, "found a surface that is trimmed by curves; allowed: surfaces without trims"};
+}
+
 /// Value of a key of a mapping.
 const YamlNode& part(const YamlNode& holder, const std::string& key, YamlNode::Kind kind) {
   const YamlNode* found = holder.kind == YamlNode::Kind::Mapping ? holder.find(key) : nullptr;
@@ -195,6 +229,7 @@ YamlNode readShape(const YamlNode& data) {
   if (data.kind != Kind::Mapping)
     throw Fault{data.place,
                 fmt::format("found {}; allowed: a mapping with degrees and control_points", data.describe())};
+  refuseTrims(data);
   const bool isCurve = data.find("degree_u") == nullptr;
   YamlNode degrees = listAt(data.place), knots = listAt(data.place);
   std::array<std::size_t, 3> size{1, 1, 1};
@@ -203,16 +238,12 @@ YamlNode readShape(const YamlNode& data) {
     if (d > 0 && (isCurve || data.find("degree" + end) == nullptr)) break;
     const YamlNode& degree = part(data, "degree" + end, Kind::Scalar);
     const YamlNode& row = part(data, "knotvector" + end, Kind::Sequence);
-    int value = 0;
-    const char* last = degree.text.data() + degree.text.size();
-    if (const auto [stop, fault] = std::from_chars(degree.text.data(), last, value);
-        fault != std::errc() || stop != last || value < 1 || value > 10)
-      throw Fault{degree.place, fmt::format("found {}; allowed: a degree, a whole number from 1 to 10",
-                                            shortened(degree.text))};
+    const int value = wholeOf(degree, "a degree", 1, 10);
     if (row.children.size() < 2 * (static_cast<std::size_t>(value) + 1))
       throw Fault{row.place, fmt::format("found {} knots; allowed for degree {}: at least {}",
                                          row.children.size(), value, 2 * (value + 1))};
     size[d] = row.children.size() - static_cast<std::size_t>(value) - 1;
+    requireSame(data, "size" + end, size[d], "as many as the knots make basis functions");
     degrees.children.push_back(degree);
     knots.children.push_back(row);
   }
@@ -226,7 +257,49 @@ YamlNode readShape(const YamlNode& data) {
   return net;
 }
 
+/// All shapes are of the type that a file says, which may be left out.
+void requireType(const YamlNode& shape, const std::vector<YamlNode>& nets) {
+  constexpr std::array kTypes{"curve", "surface", "volume"};
+  const YamlNode* type = shape.find("type");
+  if (type == nullptr) return;
+  for (const YamlNode& net : nets) {
+    const char* found = kTypes[net.find("degrees")->children.size() - 1];
+    if (type->text != found)
+      throw Fault{type->place,
+                  fmt::format("found type {} of a file that holds a {}; allowed: {}",
+                              type->kind == YamlNode::Kind::Scalar ? shortened(type->text) : type->describe(),
+                              found, found)};
+  }
+}
+
+/// Where a message of the reader of JSON says that something is wrong, "Line 3, Column 5".
+Place placeIn(const std::string& message, int source) {
+  const auto numberBehind = [&message](const char* word) {
+    int number = 1;
+    if (const std::size_t at = message.find(word); at != std::string::npos) {
+      const char* begin = message.data() + at + std::string_view(word).size();
+      std::from_chars(begin, message.data() + message.size(), number);
+    }
+    return number;
+  };
+  return {source, numberBehind("Line "), numberBehind("Column ")};
+}
+
 }  // namespace
+
+bool isJson(const std::string& text, int source, const std::string& path, Diagnostics& errors) {
+  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
+  Json::Value ignored;
+  std::string problem;
+  try {
+    if (reader->parse(text.data(), text.data() + text.size(), &ignored, &problem)) return true;
+  } catch (const Json::Exception& exception) {  // too deep
+    problem = exception.what();
+  }
+  errors.add(placeIn(problem, source), path,
+             "broken JSON; look at brackets, commas and quotes here and just before.");
+  return false;
+}
 
 std::optional<std::vector<YamlNode>> netsOfG2(const std::string& text, int source, const std::string& path,
                                               Diagnostics& errors) {
@@ -246,10 +319,12 @@ std::optional<std::vector<YamlNode>> netsOfJson(const YamlNode& document, const 
                                                 Diagnostics& errors) {
   std::vector<YamlNode> nets;
   try {
-    const YamlNode& data =
-        part(part(document, "shape", YamlNode::Kind::Mapping), "data", YamlNode::Kind::Sequence);
+    const YamlNode& all = part(document, "shape", YamlNode::Kind::Mapping);
+    const YamlNode& data = part(all, "data", YamlNode::Kind::Sequence);
     for (const YamlNode& shape : data.children) nets.push_back(readShape(shape));
     if (nets.empty()) throw Fault{data.place, "found a list of no shapes; allowed: at least one"};
+    requireSame(all, "count", nets.size(), "as many as there are in data");
+    requireType(all, nets);
   } catch (const Fault& fault) {
     errors.add(fault.place, path, fmt::format("{}.", fault.text));
     return std::nullopt;

@@ -15,7 +15,11 @@ namespace burnish {
 std::optional<std::vector<YamlNode>> netsOfG2(const std::string& text, int source, const std::string& path,
                                               Diagnostics& errors);
 
-/// The same of JSON as geomdl (NURBS-Python) and `burnish export` write it. document: as read; it has a key `shape`.
+/// Whether a text is JSON; what is not is added to `errors`.
+bool isJson(const std::string& text, int source, const std::string& path, Diagnostics& errors);
+
+/// The same as of g2 of JSON as geomdl (NURBS-Python) and `burnish export` write it. document: as read; it has a key `shape`. Trimmed surfaces are
+/// refused.
 std::optional<std::vector<YamlNode>> netsOfJson(const YamlNode& document, const std::string& path,
                                                 Diagnostics& errors);
 

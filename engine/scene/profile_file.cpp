@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/cad/unit_label.h"
 #include "engine/core/error.h"
 #include "engine/core/measured_table.h"
 #include "engine/core/quoted.h"
+#include "engine/core/unit_label.h"
 #include "engine/scene/body_shapes.h"
 
 namespace burnish {
@@ -24,14 +24,14 @@ std::string unitOf(const std::string& column) {
 
 /// What lengths of a column are multiplied by. label: the scene's unit of lengths, or empty. Throws `Error`.
 double factorOf(const MeasuredTable& table, std::size_t column, const std::string& label) {
-  std::string unit = unitOf(table.columns()[column]);
-  if (unit == "µm") unit = "um";
+  const std::string unit = unitOf(table.columns()[column]);
   if (unit.empty() || unit == label) return 1.0;
-  const auto from = lengthUnitOf(unit), to = lengthUnitOf(label == "µm" ? "um" : label);
+  const auto from = lengthUnitOf(unit), to = lengthUnitOf(label);
   if (from && to) return millimetresOf(*from) / millimetresOf(*to);
-  throw Error(fmt::format(
-      "{}: its lengths are in {}, those of the scene in {}; allowed: one unit, or two of um, mm, cm, m, in, ft",
-      table.path().string(), shortened(unit), label.empty() ? "no unit (units)" : shortened(label)));
+  throw Error(
+      fmt::format("{}: its lengths are in {}, those of the scene in {}; allowed: one unit, or two of {}",
+                  table.path().string(), shortened(unit),
+                  label.empty() ? "no unit (units)" : shortened(label), kLengthLabels));
 }
 
 /// A sequence of numbers; they are where the name of their file is.

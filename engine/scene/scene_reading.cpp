@@ -28,7 +28,7 @@ YamlNode readTree(const std::string& yaml, const std::string& name, const std::v
   const std::filesystem::path directory = std::filesystem::path(name).parent_path();
   insertControlNetFiles(root, directory, errors);
   insertProfileFiles(root, directory, errors);
-  resolveToolFiles(root, directory);
+  resolveToolFiles(root, directory, errors);
   if (const YamlNode* steps = root.find("steps"); steps != nullptr && !steps->children.empty())
     if (const YamlNode* until = steps->children.back().find("until"); until != nullptr)
       replaceEndOfRun(root, until->text);

@@ -35,8 +35,10 @@ void describe(Visitor& v, DefinitionSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, UnitsSpec& s) {
-  v.field("length", s.length, {.longest = kLongestShownText},
-          "Label of the unit of length in pictures and files; nothing is converted.");
+  v.field(
+      "length", s.length, {.longest = kLongestShownText},
+      "Label of the unit of length in pictures and files; nothing is converted into it but lengths of CAD files and "
+      "of measured profiles.");
   v.field("stress", s.stress, {.longest = kLongestShownText}, "Label of the unit of stress.");
 }
 

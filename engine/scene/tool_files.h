@@ -7,8 +7,8 @@ namespace burnish {
 
 /// Makes the names of the files that shapes of tools are read from, which are relative to `directory`,
 /// absolute in a scene's tree, so that the resolved scene, which results keep, can be run from anywhere. Those
-/// of CAD that say no `unit` get that of the scene's lengths.
-void resolveToolFiles(YamlNode& root, const std::filesystem::path& directory);
+/// of CAD that say no `unit` get that of the scene's lengths; a label that names no unit is added to `errors`.
+void resolveToolFiles(YamlNode& root, const std::filesystem::path& directory, Diagnostics& errors);
 
 /// Calls `act(shape, path)` for every shape of the tools in a scene's tree, parts of unions included.
 template <class Act>

@@ -17,7 +17,7 @@ std::string readDocument(const std::filesystem::path& file, const DocumentKind& 
   const std::string name = file.string();
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
-    throw Error(fmt::format("{}: this is a directory; a {} is a YAML file", name, kind.name));
+    throw Error(fmt::format("{}: this is a directory; a {} is a {} file", name, kind.name, kind.format));
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Error(fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
   std::string text;
@@ -25,7 +25,8 @@ std::string readDocument(const std::filesystem::path& file, const DocumentKind& 
   while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     if (text.size() > largest)
-      throw Error(fmt::format("{}: larger than 64 MB; a {} is a small YAML file", name, kind.name));
+      throw Error(
+          fmt::format("{}: larger than 64 MB; a {} is a small {} file", name, kind.name, kind.format));
   }
   return text;
 }

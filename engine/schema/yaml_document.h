@@ -8,8 +8,9 @@ namespace burnish {
 
 /// What a kind of YAML document is called in messages.
 struct DocumentKind {
-  std::string name;  ///< "scene"
-  std::string keys;  ///< the most important ones: "geometry, material and steps"
+  std::string name;             ///< "scene"
+  std::string keys;             ///< the most important ones: "geometry, material and steps"
+  std::string format = "YAML";  ///< of its files
 };
 
 /// Throws `Error` if the file cannot be read or is larger than 64 MB.

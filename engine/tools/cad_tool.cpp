@@ -6,12 +6,14 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/cad/cad_file.h"
 #include "engine/core/angles.h"
 #include "engine/core/error.h"
+#include "engine/core/key_error.h"
 #include "engine/nurbs/patch.h"
 #include "engine/tools/faceted_distance.h"
 #include "engine/tools/nurbs_shape.h"
@@ -77,14 +79,19 @@ FacetedShape facetedShape(CadSurface surface, double scale, bool open, std::opti
 }  // namespace
 
 RigidShape CadTool::made() const {
-  requireFile(file, "STEP or IGES model");
-  CadSurface surface =
-      readCad({file, face, solid, unit, tolerance ? std::optional(*tolerance / scale) : std::nullopt});
-  if (surface.exact) return exactShape(*surface.exact, scale);
   try {
+    requireFile(file, "STEP or IGES model");
+    CadSurface surface =
+        readCad({file, face, solid, unit, tolerance ? std::optional(*tolerance / scale) : std::nullopt});
+    if (surface.exact) return exactShape(*surface.exact, scale);
     return facetedShape(std::move(surface), scale, open, smoothing);
+  } catch (const KeyError&) {
+    throw;
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", file, error.what()));
+    const char* key = !face.empty() ? "face" : !solid.empty() ? "solid" : "file";
+    throw KeyError(key, std::string(error.what()).starts_with(file)
+                            ? error.what()
+                            : fmt::format("{}: {}", file, error.what()));
   }
 }
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/cad/length_unit.h"
+#include "engine/core/length_unit.h"
 #include "engine/tools/faceted_shape.h"
 #include "engine/tools/rigid_shape.h"
 #include "engine/tools/shape_kind.h"

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "engine/core/key_error.h"
 #include "engine/tools/outline_parts.h"
 #include "engine/tools/shape_problems.h"
 
@@ -85,7 +87,13 @@ SurfaceMesh Union::outline(int dim, double reach) const {
 
 Union UnionTool::made() const {
   Union joined{{}, blend};
-  for (const UnionPart& part : parts) joined.parts.push_back(makeShape(part.shape, part.inside));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    try {
+      joined.parts.push_back(makeShape(parts[i].shape, parts[i].inside));
+    } catch (const KeyError& error) {
+      throw KeyError(fmt::format("parts[{}].{}", i, error.key()), error.what());
+    }
+  }
   return joined;
 }
 

@@ -181,19 +181,25 @@ std::string nameOf(const ModelRecord& model, const PatchRecord& patch) {
 
 }  // namespace
 
-std::vector<CadFace> nurbsFaces(const ModelRecord& model, const FrameRecord& frame) {
+std::vector<CadBody> nurbsBodies(const ModelRecord& model, const FrameRecord& frame) {
   checkFrame(frame, model, fmt::format("frame {}", frame.index));
   const MeshRecord& mesh = meshOf(model, frame);
   const std::vector<NurbsPatch> patches = patchesOf(mesh, frame);
-  std::vector<CadFace> faces;
+  std::vector<CadBody> bodies;
+  const auto addFace = [&](std::size_t k, CadFace face) {
+    const std::string name = nameOf(model, mesh.patches[k]);
+    auto body = std::ranges::find(bodies, name, &CadBody::name);
+    if (body == bodies.end()) body = bodies.insert(body, {.name = name});
+    face.name = fmt::format("{}.{}", name, face.name);
+    body->faces.push_back(std::move(face));
+  };
   if (model.dim == 2) {
     for (std::size_t k = 0; k < patches.size(); ++k) {
       FaceOfPatch all{.directions = {0, 1}};
       for (Eigen::Index a = 0; a < patches[k].points.cols(); ++a) all.functions.push_back(a);
-      faces.push_back(
-          cadFace(patches[k], all, false, fmt::format("{}.{}", nameOf(model, mesh.patches[k]), k + 1)));
+      addFace(k, cadFace(patches[k], all, false, fmt::format("{}", k + 1)));
     }
-    return faces;
+    return bodies;
   }
   const auto sortedNodes = [&](std::size_t k, FaceId face) {
     auto nodes = nodesOf(mesh.patches[k], faceOfPatch(patches[k], face));
@@ -209,11 +215,10 @@ std::vector<CadFace> nurbsFaces(const ModelRecord& model, const FrameRecord& fra
       if (count[sortedNodes(k, face)] > 1 ||
           isCollapsed(nodesOf(mesh.patches[k], found), patches[k].directions[found.directions[0]].count()))
         continue;
-      faces.push_back(
-          cadFace(patches[k], found, pointsInwards(face),
-                  fmt::format("{}.{}.{}", nameOf(model, mesh.patches[k]), k + 1, faceName(face))));
+      addFace(k,
+              cadFace(patches[k], found, pointsInwards(face), fmt::format("{}.{}", k + 1, faceName(face))));
     }
-  return faces;
+  return bodies;
 }
 
 std::string nurbsText(const ModelRecord& model, const FrameRecord& frame, NurbsFormat format) {

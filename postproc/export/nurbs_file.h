@@ -17,9 +17,9 @@ enum class NurbsFormat {
 /// multiple knots. Throws `Error` if frame and model disagree.
 std::string nurbsText(const ModelRecord& model, const FrameRecord& frame, NurbsFormat format);
 
-/// The same for CAD: the patches of plane bodies, in z = 0; in space the faces of the bodies, without those at which patches
+/// The same for CAD, by bodies: the patches of plane bodies, in z = 0; in space the faces of the bodies, without those at which patches
 /// are joined and those that collapse to a line or a point. Their names are BODY.PATCH.FACE, with the number of the patch from
 /// 1. Throws `Error` if frame and model disagree.
-std::vector<CadFace> nurbsFaces(const ModelRecord& model, const FrameRecord& frame);
+std::vector<CadBody> nurbsBodies(const ModelRecord& model, const FrameRecord& frame);
 
 }  // namespace burnish

@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
-#include "postproc/foreign/lower_case.h"
+#include "engine/core/lower_case.h"
 
 namespace burnish {
 namespace {

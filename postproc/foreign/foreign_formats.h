@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "postproc/foreign/lower_case.h"
+#include "engine/core/lower_case.h"
 
 namespace burnish {
 

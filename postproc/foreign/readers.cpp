@@ -49,12 +49,12 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/lower_case.h"
 #include "engine/core/quoted.h"
 #include "postproc/foreign/announced_counts.h"
 #include "postproc/foreign/check_grid.h"
 #include "postproc/foreign/foreign_formats.h"
 #include "postproc/foreign/foreign_source.h"
-#include "postproc/foreign/lower_case.h"
 
 /// A module: VTK's readers bring along libraries for the network, for MPI and for pictures, which take as long to load as the rest
 /// of the program, and which most commands never need.

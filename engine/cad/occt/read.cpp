@@ -10,7 +10,9 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <IGESControl_Reader.hxx>
+#include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
@@ -18,6 +20,7 @@
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -48,6 +51,9 @@
 #include "engine/cad/cad_file.h"
 #include "engine/cad/occt/units.h"
 #include "engine/core/error.h"
+#include "engine/core/key_error.h"
+#include "engine/core/lower_case.h"
+#include "engine/core/unit_label.h"
 
 namespace burnish {
 namespace {
@@ -60,9 +66,7 @@ struct Model {
 
 /// A file as a shape in millimetres.
 Model modelOf(const std::string& file) {
-  std::string kind = std::filesystem::path(file).extension().string();
-  std::ranges::transform(kind, kind.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string kind = inLowerCase(std::filesystem::path(file).extension().string());
   const bool isStep = kind == ".step" || kind == ".stp";
   if (!isStep && kind != ".iges" && kind != ".igs")
     throw Error(fmt::format("found the ending {}; allowed: .step, .stp, .iges and .igs", kind));
@@ -100,27 +104,34 @@ std::map<const TopoDS_TShape*, std::string> namesOf(const Model& model) {
   return names;
 }
 
-/// The part of a kind with this name, or else this number from 1.
-TopoDS_Shape partOf(const Model& model, TopAbs_ShapeEnum kind, const char* word, const std::string& wanted) {
+/// The part of a kind with this name, or else this number from 1. key: of a kind, which is what one is called, too.
+TopoDS_Shape partOf(const Model& model, TopAbs_ShapeEnum kind, const char* key, const std::string& wanted) {
   constexpr std::size_t kNamed = 10;
   TopTools_IndexedMapOfShape parts;
   TopExp::MapShapes(model.shape, kind, parts);
   const auto nameOf = namesOf(model);
   std::vector<std::string> names;
+  std::vector<int> found;
   for (int k = 1; k <= parts.Extent(); ++k) {
     const auto name = nameOf.find(parts(k).TShape().get());
     if (name == nameOf.end()) continue;
-    if (name->second == wanted) return parts(k);
+    if (name->second == wanted) found.push_back(k);
     if (names.size() < kNamed) names.push_back(name->second);
   }
+  if (found.size() == 1) return parts(found.front());
+  if (found.size() > 1)
+    throw KeyError(
+        key,
+        fmt::format("found {} {}s that are called {}, with the numbers {}; allowed: one of these numbers",
+                    found.size(), key, wanted, fmt::join(found, ", ")));
   int number = 0;
   const char* end = wanted.data() + wanted.size();
   const auto [stop, fault] = std::from_chars(wanted.data(), end, number);
   if (fault == std::errc() && stop == end && number >= 1 && number <= parts.Extent()) return parts(number);
-  if (parts.Extent() == 0) throw Error(fmt::format("found no {} in the file", word));
-  throw Error(
-      fmt::format("found no {} {}; allowed: a number from 1 to {}{}", word, wanted, parts.Extent(),
-                  names.empty() ? "" : fmt::format(", or a name such as {}", fmt::join(names, ", "))));
+  if (parts.Extent() == 0) throw KeyError(key, fmt::format("found no {} in the file", key));
+  throw KeyError(
+      key, fmt::format("found no {} {}; allowed: a number from 1 to {}{}", key, wanted, parts.Extent(),
+                       names.empty() ? "" : fmt::format(", or a name such as {}", fmt::join(names, ", "))));
 }
 
 std::vector<TopoDS_Face> facesOf(const TopoDS_Shape& shape) {
@@ -153,10 +164,15 @@ bool isUntrimmed(const TopoDS_Face& face, const std::array<double, 4>& bounds) {
   return true;
 }
 
-/// The face as a NURBS surface, unless it is trimmed.
-std::optional<CadFace> exactFace(const TopoDS_Face& face, double scale) {
+std::array<double, 4> boundsOf(const TopoDS_Face& face) {
   std::array<double, 4> bounds{};
   BRepTools::UVBounds(face, bounds[0], bounds[1], bounds[2], bounds[3]);
+  return bounds;
+}
+
+/// The face as a NURBS surface, unless it is trimmed.
+std::optional<CadFace> exactFace(const TopoDS_Face& face, double scale) {
+  const std::array<double, 4> bounds = boundsOf(face);
   if (!isUntrimmed(face, bounds)) return std::nullopt;
   const Handle(Geom_Surface) whole = BRep_Tool::Surface(face);
   Handle(Geom_BSplineSurface) surface = GeomConvert::SurfaceToBSplineSurface(
@@ -254,23 +270,97 @@ void readSurface(const CadRequest& request, CadSurface& surface) {
   const auto faces = facesOf(shape);
   if (faces.empty()) throw Error("found no face in the file; allowed: faces, shells or solids");
   const double scale = 1.0 / millimetresOf(request.unit), extent = extentOf(shape);
+  if (request.oneExactFace && faces.size() > 1)
+    throw KeyError("face",
+                   fmt::format("missing, in a file of {0} faces; required: the name of one, or its number "
+                               "from 1 to {0}",
+                               faces.size()));
   if (faces.size() == 1) surface.exact = exactFace(faces.front(), scale);
   if (surface.exact) return;
+  if (request.oneExactFace)
+    throw KeyError("face",
+                   "found a face that is trimmed by curves on its surface; allowed: one whose edges are the "
+                   "ends of its surface");
   if (!model.isStep && faces.size() > 1) shape = sewn(shape, extent);
   const double tolerance = request.tolerance ? *request.tolerance / scale : 1e-3 * extent;
   triangulate(shape, tolerance, scale, surface);
+}
+
+/// As a file names its unit of lengths; empty if it does not.
+std::string unitOf(const Model& model) {
+  if (auto* step = dynamic_cast<STEPControl_Reader*>(model.reader.get())) {
+    TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
+    step->FileUnits(lengths, angles, solidAngles);
+    return lengths.IsEmpty() ? "" : lengths.First().ToCString();
+  }
+  const auto iges = Handle(IGESData_IGESModel)::DownCast(model.reader->Model());
+  const auto name = iges.IsNull() ? Handle(TCollection_HAsciiString)() : iges->GlobalSection().UnitName();
+  return name.IsNull() ? "" : name->ToCString();
+}
+
+Eigen::AlignedBox3d boxOf(const TopoDS_Shape& shape, double scale) {
+  constexpr double kNone = 1e-6;  // of the largest coordinate: OpenCASCADE's boxes are wider by its tolerance
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, false, false);
+  if (box.IsVoid()) return {};
+  std::array<double, 6> b{};
+  box.Get(b[0], b[1], b[2], b[3], b[4], b[5]);
+  const double largest = std::abs(*std::ranges::max_element(b, {}, [](double x) { return std::abs(x); }));
+  const auto at = [&](std::size_t k) { return std::abs(b[k]) < kNone * largest ? 0.0 : scale * b[k]; };
+  return {Eigen::Vector3d(at(0), at(1), at(2)), Eigen::Vector3d(at(3), at(4), at(5))};
+}
+
+void listParts(const std::string& file, CadListing& listing) {
+  const Model model = modelOf(file);
+  listing.fileUnit = unitOf(model);
+  listing.unit = lengthUnitOf(inLowerCase(listing.fileUnit)).value_or(LengthUnit::Millimetre);
+  const double scale = 1.0 / millimetresOf(listing.unit);
+  const auto nameOf = namesOf(model);
+  const auto partAt = [&](const TopoDS_Shape& shape) {
+    const auto name = nameOf.find(shape.TShape().get());
+    return CadPart{.name = name == nameOf.end() ? "" : name->second, .box = boxOf(shape, scale)};
+  };
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(model.shape, TopAbs_SOLID, solids);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(model.shape, TopAbs_FACE, faces);
+  for (int k = 1; k <= faces.Extent(); ++k) {
+    const TopoDS_Face face = TopoDS::Face(faces(k));
+    listing.faces.push_back(partAt(face));
+    listing.faces.back().isExact = isUntrimmed(face, boundsOf(face));
+  }
+  for (int k = 1; k <= solids.Extent(); ++k) {
+    listing.solids.push_back(partAt(solids(k)));
+    for (const TopoDS_Face& face : facesOf(solids(k))) {
+      ++listing.solids.back().faces;
+      listing.faces[static_cast<std::size_t>(faces.FindIndex(face)) - 1].solid = k;
+    }
+  }
+}
+
+/// Acts; what it throws becomes the problem.
+template <class Act>
+void noting(CadProblem& problem, const Act& act) {
+  try {
+    act();
+  } catch (const Standard_Failure& failure) {
+    problem = {"file", fmt::format("OpenCASCADE cannot read it ({})", failure.GetMessageString())};
+  } catch (const KeyError& failure) {
+    problem = {failure.key(), failure.what()};
+  } catch (const std::exception& failure) {
+    problem = {"file", failure.what()};
+  }
 }
 
 }  // namespace
 }  // namespace burnish
 
 extern "C" void burnishReadCad(const burnish::CadRequest& request, burnish::CadSurface& surface,
-                               std::string& problem) {
-  try {
-    burnish::readSurface(request, surface);
-  } catch (const Standard_Failure& failure) {
-    problem = fmt::format("OpenCASCADE cannot read it ({})", failure.GetMessageString());
-  } catch (const std::exception& failure) {
-    problem = failure.what();
-  }
+                               burnish::CadProblem& problem) {
+  burnish::noting(problem, [&] { burnish::readSurface(request, surface); });
+}
+
+extern "C" void burnishListCad(const std::string& file, burnish::CadListing& listing,
+                               burnish::CadProblem& problem) {
+  burnish::noting(problem, [&] { burnish::listParts(file, listing); });
 }

@@ -23,8 +23,7 @@ struct ControlNetBody : Net {
 
 template <class Visitor>
 void describe(Visitor& v, ControlNetBody& s) {
-  v.field("file", s.file, {}, kNetFileSentence);
-  v.field("entry", s.entry, {.atLeast = 0}, kNetEntrySentence);
+  describeNetFile(v, s);
   v.field("degrees", s.degrees, {.atLeast = 1, .atMost = 10, .minEntries = 2, .maxEntries = 3},
           "Degree in each of the two or three parametric directions.");
   v.field("knots", s.knots, {.minEntries = 2, .maxEntries = 3}, "An open knot vector for each direction.");

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/length_unit.h"
 #include "engine/nurbs/knot_vector.h"
 #include "engine/nurbs/net_words.h"
 #include "engine/nurbs/patch.h"
@@ -17,7 +18,10 @@ class Problems;
 /// entry per direction; points with the first direction fastest; weights may be left out (all 1).
 struct Net {
   std::string file;  ///< relative to the scene's file; replaced by its contents when the scene is read
-  std::optional<int> entry;  ///< which one of several in the file; taken away with it
+  std::optional<int> entry;           ///< which one of several in the file; taken away with it
+  std::optional<std::string> face{};  ///< of a CAD file: as the next two, taken away with it
+  std::optional<LengthUnit> unit{};
+  std::optional<bool> flip{};  ///< its first direction becomes the second one
   std::vector<int> degrees;
   std::vector<std::vector<double>> knots;  ///< of profiles they may be left out: see `knotVectors`
   std::vector<std::vector<double>> points;
@@ -32,11 +36,20 @@ struct Net {
   Patch<P, S> patch() const;
 };
 
+/// The keys of a file that holds a net.
+template <class Visitor>
+void describeNetFile(Visitor& v, Net& s) {
+  v.field("file", s.file, {}, kBodyNetFileSentence);
+  v.field("entry", s.entry, {.atLeast = 0}, kNetEntrySentence);
+  v.field("face", s.face, {}, kNetFaceSentence);
+  v.field("unit", s.unit, {}, kNetUnitSentence);
+  v.field("flip", s.flip, {}, kNetFlipSentence);
+}
+
 /// A curve or a face from which a body is made.
 template <class Visitor>
 void describe(Visitor& v, Net& s) {
-  v.field("file", s.file, {}, kNetFileSentence);
-  v.field("entry", s.entry, {.atLeast = 0}, kNetEntrySentence);
+  describeNetFile(v, s);
   v.field("degrees", s.degrees, {.atLeast = 1, .atMost = 10, .minEntries = 1, .maxEntries = 2},
           "Degree of a curve, or in both directions of a face.");
   v.field(

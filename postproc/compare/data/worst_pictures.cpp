@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/lower_case.h"
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/chart/chart.h"
@@ -24,7 +25,6 @@
 #include "postproc/draw/foreign/foreign_picture.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/foreign/foreign_file.h"
-#include "postproc/foreign/lower_case.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "postproc/text/text_file.h"
 

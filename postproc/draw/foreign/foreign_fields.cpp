@@ -10,9 +10,9 @@
 #include <array>
 
 #include "engine/core/error.h"
+#include "engine/core/lower_case.h"
 #include "engine/core/nearest.h"
 #include "postproc/foreign/array_names.h"
-#include "postproc/foreign/lower_case.h"
 
 namespace burnish {
 namespace {

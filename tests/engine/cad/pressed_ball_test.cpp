@@ -5,6 +5,7 @@
 #include <STEPControl_Writer.hxx>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,7 +52,31 @@ TEST(PressedBall, HasTheForceOfTheSphere) {
   const std::string thousandth = "shape: cad, file: ball.step, scale: 0.001";
   EXPECT_NEAR(forceOf(thousandth + ", unit: um", directory.path(), "m"), exact, 1e-7 * exact);
   EXPECT_NEAR(forceOf(thousandth, directory.path(), "um"), exact, 1e-7 * exact);
-  EXPECT_NEAR(forceOf("shape: cad, file: ball.step", directory.path(), "some length"), exact, 1e-7 * exact);
+  EXPECT_NEAR(forceOf(thousandth, directory.path(), "micron"), exact, 1e-7 * exact);
+}
+
+TEST(PressedBall, FaultsAreThoseOfTheKeyThatIsToBlame) {
+  const test::ScratchDirectory directory("step_faults");
+  std::filesystem::create_directories(directory.path());
+  STEPControl_Controller::Init();
+  STEPControl_Writer writer;
+  writer.Transfer(BRepPrimAPI_MakeSphere(gp_Pnt(1.0, 0.9, 1.8), 0.8).Solid(), STEPControl_AsIs);
+  ASSERT_EQ(writer.Write((directory.path() / "ball.step").c_str()), IFSelect_RetDone);
+  const auto errorOf = [&](const std::string& tool) -> std::string {
+    try {
+      forceOf(tool, directory.path());
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(errorOf("shape: cad, file: none.step"), HasSubstr("scene.yaml:4:40: tools[0].file: "));
+  EXPECT_THAT(errorOf("shape: cad, file: ball.step, face: top"),
+              HasSubstr("scene.yaml:4:57: tools[0].face: "));
+  EXPECT_THAT(errorOf("shape: cad, file: ball.step, solid: 2"), HasSubstr("tools[0].solid: "));
+  EXPECT_THAT(errorOf("shape: union, parts: [{shape: cad, file: ball.step, face: top}]"),
+              HasSubstr("tools[0].parts[0].face: "));
 }
 
 }  // namespace

@@ -349,6 +349,35 @@ TEST_F(ControlNetFile, ofOtherProgramsIsNamedWithItsPlaceWhenItIsWrong) {
   EXPECT_THAT(errorOf("ring.json", replaced(kRingJson, "\"degree_v\": 2", "\"degree_v\": 2.5")),
               HasSubstr("found 2.5; allowed: a degree, a whole number from 1 to 10."));
   EXPECT_THAT(errorOf("ring.json", "{\"shape\": 3}"), HasSubstr("found 3 as shape; allowed: a mapping."));
+  EXPECT_THAT(
+      errorOf("ring.json", replaced(kRingJson, "\"size_v\": 3", "\"size_v\": 4")),
+      HasSubstr(
+          "nets/ring.json:3:101: geometry: found 4 as size_v; allowed: 3, as many as the knots make basis "
+          "functions."));
+  EXPECT_THAT(errorOf("ring.json", replaced(kRingJson, "\"count\": 1", "\"count\": 2")),
+              HasSubstr("geometry: found 2 as count; allowed: 1, as many as there are in data."));
+  EXPECT_THAT(errorOf("ring.json", replaced(kRingJson, "\"surface\"", "\"volume\"")),
+              HasSubstr("geometry: found type volume of a file that holds a surface; allowed: surface."));
+  EXPECT_THAT(
+      errorOf("ring.json",
+              replaced(kRingJson, "\"reversed\": 0", "\"trims\": {\"count\": 1, \"data\": [{}]}")),
+      HasSubstr("geometry: found a surface that is trimmed by curves; allowed: surfaces without trims."));
+  EXPECT_EQ(
+      errorOf("ring.json", replaced(kRingJson, "\"reversed\": 0", "\"trims\": {\"count\": 0, \"data\": []}")),
+      "no error");
+  EXPECT_THAT(
+      errorOf("ring.json", replaced(kRingJson, "\"size_u\": 2,", "\"size_u\": 2")),
+      HasSubstr("nets/ring.json:3:90: geometry: broken JSON; look at brackets, commas and quotes here"));
+  EXPECT_THAT(errorOf("RING.JSON", "{\"shape\": 3"), HasSubstr("nets/RING.JSON:1:12: geometry: broken JSON"));
+  EXPECT_EQ(errorOf("RING.G2", kRingG2), "no error");
+  std::filesystem::create_directories(directory_ / "nets/folder");
+  try {
+    readScene(directory_ / "scene.yaml", {"geometry.file=nets/folder"});
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("this is a directory; a control net is a YAML, g2, JSON, STEP or IGES file."));
+  }
 }
 
 TEST_F(ControlNetFile, ofAProfileOrAToolIsFlattenedWhereThePlaneIsMeant) {

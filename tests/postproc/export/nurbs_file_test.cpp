@@ -178,7 +178,9 @@ TEST(NurbsFile, IsReadBackByScenesToTheLastBit) {
 
 TEST(NurbsFile, FacesForCadAreThoseOfTheBodyWithTheBodyBehindThem) {
   const samples::Sample cube = samples::cube();
-  const auto faces = nurbsFaces(cube.model, cube.frame);
+  const auto bodies = nurbsBodies(cube.model, cube.frame);
+  ASSERT_EQ(bodies.size(), 1U);
+  const std::vector<CadFace>& faces = bodies.front().faces;
   ASSERT_EQ(faces.size(), 6U);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const CadFace& face : faces) middle += face.points.rowwise().mean() / 6.0;
@@ -194,7 +196,8 @@ TEST(NurbsFile, FacesForCadAreThoseOfTheBodyWithTheBodyBehindThem) {
     EXPECT_GT(normal.dot(surface.position(at) - middle), 0.0) << face.name;
   }
   EXPECT_EQ(faces.back().name.substr(faces.back().name.find('.')), ".1.front");
-  EXPECT_EQ(nurbsFaces(samples::slab().model, samples::slab().frame).size(), 1U);
+  EXPECT_EQ(faces.back().name.substr(0, faces.back().name.find('.')), bodies.front().name);
+  EXPECT_EQ(nurbsBodies(samples::slab().model, samples::slab().frame).front().faces.size(), 1U);
 }
 
 }  // namespace

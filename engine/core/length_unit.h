@@ -6,18 +6,21 @@
 
 namespace burnish {
 
-enum class LengthUnit { Micrometre, Millimetre, Centimetre, Metre, Inch, Foot };
+enum class LengthUnit { Nanometre, Micrometre, Millimetre, Centimetre, Metre, Inch, Foot };
 
 template <>
 struct EnumNames<LengthUnit> {
   static constexpr std::array values{
-      std::pair{"um", LengthUnit::Micrometre}, std::pair{"mm", LengthUnit::Millimetre},
-      std::pair{"cm", LengthUnit::Centimetre}, std::pair{"m", LengthUnit::Metre},
-      std::pair{"in", LengthUnit::Inch},       std::pair{"ft", LengthUnit::Foot}};
+      std::pair{"nm", LengthUnit::Nanometre},  std::pair{"um", LengthUnit::Micrometre},
+      std::pair{"mm", LengthUnit::Millimetre}, std::pair{"cm", LengthUnit::Centimetre},
+      std::pair{"m", LengthUnit::Metre},       std::pair{"in", LengthUnit::Inch},
+      std::pair{"ft", LengthUnit::Foot}};
 };
 
 constexpr double millimetresOf(LengthUnit unit) {
   switch (unit) {
+    case LengthUnit::Nanometre:
+      return 1e-6;
     case LengthUnit::Micrometre:
       return 1e-3;
     case LengthUnit::Millimetre:
