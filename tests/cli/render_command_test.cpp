@@ -142,7 +142,7 @@ TEST_F(RenderCommand, ComponentsAreChosenByName) {
   expectRefused("render run --field displacement --component magnitud -o a.png",
                 "Did you mean \"magnitude\"?");
   expectRefused("render run --field plastic_strain --component xx -o a.png",
-                "found \"plastic_strain.xx\"; available");
+                "--component: found \"xx\"; plastic_strain is one number");
   expectRefused("render run --field displacment --component x -o a.png", "Did you mean \"displacement.x\"?");
 }
 
