@@ -252,7 +252,8 @@ class ContourPicture {
   void light(const Plan& plan) {
     if (!options_.occlusion || isFlat()) return;
     Occlusion occlusion(parts_, plan.tools, options_.toolOpacity);
-    occlusion.setSky();
+    // Surfaces of equal value lie within one another, where little of the sky is seen: all would be dark.
+    occlusion.setSky(!options_.isosurfaces);
     shadow_ = occlusion.groundShadow();
   }
 

@@ -225,20 +225,22 @@ void setSkyOf(vtkPolyData* surface, const std::vector<BodySurface::Lattice>& lat
 Occlusion::Occlusion(ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity)
     : parts_(parts), tools_(tools), length_(lengthOf(parts)), sky_(skyOf(parts, tools, toolOpacity)) {}
 
-void Occlusion::setSky() {
+void Occlusion::setSky(bool ofBodies) {
   constexpr double kReach = 0.25, kStart = 1.0 / 2000.0, kPressedIn = 0.01, kDistance = 1.0 / 70.0;
   const double start = kStart * length_, pressedIn = -kPressedIn * length_, distance = kDistance * length_;
-  const FreeSky::Rays ofBodies{kReach * length_, start, pressedIn},
-      ofTools{kReach * length_, pressedIn, start};
+  const FreeSky::Rays fromBodies{kReach * length_, start, pressedIn},
+      fromTools{kReach * length_, pressedIn, start};
   const auto setSkyOfBody = [&](auto& body, const auto& whole,
                                 const std::vector<BodySurface::Lattice>& lattices) {
-    if (!whole) return setSkyOf(body, lattices, sky_, ofBodies, distance, {});
-    setSkyOf(whole, lattices, sky_, ofBodies, distance, Cut{*parts_.plane, 2.0 * distance});
+    if (!whole) return setSkyOf(body, lattices, sky_, fromBodies, distance, {});
+    setSkyOf(whole, lattices, sky_, fromBodies, distance, Cut{*parts_.plane, 2.0 * distance});
     body = behind(*whole, *parts_.plane);
   };
-  setSkyOfBody(parts_.body, parts_.wholeBody, parts_.bodyLattices);
-  setSkyOfBody(parts_.plain, parts_.wholePlain, parts_.plainLattices);
-  for (const ToolDrawing& tool : tools_) setSkyOf(tool.surface, {}, sky_, ofTools, distance, {});
+  if (ofBodies) {
+    setSkyOfBody(parts_.body, parts_.wholeBody, parts_.bodyLattices);
+    setSkyOfBody(parts_.plain, parts_.wholePlain, parts_.plainLattices);
+  }
+  for (const ToolDrawing& tool : tools_) setSkyOf(tool.surface, {}, sky_, fromTools, distance, {});
 }
 
 vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {

@@ -16,8 +16,9 @@ class Occlusion {
   /// them. Throws as `FreeSky`.
   Occlusion(ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity);
 
-  /// Gives the surfaces that have normals the point data `kSky`: rays as long as a quarter of the bodies.
-  void setSky();
+  /// Gives the surfaces of the tools and, if wished, of the bodies, those that have normals, the point data `kSky`:
+  /// rays as long as a quarter of the bodies.
+  void setSky(bool ofBodies);
 
   /// The shadow of the bodies on the ground on which they stand, a surface of RGBA points. Null where the eye does
   /// not look down on it or a tool is in its place. y goes up.

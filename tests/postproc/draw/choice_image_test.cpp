@@ -246,6 +246,27 @@ TEST_F(ChoiceImage, SurfacesOfEqualValueStandInTheGhostOfTheBody) {
   expectBaseline(radialCube(), options, "cube_isosurfaces_cut");
 }
 
+/// Surfaces of equal value lie within one another: what takes their light there would make all of them dark.
+TEST_F(ChoiceImage, SurfacesOfEqualValueKeepTheirColoursWithinOneAnother) {
+  ContourOptions options = small("pressure");
+  options.isosurfaces = ChosenValues{0, "pressure", {0.5, 1.0, 1.5}};
+  options.view.name = "-1,-1,2";  // into the bowls
+  options.tools = false;
+  const Picture with = drawn(radialCube(), options);
+  options.occlusion = false;
+  const Picture without = drawn(radialCube(), options);
+  int numColored = 0;
+  for (int x = 0; x < 400; ++x)
+    for (int y = 0; y < 250; ++y) {
+      const Color color = without.at({x + 0.5, y + 0.5});
+      const auto [least, most] = std::minmax({color[0], color[1], color[2]});
+      if (most - least < 40) continue;  // ground and ghost are grey
+      ++numColored;
+      EXPECT_LE(difference(with.at({x + 0.5, y + 0.5}), color), 1) << "at " << x << ", " << y;
+    }
+  EXPECT_GT(numColored, 5000);
+}
+
 TEST_F(ChoiceImage, ThresholdHoldsForSections) {
   ContourOptions options = small("pressure");
   options.tools = false;
