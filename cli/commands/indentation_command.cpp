@@ -184,7 +184,7 @@ ExitCode indentation(const IndentationArguments& arguments) {
   std::string text;
   Json::Value list(Json::arrayValue);
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    list.append(jsonOf(runs[k], units, runs.size() > 1 ? names[k] : ""));
+    list.append(jsonOf(runs[k], units, names[k]));
     if (runs.size() > 1) text += (k > 0 ? "\n" : "") + names[k] + "\n";
     text += textOf(runs[k], units);
   }

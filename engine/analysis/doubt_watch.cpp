@@ -130,7 +130,8 @@ void DoubtWatch<Dim>::watchPaths(double time) {
     const auto [area, largestSpan] = pressedPart(*pair.term);
     if (area > 0.0) coarseness = std::max(coarseness, largestSpan / (2.0 * halfWidthOf<Dim>(area)));
   }
-  note(Condition::CoarsePath, coarseness * limitOf(Condition::CoarsePath) > 1.0, time, coarseness);
+  constexpr double kRounding = 1e-9;  // spans of which just enough lie over the width
+  note(Condition::CoarsePath, coarseness * limitOf(Condition::CoarsePath) > 1.0 + kRounding, time, coarseness);
 }
 
 template <int Dim>

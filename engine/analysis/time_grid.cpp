@@ -10,6 +10,19 @@
 namespace burnish {
 namespace {
 
+/// Ends of passes, and the times at which the tool has been lifted after them: what is left shows then.
+std::vector<double> pathTimes(const ToolSpec& tool) {
+  const ToolPath path = pathOf(tool);
+  std::vector<double> times = path.passEnds();
+  if (tool.path->clearance.isZero(0.0)) return times;
+  std::vector<double> corners = path.corners();
+  std::ranges::sort(corners);
+  for (const ToolPath::Pass& touch : path.touches())
+    if (const auto lifted = std::ranges::upper_bound(corners, touch.end); lifted != corners.end())
+      times.push_back(*lifted);
+  return times;
+}
+
 std::vector<double> outputTimes(const Scene& scene, double end) {
   std::vector<double> times = scene.output.times;
   times.insert(times.end(), scene.wanted.frames.begin(), scene.wanted.frames.end());
@@ -18,8 +31,8 @@ std::vector<double> outputTimes(const Scene& scene, double end) {
       times.push_back(static_cast<double>(k) * *scene.output.every);
   for (const ToolSpec& tool : scene.tools)
     if (tool.path) {
-      const std::vector<double> ends = pathOf(tool).passEnds();
-      times.insert(times.end(), ends.begin(), ends.end());
+      const std::vector<double> ofPath = pathTimes(tool);
+      times.insert(times.end(), ofPath.begin(), ofPath.end());
     }
   return times;
 }

@@ -14,6 +14,7 @@ struct FrictionTraction {
   Eigen::Matrix<double, D, D> byTrial = Eigen::Matrix<double, D, D>::Identity();  ///< M = ∂τᵉ/∂τ̂
   Eigen::Vector<double, D> byPressure = Eigen::Vector<double, D>::Zero();  ///< c = ∂τᵉ/∂λ̂, λ̂ <= 0
   bool slips = false;
+  double share = 1.0;  ///< |τᵉ|/|τ̂|
 };
 
 /// The return map of Coulomb friction: the trial traction τ̂ where |τ̂| <= b (stick), b τ̂/|τ̂| elsewhere (slip),
@@ -28,6 +29,7 @@ FrictionTraction<D> coulombTraction(const Eigen::Vector<double, D>& trial, doubl
   if (size <= bound) return result;
   const Eigen::Vector<double, D> direction = trial / size;
   result.slips = true;
+  result.share = bound / size;
   result.traction = bound * direction;
   result.byTrial = bound / size * (result.byTrial - direction * direction.transpose());
   if (lambdaHat < 0.0 && coulomb <= law.limit)

@@ -93,8 +93,10 @@ struct IntegralContactTerm<Dim>::SpanValues {
 /// not count.
 template <int Dim>
 struct IntegralContactTerm<Dim>::Contributions {
-  Contributions(std::vector<int> ofMultipliers, bool hasTangent)
-      : multipliers(std::move(ofMultipliers)), wantsTangent(hasTangent) {
+  Contributions(std::vector<int> ofMultipliers, bool hasTangent, bool hasFreeTurns)
+      : multipliers(std::move(ofMultipliers)),
+        wantsTangent(hasTangent),
+        wantsDragged(hasTangent && hasFreeTurns) {
     resize();
   }
 
@@ -117,14 +119,16 @@ struct IntegralContactTerm<Dim>::Contributions {
     if (size == force.size()) return;
     force.conservativeResizeLike(Eigen::VectorXd::Zero(size));
     if (wantsTangent) K.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
+    if (wantsDragged) dragged.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
   }
 
   std::vector<int> multipliers;        ///< -1 for one that there is not
   std::span<const int> displacements;  ///< none while nothing has touched
   std::vector<int> partners;           ///< in the order in which points asked for them
-  bool wantsTangent;
+  bool wantsTangent, wantsDragged;
   Eigen::VectorXd force;
-  Eigen::MatrixXd K;  ///< empty if no tangent is wanted
+  Eigen::MatrixXd K;        ///< empty if no tangent is wanted
+  Eigen::MatrixXd dragged;  ///< what K has more if the partner is, see `Drag`; empty without free turns
 };
 
 template <int Dim>
@@ -511,6 +515,7 @@ void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span&
   const Eigen::Vector<double, Dim> onPartner = w * contact.frame * law.traction;
   addForce(onPartner, point, work_.reaction(), work_.moment());
   state_.frictionForce += onPartner.norm();
+  drag_.add(law, onPartner);
   const auto rowsOf = [&](Eigen::Index alpha) { return tangentialRows<Dim>(n, alpha); };
   for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha)
     sums.force(rowsOf(alpha)) += w / rT * (law.traction(alpha) - tau(alpha)) * R;
@@ -532,12 +537,26 @@ void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span&
       sums.K(rowsOf(alpha), rowsOf(beta)) +=
           w / rT * (law.byTrial(alpha, beta) - (alpha == beta ? 1.0 : 0.0)) * R * R.transpose();
   }
+  if (!sums.wantsDragged || !law.slips) return;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!drag_.isFreeTurn(contact.unknowns[i])) continue;
+    const auto turn = static_cast<Eigen::Index>(i);
+    const Eigen::Index place = places[i];
+    drag_.addSlope(N(turn));
+    const Tangential more = law.share * contact.dSlip.row(turn).transpose() - MS.col(turn);
+    sums.dragged(places, place) += w * rT * T * more;
+    for (Eigen::Index alpha = 0; alpha < Dim - 1; ++alpha)
+      sums.dragged(rowsOf(alpha), place) += w * more(alpha) * R;
+    sums.dragged(place, places) -= w * r * Tc(turn) * N.transpose();
+    sums.dragged(place, multipliers) -= w * Tc(turn) * R.transpose();
+  }
 }
 
 template <int Dim>
 bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
   if (!partner_->update(t, x, face_.positions(x))) return false;
   time_ = t;
+  drag_ = hasFriction_ ? Drag<Dim>(partner_->freeTurns()) : Drag<Dim>();
   const std::vector<bool> before = std::move(state_.active);
   this->clearState(hasFriction_);
   state_.active.assign(anchors_.size(), false);
@@ -557,11 +576,12 @@ bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Asse
   Eigen::Index nearest = -1;  // the point that keeps a free tool in touch
   if (keepsInTouch_ && !anyPressed && isAlone()) state_.gap.minCoeff(&nearest);
 
+  std::vector<Contributions> dragged;
   for (std::size_t e = 0; e < unknowns_.size(); ++e) {
     const Span& span = face_.spans()[e];
     const Eigen::Index touching = nearest - span.firstPoint;
     const bool touches = nearest >= 0 && touching >= 0 && touching < span.R.cols();
-    Contributions sums(multiplierUnknowns(e), out.system != nullptr);
+    Contributions sums(multiplierUnknowns(e), out.system != nullptr, drag_.isPossible());
     if (states[e] == SpanState::Open && !touches) {
       addOpenSpan(values[e], sums);
     } else {
@@ -570,7 +590,14 @@ bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Asse
           addPoint(values[e], rule, q, touches && q == touching, sums);
     }
     addToSystem(sums, out);
+    if (sums.wantsDragged && states[e] != SpanState::Open) dragged.push_back(std::move(sums));
   }
+  if (drag_)
+    for (Contributions& sums : dragged) {
+      sums.force.setZero();
+      sums.K = std::move(sums.dragged);
+      addToSystem(sums, out);
+    }
   if (hasFriction_) endFriction();
   if (axisymmetric_) state_.keepAxialReaction();
   return true;

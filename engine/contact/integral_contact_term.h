@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/contact/coulomb.h"
+#include "engine/contact/drag.h"
 #include "engine/contact/face_contact.h"
 #include "engine/contact/multiplier_basis.h"
 #include "engine/contact/partner.h"
@@ -151,6 +152,7 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   const Body<Dim>& body_;
   std::unique_ptr<Partner<Dim>> partner_;
   bool hasFriction_;
+  Drag<Dim> drag_;  ///< in the last evaluated state
   MultiplierBasis multipliers_, tangential_;
   std::vector<Samples> samples_;           ///< per span
   std::vector<std::vector<double>> cuts_;  ///< per span: ends of segments inside of it

@@ -250,8 +250,27 @@ FrictionTraction<Dim - 1> MortarContactTerm<Dim>::frictionOf(int A, const Averag
   if (std::abs(state_.lambdaHat(A)) < parameter() * kNoPressure * body_.size()) {
     law.byTrial.setIdentity();
     law.byPressure.setZero();
+    law.share = 1.0;
   }
   return law;
+}
+
+template <int Dim>
+void MortarContactTerm<Dim>::chooseTractions(double t, const Eigen::VectorXd& x, const Sums& sums) {
+  tractions_.clear();
+  if (!hasFriction_) return;
+  drag_ = Drag<Dim>(partner_->freeTurns());
+  for (int A = 0; A < face_.numFunctions(); ++A) {
+    const auto a = static_cast<std::size_t>(A);
+    const Average& average = sums.averages[a];
+    const auto& law = tractions_.emplace_back(frictionOf(A, average, t, x));
+    if (!state_.active[a]) continue;
+    ++(law.slips ? state_.slipping : state_.sticking);
+    drag_.add(law, Tangential(average.A * law.traction));
+    for (std::size_t i = 0; i < average.unknowns.size(); ++i)
+      if (drag_.isFreeTurn(average.unknowns[i]))
+        drag_.addSlope(average.D(static_cast<Eigen::Index>(i)) / average.A);
+  }
 }
 
 template <int Dim>
@@ -298,7 +317,7 @@ template <int Dim>
 void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, Assembly& out,
                                           const Sums& sums) {
   const double eps = parameter();
-  tractions_.assign(hasFriction_ ? sums.averages.size() : 0, {});
+  chooseTractions(t, x, sums);
   for (int A = 0; A < face_.numFunctions(); ++A) {
     const auto a = static_cast<std::size_t>(A);
     const Average& average = sums.averages[a];
@@ -323,7 +342,7 @@ void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, As
       out.force(firstMultiplier_ + A) -= x(firstMultiplier_ + A) * A_(A) / eps;
       if (out.system != nullptr) K(n, n) = -A_(A) / eps;
     }
-    if (hasFriction_) addFriction(A, average, t, x, out, K);
+    if (hasFriction_) addFriction(A, average, x, out, K);
     if (out.system == nullptr || K.size() == 0) continue;
     unknowns.insert(unknowns.end(), multipliers.begin(), multipliers.end());
     out.system->add(unknowns, K);
@@ -332,14 +351,13 @@ void MortarContactTerm<Dim>::addFunctions(double t, const Eigen::VectorXd& x, As
 
 /// K: tangent of the function's unknowns if it is active, then of its multipliers; empty if not wanted.
 template <int Dim>
-void MortarContactTerm<Dim>::addFriction(int A, const Average& average, double t, const Eigen::VectorXd& x,
+void MortarContactTerm<Dim>::addFriction(int A, const Average& average, const Eigen::VectorXd& x,
                                          Assembly& out, Eigen::MatrixXd& K) {
   const auto a = static_cast<std::size_t>(A);
   const double eps = parameter(), epsT = frictionParameter();
   const bool active = state_.active[a], hasMultipliers = numMultipliers() > 0;
-  const auto& law = tractions_[a] = frictionOf(A, average, t, x);
+  const auto& law = tractions_[a];
   if (active) {
-    ++(law.slips ? state_.slipping : state_.sticking);
     const Eigen::VectorXd force = average.T * law.traction;
     out.force(average.unknowns) += force;
     work_.force()(average.unknowns) += force;
@@ -360,11 +378,21 @@ void MortarContactTerm<Dim>::addFriction(int A, const Average& average, double t
   const Rows TM = average.T * law.byTrial, SM = average.S * law.byTrial.transpose();
   const Eigen::VectorXd Tc = average.T * law.byPressure;
   K(own, own) += epsT / average.B * TM * average.S.transpose() + eps / weight * Tc * average.D.transpose();
-  if (!hasMultipliers) return;
-  K(own, tau) += TM;
-  K.col(n).head(n) += Tc;
-  K(tau, own) += weight / average.B * SM.transpose() + eps / epsT * law.byPressure * average.D.transpose();
-  K(tau, n) += weight / epsT * law.byPressure;
+  if (hasMultipliers) {
+    K(own, tau) += TM;
+    K.col(n).head(n) += Tc;
+    K(tau, own) += weight / average.B * SM.transpose() + eps / epsT * law.byPressure * average.D.transpose();
+    K(tau, n) += weight / epsT * law.byPressure;
+  }
+  for (Eigen::Index i = 0; i < n && drag_ && law.slips; ++i) {
+    if (!drag_.isFreeTurn(average.unknowns[static_cast<std::size_t>(i)])) continue;
+    const Tangential more = law.share * average.S.row(i).transpose() - SM.row(i).transpose();
+    K(own, i) += epsT / average.B * average.T * more;
+    K.row(i).head(n) -= eps / weight * Tc(i) * average.D.transpose();
+    if (!hasMultipliers) continue;
+    K(tau, i) += weight / average.B * more;
+    K(i, n) -= Tc(i);
+  }
 }
 
 template <int Dim>

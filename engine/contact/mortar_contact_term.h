@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/contact/drag.h"
 #include "engine/contact/partner_term.h"
 
 namespace burnish {
@@ -91,7 +92,8 @@ class MortarContactTerm final : public PartnerTerm<Dim> {
   FrictionTraction<Dim - 1> frictionOf(int A, const Average& average, double t,
                                        const Eigen::VectorXd& x) const;
   void addFunctions(double t, const Eigen::VectorXd& x, Assembly& out, const Sums& sums);
-  void addFriction(int A, const Average& average, double t, const Eigen::VectorXd& x, Assembly& out,
+  void chooseTractions(double t, const Eigen::VectorXd& x, const Sums& sums);
+  void addFriction(int A, const Average& average, const Eigen::VectorXd& x, Assembly& out,
                    Eigen::MatrixXd& K);
   Traction tractionAt(const std::vector<int>& functions, const Eigen::Ref<const Eigen::VectorXd>& R,
                       const LimitedGap& limited) const;
@@ -122,6 +124,7 @@ class MortarContactTerm final : public PartnerTerm<Dim> {
   std::vector<Part> parts_;  ///< of all spans, or segments that have a partner
   bool hasSegments_ = false;
   int numPoints_ = 0;                                 ///< of all parts
+  Drag<Dim> drag_;                                    ///< in the last evaluation
   std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
 };
 

@@ -228,6 +228,14 @@ double ToolPartner<Dim>::prescribedWork(const Eigen::Vector3d& force, const Eige
 }
 
 template <int Dim>
+std::vector<int> ToolPartner<Dim>::freeTurns() const {
+  std::vector<int> unknowns;
+  for (std::size_t dof = kTurn; dof < kAllToolDofs; ++dof)
+    if (tool_.isFree(dof)) unknowns.push_back(tool_.unknowns[dof]);
+  return unknowns;
+}
+
+template <int Dim>
 void ToolPartner<Dim>::accept() {
   passage_.accept();
   chooseAccepted();

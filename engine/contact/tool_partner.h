@@ -33,6 +33,7 @@ class ToolPartner final : public Partner<Dim> {
   Eigen::MatrixXd frictionTangent(const SlavePoint<Dim>& point, const ContactPoint<Dim>& contact,
                                   const Eigen::Vector<double, Dim - 1>& traction) const override;
   std::vector<int> couplings(std::size_t) const override { return tool_.freeUnknowns(); }
+  std::vector<int> freeTurns() const override;
   Eigen::Vector3d pivot() const override { return tool_.pivot + pose_.displacement; }
   double prescribedWork(const Eigen::Vector3d& force, const Eigen::Vector3d& moment) const override;
   void accept() override;

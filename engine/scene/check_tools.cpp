@@ -84,9 +84,11 @@ void checkRamp(const CheckContext& c, const std::string& path, const ToolSpec& s
         path + ".ramp",
         "found although the tool carries no force along clearance; allowed: with carry in the direction "
         "in which clearance lifts the tool, on a helix with carry.normal.");
+  constexpr double kRounding = 1e-9;
   const ToolPath laid = pathOf(spec);
   for (const ToolPath::Pass& pass : laid.touches())
-    if (const double length = spec.path->speed * (pass.end - pass.begin); 2.0 * spec.path->ramp > length)
+    if (const double length = spec.path->speed * (pass.end - pass.begin);
+        2.0 * spec.path->ramp > length * (1.0 + kRounding))
       return c.report(path + ".ramp",
                       fmt::format("found {:.6g}, twice, in a pass that is {:.6g} long; allowed: at most "
                                   "half of a pass.",

@@ -123,7 +123,9 @@ Walk Stepping::advance(double time, double nominal, const std::function<bool(con
         state_.iterations += attempted;
         return Walk::Failed;
       }
-      ++state_.level;
+      do  // the same step again would fail again
+        ++state_.level;
+      while (state_.level < options_.maxCuts && std::ldexp(nominal, -state_.level) > size * (1.0 - 1e-9));
       ++state_.cuts;
       ++cuts;
       state_.easySteps = 0;

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -114,9 +115,18 @@ Scene heldRoller(const Strings& more = {}) {
   return parseScene(kHeldRoller, "test.yaml", overrides);
 }
 
+TEST(ToolOnAPath, MayHaveItsFullForceAtTheMiddleAlone) {
+  for (const int passes : {1, 2, 5, 9})
+    EXPECT_NO_THROW(heldRoller({"steps=[{until: 20, count: 60}]", "tools[0].path.ramp=0.15",
+                                "tools[0].path.passes=" + std::to_string(passes)}))
+        << passes;
+  EXPECT_THROW(heldRoller({"tools[0].path.ramp=0.1501"}), Error);
+}
+
 TEST(ToolOnAPath, ThatCarriesAForceIsLiftedBetweenItsPasses) {
   const Outcome ran = test::run(heldRoller(), "path_held");
   ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+  EXPECT_EQ(ran.summary.frames, 6) << "start, two passes, each with the roller on the face and lifted, end";
   const auto& history = ran.history;
   const auto &times = history.column("time"), &height = history.column("roller.uy"),
              &force = history.column("roller.fy");
@@ -146,6 +156,53 @@ TEST(ToolOnAPath, ComesDownAndBeginsToRollInFewSteps) {
   ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
   EXPECT_LE(ran.summary.cuts, 10);
   EXPECT_LE(ran.summary.iterations, 150);
+}
+
+/// Straight down on a face that rises by an angle, friction rubs at once with all that it has, and the roller has to turn
+/// until nothing turns it.
+TEST(ToolOnAPath, ThatTurnsFreelyMayComeDownAslant) {
+  constexpr double kForce = 0.5, kRadius = 0.5;
+  for (const double degrees : {10.0, 30.0}) {
+    const double angle = degrees * std::acos(-1.0) / 180.0, rise = std::tan(angle);
+    const Outcome ran = test::run(
+        parseScene(fmt::format(R"(
+geometry:
+  shape: coons
+  bottom: {{degrees: [1], points: [[0, 0], [2, 0]]}}
+  right: {{degrees: [1], points: [[2, 0], [2, {1}]]}}
+  top: {{degrees: [1], points: [[0, 0.5], [2, {1}]]}}
+  left: {{degrees: [1], points: [[0, 0], [0, 0.5]]}}
+  refine: [40, 8]
+material: {{law: neo-hookean, E: 100, nu: 0.3}}
+supports: [{{face: bottom, fix: [x, y]}}]
+tools:
+  - name: roller
+    shape: cylinder
+    center: [{2}, {3}]
+    radius: 0.5
+    carry: {{y: -0.5, moment: 0}}
+    path: {{course: raster, start: [0, -0.05], stroke: [0.3, {0}], speed: 1, clearance: [0, 0.07], ramp: 0.1}}
+contact: [{{tool: roller, face: top, friction: 0.1, method: integral-augmented-lagrangian}}]
+steps: [{{until: 1, count: 10}}]
+output: {{vtu: false}}
+)",
+                               0.3 * rise, 0.5 + 2.0 * rise, 0.8 - kRadius * std::sin(angle),
+                               0.5 + 0.8 * rise + kRadius * std::cos(angle)),
+                   "test.yaml"),
+        "path_aslant");
+    ASSERT_TRUE(ran.summary.completed) << degrees << ": " << ran.summary.stoppedBecause;
+    EXPECT_EQ(ran.summary.cuts, 0) << degrees;
+    const auto& history = ran.history;
+    int pressed = 0;
+    for (std::size_t k = 1; k < history.numRows(); ++k) {
+      const double across = history.column("roller.fx")[k], down = history.column("roller.fy")[k];
+      EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-9 * kForce * kRadius) << degrees << ", row " << k;
+      if (down < 0.9 * kForce) continue;
+      ++pressed;
+      EXPECT_NEAR(across / down, -rise, 0.05 * rise) << "no friction is left, row " << k;
+    }
+    EXPECT_GE(pressed, 2);
+  }
 }
 
 TEST(ToolOnAPath, ThatItsPathKeepsFromItsForceEndsTheRun) {

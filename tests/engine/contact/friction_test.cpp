@@ -163,6 +163,8 @@ class FrictionInSpace : public testing::TestWithParam<Case> {};
 
 TEST_P(FrictionInSpace, TangentAgreesWithCentralDifferences) {
   Rubbed rubbed = rubbedBox(GetParam());
+  // About the normal, so that slip has all directions: else the tangent is another one, on purpose.
+  if (GetParam().spins) rubbed.x(3 * rubbed.body.numNodes + 5) += 0.5 * rubbed.tool.turnLength;
   EXPECT_LT(test::tangentError(rubbed.term, 1.0, rubbed.x, 1e-6), 1e-6);
   EXPECT_GT(rubbed.term.state().frictionForce, 0.0);
 }
@@ -207,6 +209,36 @@ TEST(FrictionOnAToolThatFollows, ItsEquationsAreItsForceAlongTheNormalAndItsMome
     EXPECT_NEAR(force(unknown), -state.reaction.dot(rubbed.tool.normal(1.0)), 1e-14);
     EXPECT_NEAR(force(unknown + 1), -state.moment.dot(rubbed.tool.axis) / rubbed.tool.turnLength, 1e-14);
     EXPECT_GT(state.frictionForce, 0.0);
+  }
+}
+
+/// The consistent tangent would turn it by many radians, as friction keeps its size whatever the turn is.
+TEST(FrictionOnASpinningBall, ThatAllOfItsContactTurnsOneWayFindsTheTurnThatEndsIt) {
+  for (const Enforcement method : {Enforcement::IntegralAugmentedLagrangian, Enforcement::AugmentedLagrangian}) {
+    Rubbed rubbed = rubbedBox({.mu = 0.02, .method = method, .spins = true});
+    const int spins = 3 * rubbed.body.numNodes + 3;
+    rubbed.x.tail(rubbed.term.numMultipliers()).setZero();
+    rubbed.x(spins) += 0.1 * rubbed.tool.turnLength;
+    std::vector<int> solved{spins, spins + 1, spins + 2};  // and components of friction
+    const int numTangential = rubbed.term.numMultipliers() * 2 / 3;
+    for (int k = 0; k < numTangential; ++k)
+      solved.push_back(static_cast<int>(rubbed.x.size()) - numTangential + k);
+    const auto moment = [&] {
+      static_cast<void>(test::forceOf(rubbed.term, 1.0, rubbed.x));
+      return rubbed.term.state().moment.norm();
+    };
+    const double before = moment();
+    const auto& sliding = rubbed.term.state().sliding;
+    if (method == Enforcement::IntegralAugmentedLagrangian) {
+      EXPECT_EQ(std::ranges::count(sliding, 1), 0) << "all slips";
+    }
+    for (int iteration = 0; iteration < 8; ++iteration) {
+      const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
+      const Eigen::MatrixXd K = test::tangentOf(rubbed.term, 1.0, rubbed.x);
+      rubbed.x(solved) -= K(solved, solved).fullPivLu().solve(force(solved));
+      EXPECT_LT(rubbed.x.segment<3>(spins).norm(), 0.2 * rubbed.tool.turnLength) << iteration;
+    }
+    EXPECT_LT(moment(), 1e-3 * before);
   }
 }
 

@@ -200,6 +200,28 @@ TEST(Stepping, LandsExactlyAndCutsBackWhenAStepFails) {
   EXPECT_NEAR(stepping.state().x(1), 0.5 * stepping.state().time, 1e-9);
 }
 
+/// A step that ends at a wanted time is no shorter for one half of a longer one.
+TEST(Stepping, DoesNotRepeatAStepThatHasFailed) {
+  Chain chain(3, 0.45);  // what no state has at t = 1
+  Newton newton({&chain}, {true, false, true}, scalesFor(3), {.maxIterations = 25, .maxBacktracks = 0});
+  SteppingState start;
+  start.x = Eigen::VectorXd::Zero(3);
+  std::vector<double> asked;
+  Stepping stepping(
+      newton, {&chain},
+      [&](double t) {
+        asked.push_back(t);
+        Eigen::VectorXd target = Eigen::VectorXd::Zero(3);
+        target(2) = t;
+        return target;
+      },
+      {.maxCuts = 6}, start);
+  EXPECT_EQ(stepping.advance(1.0, 8.0, [](const StepReport&) { return true; }), Walk::Failed);
+  ASSERT_GE(asked.size(), 2U);
+  EXPECT_EQ(asked[0], 1.0);
+  EXPECT_EQ(asked[1], 0.5) << "not 1 again, for halves of 8";
+}
+
 TEST(DirectSolver, CholmodHandsAnIndefiniteMatrixToUmfpack) {
   Eigen::SparseMatrix<double> A(2, 2);
   A.insert(0, 0) = 1.0;
