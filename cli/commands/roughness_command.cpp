@@ -266,8 +266,7 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   if (!arguments.outputs.picture.empty() && dim == 3)
     throw Error("-o: an area has no profile; expected --csv, a table of places and heights, or a plane body");
   if (draws) checkOutputs(arguments.outputs, files);
-  const bool named =
-      sources.size() > 1 || !arguments.chart.labels.empty() || (arguments.json && !draws);
+  const bool named = sources.size() > 1 || !arguments.chart.labels.empty() || (arguments.json && !draws);
   const std::vector<std::string> names =
       runNames(arguments.chart, files, modelFile({}).string(), arguments.results);
   checkLabels(arguments.chart, sources.size(), sources.size(), "results");

@@ -131,7 +131,8 @@ void DoubtWatch<Dim>::watchPaths(double time) {
     if (area > 0.0) coarseness = std::max(coarseness, largestSpan / (2.0 * halfWidthOf<Dim>(area)));
   }
   constexpr double kRounding = 1e-9;  // spans of which just enough lie over the width
-  note(Condition::CoarsePath, coarseness * limitOf(Condition::CoarsePath) > 1.0 + kRounding, time, coarseness);
+  note(Condition::CoarsePath, coarseness * limitOf(Condition::CoarsePath) > 1.0 + kRounding, time,
+       coarseness);
 }
 
 template <int Dim>

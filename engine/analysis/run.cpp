@@ -220,11 +220,11 @@ class Run {
                       "has to be pressed on the body, or its motion prescribed",
                       pulled));
     if (const std::string held = toolHeldBack(*simulation_->model); !held.empty())
-      throw RunError(
-          fmt::format("tool '{}' does not carry its force in a pass, as its path leads past the body, or keeps it "
-                      "from going deep enough; lead the passes over a face that the tool touches, and begin them "
-                      "deeper in the body (path.start or path.points), the force keeps the tool from going so far",
-                      held));
+      throw RunError(fmt::format(
+          "tool '{}' does not carry its force in a pass, as its path leads past the body, or keeps it "
+          "from going deep enough; lead the passes over a face that the tool touches, and begin them "
+          "deeper in the body (path.start or path.points), the force keeps the tool from going so far",
+          held));
   }
 
   void writeFrame() {

@@ -75,6 +75,31 @@ TEST(SceneReport, TellsWhatARunWillTake) {
   EXPECT_NEAR(cost.seconds(), 2 * cost.iterationsPerStep * cost.perIteration() + cost.fieldsAndFrames, 1e-12);
 }
 
+/// Steps that follow the width of the contact are as long as `resolution` says that it is wide.
+TEST(SceneReport, TellsHowManyStepsAPathWillTake) {
+  const auto stepsOf = [](const std::vector<std::string>& overrides) {
+    return reportOf(parseScene(R"(
+geometry: {shape: rectangle, size: [4, 1.5], resolution: {along: roller, half_width: 0.12, spans_per_width: 5}}
+material: {law: neo-hookean, E: 1000, nu: 0.3}
+supports: [{face: bottom, fix: [x, y]}]
+tools:
+  - name: roller
+    shape: cylinder
+    center: [1.4, 4.5]
+    radius: 3
+    path: {course: raster, start: [0, -0.01], stroke: [1.2, 0], passes: 2, speed: 1, clearance: [0, 0.05]}
+contact: [{tool: roller, face: top}]
+steps: [{until: 4, count: 4}]
+)",
+                               "test.yaml", overrides))
+        .cost.steps;
+  };
+  const int corners = stepsOf({});
+  // Each pass of 1.2 is 20 steps of 0.06 instead of those between whole times and its ends.
+  EXPECT_GE(stepsOf({"tools[0].path.step_per_half_width=0.5"}), corners + 2 * (20 - 3));
+  EXPECT_LE(stepsOf({"tools[0].path.step_per_half_width=0.5"}), corners + 2 * 22);
+}
+
 TEST(SceneReport, PlacesWhatIsWrongWithTheModel) {
   EXPECT_EQ(errorOf(replaced(kPress, "1.5]", "1.4]")),
             "test.yaml:8:5: contact[0]: tool 'disc' overlaps face 'top' by 0.1 at the start; move it away by "

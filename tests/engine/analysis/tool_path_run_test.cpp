@@ -164,8 +164,8 @@ TEST(ToolOnAPath, ThatTurnsFreelyMayComeDownAslant) {
   constexpr double kForce = 0.5, kRadius = 0.5;
   for (const double degrees : {10.0, 30.0}) {
     const double angle = degrees * std::acos(-1.0) / 180.0, rise = std::tan(angle);
-    const Outcome ran = test::run(
-        parseScene(fmt::format(R"(
+    const Outcome ran =
+        test::run(parseScene(fmt::format(R"(
 geometry:
   shape: coons
   bottom: {{degrees: [1], points: [[0, 0], [2, 0]]}}
@@ -186,17 +186,18 @@ contact: [{{tool: roller, face: top, friction: 0.1, method: integral-augmented-l
 steps: [{{until: 1, count: 10}}]
 output: {{vtu: false}}
 )",
-                               0.3 * rise, 0.5 + 2.0 * rise, 0.8 - kRadius * std::sin(angle),
-                               0.5 + 0.8 * rise + kRadius * std::cos(angle)),
-                   "test.yaml"),
-        "path_aslant");
+                                         0.3 * rise, 0.5 + 2.0 * rise, 0.8 - kRadius * std::sin(angle),
+                                         0.5 + 0.8 * rise + kRadius * std::cos(angle)),
+                             "test.yaml"),
+                  "path_aslant");
     ASSERT_TRUE(ran.summary.completed) << degrees << ": " << ran.summary.stoppedBecause;
     EXPECT_EQ(ran.summary.cuts, 0) << degrees;
     const auto& history = ran.history;
     int pressed = 0;
     for (std::size_t k = 1; k < history.numRows(); ++k) {
       const double across = history.column("roller.fx")[k], down = history.column("roller.fy")[k];
-      EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-9 * kForce * kRadius) << degrees << ", row " << k;
+      EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-9 * kForce * kRadius)
+          << degrees << ", row " << k;
       if (down < 0.9 * kForce) continue;
       ++pressed;
       EXPECT_NEAR(across / down, -rise, 0.05 * rise) << "no friction is left, row " << k;

@@ -250,6 +250,41 @@ TEST(ToolsTest, AForceGivesTheStateOfTheDisplacementThatItBelongsTo) {
   EXPECT_NEAR(byForce.history.column("tool.fy")[2] / force, 0.5, 1e-10);
 }
 
+/// Where short stiff spans make the bound for rounding large, Newton's method goes on while the residual falls.
+TEST(ToolsTest, AForceIsCarriedToManyDigitsOnAGradedMesh) {
+  const test::Outcome ran = test::run(parseScene(R"(
+kinematics: axisymmetric
+geometry:
+  shape: rectangle
+  origin: [0, -6]
+  size: [6, 6]
+  spans: [24, 18]
+  grading: [0.02*s + 0.98*s^10, 1 - 0.03*(1 - s) - 0.97*(1 - s)^9]
+material: {law: j2, E: 100000, nu: 0.25, hardening: {law: voce, sigma0: 300, sigma_inf: 1500, beta: 5}}
+supports: [{face: left, symmetry: true}, {face: bottom, fix: [y]}]
+tools:
+  - name: tip
+    shape: cone
+    tip: [0, 0]
+    direction: [0, -1]
+    half_angle: 70.3
+    radius: 0.05
+    carry: {y: -15, schedule: {times: [0, 1, 2], values: [0.001, 1, 0.02]}}
+contact: [{tool: tip, face: top}]
+steps: [{until: 1, count: 5}, {until: 2, count: 8}]
+output: {vtu: false}
+)",
+                                                 "test.yaml"),
+                                      "tools_graded");
+  ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
+  const auto &times = ran.history.column("time"), &forces = ran.history.column("tip.fy");
+  for (std::size_t k = 1; k < ran.history.numRows(); ++k) {
+    const double t = times[k],
+                 force = 15.0 * (t <= 1.0 ? std::lerp(0.001, 1.0, t) : std::lerp(1.0, 0.02, t - 1.0));
+    EXPECT_NEAR(forces[k], force, 1e-8 * force) << "t = " << t;
+  }
+}
+
 TEST(ToolsTest, APlateWithForceAndMomentIsInEquilibrium) {
   const auto outcome = test::run(block("  - {name: tool, shape: plane, origin: [0, 1], normal: [0, -1], "
                                        "pivot: [0.9, 1.2], carry: {y: '-4*t', moment: '0.2*t'}}"),

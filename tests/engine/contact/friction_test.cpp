@@ -214,7 +214,8 @@ TEST(FrictionOnAToolThatFollows, ItsEquationsAreItsForceAlongTheNormalAndItsMome
 
 /// The consistent tangent would turn it by many radians, as friction keeps its size whatever the turn is.
 TEST(FrictionOnASpinningBall, ThatAllOfItsContactTurnsOneWayFindsTheTurnThatEndsIt) {
-  for (const Enforcement method : {Enforcement::IntegralAugmentedLagrangian, Enforcement::AugmentedLagrangian}) {
+  for (const Enforcement method :
+       {Enforcement::IntegralAugmentedLagrangian, Enforcement::AugmentedLagrangian}) {
     Rubbed rubbed = rubbedBox({.mu = 0.02, .method = method, .spins = true});
     const int spins = 3 * rubbed.body.numNodes + 3;
     rubbed.x.tail(rubbed.term.numMultipliers()).setZero();
