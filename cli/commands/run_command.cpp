@@ -45,7 +45,9 @@ void printLine(const std::string& name, const std::string& text) {
 }
 
 void printAccount(const RunSummary& summary, const HistoryTable& history) {
-  printOut("{} {:.3g} s\n", summary.completed ? "completed in" : "stopped after", summary.timings.total);
+  const double seconds = summary.timings.total;
+  printOut("{} {} s\n", summary.completed ? "completed in" : "stopped after",
+           seconds < 100.0 ? fmt::format("{:.3g}", seconds) : fmt::format("{:.0f}", seconds));
   printLine("frames", std::to_string(summary.frames));
   for (const auto& [name, text] : accountLines(summary, history)) printLine(name, text);
 }
