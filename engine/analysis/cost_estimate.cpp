@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "engine/analysis/path_steps.h"
 #include "engine/analysis/simulation.h"
 #include "engine/analysis/time_grid.h"
 #include "engine/material/material.h"
-#include "engine/scene/path_of_tool.h"
 #include "engine/solver/coupling_groups.h"
 #include "engine/solver/factor_size.h"
 
@@ -174,41 +174,15 @@ class Estimator {
 
   double bytesOfFrame() const { return 180.0 * numCells(); }
 
-  /// Passes of a tool whose steps follow the width of its contact, as wide as `resolution` says.
-  struct PathPace {
-    ToolPath path;
-    double longestStep;
-  };
-
-  std::vector<PathPace> pathPaces() const {
-    std::vector<PathPace> paces;
-    for (const BodySpec& body : scene_.allBodies())
-      for (const ToolSpec& tool : scene_.tools) {
-        const auto& resolution = body.geometry.mesh.resolution;
-        if (!resolution || resolution->along != tool.name || !tool.path || !tool.path->stepPerHalfWidth)
-          continue;
-        paces.push_back(
-            {pathOf(tool), *tool.path->stepPerHalfWidth * resolution->halfWidth / tool.path->speed});
-      }
-    return paces;
-  }
-
-  static int stepsBetween(double from, const TimePoint& to, const std::vector<PathPace>& paces) {
-    double size = to.nominalStep;
-    for (const PathPace& pace : paces)
-      for (const ToolPath::Pass& pass : pace.path.passes())
-        if (const double middle = 0.5 * (from + to.time); pass.begin < middle && middle < pass.end)
-          size = std::min(size, pace.longestStep);
-    return std::max(1, static_cast<int>(std::ceil((to.time - from) / size - 1e-9)));
-  }
-
   void addSteps() {
     cost_.iterationsPerStep = (isPlastic_ ? 4.0 : 3.0) + (!hasContact() ? 0.0 : Dim == 2 ? 1.0 : 2.0);
-    const std::vector<PathPace> paces = pathPaces();
+    PathSteps pathSteps(scene_);
+    pathSteps.expect(scene_);
     int frames = 1;
     double before = 0.0;
     for (const TimePoint& point : timeGrid(scene_, model_.corners())) {
-      cost_.steps += stepsBetween(before, point, paces);
+      const double way = point.time - before, size = pathSteps.size(before, point.time, point.nominalStep);
+      cost_.steps += std::max(1, static_cast<int>(std::lround(way / size)));
       frames += point.frame ? 1 : 0;
       before = point.time;
     }

@@ -17,6 +17,13 @@ PathSteps::PathSteps(const Scene& scene) {
   }
 }
 
+void PathSteps::expect(const Scene& scene) {
+  for (const BodySpec& body : scene.allBodies())
+    if (const auto& resolution = body.geometry.mesh.resolution)
+      for (OfTool& tool : tools_)
+        if (tool.record.tool == resolution->along) tool.setHalfWidth(resolution->halfWidth);
+}
+
 double PathSteps::size(double from, double to, double nominal) const {
   constexpr double kRounding = 1e-9;
   const double middle = 0.5 * (from + to);
@@ -39,8 +46,7 @@ void PathSteps::measure(const Model<Dim>& model, double t) {
     for (const ContactPair<Dim>& pair : model.contacts())
       if (pair.tool == tool.number) area += pressedPart(*pair.term).area;
     tool.record.time = t;
-    tool.record.halfWidth = halfWidthOf<Dim>(area);
-    tool.record.longest = tool.perHalfWidth * tool.record.halfWidth;
+    tool.setHalfWidth(halfWidthOf<Dim>(area));
   }
 }
 

@@ -17,6 +17,9 @@ class PathSteps {
  public:
   explicit PathSteps(const Scene& scene);
 
+  /// Takes the half widths for which `resolution` makes the meshes of bodies for those of the contacts, as an estimate does.
+  void expect(const Scene& scene);
+
   /// Size of equal steps from one time point to the next, between which no pass begins or ends; that of the scene,
   /// nominal, where nothing asks for smaller ones.
   double size(double from, double to, double nominal) const;
@@ -38,6 +41,10 @@ class PathSteps {
     PathStepsRecord record;
 
     bool isMeasured() const { return record.halfWidth > 0.0; }
+    void setHalfWidth(double halfWidth) {
+      record.halfWidth = halfWidth;
+      record.longest = perHalfWidth * halfWidth;
+    }
   };
   std::vector<OfTool> tools_;
 };

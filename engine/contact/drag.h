@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/coulomb.h"
@@ -18,7 +19,7 @@ class Drag {
  public:
   Drag() = default;
 
-  /// freeTurns: unknowns of turns of the partner that friction alone resists.
+  /// freeTurns: unknowns of turns of the partner.
   explicit Drag(std::vector<int> freeTurns) : freeTurns_(std::move(freeTurns)) {}
 
   bool isPossible() const { return !freeTurns_.empty(); }

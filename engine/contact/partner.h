@@ -58,7 +58,7 @@ class Partner {
   /// if it is not to be split.
   virtual std::vector<Segment> segments(std::size_t) const { return {}; }
 
-  /// Unknowns of turns that friction alone resists.
+  /// Unknowns of free turns.
   virtual std::vector<int> freeTurns() const { return {}; }
 
   /// Point about which the moment of the forces on the partner is taken, in the last updated state.
