@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
 #include <utility>
 
 #include "cli/arguments.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
+#include "engine/core/quoted.h"
 #include "engine/results/result_files.h"
 #include "postproc/draw/page/picture_warnings.h"
 #include "postproc/probe/probed_run.h"
@@ -86,11 +88,11 @@ std::vector<ProbedRun> allRuns(const ProbeArguments& arguments, const std::vecto
   return runs;
 }
 
-}  // namespace
-
-std::string depthNumbersTable(const ProbeArguments& arguments, const std::vector<ProbeSource>& results) {
-  const ProbeSpec spec = specOf(arguments);
-  std::vector<DepthNumbersAt> rows;
+/// A row of numbers for each result and frame. make: of a result and the number of a frame.
+template <class Row, class Make>
+std::string tableOfRows(const ProbeArguments& arguments, const std::vector<ProbeSource>& results,
+                        const Make& make) {
+  std::vector<Row> rows;
   const ProbeSource& first = results.front();
   forEachResult(arguments, results, [&](const ProbeSource& result, const std::string& name) {
     if (result.stressUnit != first.stressUnit || result.units.length != first.units.length)
@@ -98,10 +100,31 @@ std::string depthNumbersTable(const ProbeArguments& arguments, const std::vector
                               first.file.string()));
     for (const int index : frameIndices(arguments.frame.empty() ? "last" : arguments.frame, result.times)) {
       throwIfInterrupted();
-      rows.push_back({name, result.times[static_cast<std::size_t>(index)], result.depthNumbers(index, spec)});
+      rows.push_back({name, result.times[static_cast<std::size_t>(index)], make(result, index)});
     }
   });
   return tableOf(rows, first.units, first.stressUnit);
+}
+
+}  // namespace
+
+std::string numbersTable(const ProbeArguments& arguments, const std::vector<ProbeSource>& results) {
+  if (arguments.section.empty())
+    return tableOfRows<DepthNumbersAt>(arguments, results,
+                                       [spec = specOf(arguments)](const ProbeSource& result, int frame) {
+                                         return result.depthNumbers(frame, spec);
+                                       });
+  AnyProbeSpec spec;
+  arguments.probe.readInto(spec);
+  const std::optional<CutPlane> plane = cutPlaneNamed(arguments.section);
+  if (!plane)
+    throw Error(fmt::format("--section: found {}; expected {}", quoted(arguments.section), kCutPlaneWords));
+  if (!spec.line.empty() || !spec.face.empty() || !spec.depth.empty() || !spec.point.empty())
+    throw Error(
+        "--section: found beside another place; expected one of --section, --line, --face, --depth and --point");
+  return tableOfRows<SectionNumbersAt>(arguments, results, [&](const ProbeSource& result, int frame) {
+    return result.sectionNumbers(frame, *plane, spec.bodies);
+  });
 }
 
 ProbedChart probedChart(const ProbeArguments& arguments, const std::vector<ProbeSource>& results) {

@@ -14,6 +14,7 @@ struct ProbeArguments {
   std::vector<std::filesystem::path> results;
   DeclaredOptions probe;  ///< of an `AnyProbeSpec`
   std::string frame;      ///< empty: not given
+  std::string section;    ///< a plane instead of a path; empty: not given
   ChartArguments chart;
 };
 
@@ -23,9 +24,9 @@ struct ProbedChart {
   std::string table;  ///< CSV
 };
 
-/// What the profiles of `--depth` say as wholes, as CSV: a row for each result and frame. Throws `Error` as
-/// `depthNumbers` does, and for results of several units.
-std::string depthNumbersTable(const ProbeArguments& arguments, const std::vector<ProbeSource>& results);
+/// What the profiles of `--depth`, or the sections, say as wholes, as CSV: a row for each result and frame. Throws `Error`
+/// as `depthNumbers` and `sectionNumbers` do, for results of several units, and for a section beside another place.
+std::string numbersTable(const ProbeArguments& arguments, const std::vector<ProbeSource>& results);
 
 /// results: one per path of the arguments. Throws `Error` for an option that does not fit the results or other
 /// options.

@@ -29,12 +29,15 @@ void writeNumbers(const std::string& table, const std::string& file,
 
 ExitCode probe(const ProbeArguments& arguments, ChartOutputs outputs, const std::string& numbers) {
   const SignalGuard signals(SecondSignal::Ends);
+  if (!arguments.section.empty() && (numbers.empty() || !outputs.picture.empty() || !outputs.csv.empty()))
+    throw Error(
+        "--section: a section has numbers and no curve; expected --numbers FILE.csv|- without -o and --csv");
   std::vector<ProbeSource> results;
   std::vector<std::filesystem::path> inputs;
   for (const std::filesystem::path& result : arguments.results)
     inputs.push_back(results.emplace_back(probeSource(result)).file);
   if (!numbers.empty() && outputs.picture.empty() && outputs.csv.empty()) {
-    writeNumbers(depthNumbersTable(arguments, results), numbers, inputs);
+    writeNumbers(numbersTable(arguments, results), numbers, inputs);
     return ExitCode::Fine;
   }
   if (outputs.picture.extension() == ".csv" && outputs.csv.empty()) outputs = {{}, outputs.picture.string()};
@@ -42,7 +45,7 @@ ExitCode probe(const ProbeArguments& arguments, ChartOutputs outputs, const std:
     throw Error("--numbers: they and the values of --csv - would be printed together; expected one of them");
   checkOutputs(outputs, inputs);
   const ProbedChart probed = probedChart(arguments, results);
-  const std::string asWhole = numbers.empty() ? "" : depthNumbersTable(arguments, results);
+  const std::string asWhole = numbers.empty() ? "" : numbersTable(arguments, results);
   if (!outputs.picture.empty()) writePicture(probed.chart, outputs);
   if (outputs.printsData()) {
     printText(probed.table);
@@ -63,6 +66,10 @@ void addProbeOptions(CLI::App& command, ProbeArguments& arguments) {
                   "Number of the frame, last or end, or time=T; for several A-B or all [last, over time all]")
       ->type_name("N|A-B|all|last|time=T");
   arguments.probe.addTo(command, AnyProbeSpec{});
+  command
+      .add_option("--section", arguments.section,
+                  "Of --numbers: a plane, and what one part of the body does to the other across it")
+      ->type_name("x=V|y=V|z=V|X,Y,Z,NX,NY,NZ");
   for (const auto& [option, type] :
        {std::pair{"--line", "X0,Y0:X1,Y1"}, std::pair{"--face", "NAME"}, std::pair{"--depth", "FACE@PLACE"},
         std::pair{"--point", "X,Y"}, std::pair{"--field", "FIELD,..."}, std::pair{"--body", "BODY,..."}})
@@ -87,8 +94,10 @@ void addProbeCommand(CLI::App& app, Action& action) {
       ->type_name("CHART.png|svg|pdf|csv|-");
   const auto numbers = std::make_shared<std::string>();
   command
-      ->add_option("--numbers", *numbers,
-                   "Of --depth: write what the profile says as a whole to this file, or print it: -")
+      ->add_option(
+          "--numbers", *numbers,
+          "Of --depth or --section: write what the profile, or the section, says as a whole to this file, or "
+          "print it: -")
       ->type_name("FILE.csv|-");
   command->callback([&action, arguments, outputs, numbers] {
     action = [arguments, outputs, numbers] { return probe(*arguments, *outputs, *numbers); };

@@ -27,6 +27,9 @@ ProbeSource probeSource(const std::filesystem::path& result) {
         [](int, const ProbeSpec&) -> DepthNumbers {
           throw Error("--numbers: only runs of burnish have faces with names; expected a run");
         },
+        [](int, const CutPlane&, const std::vector<std::string>&) -> SectionNumbers {
+          throw Error("--section: stresses of other programs are not integrated; expected a run of burnish");
+        },
         {},
         {},
         [file](int frame) { return foreignFieldsOf(file->blocks(static_cast<std::size_t>(frame))).empty(); }};
@@ -40,6 +43,9 @@ ProbeSource probeSource(const std::filesystem::path& result) {
         return probedHistory(*run, frames, spec);
       },
       [run](int frame, const ProbeSpec& spec) { return depthNumbers(run->model(), run->frame(frame), spec); },
+      [run](int frame, const CutPlane& plane, const std::vector<std::string>& bodies) {
+        return sectionNumbers(run->model(), run->frame(frame), plane, bodies);
+      },
       derivedUnits(run->model()),
       run->model().stressUnit};
 }

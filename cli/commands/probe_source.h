@@ -7,6 +7,7 @@
 #include "postproc/probe/depth_numbers.h"
 #include "postproc/probe/probe_spec.h"
 #include "postproc/probe/probed_run.h"
+#include "postproc/probe/section_numbers.h"
 
 namespace burnish {
 
@@ -17,6 +18,8 @@ struct ProbeSource {
   std::function<ProbedRun(int frame, const ProbeSpec& spec)> inFrame;
   std::function<ProbedRun(const std::vector<int>& frames, const ProbeSpec& spec)> overTime;
   std::function<DepthNumbers(int frame, const ProbeSpec& spec)> depthNumbers;
+  std::function<SectionNumbers(int frame, const CutPlane& plane, const std::vector<std::string>& bodies)>
+      sectionNumbers;
   DerivedUnits units{};  ///< empty of files of other programs
   std::string stressUnit{};
 

@@ -23,6 +23,7 @@
 #include "engine/results/history.h"
 #include "engine/results/result_files.h"
 #include "engine/results/result_reader.h"
+#include "postproc/draw/contour/contour.h"
 #include "postproc/surface/face_roughness.h"
 #include "postproc/text/json_text.h"
 #include "postproc/text/text_file.h"
@@ -40,14 +41,14 @@ struct RoughnessArguments {
   ChartOutputs outputs;
 };
 
-/// One line of the table, and the curve of a plane face.
+/// One line of the table, and the curve of a profile.
 struct RoughnessRow {
   std::string run;
   double time = 0.0, a = 0.0, q = 0.0, z = 0.0, extent = 0.0;
   int samplingLengths = 1;
   Profile profile{};
-  Eigen::Matrix3Xd places{};  ///< of a face in space
-  Eigen::VectorXd heights{};  ///< there
+  FaceArea area{};  ///< else
+  int frame = 0;
 };
 
 /// What the command looks at: a run, or a profile that was measured.
@@ -120,7 +121,8 @@ std::vector<RoughnessRow> rowsOf(const ResultReader& result, const std::string& 
     throwIfInterrupted();
     const FrameRecord frame = result.frame(index);
     RoughnessRow row{run, times[static_cast<std::size_t>(index)]};
-    if (result.model().dim == 2) {
+    row.frame = index;
+    if (hasProfile(result.model(), spec)) {
       FaceProfile face = faceProfile(result.model(), frame, spec);
       row.a = face.roughness.a;
       row.q = face.roughness.q;
@@ -129,14 +131,12 @@ std::vector<RoughnessRow> rowsOf(const ResultReader& result, const std::string& 
       row.samplingLengths = face.roughness.samplingLengths;
       row.profile = std::move(face.profile);
     } else {
-      FaceArea face = faceArea(result.model(), frame, spec);
-      const AreaRoughness& area = face.roughness;
+      row.area = faceArea(result.model(), frame, spec);
+      const AreaRoughness& area = row.area.roughness;
       row.a = area.a;
       row.q = area.q;
       row.z = area.z;
       row.extent = area.area;
-      row.heights = area.heights;
-      row.places = std::move(face.places);
     }
     rows.push_back(std::move(row));
   }
@@ -174,12 +174,12 @@ std::vector<RoughnessRow> rowsOf(const RoughnessSource& source, const std::strin
 }
 
 /// "R" of profiles, "S" of areas.
-std::string letterOf(int dim) {
-  return dim == 2 ? "R" : "S";
+std::string letterOf(bool isArea) {
+  return isArea ? "S" : "R";
 }
 
-std::string tableOf(const std::vector<RoughnessRow>& rows, int dim, const std::string& unit) {
-  const std::string letter = letterOf(dim);
+std::string tableOf(const std::vector<RoughnessRow>& rows, bool isArea, const std::string& unit) {
+  const std::string letter = letterOf(isArea);
   std::string text;
   const bool named = !rows.front().run.empty();
   const auto column = [&](const char* name) { return withUnit(letter + name, unit); };
@@ -192,9 +192,9 @@ std::string tableOf(const std::vector<RoughnessRow>& rows, int dim, const std::s
   return text;
 }
 
-std::string jsonOf(const std::vector<RoughnessRow>& rows, int dim, const std::string& unit) {
+std::string jsonOf(const std::vector<RoughnessRow>& rows, bool isArea, const std::string& unit) {
   constexpr int kDigits = 12;
-  const std::string letter = letterOf(dim);
+  const std::string letter = letterOf(isArea);
   Json::Value list(Json::arrayValue);
   for (const RoughnessRow& row : rows) {
     Json::Value object;
@@ -204,8 +204,8 @@ std::string jsonOf(const std::vector<RoughnessRow>& rows, int dim, const std::st
     object[letter + "a"] = row.a;
     object[letter + "q"] = row.q;
     object[letter + "z"] = row.z;
-    object[dim == 2 ? "length" : "area"] = row.extent;
-    if (dim == 2) object["sampling_lengths"] = row.samplingLengths;
+    object[isArea ? "area" : "length"] = row.extent;
+    if (!isArea) object["sampling_lengths"] = row.samplingLengths;
     list.append(std::move(object));
   }
   return compactText(list, kDigits) + "\n";
@@ -235,14 +235,37 @@ std::string mapOf(const std::vector<RoughnessRow>& rows, const std::string& unit
   if (named) titles.insert(titles.begin(), "run");
   std::string text = csvRow(titles) + "\n";
   for (const RoughnessRow& row : rows)
-    for (Eigen::Index k = 0; k < row.heights.size(); ++k) {
+    for (Eigen::Index k = 0; k < row.area.places.cols(); ++k) {
       std::vector<std::string> cells{fmt::format("{}", row.time)};
-      for (int d = 0; d < 3; ++d) cells.push_back(fmt::format("{}", row.places(d, k)));
-      cells.push_back(fmt::format("{}", row.heights(k)));
+      for (int d = 0; d < 3; ++d) cells.push_back(fmt::format("{}", row.area.places(d, k)));
+      cells.push_back(fmt::format("{}", row.area.roughness.heights(k)));
       if (named) cells.insert(cells.begin(), row.run);
       text += csvRow(cells) + "\n";
     }
   return text;
+}
+
+/// Heights as colours over the area as seen from outside. Throws `Error` as `heightMap`, and for options of curves.
+void drawMap(const RoughnessArguments& arguments, const ResultReader& result, const RoughnessRow& row) {
+  const ChartArguments& asked = arguments.chart;
+  for (const auto& [option, isGiven] :
+       {std::pair{"--x-range", !asked.xRange.empty()}, std::pair{"--x-title", !asked.xTitle.empty()},
+        std::pair{"--y-title", !asked.yTitle.empty()}, std::pair{"--log", !asked.logarithmic.empty()}})
+    if (isGiven)
+      throw Error(fmt::format(
+          "{}: found beside the map of an area, which has no such axis; expected a profile, of --line",
+          option));
+  const ModelFrame map = heightMap(result.model(), result.frame(row.frame), row.area);
+  ContourOptions options;
+  asked.look.readInto(static_cast<PageLook&>(options));
+  if (!asked.size.empty()) options.size = sizeFromText(asked.size);
+  if (!asked.title.empty()) options.title = asked.title;
+  options.field = kHeightField;
+  options.range = axisRange("--y-range", asked.yRange);
+  options.undeformed = false;
+  options.scaleBar = true;
+  makeDirectoryOf(arguments.outputs.picture);
+  drawContour(map.model, map.frame, options, arguments.outputs.picture);
 }
 
 ExitCode roughness(const RoughnessArguments& arguments) {
@@ -254,6 +277,7 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   for (const std::filesystem::path& path : arguments.results)
     files.push_back(sources.emplace_back(sourceOf(path, spec)).file);
   const int dim = sources.front().dim();
+  const bool isArea = dim == 3 && spec.line.empty();
   const std::string unit = sources.front().unit;
   for (const RoughnessSource& source : sources)
     if (source.dim() != dim || source.unit != unit)
@@ -263,8 +287,6 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   if (arguments.json && arguments.outputs.printsData())
     throw Error("--json: it and the profiles of --csv - would be printed together; expected one of them");
   const bool draws = !arguments.outputs.picture.empty() || !arguments.outputs.csv.empty();
-  if (!arguments.outputs.picture.empty() && dim == 3)
-    throw Error("-o: an area has no profile; expected --csv, a table of places and heights, or a plane body");
   if (draws) checkOutputs(arguments.outputs, files);
   const bool named = sources.size() > 1 || !arguments.chart.labels.empty() || (arguments.json && !draws);
   const std::vector<std::string> names =
@@ -275,7 +297,11 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     for (RoughnessRow& row : rowsOf(sources[k], arguments.frame, spec, named ? names[k] : ""))
       rows.push_back(std::move(row));
   const std::vector<ChartCurve> curves = curvesOf(rows, rows.size() > sources.size());
-  if (!arguments.outputs.picture.empty()) {
+  if (!arguments.outputs.picture.empty() && isArea) {
+    if (rows.size() > 1)
+      throw Error(fmt::format("-o: found {} areas; expected one result and frame for a map", rows.size()));
+    drawMap(arguments, *sources.front().result, rows.front());
+  } else if (!arguments.outputs.picture.empty()) {
     Chart chart = emptyChart(
         arguments.chart, withUnit(spec.face.empty() ? "Distance" : "Distance along face " + spec.face, unit),
         withUnit(spec.cutoff ? "Height of roughness" : "Height about the mean line", unit));
@@ -284,15 +310,15 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     drawChart(chart, arguments.outputs.picture);
   }
   const auto data = [&] {
-    return dim == 3 ? mapOf(rows, unit)
-                    : curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit));
+    return isArea ? mapOf(rows, unit)
+                  : curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit));
   };
   if (!arguments.outputs.csv.empty() && !arguments.outputs.printsData())
     writeText(data(), arguments.outputs.csv);
   if (arguments.outputs.printsData())
     printText(data());
   else
-    printText(arguments.json ? jsonOf(rows, dim, unit) : tableOf(rows, dim, unit));
+    printText(arguments.json ? jsonOf(rows, isArea, unit) : tableOf(rows, isArea, unit));
   return ExitCode::Fine;
 }
 
@@ -319,8 +345,10 @@ void addRoughnessCommand(CLI::App& app, Action& action) {
       ->add_option("--csv", arguments->outputs.csv,
                    "Write the profiles, or heights of areas, to this file too, or print them: -")
       ->type_name("FILE.csv|-");
-  command->add_option("-o,--output", arguments->outputs.picture, "Name of a chart of the profiles")
-      ->type_name("CHART.png|svg|pdf");
+  command
+      ->add_option("-o,--output", arguments->outputs.picture,
+                   "Name of a chart of the profiles, or of a map of an area")
+      ->type_name("PICTURE.png|svg|pdf");
   command->callback([&action, arguments] { action = [arguments] { return roughness(*arguments); }; });
 }
 

@@ -98,7 +98,7 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
   for (std::size_t k = 0; k < scene.contact.size(); ++k)
     problems.gather([&] {
       if (!scene.contact[k].against.empty()) return;
-      requireReachable(model, scene.contact[k], fmt::format("contact[{}]", k));
+      requireReachable(scene, model, scene.contact[k], fmt::format("contact[{}]", k));
       builder.addContact(k);
     });
   for (std::size_t k = 0; k < scene.contact.size(); ++k)

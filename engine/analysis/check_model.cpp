@@ -151,16 +151,24 @@ void requireApart(const Model<Dim>& model, double overlap, const ContactSpec& sp
                   spec.place.face, spec.against.front().face, overlap));
 }
 
+/// Of a tool that overlaps a face: what would move it away. A path has it come down from its clearance.
+std::string apartText(const ToolSpec& tool) {
+  return tool.path
+             ? "its path begins there: a clearance that is larger by that much has it come down from outside"
+             : "move it away by at least that much (touching is fine)";
+}
+
 template <int Dim>
-void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place) {
+void requireReachable(const Scene& scene, const Model<Dim>& model, const ContactSpec& spec,
+                      const std::string& place) {
   const Tool& tool = *model.tools()[model.toolNumber(spec.tool)];
   const FaceFinder<Dim>& faces = model.faces();
   faces.requireOuter(spec.place, place);
   const NearestPoint nearest = nearestPoint(model.body(), faces.face(spec.place), tool, 0.0);
   if (-nearest.gap > kTouching * std::min(tool.shape.halfThickness(), model.body().size()))
-    throw InputError(place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; move it away "
-                                        "by at least that much (touching is fine)",
-                                        spec.tool, spec.place.face, -nearest.gap));
+    throw InputError(place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; {}", spec.tool,
+                                        spec.place.face, -nearest.gap,
+                                        apartText(scene.tools[model.toolNumber(spec.tool)])));
   if (nearest.facing > 0.5)
     throw InputError(place, fmt::format("tool '{}' is behind face '{}' at the start, inside the body or on "
                                         "its other side; put it in front of the face",
@@ -213,8 +221,8 @@ template void requireFiniteFormulas(const Scene&, const Model<2>&);
 template void requireFiniteFormulas(const Scene&, const Model<3>&);
 template void requireApart(const Model<2>&, double, const ContactSpec&, const std::string&);
 template void requireApart(const Model<3>&, double, const ContactSpec&, const std::string&);
-template void requireReachable(const Model<2>&, const ContactSpec&, const std::string&);
-template void requireReachable(const Model<3>&, const ContactSpec&, const std::string&);
+template void requireReachable(const Scene&, const Model<2>&, const ContactSpec&, const std::string&);
+template void requireReachable(const Scene&, const Model<3>&, const ContactSpec&, const std::string&);
 template void requireSupported(const Scene&, const Model<2>&);
 template void requireSupported(const Scene&, const Model<3>&);
 

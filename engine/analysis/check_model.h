@@ -22,7 +22,8 @@ void requireApart(const Model<Dim>& model, double overlap, const ContactSpec& sp
 /// Throws `InputError` at `place` unless the tool of a pair can come into contact with its face: it begins in
 /// front of the outer face, which is free to move. model: with its tools and supports.
 template <int Dim>
-void requireReachable(const Model<Dim>& model, const ContactSpec& spec, const std::string& place);
+void requireReachable(const Scene& scene, const Model<Dim>& model, const ContactSpec& spec,
+                      const std::string& place);
 
 /// Throws `InputError` if the supports leave a body free to move as a rigid whole, at the start or when some of
 /// them have let go.

@@ -36,10 +36,10 @@ bool rubs(const Model<Dim>& model) {
   return any(model.contacts()) || any(model.pairs()) || any(model.selfContacts());
 }
 
-/// Saves or restores doubts under numbered names.
-template <class Doubts>
-void archiveAll(StateArchive& archive, const std::string& name, Doubts& doubts) {
-  for (std::size_t k = 0; k < doubts.size(); ++k) archive.part(fmt::format("{}{}", name, k), doubts[k]);
+/// Saves or restores parts under numbered names.
+template <class Parts>
+void archiveAll(StateArchive& archive, const std::string& name, Parts& parts) {
+  for (std::size_t k = 0; k < parts.size(); ++k) archive.part(fmt::format("{}{}", name, k), parts[k]);
 }
 
 }  // namespace
@@ -57,6 +57,7 @@ DoubtWatch<Dim>::DoubtWatch(const Scene& scene, const Model<Dim>& model)
       touched_(model.tools().size(), false) {
   for (const ToolSpec& tool : scene.tools)
     paths_.push_back(tool.path ? std::optional(pathOf(tool)) : std::nullopt);
+  passes_.resize(paths_.size());
 }
 
 template <int Dim>
@@ -121,15 +122,20 @@ void DoubtWatch<Dim>::watchContacts(const RunHistory<Dim>& history) {
   note(Condition::InsideTheBody, inside > limitOf(Condition::InsideTheBody), time, inside);
 }
 
-/// Where the forces of passes are full: while a tool comes down its contact is small in any case.
+/// Meshes where the forces of passes are full: while a tool comes down its contact is small in any case.
 template <int Dim>
 void DoubtWatch<Dim>::watchPaths(double time) {
   double coarseness = 0.0;
+  std::vector<std::optional<bool>> touches(paths_.size());  // of tools with a contact
   for (const auto& pair : model_.contacts()) {
-    if (!paths_[pair.tool] || !paths_[pair.tool]->hasFullForce(time)) continue;
+    if (!paths_[pair.tool]) continue;
+    touches[pair.tool] = touches[pair.tool].value_or(false) || pair.term->state().pressure.maxCoeff() > 0.0;
+    if (!paths_[pair.tool]->hasFullForce(time)) continue;
     const auto [area, largestSpan] = pressedPart(*pair.term);
     if (area > 0.0) coarseness = std::max(coarseness, largestSpan / (2.0 * halfWidthOf<Dim>(area)));
   }
+  for (std::size_t k = 0; k < touches.size(); ++k)
+    if (touches[k]) passes_[k].update(*paths_[k], time, *touches[k]);
   constexpr double kRounding = 1e-9;  // spans of which just enough lie over the width
   note(Condition::CoarsePath, coarseness * limitOf(Condition::CoarsePath) > 1.0 + kRounding, time,
        coarseness);
@@ -174,6 +180,12 @@ std::vector<DoubtRecord> DoubtWatch<Dim>::records() const {
   const std::vector<std::string> sentences = toolWatch_.sentences();
   for (std::size_t k = 0; k < toolDoubts_.size(); ++k) add(toolDoubts_[k], sentences[k]);
   for (std::size_t k = 0; k < tipDoubts_.size(); ++k) add(tipDoubts_[k], tipWatch_.sentence(k, tips_[k]));
+  for (std::size_t k = 0; k < passes_.size(); ++k)
+    if (paths_[k])
+      add(passes_[k].doubt(),
+          fmt::format("{} touches nothing in a pass: its path leads over the body or beside it",
+                      model_.tools()[k]->name),
+          passes_[k].passText(*paths_[k]));
   return records;
 }
 
@@ -196,6 +208,7 @@ void DoubtWatch<Dim>::continueFrom(const DoubtWatch& before) {
   tipDoubts_ = before.tipDoubts_;
   tips_ = before.tips_;
   touched_ = before.touched_;
+  passes_ = before.passes_;
 }
 
 template <int Dim>
@@ -203,6 +216,7 @@ void DoubtWatch<Dim>::archive(StateArchive& archive) {
   archiveAll(archive, "condition", doubts_);
   archiveAll(archive, "tool", toolDoubts_);
   archiveAll(archive, "pair", tipDoubts_);
+  archiveAll(archive, "pass", passes_);
   for (std::size_t k = 0; k < tips_.size(); ++k)
     archive.together(fmt::format("tip{}", k), tips_[k].depth, tips_[k].turn, tips_[k].span);
   archive.fixedField("touched", touched_);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/analysis/model.h"
+#include "engine/analysis/pass_watch.h"
 #include "engine/analysis/run_history.h"
 #include "engine/analysis/tip_watch.h"
 #include "engine/analysis/tool_watch.h"
@@ -55,6 +56,7 @@ class DoubtWatch {
   SceneTraits scene_;
   const ModelBody<Dim>* rezoned_;               ///< the body that is meshed anew; null for none
   std::vector<std::optional<ToolPath>> paths_;  ///< per tool
+  std::vector<PassWatch> passes_;               ///< the same, of tools with a path and a contact
   ToolWatch<Dim> toolWatch_;
   TipWatch<Dim> tipWatch_;
   std::array<Doubt, kConditions> doubts_{};

@@ -174,7 +174,7 @@ std::string detailOf(Condition condition, const Doubt& doubt) {
 }
 
 double imbalanceOf(double found, double done, double largestEnergy) {
-  const double scale = std::max({std::abs(found), std::abs(done), 0.01 * largestEnergy});
+  const double scale = std::max({std::abs(found), std::abs(done), largestEnergy});
   return scale > 0.0 ? std::abs(done - found) / scale : 0.0;
 }
 

@@ -62,8 +62,8 @@ std::string sentenceOf(Condition condition, const SceneTraits& scene);
 std::string detailOf(Condition condition, const Doubt& doubt);
 
 /// Difference between the work done on the body and what was found of it, energies and dissipated work, over
-/// the larger of both; over a hundredth of the largest energy before where they are less, as at the end of a
-/// run that lets go of the body.
+/// the larger of both; over the largest energy before where they are less, as at the end of a run that lets go of
+/// the body: the sums of work keep the errors of what went in and out.
 double imbalanceOf(double found, double done, double largestEnergy);
 
 }  // namespace burnish

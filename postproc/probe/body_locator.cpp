@@ -73,7 +73,7 @@ Eigen::AlignedBox<double, Dim> BodyLocator<Dim>::box() const {
 
 template <int Dim>
 ProbePoint BodyLocator<Dim>::point(double at, const MeshPlace<Dim>& place, const FrameRecord& frame,
-                                   const ProbedFields& fields) const {
+                                   const ProbedFields& fields, const std::optional<SurfaceAxes>& axes) const {
   const PatchRecord& record = mesh_.patches[place.patch];
   const Patch<Dim>& patch = maps_[place.patch].patch();
   const int span = patch.findSpan(place.xi);
@@ -83,7 +83,7 @@ ProbePoint BodyLocator<Dim>::point(double at, const MeshPlace<Dim>& place, const
   for (const int a : functions) nodes.push_back(record.nodes[static_cast<std::size_t>(a)]);
   const Eigen::VectorXd reference = record.points(Eigen::all, functions) * R;
   return {at, record.body, reference + frame.displacement(Eigen::all, nodes) * R, reference,
-          fields.values(record.body, nodes, R)};
+          fields.values(record.body, nodes, R, axes)};
 }
 
 std::string pointText(const Eigen::VectorXd& point) {

@@ -49,9 +49,9 @@ class BodyLocator {
   /// Covers points of all patches, their corners among them.
   Eigen::AlignedBox<double, Dim> box() const;
 
-  /// What is at a place. frame: has this mesh.
+  /// What is at a place. frame: has this mesh. axes: of the surface that fields may be told in.
   ProbePoint point(double at, const MeshPlace<Dim>& place, const FrameRecord& frame,
-                   const ProbedFields& fields) const;
+                   const ProbedFields& fields, const std::optional<SurfaceAxes>& axes = std::nullopt) const;
 
  private:
   std::optional<MeshPlace<Dim>> inPatch(std::size_t patch, const Point& position, const Point& guess) const;

@@ -57,29 +57,6 @@ ProbedRun profileOf(const ModelRecord& model, const FrameRecord& frame, ProbeSpe
   return run;
 }
 
-/// The axes of the surface as columns: into the body, along the face, across both.
-Eigen::Matrix3d axesOf(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec,
-                       const ProbedRun& profile) {
-  if (model.dim == 3) return surfaceAxes(model, frame, spec);
-  const Eigen::Vector2d inward =
-      (profile.points.back().current - profile.points.front().current).normalized();
-  return (Eigen::Matrix3d() << inward(0), -inward(1), 0.0, inward(1), inward(0), 0.0, 0.0, 0.0, 1.0)
-      .finished();
-}
-
-/// Values of `stressNames`.
-Eigen::Matrix3d stressOf(const Eigen::VectorXd& values) {
-  const double yz = values.size() > 4 ? values(4) : 0.0, zx = values.size() > 4 ? values(5) : 0.0;
-  return (Eigen::Matrix3d() << values(0), values(3), zx, values(3), values(1), yz, zx, yz, values(2))
-      .finished();
-}
-
-std::vector<std::string> stressNames(int dim) {
-  std::vector<std::string> names{"stress.xx", "stress.yy", "stress.zz", "stress.xy"};
-  if (dim == 3) names.insert(names.end(), {"stress.yz", "stress.zx"});
-  return names;
-}
-
 DepthNumbers::Profile profileNumbers(const DepthCurve& stress, double depth) {
   const auto lowest = std::ranges::min_element(stress.values);
   auto k = static_cast<std::size_t>(lowest - stress.values.begin());
@@ -93,17 +70,15 @@ DepthNumbers::Profile profileNumbers(const DepthCurve& stress, double depth) {
   return numbers;
 }
 
-/// Stresses in the axes of the surface.
-void addStresses(const ProbedRun& profile, const Eigen::Matrix3d& axes, bool isPlaneStrain,
-                 DepthNumbers& numbers) {
+/// profile: with the fields `surfaceFieldNames`.
+void addStresses(const ProbedRun& profile, bool isPlaneStrain, DepthNumbers& numbers) {
   DepthCurve along, across;
   double others = 0.0;
   for (const ProbePoint& point : profile.points) {
-    const Eigen::Matrix3d stress = axes.transpose() * stressOf(point.values) * axes;
     along.depths.push_back(point.at);
-    along.values.push_back(stress(1, 1));
-    across.values.push_back(stress(2, 2));
-    others = std::max({others, std::abs(stress(0, 0)), std::abs(stress(0, 1)), std::abs(stress(0, 2))});
+    along.values.push_back(point.values(0));
+    across.values.push_back(point.values(1));
+    others = std::max(others, point.values.tail<3>().cwiseAbs().maxCoeff());
   }
   across.depths = along.depths;
   const double largest = largestMagnitude(along.values);
@@ -153,8 +128,7 @@ DepthNumbers depthNumbers(const ModelRecord& model, const FrameRecord& frame, co
   DepthNumbers numbers;
   numbers.depth = profileOf(model, frame, spec, {"displacement"}).points.back().at;
   if (hasStress) {
-    const ProbedRun profile = profileOf(model, frame, spec, stressNames(model.dim));
-    addStresses(profile, axesOf(model, frame, spec, profile), model.dim == 2 && !isAxisymmetric(model),
+    addStresses(profileOf(model, frame, spec, surfaceFieldNames()), model.dim == 2 && !isAxisymmetric(model),
                 numbers);
   }
   if (isPlastic) {

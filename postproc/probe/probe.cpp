@@ -68,8 +68,8 @@ class PathMaker {
       if (!(curve.length() > 0.0))
         throw Error(fmt::format("face: {} is a point; expected a face that has a length", path.address.face));
       const auto probe = [this, face, curve](double distance) {
-        return bodies_.point(distance, onFace(face, Eigen::Vector<double, 1>(curve.parameterAt(distance))),
-                             frame_, fields_);
+        const MeshPlace<Dim> place = onFace(face, Eigen::Vector<double, 1>(curve.parameterAt(distance)));
+        return bodies_.point(distance, place, frame_, fields_, surfaceAxes(-outwardNormal(face, place)));
       };
       return {probe, curve.length(), {0.0, curve.length()}};
     } else {
@@ -83,8 +83,8 @@ class PathMaker {
     const FacePlace face = facePlace(model_, frame_, path.address);
     const MeshPlace<Dim> start = onFace(face, parameters(face, path.place));
     if (options_.spot > 0.0) return belowSpot(face, start, path.length);
-    const Point begin = bodies_.patch(start.patch).position(start.xi), inward = -outwardNormal(face, start);
-    const PathProbe probe = straight(begin, inward, start);
+    const Point begin = bodies_.patch(start.patch).position(start.xi);
+    const PathProbe probe = intoBody(begin, surfaceAxes(face, start), start);
     const double whole = depthAt(probe, smallestStep(start, face));
     if (!(whole > 0.0))
       throw Error(fmt::format("depth: the body has no depth below {}; expected another place on face {}",
@@ -92,25 +92,28 @@ class PathMaker {
     return {probe, path.length ? std::min(*path.length, whole) : whole, {0.0, whole}};
   }
 
-  Eigen::Matrix3d surfaceAxes(const DepthPath& path) const requires(Dim == 3) {
-    const FacePlace face = facePlace(model_, frame_, path.address);
-    return surfaceAxes(face, onFace(face, parameters(face, path.place)));
-  }
-
  private:
-  /// Into the body, along the first direction of the face, and across both.
-  Eigen::Matrix3d surfaceAxes(const FacePlace& face, const MeshPlace<Dim>& place) const requires(Dim == 3) {
-    const Point normal = outwardNormal(face, place);
-    const Point first =
-        bodies_.patch(place.patch).jacobian(place.xi).col(face.face / 2 == 0 ? 1 : 0).normalized();
-    return (Eigen::Matrix3d() << -normal, first, normal.cross(first)).finished();
+  /// Of a face of a plane body that has this inward normal.
+  static SurfaceAxes surfaceAxes(const Point& inward) requires(Dim == 2) {
+    return (SurfaceAxes() << inward(0), -inward(1), 0.0, inward(1), inward(0), 0.0, 0.0, 0.0, 1.0).finished();
   }
 
-  /// Where lines begin that stand for a spot, and the way into the body that they share.
+  SurfaceAxes surfaceAxes(const FacePlace& face, const MeshPlace<Dim>& place) const {
+    const Point normal = outwardNormal(face, place);
+    if constexpr (Dim == 2) {
+      return surfaceAxes(-normal);
+    } else {
+      const Point first =
+          bodies_.patch(place.patch).jacobian(place.xi).col(face.face / 2 == 0 ? 1 : 0).normalized();
+      return (SurfaceAxes() << -normal, first, normal.cross(first)).finished();
+    }
+  }
+
+  /// Where lines begin that stand for a spot, and the axes that they share.
   struct SpotLines {
     MeshPlace<Dim> middle;
     std::vector<MeshPlace<Dim>> begins;
-    Point inward;
+    SurfaceAxes axes;
   };
 
   /// In the plane, side by side over the length of the spot; into the body across its chord.
@@ -124,8 +127,9 @@ class PathMaker {
                       "expected one that does not reach beyond its ends",
                       options_.spot, at, curve.length()));
     const Point chord = curve.at(end) - curve.at(begin);
-    SpotLines lines{middle, {}, Point(chord(1), -chord(0)).normalized()};
-    if (lines.inward.dot(outwardNormal(face, middle)) > 0.0) lines.inward = -lines.inward;
+    const Point across = Point(chord(1), -chord(0)).normalized();
+    SpotLines lines{
+        middle, {}, surfaceAxes(across.dot(outwardNormal(face, middle)) > 0.0 ? Point(-across) : across)};
     for (int k = 0; k < kSpotLines; ++k)
       lines.begins.push_back(onFace(
           face, Eigen::Vector<double, 1>(curve.parameterAt(std::lerp(begin, end, (k + 0.5) / kSpotLines)))));
@@ -136,10 +140,10 @@ class PathMaker {
   SpotLines linesOfSpot(const FacePlace& face, const MeshPlace<Dim>& middle) const requires(Dim == 3) {
     constexpr double kBeside = 0.1;  // of the spot: how far from under its square the face may begin
     const Patch<Dim>& patch = bodies_.patch(middle.patch);
-    const Eigen::Matrix3d axes = surfaceAxes(face, middle);
+    const SurfaceAxes axes = surfaceAxes(face, middle);
     const Point normal = -axes.col(0), first = axes.col(1), across = axes.col(2),
                 centre = patch.position(middle.xi);
-    SpotLines lines{middle, {}, axes.col(0)};
+    SpotLines lines{middle, {}, axes};
     for (int k = 0; k < kSpotLinesInSpace * kSpotLinesInSpace; ++k) {
       const double u = (k % kSpotLinesInSpace + 0.5) / kSpotLinesInSpace - 0.5,
                    v = (k / kSpotLinesInSpace + 0.5) / kSpotLinesInSpace - 0.5;
@@ -160,7 +164,7 @@ class PathMaker {
                          const std::optional<double>& length) const {
     const SpotLines spot = linesOfSpot(face, middle);
     const auto from = [&](const MeshPlace<Dim>& begin) {
-      return straight(bodies_.patch(begin.patch).position(begin.xi), spot.inward, begin);
+      return intoBody(bodies_.patch(begin.patch).position(begin.xi), spot.axes, begin);
     };
     std::vector<PathProbe> lines;
     double whole = std::numeric_limits<double>::max();
@@ -203,14 +207,19 @@ class PathMaker {
     return point;
   }
 
+  PathProbe intoBody(const Point& begin, const SurfaceAxes& axes, const MeshPlace<Dim>& near) const {
+    return straight(begin, axes.col(0).template head<Dim>(), near, axes);
+  }
+
   PathProbe straight(const Point& begin, const Point& direction,
-                     std::optional<MeshPlace<Dim>> near = std::nullopt) const {
-    return [this, begin, direction, near](double distance) mutable {
+                     std::optional<MeshPlace<Dim>> near = std::nullopt,
+                     const std::optional<SurfaceAxes>& axes = std::nullopt) const {
+    return [this, begin, direction, near, axes](double distance) mutable {
       const Point position = begin + distance * direction;
       const auto found = bodies_.find(position, near);
       if (!found) return outside(distance, position);
       near = found;
-      return bodies_.point(distance, *found, frame_, fields_);
+      return bodies_.point(distance, *found, frame_, fields_, axes);
     };
   }
 
@@ -353,11 +362,6 @@ ProbePoint probedMean(const ModelRecord& model, const FrameRecord& frame, const 
                       const ProbePath& path, const ProbeOptions& options) {
   return model.dim == 2 ? probedMeanIn<2>(model, frame, fields, path, options)
                         : probedMeanIn<3>(model, frame, fields, path, options);
-}
-
-Eigen::Matrix3d surfaceAxes(const ModelRecord& model, const FrameRecord& frame, const DepthPath& path) {
-  const ProbedFields none(model, frame, {});
-  return PathMaker<3>(model, frame, none, {}).surfaceAxes(path);
 }
 
 class MaterialPoint::Finder {

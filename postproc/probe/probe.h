@@ -48,7 +48,8 @@ struct ProbeOptions {
   double penetration = 0.0;  ///< of X-rays, see `penetrationAverages`; 0: values at points
 };
 
-/// The points of a path with the fields there. Throws `Error` for a path that does not fit the body: of another
+/// The points of a path with the fields there. The axes of the surface are those where a `DepthPath` begins, and of each
+/// point of a `FacePath`; in space the first direction of the face is the one along it. Throws `Error` for a path that does not fit the body: of another
 /// dimension, of no length, wholly outside, of a face that is none, or of an area; for a spot that reaches beyond the
 /// face; and if nothing on it has a field.
 std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& frame,
@@ -59,10 +60,6 @@ std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& 
 /// the bodies that have them, and as position. Throws `Error` for a path that does not fit the body.
 ProbePoint probedMean(const ModelRecord& model, const FrameRecord& frame, const ProbedFields& fields,
                       const ProbePath& path, const ProbeOptions& options = {});
-
-/// The axes of the surface of a deformed body in space where a path into it begins, as columns: into the body, along the
-/// first direction of the face, and across both. Throws `Error` for a path that does not fit the body.
-Eigen::Matrix3d surfaceAxes(const ModelRecord& model, const FrameRecord& frame, const DepthPath& path);
 
 /// A point of the material over time.
 class MaterialPoint {

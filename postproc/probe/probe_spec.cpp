@@ -9,8 +9,21 @@
 #include "engine/core/error.h"
 #include "engine/core/formula.h"
 #include "postproc/mesh/contact_field.h"
+#include "postproc/probe/probed_fields.h"
 
 namespace burnish {
+
+std::vector<std::string> profileFieldNames() {
+  std::vector<std::string> names = bodyFields();
+  for (std::string& name : surfaceFieldNames()) names.push_back(std::move(name));
+  return names;
+}
+
+std::vector<std::string> probedFieldNames() {
+  std::vector<std::string> names = profileFieldNames();
+  for (std::string& name : contactFieldNames()) names.push_back(std::move(name));
+  return names;
+}
 
 std::vector<std::string> formulaVariables(const std::vector<std::string>& fields) {
   std::vector<std::string> names = fields;
@@ -56,6 +69,11 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
           "found a field of contact, which faces alone have; expected a face of a plane body as place");
   require(ofContact == 0 || !spec.reference, "reference",
           "contact fields are measured along the deformed face; expected a probe without it");
+  const bool ofSurface = std::ranges::any_of(spec.fields, isSurfaceField);
+  require(!ofSurface || !spec.depth.empty() || !spec.face.empty(), "field",
+          "found a stress in the axes of a surface; expected depth or face as place");
+  require(!ofSurface || !spec.reference, "reference",
+          "the axes of a surface are those of the deformed face; expected a probe without it");
   const bool isState = std::ranges::count(spec.fields, "sliding") > 0;
   require(!isState || (!spec.window && !spec.penetration && !spec.mean), "field",
           "found sliding, which is a state and has no mean; expected it without window and mean");

@@ -62,7 +62,8 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
   v.field(
       "field", s.fields, ofFields,
       "What is drawn, one field or several of one unit; displacement alone is its magnitude; plastic_strain "
-      "or von_mises when left out; fields of contact along faces.");
+      "or von_mises when left out; fields of contact along faces; stress.along, stress.across and stress.normal in the axes "
+      "of a face.");
   v.field("formula", s.formula, {},
           "Formula in the fields named by field, drawn instead of them, such as a hardness that follows from "
           "plastic_strain; components are spelled stress_xx.");
@@ -81,10 +82,15 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
   v.field("mean", s.mean, {}, "The mean of all of the path over time instead of values along it.");
 }
 
-/// Of runs.
+/// Fields that a depth profile of a run may show: of bodies, and stresses in the axes of a surface.
+std::vector<std::string> profileFieldNames();
+
+/// These, and those of contact.
+std::vector<std::string> probedFieldNames();
+
 template <class Visitor>
 void describe(Visitor& v, ProbeSpec& s) {
-  describeProbe(v, s, {.choices = drawableFields()});
+  describeProbe(v, s, {.choices = probedFieldNames()});
 }
 
 /// Of files of any program, whose fields have any name.

@@ -183,12 +183,6 @@ ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const 
   });
 }
 
-Eigen::Matrix3d surfaceAxes(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
-  return withChosenBodies(model, frame, spec, [&](const ModelRecord& chosen, const FrameRecord& shown) {
-    return surfaceAxes(chosen, shown, std::get<DepthPath>(pathOf(spec, chosen.dim)));
-  });
-}
-
 ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& frames, const ProbeSpec& spec) {
   ProbedRun run{"", result.model().dim, result.model().lengthUnit, {}, {}};
   std::optional<MaterialPoint> point;

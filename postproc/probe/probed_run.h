@@ -33,9 +33,6 @@ void requirePlace(const ModelRecord& model, const FrameRecord& frame, const Prob
 /// does not have.
 ProbedRun probedFrame(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec);
 
-/// The axes of the surface where the `depth` of a spec begins, of a body in space; see `surfaceAxes` of a path.
-Eigen::Matrix3d surfaceAxes(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec);
-
 /// The values at the point, or the means of the path, in these frames (one or more). Throws `Error` as above,
 /// and if there is no value in any of them.
 ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& frames, const ProbeSpec& spec);

@@ -13,6 +13,7 @@
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/probe/depth_numbers.h"
 #include "postproc/probe/probed_run.h"
+#include "postproc/probe/section_numbers.h"
 #include "postproc/study/evidence/reductions.h"
 #include "postproc/surface/face_roughness.h"
 
@@ -117,6 +118,14 @@ class Evaluation {
     return std::isnan(value) ? Measured{{}, "the body has none"} : Measured{value, {}};
   }
 
+  Measured operator()(const SectionMeasure& measure) const {
+    const ResultReader result = data_.result();
+    const FrameAt at = frameAt(data_, result, measure.time.value_or(kEndOfRun));
+    if (at.stoppedBefore) return {{}, stoppedText(at.frame.time)};
+    const SectionNumbers numbers = sectionNumbers(result.model(), at.frame, measure.plane, measure.bodies);
+    return {std::ranges::find(kSectionNumbers, measure.number, &SectionNumberRow::name)->value(numbers), {}};
+  }
+
   Measured operator()(const ProfileMeasure& measure) const {
     const StudyRun& other = runNamed(study_, fillIn(measure.other, data_.run().parameters));
     if (!hasEnded(other, studyDirectory_)) return {{}, fmt::format("no results of {}", other.label)};
@@ -129,7 +138,7 @@ class Evaluation {
     if (at.stoppedBefore) return {{}, stoppedText(at.frame.time)};
     const ModelRecord& model = result.model();
     std::array<double, 3> numbers{};
-    if (model.dim == 2) {
+    if (hasProfile(model, measure.face)) {
       const ProfileRoughness found = faceProfile(model, at.frame, measure.face).roughness;
       numbers = {found.a, found.q, found.z};
     } else {

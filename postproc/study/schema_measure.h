@@ -2,6 +2,7 @@
 #include "engine/schema/leaf.h"
 #include "postproc/draw/contour/picture_options.h"
 #include "postproc/probe/depth_numbers.h"
+#include "postproc/probe/section_numbers.h"
 #include "postproc/study/evidence/quantity.h"
 #include "postproc/study/evidence/schema_reduction.h"
 
@@ -96,9 +97,19 @@ void describe(Visitor& v, DepthMeasure& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, SectionMeasure& s) {
+  v.field("plane", s.plane, {.required = true}, "Where the deformed bodies are cut.");
+  v.field("body", s.bodies, {}, "Names of the bodies that are cut; all when left out.");
+  v.field("number", s.number, {.required = true, .choices = sectionNumberNames()},
+          "Which of the numbers of a section.");
+  describeTime(v, s.time);
+}
+
+template <class Visitor>
 void describe(Visitor& v, ProfileMeasure& s) {
   describeProfile(v, s.place);
-  v.field("field", s.place.fields, {.required = true, .choices = bodyFields()}, "One field, of the profile.");
+  v.field("field", s.place.fields, {.required = true, .choices = profileFieldNames()},
+          "One field, of the profile.");
   v.field("other", s.other, {.required = true}, "Name of the run to compare with, braces filled in.");
   describeTime(v, s.time);
 }
@@ -125,6 +136,8 @@ void describe(Visitor& v, MeasureSpec& s) {
          "largest |y|."},
         {"convergence", "Median order of convergence of Newton's method over the steps."},
         {"depth", "A number of a depth profile: whether its section is in balance, what is left, how deep."},
+        {"section",
+         "A number of a plane section: the force and the moment that the stress over it makes, and whether it is in balance."},
         {"profile",
          "The largest |difference| of a depth profile from that of another run, as a part of the "
          "other's largest magnitude."},

@@ -49,6 +49,8 @@ class NameCheck : StudyReporter {
 
   void checkStatement(const std::string& path, const StatementSpec& s) const {
     requireDifferentNames(path + ".measures", s.measures);
+    if (!s.measures.empty() && s.runs.empty() && s.claims.empty())
+      report(path + ".runs", "missing; measures are those of runs, or of claims about them.");
     for (std::size_t i = 0; i < s.measures.size(); ++i)
       checkMeasure(fmt::format("{}.measures[{}]", path, i), s.measures[i]);
     for (std::size_t i = 0; i < s.claims.size(); ++i)

@@ -1,12 +1,17 @@
 #include "postproc/surface/face_roughness.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/quoted.h"
+#include "engine/nurbs/closest_point.h"
 #include "engine/solid/face_quadrature.h"
 #include "postproc/draw/contour/shown_model.h"
 #include "postproc/mesh/patch_geometry.h"
@@ -21,6 +26,7 @@ constexpr int kPerSpan = 64, kPerSpanInSpace = 16;  // places per knot span and 
 /// Places on a face, now and in the undeformed body, dim x places, and the area of each, outwards.
 struct FacePlaces {
   Eigen::MatrixXd now, before, areas;
+  std::array<int, 2> grid{};  ///< first fastest; 0: not one
 };
 
 /// Equally distant parameters in every span, both ends included, and how much of the range each stands for.
@@ -47,6 +53,7 @@ FacePlaces placesOf(const PatchRecord& record, const Eigen::MatrixXd& displaceme
   ParameterRow second{{0.0}, {1.0}};
   if constexpr (Dim == 3) second = parametersAlong(surface.basis().direction(1), kPerSpanInSpace);
   FacePlaces places;
+  places.grid = {static_cast<int>(first.at.size()), static_cast<int>(second.at.size())};
   const auto count = static_cast<Eigen::Index>(first.at.size() * second.at.size());
   for (Eigen::MatrixXd* all : {&places.now, &places.before, &places.areas}) all->resize(Dim, count);
   Eigen::Index next = 0;
@@ -63,20 +70,41 @@ FacePlaces placesOf(const PatchRecord& record, const Eigen::MatrixXd& displaceme
   return places;
 }
 
+/// Two points. what: they are, in messages.
+LinePath pointsOf(const char* key, const std::string& text, int dim, const char* what) {
+  ProbeSpec spec;
+  spec.line = text;
+  try {
+    return std::get<LinePath>(pathOf(spec, dim));
+  } catch (const Error&) {
+    throw Error(fmt::format("{}: found {}; expected {}, {}", key, quoted(text),
+                            dim == 2 ? "X0,Y0:X1,Y1" : "X0,Y0,Z0:X1,Y1,Z1", what));
+  }
+}
+
+/// The grid of these numbers of a grid, which increase, if they make one.
+std::array<int, 2> gridOf(const std::vector<Eigen::Index>& kept, int along) {
+  std::size_t first = 1;
+  while (first < kept.size() && kept[first] == kept[0] + static_cast<Eigen::Index>(first) &&
+         kept[first] % along != 0)
+    ++first;
+  if (kept.size() % first != 0) return {};
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    if (kept[k] !=
+        kept[0] + static_cast<Eigen::Index>(k % first) + along * static_cast<Eigen::Index>(k / first))
+      return {};
+  return {static_cast<int>(first), static_cast<int>(kept.size() / first)};
+}
+
 /// Keeps the places that lay in the box. Of a line those between the first and the last of them.
 void keepWithin(FacePlaces& places, const std::string& within) {
   if (within.empty()) return;
-  ProbeSpec spec;
-  spec.line = within;
   const auto dim = static_cast<int>(places.now.rows());
-  LinePath corners;
-  try {
-    corners = std::get<LinePath>(pathOf(spec, dim));
-  } catch (const Error&) {
-    throw Error(fmt::format("within: found {}; expected {}, two corners of a box", quoted(within),
-                            dim == 2 ? "X0,Y0:X1,Y1" : "X0,Y0,Z0:X1,Y1,Z1"));
-  }
-  const Eigen::VectorXd low = corners.begin.cwiseMin(corners.end), high = corners.begin.cwiseMax(corners.end);
+  const LinePath corners = pointsOf("within", within, dim, "two corners of a box");
+  const double slack =  // a face may lie in a side of the box
+      1e-9 * (places.before.rowwise().maxCoeff() - places.before.rowwise().minCoeff()).norm();
+  const Eigen::VectorXd low = corners.begin.cwiseMin(corners.end).array() - slack,
+                        high = corners.begin.cwiseMax(corners.end).array() + slack;
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < places.before.cols(); ++k)
     if ((places.before.col(k).array() >= low.array()).all() &&
@@ -89,26 +117,114 @@ void keepWithin(FacePlaces& places, const std::string& within) {
     kept.clear();
     for (Eigen::Index k = first; k <= last; ++k) kept.push_back(k);
   }
+  places.grid = gridOf(kept, places.grid[0]);
   for (Eigen::MatrixXd* all : {&places.now, &places.before, &places.areas})
     *all = (*all)(Eigen::all, kept).eval();
 }
 
-template <int Dim>
-FacePlaces placesOn(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
+/// Calls `act` with the patch that has the face, the frame that has the patch, and the face's number in it.
+template <class Act>
+auto withFace(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec, const Act& act) {
   PictureOptions shown;
   shown.bodies = spec.bodies;
   return withShownModel(model, frame, shown, [&](const ModelRecord& chosen, const FrameRecord& its) {
     const FacePlace face = facePlace(chosen, its, {spec.face, spec.patch});
-    FacePlaces places = placesOf<Dim>(meshOf(chosen, its).patches[static_cast<std::size_t>(face.patch)],
-                                      its.displacement, face.face);
+    return act(meshOf(chosen, its).patches[static_cast<std::size_t>(face.patch)], its, face.face);
+  });
+}
+
+template <int Dim>
+FacePlaces placesOn(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
+  return withFace(model, frame, spec, [&](const PatchRecord& patch, const FrameRecord& its, FaceId face) {
+    FacePlaces places = placesOf<Dim>(patch, its.displacement, face);
     keepWithin(places, spec.within);
     return places;
   });
 }
 
-}  // namespace
+/// The place of a face that lies over a point of a line, found from the one before.
+class Stylus {
+ public:
+  /// From the place of the face that is nearest to the first point of the line to the one that is nearest to the other. up:
+  /// mean normal of the face, of length 1.
+  Stylus(const Patch<2, 3>& face, const LinePath& line, const Eigen::Vector3d& up)
+      : face_(face), up_(up), xi_(placeAt(line.begin, line)) {
+    begin_ = face.position(xi_);
+    const Eigen::Vector3d way = face.position(placeAt(line.end, line)) - begin_;
+    const Eigen::Vector3d along = way - way.dot(up) * up;
+    length_ = along.norm();
+    if (!(length_ > 0.01 * (line.end - line.begin).norm()))
+      throw Error("line: goes across the face; expected two points over the face, apart");
+    along_ = along / length_;
+    across_ = up.cross(along_);
+  }
 
-FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
+  double length() const { return length_; }
+
+  /// Throws `Error` where no place of the face lies over or below the line.
+  double heightAt(double distance) {
+    constexpr int kMostSteps = 50;
+    constexpr double kOn = 1e-9;  // of the length
+    for (int step = 0; step < kMostSteps; ++step) {
+      const Eigen::Vector3d away = face_.position(xi_) - begin_ - distance * along_;
+      const Eigen::Vector2d miss(along_.dot(away), across_.dot(away));
+      if (miss.norm() <= kOn * length_) return up_.dot(away);
+      const Eigen::Matrix<double, 3, 2> jacobian = face_.jacobian(xi_);
+      Eigen::Matrix2d slopes;
+      slopes << along_.transpose() * jacobian, across_.transpose() * jacobian;
+      const Eigen::Vector2d next = xi_ - slopes.partialPivLu().solve(miss);
+      for (int d = 0; d < 2; ++d) {
+        const UnivariateBasis& basis = face_.basis().direction(d);
+        xi_(d) = std::clamp(next(d), basis.parameterAt(0), basis.parameterAt(1));
+      }
+    }
+    throw Error(fmt::format("line: leaves the face {:.6g} behind its first point; expected one over the face",
+                            distance));
+  }
+
+ private:
+  /// The parameters of the place that is nearest to one of the points of the line. Throws `Error` if it lies beside.
+  Eigen::Vector2d placeAt(const Eigen::Vector3d& point, const LinePath& line) const {
+    constexpr int kStarts = 20, kSteps = 50;  // of the search, per direction
+    constexpr double kBeside = 0.01;          // of the line: the body may have moved
+    std::vector<double> shares;
+    for (int k = 0; k <= kStarts; ++k) shares.push_back(static_cast<double>(k) / kStarts);
+    const Eigen::Vector2d xi = closestPoint(face_, point, parameterGrid(face_.basis(), shares), kSteps).xi;
+    const Eigen::Vector3d away = point - face_.position(xi);
+    const double beside = (away - away.dot(up_) * up_).norm();
+    if (!(beside <= kBeside * (line.end - line.begin).norm()))
+      throw Error(
+          fmt::format("line: found ({:.6g}), which lies {:.3g} beside the face; expected a point of the face",
+                      fmt::join(point, ", "), beside));
+    return xi;
+  }
+
+  const Patch<2, 3>& face_;
+  Eigen::Vector3d up_;
+  Eigen::Vector2d xi_;
+  Eigen::Vector3d begin_, along_, across_;
+  double length_ = 0.0;
+};
+
+Profile profileAlong(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
+  if (model.dim == 2)
+    throw Error("line: found a plane body; expected no line, as the profile is that along the face");
+  if (!spec.within.empty()) throw Error("line: found beside within; expected one of the two");
+  const LinePath line = pointsOf("line", spec.line, 3, "two points of the way of a stylus");
+  return withFace(model, frame, spec, [&](const PatchRecord& patch, const FrameRecord& its, FaceId face) {
+    const Eigen::Vector3d up = placesOf<3>(patch, its.displacement, face).areas.rowwise().sum().normalized();
+    const Patch<2, 3> surface = tracePatch(patchGeometry<3>(patch, its.displacement), face);
+    Stylus stylus(surface, line, up);
+    const int spans = surface.basis().direction(0).numSpans() + surface.basis().direction(1).numSpans();
+    Profile profile{0.0, stylus.length() / (kPerSpanInSpace * spans),
+                    Eigen::VectorXd(kPerSpanInSpace * spans + 1)};
+    for (Eigen::Index k = 0; k < profile.heights.size(); ++k)
+      profile.heights(k) = stylus.heightAt(static_cast<double>(k) * profile.spacing);
+    return profile;
+  });
+}
+
+Profile profileOfChord(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
   const FacePlaces places = placesOn<2>(model, frame, spec);
   const Eigen::Vector2d begin = places.now.col(0), end = places.now.rightCols<1>();
   const Eigen::Vector2d up = places.areas.rowwise().sum(), chord = end - begin;
@@ -119,7 +235,16 @@ FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, cons
   frameOfChord.row(1) << -frameOfChord(0, 1), frameOfChord(0, 0);
   if (frameOfChord.row(1).dot(up) < 0.0) frameOfChord.row(1) *= -1.0;
   const Eigen::Matrix2Xd local = frameOfChord * (places.now.colwise() - begin);
-  FaceProfile result{profileOf(local, static_cast<int>(places.now.cols())), {}};
+  return profileOf(local, static_cast<int>(places.now.cols()));
+}
+
+}  // namespace
+
+FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
+  if (!hasProfile(model, spec))
+    throw Error("line: missing; a face in space is an area, expected the way of a stylus over it");
+  FaceProfile result{
+      spec.line.empty() ? profileOfChord(model, frame, spec) : profileAlong(model, frame, spec), {}};
   result.roughness = roughnessOf(result.profile, spec.cutoff);
   result.profile = levelled(result.profile);
   if (spec.cutoff) result.profile = roughnessProfile(result.profile, *spec.cutoff);
@@ -127,10 +252,53 @@ FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, cons
 }
 
 FaceArea faceArea(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
-  if (spec.cutoff) throw Error("cutoff: areas are not filtered; expected it of faces of plane bodies alone");
+  if (spec.cutoff)
+    throw Error("cutoff: areas are not filtered; expected it of faces of plane bodies, or beside line");
   const FacePlaces places = placesOn<3>(model, frame, spec);
   const Eigen::Vector3d up = places.areas.rowwise().sum();
-  return {roughnessOf(places.now, places.areas.colwise().norm().transpose(), up), places.now};
+  return {roughnessOf(places.now, places.areas.colwise().norm().transpose(), up), places.now, up.normalized(),
+          places.grid};
+}
+
+ModelFrame heightMap(const ModelRecord& model, const FrameRecord& frame, const FaceArea& area) {
+  const auto [along, across] = area.grid;
+  if (along < 2 || across < 2)
+    throw Error("within: what is left of the face is no grid of its parameters; expected a box along these");
+  const Eigen::Matrix3Xd& places = area.places;
+  const auto at = [&](int i, int j) -> Eigen::Vector3d { return places.col(i + j * along); };
+  const Eigen::Vector3d first = at(along - 1, 0) - at(0, 0) + at(along - 1, across - 1) - at(0, across - 1),
+                        second = at(0, across - 1) - at(0, 0) + at(along - 1, across - 1) - at(along - 1, 0);
+  const bool isTurned = first.cross(second).dot(area.up) < 0.0;  // as seen from outside
+  const Eigen::Vector3d right = first.normalized(), up = area.up.cross(right).normalized();
+  std::vector<Eigen::Index> order;
+  for (int j = 0; j < across; ++j)
+    for (int i = 0; i < along; ++i) order.push_back(i + along * (isTurned ? across - 1 - j : j));
+  PatchRecord patch;
+  for (const int count : area.grid) {
+    DirectionRecord& direction = patch.directions.emplace_back();
+    direction.knots = {0.0};
+    for (int k = 0; k < count; ++k) direction.knots.push_back(static_cast<double>(k) / (count - 1));
+    direction.knots.push_back(1.0);
+  }
+  patch.points.resize(2, places.cols());
+  patch.points.row(0) = right.transpose() * places(Eigen::all, order);
+  patch.points.row(1) = up.transpose() * places(Eigen::all, order);
+  patch.weights.setOnes(places.cols());
+  patch.nodes.resize(static_cast<std::size_t>(places.cols()));
+  std::iota(patch.nodes.begin(), patch.nodes.end(), 0);
+  ModelFrame map;
+  map.model.program = model.program;
+  map.model.title = model.title;
+  map.model.lengthUnit = model.lengthUnit;
+  map.model.mesh = {static_cast<int>(places.cols()), {std::move(patch)}};
+  map.model.bodies = {""};
+  map.model.subdivision = 1;
+  map.frame.index = frame.index;
+  map.frame.step = frame.step;
+  map.frame.time = frame.time;
+  map.frame.displacement.setZero(2, places.cols());
+  map.frame.fields[kHeightField] = {{}, model.lengthUnit, area.roughness.heights(order).transpose()};
+  return map;
 }
 
 }  // namespace burnish

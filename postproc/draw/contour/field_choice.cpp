@@ -41,6 +41,7 @@ std::map<std::string, Wording> allWordings() {
   table["friction_traction"] = {"Traction of friction", symbolOf("t_T"), true};
   table["slip"] = {"Slip in the last step", {{"s"}}, true};
   table["slipped"] = {"Way slipped", {{"s"}}, true};
+  table["surface_height"] = {"Height about the mean plane", {{"h"}}, false, true};
   table["sliding"] = {"Contact", {}, true};
   for (const FieldKind& field : materialFields())
     table[field.name] = {field.words, symbolOf(field.symbol), field.isNonNegative};

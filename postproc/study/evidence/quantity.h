@@ -8,6 +8,7 @@
 #include "engine/core/formula.h"
 #include "engine/results/history.h"
 #include "postproc/probe/probe_spec.h"
+#include "postproc/probe/section_numbers.h"
 #include "postproc/surface/face_roughness.h"
 
 /// What is read off a run: the quantities of checks of scenes and of measures of studies.
@@ -64,6 +65,14 @@ struct DepthMeasure {
   std::optional<double> time;
 };
 
+/// A number of `SectionNumbers`, at a time or at the end.
+struct SectionMeasure {
+  CutPlane plane;
+  std::vector<std::string> bodies;  ///< all when empty
+  std::string number;
+  std::optional<double> time;
+};
+
 /// How far a depth profile of a field is from that of another run at the same time: the largest |difference| as a part
 /// of the other's largest magnitude.
 struct ProfileMeasure {
@@ -81,8 +90,9 @@ struct RoughnessMeasure {
   std::optional<double> time;
 };
 
-using Quantity = std::variant<HistoryMeasure, SummaryMeasure, LineMeasure, DifferenceMeasure,
-                              ConvergenceMeasure, DepthMeasure, ProfileMeasure, RoughnessMeasure>;
+using Quantity =
+    std::variant<HistoryMeasure, SummaryMeasure, LineMeasure, DifferenceMeasure, ConvergenceMeasure,
+                 DepthMeasure, SectionMeasure, ProfileMeasure, RoughnessMeasure>;
 
 /// A quantity of a study, with a name.
 struct MeasureSpec {

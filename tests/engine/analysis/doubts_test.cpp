@@ -1,4 +1,5 @@
 // What a run says about answers that it should not be believed.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,6 +53,47 @@ TEST(Passage, AToolThatGoesAllTheWayThroughIsNotLost) {
   const auto outcome = test::run(scene, "through");
   EXPECT_FALSE(outcome.summary.completed);
   EXPECT_GT(outcome.history.column("disc.fy").back(), 1.0);
+}
+
+/// An elastic block that is pressed in a few steps and let go of gives all work back; the error of its sum does not.
+TEST(Balance, ABlockThatIsLetGoOfIsJudgedByTheWorkThatItHeld) {
+  Scene scene = deepDisc(8);
+  scene.tools.front().motion->times = {0.0, 0.5, 1.0};
+  scene.tools.front().motion->y = std::vector<double>{0.0, -0.4, 0.0};
+  const auto outcome = test::run(scene, "released");
+  ASSERT_TRUE(outcome.summary.completed);
+  const StateQuantities& end = outcome.summary.end;
+  EXPECT_LT(end.energyFound(), 1e-6 * end.largestEnergy);
+  EXPECT_LT(imbalanceOf(end), 0.05);
+  EXPECT_FALSE(hasDoubt(outcome.summary, "work and energies"));
+}
+
+/// A disc that is drawn over a block at a depth, in passes that are each by `lift` higher.
+test::Outcome drawnOver(double lift, int passes, const std::string& name) {
+  return test::run(parseScene(fmt::format(R"(
+geometry: {{shape: rectangle, size: [2, 1], functions: [21, 11]}}
+material: {{law: neo-hookean, E: 1, nu: 0.3}}
+supports: [{{face: bottom, fix: [x, y]}}]
+tools:
+  - {{name: disc, shape: cylinder, center: [0.8, 1.5], radius: 0.5,
+      path: {{course: raster, start: [0, -0.02], stroke: [0.4, 0], feed: [0, {}], passes: {}, speed: 1, clearance: [0, 0.1]}}}}
+contact: [{{tool: disc, face: top, method: augmented-lagrangian}}]
+steps: [{{until: {}, count: {}}}]
+)",
+                                          lift, passes, 1.2 * passes, 24 * passes),
+                              name),
+                   name);
+}
+
+TEST(Passes, ThatTouchNothingAreDoubted) {
+  const auto low = drawnOver(0.0, 2, "low"), high = drawnOver(0.05, 3, "high");
+  EXPECT_FALSE(hasDoubt(low.summary, "touches nothing"));
+  ASSERT_TRUE(hasDoubt(high.summary, "disc touches nothing in a pass"));
+  const auto& doubts = high.summary.doubts;
+  const auto doubt = std::find_if(doubts.begin(), doubts.end(), [](const DoubtRecord& one) {
+    return one.what.find("touches nothing") != std::string::npos;
+  });
+  EXPECT_EQ(doubt->detail, "2 of 3 passes");
 }
 
 TEST(Stability, AColumnAboveItsBucklingLoadIsDoubted) {

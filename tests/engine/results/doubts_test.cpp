@@ -51,7 +51,7 @@ TEST(Doubts, ImbalanceIsRelativeToTheLargerOfWorkAndEnergies) {
   EXPECT_DOUBLE_EQ(imbalanceOf(9.0, 10.0, 0.0), 0.1);
   EXPECT_DOUBLE_EQ(imbalanceOf(10.0, 9.0, 0.0), 0.1);
   EXPECT_EQ(imbalanceOf(0.0, 0.0, 0.0), 0.0);
-  EXPECT_DOUBLE_EQ(imbalanceOf(0.0, 1e-6, 1.0), 1e-4) << "of a body that was let go of";
+  EXPECT_DOUBLE_EQ(imbalanceOf(0.0, 0.02, 1.0), 0.02) << "of a body that was let go of";
 }
 
 }  // namespace

@@ -174,13 +174,16 @@ TEST(ProbedRun, HasAFormulaInsteadOfFields) {
   EXPECT_EQ(conflictsIn(spec).front().path, "formula");
 }
 
+Eigen::Matrix3d cubeTurn() {
+  return Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, -1.0).normalized()).toRotationMatrix();
+}
+
 /// Below a turned face of a cube: stresses of -100 and -50 at the face in its directions that grow by 200 and by 100, a tenth
 /// of the first one normal to it, and no shear.
-TEST(DepthNumbers, AreInTheAxesOfASurfaceInSpace) {
+Sample turnedCube() {
   Sample cube = samples::cube();
   const Eigen::MatrixXd X = cube.model.mesh.patches.front().points;
-  const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, -1.0).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d turn = cubeTurn();
   cube.frame.displacement = turn * X - X;
   Eigen::MatrixXd stress(6, X.cols());
   for (Eigen::Index a = 0; a < X.cols(); ++a) {
@@ -191,7 +194,12 @@ TEST(DepthNumbers, AreInTheAxesOfASurfaceInSpace) {
     stress.col(a) << turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(1, 2), turned(2, 0);
   }
   cube.frame.fields["stress"] = {{"xx", "yy", "zz", "xy", "yz", "zx"}, "MPa", stress};
-  const Eigen::Vector3d above = turn * Eigen::Vector3d(0.4, 1.0, 0.5);
+  return cube;
+}
+
+TEST(DepthNumbers, AreInTheAxesOfASurfaceInSpace) {
+  const Sample cube = turnedCube();
+  const Eigen::Vector3d above = cubeTurn() * Eigen::Vector3d(0.4, 1.0, 0.5);
   ProbeSpec spec;
   spec.depth = fmt::format("top@{},{},{}", above(0), above(1), above(2));
   const DepthNumbers numbers = depthNumbers(cube.model, cube.frame, spec);
@@ -202,6 +210,56 @@ TEST(DepthNumbers, AreInTheAxesOfASurfaceInSpace) {
   EXPECT_NEAR(numbers.across.lowestAt, 0.0, 1e-8);
   EXPECT_NEAR(numbers.unsteadiness, 0.1, 1e-8);
   EXPECT_TRUE(std::isnan(numbers.force));
+}
+
+/// The same stresses as curves, as means over a spot and over a window, and along a face.
+TEST(ProbedRun, HasStressesInTheAxesOfASurface) {
+  const Sample cube = turnedCube();
+  const Eigen::Vector3d above = cubeTurn() * Eigen::Vector3d(0.4, 1.0, 0.5);
+  ProbeSpec spec;
+  spec.depth = fmt::format("top@{},{},{}", above(0), above(1), above(2));
+  spec.fields = {"stress.across", "stress.along", "stress.normal", "stress.shear_along", "pressure"};
+  for (const std::optional<double>& spot : {std::optional<double>(), std::optional(0.2)}) {
+    spec.spot = spot;
+    EXPECT_TRUE(conflictsIn(spec).empty());
+    const ProbedRun run = probedFrame(cube.model, cube.frame, spec);
+    EXPECT_EQ(run.fields[0].name, "stress.across");
+    EXPECT_EQ(run.fields[0].unit, "MPa");
+    for (const ProbePoint& point : inside(run.points)) {
+      EXPECT_NEAR(point.values(0), -50.0 + 100.0 * point.at, 1e-6);
+      EXPECT_NEAR(point.values(1), -100.0 + 200.0 * point.at, 1e-6);
+      EXPECT_NEAR(point.values(2), -10.0, 1e-6);
+      EXPECT_NEAR(point.values(3), 0.0, 1e-6);
+    }
+  }
+  const Sample strip = bentSlab();
+  ProbeSpec along;
+  along.face = "left";
+  along.fields = {"stress.along", "stress.normal", "stress.across"};
+  const std::vector<ProbePoint> points = inside(probedFrame(strip.model, strip.frame, along).points);
+  for (const ProbePoint& point : points) {
+    EXPECT_NEAR(point.values(0), 20.0, 1e-6);  // this face lies across the strip
+    EXPECT_NEAR(point.values(1), 200.0 - 400.0 * point.reference(1), 1e-6);
+    EXPECT_NEAR(point.values(2), 1000.0, 1e-6);
+  }
+  along.window = 0.1;
+  EXPECT_NEAR(inside(probedFrame(strip.model, strip.frame, along).points).front().values(1), 190.0, 1e-4);
+}
+
+TEST(ProbedRun, HasStressesInTheAxesOfASurfaceOfFacesAlone) {
+  ProbeSpec spec;
+  spec.line = "0,0:1,1";
+  spec.fields = {"stress.along"};
+  EXPECT_THAT(conflictsIn(spec).front().text, HasSubstr("expected depth or face as place"));
+  spec.line.clear();
+  spec.depth = "top@1";
+  spec.reference = true;
+  EXPECT_EQ(conflictsIn(spec).front().path, "reference");
+  spec.reference = false;
+  const Sample strip = samples::slab();
+  spec.fields = {"stress.allong"};
+  EXPECT_THAT(messageOf([&] { probedFrame(bentSlab().model, bentSlab().frame, spec); }),
+              HasSubstr("Did you mean \"stress.along\"?"));
 }
 
 TEST(DepthNumbers, AreNotANumberWhereABodyHasNone) {

@@ -60,6 +60,55 @@ TEST(FaceRoughness, OfATiltedAreaIsNothing) {
   EXPECT_NEAR(twisted.z, 0.1 / 2.0, 1e-4);   // over a plane that is a little tilted
 }
 
+/// A cube whose upper face is y = 1 + x z/10, which is straight along x and a parabola along its diagonal.
+Sample twistedCube() {
+  Sample sample = samples::cube();
+  const Eigen::MatrixXd& x = sample.model.mesh.patches.front().points;
+  sample.frame.displacement.setZero();
+  sample.frame.displacement.row(1) = 0.1 * x.row(1).cwiseProduct(x.row(0).cwiseProduct(x.row(2)));
+  return sample;
+}
+
+TEST(FaceRoughness, OfALineOverAFaceInSpaceIsThatOfItsProfile) {
+  const Sample sample = twistedCube();
+  RoughnessSpec along = top(), diagonal = top();
+  along.line = "0.1,1,0.3:0.9,1,0.3";
+  EXPECT_LT(faceProfile(sample.model, sample.frame, along).roughness.z, 5e-5);  // along the tilted mean plane
+  diagonal.line = "0,1,0:1,1.1,1";
+  const FaceProfile face = faceProfile(sample.model, sample.frame, diagonal);
+  EXPECT_NEAR(face.roughness.z, 0.1 / 4.0, 1e-4);
+  EXPECT_NEAR(face.roughness.a, 0.1 / 4.0 * 4.0 / (9.0 * std::sqrt(3.0)), 1e-4);
+  EXPECT_NEAR(face.roughness.length, std::sqrt(2.0), 5e-3);
+  EXPECT_LT(face.profile.heights(face.profile.heights.size() / 2), 0.0);
+  diagonal.cutoff = 0.2;
+  EXPECT_LT(faceProfile(sample.model, sample.frame, diagonal).roughness.z, 0.01 * face.roughness.z);
+}
+
+/// As seen from above: x to the right and z down.
+TEST(HeightMap, HasTheHeightsWhereTheyAreSeen) {
+  const Sample sample = twistedCube();
+  for (const char* within : {"", "0,0.9,0:0.6,1.1,1"}) {
+    RoughnessSpec spec = top();
+    spec.within = within;
+    const FaceArea area = faceArea(sample.model, sample.frame, spec);
+    const ModelFrame map = heightMap(sample.model, sample.frame, area);
+    const PatchRecord& patch = map.model.mesh.patches.front();
+    const Eigen::MatrixXd& heights = map.frame.fields.at(kHeightField).values;
+    ASSERT_EQ(patch.points.cols(), heights.cols());
+    ASSERT_EQ(patch.points.cols(), area.grid[0] * area.grid[1]);
+    const Eigen::Vector2d low = patch.points.rowwise().minCoeff(), high = patch.points.rowwise().maxCoeff();
+    const double length = *within == 0 ? 1.0 : 0.6;
+    EXPECT_NEAR(high(0) - low(0), length, 0.07);
+    EXPECT_NEAR(high(1) - low(1), 1.0, 0.01);
+    const Eigen::Vector2d middle = 0.5 * (low + high);
+    for (Eigen::Index k = 0; k < heights.cols(); ++k) {
+      const Eigen::Vector2d from = patch.points.col(k) - middle;
+      EXPECT_NEAR(heights(k), 0.1 * from(0) * -from(1), 1.5e-3);
+    }
+    EXPECT_GT(patch.points(1, patch.points.cols() - 1), patch.points(1, 0));  // a right-handed patch
+  }
+}
+
 TEST(FaceRoughness, SaysWhatWouldBeRight) {
   const Sample slab = samples::rubbedSlab(), cube = samples::cube();
   RoughnessSpec spec = top();
@@ -73,6 +122,20 @@ TEST(FaceRoughness, SaysWhatWouldBeRight) {
   spec.cutoff = 0.5;
   EXPECT_THAT(messageOf([&] { faceArea(cube.model, cube.frame, spec); }),
               HasSubstr("cutoff: areas are not filtered"));
+  spec = top();
+  spec.line = "0.1,1,0.3:0.9,1,1.3";
+  EXPECT_THAT(messageOf([&] { faceProfile(cube.model, cube.frame, spec); }),
+              HasSubstr("line: found (0.9, 1, 1.3), which lies 0.3 beside the face"));
+  spec.line = "0.1,1,0.3:0.1,2,0.3";
+  EXPECT_THAT(messageOf([&] { faceProfile(cube.model, cube.frame, spec); }),
+              HasSubstr("line: goes across the face"));
+  spec.line = "0.1,1";
+  EXPECT_THAT(messageOf([&] { faceProfile(cube.model, cube.frame, spec); }),
+              HasSubstr("line: found \"0.1,1\"; expected X0,Y0,Z0:X1,Y1,Z1"));
+  EXPECT_THAT(messageOf([&] { faceProfile(slab.model, slab.frame, spec); }),
+              HasSubstr("line: found a plane body"));
+  spec = top();
+  EXPECT_THAT(messageOf([&] { faceProfile(cube.model, cube.frame, spec); }), HasSubstr("line: missing"));
   spec.face = "middle";
   EXPECT_THAT(messageOf([&] { faceProfile(slab.model, slab.frame, spec); }), HasSubstr("face: 'middle'"));
 }

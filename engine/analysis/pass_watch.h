@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+
+#include "engine/core/state_archive.h"
+#include "engine/results/doubts.h"
+#include "engine/tools/tool_path.h"
+
+namespace burnish {
+
+/// Watches, state by state, whether a tool on a path touches the body in each of its passes.
+class PassWatch {
+ public:
+  /// Takes in whether the tool is in touch at a time.
+  void update(const ToolPath& path, double time, bool touches);
+
+  /// The states of passes, of those that are done, in which the tool was in touch at no time.
+  const Doubt& doubt() const { return doubt_; }
+
+  /// "2 of 3 passes"
+  std::string passText(const ToolPath& path) const;
+
+  void archive(StateArchive& archive);
+
+ private:
+  int pass_ = -1;  ///< that the last state was in; -1: none
+  bool touched_ = false;
+  int states_ = 0, idle_ = 0;  ///< of this pass; passes that are done without touch
+  Doubt doubt_;
+};
+
+}  // namespace burnish
