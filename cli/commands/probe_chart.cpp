@@ -122,6 +122,15 @@ std::string numbersTable(const ProbeArguments& arguments, const std::vector<Prob
   if (!spec.line.empty() || !spec.face.empty() || !spec.depth.empty() || !spec.point.empty())
     throw Error(
         "--section: found beside another place; expected one of --section, --line, --face, --depth and --point");
+  for (const auto& [option, isGiven] :
+       {std::pair{"--reference", spec.reference}, std::pair{"--field", !spec.fields.empty()},
+        std::pair{"--formula", !spec.formula.empty()}, std::pair{"--mean", spec.mean},
+        std::pair{"--window", spec.window.has_value()}, std::pair{"--spot", spec.spot.has_value()},
+        std::pair{"--penetration", spec.penetration.has_value()},
+        std::pair{"--length", spec.length.has_value()}, std::pair{"--patch", !spec.patch.empty()}})
+    if (isGiven)
+      throw Error(fmt::format(
+          "{}: found beside --section, which takes the stress over all of a section; expected none", option));
   return tableOfRows<SectionNumbersAt>(arguments, results, [&](const ProbeSource& result, int frame) {
     return result.sectionNumbers(frame, *plane, spec.bodies);
   });

@@ -58,7 +58,7 @@ struct RoughnessSource {
   Eigen::Matrix2Xd measured;           ///< else places and heights
   std::string unit;                    ///< of lengths
 
-  int dim() const { return result ? result->model().dim : 2; }
+  bool isArea(const RoughnessSpec& spec) const { return result && !hasProfile(result->model(), spec); }
 };
 
 bool isTable(const std::filesystem::path& file) {
@@ -178,10 +178,10 @@ std::string letterOf(bool isArea) {
   return isArea ? "S" : "R";
 }
 
-std::string tableOf(const std::vector<RoughnessRow>& rows, bool isArea, const std::string& unit) {
+/// named: with the names of the runs.
+std::string tableOf(const std::vector<RoughnessRow>& rows, bool isArea, const std::string& unit, bool named) {
   const std::string letter = letterOf(isArea);
   std::string text;
-  const bool named = !rows.front().run.empty();
   const auto column = [&](const char* name) { return withUnit(letter + name, unit); };
   text += fmt::format("{}{:>12} {:>14} {:>14} {:>14}\n", named ? fmt::format("{:<20} ", "run") : "", "time",
                       column("a"), column("q"), column("z"));
@@ -211,13 +211,13 @@ std::string jsonOf(const std::vector<RoughnessRow>& rows, bool isArea, const std
   return compactText(list, kDigits) + "\n";
 }
 
-std::vector<ChartCurve> curvesOf(const std::vector<RoughnessRow>& rows, bool severalTimes) {
+std::vector<ChartCurve> curvesOf(const std::vector<RoughnessRow>& rows, bool named, bool severalTimes) {
   std::vector<ChartCurve> curves;
   for (const RoughnessRow& row : rows) {
     ChartCurve curve;
-    curve.label = row.run;
+    if (named) curve.label = row.run;
     if (severalTimes && !std::isnan(row.time))
-      curve.label += fmt::format("{}t = {:.6g}", row.run.empty() ? "" : " at ", row.time);
+      curve.label += fmt::format("{}t = {:.6g}", curve.label.empty() ? "" : " at ", row.time);
     for (Eigen::Index k = 0; k < row.profile.heights.size(); ++k) {
       curve.x.push_back(row.profile.begin + static_cast<double>(k) * row.profile.spacing);
       curve.y.push_back(row.profile.heights(k));
@@ -228,8 +228,7 @@ std::vector<ChartCurve> curvesOf(const std::vector<RoughnessRow>& rows, bool sev
 }
 
 /// Where the points of faces in space are, and their heights about the mean plane, as CSV.
-std::string mapOf(const std::vector<RoughnessRow>& rows, const std::string& unit) {
-  const bool named = !rows.front().run.empty();
+std::string mapOf(const std::vector<RoughnessRow>& rows, const std::string& unit, bool named) {
   std::vector<std::string> titles{"time"};
   for (const char* column : {"x", "y", "z", "height"}) titles.push_back(withUnit(column, unit));
   if (named) titles.insert(titles.begin(), "run");
@@ -250,11 +249,11 @@ void drawMap(const RoughnessArguments& arguments, const ResultReader& result, co
   const ChartArguments& asked = arguments.chart;
   for (const auto& [option, isGiven] :
        {std::pair{"--x-range", !asked.xRange.empty()}, std::pair{"--x-title", !asked.xTitle.empty()},
-        std::pair{"--y-title", !asked.yTitle.empty()}, std::pair{"--log", !asked.logarithmic.empty()}})
+        std::pair{"--y-title", !asked.yTitle.empty()}, std::pair{"--log", !asked.logarithmic.empty()},
+        std::pair{"--label", !asked.labels.empty()}})
     if (isGiven)
       throw Error(fmt::format(
-          "{}: found beside the map of an area, which has no such axis; expected a profile, of --line",
-          option));
+          "{}: found beside the map of an area, which has no curves; expected a profile, of --line", option));
   const ModelFrame map = heightMap(result.model(), result.frame(row.frame), row.area);
   ContourOptions options;
   asked.look.readInto(static_cast<PageLook&>(options));
@@ -276,27 +275,33 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& path : arguments.results)
     files.push_back(sources.emplace_back(sourceOf(path, spec)).file);
-  const int dim = sources.front().dim();
-  const bool isArea = dim == 3 && spec.line.empty();
+  const bool isArea = sources.front().isArea(spec);
   const std::string unit = sources.front().unit;
-  for (const RoughnessSource& source : sources)
-    if (source.dim() != dim || source.unit != unit)
+  for (const RoughnessSource& source : sources) {
+    if (source.unit != unit)
+      throw Error(fmt::format("{}: found another unit of length than that of {}; expected one unit",
+                              source.file.string(), files.front().string()));
+    if (source.isArea(spec) != isArea)
       throw Error(fmt::format(
-          "{}: found other dimensions or units of length than those of {}; expected results alike",
-          source.file.string(), files.front().string()));
+          "{}: found an area beside profiles; expected one of the two, or --line over the face in space",
+          (isArea ? sources.front() : source).file.string()));
+  }
+  if (!spec.line.empty() &&
+      std::ranges::none_of(sources, [](const RoughnessSource& one) { return one.result.has_value(); }))
+    throw Error("--line: found measured profiles alone; expected a run in space beside them");
   if (arguments.json && arguments.outputs.printsData())
     throw Error("--json: it and the profiles of --csv - would be printed together; expected one of them");
   const bool draws = !arguments.outputs.picture.empty() || !arguments.outputs.csv.empty();
   if (draws) checkOutputs(arguments.outputs, files);
-  const bool named = sources.size() > 1 || !arguments.chart.labels.empty() || (arguments.json && !draws);
+  const bool named = sources.size() > 1 || !arguments.chart.labels.empty();
   const std::vector<std::string> names =
       runNames(arguments.chart, files, modelFile({}).string(), arguments.results);
   checkLabels(arguments.chart, sources.size(), sources.size(), "results");
   std::vector<RoughnessRow> rows;
   for (std::size_t k = 0; k < sources.size(); ++k)
-    for (RoughnessRow& row : rowsOf(sources[k], arguments.frame, spec, named ? names[k] : ""))
+    for (RoughnessRow& row : rowsOf(sources[k], arguments.frame, spec, names[k]))
       rows.push_back(std::move(row));
-  const std::vector<ChartCurve> curves = curvesOf(rows, rows.size() > sources.size());
+  const std::vector<ChartCurve> curves = curvesOf(rows, named, rows.size() > sources.size());
   if (!arguments.outputs.picture.empty() && isArea) {
     if (rows.size() > 1)
       throw Error(fmt::format("-o: found {} areas; expected one result and frame for a map", rows.size()));
@@ -310,7 +315,7 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     drawChart(chart, arguments.outputs.picture);
   }
   const auto data = [&] {
-    return isArea ? mapOf(rows, unit)
+    return isArea ? mapOf(rows, unit, named)
                   : curvesCsv(curves, withUnit("distance", unit), withUnit("height", unit));
   };
   if (!arguments.outputs.csv.empty() && !arguments.outputs.printsData())
@@ -318,7 +323,7 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   if (arguments.outputs.printsData())
     printText(data());
   else
-    printText(arguments.json ? jsonOf(rows, isArea, unit) : tableOf(rows, isArea, unit));
+    printText(arguments.json ? jsonOf(rows, isArea, unit) : tableOf(rows, isArea, unit, named));
   return ExitCode::Fine;
 }
 

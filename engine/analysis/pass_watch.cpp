@@ -12,11 +12,13 @@ void PassWatch::update(const ToolPath& path, double time, bool touches) {
     const bool ends = isSameTime(time, passes[k].end);
     if (time <= passes[k].begin || isSameTime(time, passes[k].begin) || (time > passes[k].end && !ends))
       continue;
+    if (pass_ == static_cast<int>(k) && time == lastTime_) return;  // again, on a new mesh
     if (pass_ != static_cast<int>(k)) {
       pass_ = static_cast<int>(k);
       touched_ = false;
       states_ = 0;
     }
+    lastTime_ = time;
     touched_ = touched_ || touches;
     ++states_;
     if (!ends || touched_) return;
@@ -31,7 +33,7 @@ std::string PassWatch::passText(const ToolPath& path) const {
 }
 
 void PassWatch::archive(StateArchive& archive) {
-  archive.together("pass", pass_, touched_, states_, idle_);
+  archive.together("pass", pass_, lastTime_, touched_, states_, idle_);
   archive.part("doubt", doubt_);
 }
 

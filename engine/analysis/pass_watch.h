@@ -22,7 +22,8 @@ class PassWatch {
   void archive(StateArchive& archive);
 
  private:
-  int pass_ = -1;  ///< that the last state was in; -1: none
+  int pass_ = -1;          ///< that the last state was in; -1: none
+  double lastTime_ = 0.0;  ///< of it
   bool touched_ = false;
   int states_ = 0, idle_ = 0;  ///< of this pass; passes that are done without touch
   Doubt doubt_;

@@ -49,6 +49,7 @@ class Run {
       bool resumes, const RunOptions& options, RunObserver& observer)
       : scene_(scene),
         halt_(options.halt),
+        keepEvery_(options.keepEvery),
         team_(*options.team),
         observer_(observer),
         simulation_(simulationFrom(scene, std::move(model), team_)),
@@ -169,7 +170,11 @@ class Run {
       if (const Walk walk = walkTo(point.time, step); walk != Walk::Arrived) return walk;
       if (isNew) pathSteps_.measure(*simulation_->model, point.time);
       letSupportsGo();
-      if (point.frame && !output_.hasFrameAt(point.time)) writeFrame();
+      // A record that is kept where a frame is due would have its name, and stand alone until the frame is written.
+      if (point.frame && !output_.hasFrameAt(point.time))
+        writeFrame();
+      else if (!point.frame && !halts_ && keepingIsDue())
+        keepState();
       if (point.corner) simulation_->stepping.forgetIncrement();
       if (halts_ && point.time < endTime_) return Walk::Halted;
     }
@@ -184,8 +189,9 @@ class Run {
       walk = simulation_->stepping.advance(time, nominal, [this](const StepReport& step) {
         takeIn(step);
         rezoningIsDue_ = needsRezoning();
-        return !halts_ && !rezoningIsDue_;
+        return !halts_ && !rezoningIsDue_ && !keepingIsDue();
       });
+      if (walk == Walk::Halted && !halts_ && keepingIsDue()) keepState();
     } while (walk == Walk::Halted && !halts_);
     return walk;
   }
@@ -231,6 +237,16 @@ class Run {
     const Stopwatch stopwatch(summary_.timings.output);
     const FrameRecord frame = nextFrame();
     output_.append(frame, state().steps, save());
+    kept_ = std::chrono::steady_clock::now();
+  }
+
+  /// Whether so much time has gone by since a state was kept, on any rank.
+  bool keepingIsDue() const { return team_.any(secondsSince(kept_) >= keepEvery_); }
+
+  void keepState() {
+    const Stopwatch stopwatch(summary_.timings.output);
+    output_.keep(state().steps, save());
+    kept_ = std::chrono::steady_clock::now();
   }
 
   /// The current state as the next frame.
@@ -310,14 +326,17 @@ class Run {
     return saved.values();
   }
 
-  double seconds() const {
-    return secondsBefore_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  static double secondsSince(std::chrono::steady_clock::time_point time) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - time).count();
   }
+
+  double seconds() const { return secondsBefore_ + secondsSince(start_); }
 
   const SteppingState& state() const { return simulation_->stepping.state(); }
 
   const Scene& scene_;
   std::function<bool()> halt_;
+  double keepEvery_;
   const Team& team_;
   RunObserver& observer_;
   std::unique_ptr<Simulation<Dim>> simulation_;
@@ -330,7 +349,7 @@ class Run {
   bool halts_ = false;  ///< after the last step
   bool rezoningIsDue_ = false;
   double secondsBefore_ = 0.0;  ///< of the run up to where it was stopped
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), kept_ = start_;
 };
 
 template <int Dim>

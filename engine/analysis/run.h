@@ -21,6 +21,10 @@ struct RunOptions {
 
   /// That computes the run together; it halts when `halt` says so in any of them. Must outlive the run.
   const Team* team = &alone();
+
+  /// Seconds after which the state of a run is kept between frames, too: one that is killed loses no more than these and
+  /// the step under way.
+  double keepEvery = 600.0;
 };
 
 /// Where a run stands, after every accepted step.

@@ -50,7 +50,7 @@ class RunOutput {
   /// steps: taken so far.
   void append(const FrameRecord& frame, int steps, SavedState state);
 
-  /// The last frame of a run that cannot go on; resumed, it tries again from the frame before.
+  /// The last frame of a run that cannot go on; resumed, it tries again from the state that was kept last.
   void appendLast(const FrameRecord& frame);
 
   /// Keeps a state between frames from which a stopped run goes on.

@@ -175,6 +175,9 @@ struct OutputImage::Buffer {
 
 namespace {
 
+/// HDF5 first looks for a file of the name, and reads all of it: one that there can be nowhere.
+constexpr const char* kNoFile = "/dev/null/burnish";
+
 Handle createInMemory(H5FD_file_image_callbacks_t callbacks) {
   silenceErrors();
   const Handle access = propertyList(H5P_FILE_ACCESS);
@@ -186,7 +189,7 @@ Handle createInMemory(H5FD_file_image_callbacks_t callbacks) {
   check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110));
   const Handle creation = propertyList(H5P_FILE_CREATE);
   check(H5Pset_obj_track_times(creation.get(), false));
-  return {checked(H5Fcreate("burnish", H5F_ACC_TRUNC, creation.get(), access.get())), H5Fclose};
+  return {checked(H5Fcreate(kNoFile, H5F_ACC_TRUNC, creation.get(), access.get())), H5Fclose};
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class ResultWriter {
   void append(const FrameRecord& frame);
 
   /// As before, and from now on a stopped run goes on from `restart`, of the same state. Killed at any
-  /// moment, it goes on from the newest frame that is complete.
+  /// moment, it goes on from the newest frame that is complete, or from the state that was kept since.
   void append(const FrameRecord& frame, const RestartRecord& restart);
 
   /// A stopped run goes on from here; no frame belongs to this state.

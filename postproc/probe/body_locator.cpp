@@ -8,19 +8,13 @@
 #include "postproc/mesh/patch_geometry.h"
 
 namespace burnish {
-namespace {
-
-/// How far Lagrange elements may bulge out of the box around their nodes, as a share of its size.
-constexpr double kBulge = 0.25;
-
-}  // namespace
 
 template <int Dim>
 BodyLocator<Dim>::BodyLocator(const MeshRecord& mesh, const Eigen::MatrixXd& displacement) : mesh_(mesh) {
   for (const PatchRecord& record : mesh.patches) {
     const Patch<Dim>& patch = maps_.emplace_back(patchGeometry<Dim>(record, displacement)).patch();
     const Point low = patch.points().rowwise().minCoeff(), high = patch.points().rowwise().maxCoeff();
-    const double margin = kBulge * maps_.back().size();
+    const double margin = kLagrangeBulge * maps_.back().size();
     around_.emplace_back(Point(low.array() - margin), Point(high.array() + margin));
   }
 }

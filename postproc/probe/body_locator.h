@@ -12,6 +12,9 @@
 
 namespace burnish {
 
+/// How far Lagrange elements may bulge out of the box around their nodes, as a share of its size.
+inline constexpr double kLagrangeBulge = 0.25;
+
 /// A place in a mesh: parameters in one of its patches.
 template <int Dim>
 struct MeshPlace {

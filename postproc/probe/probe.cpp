@@ -69,7 +69,9 @@ class PathMaker {
         throw Error(fmt::format("face: {} is a point; expected a face that has a length", path.address.face));
       const auto probe = [this, face, curve](double distance) {
         const MeshPlace<Dim> place = onFace(face, Eigen::Vector<double, 1>(curve.parameterAt(distance)));
-        return bodies_.point(distance, place, frame_, fields_, surfaceAxes(-outwardNormal(face, place)));
+        std::optional<SurfaceAxes> axes;
+        if (fields_.needsAxes()) axes = surfaceAxes(face, place, "face");
+        return bodies_.point(distance, place, frame_, fields_, axes);
       };
       return {probe, curve.length(), {0.0, curve.length()}};
     } else {
@@ -93,20 +95,24 @@ class PathMaker {
   }
 
  private:
-  /// Of a face of a plane body that has this inward normal.
-  static SurfaceAxes surfaceAxes(const Point& inward) requires(Dim == 2) {
-    return (SurfaceAxes() << inward(0), -inward(1), 0.0, inward(1), inward(0), 0.0, 0.0, 0.0, 1.0).finished();
+  /// outward: normal of length 1; first, second: along the face, the second one in space alone.
+  static SurfaceAxes surfaceAxes(const Point& outward, const Point& first, const Point& second) {
+    const Point along = (first - first.dot(outward) * outward).normalized();
+    if constexpr (Dim == 2) {
+      return (SurfaceAxes() << outward(0), along(0), 0.0, outward(1), along(1), 0.0, 0.0, 0.0, 1.0)
+          .finished();
+    } else {
+      const Point across = outward.cross(along);
+      return (SurfaceAxes() << outward, along, across.dot(second) < 0.0 ? Point(-across) : across).finished();
+    }
   }
 
-  SurfaceAxes surfaceAxes(const FacePlace& face, const MeshPlace<Dim>& place) const {
-    const Point normal = outwardNormal(face, place);
-    if constexpr (Dim == 2) {
-      return surfaceAxes(-normal);
-    } else {
-      const Point first =
-          bodies_.patch(place.patch).jacobian(place.xi).col(face.face / 2 == 0 ? 1 : 0).normalized();
-      return (SurfaceAxes() << -normal, first, normal.cross(first)).finished();
-    }
+  SurfaceAxes surfaceAxes(const FacePlace& face, const MeshPlace<Dim>& place,
+                          const char* key = "depth") const {
+    const Eigen::Matrix<double, Dim, Dim> jacobian = bodies_.patch(place.patch).jacobian(place.xi);
+    const int across = face.face / 2, first = across == 0 ? 1 : 0,
+              second = Dim - 1 == across ? Dim - 2 : Dim - 1;
+    return surfaceAxes(outwardNormal(face, place, key), jacobian.col(first), jacobian.col(second));
   }
 
   /// Where lines begin that stand for a spot, and the axes that they share.
@@ -126,10 +132,9 @@ class PathMaker {
           fmt::format("spot: found a length of {:.6g} around {:.6g} along the face, which is {:.6g} long; "
                       "expected one that does not reach beyond its ends",
                       options_.spot, at, curve.length()));
-    const Point chord = curve.at(end) - curve.at(begin);
-    const Point across = Point(chord(1), -chord(0)).normalized();
-    SpotLines lines{
-        middle, {}, surfaceAxes(across.dot(outwardNormal(face, middle)) > 0.0 ? Point(-across) : across)};
+    const Point chord = curve.at(end) - curve.at(begin), across = Point(chord(1), -chord(0)).normalized();
+    const bool isOutward = across.dot(outwardNormal(face, middle)) > 0.0;
+    SpotLines lines{middle, {}, surfaceAxes(isOutward ? across : Point(-across), chord, {})};
     for (int k = 0; k < kSpotLines; ++k)
       lines.begins.push_back(onFace(
           face, Eigen::Vector<double, 1>(curve.parameterAt(std::lerp(begin, end, (k + 0.5) / kSpotLines)))));
@@ -141,7 +146,7 @@ class PathMaker {
     constexpr double kBeside = 0.1;  // of the spot: how far from under its square the face may begin
     const Patch<Dim>& patch = bodies_.patch(middle.patch);
     const SurfaceAxes axes = surfaceAxes(face, middle);
-    const Point normal = -axes.col(0), first = axes.col(1), across = axes.col(2),
+    const Point normal = axes.col(0), first = axes.col(1), across = axes.col(2),
                 centre = patch.position(middle.xi);
     SpotLines lines{middle, {}, axes};
     for (int k = 0; k < kSpotLinesInSpace * kSpotLinesInSpace; ++k) {
@@ -208,7 +213,7 @@ class PathMaker {
   }
 
   PathProbe intoBody(const Point& begin, const SurfaceAxes& axes, const MeshPlace<Dim>& near) const {
-    return straight(begin, axes.col(0).template head<Dim>(), near, axes);
+    return straight(begin, -axes.col(0).template head<Dim>(), near, axes);
   }
 
   PathProbe straight(const Point& begin, const Point& direction,
@@ -263,7 +268,7 @@ class PathMaker {
     return closestPoint(surface, pointOf(place, "depth"), parameterGrid(surface.basis(), shares), kSteps).xi;
   }
 
-  Point outwardNormal(const FacePlace& face, const MeshPlace<Dim>& place) const {
+  Point outwardNormal(const FacePlace& face, const MeshPlace<Dim>& place, const char* key = "depth") const {
     const Patch<Dim>& patch = bodies_.patch(place.patch);
     const Eigen::Matrix<double, Dim, Dim> jacobian = patch.jacobian(place.xi);
     Eigen::Matrix<double, Dim, Dim - 1> tangents;
@@ -271,7 +276,7 @@ class PathMaker {
       if (d != face.face / 2) tangents.col(column++) = jacobian.col(d);
     const Point area = outwardSign(patch, face.face) * areaVector<Dim>(tangents);
     if (!(area.norm() > 0.0))
-      throw Error(fmt::format("depth: face {} has no normal at {}; expected another place",
+      throw Error(fmt::format("{}: face {} has no normal at {}; expected another place", key,
                               faceName(face.face), pointText(patch.position(place.xi))));
     return area.normalized();
   }

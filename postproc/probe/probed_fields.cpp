@@ -27,8 +27,8 @@ constexpr std::array<SurfaceStress, 5> kSurfaceStresses{
     {{"along", "Cauchy stress along the face", 1, 1},
      {"across", "Cauchy stress across", 2, 2},
      {"normal", "Cauchy stress normal to the face", 0, 0},
-     {"shear_along", "Cauchy stress, shear along", 0, 1},
-     {"shear_across", "Cauchy stress, shear across", 0, 2}}};
+     {"shear_along", "Cauchy stress of shear along the face", 0, 1},
+     {"shear_across", "Cauchy stress of shear across", 0, 2}}};
 
 const SurfaceStress* surfaceStress(const std::string& name) {
   const auto found = std::ranges::find_if(kSurfaceStresses, [&](const SurfaceStress& stress) {
@@ -97,6 +97,10 @@ ProbedFields::ProbedFields(const ModelRecord& model, const FrameRecord& frame,
     if (without.empty()) continue;
     for (const std::string& body : model.bodies) has.push_back(!std::ranges::count(without, body));
   }
+}
+
+bool ProbedFields::needsAxes() const {
+  return std::ranges::any_of(inAxes_, [](const std::optional<InAxes>& one) { return one.has_value(); });
 }
 
 Eigen::VectorXd ProbedFields::values(int body, const std::vector<int>& nodes, const Eigen::VectorXd& R,

@@ -8,11 +8,13 @@
 
 namespace burnish {
 
-/// The axes of a surface as columns: into the body, along the face, and across both.
+/// The axes of a surface as columns: out of the body, along the face in its (in space first) direction, and across both to the
+/// side of its second direction, in the plane out of it.
 using SurfaceAxes = Eigen::Matrix3d;
 
 /// Cauchy stress in the axes of a surface: stress.along, stress.across and stress.normal, and the shear stresses on planes
-/// parallel to the face, stress.shear_along and stress.shear_across. Paths from a face and along one have such axes.
+/// parallel to the face, stress.shear_along and stress.shear_across: what the traction on the face, with its normal out of the
+/// body, has in these directions. Paths from a face and along one have such axes.
 std::vector<std::string> surfaceFieldNames();
 bool isSurfaceField(const std::string& name);
 
@@ -24,6 +26,9 @@ class ProbedFields {
   ProbedFields(const ModelRecord& model, const FrameRecord& frame, const std::vector<std::string>& names);
 
   const std::vector<FieldChoice>& choices() const { return choices_; }
+
+  /// Whether one of them is told in the axes of a surface.
+  bool needsAxes() const;
 
   /// One value per field in a body: Σ R_a q_a over these nodes, not bounded as pictures bound it; `kNone` of
   /// fields that the body does not have, and of stresses in the axes of a surface without these.

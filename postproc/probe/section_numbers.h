@@ -53,7 +53,7 @@ inline constexpr std::array<SectionNumberRow, 12> kSectionNumbers{{
 std::vector<std::string> sectionNumberNames();
 
 /// The numbers of the section of the deformed bodies of these names, of all without any. Knot spans are cut ever finer
-/// until forces and moments stay. Throws `Error` that begins with `section` for a frame without stresses, a plane that does
+/// until areas, forces and moments stay to 1e-5, but no finer than into 16 parts per direction in space, 64 in the plane. Throws `Error` that begins with `section` for a frame without stresses, a plane that does
 /// not cut the bodies, and in axisymmetry one that is not across the axis.
 SectionNumbers sectionNumbers(const ModelRecord& model, const FrameRecord& frame, const CutPlane& plane,
                               const std::vector<std::string>& bodies);

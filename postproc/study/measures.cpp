@@ -123,7 +123,9 @@ class Evaluation {
     const FrameAt at = frameAt(data_, result, measure.time.value_or(kEndOfRun));
     if (at.stoppedBefore) return {{}, stoppedText(at.frame.time)};
     const SectionNumbers numbers = sectionNumbers(result.model(), at.frame, measure.plane, measure.bodies);
-    return {std::ranges::find(kSectionNumbers, measure.number, &SectionNumberRow::name)->value(numbers), {}};
+    const double value =
+        std::ranges::find(kSectionNumbers, measure.number, &SectionNumberRow::name)->value(numbers);
+    return std::isnan(value) ? Measured{{}, "there is no stress"} : Measured{value, {}};
   }
 
   Measured operator()(const ProfileMeasure& measure) const {

@@ -98,7 +98,8 @@ void describe(Visitor& v, DepthMeasure& s) {
 
 template <class Visitor>
 void describe(Visitor& v, SectionMeasure& s) {
-  v.field("plane", s.plane, {.required = true}, "Where the deformed bodies are cut.");
+  v.field("plane", s.plane, {.required = true},
+          "Where the deformed bodies are cut: x=V, y=V or z=V, or X,Y,Z,NX,NY,NZ, a point and a normal.");
   v.field("body", s.bodies, {}, "Names of the bodies that are cut; all when left out.");
   v.field("number", s.number, {.required = true, .choices = sectionNumberNames()},
           "Which of the numbers of a section.");

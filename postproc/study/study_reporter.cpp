@@ -40,6 +40,9 @@ void StudyReporter::checkMeasure(const std::string& path, const MeasureSpec& mea
     if (profile->place.fields.size() != 1)
       report(path + ".field", fmt::format("found {} fields; allowed: one.", profile->place.fields.size()));
   }
+  if (const auto* roughness = std::get_if<RoughnessMeasure>(&measure.what))
+    for (const InputProblem& problem : conflictsIn(roughness->face))
+      report(path + "." + problem.path, problem.text);
   const auto* history = std::get_if<HistoryMeasure>(&measure.what);
   if (history == nullptr) return;
   const bool isAt = history->reduce == Reduction::At;

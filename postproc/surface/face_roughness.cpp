@@ -145,18 +145,24 @@ FacePlaces placesOn(const ModelRecord& model, const FrameRecord& frame, const Ro
 /// The place of a face that lies over a point of a line, found from the one before.
 class Stylus {
  public:
-  /// From the place of the face that is nearest to the first point of the line to the one that is nearest to the other. up:
-  /// mean normal of the face, of length 1.
-  Stylus(const Patch<2, 3>& face, const LinePath& line, const Eigen::Vector3d& up)
-      : face_(face), up_(up), xi_(placeAt(line.begin, line)) {
-    begin_ = face.position(xi_);
-    const Eigen::Vector3d way = face.position(placeAt(line.end, line)) - begin_;
-    const Eigen::Vector3d along = way - way.dot(up) * up;
+  /// From the place of the face that is nearest to the first point of the line to the one that is nearest to the other. sign:
+  /// `outwardSign` of the face.
+  Stylus(const Patch<2, 3>& face, double sign, const LinePath& line) : face_(face) {
+    const Eigen::Vector2d first = placeAt(line.begin), last = placeAt(line.end);
+    const Eigen::Vector3d normals[] = {normalAt(first, sign), normalAt(last, sign)};
+    if (!(normals[0].dot(normals[1]) > kMostTurn))
+      throw Error("line: the face turns by more than 60 degrees between its ends; expected a shorter one");
+    up_ = (normals[0] + normals[1]).normalized();
+    requireOver(line.begin, first, line);
+    requireOver(line.end, last, line);
+    xi_ = first;
+    begin_ = face.position(first);
+    const Eigen::Vector3d way = face.position(last) - begin_, along = way - way.dot(up_) * up_;
     length_ = along.norm();
     if (!(length_ > 0.01 * (line.end - line.begin).norm()))
       throw Error("line: goes across the face; expected two points over the face, apart");
     along_ = along / length_;
-    across_ = up.cross(along_);
+    across_ = up_.cross(along_);
   }
 
   double length() const { return length_; }
@@ -183,38 +189,45 @@ class Stylus {
   }
 
  private:
-  /// The parameters of the place that is nearest to one of the points of the line. Throws `Error` if it lies beside.
-  Eigen::Vector2d placeAt(const Eigen::Vector3d& point, const LinePath& line) const {
+  static constexpr double kMostTurn = 0.5;  // cosine of the largest angle between normals at the ends
+
+  /// The parameters of the place that is nearest to a point.
+  Eigen::Vector2d placeAt(const Eigen::Vector3d& point) const {
     constexpr int kStarts = 20, kSteps = 50;  // of the search, per direction
-    constexpr double kBeside = 0.01;          // of the line: the body may have moved
     std::vector<double> shares;
     for (int k = 0; k <= kStarts; ++k) shares.push_back(static_cast<double>(k) / kStarts);
-    const Eigen::Vector2d xi = closestPoint(face_, point, parameterGrid(face_.basis(), shares), kSteps).xi;
+    return closestPoint(face_, point, parameterGrid(face_.basis(), shares), kSteps).xi;
+  }
+
+  Eigen::Vector3d normalAt(const Eigen::Vector2d& xi, double sign) const {
+    return (sign * areaVector<3>(face_.jacobian(xi))).normalized();
+  }
+
+  /// Throws `Error` if a point lies beside the place of the face that is nearest to it, seen along the mean normal.
+  void requireOver(const Eigen::Vector3d& point, const Eigen::Vector2d& xi, const LinePath& line) const {
+    constexpr double kBeside = 0.01;  // of the line: the body may have moved
     const Eigen::Vector3d away = point - face_.position(xi);
     const double beside = (away - away.dot(up_) * up_).norm();
     if (!(beside <= kBeside * (line.end - line.begin).norm()))
       throw Error(
           fmt::format("line: found ({:.6g}), which lies {:.3g} beside the face; expected a point of the face",
                       fmt::join(point, ", "), beside));
-    return xi;
   }
 
   const Patch<2, 3>& face_;
-  Eigen::Vector3d up_;
   Eigen::Vector2d xi_;
-  Eigen::Vector3d begin_, along_, across_;
+  Eigen::Vector3d up_, begin_, along_, across_;
   double length_ = 0.0;
 };
 
 Profile profileAlong(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
   if (model.dim == 2)
     throw Error("line: found a plane body; expected no line, as the profile is that along the face");
-  if (!spec.within.empty()) throw Error("line: found beside within; expected one of the two");
   const LinePath line = pointsOf("line", spec.line, 3, "two points of the way of a stylus");
   return withFace(model, frame, spec, [&](const PatchRecord& patch, const FrameRecord& its, FaceId face) {
-    const Eigen::Vector3d up = placesOf<3>(patch, its.displacement, face).areas.rowwise().sum().normalized();
-    const Patch<2, 3> surface = tracePatch(patchGeometry<3>(patch, its.displacement), face);
-    Stylus stylus(surface, line, up);
+    const Patch<3> body = patchGeometry<3>(patch, its.displacement);
+    const Patch<2, 3> surface = tracePatch(body, face);
+    Stylus stylus(surface, outwardSign(body, face), line);
     const int spans = surface.basis().direction(0).numSpans() + surface.basis().direction(1).numSpans();
     Profile profile{0.0, stylus.length() / (kPerSpanInSpace * spans),
                     Eigen::VectorXd(kPerSpanInSpace * spans + 1)};
@@ -240,7 +253,14 @@ Profile profileOfChord(const ModelRecord& model, const FrameRecord& frame, const
 
 }  // namespace
 
+std::vector<InputProblem> conflictsIn(const RoughnessSpec& spec) {
+  if (spec.line.empty() || spec.within.empty()) return {};
+  return {{"line", "found beside within; expected one of the two"}};
+}
+
 FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {
+  for (const InputProblem& problem : conflictsIn(spec))
+    throw Error(fmt::format("{}: {}", problem.path, problem.text));
   if (!hasProfile(model, spec))
     throw Error("line: missing; a face in space is an area, expected the way of a stylus over it");
   FaceProfile result{
@@ -256,6 +276,10 @@ FaceArea faceArea(const ModelRecord& model, const FrameRecord& frame, const Roug
     throw Error("cutoff: areas are not filtered; expected it of faces of plane bodies, or beside line");
   const FacePlaces places = placesOn<3>(model, frame, spec);
   const Eigen::Vector3d up = places.areas.rowwise().sum();
+  constexpr double kClosed = 0.1;  // of the area: what its mean normal then stands for is no direction
+  if (!(up.norm() > kClosed * places.areas.colwise().norm().sum()))
+    throw Error(
+        "face: it goes round and has no mean plane; expected within, a box of the part to be looked at, or line");
   return {roughnessOf(places.now, places.areas.colwise().norm().transpose(), up), places.now, up.normalized(),
           places.grid};
 }

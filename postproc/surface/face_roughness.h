@@ -44,6 +44,9 @@ inline bool hasProfile(const ModelRecord& model, const RoughnessSpec& spec) {
   return model.dim == 2 || !spec.line.empty();
 }
 
+/// What keys say that cannot be together, by the key.
+std::vector<InputProblem> conflictsIn(const RoughnessSpec& spec);
+
 /// The face of a plane body in a frame, along its chord, or one in space along a line: its profile, levelled and, with a
 /// cut-off, filtered, and the numbers of it.
 struct FaceProfile {
@@ -51,7 +54,7 @@ struct FaceProfile {
   ProfileRoughness roughness;
 };
 
-/// A height in space is that over the line along the mean normal of the face. Throws `Error` that begins with a key of the
+/// A height in space is that over the line along the mean of the normals of the face at its ends. Throws `Error` that begins with a key of the
 /// spec for a face or box that the body does not have, a line that leaves the face, or a cut-off that is too long; and for
 /// a body in space without a line and a plane one with it.
 FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/results/model_io.h"
 #include "engine/results/restart.h"
 #include "engine/results/result_files.h"
 #include "engine/results/summary_file.h"
@@ -132,6 +133,64 @@ TEST_F(Resume, GivesTheSameBitsWhenHaltedAfterEveryStep) {
   EXPECT_TRUE(summary.completed) << summary.stoppedBecause;
   EXPECT_GE(halts, 15);
   EXPECT_EQ(resumedDifferences(), "");
+}
+
+struct Killed {};
+
+/// Keeps the state whenever it can, and is killed after so many steps from the start or from where the run is resumed.
+RunOptions killedAfter(int steps) {
+  return {.threads = 1,
+          .halt = [steps, taken = 0]() mutable -> bool {
+            if (++taken >= steps) throw Killed();
+            return false;
+          },
+          .keepEvery = 0.0};
+}
+
+TEST_F(Resume, GoesOnFromTheStateThatWasKeptLastWhenTheRunIsKilled) {
+  EXPECT_THROW(runTo(part.path(), samples::ironing, killedAfter(11)), Killed);
+  const RestartRecord last = readNewestRestart(modelFile(part.path()), readModel(modelFile(part.path())));
+  const std::vector<double> times = readHistory(part.path() / "history.csv").column("time");
+  const ResultReader reader(part.path());
+  EXPECT_DOUBLE_EQ(last.state.at("stepping.time")(0),
+                   times[times.size() - 2]);  // before the step that was the last
+  EXPECT_GT(last.state.at("stepping.time")(0), reader.times().back());
+  EXPECT_TRUE(resume(part.path()).completed);
+  EXPECT_EQ(resumedDifferences(), "");
+}
+
+/// A block that is pressed and let go of by a support on its way, with a state that is kept after every step.
+const std::string kLetGo = R"(
+geometry: {shape: rectangle, size: [2.0, 1.0], functions: [8, 5]}
+material: {law: j2, E: 100, nu: 0.3, hardening: {law: linear, sigma0: 1, modulus: 5}}
+supports:
+  - {face: bottom, fix: [x, y]}
+  - {face: left, fix: [x], until: 1}
+tools: [{name: disc, shape: cylinder, center: [1.0, 1.5], radius: 0.5, motion: {times: [0, 1, 2], y: [0, -0.05, 0.02]}}]
+contact: [{tool: disc, face: top}]
+steps: [{until: 1, count: 4}, {until: 2, count: 4}]
+output: {every: 2}
+)";
+
+TEST(KeptStates, AreThoseOfTheWholeRunHoweverOftenItIsKilled) {
+  for (const std::string& scene : {std::string(samples::ironing), kCarried, kLetGo}) {
+    const ScratchDirectory whole("kept_whole"), part("kept_part");
+    ASSERT_TRUE(runTo(whole.path(), scene, {}).completed);
+    bool completed = false;
+    int kills = 0;
+    const auto attempt = [&](const auto& go) {
+      try {
+        completed = go().completed;
+      } catch (const Killed&) {
+        ++kills;
+      }
+    };
+    attempt([&] { return runTo(part.path(), scene, killedAfter(2)); });
+    while (!completed && kills < 100) attempt([&] { return resume(part.path(), killedAfter(2)); });
+    EXPECT_TRUE(completed);
+    EXPECT_GE(kills, 6);
+    EXPECT_EQ(differences(filesOf(whole.path()), filesOf(part.path())), "");
+  }
 }
 
 TEST_F(Resume, CountsWhatTheWholeRunCounts) {

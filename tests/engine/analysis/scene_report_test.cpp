@@ -104,6 +104,13 @@ TEST(SceneReport, PlacesWhatIsWrongWithTheModel) {
   EXPECT_EQ(errorOf(replaced(kPress, "1.5]", "1.4]")),
             "test.yaml:8:5: contact[0]: tool 'disc' overlaps face 'top' by 0.1 at the start; move it away by "
             "at least that much (touching is fine)");
+  EXPECT_THAT(
+      errorOf(kPress, {"tools[0].motion=",
+                       "tools[0].path={course: raster, start: [0, -0.2], stroke: [0.5, 0], "
+                       "speed: 1, clearance: [0, 0.05]}"}),
+      HasSubstr(
+          "overlaps face 'top' by 0.15 at the start; its path begins there: a clearance that is larger by "
+          "that much has it come down from outside"));
   EXPECT_THAT(errorOf(replaced(kPress, "[1, 1.5]", "[1, 0.5]")),
               StartsWith("test.yaml:8:5: contact[0]: tool 'disc' is behind face 'top'"));
   EXPECT_THAT(

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -34,14 +35,37 @@ struct Soup {
   std::vector<std::vector<int>> faces;
 };
 
+/// Of this process, as tests run at the same time; gone at its end.
+class OwnDirectory {
+ public:
+  OwnDirectory()
+      : path_(std::filesystem::path(testing::TempDir()) / fmt::format("burnish_faceted_{}", ::getpid())) {
+    std::filesystem::create_directories(path_);
+  }
+  ~OwnDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  OwnDirectory(const OwnDirectory&) = delete;
+  OwnDirectory& operator=(const OwnDirectory&) = delete;
+
+  static const std::filesystem::path& path() {
+    static const OwnDirectory directory;
+    return directory.path_;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
 std::filesystem::path writeText(const std::string& name, const std::string& text) {
-  const auto file = std::filesystem::path(testing::TempDir()) / name;
+  const auto file = OwnDirectory::path() / name;
   std::ofstream(file) << text;
   return file;
 }
 
 std::filesystem::path writeOff(const std::string& name, const Soup& soup) {
-  const auto file = std::filesystem::path(testing::TempDir()) / (name + ".off");
+  const auto file = OwnDirectory::path() / (name + ".off");
   std::ofstream out(file);
   out << fmt::format("OFF\n{} {} 0\n", soup.points.size(), soup.faces.size());
   for (const auto& p : soup.points) out << fmt::format("{} {} {}\n", p.x(), p.y(), p.z());
@@ -171,7 +195,7 @@ TEST(MeshTool, AnswersDoNotDependOnTheOrderOfQuestions) {
 }
 
 TEST(MeshTool, MayHaveCoordinatesLargerThanItsFile) {
-  const auto file = std::filesystem::temp_directory_path() / fmt::format("burnish_large_{}.off", ::getpid());
+  const auto file = OwnDirectory::path() / "large.off";
   std::ofstream(file) << "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n100000 0 0\n0 100000 0\n0 0 100000\n"
                          "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   EXPECT_EQ(readSurface(file, 1.0, false).cells.cols(), 4);
@@ -356,8 +380,7 @@ TEST(Polyline, MistakesAreNamed) {
   EXPECT_EQ(mistake({{0, 0}, {1, 1}, {1, 0}, {0, 1}}),
             "points: the line crosses itself: its pieces 1 and 3 meet near (1, 0)");
   EXPECT_THROW(readPolyline(testing::TempDir(), false), Error);
-  const auto file = std::filesystem::path(testing::TempDir()) / "line.txt";
-  std::ofstream(file) << "# a line\n0 0\n1 zero\n";
+  const auto file = writeText("line.txt", "# a line\n0 0\n1 zero\n");
   try {
     readPolyline(file, false);
     FAIL();

@@ -179,7 +179,7 @@ Eigen::Matrix3d cubeTurn() {
 }
 
 /// Below a turned face of a cube: stresses of -100 and -50 at the face in its directions that grow by 200 and by 100, a tenth
-/// of the first one normal to it, and no shear.
+/// of the first one normal to it, and on the face shear stresses of 7 and -4 in its directions.
 Sample turnedCube() {
   Sample cube = samples::cube();
   const Eigen::MatrixXd X = cube.model.mesh.patches.front().points;
@@ -188,9 +188,11 @@ Sample turnedCube() {
   Eigen::MatrixXd stress(6, X.cols());
   for (Eigen::Index a = 0; a < X.cols(); ++a) {
     const double depth = 1.0 - X(1, a);
-    const Eigen::Matrix3d turned =
-        turn * Eigen::Vector3d(-100.0 + 200.0 * depth, -10.0, -50.0 + 100.0 * depth).asDiagonal() *
-        turn.transpose();
+    Eigen::Matrix3d local =
+        Eigen::Vector3d(-100.0 + 200.0 * depth, -10.0, -50.0 + 100.0 * depth).asDiagonal();
+    local(0, 1) = local(1, 0) = 7.0;
+    local(1, 2) = local(2, 1) = -4.0;
+    const Eigen::Matrix3d turned = turn * local * turn.transpose();
     stress.col(a) << turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(1, 2), turned(2, 0);
   }
   cube.frame.fields["stress"] = {{"xx", "yy", "zz", "xy", "yz", "zx"}, "MPa", stress};
@@ -218,7 +220,8 @@ TEST(ProbedRun, HasStressesInTheAxesOfASurface) {
   const Eigen::Vector3d above = cubeTurn() * Eigen::Vector3d(0.4, 1.0, 0.5);
   ProbeSpec spec;
   spec.depth = fmt::format("top@{},{},{}", above(0), above(1), above(2));
-  spec.fields = {"stress.across", "stress.along", "stress.normal", "stress.shear_along", "pressure"};
+  spec.fields = {"stress.across",      "stress.along",        "stress.normal",
+                 "stress.shear_along", "stress.shear_across", "pressure"};
   for (const std::optional<double>& spot : {std::optional<double>(), std::optional(0.2)}) {
     spec.spot = spot;
     EXPECT_TRUE(conflictsIn(spec).empty());
@@ -229,7 +232,8 @@ TEST(ProbedRun, HasStressesInTheAxesOfASurface) {
       EXPECT_NEAR(point.values(0), -50.0 + 100.0 * point.at, 1e-6);
       EXPECT_NEAR(point.values(1), -100.0 + 200.0 * point.at, 1e-6);
       EXPECT_NEAR(point.values(2), -10.0, 1e-6);
-      EXPECT_NEAR(point.values(3), 0.0, 1e-6);
+      EXPECT_NEAR(point.values(3), 7.0, 1e-6);
+      EXPECT_NEAR(point.values(4), -4.0, 1e-6);
     }
   }
   const Sample strip = bentSlab();
@@ -244,6 +248,28 @@ TEST(ProbedRun, HasStressesInTheAxesOfASurface) {
   }
   along.window = 0.1;
   EXPECT_NEAR(inside(probedFrame(strip.model, strip.frame, along).points).front().values(1), 190.0, 1e-4);
+}
+
+/// Of the traction on a face with its normal out of the body, in the direction of its parameter: a shear stress of 5 pulls
+/// to the right above and upwards on the right.
+TEST(ProbedRun, HasShearStressesWithTheSignOfTheTractionOnTheFace) {
+  Sample slab = samples::slab();
+  slab.frame.displacement.setZero();
+  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(4, slab.model.mesh.numNodes);
+  stress.row(2).setConstant(5.0);
+  slab.frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "MPa", stress};
+  ProbeSpec spec;
+  spec.fields = {"stress.shear_along"};
+  for (const auto& [face, expected] : {std::pair{"top@1.5", 5.0}, std::pair{"bottom@1.5", -5.0},
+                                       std::pair{"right@0.5", 5.0}, std::pair{"left@0.5", -5.0}}) {
+    spec.depth = face;
+    spec.face.clear();
+    EXPECT_NEAR(inside(probedFrame(slab.model, slab.frame, spec).points).front().values(0), expected, 1e-9)
+        << face;
+    spec.face = std::string(face).substr(0, std::string(face).find('@'));
+    spec.depth.clear();
+    EXPECT_NEAR(probedFrame(slab.model, slab.frame, spec).points[7].values(0), expected, 1e-9) << face;
+  }
 }
 
 TEST(ProbedRun, HasStressesInTheAxesOfASurfaceOfFacesAlone) {

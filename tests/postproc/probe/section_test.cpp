@@ -49,11 +49,21 @@ TEST(SectionNumbers, AreTheForceAndTheMomentOfALinearStressHoweverTheBodyLies) {
         numbersOf(loadedCube(R), planeAt(R * Eigen::Vector3d(0.37, 0.0, 0.0), 5.0 * R.col(0)));
     EXPECT_NEAR(numbers.area, 1.0, 1e-9);
     EXPECT_NEAR(numbers.force, 3.0, 1e-9);
-    EXPECT_NEAR(numbers.tension + numbers.compression, 3.0, 1e-9);
+    EXPECT_NEAR(numbers.tension, 4.3, 1e-9);  // above y = 0.5 + 0.3 z there is none
+    EXPECT_NEAR(numbers.compression, -1.3, 1e-9);
     EXPECT_NEAR(numbers.largest, 16.0, 1e-9);
     EXPECT_NEAR(numbers.balance(), 3.0 / 16.0, 1e-9);
     EXPECT_LT((R.transpose() * numbers.traction - Eigen::Vector3d(3.0, 3.0, 0.0)).norm(), 1e-9);
     EXPECT_LT((R.transpose() * numbers.moment - Eigen::Vector3d(0.0, 0.5, 20.0 / 12.0)).norm(), 1e-9);
+  }
+}
+
+TEST(SectionNumbers, AreThereInTheFacesOfTheBodyToo) {
+  const Sample cube = loadedCube(Eigen::Matrix3d::Identity());
+  for (const double x : {0.0, 1.0 / 3.0, 1.0}) {
+    const SectionNumbers numbers = numbersOf(cube, planeAt({x, 0.0, 0.0}, Eigen::Vector3d::UnitX()));
+    EXPECT_NEAR(numbers.area, 1.0, 1e-9) << x;
+    EXPECT_NEAR(numbers.force, 3.0, 1e-6) << x;
   }
 }
 

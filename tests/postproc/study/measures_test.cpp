@@ -240,8 +240,15 @@ TEST(EvaluateMeasure, ReadsDepthsProfilesAndRoughness) {
   ResultWriter result(other, sample.model);
   FrameRecord frame = sample.frame;
   frame.fields["plastic_strain"].values *= 1.25;
+  Eigen::MatrixXd uniform = Eigen::MatrixXd::Zero(4, sample.model.mesh.numNodes);
+  uniform.row(0).setConstant(7.0);
+  frame.fields["stress"] = {{"xx", "yy", "xy", "zz"}, "MPa", uniform};
   result.append(frame);
   writeSummary(other, account);
+  const SectionMeasure section{{{1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {}, "force", {}};
+  EXPECT_THAT(value(1, section).value,
+              Optional(DoubleNear(7.0 * value(1, SectionMeasure{section.plane, {}, "area", {}}).value.value(),
+                                  1e-9)));
   place.fields = {"plastic_strain"};
   EXPECT_THAT(value(0, ProfileMeasure{place, study.runs[1].name, {}}).value,
               Optional(DoubleNear((2.0 - 1.25) / 1.25, 1e-6)));

@@ -84,6 +84,24 @@ TEST(FaceRoughness, OfALineOverAFaceInSpaceIsThatOfItsProfile) {
   EXPECT_LT(faceProfile(sample.model, sample.frame, diagonal).roughness.z, 0.01 * face.roughness.z);
 }
 
+/// Across a steep flank of a valley: a bump is as high as it is along the normal there, not along that of the whole face.
+TEST(FaceRoughness, OfALineIsMeasuredAlongTheNormalWhereItLies) {
+  Sample sample = samples::cube(8);
+  const Eigen::MatrixXd& x = sample.model.mesh.patches.front().points;
+  sample.frame.displacement.setZero();
+  for (Eigen::Index a = 0; a < x.cols(); ++a)
+    sample.frame.displacement(1, a) =
+        x(1, a) * (4.0 * std::pow(x(0, a) - 0.5, 2) + 0.1 * x(2, a) * (1.0 - x(2, a)));
+  RoughnessSpec spec = top();
+  spec.line = "0.8,1.37,0.1:0.8,1.37,0.9";
+  const double slope = 8.0 * 0.3, bump = 0.1 * (0.25 - 0.09);
+  EXPECT_NEAR(faceProfile(sample.model, sample.frame, spec).roughness.z, bump / std::hypot(1.0, slope),
+              0.05 * bump / slope);
+  spec.line = "0.1,1.64,0.5:0.9,1.64,0.5";
+  EXPECT_THAT(messageOf([&] { faceProfile(sample.model, sample.frame, spec); }),
+              HasSubstr("line: the face turns by more than 60 degrees"));
+}
+
 /// As seen from above: x to the right and z down.
 TEST(HeightMap, HasTheHeightsWhereTheyAreSeen) {
   const Sample sample = twistedCube();
@@ -129,6 +147,10 @@ TEST(FaceRoughness, SaysWhatWouldBeRight) {
   spec.line = "0.1,1,0.3:0.1,2,0.3";
   EXPECT_THAT(messageOf([&] { faceProfile(cube.model, cube.frame, spec); }),
               HasSubstr("line: goes across the face"));
+  spec.within = "0,0,0:1,2,1";
+  EXPECT_THAT(messageOf([&] { faceProfile(cube.model, cube.frame, spec); }),
+              HasSubstr("line: found beside within"));
+  spec.within.clear();
   spec.line = "0.1,1";
   EXPECT_THAT(messageOf([&] { faceProfile(cube.model, cube.frame, spec); }),
               HasSubstr("line: found \"0.1,1\"; expected X0,Y0,Z0:X1,Y1,Z1"));
