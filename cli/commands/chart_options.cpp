@@ -121,7 +121,7 @@ void checkLabels(const ChartArguments& arguments, std::size_t numRuns, std::size
                  const char* runs) {
   const std::size_t found = arguments.labels.size();
   if (found == 0 || found == numRuns || found == numCurves) return;
-  throw Error(fmt::format("--label: found {} labels for {} {}; expected one for each{}", found, numRuns, runs,
+  throw Error(fmt::format("--label: found {} for {} {}; expected one for each{}", found, numRuns, runs,
                           numCurves == numRuns ? "" : fmt::format(" or for each of {} curves", numCurves)));
 }
 

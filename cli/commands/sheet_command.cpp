@@ -227,7 +227,7 @@ ExitCode sheet(const SheetArguments& arguments) {
   Panels panels(arguments);
   const std::size_t count = panels.count();
   if (!arguments.captions.empty() && arguments.captions.size() != count)
-    throw Error(fmt::format("--caption: found {} captions for {} pictures; expected one for each",
+    throw Error(fmt::format("--caption: found {} for {} pictures; expected one for each",
                             arguments.captions.size(), count));
   const int columns = arguments.columns > 0
                           ? arguments.columns

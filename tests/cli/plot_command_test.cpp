@@ -157,7 +157,7 @@ TEST_F(PlotCommand, RefusesWhatDoesNotFit) {
   expectRefused("coarse --y energy --theme drak -o c.png", {"\"drak\"", "\"dark\"?"});
   expectRefused("coarse --y energy --log x,z -o c.png", {"--log"});
   expectRefused("coarse fine --y energy --y2 tool.fy --label a -o c.png",
-                {"--label: found 1 labels for 2 histories", "4 curves"});
+                {"--label: found 1 for 2 histories", "4 curves"});
   expectRefused("coarse --y energy --y-range=-1e308,1e308 -o c.png", {"--y-range: found \"-1e308,1e308\""});
   writeRun("huge", "time,energy\n0,-1e308\n1,1e308\n");
   expectRefused("huge --y energy -o c.png", {"point 1 of \"huge\" has y = -1e+308", "up to 1e+300"});

@@ -235,8 +235,7 @@ TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
                 "field: found \"stress.yz\"; available in frame 4: displacement,");
   expectRefused("run --line 1,0:2,0 --field von_mises --field displacement",
                 "von_mises has the unit MPa and displacement the unit mm; expected one unit along an axis");
-  expectRefused("run run --line 1,0:2,0 --label a --label b --label c",
-                "--label: found 3 labels for 2 results");
+  expectRefused("run run --line 1,0:2,0 --label a --label b --label c", "--label: found 3 for 2 results");
   expectRefused("nothing --line 1,0:2,0", "nothing: there is no such file or directory");
   EXPECT_EQ(probe("run --line 1,0:2,0").code, 2);
   EXPECT_EQ(probe("run --line 1,0:2,0 -o a.gif").code, 2);

@@ -299,7 +299,7 @@ TEST_F(RenderCommand, SheetHasItsCaptionsAndColumns) {
   const Picture sheet = readPicture(dir() / "sheets/three.png");
   EXPECT_EQ(sheet.width, 900);
   EXPECT_LT(sheet.height, 300);
-  expectRefused("sheet panel_1.png panel_2.png --caption a -o no.png", "1 captions for 2 pictures");
+  expectRefused("sheet panel_1.png panel_2.png --caption a -o no.png", "--caption: found 1 for 2 pictures");
   expectRefused("sheet absent.png -o no.png", "absent.png");
 }
 
@@ -323,7 +323,7 @@ TEST_F(RenderCommand, SheetDrawsFramesWithOneRangeAndOneWindow) {
   EXPECT_EQ(readPicture(dir() / "shared.png").width, 800);
   sheet("run shared.png --frame 1-2 --caption a --caption b --caption c --width 900 -o mixed.pdf");
   EXPECT_EQ(shell(dir(), "pdfimages -list mixed.pdf | tail -n +3 | wc -l").out, "3\n");
-  expectRefused("sheet run --frame 1-2 --caption a -o no.png", "1 captions for 2 pictures");
+  expectRefused("sheet run --frame 1-2 --caption a -o no.png", "--caption: found 1 for 2 pictures");
   expectRefused("sheet run --dpi 300 -o no.png", "--dpi: found beside a PNG, which has pixels");
   expectRefused("sheet run --dpi 9999 -o no.pdf", "--dpi");
   expectRefused("sheet run -o no.jpg", "ends in .png, .pdf or .svg");
