@@ -259,6 +259,23 @@ TEST_F(Ranks, AStoppedRunGoesOnWithOtherNumbers) {
   EXPECT_LT(largestDifference("whole", "again"), 1e-10);
 }
 
+/// PETSc takes SIGTERM for itself when it starts.
+TEST_F(Ranks, ASignalFinishesTheStepOfOneProcessWithMultigridToo) {
+  write(kBlock + kDragged);
+  ASSERT_EQ(burnish(1, "run scene.yaml -o whole --quiet").code, 0);
+  for (const char* signal : {"TERM", "HUP"}) {
+    const Outcome stopped = shell(
+        dir, fmt::format("{} & process=$!; until [ -e part/result/frame_000001.h5 ]; do sleep 0.005; done; "
+                         "kill -{} $process; wait $process",
+                         line(1, "run scene.yaml -o part --quiet"), signal));
+    EXPECT_EQ(stopped.code, 143) << stopped.err;
+    EXPECT_THAT(stopped.err, HasSubstr("go on with: burnish run --resume part")) << signal;
+    EXPECT_EQ(burnish(1, "run --resume part --quiet").code, 0);
+    EXPECT_EQ(shell(dir, "diff -rq --exclude=summary.yaml whole part").out, "") << signal;
+    fs::remove_all(dir / "part");
+  }
+}
+
 TEST_F(Ranks, AStoppedRunOfAMetalOfRatesGoesOn) {
   write(kSheared);
   ASSERT_EQ(burnish(1, "run scene.yaml -o whole --quiet").code, 0);
