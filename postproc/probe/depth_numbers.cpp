@@ -1,15 +1,12 @@
 #include "postproc/probe/depth_numbers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "engine/core/csv.h"
 #include "engine/core/error.h"
-#include "postproc/mesh/vtk_arrays.h"
+#include "postproc/probe/numbers_table.h"
 #include "postproc/probe/probed_run.h"
 
 namespace burnish {
@@ -111,9 +108,7 @@ std::string unitText(DepthUnit unit, const DerivedUnits& units, const std::strin
 }  // namespace
 
 std::vector<std::string> depthNumberNames() {
-  std::vector<std::string> names;
-  for (const DepthNumberRow& row : kDepthNumbers) names.emplace_back(row.name);
-  return names;
+  return namesOfColumns(kDepthNumbers);
 }
 
 bool hasDepthNumbers(const ProbeSpec& spec) {
@@ -154,20 +149,7 @@ std::vector<DepthNumbersAt> depthNumbersOf(const ResultReader& result, const Pro
 
 std::string tableOf(const std::vector<DepthNumbersAt>& rows, const DerivedUnits& units,
                     const std::string& stressUnit) {
-  const bool named = std::ranges::any_of(rows, [](const DepthNumbersAt& row) { return !row.run.empty(); });
-  std::vector<std::string> titles{"time"};
-  if (named) titles.insert(titles.begin(), "run");
-  for (const DepthNumberRow& row : kDepthNumbers)
-    titles.push_back(labelled(row.name, unitText(row.unit, units, stressUnit)));
-  std::string text = csvRow(titles) + "\n";
-  for (const DepthNumbersAt& row : rows) {
-    std::vector<std::string> cells{fmt::format("{}", row.time)};
-    if (named) cells.insert(cells.begin(), row.run);
-    for (const DepthNumberRow& number : kDepthNumbers)
-      cells.push_back(fmt::format("{}", number.value(row.numbers)));
-    text += csvRow(cells) + "\n";
-  }
-  return text;
+  return numbersCsv(kDepthNumbers, rows, [&](DepthUnit unit) { return unitText(unit, units, stressUnit); });
 }
 
 }  // namespace burnish

@@ -12,6 +12,7 @@
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/contact_field.h"
 #include "postproc/probe/probe_point.h"
+#include "postproc/probe/stress_tensor.h"
 
 namespace burnish {
 namespace {
@@ -45,16 +46,6 @@ FieldChoice chooseSurfaceStress(const ModelRecord& model, const FrameRecord& fra
   choice.words = stress.words;
   choice.coefficients = frame.fields.at("stress").values;
   return choice;
-}
-
-/// The tensor of these components, named xx, xy, ...
-Eigen::Matrix3d tensorOf(const std::vector<std::string>& components, const Eigen::VectorXd& values) {
-  Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
-  for (std::size_t k = 0; k < components.size(); ++k) {
-    const int row = components[k][0] - 'x', column = components[k][1] - 'x';
-    tensor(row, column) = tensor(column, row) = values(static_cast<Eigen::Index>(k));
-  }
-  return tensor;
 }
 
 void requireBodyField(const FrameRecord& frame, const std::string& name) {
@@ -113,7 +104,8 @@ Eigen::VectorXd ProbedFields::values(int body, const std::vector<int>& nodes, co
     if (const std::optional<InAxes>& inAxes = inAxes_[k]; !inAxes)
       value = choices_[k].scalars(here)(0);
     else if (axes)
-      value = axes->col(inAxes->row).dot(tensorOf(inAxes->components, here) * axes->col(inAxes->column));
+      value =
+          axes->col(inAxes->row).dot(symmetricTensor(inAxes->components, here) * axes->col(inAxes->column));
   }
   return values;
 }

@@ -12,7 +12,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -20,7 +19,6 @@
 #include <optional>
 #include <utility>
 
-#include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/nurbs/univariate_basis.h"
@@ -31,6 +29,8 @@
 #include "postproc/mesh/tessellation.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "postproc/probe/body_locator.h"
+#include "postproc/probe/numbers_table.h"
+#include "postproc/probe/stress_tensor.h"
 
 namespace burnish {
 namespace {
@@ -103,16 +103,15 @@ class Sums {
   Sums(const Eigen::Vector3d& normal, bool isOfRevolution)
       : normal_(normal), isOfRevolution_(isOfRevolution) {}
 
-  /// All of a section of a slab; stress: at its points, components xx, yy, zz, xy, yz, zx.
-  void add(vtkPolyData& section) {
+  /// All of a section of a slab. components: of the stress at its points.
+  void add(vtkPolyData& section, const std::vector<std::string>& components) {
     vtkDataArray& stress = *section.GetPointData()->GetArray(kStress);
+    Eigen::VectorXd values(std::ssize(components));
     std::vector<Sample> samples;
     for (vtkIdType id = 0; id < section.GetNumberOfPoints(); ++id) {
-      Eigen::Matrix<double, 6, 1> s;
-      for (int k = 0; k < 6; ++k) s(k) = stress.GetComponent(id, k);
-      const Eigen::Matrix3d tensor =
-          (Eigen::Matrix3d() << s(0), s(3), s(5), s(3), s(1), s(4), s(5), s(4), s(2)).finished();
-      samples.push_back({Eigen::Vector3d(section.GetPoint(id)), tensor * normal_});
+      stress.GetTuple(id, values.data());
+      samples.push_back(
+          {Eigen::Vector3d(section.GetPoint(id)), symmetricTensor(components, values) * normal_});
     }
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < section.GetNumberOfCells(); ++cell) {
@@ -218,30 +217,19 @@ class Sums {
   Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
 };
 
-/// xx, yy, zz, xy, yz, zx at the points, whatever components the field has.
-Eigen::MatrixXd stressAt(const Tessellation& cells, const FieldRecord& field) {
-  constexpr std::array<const char*, 6> kOrder{"xx", "yy", "zz", "xy", "yz", "zx"};
-  const Eigen::MatrixXd values = cells.evaluate(field.values);
-  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(6, values.cols());
-  for (std::size_t k = 0; k < field.components.size(); ++k) {
-    const auto place = std::ranges::find(kOrder, field.components[k]);
-    if (place != kOrder.end()) stress.row(place - kOrder.begin()) = values.row(static_cast<Eigen::Index>(k));
-  }
-  return stress;
-}
-
 SectionNumbers numbersOf(const MeshRecord& mesh, const FrameRecord& frame,
                          const std::vector<MeshPiece>& slabs, const CutPlane& plane, int parts,
                          bool isOfRevolution) {
   Sums sums(plane.normal, isOfRevolution);
+  const FieldRecord& stress = frame.fields.at(kStress);
   for (const MeshPiece& slab : slabs) {
     throwIfInterrupted();
     const Tessellation cells(mesh, parts, &slab);
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(makePoints(positionsOf(cells, frame)));
     grid->SetCells(cells.dim() == 2 ? VTK_QUAD : VTK_HEXAHEDRON, makeCells(cells.cells()));
-    grid->GetPointData()->AddArray(makeArray(kStress, stressAt(cells, frame.fields.at("stress")), {}));
-    sums.add(*sectionOf(*grid, plane));
+    grid->GetPointData()->AddArray(makeArray(kStress, cells.evaluate(stress.values), {}));
+    sums.add(*sectionOf(*grid, plane), stress.components);
   }
   return sums.numbers();
 }
@@ -301,14 +289,12 @@ double SectionNumbers::balance() const {
 }
 
 std::vector<std::string> sectionNumberNames() {
-  std::vector<std::string> names;
-  for (const SectionNumberRow& row : kSectionNumbers) names.emplace_back(row.name);
-  return names;
+  return namesOfColumns(kSectionNumbers);
 }
 
 SectionNumbers sectionNumbers(const ModelRecord& model, const FrameRecord& frame, const CutPlane& plane,
                               const std::vector<std::string>& bodies) {
-  if (!frame.fields.contains("stress"))
+  if (!frame.fields.contains(kStress))
     throw Error(fmt::format("section: frame {} has no stress; expected a frame with it", frame.index));
   const bool isOfRevolution = isAxisymmetric(model);
   if (model.dim == 2 && plane.normal.z() != 0.0)
@@ -335,20 +321,8 @@ SectionNumbers sectionNumbers(const ModelRecord& model, const FrameRecord& frame
 
 std::string tableOf(const std::vector<SectionNumbersAt>& rows, const DerivedUnits& units,
                     const std::string& stressUnit) {
-  const bool named = std::ranges::any_of(rows, [](const SectionNumbersAt& row) { return !row.run.empty(); });
-  std::vector<std::string> titles{"time"};
-  if (named) titles.insert(titles.begin(), "run");
-  for (const SectionNumberRow& row : kSectionNumbers)
-    titles.push_back(labelled(row.name, unitText(row.unit, units, stressUnit)));
-  std::string text = csvRow(titles) + "\n";
-  for (const SectionNumbersAt& row : rows) {
-    std::vector<std::string> cells{fmt::format("{}", row.time)};
-    if (named) cells.insert(cells.begin(), row.run);
-    for (const SectionNumberRow& number : kSectionNumbers)
-      cells.push_back(fmt::format("{}", number.value(row.numbers)));
-    text += csvRow(cells) + "\n";
-  }
-  return text;
+  return numbersCsv(kSectionNumbers, rows,
+                    [&](SectionUnit unit) { return unitText(unit, units, stressUnit); });
 }
 
 }  // namespace burnish

@@ -12,7 +12,6 @@
 #include <numbers>
 #include <random>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -22,6 +21,7 @@
 #include "engine/tools/polyline.h"
 #include "engine/tools/rigid_shape.h"
 #include "engine/tools/surface_file.h"
+#include "tests/engine/analysis/run_scene.h"
 #include "tests/engine/tools/gap_check.h"
 
 namespace burnish {
@@ -36,36 +36,20 @@ struct Soup {
 };
 
 /// Of this process, as tests run at the same time; gone at its end.
-class OwnDirectory {
- public:
-  OwnDirectory()
-      : path_(std::filesystem::path(testing::TempDir()) / fmt::format("burnish_faceted_{}", ::getpid())) {
-    std::filesystem::create_directories(path_);
-  }
-  ~OwnDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  OwnDirectory(const OwnDirectory&) = delete;
-  OwnDirectory& operator=(const OwnDirectory&) = delete;
-
-  static const std::filesystem::path& path() {
-    static const OwnDirectory directory;
-    return directory.path_;
-  }
-
- private:
-  std::filesystem::path path_;
-};
+const std::filesystem::path& ownDirectory() {
+  static const test::ScratchDirectory directory("faceted");
+  std::filesystem::create_directories(directory.path());
+  return directory.path();
+}
 
 std::filesystem::path writeText(const std::string& name, const std::string& text) {
-  const auto file = OwnDirectory::path() / name;
+  const auto file = ownDirectory() / name;
   std::ofstream(file) << text;
   return file;
 }
 
 std::filesystem::path writeOff(const std::string& name, const Soup& soup) {
-  const auto file = OwnDirectory::path() / (name + ".off");
+  const auto file = ownDirectory() / (name + ".off");
   std::ofstream out(file);
   out << fmt::format("OFF\n{} {} 0\n", soup.points.size(), soup.faces.size());
   for (const auto& p : soup.points) out << fmt::format("{} {} {}\n", p.x(), p.y(), p.z());
@@ -195,7 +179,7 @@ TEST(MeshTool, AnswersDoNotDependOnTheOrderOfQuestions) {
 }
 
 TEST(MeshTool, MayHaveCoordinatesLargerThanItsFile) {
-  const auto file = OwnDirectory::path() / "large.off";
+  const auto file = ownDirectory() / "large.off";
   std::ofstream(file) << "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n100000 0 0\n0 100000 0\n0 0 100000\n"
                          "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   EXPECT_EQ(readSurface(file, 1.0, false).cells.cols(), 4);
