@@ -11,7 +11,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStaticCleanPolyData.h>
 #include <vtkStripper.h>
 
 #include <algorithm>
@@ -20,6 +19,8 @@
 #include <limits>
 #include <utility>
 #include <vector>
+
+#include "postproc/mesh/same_points.h"
 
 namespace burnish {
 namespace {
@@ -72,18 +73,25 @@ vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines) {
   return strip->GetOutput();
 }
 
-/// Cells that have the points on their common borders in common.
+/// Cells that have the points on their common borders in common; those that have no area then are left out.
 vtkSmartPointer<vtkPolyData> joined(vtkPolyData& cells) {
-  vtkNew<vtkPolyData> alone;
-  alone->SetPoints(cells.GetPoints());
-  alone->SetPolys(cells.GetPolys());
-  alone->GetPointData()->SetScalars(cells.GetPointData()->GetScalars());
-  vtkNew<vtkStaticCleanPolyData> clean;  // quick with a million points
-  clean->SetInputData(alone);
-  clean->SetTolerance(kSamePoint);
-  clean->ConvertPolysToLinesOff();
-  clean->Update();
-  return clean->GetOutput();
+  const std::vector<vtkIdType> one = firstOfSame(*cells.GetPoints(), kSamePoint * cells.GetLength());
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfPolys(); ++cell) {
+    cells.GetPolys()->GetCellAtId(cell, corners);
+    std::vector<vtkIdType> different;
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      if (const vtkIdType corner = one[corners->GetId(k)];
+          std::ranges::find(different, corner) == different.end())
+        different.push_back(corner);
+    if (different.size() > 2) polygons->InsertNextCell(std::ssize(different), different.data());
+  }
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(cells.GetPoints());
+  result->SetPolys(polygons);
+  result->GetPointData()->SetScalars(cells.GetPointData()->GetScalars());
+  return result;
 }
 
 /// Adds the points between the ends of a part of a line from which it is further than `kStraight` without them.

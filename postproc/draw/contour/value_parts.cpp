@@ -11,7 +11,6 @@
 #include <vtkNew.h>
 #include <vtkNonMergingPointLocator.h>
 #include <vtkPolyData.h>
-#include <vtkStaticPointLocator.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -23,6 +22,7 @@
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/outlines.h"
 #include "postproc/mesh/plane_section.h"
+#include "postproc/mesh/same_points.h"
 #include "postproc/text/ticks.h"
 
 namespace burnish {
@@ -152,13 +152,7 @@ void joinAtBorders(Eigen::Matrix3Xd& vectors, const Tessellation& cells, int num
     scattered.col(node) =
         (steps * static_cast<double>(node)).unaryExpr([](double x) { return x - std::floor(x); });
   const Eigen::MatrixXd places = cells.evaluate(scattered);
-  vtkNew<vtkPolyData> points;
-  points->SetPoints(makePoints(places(Eigen::all, border)));
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(points);
-  locator->BuildLocator();
-  std::vector<vtkIdType> one(border.size());
-  locator->MergePoints(kSame, one.data());
+  const std::vector<vtkIdType> one = firstOfSame(*makePoints(places(Eigen::all, border)), kSame);
 
   Eigen::Matrix4Xd sums = Eigen::Matrix4Xd::Zero(4, std::ssize(border));
   for (std::size_t k = 0; k < border.size(); ++k) sums.col(one[k]) += vectors.col(border[k]).homogeneous();
