@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,6 +71,7 @@ class ModelBuilder {
   void addSelfContact(std::size_t number);
   void addStabilisation();
   void addReleases();
+  void addLeavingTool(std::size_t number);
 
   /// All unknowns are numbered.
   void closeNumbering();
@@ -248,6 +250,7 @@ void ModelBuilder<Dim>::addTool(std::size_t number) {
     model_->toolLoads_.push_back({number, std::move(load)});
   const auto corners = cornersOf(spec);
   model_->corners_.insert(model_->corners_.end(), corners.begin(), corners.end());
+  if (spec.until) model_->corners_.insert(model_->corners_.end(), {*spec.until, releaseEnd(scene_, spec)});
 }
 
 template <int Dim>
@@ -393,8 +396,25 @@ void ModelBuilder<Dim>::addReleases() {
     const double end = releaseEnd(scene_, support);
     releases.push_back({*support.until, end, model_->supports_.owned(k)});
   }
-  if (releases.empty()) return;
-  model_->released_ = std::make_unique<ReleasedForces>(model_->numDisplacements(), std::move(releases));
+  if (!releases.empty())
+    model_->released_ = std::make_unique<ReleasedForces>(model_->numDisplacements(), std::move(releases));
+  for (std::size_t k = 0; k < scene_.tools.size(); ++k)
+    if (scene_.tools[k].until) addLeavingTool(k);
+}
+
+template <int Dim>
+void ModelBuilder<Dim>::addLeavingTool(std::size_t number) {
+  const ToolSpec& spec = scene_.tools[number];
+  std::set<int> nodes;
+  for (const auto& pair : model_->contacts_)
+    if (pair.tool == number) nodes.insert(pair.term->face().nodes().begin(), pair.term->face().nodes().end());
+  std::vector<int> unknowns;
+  for (const int node : nodes)
+    for (int d = 0; d < Dim; ++d) unknowns.push_back(Dim * node + d);
+  std::vector<ReleasedForces::Release> release{{*spec.until, releaseEnd(scene_, spec), std::move(unknowns)}};
+  model_->leaving_.push_back(
+      {number, *spec.until,
+       std::make_unique<ReleasedForces>(model_->numDisplacements(), std::move(release))});
 }
 
 template <int Dim>

@@ -95,20 +95,21 @@ std::vector<std::string> toolFindings(const Model<Dim>& model) {
   return findings;
 }
 
-/// Supports that are letting go behind time t.
+/// Supports and tools that are letting go behind time t.
 std::vector<std::string> releaseFindings(const Scene& scene, double t) {
   constexpr double kRounding = 1e-9;
-  const std::vector<std::string> names = supportNames(scene);
   std::vector<std::string> findings;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const SupportSpec& support = scene.supports[k];
-    const double end = releaseEnd(scene, support);
-    if (support.until && *support.until <= t * (1.0 + kRounding) && t < end)
+  const auto add = [&](const char* kind, const std::string& name, const auto& spec, const char* back) {
+    const double end = releaseEnd(scene, spec);
+    if (spec.until && *spec.until <= t * (1.0 + kRounding) && t < end)
       findings.push_back(fmt::format(
-          "support '{}' was letting go, from t = {:.6g} to {:.6g}: its face is free while forces still press on it, "
-          "under which a slender body buckles; prescribe it back to where it carries nothing before it lets go",
-          names[k], *support.until, end));
-  }
+          "{} '{}' was letting go, from t = {:.6g} to {:.6g}: its face is free while forces still press on it, "
+          "under which a slender body buckles; {} back to where it carries nothing before it lets go",
+          kind, name, *spec.until, end, back));
+  };
+  const std::vector<std::string> names = supportNames(scene);
+  for (std::size_t k = 0; k < names.size(); ++k) add("support", names[k], scene.supports[k], "prescribe it");
+  for (const ToolSpec& tool : scene.tools) add("tool", tool.name, tool, "move it");
   return findings;
 }
 

@@ -100,6 +100,12 @@ void addDirections(ContactRecord& record, const ContactState& state) {
   record.quadratureSlipped = state.slipped;
 }
 
+/// Without a partner a gap is infinite.
+void limitGaps(ContactRecord& record, double most) {
+  record.averageGap = record.averageGap.cwiseMin(most);
+  record.quadratureGap = record.quadratureGap.cwiseMin(most);
+}
+
 template <int Dim>
 ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pair, const Eigen::VectorXd& x) {
   ContactRecord record = faceRecord(pair.term->face(), pair.term->state(), x);
@@ -107,6 +113,7 @@ ContactRecord contactRecord(const Model<Dim>& model, const ContactPair<Dim>& pai
   record.face = faceName(pair.place.face);
   record.patch = pair.place.patch;
   addDirections<Dim>(record, pair.term->state());
+  if (pair.term->hasLostTouch()) limitGaps(record, model.body().size());
   return record;
 }
 
@@ -117,9 +124,7 @@ ContactRecord contactRecord(const FacePair<Dim>& pair, const Eigen::VectorXd& x,
   record.face = faceName(pair.place.face);
   record.patch = pair.place.patch;
   addDirections<Dim>(record, pair.term->state());
-  // Without a partner a gap is infinite.
-  record.averageGap = record.averageGap.cwiseMin(size);
-  record.quadratureGap = record.quadratureGap.cwiseMin(size);
+  limitGaps(record, size);
   return record;
 }
 
@@ -129,8 +134,7 @@ ContactRecord contactRecord(const SelfContact<Dim>& contact, const Eigen::Vector
   record.face = faceName(contact.place.face);
   record.patch = contact.place.patch;
   addDirections<Dim>(record, contact.term->state());
-  record.averageGap = record.averageGap.cwiseMin(contact.reach);
-  record.quadratureGap = record.quadratureGap.cwiseMin(contact.reach);
+  limitGaps(record, contact.reach);
   return record;
 }
 

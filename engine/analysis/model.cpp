@@ -66,15 +66,38 @@ std::vector<Term*> Model<Dim>::terms() const {
   for (const auto& pair : pairs_) terms.push_back(pair.term.get());
   for (const auto& contact : selfContacts_) terms.push_back(contact.term.get());
   for (const auto& load : loads_) terms.push_back(load.get());
-  for (const auto& load : toolLoads_) terms.push_back(load.term.get());
+  for (const auto& load : toolLoads_)
+    if (!hasLeft(load.tool)) terms.push_back(load.term.get());
+  for (const auto& leaving : leaving_) terms.push_back(leaving.held.get());
   if (released_) terms.push_back(released_.get());
   if (stabilisation_) terms.push_back(stabilisation_.get());
   return terms;
 }
 
 template <int Dim>
-bool Model<Dim>::releaseBehind(double t) {
+bool Model<Dim>::hasLeft(std::size_t tool) const {
+  return std::ranges::any_of(
+      leaving_, [tool](const LeavingTool& leaving) { return leaving.tool == tool && leaving.hasLeft; });
+}
+
+template <int Dim>
+bool Model<Dim>::releaseBehind(double t, const Eigen::VectorXd& x) {
+  constexpr double kRounding = 1e-9;
   bool changes = false;
+  const auto keep = [&](int unknown, double value) {
+    kept_[unknown] = value;
+    prescribed_[static_cast<std::size_t>(unknown)] = true;
+  };
+  for (LeavingTool& leaving : leaving_) {
+    if (leaving.hasLeft || leaving.until > t * (1.0 + kRounding)) continue;
+    leaving.hasLeft = changes = true;
+    for (const int unknown : tools_[leaving.tool]->freeUnknowns()) keep(unknown, x(unknown));
+    for (const auto& pair : contacts_) {
+      if (pair.tool != leaving.tool) continue;
+      pair.term->loseTouch();
+      for (int k = 0; k < pair.term->numMultipliers(); ++k) keep(pair.term->firstMultiplier() + k, 0.0);
+    }
+  }
   for (int unknown = 0; unknown < numDisplacements(); ++unknown) {
     const auto k = static_cast<std::size_t>(unknown);
     if (!prescribed_[k] || supports_.holdsBehind(t, unknown)) continue;
@@ -82,6 +105,17 @@ bool Model<Dim>::releaseBehind(double t) {
     changes = true;
   }
   return changes;
+}
+
+template <int Dim>
+void Model<Dim>::holdReleased(double t, const std::vector<Eigen::VectorXd>& forces) {
+  if (released_) released_->letGo(t, forcesOnSupports(forces));
+  for (LeavingTool& leaving : leaving_) {
+    Eigen::VectorXd balanced = Eigen::VectorXd::Zero(numDisplacements());
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      if (contacts_[k].tool == leaving.tool) balanced -= forces[bodies_.size() + k].head(numDisplacements());
+    leaving.held->letGo(t, balanced);
+  }
 }
 
 template <int Dim>
@@ -96,7 +130,9 @@ template <int Dim>
 Eigen::VectorXd Model<Dim>::target(double t) const {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(numUnknowns_);
   supports_.setValues(t, values);
-  return values - origin_;
+  values -= origin_;
+  for (const auto& [unknown, value] : kept_) values(unknown) = value;
+  return values;
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,6 +61,14 @@ struct CarriedLoad {
   std::unique_ptr<ToolLoad> term;
 };
 
+/// A tool that is taken away.
+struct LeavingTool {
+  std::size_t tool = 0;
+  double until = 0.0;
+  std::unique_ptr<ReleasedForces> held;  ///< what it pressed and rubbed its faces with, going to zero
+  bool hasLeft = false;
+};
+
 /// A face that may touch itself and, if it is one of several, the others.
 template <int Dim>
 struct SelfContact {
@@ -106,8 +115,8 @@ class Model {
   /// Null unless the scene asks for it.
   const Stabilisation<Dim>* stabilisation() const { return stabilisation_.get(); }
 
-  /// Bodies, contacts with tools, of pairs of faces, of faces with themselves, loads, loads of tools, forces of
-  /// supports that let go, stabilisation, in this order.
+  /// Bodies, contacts with tools, of pairs of faces, of faces with themselves, loads, loads of tools that are there,
+  /// forces of tools that are taken away, of supports that let go, stabilisation, in this order.
   std::vector<Term*> terms() const;
 
   int numDisplacements() const { return Dim * body_.numNodes; }
@@ -127,15 +136,22 @@ class Model {
   /// evaluated at. forces: of the terms, in their order.
   double stabilisedShare(const std::vector<Eigen::VectorXd>& forces) const;
 
-  /// One flag per unknown; changes when supports let go.
+  /// One flag per unknown; changes when supports let go, or tools are taken away.
   const std::vector<bool>& prescribed() const { return prescribed_; }
 
-  /// Frees the unknowns that no support holds behind time t. Returns whether there are any that were not free.
-  bool releaseBehind(double t);
+  /// Frees the unknowns that no support holds behind time t; takes tools away that are not there behind it, whose own
+  /// unknowns keep the values they have in x, and whose multipliers are zero. Returns whether that changes anything.
+  bool releaseBehind(double t, const Eigen::VectorXd& x);
+
+  /// After that: what supports and tools that have let go at time t carried is held from now on, less and less. forces: of
+  /// the terms there were at that time, in their order.
+  void holdReleased(double t, const std::vector<Eigen::VectorXd>& forces);
+
+  const std::vector<LeavingTool>& leavingTools() const { return leaving_; }
+  bool hasLeft(std::size_t tool) const;
 
   /// Forces with which supports that have let go still hold the body; null if none ever does.
   const ReleasedForces* released() const { return released_.get(); }
-  ReleasedForces* released() { return released_.get(); }
 
   /// The sum of what all terms but the released forces add: what supports balance, those that have let go with
   /// what they still carry. forces: of the terms, in their order.
@@ -167,6 +183,8 @@ class Model {
   std::vector<SelfContact<Dim>> selfContacts_;
   std::vector<std::unique_ptr<LoadTerm>> loads_;
   std::vector<CarriedLoad> toolLoads_;
+  std::vector<LeavingTool> leaving_;
+  std::map<int, double> kept_;  ///< prescribed values of unknowns of tools that have been taken away
   std::unique_ptr<ReleasedForces> released_;
   std::unique_ptr<Stabilisation<Dim>> stabilisation_;
   std::vector<bool> prescribed_;

@@ -36,6 +36,9 @@ class Recorder {
   /// The current state is the first one after the body was meshed anew.
   void noteRezoning(const RezoningRecord& rezoning) { history_.noteRezoning(rezoning); }
 
+  /// Supports or tools have let go in the current state.
+  void noteReleased() { history_.noteReleased(); }
+
   /// A new mesh was due, and none was found.
   void noteFailedRezoning() { doubts_.noteFailedRezoning(); }
 

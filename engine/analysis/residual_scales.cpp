@@ -1,5 +1,7 @@
 #include "engine/analysis/residual_scales.h"
 
+#include <algorithm>
+
 namespace burnish {
 
 template <int Dim>
@@ -25,6 +27,11 @@ ResidualScales residualScales(const Model<Dim>& model) {
   for (const auto& pair : model.contacts()) add(pair);
   for (const auto& pair : model.pairs()) add(pair);
   for (const auto& contact : model.selfContacts()) add(contact);
+  for (const auto& tool : model.tools())
+    for (std::size_t dof = kTurn; dof < kAllToolDofs; ++dof)
+      if (tool->isFree(dof))
+        scales.turns.emplace_back(tool->unknowns[dof],
+                                  std::max(1.0, tool->turnLength / tool->shape.halfThickness()));
   return scales;
 }
 

@@ -77,7 +77,7 @@ class Run {
     summary_.timings.total = seconds();
     if (rezoner_) archiveRezoner(archive);
     archive.part("stepping", simulation_->stepping);
-    if (archive.restores() && simulation_->model->releaseBehind(state().time))
+    if (archive.restores() && simulation_->model->releaseBehind(state().time, state().x))
       simulation_ = letGo(scene_, *simulation_, team_);
     archive.part("newton", simulation_->newton);
     for (std::size_t k = 0; k < simulation_->terms.size(); ++k)
@@ -169,12 +169,13 @@ class Run {
       const double step = pathSteps_.size(before, point.time, point.nominalStep);
       if (const Walk walk = walkTo(point.time, step); walk != Walk::Arrived) return walk;
       if (isNew) pathSteps_.measure(*simulation_->model, point.time);
-      letSupportsGo();
       // A record that is kept where a frame is due would have its name, and stand alone until the frame is written.
-      if (point.frame && !output_.hasFrameAt(point.time))
+      if (point.frame && !output_.hasFrameAt(point.time)) {
         writeFrame();
-      else if (!point.frame && !halts_ && keepingIsDue())
-        keepState();
+      } else {
+        letGoHere();
+        if (!point.frame && !halts_ && keepingIsDue()) keepState();
+      }
       if (point.corner) simulation_->stepping.forgetIncrement();
       if (halts_ && point.time < endTime_) return Walk::Halted;
     }
@@ -196,11 +197,12 @@ class Run {
     return walk;
   }
 
-  /// Frees what supports hold up to now and no longer, whose forces go to zero from here on.
-  void letSupportsGo() {
+  /// Frees what supports and tools hold up to now and no longer, whose forces go to zero from here on.
+  void letGoHere() {
     Model<Dim>& model = *simulation_->model;
-    if (model.released() == nullptr || !model.releaseBehind(state().time)) return;
-    model.released()->letGo(state().time, model.forcesOnSupports(simulation_->newton.forces()));
+    if (!model.releaseBehind(state().time, state().x)) return;
+    model.holdReleased(state().time, simulation_->newton.forces());
+    simulation_->recorder.noteReleased();
     addCosts(summary_, *simulation_);
     simulation_ = letGo(scene_, *simulation_, team_);
   }
@@ -233,9 +235,11 @@ class Run {
           held));
   }
 
+  /// The frame shows the state before supports and tools let go, and runs are resumed from the one behind.
   void writeFrame() {
     const Stopwatch stopwatch(summary_.timings.output);
     const FrameRecord frame = nextFrame();
+    letGoHere();
     output_.append(frame, state().steps, save());
     kept_ = std::chrono::steady_clock::now();
   }
@@ -376,6 +380,11 @@ void requireDivisible(const Scene& scene) {
       problems.push_back(
           {fmt::format("supports[{}].until", k),
            "found a support that lets go, which one process computes; allowed on several: none."});
+  for (std::size_t k = 0; k < scene.tools.size(); ++k)
+    if (scene.tools[k].until)
+      problems.push_back(
+          {fmt::format("tools[{}].until", k),
+           "found a tool that is taken away, which one process computes; allowed on several: none."});
   const std::span<const BodySpec> bodies = scene.allBodies();
   for (std::size_t number = 0; number < bodies.size(); ++number)
     if (bodies[number].initial)

@@ -63,9 +63,20 @@ std::vector<double> RunHistory<Dim>::row(int step, int newtonIterations) const {
 template <int Dim>
 Eigen::VectorXd RunHistory<Dim>::loadForces() const {
   Eigen::VectorXd sum;
-  for (const auto& load : model_.loads())
-    sum = sum.size() == 0 ? load->nodalForces() : Eigen::VectorXd(sum + load->nodalForces());
+  const auto add = [&sum](const LoadTerm& load) {
+    sum = sum.size() == 0 ? load.nodalForces() : Eigen::VectorXd(sum + load.nodalForces());
+  };
+  for (const auto& load : model_.loads()) add(*load);
+  for (const LeavingTool& leaving : model_.leavingTools()) add(*leaving.held);
   return sum;
+}
+
+template <int Dim>
+void RunHistory<Dim>::noteReleased() {
+  for (const LeavingTool& leaving : model_.leavingTools())
+    if (leaving.hasLeft)
+      current_.toolForces[leaving.tool] = current_.toolMoments[leaving.tool] = Eigen::Vector3d::Zero();
+  loads_ = loadForces();
 }
 
 template <int Dim>

@@ -29,6 +29,9 @@ class RunHistory {
   /// Goes on with the sums and extremes of a history of the same scene on another mesh.
   void continueFrom(const RunHistory& before);
 
+  /// Tools have just been taken away: what they pressed with counts as loads from here on.
+  void noteReleased();
+
   /// The current state is the first one after the body was meshed anew.
   void noteRezoning(const RezoningRecord& rezoning) { current_.rezonings.add(rezoning); }
 

@@ -39,7 +39,8 @@ template <int Dim>
 std::vector<bool> ToolWatch<Dim>::reached(const std::vector<ToolPose>& poses,
                                           const Eigen::VectorXd& x) const {
   std::vector<bool> answers;
-  for (const Face& face : faces_) answers.push_back(isReached(face, poses[face.tool], x));
+  for (const Face& face : faces_)
+    answers.push_back(!model_.hasLeft(face.tool) && isReached(face, poses[face.tool], x));
   return answers;
 }
 

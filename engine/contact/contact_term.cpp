@@ -150,6 +150,7 @@ double ContactTerm<Dim>::smallestReferenceGap(const GapAt& gapAt) const {
 
 template <int Dim>
 bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
+  if (this->hasLostTouch()) return this->reportUntouched();
   const ToolPose pose = tool_.pose(t, x);
   Mortar mortar = integrate(pose, x);
   if (gapOrigin_.size() > 0) mortar.G -= A_.cwiseProduct(gapOrigin_);
@@ -179,6 +180,7 @@ bool ContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& ou
 
 template <int Dim>
 void ContactTerm<Dim>::accept() {
+  if (this->hasLostTouch()) return;
   passage_.accept();
 }
 

@@ -17,7 +17,7 @@ void FaceContact<Dim>::keepInTouch(std::vector<const FaceContact*> others) {
 template <int Dim>
 double FaceContact<Dim>::usefulPart(const Eigen::VectorXd& x, const Eigen::VectorXd& correction) const {
   constexpr double kLeast = 0.05;
-  if (!hasAllMultipliers() || keepsInTouch_) return 1.0;
+  if (!hasAllMultipliers() || keepsInTouch_ || hasLostTouch_) return 1.0;
   const auto n = face_.numFunctions();
   const double force = A_.head(n).dot(x.segment(firstMultiplier_, n));
   const double change = A_.head(n).dot(correction.segment(firstMultiplier_, n));
@@ -81,6 +81,21 @@ void FaceContact<Dim>::clearState(bool hasFriction) {
   if (!hasFriction) return;
   state_.traction = state_.slip = Eigen::Matrix3Xd::Zero(3, face_.numPoints());
   state_.sliding.assign(static_cast<std::size_t>(face_.numPoints()), 0);
+}
+
+template <int Dim>
+void FaceContact<Dim>::loseTouch() {
+  hasLostTouch_ = true;
+  reportUntouched();
+}
+
+template <int Dim>
+bool FaceContact<Dim>::reportUntouched() {
+  clearState(options_.hasFriction());
+  if (!options_.hasFriction()) return true;
+  state_.frictionWork = work_.work();
+  reportSlipped();
+  return true;
 }
 
 template <int Dim>

@@ -94,6 +94,11 @@ class FaceContact : public Term {
   /// partner.
   void keepInTouch(std::vector<const FaceContact*> others);
 
+  /// The partner is no more: from now on nothing of the face is pressed, and evaluations add nothing. What friction has
+  /// done stays known.
+  void loseTouch();
+  bool hasLostTouch() const { return hasLostTouch_; }
+
   /// Gaps are measured from these values instead of zero: those with which a state that does not fit begins
   /// can be taken away little by little. One per function, of averaged gaps or of a field of gaps; empty:
   /// from zero.
@@ -145,6 +150,9 @@ class FaceContact : public Term {
     return state_.pressure(point) > 0.0 ? state_.slip.col(point).norm() : 0.0;
   }
 
+  /// The state of a face that has lost touch. Returns true.
+  bool reportUntouched();
+
   /// State of an evaluation that has not begun: nothing is pressed, nothing has a partner.
   void clearState(bool hasFriction);
 
@@ -173,7 +181,7 @@ class FaceContact : public Term {
   Eigen::VectorXd A_;
   ContactState state_;
   Eigen::VectorXd gapOrigin_;
-  bool keepsInTouch_ = false;
+  bool keepsInTouch_ = false, hasLostTouch_ = false;
   std::vector<const FaceContact*> others_;
 };
 

@@ -18,6 +18,7 @@ void FrictionWork::archive(StateArchive& archive) {
   archive.field("friction_reaction", accepted_.reaction);
   archive.field("friction_moment", accepted_.moment);
   archive.field("friction_work", accepted_.work);
+  if (archive.restores()) trial_ = accepted_;
 }
 
 }  // namespace burnish

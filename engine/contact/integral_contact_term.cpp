@@ -554,6 +554,7 @@ void IntegralContactTerm<Dim>::addFriction(const SpanValues& values, const Span&
 
 template <int Dim>
 bool IntegralContactTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
+  if (this->hasLostTouch()) return this->reportUntouched();
   if (!partner_->update(t, x, face_.positions(x))) return false;
   time_ = t;
   drag_ = hasFriction_ ? Drag<Dim>(partner_->freeTurns()) : Drag<Dim>();
@@ -615,6 +616,7 @@ void IntegralContactTerm<Dim>::endFriction() {
 
 template <int Dim>
 void IntegralContactTerm<Dim>::accept() {
+  if (this->hasLostTouch()) return;
   partner_->accept();
   splitSpans();
   if (!hasFriction_) return;

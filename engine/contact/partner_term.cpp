@@ -74,6 +74,7 @@ double PartnerTerm<Dim>::acceptedStretch(std::size_t e, const Span& rule, Eigen:
 
 template <int Dim>
 bool PartnerTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& out) {
+  if (this->hasLostTouch()) return this->reportUntouched();
   const Eigen::MatrixXd positions = face_.positions(x);
   if (!partner_->update(t, x, positions)) return false;
   if (hasFriction_) work_.start(x);
@@ -126,6 +127,7 @@ void PartnerTerm<Dim>::reportPoint(const SlavePoint<Dim>& slave, const ContactPo
 
 template <int Dim>
 void PartnerTerm<Dim>::accept() {
+  if (this->hasLostTouch()) return;
   partner_->accept();
   takeSegments();
   if (!hasFriction_) return;

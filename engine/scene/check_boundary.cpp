@@ -27,21 +27,6 @@ void checkFixed(const CheckContext& c, const std::string& path, const std::vecto
   }
 }
 
-/// When a support lets go, and by when its force is gone.
-void checkRelease(const CheckContext& c, const std::string& path, const SupportSpec& support) {
-  const std::string until = path + ".until", by = path + ".released_by";
-  if (!c.clean("steps") || !c.clean(until) || !c.clean(by)) return;
-  const double end = c.scene.steps.back().until;
-  if (support.until && *support.until >= end)
-    return c.report(until, fmt::format("found {}; allowed: a time before the end of the run at {}.",
-                                       *support.until, end));
-  if (!support.releasedBy) return;
-  if (!support.until) return c.report(by, "found without until; allowed: beside until, and after it.");
-  if (*support.releasedBy <= *support.until || *support.releasedBy > end)
-    c.report(by, fmt::format("found {}; allowed: a time after until ({}) and up to the end of the run at {}.",
-                             *support.releasedBy, *support.until, end));
-}
-
 void checkSupport(const CheckContext& c, const std::string& path, const SupportSpec& support) {
   checkFace(c, path, support.place, true);
   checkFixed(c, path + ".fix", support.fix);

@@ -22,6 +22,22 @@ auto componentsOf(const Spec& s) {
   return Components<T>{{"x", &s.x}, {"y", &s.y}, {"z", &s.z}};
 }
 
+/// When a support or a tool lets go, and by when its force is gone.
+template <class Spec>
+void checkRelease(const CheckContext& c, const std::string& path, const Spec& spec) {
+  const std::string until = path + ".until", by = path + ".released_by";
+  if (!c.clean("steps") || !c.clean(until) || !c.clean(by)) return;
+  const double end = c.scene.steps.back().until;
+  if (spec.until && *spec.until >= end)
+    return c.report(
+        until, fmt::format("found {}; allowed: a time before the end of the run at {}.", *spec.until, end));
+  if (!spec.releasedBy) return;
+  if (!spec.until) return c.report(by, "found without until; allowed: beside until, and after it.");
+  if (*spec.releasedBy <= *spec.until || *spec.releasedBy > end)
+    c.report(by, fmt::format("found {}; allowed: a time after until ({}) and up to the end of the run at {}.",
+                             *spec.releasedBy, *spec.until, end));
+}
+
 /// One component or more, and none that the scene has no room for.
 template <class T>
 void checkPresence(const CheckContext& c, const std::string& path, const Components<T>& components) {

@@ -39,6 +39,12 @@ void refusePenalty(const CheckContext& c, const ContactOptions& options, bool is
                                isOfBody ? "" : " with friction"));
 }
 
+void refuseLeavingTools(const CheckContext& c) {
+  for (std::size_t k = 0; k < c.scene.tools.size(); ++k)
+    refuse(c, c.scene.tools[k].until.has_value(), fmt::format("tools[{}].until", k),
+           "a tool that is taken away");
+}
+
 /// Laws whose history a new mesh does not take over. material: its key.
 void refuseHistory(const CheckContext& c, const MaterialParameters& law, const std::string& material) {
   refuse(c, dependsOnRate(law), material + ".rate",
@@ -150,6 +156,7 @@ void checkInSpace(const CheckContext& c) {
     refuse(c, !support.place.part.empty(), path,
            "a support on a part of a face, which holds other points on every mesh,");
   }
+  refuseLeavingTools(c);
   for (std::size_t k = 0; k < c.scene.contact.size(); ++k)
     refusePenalty(c, c.scene.contact[k].options, true, fmt::format("contact[{}].method", k));
   refuse(c, !c.scene.selfContact.empty(), "self_contact", "contact of a body in space with itself");
@@ -187,6 +194,7 @@ void checkRezoning(const CheckContext& c) {
   for (std::size_t k = 0; k < c.scene.tools.size(); ++k)
     refuse(c, c.scene.tools[k].carry.has_value(), fmt::format("tools[{}].carry", k),
            "a tool that carries a load");
+  refuseLeavingTools(c);
   for (std::size_t k = 0; k < c.scene.measures.size(); ++k) {
     const std::optional<std::string> measured = bodyOfPoints(c.scene.measures[k]);
     refuse(c, measured && isMeshedAnew(c, *measured), fmt::format("measures[{}]", k),

@@ -115,6 +115,10 @@ void checkPath(const CheckContext& c, const std::string& tool, const ToolSpec& s
         "off the axis, or a pitch that is not zero.");
   checkRamp(c, path, spec);
   const double end = c.scene.steps.back().until, needed = pathOf(spec).end();
+  if (spec.until && *spec.until < needed * (1.0 - 1e-9))
+    c.report(tool + ".until",
+             fmt::format("found {}, before the path of the tool ends; allowed: {:.6g} or later.", *spec.until,
+                         needed));
   if (needed > end * (1.0 + 1e-9))
     c.report(path,
              fmt::format("found a path that takes until t = {:.6g}, after the end of the run at {:.6g}; "
@@ -225,6 +229,7 @@ void checkTool(const CheckContext& c, const std::string& path, const ToolSpec& t
   problems.requireAxis("pivot_axis", tool.pivotAxis);
   checkMotion(c, path, tool);
   checkCarry(c, path, tool);
+  checkRelease(c, path, tool);
 }
 
 /// Names of all tools that could be read; a name given twice is reported.

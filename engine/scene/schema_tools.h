@@ -76,6 +76,13 @@ void describe(Visitor& v, ToolSpec& s) {
   v.field(
       "carry", s.carry, {},
       "Forces and moment, formulas in t, that press the tool on the body; in these ways it is free to move.");
+  v.field(
+      "until", s.until, {.above = 0, .unit = "time"},
+      "Time at which it is taken away; stays to the end when left out. From then on it touches nothing and carries "
+      "nothing, and what it pressed and rubbed its faces with goes linearly to zero, step by step in balance.");
+  v.field(
+      "released_by", s.releasedBy, {.above = 0, .unit = "time"},
+      "Time at which the forces of a tool that is taken away are zero; the end of the run when left out.");
 }
 
 }  // namespace burnish

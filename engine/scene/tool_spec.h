@@ -54,6 +54,8 @@ struct ToolSpec {
   std::optional<ToolPrescribedSpec> prescribe;
   std::optional<PathSpec> path;
   std::optional<ToolCarrySpec> carry;
+  std::optional<double> until;       ///< taken away then
+  std::optional<double> releasedBy;  ///< what it pressed with is zero then; the end of the run when left out
 };
 
 }  // namespace burnish

@@ -18,14 +18,19 @@ ReleasedForces::ReleasedForces(Eigen::Index numDisplacements, std::vector<Releas
 void ReleasedForces::letGo(double t, const Eigen::VectorXd& force) {
   for (std::size_t k = 0; k < releases_.size(); ++k)
     if (std::abs(releases_[k].begin - t) <= 1e-9 * t) carried_[k] = force(releases_[k].unknowns);
+  takeForcesAt(t);
 }
 
-bool ReleasedForces::evaluate(double t, const Eigen::VectorXd&, Assembly& out) {
+void ReleasedForces::takeForcesAt(double t) {
   forces_.setZero();
   for (std::size_t k = 0; k < releases_.size(); ++k) {
     const auto& [begin, end, unknowns] = releases_[k];
     forces_(unknowns) += std::clamp((end - t) / (end - begin), 0.0, 1.0) * carried_[k];
   }
+}
+
+bool ReleasedForces::evaluate(double t, const Eigen::VectorXd&, Assembly& out) {
+  takeForcesAt(t);
   out.force.head(forces_.size()) -= forces_;
   return true;
 }

@@ -6,8 +6,8 @@
 
 namespace burnish {
 
-/// Forces of supports that have let go: what a support carried when it did goes linearly to zero, so that the
-/// body is in balance at every step in between.
+/// Forces of supports and tools that have let go: what one of them carried when it did goes linearly to zero, so that
+/// the body is in balance at every step in between.
 class ReleasedForces final : public LoadTerm {
  public:
   /// A time at which unknowns are let go, and the one at which their forces are gone.
@@ -18,8 +18,8 @@ class ReleasedForces final : public LoadTerm {
 
   ReleasedForces(Eigen::Index numDisplacements, std::vector<Release> releases);
 
-  /// The supports of releases that begin at time t let go. force: sum of all terms' forces on the displacement
-  /// unknowns there, which they have balanced.
+  /// Those of releases that begin at time t let go. force: of the other terms on the displacement unknowns there, which
+  /// they have balanced.
   void letGo(double t, const Eigen::VectorXd& force);
 
   CouplingGroups couplings() const override { return {}; }
@@ -28,6 +28,8 @@ class ReleasedForces final : public LoadTerm {
   void archive(StateArchive& archive) override;
 
  private:
+  void takeForcesAt(double t);
+
   std::vector<Release> releases_;
   std::vector<Eigen::VectorXd> carried_;  ///< per release and unknown; zero before it begins
 };

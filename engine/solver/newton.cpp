@@ -145,6 +145,9 @@ Newton::Residual Newton::measure() const {
     }
   }
   measured.force = std::sqrt(sum) / measured.reference;
+  for (const auto& [turn, lengthOverRadius] : scales_.turns)
+    if (!system_.isPrescribed(turn))
+      measured.turn = std::max(measured.turn, lengthOverRadius * std::abs(total(turn)) / measured.reference);
   if (!team_.isAlone()) requireSameOnAllRanks(team_, {measured.force, measured.constraint});
   return measured;
 }
@@ -176,14 +179,18 @@ NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, 
   report.history.push_back(residual.force);
   if (!std::isfinite(residual.force + residual.constraint)) return NewtonOutcome::NotFinite;
   if (report.iterations > 0 && residual.constraint < options_.constraintTolerance) {
-    if (residual.force < options_.tolerance) return NewtonOutcome::Converged;
-    // The bound is generous on graded meshes: what still falls by a digit is not rounding.
+    // The bound of rounding is generous on graded meshes: what still falls by a digit is not rounding.
     constexpr double kStillFalls = 0.1;
     const double before = report.history[report.history.size() - 2];
-    report.atRoundOff =
-        !(residual.force < kStillFalls * before && report.iterations < options_.maxIterations) &&
-        residual.force * residual.reference < roundOff(x);
-    if (report.atRoundOff) return NewtonOutcome::Converged;
+    const bool isLast = report.iterations == options_.maxIterations;
+    if (residual.force < options_.tolerance) {
+      const bool turnsAreFree = residual.turn < options_.turnTolerance || before < options_.tolerance;
+      if (turnsAreFree || isLast) return NewtonOutcome::Converged;
+    } else {
+      report.atRoundOff = (isLast || !(residual.force < kStillFalls * before)) &&
+                          residual.force * residual.reference < roundOff(x);
+      if (report.atRoundOff) return NewtonOutcome::Converged;
+    }
   }
   const auto count = static_cast<std::ptrdiff_t>(options_.divergedIterations);
   const auto& history = report.history;

@@ -25,6 +25,10 @@ struct ResidualScales {
   /// by the deformation gradient.
   Eigen::VectorXd spanSizes;
   Eigen::VectorXd constraints;  ///< one per multiplier
+
+  /// Those of the forces that are moments on free turns over the length that angles are multiplied by, with that length
+  /// over the tool's radius.
+  std::vector<std::pair<int, double>> turns{};
 };
 
 enum class NewtonOutcome { Converged, Inadmissible, Singular, Diverged, TooManyIterations, NotFinite };
@@ -105,6 +109,7 @@ class Newton {
     double force = 0.0;      ///< relative
     double reference = 0.0;  ///< force that it is relative to
     double constraint = 0.0;
+    double turn = 0.0;  ///< largest moment on a free turn, relative to the same force at the tool's radius
     int worstUnknown = -1;
   };
 

@@ -32,6 +32,7 @@ void describe(Visitor& v, LinearSolverOptions& s) {
 struct NewtonOptions {
   double tolerance = 1e-9;             ///< of the residual forces, relative to the largest force of a term
   double constraintTolerance = 1e-12;  ///< of the averaged gap, relative to the body's size
+  double turnTolerance = 1e-10;        ///< of moments on free turns, as far as one more correction reaches it
   int maxIterations = 25;              ///< per step, then the step is cut
 
   /// Halvings of a correction that leads to an inadmissible state (J <= 0, a failed return map).

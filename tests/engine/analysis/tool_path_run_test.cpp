@@ -196,7 +196,7 @@ output: {{vtu: false}}
     int pressed = 0;
     for (std::size_t k = 1; k < history.numRows(); ++k) {
       const double across = history.column("roller.fx")[k], down = history.column("roller.fy")[k];
-      EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-9 * kForce * kRadius)
+      EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-10 * kForce * kRadius)
           << degrees << ", row " << k;
       if (down < 0.9 * kForce) continue;
       ++pressed;
