@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "cli/command_tree.h"
 #include "cli/completion/file_candidates.h"
@@ -20,6 +21,7 @@
 #include "engine/schema/yaml_tree.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/foreign/foreign_source.h"
+#include "postproc/probe/probed_fields.h"
 #include "postproc/scene/scene_listing.h"
 #include "postproc/study/study_listing.h"
 #include "postproc/text/text_file.h"
@@ -40,10 +42,15 @@ Candidates plain(const std::vector<std::string>& texts) {
   return out;
 }
 
-/// Of the result on the line; the last frame says what there is.
+/// Of the result on the line; the last frame says what there is. Along faces and below them there are their own axes, too.
 Candidates fieldsOf(const GivenLine& line) {
   const ResultReader result(line.argument(kResults));
-  return plain(fieldNames(result.frame(result.numFrames() - 1)));
+  const FrameRecord frame = result.frame(result.numFrames() - 1);
+  std::vector<std::string> names = fieldNames(frame);
+  const bool hasAxes = !line.valueOf("--depth").empty() || !line.valueOf("--face").empty();
+  if (hasAxes && frame.fields.contains("stress"))
+    for (std::string& name : surfaceFieldNames()) names.push_back(std::move(name));
+  return plain(names);
 }
 
 Candidates componentsOf(const GivenLine& line) {

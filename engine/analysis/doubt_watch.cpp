@@ -30,8 +30,9 @@ double penetrationPerSpan(const Contact& term) {
 template <int Dim>
 bool rubs(const Model<Dim>& model) {
   const auto any = [](const auto& contacts) {
-    return std::any_of(contacts.begin(), contacts.end(),
-                       [](const auto& contact) { return contact.term->options().hasFriction(); });
+    return std::any_of(contacts.begin(), contacts.end(), [](const auto& contact) {
+      return contact.term->options().hasFriction() && !contact.term->hasLostTouch();
+    });
   };
   return any(model.contacts()) || any(model.pairs()) || any(model.selfContacts());
 }

@@ -109,7 +109,8 @@ std::vector<std::string> releaseFindings(const Scene& scene, double t) {
   };
   const std::vector<std::string> names = supportNames(scene);
   for (std::size_t k = 0; k < names.size(); ++k) add("support", names[k], scene.supports[k], "prescribe it");
-  for (const ToolSpec& tool : scene.tools) add("tool", tool.name, tool, "move it");
+  for (const ToolSpec& tool : scene.tools)
+    add("tool", tool.name, tool, tool.carry ? "take its load (carry.schedule)" : "move it");
   return findings;
 }
 

@@ -71,8 +71,13 @@ Eigen::VectorXd RunHistory<Dim>::loadForces() const {
   return sum;
 }
 
+/// The springs of penalties go with their tool.
 template <int Dim>
 void RunHistory<Dim>::noteReleased() {
+  double kept = 0.0;
+  for (const auto& pair : model_.contacts()) kept += pair.term->state().energy;
+  for (const auto& pair : model_.pairs()) kept += pair.term->state().energy;
+  current_.externalWork -= std::exchange(current_.contactEnergy, kept) - kept;
   for (const LeavingTool& leaving : model_.leavingTools())
     if (leaving.hasLeft)
       current_.toolForces[leaving.tool] = current_.toolMoments[leaving.tool] = Eigen::Vector3d::Zero();

@@ -1,5 +1,7 @@
 #include "engine/analysis/run_summary.h"
 
+#include <utility>
+
 namespace burnish {
 
 void RunSummary::archive(StateArchive& archive) {
@@ -12,6 +14,13 @@ void RunSummary::archive(StateArchive& archive) {
   archive.field("frames", frames);
   archive.field("factor_non_zeros", factorNonZeros);
   archive.field("lu_factorisations", luFactorisations);
+  for (const auto& [name, count] :
+       {std::pair{"linear_systems", &linearSystems}, std::pair{"linear_iterations", &linearIterations},
+        std::pair{"linear_set_ups", &linearSetUps}, std::pair{"linear_fallbacks", &linearFallbacks}}) {
+    long soFar = count->value_or(0);
+    archive.field(name, soFar);
+    if (soFar > 0) *count = soFar;
+  }
   archive.field("seconds.assembly", timings.assembly);
   archive.field("seconds.contact", timings.contact);
   archive.field("seconds.factorisation", timings.factorisation);

@@ -78,7 +78,7 @@ std::vector<InputProblem> toolWarnings(const Scene& scene, const Model<Dim>& mod
       continue;
     }
     if (!tool.freeUnknowns().empty() || !restsByItself(scene)) continue;
-    if (const double gap = smallestGap(model, k, end); gap > 0.0)
+    if (const double gap = smallestGap(model, k, scene.tools[k].until.value_or(end)); gap > 0.0)
       warnings.push_back({path, fmt::format("tool '{}' stays {:.3g} or more away from the faces that may "
                                             "touch it as long as these are undeformed; move it closer",
                                             tool.name, gap)});

@@ -52,7 +52,7 @@ struct Simulation {
 };
 
 /// A simulation that goes on from the state of another one with its model, of which `Model::releaseBehind` has
-/// freed unknowns.
+/// freed or prescribed unknowns.
 template <int Dim>
 std::unique_ptr<Simulation<Dim>> letGo(const Scene& scene, Simulation<Dim>& before, const Team& team);
 

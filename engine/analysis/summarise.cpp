@@ -1,6 +1,7 @@
 #include "engine/analysis/summarise.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/core/shares.h"
 
@@ -48,10 +49,11 @@ void addCosts(RunSummary& summary, Simulation<Dim>& simulation) {
   summary.factorNonZeros = std::max(summary.factorNonZeros, solver.factorNonZeros());
   summary.luFactorisations += solver.numIndefinite();
   if (const auto counts = solver.counts()) {
-    summary.linearSystems = counts->systems;
-    summary.linearIterations = counts->iterations;
-    summary.linearSetUps = counts->setUps;
-    summary.linearFallbacks = counts->fallbacks;
+    const auto add = [](std::optional<long>& sum, long count) { sum = sum.value_or(0) + count; };
+    add(summary.linearSystems, counts->systems);
+    add(summary.linearIterations, counts->iterations);
+    add(summary.linearSetUps, counts->setUps);
+    add(summary.linearFallbacks, counts->fallbacks);
   }
 }
 

@@ -29,11 +29,12 @@ std::vector<double> outputTimes(const Scene& scene, double end) {
   if (scene.output.every)
     for (long k = 1; static_cast<double>(k) * *scene.output.every < end * (1.0 + 1e-12); ++k)
       times.push_back(static_cast<double>(k) * *scene.output.every);
-  for (const ToolSpec& tool : scene.tools)
-    if (tool.path) {
-      const std::vector<double> ofPath = pathTimes(tool);
-      times.insert(times.end(), ofPath.begin(), ofPath.end());
-    }
+  for (const ToolSpec& tool : scene.tools) {
+    if (tool.until) times.push_back(*tool.until);
+    if (!tool.path) continue;
+    const std::vector<double> ofPath = pathTimes(tool);
+    times.insert(times.end(), ofPath.begin(), ofPath.end());
+  }
   return times;
 }
 

@@ -27,7 +27,7 @@ struct ResidualScales {
   Eigen::VectorXd constraints;  ///< one per multiplier
 
   /// Those of the forces that are moments on free turns over the length that angles are multiplied by, with that length
-  /// over the tool's radius.
+  /// over half the tool's thickness, 1 where that is less.
   std::vector<std::pair<int, double>> turns{};
 };
 
@@ -109,7 +109,8 @@ class Newton {
     double force = 0.0;      ///< relative
     double reference = 0.0;  ///< force that it is relative to
     double constraint = 0.0;
-    double turn = 0.0;  ///< largest moment on a free turn, relative to the same force at the tool's radius
+    double turn =
+        0.0;  ///< largest moment on a free turn, relative to the same force at half the tool's thickness
     int worstUnknown = -1;
   };
 

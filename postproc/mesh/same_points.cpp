@@ -14,6 +14,7 @@
 namespace burnish {
 
 std::vector<vtkIdType> firstOfSame(vtkPoints& points, double distance) {
+  if (points.GetNumberOfPoints() == 0) return {};
   vtkNew<vtkPolyData> data;
   data->SetPoints(&points);
   vtkNew<vtkStaticPointLocator> locator;

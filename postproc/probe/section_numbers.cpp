@@ -234,14 +234,15 @@ SectionNumbers numbersOf(const MeshRecord& mesh, const FrameRecord& frame,
   return sums.numbers();
 }
 
-/// Whether forces and moments are the same but for `kAgreement` of what the largest stress would make of the section.
-bool agree(const SectionNumbers& one, const SectionNumbers& other, int dim) {
-  const double force = other.area * other.largest;
+/// The largest difference of areas, forces and moments, see `SectionNumbers::unsettled`.
+double difference(const SectionNumbers& one, const SectionNumbers& other, int dim) {
   const double size = dim == 2 ? other.area : std::sqrt(other.area);
-  return std::abs(one.area - other.area) <= kAgreement * other.area &&
-         std::abs(one.tension - other.tension) <= kAgreement * force &&
-         (one.traction - other.traction).norm() <= kAgreement * force &&
-         (one.moment - other.moment).norm() <= kAgreement * force * size;
+  const double force =
+      std::max({std::abs(one.tension - other.tension), (one.traction - other.traction).norm(),
+                (one.moment - other.moment).norm() / size});
+  const double most = other.area * other.largest;
+  const double ofForces = force > 0.0 ? force / most : 0.0;
+  return other.area > 0.0 ? std::max(std::abs(one.area - other.area) / other.area, ofForces) : 0.0;
 }
 
 /// The numbers of ever finer cells, until they stay or there would be too many; without area where the plane cuts nothing.
@@ -259,10 +260,10 @@ SectionNumbers settledNumbers(const ModelRecord& model, const FrameRecord& frame
   SectionNumbers numbers = numbersOf(mesh, frame, slabs, plane, kFirstParts, isOfRevolution);
   for (int parts = 2 * kFirstParts; parts <= most && spans * std::pow(parts, model.dim) <= kMostCells;
        parts *= 2) {
-    const SectionNumbers finer = numbersOf(mesh, frame, slabs, plane, parts, isOfRevolution);
-    const bool stays = agree(numbers, finer, model.dim);
+    SectionNumbers finer = numbersOf(mesh, frame, slabs, plane, parts, isOfRevolution);
+    finer.unsettled = difference(numbers, finer, model.dim);
     numbers = finer;
-    if (stays) break;
+    if (numbers.unsettled <= kAgreement) break;
   }
   return numbers;
 }

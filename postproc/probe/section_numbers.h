@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct SectionNumbers {
   Eigen::Vector3d traction = Eigen::Vector3d::Zero();  ///< ∫ σn dA
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();    ///< ∫ (x - c) × σn dA about the centroid c
 
+  /// How much area, forces and moment have changed at last when spans were cut finer, as parts of the area, and of what the
+  /// largest stress all over it would make; nan where they were cut once.
+  double unsettled = std::numeric_limits<double>::quiet_NaN();
+
   /// |N| / (A max|n·σn|)
   double balance() const;
 };
@@ -34,7 +39,7 @@ struct SectionNumberRow {
 };
 
 /// All of them, in the order of tables.
-inline constexpr std::array<SectionNumberRow, 12> kSectionNumbers{{
+inline constexpr std::array<SectionNumberRow, 13> kSectionNumbers{{
     {"area", [](const SectionNumbers& n) { return n.area; }, SectionUnit::Area},
     {"force", [](const SectionNumbers& n) { return n.force; }, SectionUnit::Force},
     {"tension", [](const SectionNumbers& n) { return n.tension; }, SectionUnit::Force},
@@ -47,14 +52,16 @@ inline constexpr std::array<SectionNumberRow, 12> kSectionNumbers{{
     {"mx", [](const SectionNumbers& n) { return n.moment.x(); }, SectionUnit::Moment},
     {"my", [](const SectionNumbers& n) { return n.moment.y(); }, SectionUnit::Moment},
     {"mz", [](const SectionNumbers& n) { return n.moment.z(); }, SectionUnit::Moment},
+    {"unsettled", [](const SectionNumbers& n) { return n.unsettled; }, SectionUnit::None},
 }};
 
 /// The names of `kSectionNumbers`.
 std::vector<std::string> sectionNumberNames();
 
 /// The numbers of the section of the deformed bodies of these names, of all without any. Knot spans are cut ever finer
-/// until areas, forces and moments stay to 1e-5, but no finer than into 16 parts per direction in space, 64 in the plane. Throws `Error` that begins with `section` for a frame without stresses, a plane that does
-/// not cut the bodies, and in axisymmetry one that is not across the axis.
+/// until areas, forces and moments stay to 1e-5, but no finer than into 16 parts per direction in space, 64 in the plane.
+/// Throws `Error` that begins with `section` for a frame without stresses, a plane that does not cut the bodies, and in
+/// axisymmetry one that is not across the axis.
 SectionNumbers sectionNumbers(const ModelRecord& model, const FrameRecord& frame, const CutPlane& plane,
                               const std::vector<std::string>& bodies);
 

@@ -152,6 +152,8 @@ def check_candidates(program, place, failures):
     expect(["run", "press.yaml", "--set=contact[0].fri"], ["--set=contact[0].friction="])
     expect(["render", run, "--field", ""], ["displacement", "displacement.x", "von_mises", "stress.xx"], ["plastic_strain"])
     expect(["render", run, "--field=st"], ["--field=stress.xx"], ["--field=von_mises"])
+    expect(["probe", run, "--depth", "top@0.5", "--field", ""], ["stress.along", "stress.xx"], [])
+    expect(["probe", run, "--field", ""], ["stress.xx"], ["stress.along"])
     expect(["render", run, "--field", "displacement", "--component", ""], ["x", "y", "magnitude"], ["xx"])
     expect(["render", run, "--frame", ""], ["0", "4", "all", "last", "time=0.75"], ["5"])
     expect(["render", run, "--range", ""], ["auto", "frame", "run"], ["LO,HI"])

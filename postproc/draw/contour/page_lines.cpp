@@ -75,6 +75,7 @@ vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines) {
 
 /// Cells that have the points on their common borders in common; those that have no area then are left out.
 vtkSmartPointer<vtkPolyData> joined(vtkPolyData& cells) {
+  if (cells.GetNumberOfPoints() == 0) return &cells;
   const std::vector<vtkIdType> one = firstOfSame(*cells.GetPoints(), kSamePoint * cells.GetLength());
   vtkNew<vtkCellArray> polygons;
   vtkNew<vtkIdList> corners;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <regex>
 #include <string>
 #include <vector>
@@ -227,6 +228,9 @@ TEST_F(Print, FieldsAsVectorsShowWhatThePictureShows) {
   EXPECT_THAT(print(samples::twoBodies(), "a.svg"), AllOf(HasSubstr("evenodd"), Not(HasSubstr("<image"))));
   options.field = "contact_pressure";
   expectAlike(samples::rubbedSlab(), "faces");
+  options.field = "von_mises";
+  options.threshold = ValueBand{"", {1e3, std::numeric_limits<double>::infinity()}};
+  expectAlike(samples::ring(), "nothing is left");
 }
 
 TEST_F(Print, FieldsAsVectorsLieInAPlane) {

@@ -33,5 +33,9 @@ TEST(SamePoints, AreTheFirstOfTheirPlaceAtEveryCall) {
   for (int call = 0; call < 20; ++call) ASSERT_EQ(firstOfSame(*points, kDistance), expected) << call;
 }
 
+TEST(SamePoints, OfNoneAreNone) {
+  EXPECT_TRUE(firstOfSame(*vtkNew<vtkPoints>(), 1.0).empty());
+}
+
 }  // namespace
 }  // namespace burnish

@@ -53,6 +53,7 @@ TEST(SectionNumbers, AreTheForceAndTheMomentOfALinearStressHoweverTheBodyLies) {
     EXPECT_NEAR(numbers.compression, -1.3, 1e-9);
     EXPECT_NEAR(numbers.largest, 16.0, 1e-9);
     EXPECT_NEAR(numbers.balance(), 3.0 / 16.0, 1e-9);
+    EXPECT_LT(numbers.unsettled, 1e-9);
     EXPECT_LT((R.transpose() * numbers.traction - Eigen::Vector3d(3.0, 3.0, 0.0)).norm(), 1e-9);
     EXPECT_LT((R.transpose() * numbers.moment - Eigen::Vector3d(0.0, 0.5, 20.0 / 12.0)).norm(), 1e-9);
   }
@@ -93,6 +94,8 @@ TEST(SectionNumbers, AreThoseOfACurvedBody) {
   EXPECT_NEAR(numbers.area, length, 2e-5 * length);
   EXPECT_NEAR(numbers.force, 10.0 * length, 2e-4 * length);
   EXPECT_NEAR(numbers.balance(), 1.0, 1e-9);
+  EXPECT_GT(numbers.unsettled, 1e-7) << "cells are straight";
+  EXPECT_LE(numbers.unsettled, 1e-5);
 }
 
 TEST(SectionNumbers, AreOfTheWholeRingInAxisymmetry) {
