@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ofAnotherAlternative", &block, "origin: [0, 2]", "origin: [0, 2], radius: 1", "radius",
                 "tools[1].radius",
                 "found an unknown key; allowed: name, shape, origin, normal, inside, pivot, pivot_axis, "
-                "motion, prescribe, path, carry."},
+                "motion, prescribe, path, carry, until, released_by."},
         Mistake{"duplicate", &block, "nu: 0.3", "nu: 0.3, E: 2", "E: 2", "material.E",
                 "the key is already given in line 4"},
         Mistake{"missing", &block, "radius: 0.5, ", "", "{name: cylinder", "tools[0].radius",
