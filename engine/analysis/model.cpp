@@ -98,6 +98,7 @@ bool Model<Dim>::releaseBehind(double t, const Eigen::VectorXd& x) {
       for (int k = 0; k < pair.term->numMultipliers(); ++k) keep(pair.term->firstMultiplier() + k, 0.0);
     }
   }
+  if (!released_) return changes;  // no support ever lets go
   for (int unknown = 0; unknown < numDisplacements(); ++unknown) {
     const auto k = static_cast<std::size_t>(unknown);
     if (!prescribed_[k] || supports_.holdsBehind(t, unknown)) continue;
