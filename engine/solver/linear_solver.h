@@ -29,6 +29,10 @@ struct LinearProblem {
 struct SolveAccuracy {
   Eigen::VectorXd rowWeights;  ///< by which residuals are measured; one per row
   double reduction = 1e-12;    ///< of the norm of the weighted residual over that of the right-hand side
+
+  /// Weighted norm of the right-hand side over that of the system before, in the same search; small where Newton's method
+  /// converges, and the matrix is almost the same.
+  double fallen = 1.0;
 };
 
 /// Whether K and the Schur complement of the border are definite for a matrix.

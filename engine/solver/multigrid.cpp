@@ -1,5 +1,7 @@
 #include "engine/solver/multigrid.h"
 
+#include <new>
+
 #include "engine/solver/direct_solver.h"
 #include "engine/solver/petsc_module.h"
 
@@ -83,12 +85,18 @@ class MultigridOrDirect final : public LinearSolver {
            problem_.team->isAlone();
   }
 
-  /// False if the matrix is too large to be factorised, divided among ranks, or singular.
+  /// False if the matrix is too large to be factorised, also for the memory of this machine, divided among ranks, or
+  /// singular.
   bool fallBack() {
     if (!fitsDirect()) return false;
     if (!direct_) direct_ = std::make_unique<DirectSolver>(problem_.leading, problem_.kind);
     ++fallbacks_;
-    isDirect_ = direct_->factorise(*A_);
+    try {
+      isDirect_ = direct_->factorise(*A_);
+    } catch (const std::bad_alloc&) {
+      direct_.reset();
+      isDirect_ = false;
+    }
     return isDirect_;
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -66,6 +67,59 @@ void requireSameOnAllRanks(const Team& team, std::array<double, 2> values) {
         "processors of one kind");
 }
 
+/// Corrections at whose end the residual does this part, or more, of the work against them that it does for them at their
+/// start have gone too far: metal that they made flow, or contact that they opened, holds against them there.
+constexpr double kOvershoot = 0.5;
+
+/// States along such a correction that are looked at, at most.
+constexpr int kMostTries = 3;
+
+/// Residual over the tolerance up to which that work may be rounding.
+constexpr double kNearTheEnd = 100.0;
+
+/// Residuals of all terms together, less what is held against them.
+Eigen::VectorXd sumOf(const std::vector<Eigen::VectorXd>& forces, const Eigen::VectorXd& held) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(forces.front().size());
+  for (const auto& force : forces) sum += force;
+  if (held.size() > 0) sum -= held;
+  return sum;
+}
+
+/// Work of the residual forces of the free unknowns along a way.
+double workAlong(const Eigen::VectorXd& way, const Eigen::VectorXd& residual, const std::vector<int>& free,
+                 int numForces) {
+  double work = 0.0;
+  for (const int i : free)
+    if (i < numForces) work += residual(i) * way(i);
+  return work;
+}
+
+/// Goes to a part of a way, less than `far`, at whose end the work is small; it is measured by that at the start of the way,
+/// atFar < 0 at `far`: regula falsi in the Illinois form. workAt(part) goes there and says what it is, nothing where no
+/// state is admissible. False if it ends in such a place.
+template <class F>
+bool findBalance(double far, double atFar, const F& workAt) {
+  double near = 0.0, atNear = 1.0;
+  int lastSide = 0;
+  for (int k = 0;; ++k) {
+    constexpr double kInside = 0.1;
+    const double part = near + (far - near) * std::clamp(atNear / (atNear - atFar), kInside, 1.0 - kInside);
+    const std::optional<double> work = workAt(part);
+    if (k + 1 == kMostTries || (work && std::abs(*work) <= kOvershoot)) return work.has_value();
+    const int side = work && *work > 0.0 ? 1 : -1;
+    if (side > 0) {
+      near = part;
+      atNear = *work;
+      if (lastSide == side) atFar *= 0.5;
+    } else {
+      far = part;
+      if (work) atFar = *work;
+      if (lastSide == side) atNear *= 0.5;
+    }
+    lastSide = side;
+  }
+}
+
 }  // namespace
 
 std::string describe(NewtonOutcome outcome) {
@@ -125,12 +179,9 @@ Newton::Residual Newton::measure() const {
   const auto nForces = scales_.numForces;
   Residual measured;
   measured.reference = scales_.forceFloor;
-  Eigen::VectorXd total = Eigen::VectorXd::Zero(system_.numUnknowns());
-  for (const auto& force : forces_) {
+  for (const auto& force : forces_)
     measured.reference = std::max(measured.reference, force.head(nForces).norm());
-    total += force;
-  }
-  if (held_.size() > 0) total -= held_;
+  const Eigen::VectorXd total = sumOf(forces_, held_);
   double sum = 0.0, largest = 0.0;
   for (const int i : system_.freeUnknowns()) {
     const double size = std::abs(total(i));
@@ -219,6 +270,7 @@ SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) 
   weighedResidual_ = size;
   accuracy.reduction = options_.linear.tolerance.value_or(
       std::clamp(std::max(kBeyond / size, 0.9 * ratio * ratio), kLeast, kMost));
+  accuracy.fallen = ratio;
   return accuracy;
 }
 
@@ -255,13 +307,30 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
   report.cameFree = report.cameFree || useful < 1.0;
   Eigen::VectorXd way = correction;
   if (useful < 1.0) way.head(scales_.numForces) *= useful;
-  double s = 1.0;
-  for (int halvings = 0;; ++halvings, s *= 0.5) {
-    x = start + s * way;
-    if (s == 1.0 && useful == 1.0)
+  const auto goTo = [&](double part) {
+    x = start + part * way;
+    if (part == 1.0 && useful == 1.0)
       for (int i = 0; i < system_.numUnknowns(); ++i)
         if (system_.isPrescribed(i)) x(i) = target(i);  // exactly, not up to a rounded sum
-    if (evaluate(t, x)) {
+    return evaluate(t, x);
+  };
+  const auto work = [&] {
+    return workAlong(way, sumOf(forces_, held_), system_.freeUnknowns(), scales_.numForces);
+  };
+  const bool isOwnWay = correction == system_.expandFromFree(system_.restrictToFree(correction));
+  const double workAtStart = isOwnWay && before > kNearTheEnd * options_.tolerance ? work() : 0.0;
+  double s = 1.0;
+  for (int halvings = 0;; ++halvings, s *= 0.5) {
+    if (goTo(s)) {
+      if (workAtStart < 0.0) {
+        const double over = work() / workAtStart;
+        if (over < -kOvershoot)
+          return findBalance(s, over, [&](double part) -> std::optional<double> {
+            ++report.backtracks;
+            if (!goTo(part)) return std::nullopt;
+            return work() / workAtStart;
+          });
+      }
       const bool mayGrow =
           report.iterations <= options_.freeIterations || halvings >= options_.maxShortenings;
       const double now = mayGrow ? 0.0 : measure().force;
