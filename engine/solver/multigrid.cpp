@@ -1,5 +1,6 @@
 #include "engine/solver/multigrid.h"
 
+#include <limits>
 #include <new>
 
 #include "engine/solver/direct_solver.h"
@@ -38,7 +39,12 @@ class MultigridOrDirect final : public LinearSolver {
       Eigen::VectorXd x = multigrid_->solve(b, accuracy);
       if (x.allFinite() || !fallBack()) return x;
     }
-    return direct_->solve(b);
+    try {
+      return direct_->solve(b);
+    } catch (const std::bad_alloc&) {
+      doWithoutFactors();
+      return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
+    }
   }
 
   Eigen::Index factorNonZeros() override {
@@ -82,7 +88,15 @@ class MultigridOrDirect final : public LinearSolver {
   /// Whether one may try to factorise the matrix.
   bool fitsDirect() const {
     return problem_.leading <= (A_->hasProducts() ? kMostForDirectWithProducts : kMostForDirect) &&
-           problem_.team->isAlone();
+           problem_.team->isAlone() && !isWithoutFactors_;
+  }
+
+  /// From now on: the memory does not hold them.
+  void doWithoutFactors() {
+    indefinite_ += direct_->numIndefinite();
+    direct_.reset();
+    isDirect_ = false;
+    isWithoutFactors_ = true;
   }
 
   /// False if the matrix is too large to be factorised, also for the memory of this machine, divided among ranks, or
@@ -94,8 +108,7 @@ class MultigridOrDirect final : public LinearSolver {
     try {
       isDirect_ = direct_->factorise(*A_);
     } catch (const std::bad_alloc&) {
-      direct_.reset();
-      isDirect_ = false;
+      doWithoutFactors();
     }
     return isDirect_;
   }
@@ -105,9 +118,10 @@ class MultigridOrDirect final : public LinearSolver {
   std::unique_ptr<DirectSolver> direct_;  ///< null before it is needed
   SystemMatrix* A_ = nullptr;
   bool isDirect_ = false;  ///< the last matrix
+  bool isWithoutFactors_ = false;
   long fallbacks_ = 0;
   IterationCounts before_;  ///< in the part of the run that this one goes on with
-  long indefinite_ = 0;     ///< in that part
+  long indefinite_ = 0;     ///< in that part, and with factors that are gone
 };
 
 }  // namespace

@@ -78,34 +78,28 @@ constexpr int kMostTries = 3;
 constexpr double kNearTheEnd = 100.0;
 
 /// Residuals of all terms together, less what is held against them.
-Eigen::VectorXd sumOf(const std::vector<Eigen::VectorXd>& forces, const Eigen::VectorXd& held) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(forces.front().size());
+Eigen::VectorXd sumOf(const std::vector<Eigen::VectorXd>& forces, const Eigen::VectorXd& held, int size) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(size);
   for (const auto& force : forces) sum += force;
   if (held.size() > 0) sum -= held;
   return sum;
 }
 
-/// Work of the residual forces of the free unknowns along a way.
-double workAlong(const Eigen::VectorXd& way, const Eigen::VectorXd& residual, const std::vector<int>& free,
-                 int numForces) {
-  double work = 0.0;
-  for (const int i : free)
-    if (i < numForces) work += residual(i) * way(i);
-  return work;
-}
-
-/// Goes to a part of a way, less than `far`, at whose end the work is small; it is measured by that at the start of the way,
-/// atFar < 0 at `far`: regula falsi in the Illinois form. workAt(part) goes there and says what it is, nothing where no
-/// state is admissible. False if it ends in such a place.
+/// Goes to a part of a way, no more than `far`, at whose end the work is small; it is measured by that at the start of the
+/// way, atFar < 0 at `far`: regula falsi in the Illinois form, and the best of all states if none will do. workAt(part)
+/// goes there and says what it is, nothing where no state is admissible.
 template <class F>
 bool findBalance(double far, double atFar, const F& workAt) {
-  double near = 0.0, atNear = 1.0;
+  double near = 0.0, atNear = 1.0, best = far, atBest = atFar, part = far;
   int lastSide = 0;
-  for (int k = 0;; ++k) {
+  for (int k = 0; k < kMostTries && std::abs(atBest) > kOvershoot; ++k) {
     constexpr double kInside = 0.1;
-    const double part = near + (far - near) * std::clamp(atNear / (atNear - atFar), kInside, 1.0 - kInside);
+    part = near + (far - near) * std::clamp(atNear / (atNear - atFar), kInside, 1.0 - kInside);
     const std::optional<double> work = workAt(part);
-    if (k + 1 == kMostTries || (work && std::abs(*work) <= kOvershoot)) return work.has_value();
+    if (work && std::abs(*work) < std::abs(atBest)) {
+      best = part;
+      atBest = *work;
+    }
     const int side = work && *work > 0.0 ? 1 : -1;
     if (side > 0) {
       near = part;
@@ -118,6 +112,7 @@ bool findBalance(double far, double atFar, const F& workAt) {
     }
     lastSide = side;
   }
+  return part == best || workAt(best).has_value();
 }
 
 }  // namespace
@@ -181,7 +176,7 @@ Newton::Residual Newton::measure() const {
   measured.reference = scales_.forceFloor;
   for (const auto& force : forces_)
     measured.reference = std::max(measured.reference, force.head(nForces).norm());
-  const Eigen::VectorXd total = sumOf(forces_, held_);
+  const Eigen::VectorXd total = sumOf(forces_, held_, system_.numUnknowns());
   double sum = 0.0, largest = 0.0;
   for (const int i : system_.freeUnknowns()) {
     const double size = std::abs(total(i));
@@ -270,7 +265,7 @@ SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) 
   weighedResidual_ = size;
   accuracy.reduction = options_.linear.tolerance.value_or(
       std::clamp(std::max(kBeyond / size, 0.9 * ratio * ratio), kLeast, kMost));
-  accuracy.fallen = ratio;
+  if (std::isfinite(ratio)) accuracy.fallen = ratio;
   return accuracy;
 }
 
@@ -315,20 +310,29 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
     return evaluate(t, x);
   };
   const auto work = [&] {
-    return workAlong(way, sumOf(forces_, held_), system_.freeUnknowns(), scales_.numForces);
+    const Eigen::VectorXd residual = sumOf(forces_, held_, system_.numUnknowns());
+    double sum = 0.0;
+    for (const int i : system_.freeUnknowns())
+      if (i < scales_.numForces) sum += residual(i) * way(i);
+    if (!team_.isAlone()) requireSameOnAllRanks(team_, {sum, 0.0});
+    return sum;
   };
-  const bool isOwnWay = correction == system_.expandFromFree(system_.restrictToFree(correction));
-  const double workAtStart = isOwnWay && before > kNearTheEnd * options_.tolerance ? work() : 0.0;
+  // Factors have their own way to a good first correction, the remembered tangent; where a problem has several solutions, as
+  // metal that piles up, they keep to those that they have always found.
+  bool mayGoTooFar = linear_->isIterative() && useful == 1.0 && before > kNearTheEnd * options_.tolerance;
+  for (int i = 0; mayGoTooFar && i < system_.numUnknowns(); ++i)
+    mayGoTooFar = !system_.isPrescribed(i) || correction(i) == 0.0;
+  const double workAtStart = mayGoTooFar ? work() : 0.0;
   double s = 1.0;
   for (int halvings = 0;; ++halvings, s *= 0.5) {
     if (goTo(s)) {
       if (workAtStart < 0.0) {
         const double over = work() / workAtStart;
-        if (over < -kOvershoot)
+        if (over < -kOvershoot && std::isfinite(over))
           return findBalance(s, over, [&](double part) -> std::optional<double> {
             ++report.backtracks;
-            if (!goTo(part)) return std::nullopt;
-            return work() / workAtStart;
+            const double there = goTo(part) ? work() / workAtStart : std::numeric_limits<double>::quiet_NaN();
+            return std::isfinite(there) ? std::optional(there) : std::nullopt;
           });
       }
       const bool mayGrow =

@@ -279,16 +279,18 @@ void SparseSystem::forEachByColumns(const F& f) const {
 
 void SparseSystem::findWhole() {
   Pattern pattern;
+  std::vector<int> places;
   int next = 0;  // column
   forEachByColumns([&](int row, int column, int place) {
     const int r = equations_[static_cast<std::size_t>(row)], c = equations_[static_cast<std::size_t>(column)];
     if (r < 0 || c < 0) return;
     for (; next < c; ++next) pattern.endColumn();
     pattern.rows.push_back(r);
-    wholePlaces_.push_back(place);
+    places.push_back(place);
   });
   pattern.endColumn();
   whole_ = pattern.zeros();
+  wholePlaces_ = std::move(places);  // last, as the memory may end before
 }
 
 void SparseSystem::addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {

@@ -130,12 +130,13 @@ class MultigridSolver::Implementation {
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
-    const bool wasNear = isNear_;
     unfinished_.resize(0);
     // The V-cycle of a matrix that has changed more would be given up after as many iterations as a new one takes.
-    if (isNear_ && accuracy.fallen > kMostFallenForKept && !setUpCycle())
-      return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
-    Eigen::VectorXd x = solveWithCycle(b, accuracy);
+    if (isNear_ && accuracy.fallen > kMostFallenForKept) setUpCycle();
+    const bool wasNear = isNear_;
+    Eigen::VectorXd x = isSetUp_
+                            ? solveWithCycle(b, accuracy)
+                            : Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
     if (!x.allFinite() && wasNear && setUpCycle()) x = solveWithCycle(b, accuracy);
     if (!x.allFinite() && factorises_ && !team_.isAlone() && !overlaps_) {
       setSmoother(steps_, true);

@@ -48,23 +48,6 @@ class Chain final : public Term {
   int accepted_ = 0;
 };
 
-/// A spring from the first unknown to the ground whose force atan(x) saturates, and a constant force on the second one.
-class Saturating final : public Term {
- public:
-  CouplingGroups couplings() const override { return {{0, 1}}; }
-
-  bool evaluate(double, const Eigen::VectorXd& x, Assembly& out) override {
-    out.force(0) += std::atan(x(0));
-    out.force(1) += 10.0;
-    if (out.system != nullptr)
-      out.system->add(out.term, 0,
-                      Eigen::Vector2d(1.0 / (1.0 + x(0) * x(0)), 0.0).asDiagonal().toDenseMatrix());
-    return true;
-  }
-
-  void accept() override {}
-};
-
 std::vector<bool> endsHeld(int size) {
   std::vector<bool> held(static_cast<std::size_t>(size), false);
   held.front() = held.back() = true;
@@ -174,18 +157,6 @@ TEST(Newton, ShortensACorrectionThatWouldBeInadmissible) {
   const NewtonReport report = newton.solve(0.0, target, x);
   EXPECT_EQ(report.outcome, NewtonOutcome::Converged);
   EXPECT_NEAR(x(1), 0.575, 1e-9);
-}
-
-TEST(Newton, TakesOfACorrectionThatGoesTooFarWhatLeavesNoWorkToDo) {
-  Saturating spring;
-  Newton newton({&spring}, {false, true}, scalesFor(2), {});
-  Eigen::VectorXd x(2);
-  x << 3.0, 0.0;  // beyond |x| = 1.39 every whole correction leads farther away
-  const NewtonReport report = newton.solve(0.0, Eigen::Vector2d::Zero(), x);
-  EXPECT_EQ(report.outcome, NewtonOutcome::Converged);
-  EXPECT_NEAR(x(0), 0.0, 1e-8);
-  EXPECT_LE(report.iterations, 5);
-  EXPECT_GE(report.backtracks, 1);
 }
 
 TEST(Newton, SaysWhenNothingIsAdmissible) {
