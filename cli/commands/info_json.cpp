@@ -63,6 +63,7 @@ Json::Value resultJson(const ResultReader& result) {
     Json::Value& added = value["tools"].append(Json::Value());
     added["name"] = tool.name;
     added["shape"] = shapeText(tool.shape);
+    if (tool.until) added["until"] = *tool.until;
   }
   value["times"] = listOf(result.times());
   value["fields"] = Json::Value(Json::arrayValue);

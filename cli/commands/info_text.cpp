@@ -124,7 +124,8 @@ std::string resultText(const ResultReader& result) {
   text += infoLine("model", fmt::format("{} dimensions, {} nodes", model.dim, model.mesh.numNodes));
   text += patchesText(model.mesh, model.bodies);
   for (const ToolRecord& tool : model.tools)
-    text += infoLine("tool", fmt::format("{}: {}", infoWords(tool.name), shapeText(tool.shape)));
+    text += infoLine("tool", fmt::format("{}: {}{}", infoWords(tool.name), shapeText(tool.shape),
+                                         tool.until ? fmt::format(", until t = {:.6g}", *tool.until) : ""));
   text += framesText(result);
   const std::filesystem::path directory = result.file().parent_path();
   text += historyText(directory / "history.csv");

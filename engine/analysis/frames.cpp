@@ -177,6 +177,7 @@ ModelRecord makeModelRecord(const Scene& scene, const Model<Dim>& model) {
   for (const auto& tool : model.tools())
     record.tools.push_back({tool->name, tool->shape.recorded(Dim, kDrawnSizes * model.body().size()),
                             tool->pivot, tool->axis, tool->shape.halfThickness()});
+  for (const auto& leaving : model.leavingTools()) record.tools[leaving.tool].until = leaving.until;
   return record;
 }
 

@@ -171,6 +171,8 @@ void checkModel(const ModelRecord& model, const std::string& place) {
             "the tool \"{}\" has a pivot that is not finite, an axis that is not of length 1, or a thickness "
             "that is not positive",
             tool.name);
+    require(!tool.until || std::isfinite(*tool.until), place,
+            "a time at which the tool \"{}\" is taken away that is not finite", tool.name);
   }
 }
 

@@ -158,6 +158,7 @@ std::vector<std::byte> modelImage(const StoredModel& model) {
       tool.attribute("pivot", record.tools[i].pivot);
       tool.attribute("pivot_axis", record.tools[i].axis);
       tool.attribute("half_thickness", record.tools[i].halfThickness);
+      if (record.tools[i].until) tool.attribute("until", *record.tools[i].until);
       writeShape(tool, record.tools[i].shape);
     }
   }
@@ -186,7 +187,8 @@ StoredModel readModel(const std::filesystem::path& path) {
                             .shape = readShape(tool, RecordedShape()),
                             .pivot = tool.vector3("pivot"),
                             .axis = tool.vector3("pivot_axis"),
-                            .halfThickness = tool.real("half_thickness")});
+                            .halfThickness = tool.real("half_thickness"),
+                            .until = tool.hasAttribute("until") ? std::optional(tool.real("until")) : std::nullopt});
   }
   checkModel(record, path.string());
   return model;

@@ -181,6 +181,7 @@ void VtuSeriesWriter::write(const FrameRecord& frame) {
     if (parts_[i].contact &&
         std::find(contacts.begin(), contacts.end(), *parts_[i].contact) == contacts.end())
       continue;
+    if (parts_[i].tool && !model_.tools[*parts_[i].tool].isThereAt(frame.time)) continue;
     writePart(parts_[i], frame);
     instant.parts.push_back(i);
   }

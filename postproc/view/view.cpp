@@ -185,6 +185,8 @@ class PageData {
     json["tools"] = static_cast<int>(tools_.size()) - 1;
     const Eigen::MatrixXd motion = toolMotion(model, frame, options_.warp);
     json["motion"] = numbersJson(motion.reshaped());
+    for (std::size_t k = 0; k < model.tools.size(); ++k)
+      if (!model.tools[k].isThereAt(frame.time)) json["gone"].append(static_cast<int>(k));
     turns_ = turns_ || (frame.toolAngle.array() != 0.0).any();
     size_ += json["positions"].asString().size();
     for (ViewField& field : fields_) {

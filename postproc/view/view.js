@@ -1005,11 +1005,14 @@ function loadTools() {
     }
 }
 
-/** Calls `act` with every tool and its matrix in the frame. */
+/** Calls `act` with every tool that has not been taken away and its matrix in the frame. */
 function forTools(act) {
   if (!state.tools) return;
   const record = data.frames[state.frame];
-  data.tools[record.tools].forEach((tool, k) => act(tool, toolMatrix(tool, record.motion.slice(4 * k, 4 * k + 4))));
+  data.tools[record.tools].forEach((tool, k) => {
+    if (record.gone && record.gone.includes(k)) return;
+    act(tool, toolMatrix(tool, record.motion.slice(4 * k, 4 * k + 4)));
+  });
 }
 
 function drawToolArea(tool, motion, common, paint) {

@@ -556,6 +556,23 @@ found.push("strain " + (colourAt(1.37, 0.43) !== "238,238,238"));
   EXPECT_EQ(console, "");
 }
 
+TEST_F(ViewCommand, AToolThatHasBeenTakenAwayIsNotDrawn) {
+  if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
+  Sample sample = samples::slab();
+  sample.model.tools.at(0).until = 0.5;
+  write({sample, sample, sample});
+  const std::string out = found("--undeformed off", R"(
+for (const frame of [0, 1, 2]) {
+  state.frame = frame;
+  let tools = 0;
+  forTools(() => ++tools);
+  found.push("frame" + frame + " " + tools);
+}
+)");
+  for (const char* line : {"frame0 1\n", "frame1 1\n", "frame2 0"}) EXPECT_THAT(out, HasSubstr(line));
+  EXPECT_EQ(console, "");
+}
+
 TEST_F(ViewCommand, PictureStandsInForWebGl) {
   if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
   write({samples::slab()});

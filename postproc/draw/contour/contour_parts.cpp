@@ -10,17 +10,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <utility>
 #include <variant>
 
 #include "engine/core/error.h"
-#include "engine/schema/yaml_tree.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/draw/contour/exact_range.h"
@@ -282,33 +278,10 @@ vtkSmartPointer<vtkPolyData> hidingParts(const ContourParts& parts) {
   return all;
 }
 
-/// When tools are taken away, by their names. scene: of a result, in which keys of the whole begin their lines.
-std::map<std::string, double> leavingTimes(const std::string& scene) {
-  std::map<std::string, double> times;
-  const std::size_t begin = scene.find("\ntools:");
-  if (begin == std::string::npos) return times;
-  std::size_t end = std::min(scene.find('\n', begin + 1), scene.size());
-  while (end + 1 < scene.size() && !std::isalpha(static_cast<unsigned char>(scene[end + 1])))
-    end = std::min(scene.find('\n', end + 1), scene.size());
-  const std::string part = scene.substr(begin, end - begin);
-  if (part.find("until:") == std::string::npos) return times;
-  Diagnostics errors("the scene of the result", {});
-  const auto tools = parseYaml(part, 0, errors);
-  if (!tools) return times;
-  for (const YamlNode& tool : tools->children.front().children) {
-    const YamlNode *name = tool.find("name"), *until = tool.find("until");
-    if (name != nullptr && until != nullptr) times[name->text] = std::strtod(until->text.c_str(), nullptr);
-  }
-  return times;
-}
-
 std::vector<ShownTool> shownTools(const ModelRecord& model, const FrameRecord& frame, double warp) {
-  constexpr double kRounding = 1e-9;
-  const std::map<std::string, double> leaving = leavingTimes(model.sceneYaml);
   std::vector<ShownTool> tools;
   for (std::size_t k = 0; k < model.tools.size(); ++k) {
-    const auto until = leaving.find(model.tools[k].name);
-    if (until != leaving.end() && frame.time > until->second * (1.0 + kRounding)) continue;
+    if (!model.tools[k].isThereAt(frame.time)) continue;
     tools.push_back({placedTool(model, frame, k, warp), {}});
     const auto tool = static_cast<Eigen::Index>(k);
     if (frame.toolAngle.size() > tool && frame.toolAngle(tool) != 0.0)

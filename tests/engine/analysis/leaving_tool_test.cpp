@@ -195,6 +195,14 @@ output: {vtu: false, reactions: true}
   EXPECT_LT(ran.lastFrame.displacement.cwiseAbs().maxCoeff(), 1e-7);
 }
 
+TEST(LeavingTool, ResultsKnowWhen) {
+  const Outcome ran = ranPressed("record", {"steps=[{until: 1, count: 12}, {until: 1.5, count: 2}]", "tools[0].released_by=1.5"});
+  ASSERT_EQ(ran.model.tools.size(), 1u);
+  EXPECT_EQ(ran.model.tools.front().until, 1.0);
+  EXPECT_TRUE(ran.model.tools.front().isThereAt(1.0));
+  EXPECT_FALSE(ran.model.tools.front().isThereAt(ran.lastFrame.time));
+}
+
 std::string errorOfPressed(const Strings& overrides) {
   try {
     buildModel<2>(parseScene(kPressedBlock, "test.yaml", overrides));

@@ -98,7 +98,7 @@ ModelRecord sampleModel(int n = 4, const std::string& title = "sample") {
     model.mesh.patches.push_back(patch);
   }
   model.tools = {{.name = "cylinder", .shape = Cylinder{{0.5, 1.5, 0.0}, {0.0, 0.0, 1.0}, 0.5}},
-                 {.name = "ball", .shape = Sphere{{1.0, 2.0, 3.0}, 0.25}},
+                 {.name = "ball", .shape = Sphere{{1.0, 2.0, 3.0}, 0.25}, .until = 0.75},
                  {.name = "plate", .shape = Plane{{0.0, 1.0, 0.0}, {0.6, -0.8, 0.0}}},
                  {.name = "key",
                   .shape = SurfaceMesh{numbers(3, 4, 6), Eigen::MatrixXi{{0, 1, 2}, {1, 2, 3}}, false},
@@ -210,7 +210,7 @@ bool same(const ModelRecord& a, const ModelRecord& b) {
          std::equal(a.tools.begin(), a.tools.end(), b.tools.begin(), b.tools.end(),
                     [](const ToolRecord& x, const ToolRecord& y) {
                       return x.name == y.name && same(x.shape, y.shape) && x.pivot == y.pivot &&
-                             x.axis == y.axis && x.halfThickness == y.halfThickness;
+                             x.axis == y.axis && x.halfThickness == y.halfThickness && x.until == y.until;
                     });
 }
 

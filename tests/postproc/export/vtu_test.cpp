@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numbers>
 #include <set>
 #include <string>
@@ -140,6 +141,19 @@ TEST_F(VtuSeries, CollectionListsAllFramesAndParts) {
   EXPECT_THAT(bytes(directory_ / "frames.pvd"), HasSubstr("timestep=\"0.1\""));
   EXPECT_EQ(filesIn(directory_ / "frames").size(), 9u);
   EXPECT_THAT(filesIn(directory_), ElementsAre("frames", "frames.pvd"));
+}
+
+TEST_F(VtuSeries, AToolThatIsTakenAwayIsInNoFrameAfterwards) {
+  ModelRecord model = ringWithTools();
+  model.tools[0].until = 0.5;
+  VtuSeriesWriter writer(directory_, model);
+  for (const int i : {0, 1, 2}) writer.write(frameOf(model, i, 0.5 * i));
+  std::map<double, std::vector<std::string>> parts;
+  for (const Entry& entry : readCollection()) parts[entry.time].push_back(entry.name);
+  EXPECT_THAT(parts[0.0], ElementsAre("body", "tool_cylinder", "tool_flat_table"));
+  EXPECT_EQ(parts[0.5], parts[0.0]) << "it still presses then";
+  EXPECT_THAT(parts[1.0], ElementsAre("body", "tool_flat_table"));
+  EXPECT_FALSE(fs::exists(directory_ / "frames/tool_cylinder_000002.vtp"));
 }
 
 TEST_F(VtuSeries, AFrameReplacesThoseFromItsIndexOn) {
