@@ -273,9 +273,7 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, const Residual& re
                             Eigen::VectorXd& correction) {
   if (isFirst && first == FirstTangent::Remembered && remembersTangent()) system_.setEntries(remembered_);
   if (system_.freeUnknowns().empty()) return true;  // supports say it all
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(correction.size());
-  for (const auto& force : forces_) rhs -= force;
-  if (held_.size() > 0) rhs += held_;
+  Eigen::VectorXd rhs = -sumOf(forces_, held_, static_cast<int>(correction.size()));
   if (!correction.isZero(0.0)) {
     Eigen::VectorXd moved = system_.timesPrescribed(correction);
     team_.sum(asSpan(moved));
