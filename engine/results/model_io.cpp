@@ -183,12 +183,13 @@ StoredModel readModel(const std::filesystem::path& path) {
   const InputGroup tools = root.group("tools");
   for (std::size_t i = 0; i < tools.names().size(); ++i) {
     const InputGroup tool = tools.group(std::to_string(i));
-    record.tools.push_back({.name = tool.text("name"),
-                            .shape = readShape(tool, RecordedShape()),
-                            .pivot = tool.vector3("pivot"),
-                            .axis = tool.vector3("pivot_axis"),
-                            .halfThickness = tool.real("half_thickness"),
-                            .until = tool.hasAttribute("until") ? std::optional(tool.real("until")) : std::nullopt});
+    record.tools.push_back(
+        {.name = tool.text("name"),
+         .shape = readShape(tool, RecordedShape()),
+         .pivot = tool.vector3("pivot"),
+         .axis = tool.vector3("pivot_axis"),
+         .halfThickness = tool.real("half_thickness"),
+         .until = tool.hasAttribute("until") ? std::optional(tool.real("until")) : std::nullopt});
   }
   checkModel(record, path.string());
   return model;

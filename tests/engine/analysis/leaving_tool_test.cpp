@@ -196,7 +196,8 @@ output: {vtu: false, reactions: true}
 }
 
 TEST(LeavingTool, ResultsKnowWhen) {
-  const Outcome ran = ranPressed("record", {"steps=[{until: 1, count: 12}, {until: 1.5, count: 2}]", "tools[0].released_by=1.5"});
+  const Outcome ran = ranPressed(
+      "record", {"steps=[{until: 1, count: 12}, {until: 1.5, count: 2}]", "tools[0].released_by=1.5"});
   ASSERT_EQ(ran.model.tools.size(), 1u);
   EXPECT_EQ(ran.model.tools.front().until, 1.0);
   EXPECT_TRUE(ran.model.tools.front().isThereAt(1.0));
