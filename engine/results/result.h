@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/same_time.h"
 #include "engine/nurbs/univariate_basis.h"
 #include "engine/tools/recorded_shape.h"
 
@@ -43,9 +42,10 @@ struct ToolRecord {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< through the pivot; the tool turns about it
   /// How deep a point can be inside before the nearest surface is on another side; may be infinite.
   double halfThickness = std::numeric_limits<double>::infinity();
-  std::optional<double> until{};  ///< the time at which it is taken away, in a frame that still has it
+  std::optional<double> until{};  ///< when it is taken away; nothing if it stays
 
-  bool isThereAt(double time) const { return !until || time <= *until || isSameTime(time, *until); }
+  /// Whether a frame of this time has it; that of the time at which it is taken away has, with its forces.
+  bool isThereAt(double time) const { return !until || time <= *until * (1.0 + 1e-9); }
 };
 
 /// A field of control-point coefficients: field(ξ) = Σ R_A(ξ) q_A.

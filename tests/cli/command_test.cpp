@@ -99,6 +99,14 @@ TEST_F(Command, WarnsOfLockingBeforeAndAfterARun) {
   EXPECT_EQ(projected.err.find("incompressible"), std::string::npos) << projected.err;
 }
 
+TEST_F(Command, TellsWhenAToolIsTakenAway) {
+  const Outcome run = burnish("run --quiet scene.yaml -o out --set 'tools[0].until=1.5'");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(burnish("info out").out.find("disc: cylinder of radius 0.5, until t = 1.5"), std::string::npos);
+  EXPECT_NE(burnish("info --json out").out.find("\"until\":1.5"), std::string::npos)
+      << burnish("info --json out").out;
+}
+
 TEST_F(Command, NamesToolsThatNeverTouchWhereverARunIsToldOf) {
   const std::string warning = "tool 'disc' has never touched the body";
   const Outcome run = burnish("run --quiet scene.yaml -o out --set 'tools[0].center=[1, 1.8]'");

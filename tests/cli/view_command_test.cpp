@@ -559,17 +559,24 @@ found.push("strain " + (colourAt(1.37, 0.43) !== "238,238,238"));
 TEST_F(ViewCommand, AToolThatHasBeenTakenAwayIsNotDrawn) {
   if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
   Sample sample = samples::slab();
-  sample.model.tools.at(0).until = 0.5;
+  sample.model.tools.push_back(sample.model.tools.at(0));
+  sample.model.tools[0].name = "stays";
+  sample.model.tools[1].until = 0.5;
+  sample.frame.toolDisplacement.conservativeResize(2, 2);
+  sample.frame.toolDisplacement.col(1) = sample.frame.toolDisplacement.col(0);
   write({sample, sample, sample});
   const std::string out = found("--undeformed off", R"(
 for (const frame of [0, 1, 2]) {
   state.frame = frame;
-  let tools = 0;
-  forTools(() => ++tools);
+  const tools = [];
+  forTools((tool) => tools.push(tool.name));
   found.push("frame" + frame + " " + tools);
 }
 )");
-  for (const char* line : {"frame0 1\n", "frame1 1\n", "frame2 0"}) EXPECT_THAT(out, HasSubstr(line));
+  const std::string other = sample.model.tools[1].name;
+  for (const std::string& line :
+       {"frame0 stays," + other, "frame1 stays," + other, std::string("frame2 stays<")})
+    EXPECT_THAT(out, HasSubstr(line));
   EXPECT_EQ(console, "");
 }
 

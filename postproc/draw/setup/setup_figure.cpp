@@ -217,7 +217,7 @@ class SetupPicture {
   }
 
   void drawTurn(SetupSymbols& symbols, std::size_t k) const {
-    const double turn = turnOf(scene().tools[k], scene().definitions, layout_.endTime());
+    const double turn = turnOf(scene().tools[k], scene().definitions, layout_.endTime(k));
     if (turn != 0.0)
       symbols.addTurn(view().pixel(layout_.tools()[k].pivot), turnRadius(k), turn > 0.0,
                       "φ = " + numberText(std::abs(turn), 4) + "°");

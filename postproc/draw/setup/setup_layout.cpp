@@ -250,7 +250,7 @@ DrawnToolLoad SetupLayout::carriedBy(std::size_t tool) const {
         outward = face.outward[k];
       }
   }
-  return toolLoad(*spec.carry, outward, scene_, end_);
+  return toolLoad(*spec.carry, outward, scene_, endTime(tool));
 }
 
 std::string SetupLayout::forceText(double force) const {
@@ -269,7 +269,7 @@ Eigen::AlignedBox2d SetupLayout::toolBounds(std::size_t tool, const Vector2d& sh
 }
 
 std::vector<Vector2d> SetupLayout::phasesOf(std::size_t tool) const {
-  return motionPhases(scene_.tools[tool], scene_.definitions, end_);
+  return motionPhases(scene_.tools[tool], scene_.definitions, endTime(tool));
 }
 
 Vector2d SetupLayout::endOf(std::size_t tool) const {

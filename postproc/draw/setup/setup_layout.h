@@ -42,6 +42,8 @@ class SetupLayout {
   int subdivision() const { return subdivision_; }
   double textSize() const { return textSize_; }
   double endTime() const { return end_; }
+  /// The end of the run, or the time at which the tool is taken away.
+  double endTime(std::size_t tool) const { return scene_.tools[tool].until.value_or(end_); }
 
   /// Box of the undeformed body, and the one along which planes are drawn.
   const Eigen::AlignedBox3d& box() const { return box_; }

@@ -196,12 +196,16 @@ output: {vtu: false, reactions: true}
 }
 
 TEST(LeavingTool, ResultsKnowWhen) {
+  const std::string name = "  - name: disc\n";
+  const std::string before = "  - {name: rest, shape: plane, origin: [0, 3], normal: [0, -1]}\n";
   const Outcome ran = ranPressed(
-      "record", {"steps=[{until: 1, count: 12}, {until: 1.5, count: 2}]", "tools[0].released_by=1.5"});
-  ASSERT_EQ(ran.model.tools.size(), 1u);
-  EXPECT_EQ(ran.model.tools.front().until, 1.0);
-  EXPECT_TRUE(ran.model.tools.front().isThereAt(1.0));
-  EXPECT_FALSE(ran.model.tools.front().isThereAt(ran.lastFrame.time));
+      "record", {"steps=[{until: 1, count: 12}, {until: 1.5, count: 2}]", "tools[1].released_by=1.5"},
+      replaced(kPressedBlock, name, before + name));
+  ASSERT_EQ(ran.model.tools.size(), 2u);
+  EXPECT_EQ(ran.model.tools[0].until, std::nullopt);
+  EXPECT_EQ(ran.model.tools[1].until, 1.0);
+  EXPECT_TRUE(ran.model.tools[1].isThereAt(1.0));
+  EXPECT_FALSE(ran.model.tools[1].isThereAt(ran.lastFrame.time));
 }
 
 std::string errorOfPressed(const Strings& overrides) {

@@ -705,6 +705,8 @@ TEST_F(Results, ContradictoryModelsAreRefused) {
           "patch 0, direction 1: knot vector: knot 7");
   refused([](auto& m) { m.mesh.patches[0].directions[1].degree = 1000; }, "degree 1000");
   refused([](auto& m) { m.mesh.patches.clear(); }, "without patches");
+  refused([](auto& m) { m.tools[1].until = std::nan(""); },
+          "a time at which the tool \"ball\" is taken away that is not finite");
   refused([](auto& m) { m.mesh.patches[1].body = 1; }, "a patch of body 1, which is none of the model's");
   refused([](auto& m) { m.bodies = {"block", "punch"}; }, "the body \"punch\" has no patch");
   refused(

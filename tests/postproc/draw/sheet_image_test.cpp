@@ -308,6 +308,19 @@ TEST_F(SheetImage, SetupOfToolsThatCarryTurnAndHaveAnyOutline) {
   expectBaseline(dir / "setup.png", "setup_tools");
 }
 
+TEST_F(SheetImage, SetupShowsTheMotionOfAToolUntilItIsTakenAway) {
+  const auto setupWith = [&](const std::string& motion) {
+    const std::string table = "motion: {times: [0, 1, 2], x: [0, 0, 2], y: [0, -0.075, -0.075]}";
+    std::string scene = kIroning;
+    scene.replace(scene.find(table), table.size(), motion);
+    drawSetup(modelOf(scene.c_str()), {600, 450}, dir / "setup.png");
+    return bytesOf(dir / "setup.png");
+  };
+  const std::string pressed = setupWith("motion: {times: [0, 1], y: [0, -0.075]}");
+  EXPECT_EQ(setupWith("motion: {times: [0, 1, 2], x: [0, 0, 6], y: [0, -0.075, 4]}\n    until: 1"), pressed);
+  EXPECT_NE(setupWith("motion: {times: [0, 1, 2], x: [0, 0, 6], y: [0, -0.075, 4]}"), pressed);
+}
+
 TEST_F(SheetImage, SetupIsNotDrawnInThreeDimensions) {
   EXPECT_THROW(drawSetup(samples::cube().model, {600, 600}, dir / "setup.png"), Error);
   EXPECT_THROW(drawSetup(modelOf(kRing), {600, 100}, dir / "setup.png"), Error);
