@@ -97,8 +97,9 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
     };
     End end{extreme(own), text(beyond, limit, own), passes(own)};
     end.isTold = end.passed || std::abs(own[k] - limit) <= slack;
+    end.hasArrow = end.passed;
     for (const Extremes& of : all) {
-      end.hasArrow = end.hasArrow || passes(of);
+      if (!even_) end.hasArrow = end.hasArrow || passes(of);  // in their own ranges others pass other ends
       end.longest = std::max(end.longest, textWidth(extreme(of), endStyle_));
     }
     return end;

@@ -346,6 +346,15 @@ samples::Sample stressedSlab() {
   return sample;
 }
 
+/// What stands beside it in a sheet has other ends, which none of its values can pass.
+TEST_F(Print, AScaleOfItsOwnRangeHasNoRoomForArrowsOfOthers) {
+  options.field = "plastic_strain";
+  options.room.emplace().otherRanges = true;
+  const std::string alone = print(samples::slab(), "a.svg");
+  options.room->extremes = {{-5.0, 10.0}};
+  EXPECT_EQ(print(samples::slab(), "a.svg"), alone);
+}
+
 /// A bar with room for one round number between ends that nothing else tells has numbers at its ends.
 TEST_F(Print, ScalesOfAnySizeHaveTwoNumbers) {
   options.field = "stress.xx";
