@@ -29,8 +29,8 @@ constexpr double kSmallestTitle = 0.6;
 constexpr double kArrow = 1.2;
 constexpr double kEndLine = 1.2;  // from line to line at an end
 
-// As long as most numbers are at ticks and at the ends.
-constexpr const char *kLongLabel = "−0.00", *kLongEnd = "max −0.0000";
+// As long as most numbers are at ticks, at arrows and at the ends.
+constexpr const char *kLongLabel = "−0.00", *kLongLimit = "≥ −0.0000", *kLongEnd = "max −0.0000";
 
 constexpr int kEndDigits = 4;
 constexpr double kRoundOff = 1e-9;  // of the range
@@ -305,8 +305,11 @@ double ScalarBar::longestLabel(const Ticks& ticks) const {
   double longest = even_ ? textWidth({{kLongLabel}}, labelStyle_) : 0.0;
   for (const std::string& label : ticks.labels)
     longest = std::max(longest, textWidth({{label}}, labelStyle_));
-  for (const End& end : {low_, high_})
-    if (end.hasArrow) longest = std::max(longest, textWidth(end.limit, labelStyle_));
+  for (const End& end : {low_, high_}) {
+    if (!end.hasArrow) continue;
+    longest = std::max(longest, textWidth(end.limit, labelStyle_));
+    if (even_) longest = std::max(longest, textWidth({{kLongLimit}}, labelStyle_));
+  }
   return longest;
 }
 

@@ -355,6 +355,21 @@ TEST_F(Print, AScaleOfItsOwnRangeHasNoRoomForArrowsOfOthers) {
   EXPECT_EQ(print(samples::slab(), "a.svg"), alone);
 }
 
+/// Below one another in a sheet, however long the numbers at their arrows are.
+TEST_F(Print, BarsWithArrowsStandAtOnePlaceInSheets) {
+  options.field = "plastic_strain";
+  options.room.emplace().otherRanges = true;
+  const auto placeOfLimit = [&](double highest) {
+    options.range = {{0.0, highest}};
+    const std::string svg = print(samples::slab(), "a.svg");
+    const std::regex limit("translate\\(([0-9.]+),[^>]*>≥ ");
+    std::smatch found;
+    EXPECT_TRUE(std::regex_search(svg, found, limit));
+    return found[1].str();
+  };
+  EXPECT_EQ(placeOfLimit(0.5), placeOfLimit(0.4321));
+}
+
 /// A bar with room for one round number between ends that nothing else tells has numbers at its ends.
 TEST_F(Print, ScalesOfAnySizeHaveTwoNumbers) {
   options.field = "stress.xx";
