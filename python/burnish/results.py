@@ -68,6 +68,9 @@ class Run:
             of_bodies = [body.array("patches", 1) for body in root.groups("bodies")]
             self._body_of_patch = _body_numbers(len(patches), of_bodies, path)
             self.tools: tuple[str, ...] = tuple(tool.text("name") for tool in root.groups("tools"))  #: their names
+            #: When tools are taken away, by name; of those that stay there is none.
+            self.tool_until: dict[str, float] = {tool.text("name"): tool.real("until") for tool in root.groups("tools")
+                                                 if tool.has_attribute("until")}
         self.patches = [_of_body(patch, body) for patch, body in zip(patches, self._body_of_patch)]  #: undeformed
 
     def __repr__(self) -> str:

@@ -13,7 +13,7 @@ import pytest
 import burnish
 from burnish.results import last_row
 from conftest import call, probe
-from scenes import SCENES
+from scenes import SCENES, scene
 
 FIELDS = [["displacement.y"], ["stress.xx", "von_mises"]]  # of one unit each
 # Lines through the deformed bodies, which leave and enter them.
@@ -169,6 +169,12 @@ def test_tools_and_contact(press):
     np.testing.assert_allclose(radius - 0.5, contact.gap[pressed], rtol=0, atol=1e-12)
     assert frame.quadrature.field("von_mises").shape == (len(frame.quadrature.points),)
     assert frame.quadrature.field("von_mises").max() > 5
+
+
+def test_tools_that_are_taken_away_tell_when(press, tmp_path):
+    tool = {**SCENES["press"]["tools"][0], "until": 0.5}
+    assert burnish.Scene(scene(tools=[tool])).run(tmp_path).tool_until == {"disc": 0.5}
+    assert press.tool_until == {}
 
 
 def test_reading_while_a_run_goes_on(press, tmp_path):

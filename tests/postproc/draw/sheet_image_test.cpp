@@ -15,6 +15,7 @@
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/page/sheet.h"
 #include "postproc/draw/setup/setup_figure.h"
+#include "tests/engine/scene/scene_samples.h"
 #include "tests/postproc/picture.h"
 #include "tests/postproc/sample_records.h"
 
@@ -310,9 +311,8 @@ TEST_F(SheetImage, SetupOfToolsThatCarryTurnAndHaveAnyOutline) {
 
 TEST_F(SheetImage, SetupShowsTheMotionOfAToolUntilItIsTakenAway) {
   const auto setupWith = [&](const std::string& motion) {
-    const std::string table = "motion: {times: [0, 1, 2], x: [0, 0, 2], y: [0, -0.075, -0.075]}";
-    std::string scene = kIroning;
-    scene.replace(scene.find(table), table.size(), motion);
+    const std::string scene = samples::replaced(
+        kIroning, "motion: {times: [0, 1, 2], x: [0, 0, 2], y: [0, -0.075, -0.075]}", motion);
     drawSetup(modelOf(scene.c_str()), {600, 450}, dir / "setup.png");
     return bytesOf(dir / "setup.png");
   };
