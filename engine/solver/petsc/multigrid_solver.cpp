@@ -57,6 +57,11 @@ petsc::Matrix view(const Eigen::SparseMatrix<double, Order>& A) {
   return matrix;
 }
 
+/// Rows of one pattern, as the three of a node, are not gone through together, which takes half as long again.
+void goRowByRow(Mat matrix) {
+  check(MatSetOption(matrix, MAT_USE_INODES, PETSC_FALSE));
+}
+
 /// A vector of the library for reading, as one of Eigen.
 template <class F>
 void read(Vec vector, const F& f) {
@@ -106,7 +111,7 @@ class MultigridSolver::Implementation {
   }
 
   void beginSearch() {
-    isNear_ = false;
+    isNear_ = knowsSpectra_ = false;
     if (factorises_ && hasSolved_) pause_ = 0;  // the search before has done with factors
     hasSolved_ = false;
     useFactors(searchesWithout_ == 0);
@@ -186,10 +191,42 @@ class MultigridSolver::Implementation {
     if (cycle_ == nullptr) makeCycle();
     noteChangedValues();
     check(PCSetOperators(cycle_, A_->hasProducts() ? withProducts_ : K_, K_));
+    if (!knowsSpectra_)
+      forSmoothers([](KSP smoother) {
+        check(KSPChebyshevEstEigSet(smoother, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE));
+      });
     ++counts_.setUps;
     isNear_ = false;
     isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
+    if (isSetUp_ && !knowsSpectra_) forSmoothers(keepSpectrum);
+    knowsSpectra_ = isSetUp_;
     return isSetUp_;
+  }
+
+  template <class F>
+  void forSmoothers(const F& f) {
+    for (PetscInt level = 1; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
+      KSP smoother = nullptr;
+      check(PCMGGetSmoother(cycle_, level, &smoother));
+      f(smoother);
+    }
+  }
+
+  /// Of the matrix that has been set up, for the next ones of the search: an estimate takes as long as four or five
+  /// iterations, and the largest eigenvalue of a matrix with its incomplete factors hardly changes.
+  static void keepSpectrum(KSP smoother) {
+    constexpr double kLargest = 1.1, kSmallest = 0.1;  // of the estimate, as the library has them
+    Mat matrix = nullptr;
+    KSP estimate = nullptr;
+    PetscInt count = 0;
+    check(KSPGetOperators(smoother, &matrix, nullptr));
+    goRowByRow(matrix);
+    check(KSPChebyshevEstEigGetKSP(smoother, &estimate));
+    check(KSPGetIterationNumber(estimate, &count));
+    Eigen::VectorXd real(count), imaginary(count);
+    check(KSPComputeEigenvalues(estimate, count, real.data(), imaginary.data(), &count));
+    const double largest = count > 0 ? real.head(count).maxCoeff() : 0.0;
+    if (largest > 0.0) check(KSPChebyshevSetEigenvalues(smoother, kLargest * largest, kSmallest * largest));
   }
 
   /// The library does not know that the values of K have changed; as long as it does not, smoothers keep what they
@@ -215,7 +252,7 @@ class MultigridSolver::Implementation {
 
   void forgetCycle() {
     cycle_.reset();
-    isSetUp_ = isNear_ = false;
+    isSetUp_ = isNear_ = knowsSpectra_ = false;
   }
 
   /// Not finite if it does not converge.
@@ -254,11 +291,9 @@ class MultigridSolver::Implementation {
       forgetCycle();
       return;
     }
-    for (PetscInt level = 1; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
-      KSP smoother = nullptr;
-      check(PCMGGetSmoother(cycle_, level, &smoother));
+    forSmoothers([&](KSP smoother) {
       check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, steps));
-    }
+    });
   }
 
   Eigen::VectorXd iterateWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
@@ -351,6 +386,7 @@ class MultigridSolver::Implementation {
   /// The library sees the transpose of K, which need not be symmetric.
   void makeMatrix(const SystemMatrix& A) {
     K_ = team_.isAlone() ? view(A.leading()) : viewParts(A);
+    goRowByRow(K_);
     check(MatCreateVecs(K_, in_.place(), out_.place()));
     check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
                          static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, withProducts_.place()));
@@ -581,7 +617,8 @@ class MultigridSolver::Implementation {
   double perDigitOfOne_ = 0.0;  ///< iterations with one step, where two are taken
   bool triesTwoSteps_ = true;
   bool isIndefinite_ = false;
-  bool isSetUp_ = false;  ///< the V-cycle
+  bool isSetUp_ = false;       ///< the V-cycle
+  bool knowsSpectra_ = false;  ///< of its smoothers, from an earlier matrix of the search
 
   bool isNear_ = false;           ///< the V-cycle is to be kept for the next matrix
   double perDigitAtFirst_ = 0.0;  ///< iterations, with the V-cycle of the matrix itself
